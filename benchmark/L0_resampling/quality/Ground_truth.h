@@ -1,0 +1,150 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_BENCHMARK_GROUND_TRUTH_H
+#define CGAL_L0_RESAMPLING_BENCHMARK_GROUND_TRUTH_H
+
+#include "../common/Triangle_mesh.h"
+
+#include <CGAL/AABB_tree.h>
+#include <CGAL/version.h>
+
+#if CGAL_VERSION_NR >= 1060000000
+#include <CGAL/AABB_segment_primitive_3.h>
+#include <CGAL/AABB_traits_3.h>
+#include <CGAL/AABB_triangle_primitive_3.h>
+#else
+#include <CGAL/AABB_segment_primitive.h>
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_triangle_primitive.h>
+#endif
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <map>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace L0_benchmark {
+
+using Segment_3 = Kernel::Segment_3;
+
+constexpr double degrees_per_radian = 57.29577951308232;
+
+/// Angle in degrees between two vectors, by atan2: an acos would lose all digits of small angles.
+inline double angle_in_degrees(const Vector_3& u, const Vector_3& v)
+{
+  return degrees_per_radian * std::atan2(std::sqrt(CGAL::cross_product(u, v).squared_length()), u * v);
+}
+
+inline Vector_3 area_normal(const Triangle_3& triangle)
+{
+  return CGAL::cross_product(triangle[1] - triangle[0], triangle[2] - triangle[0]);
+}
+
+/// Edges between two triangles whose normals differ by `angle` degrees or more. Borders are no features: nothing is
+/// known about the surface beyond them. Triangles without area have no normal, so their edges are left out.
+inline std::vector<Segment_3> feature_edges(const Triangle_mesh& mesh, double angle)
+{
+  std::map<std::pair<std::size_t, std::size_t>, std::vector<Vector_3>> normals_of_edges;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Vector_3 normal = area_normal(mesh.triangle(t));
+    if (normal == CGAL::NULL_VECTOR)
+      continue;
+    for (int i = 0; i < 3; ++i)
+      normals_of_edges[std::minmax({mesh.triangles[t][i], mesh.triangles[t][(i + 1) % 3]})].push_back(normal);
+  }
+  std::vector<Segment_3> features;
+  for (const auto& [edge, normals] : normals_of_edges)
+    for (std::size_t i = 1; i < normals.size(); ++i)
+      if (angle_in_degrees(normals[0], normals[i]) >= angle) {
+        features.emplace_back(mesh.vertices[edge.first], mesh.vertices[edge.second]);
+        break;
+      }
+  return features;
+}
+
+/// A mesh with what it takes to measure points against it.
+class Ground_truth
+{
+#if CGAL_VERSION_NR >= 1060000000
+  template <class Primitive> using Tree = CGAL::AABB_tree<CGAL::AABB_traits_3<Kernel, Primitive>>;
+  template <class Iterator> using Triangle_primitive = CGAL::AABB_triangle_primitive_3<Kernel, Iterator>;
+  template <class Iterator> using Segment_primitive = CGAL::AABB_segment_primitive_3<Kernel, Iterator>;
+#else
+  template <class Primitive> using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+  template <class Iterator> using Triangle_primitive = CGAL::AABB_triangle_primitive<Kernel, Iterator>;
+  template <class Iterator> using Segment_primitive = CGAL::AABB_segment_primitive<Kernel, Iterator>;
+#endif
+  using Triangle_iterator = std::vector<Triangle_3>::const_iterator;
+
+public:
+  /// \param feature_angle the least angle between the normals at a feature edge, in degrees
+  /// \throws std::invalid_argument if no triangle has an area
+  explicit Ground_truth(Triangle_mesh mesh, double feature_angle = 30)
+    : m_mesh(std::move(mesh)), m_diagonal(L0_benchmark::diagonal(bounding_box(m_mesh))),
+      m_features(L0_benchmark::feature_edges(m_mesh, feature_angle))
+  {
+    m_triangles.reserve(m_mesh.triangles.size());
+    for (std::size_t t = 0; t < m_mesh.triangles.size(); ++t)
+      if (!m_mesh.triangle(t).is_degenerate())
+        m_triangles.push_back(m_mesh.triangle(t));
+    if (m_triangles.empty())
+      throw std::invalid_argument("a mesh without area is no ground truth");
+    m_triangle_tree.insert(m_triangles.cbegin(), m_triangles.cend());
+    m_feature_tree.insert(m_features.cbegin(), m_features.cend());
+  }
+
+  // The trees hold iterators into the vectors.
+  Ground_truth(const Ground_truth&) = delete;
+  Ground_truth& operator=(const Ground_truth&) = delete;
+
+  const Triangle_mesh& mesh() const { return m_mesh; }
+  double diagonal() const { return m_diagonal; }
+  const std::vector<Segment_3>& feature_edges() const { return m_features; }
+
+  double distance(const Point_3& p) const
+  {
+    return std::sqrt(m_triangle_tree.squared_distance(p));
+  }
+
+  /// \pre there is a feature edge
+  double distance_to_features(const Point_3& p) const
+  {
+    return std::sqrt(m_feature_tree.squared_distance(p));
+  }
+
+  /// The normals that are right at `p`: of the nearest triangle or, where the foot point lies on an edge or a vertex,
+  /// of all triangles there. Not of unit length.
+  std::vector<Vector_3> nearest_normals(const Point_3& p) const
+  {
+    const Point_3 foot = m_triangle_tree.closest_point(p);
+    // Wider than the rounding of coordinates stored as `float`, far below the size of any detail.
+    const double tolerance = 1e-6 * m_diagonal;
+    const Vector_3 reach(tolerance, tolerance, tolerance);
+    std::vector<Triangle_iterator> found;
+    m_triangle_tree.all_intersected_primitives(Kernel::Iso_cuboid_3(foot - reach, foot + reach),
+                                               std::back_inserter(found));
+    std::vector<Vector_3> normals;
+    for (const Triangle_iterator triangle : found)
+      normals.push_back(area_normal(*triangle));
+    return normals;
+  }
+
+private:
+  Triangle_mesh m_mesh;
+  double m_diagonal;
+  std::vector<Triangle_3> m_triangles;
+  std::vector<Segment_3> m_features;
+  Tree<Triangle_primitive<Triangle_iterator>> m_triangle_tree;
+  Tree<Segment_primitive<std::vector<Segment_3>::const_iterator>> m_feature_tree;
+};
+
+} // namespace L0_benchmark
+
+#endif // CGAL_L0_RESAMPLING_BENCHMARK_GROUND_TRUTH_H

@@ -1,0 +1,327 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_BLOCK_CONJUGATE_GRADIENT_SOLVER_TRAITS_H
+#define CGAL_L0_RESAMPLING_BLOCK_CONJUGATE_GRADIENT_SOLVER_TRAITS_H
+
+#include <CGAL/L0_resampling/Quadratic_problem.h>
+#include <CGAL/L0_resampling/Solver_report.h>
+#include <CGAL/L0_resampling/internal/Buffer.h>
+#include <CGAL/L0_resampling/internal/block_factorization.h>
+#include <CGAL/L0_resampling/internal/parallel_for.h>
+#include <CGAL/L0_resampling/internal/solver_settings.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/tags.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace CGAL {
+namespace L0_resampling {
+
+/*!
+\ingroup PkgL0ResamplingRef
+
+The default solver: conjugate gradients on \f$ Hx = g \f$ of `Quadratic_problem`, which never forms \f$ H \f$,
+preconditioned by its 3 x 3 diagonal blocks \f$ D_i \f$. The coupling of the samples is weak, so that a handful of
+iterations does.
+
+The result is bitwise the same for `Sequential_tag` and for `Parallel_tag` with any number of threads.
+
+`solve()` takes arrays of 18 numbers a sample, booked with the problem's `memory`, and gives them back at its end.
+
+\cgalModels{L0ResamplingSolverTraits}
+
+\tparam FT_ `float` or `double`
+\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
+*/
+template <typename FT_ = double, typename ConcurrencyTag = Sequential_tag>
+class Block_conjugate_gradient_solver_traits
+{
+public:
+  using FT = FT_;
+  static constexpr bool needs_explicit_rows = false;
+
+  /// \throws std::invalid_argument if `tolerance` is not in (0, 1)
+  explicit Block_conjugate_gradient_solver_traits(double tolerance = 1e-5,
+                                                  std::size_t maximum_number_of_iterations = 100)
+    : m_tolerance(internal::checked_tolerance(tolerance)),
+      m_maximum_number_of_iterations(maximum_number_of_iterations) {}
+
+  /// Solves `problem`, from the initial guess `x`, which becomes the solution. The residual of the report is the one
+  /// that the recurrence keeps.
+  /// \throws Solver_error if a value is not finite; `x` is then unspecified
+  Solver_report solve(const Quadratic_problem<FT>& problem, Eigen::Ref<Eigen::Matrix<FT, Eigen::Dynamic, 1>> x)
+  {
+    const std::size_t m = problem.number_of_samples();
+    CGAL_precondition(std::size_t(x.size()) == 3 * m);
+    const Arrays_of_one_solve arrays(*this, m, problem.memory);
+
+    for_each_block(m, [&](std::size_t begin, std::size_t end) { factorize_blocks(problem, begin, end); });
+    const bool starts_at_zero = (x.array() == FT(0)).all();
+    if (!starts_at_zero)
+    {
+      for_each_block(m, [&](std::size_t begin, std::size_t end)
+                        { update_directions(problem, x.data(), FT(0), begin, end); });
+      sum_over_blocks(m, [&](std::size_t begin, std::size_t end) { return multiply(problem, begin, end); });
+    }
+    Sums sums = sum_over_blocks(m, [&](std::size_t begin, std::size_t end)
+                                   { return compute_residuals(problem, starts_at_zero, begin, end); });
+    if (!std::isfinite(sums.rhs) || !std::isfinite(sums.residual))
+      internal::throw_values_not_finite();
+    if (sums.rhs == 0)
+    {
+      x.setZero();
+      return Solver_report();
+    }
+
+    Solver_report report;
+    const double squared_rhs = sums.rhs;
+    const double squared_limit = m_tolerance * m_tolerance * squared_rhs;
+    double previous_energy = 0;
+    while (sums.residual > squared_limit && report.iterations < m_maximum_number_of_iterations)
+    {
+      const FT ratio = report.iterations == 0 ? FT(0) : FT(sums.energy / previous_energy);
+      for_each_block(m, [&](std::size_t begin, std::size_t end)
+                        { update_directions(problem, m_products.data(), ratio, begin, end); });
+      const Curvatures curvatures = sum_over_blocks(m, [&](std::size_t begin, std::size_t end)
+                                                       { return multiply(problem, begin, end); });
+      if (!std::isfinite(curvatures.full))
+        internal::throw_values_not_finite();
+      // H is positive definite, but near the rounding of its terms a step could go anywhere.
+      if (curvatures.full <= 100 * std::numeric_limits<FT>::epsilon() * curvatures.diagonal)
+        break;
+
+      previous_energy = sums.energy;
+      const FT step = FT(sums.energy / curvatures.full);
+      sums = sum_over_blocks(m, [&](std::size_t begin, std::size_t end)
+                                { return take_step(step, x.data(), begin, end); });
+      ++report.iterations;
+      if (!std::isfinite(sums.residual))
+        internal::throw_values_not_finite();
+    }
+    report.relative_residual = std::sqrt(sums.residual / squared_rhs);
+    report.converged = sums.residual <= squared_limit;
+    return report;
+  }
+
+private:
+  /// Holds the arrays for as long as it lives.
+  struct Arrays_of_one_solve
+  {
+    Block_conjugate_gradient_solver_traits& solver;
+
+    Arrays_of_one_solve(Block_conjugate_gradient_solver_traits& s, std::size_t m, internal::Memory_counter* memory)
+      : solver(s)
+    {
+      const internal::Counting_allocator<FT> allocator(memory);
+      solver.m_residuals = internal::Buffer<FT>(3 * m, allocator);
+      solver.m_products = internal::Buffer<FT>(3 * m, allocator);
+      solver.m_blocks = internal::Buffer<internal::Block_factorization<FT>>(m, allocator);
+      solver.m_directions = internal::Buffer<FT>(6 * m, allocator);
+    }
+    ~Arrays_of_one_solve()
+    {
+      internal::release(solver.m_residuals);
+      internal::release(solver.m_products);
+      internal::release(solver.m_blocks);
+      internal::release(solver.m_directions);
+    }
+  };
+
+  // Large enough to hide the cost of a task, small enough to keep every thread busy.
+  static constexpr std::size_t block_size = 1024;
+
+  /// Sums over samples, in `double` whatever `FT` is.
+  struct Sums
+  {
+    double rhs = 0;       // g^T g
+    double residual = 0;  // r^T r
+    double energy = 0;    // r^T D^{-1} r
+
+    Sums& operator+=(const Sums& other)
+    {
+      rhs += other.rhs;
+      residual += other.residual;
+      energy += other.energy;
+      return *this;
+    }
+  };
+
+  struct Curvatures
+  {
+    double full = 0;      // p^T H p
+    double diagonal = 0;  // p^T D p
+
+    Curvatures& operator+=(const Curvatures& other)
+    {
+      full += other.full;
+      diagonal += other.diagonal;
+      return *this;
+    }
+  };
+
+  using Four = Eigen::Array<FT, 4, 1>;
+  using Six = Eigen::Array<FT, 6, 1>;
+
+  template <typename F>
+  static void for_each_block(std::size_t m, const F& f)
+  {
+    internal::for_each_block<ConcurrencyTag>(m, block_size, f);
+  }
+
+  template <typename F>
+  static auto sum_over_blocks(std::size_t m, const F& f)
+  {
+    return internal::block_sum<ConcurrencyTag>(m, block_size, f);
+  }
+
+  static FT dot(const FT* a, const FT* b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+  /// D_i = (W_i + sum of a_ik) I + beta * sum of (n_i n_i^T + n_k n_k^T)
+  void factorize_blocks(const Quadratic_problem<FT>& problem, std::size_t begin, std::size_t end)
+  {
+    const FT* const normals = problem.sample_normals.data();
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      const std::size_t first = problem.self_neighbors.offsets[i], last = problem.self_neighbors.offsets[i + 1];
+      FT weight = problem.fit_weights[Eigen::Index(i)];
+      FT spread[6] = {};  // upper triangle of the sum of n n^T
+      add_outer_product(FT(last - first), normals + 3 * i, spread);
+      for (std::size_t e = first; e < last; ++e)
+      {
+        weight += problem.pair_weights[Eigen::Index(e)];
+        add_outer_product(FT(1), normals + 3 * std::size_t(problem.self_neighbors.indices[e]), spread);
+      }
+      const FT beta = problem.penalty;
+      m_blocks[i] = internal::factorize_block({weight + beta * spread[0], beta * spread[1], beta * spread[2],
+                                               weight + beta * spread[3], beta * spread[4],
+                                               weight + beta * spread[5]});
+    }
+  }
+
+  static void add_outer_product(FT factor, const FT* n, FT (&upper)[6])
+  {
+    const FT x = factor * n[0], y = factor * n[1];
+    upper[0] += x * n[0];
+    upper[1] += x * n[1];
+    upper[2] += x * n[2];
+    upper[3] += y * n[1];
+    upper[4] += y * n[2];
+    upper[5] += factor * n[2] * n[2];
+  }
+
+  /// r = g - H x and z = D^{-1} r
+  Sums compute_residuals(const Quadratic_problem<FT>& problem, bool starts_at_zero, std::size_t begin, std::size_t end)
+  {
+    const FT* const rhs = problem.right_hand_side.data();
+    Sums sums;
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      for (std::size_t c = 3 * i; c < 3 * i + 3; ++c)
+      {
+        sums.rhs += double(rhs[c]) * double(rhs[c]);
+        m_residuals[c] = starts_at_zero ? rhs[c] : rhs[c] - m_products[c];
+      }
+      precondition(i, sums);
+    }
+    return sums;
+  }
+
+  /// z = D^{-1} r, in place of the product that is used up, and the sums over r and z.
+  void precondition(std::size_t i, Sums& sums)
+  {
+    const FT* const r = &m_residuals[3 * i];
+    FT* const z = &m_products[3 * i];
+    internal::solve_block(m_blocks[i], r, z);
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      sums.residual += double(r[c]) * double(r[c]);
+      sums.energy += double(r[c]) * double(z[c]);
+    }
+  }
+
+  /// p = source + ratio * p. Stored with each p_i is beta n_i n_i^T p_i, all that its neighbors need of n_i.
+  void update_directions(const Quadratic_problem<FT>& problem, const FT* source, FT ratio,
+                         std::size_t begin, std::size_t end)
+  {
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      const FT* const ni = problem.sample_normals.data() + 3 * i;
+      FT* const p = &m_directions[6 * i];
+      for (std::size_t c = 0; c < 3; ++c)
+        p[c] = source[3 * i + c] + ratio * p[c];
+      const FT s = problem.penalty * dot(ni, p);
+      for (std::size_t c = 0; c < 3; ++c)
+        p[3 + c] = s * ni[c];
+    }
+  }
+
+  /// The product H p, as (Hp)_i = D_i p_i - sum of [a_ik I + beta (n_i n_i^T + n_k n_k^T)] p_k. For a neighbor, the six
+  /// numbers that `update_directions()` has stored are added, and three of them once more, times a_ik.
+  Curvatures multiply(const Quadratic_problem<FT>& problem, std::size_t begin, std::size_t end)
+  {
+    const FT* const directions = m_directions.data();
+    const FT* const pair_weights = problem.pair_weights.data();
+    const Index* const indices = problem.self_neighbors.indices;
+    Curvatures curvatures;
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      Six sum = Six::Zero();            // of p_k and beta n_k n_k^T p_k
+      Four weighted_sum = Four::Zero(); // of a_ik p_k, and a fourth number that fills the vector registers
+      for (std::size_t e = problem.self_neighbors.offsets[i]; e < problem.self_neighbors.offsets[i + 1]; ++e)
+      {
+        const FT* const p = directions + 6 * std::size_t(indices[e]);
+        sum += Eigen::Map<const Six>(p);
+        weighted_sum += pair_weights[e] * Eigen::Map<const Four>(p);
+      }
+      const FT* const ni = problem.sample_normals.data() + 3 * i;
+      const FT* const pi = directions + 6 * i;
+      const FT s = problem.penalty * dot(ni, sum.data());
+      FT* const product = &m_products[3 * i];
+      internal::multiply_block(m_blocks[i], pi, product);
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        curvatures.diagonal += double(pi[c]) * double(product[c]);
+        product[c] -= weighted_sum[Eigen::Index(c)] + sum[Eigen::Index(3 + c)] + s * ni[c];
+        curvatures.full += double(pi[c]) * double(product[c]);
+      }
+    }
+    return curvatures;
+  }
+
+  /// x += step * p, r -= step * H p, z = D^{-1} r
+  Sums take_step(FT step, FT* x, std::size_t begin, std::size_t end)
+  {
+    Sums sums;
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        x[3 * i + c] += step * m_directions[6 * i + c];
+        m_residuals[3 * i + c] -= step * m_products[3 * i + c];
+      }
+      precondition(i, sums);
+    }
+    return sums;
+  }
+
+  double m_tolerance;
+  std::size_t m_maximum_number_of_iterations;
+
+  internal::Buffer<FT> m_residuals;                               // r, 3 m
+  internal::Buffer<FT> m_products;                                // H p, then z = D^{-1} r; 3 m
+  internal::Buffer<internal::Block_factorization<FT>> m_blocks;   // D, m
+  internal::Buffer<FT> m_directions;                              // p_i and beta n_i n_i^T p_i, 6 m
+};
+
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_BLOCK_CONJUGATE_GRADIENT_SOLVER_TRAITS_H

@@ -1,0 +1,90 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_REPORT_H
+#define CGAL_L0_RESAMPLING_REPORT_H
+
+#include <CGAL/L0_resampling/Solver_report.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace L0_resampling {
+
+/// \ingroup PkgL0ResamplingRef
+/// How a call ended that did not throw.
+enum class Outcome
+{
+  COMPLETED,  ///< the result was written
+  CANCELLED   ///< the callback returned `false`; nothing was written
+};
+
+/// \ingroup PkgL0ResamplingRef
+/// One stage of a call, in the order of execution.
+struct Stage_report
+{
+  std::string name;            ///< such as `"filter normals"`
+  double seconds = 0;          ///< wall-clock time
+  std::size_t peak_bytes = 0;  ///< most memory held by the call's own arrays during the stage
+};
+
+/*!
+\ingroup PkgL0ResamplingRef
+
+One outer iteration of Algorithm 1. The energies are the terms of Eq. (7) after line 2, the choice of the offsets, in units
+of the squared radius \f$ r_p^2 \f$; the fit term leaves out the constant that does not depend on the samples.
+*/
+struct Iteration_report
+{
+  double penalty = 0;                ///< \f$ \beta \f$
+  bool regularized = true;           ///< `false` in the iterations that interleaved regularization skips
+  double fit_energy = 0;
+  double regularization_energy = 0;  ///< 0 where not `regularized`
+  double normal_energy = 0;          ///< \f$ \beta \sum (n_i^T(p_i - p_{i'}) - \delta_{ii'})^2 \f$
+  double sparsity_energy = 0;        ///< \f$ \lambda \|\delta\|_0 \f$, \f$ \lambda \f$ as in Eq. (8)
+  double active_pair_share = 0;      ///< share of pairs with \f$ \delta_{ii'} \neq 0 \f$
+  Solver_report solver;
+};
+
+/*!
+\ingroup PkgL0ResamplingRef
+
+What a call of `CGAL::l0_resample_point_set()` did. Pass the address of one with the named parameter
+`resampling_report`; it is reset on entry and filled as far as the call came, also when the call throws.
+*/
+struct Report
+{
+  Outcome outcome = Outcome::COMPLETED;
+
+  std::size_t number_of_input_points = 0;              ///< points used, without the dropped ones
+  std::size_t number_of_dropped_points = 0;            ///< non-finite points, with `drop_non_finite(true)`
+  std::size_t number_of_distinct_points = 0;           ///< of the points used
+  std::size_t number_of_output_points = 0;
+  std::size_t number_of_degenerate_neighborhoods = 0;  ///< points whose ball spans no plane
+  std::size_t number_of_lonely_samples = 0;            ///< samples without an original neighbor; they stay where they start
+  std::size_t number_of_self_neighbor_pairs = 0;       ///< ordered pairs \f$ (i, i') \f$ of the normal term
+
+  double neighbor_radius = 0;       ///< \f$ r_p \f$, in the unit of the input
+  double normal_filter_radius = 0;  ///< \f$ r_q \f$, in the unit of the input
+  double estimated_spacing = 0;     ///< square root of the area a point, in the unit of the input; default method only
+  double estimated_noise = 0;       ///< standard deviation across the surface, in the unit of the input; default method only
+  double oriented_share = 0;        ///< share of samples whose sign was propagated with confidence, in [0, 1]
+
+  std::vector<Iteration_report> iterations;  ///< one for each value of the penalty
+  bool converged = true;                     ///< whether every solve converged
+
+  std::vector<Stage_report> stages;
+  std::size_t peak_bytes = 0;  ///< most memory held by the call's own arrays, input and output not counted
+
+  std::string device = "cpu";  ///< `"cpu"` or `"cuda"`
+  std::string device_reason;   ///< why that device was taken
+};
+
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_REPORT_H

@@ -1,0 +1,54 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_SOLVER_REPORT_H
+#define CGAL_L0_RESAMPLING_SOLVER_REPORT_H
+
+#include <cstddef>
+#include <stdexcept>
+
+namespace CGAL {
+namespace L0_resampling {
+
+/*!
+\ingroup PkgL0ResamplingRef
+
+What one solve of Eq. (10) did. Running out of iterations is a report and not an exception: Algorithm 1
+lives well with an inexact solve.
+*/
+struct Solver_report
+{
+  std::size_t iterations = 0;      ///< iterations spent, 0 for a direct solver
+  double relative_residual = 0;    ///< \f$ \|A^T(b - Ax)\| / \|A^T b\| \f$ on exit, 0 where \f$ A^T b = 0 \f$
+  bool converged = true;           ///< whether the relative residual reached the solver's tolerance
+};
+
+/*!
+\ingroup PkgL0ResamplingRef
+
+Thrown by every solver, of whatever back end, when it has no answer at all: non-finite values, or a
+factorization that broke down.
+*/
+class Solver_error : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/*!
+\ingroup PkgL0ResamplingRef
+
+Thrown when a device was asked for and cannot be used, or failed while it worked.
+*/
+class Device_error : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_SOLVER_REPORT_H

@@ -1,0 +1,91 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_NEIGHBORHOODS_H
+#define CGAL_L0_RESAMPLING_INTERNAL_NEIGHBORHOODS_H
+
+#include <CGAL/L0_resampling/Quadratic_problem.h>
+#include <CGAL/L0_resampling/internal/ball_queries.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/// Owns the lists that `Neighborhoods_view` shows.
+struct Neighborhoods
+{
+  Buffer<std::size_t> offsets;
+  Buffer<Index> indices;
+
+  Neighborhoods_view view() const { return {offsets.size() - 1, offsets.data(), indices.data()}; }
+};
+
+/*!
+Lists, for each sample, the other samples strictly closer than `radius`: the self neighbors \f$ N_{p_i} \f$, ascending and symmetric.
+
+Where more than `maximum_number_of_candidates` samples share a block of cells, a sample keeps those whose index equals its own modulo a
+power of two, the larger one of the two samples', which keeps the lists symmetric and bounds their length.
+
+\param samples sorted for `grid`, whose cells are no smaller than `radius`
+*/
+template <typename ConcurrencyTag>
+Neighborhoods find_self_neighbors(const Search_grid_3& grid, const Buffer<Vector>& samples, double radius, Progress& progress)
+{
+  const std::size_t maximum_number_of_candidates = 1024;
+  const double squared_radius = radius * radius;
+  using Ranges = std::vector<Search_grid_3::Range>;
+
+  Buffer<Index> strides(samples.size(), 1, samples.get_allocator());
+  for_each_cell_block<ConcurrencyTag>(grid, grid, 1, progress, [&]() {
+    return [&](Index cell, const Ranges&, std::size_t count) {
+      Index stride = 1;
+      while (count / stride > maximum_number_of_candidates)
+        stride *= 2;
+      const Search_grid_3::Range queries = grid.points_of_cell(cell);
+      std::fill(strides.begin() + queries.first, strides.begin() + queries.second, stride);
+    };
+  });
+
+  const auto for_each_neighbor = [&](Index i, const Ranges& ranges, const auto& f) {
+    for (const Search_grid_3::Range& range : ranges)
+      for (Index k = range.first + (i - range.first) % strides[i]; k < range.second; k += strides[i])
+        if (k != i && (k - i) % strides[k] == 0 && (samples[i] - samples[k]).squaredNorm() < squared_radius)
+          f(k);
+  };
+
+  Neighborhoods neighbors{Buffer<std::size_t>(samples.size() + 1, 0, samples.get_allocator()), Buffer<Index>(samples.get_allocator())};
+  for_each_cell_block<ConcurrencyTag>(grid, grid, 1, progress, [&]() {
+    return [&](Index cell, const Ranges& ranges, std::size_t) {
+      const Search_grid_3::Range queries = grid.points_of_cell(cell);
+      for (Index i = queries.first; i < queries.second; ++i)
+        for_each_neighbor(i, ranges, [&](Index) { ++neighbors.offsets[i + 1]; });
+    };
+  });
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    neighbors.offsets[i + 1] += neighbors.offsets[i];
+
+  neighbors.indices.resize(neighbors.offsets.back());
+  for_each_cell_block<ConcurrencyTag>(grid, grid, 1, progress, [&]() {
+    return [&](Index cell, const Ranges& ranges, std::size_t) {
+      const Search_grid_3::Range queries = grid.points_of_cell(cell);
+      for (Index i = queries.first; i < queries.second; ++i)
+      {
+        std::size_t e = neighbors.offsets[i];
+        for_each_neighbor(i, ranges, [&](Index k) { neighbors.indices[e++] = k; });
+      }
+    };
+  });
+  return neighbors;
+}
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_NEIGHBORHOODS_H

@@ -1,0 +1,84 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_PARAMETERS_H
+#define CGAL_L0_RESAMPLING_INTERNAL_PARAMETERS_H
+
+#include <CGAL/L0_resampling/tags.h>
+
+#include <cstddef>
+#include <limits>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/// What a call is asked for: the named parameters, with their defaults.
+struct Parameters
+{
+  Method method = Method::DEFAULT;
+
+  std::size_t number_of_output_points = 0;   ///< \f$ |P| \f$
+
+  double neighbor_radius = 0;                ///< \f$ r_p \f$, a length; 0 asks for the method's rule
+  double normal_filter_radius = 0;           ///< \f$ r_q \f$, a length; 0 asks for the method's rule
+  double sharpness_angle = 15;               ///< \f$ \sigma_n \f$, in degrees
+  std::size_t number_of_normal_filter_iterations = 5;
+
+  double normal_weight = 0.9;                ///< \f$ \lambda \f$
+  double regularization_weight = 0;          ///< \f$ \alpha \f$
+  double initial_penalty = 0.1;              ///< first \f$ \beta \f$
+  double maximum_penalty = 2;                ///< last \f$ \beta \f$ is at most this
+  double penalty_growth = 1.5;               ///< \f$ \mu \f$
+
+  std::size_t number_of_orientation_neighbors = 12;
+  std::size_t random_seed = 0;
+  std::size_t maximum_memory = (std::numeric_limits<std::size_t>::max)();   ///< in bytes
+};
+
+// What the paper leaves open, as multiples of a radius. All are lengths.
+
+/// The self neighbors of a sample lie within r_p/2 (Section 3.2).
+constexpr double self_neighbor_radius_factor = 0.5;
+
+/// PCA looks at a smaller ball than the filter: near an edge fewer points of the other side spoil the first normal, and noise
+/// is the filter's job.
+constexpr double pca_radius_factor = 0.7;
+
+/// \f$ \sigma_q \f$ is "a scaling of r_q" (Section 3.1).
+constexpr double spatial_bandwidth_factor = 0.5;
+
+/// The unit of length in which Eq. (9) reads its threshold \f$ \sqrt{\lambda/\beta} \f$, per r_p. Printed without one, the
+/// threshold would mean another thing for every unit of the input. With r_p/4 and the default weights no jump within r_p/2
+/// survives the first iterations, and jumps above 0.18 r_p survive the last.
+constexpr double sparsity_unit_factor = 0.25;
+
+// The default method
+
+/// r_p covers this many spacings of clean points, and this many standard deviations of the noise of dense ones; in between the two
+/// add up as squares. Smaller radii follow finer detail, larger ones average more noise away.
+constexpr double radius_per_spacing = 4;
+constexpr double radius_per_noise = 4;
+
+/// r_q per r_p: beside an edge, the filter has to reach points whose first normal the edge did not spoil.
+constexpr double default_filter_radius_factor = 1.5;
+
+/// The fit is blind to points whose normal differs by much more than this many times \f$ \sigma_n \f$. More than once, since the normals
+/// of a curved surface differ more over the ball of the fit than filtered normals of one face do.
+constexpr double fit_angle_factor = 2;
+
+/// \f$ \alpha \f$ of the default method, where repulsion does what regularization is for.
+constexpr double default_regularization_weight = 0.05;
+
+/// Radius of the self neighbors, per spacing of the samples, at least.
+constexpr double self_neighbor_radius_per_spacing = 2.5;
+
+constexpr std::size_t number_of_repulsion_steps = 3;
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_PARAMETERS_H

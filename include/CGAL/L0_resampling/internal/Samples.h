@@ -1,0 +1,43 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_SAMPLES_H
+#define CGAL_L0_RESAMPLING_INTERNAL_SAMPLES_H
+
+#include <CGAL/L0_resampling/internal/Search_grid_3.h>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/// S, with what the fit term of Eq. (6) ties it to.
+struct Samples
+{
+  Buffer<Vector> positions;           ///< \f$ p_i \f$
+  Buffer<Vector> normals;             ///< \f$ n_i \f$, unit length
+  Buffer<double> fit_weights;         ///< \f$ W_i \f$
+  Buffer<Vector> fit_centroids;       ///< \f$ c_i \f$
+  Buffer<Vector> outward_directions;  ///< default method only: where an edge or a border is near, the unit vector towards it, else zero
+
+  explicit Samples(const Counting_allocator<Vector>& allocator)
+    : positions(allocator), normals(allocator), fit_weights(allocator), fit_centroids(allocator), outward_directions(allocator) {}
+};
+
+/// Puts sample `order[i]` in place `i`.
+inline void apply_order(const Buffer<Index>& order, Samples& samples)
+{
+  apply_order(order, samples.positions);
+  apply_order(order, samples.normals);
+  apply_order(order, samples.fit_weights);
+  apply_order(order, samples.fit_centroids);
+  if (!samples.outward_directions.empty())
+    apply_order(order, samples.outward_directions);
+}
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_SAMPLES_H

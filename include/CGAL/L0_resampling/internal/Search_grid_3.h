@@ -1,0 +1,223 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_SEARCH_GRID_3_H
+#define CGAL_L0_RESAMPLING_INTERNAL_SEARCH_GRID_3_H
+
+#include <CGAL/L0_resampling/Quadratic_problem.h>
+#include <CGAL/L0_resampling/internal/Buffer.h>
+#include <CGAL/L0_resampling/internal/parallel_for.h>
+#include <CGAL/L0_resampling/internal/parallel_sort.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+using Vector = Eigen::Vector3d;
+
+/// The coordinates of the vectors, xyz interleaved; null if there are none.
+inline const double* coordinates(const Buffer<Vector>& vectors) { return vectors.empty() ? nullptr : vectors.front().data(); }
+inline double* coordinates(Buffer<Vector>& vectors) { return vectors.empty() ? nullptr : vectors.front().data(); }
+
+/*!
+Cubic cells of one size over the whole space, of which only the occupied ones are stored.
+
+The points are kept by the caller, sorted as `sorted_order()` says: by cell, x fastest, and within a cell by coordinates.
+So a run of cells along x is a run of points, and the order does not depend on the order of the input.
+*/
+class Search_grid_3
+{
+  // 21 bits an axis. Coordinates beyond +-2^20 cells share the outermost cell. That keeps neighbors neighbors:
+  // clamping never moves two cells apart.
+  static constexpr std::int64_t half_range = std::int64_t(1) << 20;
+  static constexpr int axis_bits = 21;
+
+  double m_cell_size;
+  Buffer<std::uint64_t> m_keys;   // of the occupied cells, ascending
+  Buffer<Index> m_begins;         // first point of each cell, and the number of points
+  Buffer<Index> m_rows;           // first cell of each row of cells that share y and z, and the number of cells
+
+public:
+  /// A run of points, `[first, second)`.
+  using Range = std::pair<Index, Index>;
+
+  /// \param points sorted as `sorted_order()` gives for the same `cell_size`
+  Search_grid_3(const Buffer<Vector>& points, double cell_size)
+    : m_cell_size(cell_size), m_keys(points.get_allocator()), m_begins(points.get_allocator()), m_rows(points.get_allocator())
+  {
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      const std::uint64_t key = cell_key(points[i], cell_size);
+      if (m_keys.empty() || key != m_keys.back())
+      {
+        if (m_keys.empty() || row_of(key) != row_of(m_keys.back()))
+          m_rows.push_back(Index(m_keys.size()));
+        m_keys.push_back(key);
+        m_begins.push_back(Index(i));
+      }
+    }
+    m_begins.push_back(Index(points.size()));
+    m_rows.push_back(Index(m_keys.size()));
+  }
+
+  double cell_size() const { return m_cell_size; }
+  std::size_t number_of_points() const { return m_begins.back(); }
+  std::size_t number_of_cells() const { return m_keys.size(); }
+  std::size_t number_of_rows() const { return m_rows.size() - 1; }
+
+  /// The cells of a row.
+  Range row(std::size_t r) const { return {m_rows[r], m_rows[r + 1]}; }
+
+  /// The points of a cell.
+  Range points_of_cell(std::size_t c) const { return {m_begins[c], m_begins[c + 1]}; }
+
+  /// The point of space that stands for a cell: local coordinates are taken from here.
+  Vector cell_center(std::size_t c) const
+  {
+    const auto axis = [&](int a) { return double(axis_of(m_keys[c], a) - half_range) + 0.5; };
+    return m_cell_size * Vector(axis(0), axis(1), axis(2));
+  }
+
+  /*!
+  Walks along the rows of another grid of the same cell size and finds, for one of its cells after the other, the
+  points of this grid in the block of cells around it.
+  */
+  class Block_cursor
+  {
+    struct Neighbor_row { Index first_cell, last_cell, end_cell; };   // the cells in reach, and the end of the row
+
+    const Search_grid_3& m_grid;
+    std::int64_t m_reach;
+    std::vector<Neighbor_row> m_rows;
+
+  public:
+    /// \param reach number of cells to each side
+    Block_cursor(const Search_grid_3& grid, int reach) : m_grid(grid), m_reach(reach) {}
+
+    /// Goes to the row of the cell with this key.
+    void enter_row(std::uint64_t key)
+    {
+      m_rows.clear();
+      for (std::int64_t z = axis_of(key, 2) - m_reach; z <= axis_of(key, 2) + m_reach; ++z)
+      {
+        const std::int64_t low = (std::max)(axis_of(key, 1) - m_reach, std::int64_t(0));
+        const std::int64_t high = (std::min)(axis_of(key, 1) + m_reach, 2 * half_range - 1);
+        if (z < 0 || z >= 2 * half_range)
+          continue;
+        // the rows of one z follow each other, so that one search finds them all
+        const auto begin = m_grid.m_rows.begin(), end = m_grid.m_rows.end() - 1;
+        auto it = std::lower_bound(begin, end, row_key(low, z),
+                                   [&](Index first_cell, std::uint64_t k) { return row_of(m_grid.m_keys[first_cell]) < k; });
+        for (; it != end && row_of(m_grid.m_keys[*it]) <= row_key(high, z); ++it)
+          m_rows.push_back({*it, *it, *(it + 1)});
+      }
+    }
+
+    /// Lists the runs of points around the cell, which has to come after the last one of its row.
+    /// \returns the number of points listed
+    std::size_t ranges_around(std::uint64_t key, std::vector<Range>& ranges)
+    {
+      ranges.clear();
+      std::size_t count = 0;
+      const std::int64_t low = axis_of(key, 0) - m_reach, high = axis_of(key, 0) + m_reach;
+      for (Neighbor_row& row : m_rows)
+      {
+        while (row.first_cell < row.end_cell && axis_of(m_grid.m_keys[row.first_cell], 0) < low)
+          ++row.first_cell;
+        row.last_cell = (std::max)(row.last_cell, row.first_cell);
+        while (row.last_cell < row.end_cell && axis_of(m_grid.m_keys[row.last_cell], 0) <= high)
+          ++row.last_cell;
+        if (row.first_cell == row.last_cell)
+          continue;
+        ranges.emplace_back(m_grid.m_begins[row.first_cell], m_grid.m_begins[row.last_cell]);
+        count += ranges.back().second - ranges.back().first;
+      }
+      return count;
+    }
+  };
+
+  std::uint64_t key_of_cell(std::size_t c) const { return m_keys[c]; }
+
+  /// Whether the cell is an outermost one, which collects all that lies beyond.
+  bool is_unbounded(std::size_t c) const
+  {
+    for (int axis = 0; axis < 3; ++axis)
+      if (axis_of(m_keys[c], axis) == 0 || axis_of(m_keys[c], axis) == 2 * half_range - 1)
+        return true;
+    return false;
+  }
+
+  /// The order in which a grid of this cell size wants its points.
+  template <typename ConcurrencyTag>
+  static Buffer<Index> sorted_order(const Buffer<Vector>& points, double cell_size)
+  {
+    struct Entry { std::uint64_t key; Index index; };
+    Buffer<Entry> entries(points.size(), Entry(), points.get_allocator());
+    for_each_block<ConcurrencyTag>(points.size(), 4096, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        entries[i] = {cell_key(points[i], cell_size), Index(i)};
+    });
+    sort<ConcurrencyTag>(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
+      if (a.key != b.key)
+        return a.key < b.key;
+      const Vector &p = points[a.index], &q = points[b.index];
+      for (int axis = 0; axis < 3; ++axis)
+        if (p[axis] != q[axis])
+          return p[axis] < q[axis];
+      return a.index < b.index;
+    });
+    Buffer<Index> order(points.size(), Index(0), points.get_allocator());
+    for (std::size_t i = 0; i < points.size(); ++i)
+      order[i] = entries[i].index;
+    return order;
+  }
+
+private:
+  static std::uint64_t cell_key(const Vector& point, double cell_size)
+  {
+    std::uint64_t key = 0;
+    for (int axis = 2; axis >= 0; --axis)
+    {
+      const double cell = std::floor(point[axis] / cell_size);
+      const double clamped = (std::min)((std::max)(cell, -double(half_range)), double(half_range - 1));
+      key = (key << axis_bits) | std::uint64_t(std::int64_t(clamped) + half_range);
+    }
+    return key;
+  }
+
+  static std::int64_t axis_of(std::uint64_t key, int axis)
+  {
+    return std::int64_t((key >> (axis * axis_bits)) & ((std::uint64_t(1) << axis_bits) - 1));
+  }
+
+  static std::uint64_t row_of(std::uint64_t key) { return key >> axis_bits; }
+  static std::uint64_t row_key(std::int64_t y, std::int64_t z) { return (std::uint64_t(z) << axis_bits) | std::uint64_t(y); }
+};
+
+/// Puts `values[order[i]]` in place `i`.
+template <typename T>
+void apply_order(const Buffer<Index>& order, Buffer<T>& values)
+{
+  Buffer<T> sorted(values.get_allocator());
+  sorted.reserve(order.size());
+  for (Index i : order)
+    sorted.push_back(values[i]);
+  values.swap(sorted);
+}
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_SEARCH_GRID_3_H

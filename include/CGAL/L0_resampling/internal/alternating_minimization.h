@@ -1,0 +1,135 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_ALTERNATING_MINIMIZATION_H
+#define CGAL_L0_RESAMPLING_INTERNAL_ALTERNATING_MINIMIZATION_H
+
+#include <CGAL/L0_resampling/Quadratic_problem.h>
+#include <CGAL/L0_resampling/internal/Fit_rows.h>
+#include <CGAL/L0_resampling/internal/pair_terms.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/// The weights of Algorithm 1 in the working frame.
+struct Minimization_parameters
+{
+  double squared_radius;                 ///< \f$ r_p^2 \f$
+  double squared_bandwidth;              ///< \f$ \sigma_q^2 \f$
+  double sparsity_unit;                  ///< length in which \f$ \sqrt{\lambda/\beta} \f$ is read
+  double normal_weight;                  ///< \f$ \lambda \f$
+  double regularization_weight;          ///< \f$ \alpha \f$
+  double initial_penalty, maximum_penalty, penalty_growth;   ///< \f$ \beta, \beta_{max}, \mu \f$
+  bool interleave_regularization;        ///< Section 4.2: regularize in every second iteration only
+};
+
+inline Iteration_report iteration_report(const Minimization_parameters& p, double penalty, bool regularized, const Energy_sums& sums,
+                                         std::size_t number_of_pairs, const Solver_report& solver)
+{
+  Iteration_report report;
+  report.penalty = penalty;
+  report.regularized = regularized;
+  report.fit_energy = sums.fit / p.squared_radius;
+  report.regularization_energy = sums.regularization / p.squared_radius;
+  report.normal_energy = penalty * sums.squared_normal_misfit / p.squared_radius;
+  report.sparsity_energy =
+    p.normal_weight * p.sparsity_unit * p.sparsity_unit * double(sums.number_of_active_pairs) / p.squared_radius;
+  report.active_pair_share = number_of_pairs ? double(sums.number_of_active_pairs) / double(number_of_pairs) : 0;
+  report.solver = solver;
+  return report;
+}
+
+/// One turn of Algorithm 1, lines 2 to 4, and the arrays it works on.
+template <typename ConcurrencyTag, typename SolverTraits>
+class Minimization_step
+{
+  const Minimization_parameters& m_parameters;
+  SolverTraits& m_solver;
+  Progress& m_progress;
+  Buffer<double> m_pair_weights, m_normal_offsets;
+  Buffer<Vector> m_right_hand_side, m_displacements;
+
+public:
+  Minimization_step(const Minimization_parameters& parameters, SolverTraits& solver, Progress& progress,
+                    const Counting_allocator<Vector>& allocator)
+    : m_parameters(parameters), m_solver(solver), m_progress(progress), m_pair_weights(allocator),
+      m_normal_offsets(allocator), m_right_hand_side(allocator), m_displacements(allocator) {}
+
+  /// Moves the samples to the minimum of Eq. (10).
+  /// \param regularize whether the second term of Eq. (7) takes part
+  /// \param fit_rows the fit rows of Eq. (11), for solvers that need them; may be empty for others
+  /// \returns the terms of Eq. (7) after line 2 and what the solver did
+  Iteration_report operator()(double penalty, bool regularize, const Neighborhoods& neighbors, const Fit_rows& fit_rows, Samples& samples)
+  {
+    const Minimization_parameters& p = m_parameters;
+    const std::size_t m = samples.positions.size(), number_of_pairs = neighbors.indices.size();
+    m_right_hand_side.resize(m);
+    m_displacements.assign(m, Vector::Zero());
+    m_normal_offsets.resize(SolverTraits::needs_explicit_rows ? number_of_pairs : 0);
+    m_pair_weights.assign(number_of_pairs, 0.);
+
+    // Line 4, of the iteration before or of "Initialize"
+    if (regularize)
+    {
+      Buffer<double> density_weights(m, 1., samples.positions.get_allocator());
+      update_weights<ConcurrencyTag>(samples.positions, neighbors, p.squared_bandwidth, p.squared_radius, p.regularization_weight,
+                                     density_weights, m_pair_weights);
+    }
+    m_progress.advance(0);
+
+    // Line 2: Eq. (8), (9)
+    const double threshold = p.sparsity_unit * std::sqrt(p.normal_weight / penalty);
+    const Energy_sums sums = shrink_normal_offsets<ConcurrencyTag>(samples, neighbors, m_pair_weights, penalty, threshold,
+                                                                   m_right_hand_side, m_normal_offsets);
+    m_progress.advance(0);
+
+    // Line 3: Eq. (10), for the displacements
+    const Explicit_rows<double> rows = fit_rows.view(samples.positions, m_normal_offsets);
+    const Quadratic_problem<double> problem{
+      {samples.fit_weights.data(), Eigen::Index(m)},
+      neighbors.view(),
+      {coordinates(samples.normals), 3, Eigen::Index(m)},
+      {m_pair_weights.data(), Eigen::Index(number_of_pairs)},
+      {coordinates(m_right_hand_side), 3, Eigen::Index(m)},
+      penalty,
+      SolverTraits::needs_explicit_rows ? &rows : nullptr,
+      samples.positions.get_allocator().counter};
+    const Solver_report solver_report = m_solver.solve(problem, Eigen::Map<Eigen::VectorXd>(coordinates(m_displacements), Eigen::Index(3 * m)));
+    for (std::size_t i = 0; i < m; ++i)
+      samples.positions[i] += m_displacements[i];
+    m_progress.advance(1);
+    return iteration_report(p, penalty, regularize, sums, number_of_pairs, solver_report);
+  }
+};
+
+/// Algorithm 1. Moves the samples to a minimum of Eq. (6); the neighbors stay those of the start.
+/// \param fit_rows the fit rows of Eq. (11), for solvers that need them; may be empty for others
+/// \param reports out: one for each value of the penalty
+template <typename ConcurrencyTag, typename SolverTraits>
+void minimize_alternatingly(const Minimization_parameters& p, const Neighborhoods& neighbors, const Fit_rows& fit_rows,
+                            SolverTraits& solver, Progress& progress, Samples& samples, std::vector<Iteration_report>& reports)
+{
+  Minimization_step<ConcurrencyTag, SolverTraits> step(p, solver, progress, samples.positions.get_allocator());
+  double penalty = p.initial_penalty;
+  bool regularize = true;
+  do
+  {
+    reports.push_back(step(penalty, regularize, neighbors, fit_rows, samples));   // Lines 2 to 4
+    penalty *= p.penalty_growth;                                                  // Line 5
+    regularize = !p.interleave_regularization || !regularize;
+  } while (penalty <= p.maximum_penalty);                                         // Line 6
+}
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_ALTERNATING_MINIMIZATION_H

@@ -1,0 +1,170 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_BALL_QUERIES_H
+#define CGAL_L0_RESAMPLING_INTERNAL_BALL_QUERIES_H
+
+#include <CGAL/L0_resampling/internal/Progress.h>
+#include <CGAL/L0_resampling/internal/Search_grid_3.h>
+#include <CGAL/L0_resampling/internal/lanes.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/// Cells to each side that a ball of this radius around any point of a cell can touch.
+inline int cells_in_reach(double radius, double cell_size)
+{
+  return int(std::ceil(radius / cell_size));
+}
+
+/*!
+The points of a block of cells, as arrays of coordinates relative to the block, ready for vector instructions.
+
+A ball holds few points of a cloud that is everywhere; relative coordinates of type `float` resolve it as well as `double`
+does, and twice as many fit in a register. The arrays are padded to full lanes with points so far away that no ball holds them.
+
+A block of more than `maximum_number_of_candidates` points is thinned to every s-th point, s a power of two: this bounds the
+neighbors of a point, and the time, where a million points share a cell.
+*/
+template <typename T>
+class Local_points
+{
+public:
+  /// Well above what any sensible radius gathers: the paper's, at ten million points, gathers about 600.
+  static constexpr std::size_t maximum_number_of_candidates = 4096;
+
+  std::vector<T> x, y, z;
+  std::vector<Index> indices;   ///< of the points, without the padding
+  Index stride = 1;             ///< s: one of so many points was taken
+
+  /// \param count the number of points in the ranges
+  void gather(const std::vector<Search_grid_3::Range>& ranges, std::size_t count,
+              const Buffer<Vector>& points, const Vector& origin)
+  {
+    stride = 1;
+    while (count / stride > maximum_number_of_candidates)
+      stride *= 2;
+
+    const std::size_t lanes = Lanes<T>::size, maximum_size = count / stride + ranges.size() + lanes;
+    indices.resize(maximum_size);
+    x.resize(maximum_size);
+    y.resize(maximum_size);
+    z.resize(maximum_size);
+    T* const local[3] = {x.data(), y.data(), z.data()};
+    const double x0 = origin[0], y0 = origin[1], z0 = origin[2];
+    std::size_t size = 0;
+    for (const Search_grid_3::Range& range : ranges)
+    {
+      const Index first = (range.first + stride - 1) & ~(stride - 1);   // stride is a power of two
+      if (first >= range.second)
+        continue;
+      const double* p = points[first].data();
+      for (Index j = first; j < range.second; j += stride, p += 3 * std::size_t(stride), ++size)
+      {
+        local[0][size] = T(p[0] - x0);
+        local[1][size] = T(p[1] - y0);
+        local[2][size] = T(p[2] - z0);
+        indices[size] = j;
+      }
+    }
+    const std::size_t padded_size = (size + lanes - 1) / lanes * lanes;
+    for (std::vector<T>* coordinates : {&x, &y, &z})
+    {
+      coordinates->resize(padded_size);
+      std::fill(coordinates->begin() + std::ptrdiff_t(size), coordinates->end(), far_away);
+    }
+    indices.resize(size);
+    // an outermost cell may hold points at any distance, whose squares would not be finite
+    for (std::vector<T>* coordinates : {&x, &y, &z})
+      for (std::size_t k = 0; k < padded_size; k += lanes)
+        Lanes<T>::load(&(*coordinates)[k]).max(-far_away).min(far_away).store(&(*coordinates)[k]);
+  }
+
+  /// Number of points, padding included: a multiple of the number of lanes.
+  std::size_t padded_size() const { return x.size(); }
+
+  /// From `center` to the points from the k-th on, as many as there are lanes.
+  Lanes<T> squared_distances(std::size_t k, const Eigen::Matrix<T, 3, 1>& center) const
+  {
+    const Lanes<T> dx = Lanes<T>::load(&x[k]) - center[0];
+    const Lanes<T> dy = Lanes<T>::load(&y[k]) - center[1];
+    const Lanes<T> dz = Lanes<T>::load(&z[k]) - center[2];
+    return dx * dx + dy * dy + dz * dz;
+  }
+
+private:
+  static constexpr T far_away = T(1e12);   // its square is finite in `float`
+};
+
+/*!
+Calls `visitor(cell, ranges, count)` for each occupied cell of `query_grid`, with the runs of points of `point_grid` that lie
+within `reach` cells of it, and their number. Runs ascend.
+
+`make_visitor` is called once in a while to make a visitor with arrays of its own, so that visitors can run at the same time.
+*/
+template <typename ConcurrencyTag, typename Make_visitor>
+void for_each_cell_block(const Search_grid_3& query_grid, const Search_grid_3& point_grid, int reach, Progress& progress,
+                         const Make_visitor& make_visitor)
+{
+  const std::size_t rows_per_block = 4;
+  for_each_block<ConcurrencyTag>(query_grid.number_of_rows(), rows_per_block, [&](std::size_t begin, std::size_t end) {
+    auto visitor = make_visitor();
+    Search_grid_3::Block_cursor cursor(point_grid, reach);
+    std::vector<Search_grid_3::Range> ranges;
+    for (std::size_t r = begin; r < end; ++r)
+    {
+      const Search_grid_3::Range row = query_grid.row(r);
+      cursor.enter_row(query_grid.key_of_cell(row.first));
+      for (Index cell = row.first; cell < row.second; ++cell)
+      {
+        const std::size_t count = cursor.ranges_around(query_grid.key_of_cell(cell), ranges);
+        visitor(cell, ranges, count);
+        const Search_grid_3::Range queries = query_grid.points_of_cell(cell);
+        progress.advance(queries.second - queries.first);
+      }
+    }
+  });
+}
+
+/// As `for_each_cell_block()`, but calls `visitor(queries, candidates, origin)`: `queries` is the run of query points of the
+/// cell, and `candidates` holds the points around them relative to `origin`.
+template <typename T, typename ConcurrencyTag, typename Make_visitor>
+void for_each_cell(const Search_grid_3& query_grid, const Buffer<Vector>& query_points,
+                   const Search_grid_3& point_grid, const Buffer<Vector>& points,
+                   int reach, Progress& progress, const Make_visitor& make_visitor)
+{
+  for_each_cell_block<ConcurrencyTag>(query_grid, point_grid, reach, progress, [&]() {
+    return [&, visitor = make_visitor(), candidates = Local_points<T>()](
+             Index cell, const std::vector<Search_grid_3::Range>& ranges, std::size_t count) mutable {
+      const Search_grid_3::Range queries = query_grid.points_of_cell(cell);
+      if (!query_grid.is_unbounded(cell))
+      {
+        const Vector origin = query_grid.cell_center(cell);
+        candidates.gather(ranges, count, points, origin);
+        visitor(queries, candidates, origin);
+        return;
+      }
+      // no single origin is near to all points of such a cell
+      for (Index i = queries.first; i < queries.second; ++i)
+      {
+        candidates.gather(ranges, count, points, query_points[i]);
+        visitor(Search_grid_3::Range(i, i + 1), candidates, query_points[i]);
+      }
+    };
+  });
+}
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_BALL_QUERIES_H

@@ -1,0 +1,129 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_CHECKED_PARAMETERS_H
+#define CGAL_L0_RESAMPLING_INTERNAL_CHECKED_PARAMETERS_H
+
+#include <CGAL/L0_resampling/Quadratic_problem.h>
+#include <CGAL/L0_resampling/internal/Parameters.h>
+#include <CGAL/L0_resampling/named_parameters.h>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/// \throws std::invalid_argument that names the parameter and its value, unless `is_good`
+template <typename T>
+void check_parameter(bool is_good, const char* name, const T& value, const char* expected)
+{
+  if (is_good)
+    return;
+  std::ostringstream message;
+  message.precision(17);
+  message << "l0_resample_point_set: " << name << " is " << value << ", expected " << expected;
+  throw std::invalid_argument(message.str());
+}
+
+/// Copies the named parameter to `target` if the caller gave it. Never binds a reference: that would outlive its value.
+template <typename NamedParameters, typename Tag, typename T>
+void read_parameter(const NamedParameters& np, Tag tag, T& target)
+{
+  if constexpr (!parameters::is_default_parameter<NamedParameters, Tag>::value)
+    target = static_cast<T>(parameters::get_parameter(np, tag));
+}
+
+/// A count, which callers may pass as any number type; `target` stays as it is if they do not.
+template <typename NamedParameters, typename Tag>
+void read_count(const NamedParameters& np, Tag tag, const char* name, std::size_t& target)
+{
+  if constexpr (!parameters::is_default_parameter<NamedParameters, Tag>::value)
+  {
+    const auto value = parameters::get_parameter(np, tag);
+    check_parameter(!(value < 0) && double(value) <= double((std::numeric_limits<std::size_t>::max)() / 2), name, value,
+                    "a count that is not negative");
+    target = std::size_t(value);
+  }
+}
+
+/// Reads and checks everything that does not depend on the types of the points.
+/// \param n number of points that are used
+/// \throws std::invalid_argument
+template <typename NamedParameters>
+Parameters checked_parameters(const NamedParameters& np, std::size_t n)
+{
+  Parameters p;
+  const auto is_positive = [](double x) { return std::isfinite(x) && x > 0; };
+  const auto is_not_negative = [](double x) { return std::isfinite(x) && x >= 0; };
+
+  read_parameter(np, internal_np::resampling_method, p.method);
+  check_parameter(p.method == Method::DEFAULT || p.method == Method::LOR || p.method == Method::ALOR, "resampling_method",
+                  int(p.method), "a Method");
+
+  const bool has_radius = !parameters::is_default_parameter<NamedParameters, internal_np::neighbor_radius_t>::value;
+  read_parameter(np, internal_np::neighbor_radius, p.neighbor_radius);
+  check_parameter(!has_radius || is_positive(p.neighbor_radius), "neighbor_radius", p.neighbor_radius, "a finite length above 0");
+  const bool has_filter_radius = !parameters::is_default_parameter<NamedParameters, internal_np::normal_filter_radius_t>::value;
+  read_parameter(np, internal_np::normal_filter_radius, p.normal_filter_radius);
+  check_parameter(!has_filter_radius || is_positive(p.normal_filter_radius), "normal_filter_radius", p.normal_filter_radius,
+                  "a finite length above 0");
+
+  read_parameter(np, internal_np::sharpness_angle, p.sharpness_angle);
+  check_parameter(is_positive(p.sharpness_angle) && p.sharpness_angle <= 90, "sharpness_angle", p.sharpness_angle,
+                  "an angle in (0, 90] degrees");
+  read_count(np, internal_np::number_of_normal_filter_iterations, "number_of_normal_filter_iterations",
+             p.number_of_normal_filter_iterations);
+  check_parameter(p.number_of_normal_filter_iterations <= 10000, "number_of_normal_filter_iterations",
+                  p.number_of_normal_filter_iterations, "at most 10000");
+
+  read_parameter(np, internal_np::normal_weight, p.normal_weight);
+  check_parameter(is_not_negative(p.normal_weight), "normal_weight", p.normal_weight, "a finite number, 0 or above");
+  p.regularization_weight = p.method == Method::DEFAULT ? default_regularization_weight : 0.15;
+  read_parameter(np, internal_np::regularization_weight, p.regularization_weight);
+  check_parameter(is_not_negative(p.regularization_weight), "regularization_weight", p.regularization_weight,
+                  "a finite number, 0 or above");
+
+  read_parameter(np, internal_np::initial_penalty, p.initial_penalty);
+  check_parameter(is_positive(p.initial_penalty), "initial_penalty", p.initial_penalty, "a finite number above 0");
+  read_parameter(np, internal_np::maximum_penalty, p.maximum_penalty);
+  check_parameter(is_positive(p.maximum_penalty), "maximum_penalty", p.maximum_penalty, "a finite number above 0");
+  read_parameter(np, internal_np::penalty_growth, p.penalty_growth);
+  check_parameter(std::isfinite(p.penalty_growth) && p.penalty_growth > 1, "penalty_growth", p.penalty_growth,
+                  "a finite number above 1");
+  const double number_of_steps = (std::log(p.maximum_penalty) - std::log(p.initial_penalty)) / std::log(p.penalty_growth);
+  check_parameter(number_of_steps <= 1e4, "penalty_growth", p.penalty_growth, "a growth that reaches maximum_penalty in 10000 steps");
+
+  read_count(np, internal_np::number_of_orientation_neighbors, "number_of_orientation_neighbors", p.number_of_orientation_neighbors);
+  check_parameter(p.number_of_orientation_neighbors >= 3 && p.number_of_orientation_neighbors <= 1000,
+                  "number_of_orientation_neighbors", p.number_of_orientation_neighbors, "3 to 1000");
+
+  read_parameter(np, internal_np::random_seed, p.random_seed);
+  read_parameter(np, internal_np::maximum_memory, p.maximum_memory);
+
+  double percentage = 50;
+  read_parameter(np, internal_np::select_percentage, percentage);
+  check_parameter(percentage > 0 && percentage <= 100, "select_percentage", percentage, "a number in (0, 100]");
+  p.number_of_output_points = n == 0 ? 0 : (std::max)(std::size_t(1), std::size_t(std::floor(double(n) * percentage / 100)));
+  read_count(np, internal_np::number_of_output_points, "number_of_output_points", p.number_of_output_points);
+  check_parameter(n < (std::numeric_limits<Index>::max)(), "the number of points", n, "fewer than 2^32 - 1");
+  check_parameter(p.number_of_output_points < (std::numeric_limits<Index>::max)(), "number_of_output_points",
+                  p.number_of_output_points, "fewer than 2^32 - 1");
+  if (n == 0)
+    p.number_of_output_points = 0;
+  return p;
+}
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_CHECKED_PARAMETERS_H

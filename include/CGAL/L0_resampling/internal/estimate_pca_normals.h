@@ -1,0 +1,99 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_ESTIMATE_PCA_NORMALS_H
+#define CGAL_L0_RESAMPLING_INTERNAL_ESTIMATE_PCA_NORMALS_H
+
+#include <CGAL/L0_resampling/internal/estimate_plane.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/// Fits planes to the balls of this radius around the points listed in `open`, and strikes those off that found one.
+template <typename ConcurrencyTag, typename T>
+void refit_in_larger_balls(const Buffer<Vector>& points, double radius, Progress& progress,
+                           Buffer<Index>& open, Buffer<Eigen::Matrix<T, 3, 1>>& normals)
+{
+  Buffer<Vector> coarse_points(points);
+  apply_order(Search_grid_3::sorted_order<ConcurrencyTag>(points, radius), coarse_points);
+  const Search_grid_3 coarse_grid(coarse_points, radius);
+
+  Buffer<Vector> open_points(points.get_allocator());
+  for (Index i : open)
+    open_points.push_back(points[i]);
+  const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(open_points, radius);
+  apply_order(order, open_points);
+  apply_order(order, open);
+  const Search_grid_3 open_grid(open_points, radius);
+
+  const Index closed = (std::numeric_limits<Index>::max)();
+  const auto make_visitor = [&]() {
+    return [&](Search_grid_3::Range queries, const Local_points<T>& candidates, const Vector& origin) {
+      for (Index k = queries.first; k < queries.second; ++k)
+      {
+        const Plane_fit<T> fit = fit_plane<T>((open_points[k] - origin).template cast<T>(), candidates, T(radius * radius));
+        normals[open[k]] = fit.normal;
+        if (fit.spans_plane)
+          open[k] = closed;
+      }
+    };
+  };
+  for_each_cell<T, ConcurrencyTag>(open_grid, open_points, coarse_grid, coarse_points, 1, progress, make_visitor);
+  open.erase(std::remove(open.begin(), open.end(), closed), open.end());
+}
+
+/// Computes an unoriented normal for each point from the points of its ball. A point whose ball spans no plane takes the
+/// normal of the next larger ball that does, of twice, four times ... the radius; if none does, whatever the largest gave.
+/// \param points sorted for `grid`
+/// \param normals out: one unit vector a point
+/// \returns the number of points whose own ball spanned no plane
+template <typename ConcurrencyTag, typename T>
+std::size_t estimate_pca_normals(const Search_grid_3& grid, const Buffer<Vector>& points, double radius, Progress& progress,
+                                 Buffer<Eigen::Matrix<T, 3, 1>>& normals)
+{
+  const int number_of_doublings = 10;
+  Buffer<unsigned char> is_degenerate(points.size(), 0, points.get_allocator());
+  std::atomic<std::size_t> number_of_degenerate{0};
+
+  const auto make_visitor = [&]() {
+    return [&](Search_grid_3::Range queries, const Local_points<T>& candidates, const Vector& origin) {
+      for (Index i = queries.first; i < queries.second; ++i)
+      {
+        const Plane_fit<T> fit = fit_plane<T>((points[i] - origin).template cast<T>(), candidates, T(radius * radius));
+        normals[i] = fit.normal;
+        if (!fit.spans_plane)
+        {
+          is_degenerate[i] = 1;
+          ++number_of_degenerate;
+        }
+      }
+    };
+  };
+  for_each_cell<T, ConcurrencyTag>(grid, points, grid, points, cells_in_reach(radius, grid.cell_size()), progress, make_visitor);
+  if (number_of_degenerate == 0)
+    return 0;
+
+  // Few points in a healthy cloud: the others leave the loop, what is left meets coarser and coarser grids.
+  Buffer<Index> open(points.get_allocator());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (is_degenerate[i])
+      open.push_back(Index(i));
+  for (int doubling = 1; doubling <= number_of_doublings && !open.empty(); ++doubling)
+    refit_in_larger_balls<ConcurrencyTag>(points, std::ldexp(radius, doubling), progress, open, normals);
+  return number_of_degenerate;
+}
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_ESTIMATE_PCA_NORMALS_H

@@ -1,0 +1,128 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_FIT_COMPATIBLE_POINTS_H
+#define CGAL_L0_RESAMPLING_INTERNAL_FIT_COMPATIBLE_POINTS_H
+
+#include <CGAL/L0_resampling/internal/Local_normals.h>
+#include <CGAL/L0_resampling/internal/ball_queries.h>
+#include <CGAL/L0_resampling/internal/Samples.h>
+#include <CGAL/L0_resampling/internal/weights.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/// The input as the fit sees it.
+template <typename T>
+struct Fit_input
+{
+  const Search_grid_3& grid;
+  const Buffer<Vector>& points;
+  const Buffer<Eigen::Matrix<T, 3, 1>>& normals;
+  const Buffer<T>& density_weights;   ///< \f$ v_j \f$
+  double radius;                      ///< \f$ r_p \f$
+  double normal_bandwidth;            ///< \f$ (1 - \cos\sigma_n)^2 \f$
+};
+
+/*!
+The fit term of the default method. Where the paper draws a sample to the mean of all points of its ball, which cuts
+corners and shrinks what is curved, this one looks at points of its own side of an edge only, each weighted by
+\f$ \theta \psi / v_j \f$, and at their height over the sample's plane and the sample's over theirs, half and half,
+
+\f[ h_i = \sum_j w_j \tfrac12 (n_i + n_j)^T (q_j - p_i) / \sum_j w_j, \f]
+
+which is zero for every pair of points of one sphere (the symmetric distance of Rusinkiewicz 2019). The sample is drawn to
+\f$ c_i = p_i + h_i n_i \f$: along its normal, so that it does not retreat from edges and borders. Only beyond them, where the weighted mean of
+the points lies further off in the plane than that of a half plane, \f$ \sigma / \sqrt\pi \f$, is it drawn back: the mean of a Gaussian cut
+off at x moves by \f$ 2x/\pi \f$ for small x, so that the way back is \f$ \pi/2 \f$ of what is too much.
+
+The normal of the sample becomes the weighted mean of those points' normals.
+
+\param samples in: positions and normals; out: normals, fit weights, fit centroids and outward directions
+*/
+template <typename ConcurrencyTag, typename T>
+void fit_compatible_points(const Fit_input<T>& input, Progress& progress, Samples& samples)
+{
+  const double cell_size = input.grid.cell_size(), bandwidth = input.radius / 2;
+  const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(samples.positions, cell_size);
+  Buffer<Vector> queries_in_order(samples.positions);
+  apply_order(order, queries_in_order);
+  const Search_grid_3 query_grid(queries_in_order, cell_size);
+
+  const T squared_radius = T(input.radius * input.radius);
+  const T squared_bandwidth = T(bandwidth * bandwidth), normal_bandwidth = T(input.normal_bandwidth);
+  const double half_plane_offset = bandwidth / std::sqrt(EIGEN_PI);
+  // The fit against the normal term; see the ablation table of the benchmark.
+  const double fit_weight_factor = 0.3;
+
+  const auto make_visitor = [&]() {
+    return [&, normals = Local_normals<T>(), weights = std::vector<T>()](Search_grid_3::Range queries, const Local_points<T>& candidates,
+                                                                         const Vector& origin) mutable {
+      using L = Lanes<T>;
+      normals.gather(candidates, input.normals);
+      weights.assign(candidates.padded_size(), T(0));
+      for (std::size_t k = 0; k < candidates.indices.size(); ++k)
+        weights[k] = 1 / input.density_weights[candidates.indices[k]];
+
+      for (Index q = queries.first; q < queries.second; ++q)
+      {
+        const Index i = order[q];
+        const Eigen::Matrix<T, 3, 1> center = (queries_in_order[q] - origin).template cast<T>(), normal = samples.normals[i].template cast<T>();
+        L sum, height, x, y, z, mean_nx, mean_ny, mean_nz;
+        for (std::size_t k = 0; k < candidates.padded_size(); k += L::size)
+        {
+          const L dx = L::load(&candidates.x[k]) - center[0];
+          const L dy = L::load(&candidates.y[k]) - center[1];
+          const L dz = L::load(&candidates.z[k]) - center[2];
+          const L squared_distance = dx * dx + dy * dy + dz * dz;
+          if (!any_less(squared_distance, squared_radius))
+            continue;
+          const L nx = L::load(&normals.x[k]), ny = L::load(&normals.y[k]), nz = L::load(&normals.z[k]);
+          const L cosine = nx * normal[0] + ny * normal[1] + nz * normal[2];
+          const L weight = where_less(squared_distance, squared_radius, L::load(&weights[k]))
+                           * bilateral_weight(squared_distance, squared_bandwidth, cosine, normal_bandwidth);
+          const L signed_weight = with_sign_of(cosine, weight);
+          sum += weight;
+          height += weight * (dx * normal[0] + dy * normal[1] + dz * normal[2]) + signed_weight * (dx * nx + dy * ny + dz * nz);
+          x += weight * dx;  y += weight * dy;  z += weight * dz;
+          mean_nx += signed_weight * nx;  mean_ny += signed_weight * ny;  mean_nz += signed_weight * nz;
+        }
+
+        const double total = sum.sum();
+        samples.fit_weights[i] = (std::max)(fit_weight_factor * total, 1e-3);
+        samples.fit_centroids[i] = samples.positions[i];
+        samples.outward_directions[i] = Vector::Zero();
+        if (!(total > 1e-3))
+          continue;   // nobody agrees: the sample stays, and keeps its normal
+        const Vector old_normal = samples.normals[i];
+        const Vector mean = Vector(x.sum(), y.sum(), z.sum()) / total;
+        const Vector offset = mean - old_normal.dot(mean) * old_normal;
+        const double distance = offset.norm();
+        samples.fit_centroids[i] += (0.5 * height.sum() / total) * old_normal;
+        if (distance > half_plane_offset)
+          samples.fit_centroids[i] += (EIGEN_PI / 2 * (distance - half_plane_offset) / distance) * offset;
+        if (distance > half_plane_offset / 2)
+          samples.outward_directions[i] = -offset / distance;
+        const Vector mean_normal(mean_nx.sum(), mean_ny.sum(), mean_nz.sum());
+        if (mean_normal.norm() > 1e-3 * total)
+          samples.normals[i] = mean_normal.normalized();
+      }
+    };
+  };
+  for_each_cell<T, ConcurrencyTag>(query_grid, queries_in_order, input.grid, input.points, cells_in_reach(input.radius, cell_size), progress,
+                                   make_visitor);
+}
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_FIT_COMPATIBLE_POINTS_H

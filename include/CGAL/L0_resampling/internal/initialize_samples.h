@@ -1,0 +1,147 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_INITIALIZE_SAMPLES_H
+#define CGAL_L0_RESAMPLING_INTERNAL_INITIALIZE_SAMPLES_H
+
+#include <CGAL/L0_resampling/internal/ball_queries.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/// The finalizer of the generator splitmix64 (Steele, Lea, Flood 2014): a number that looks random for each pair of a seed and a
+/// counter, the same on every machine and in any order of evaluation.
+inline std::uint64_t random_bits(std::uint64_t seed, std::uint64_t counter)
+{
+  std::uint64_t z = (seed + 1) * 0x9E3779B97F4A7C15u + counter * 0xD1B54A32D192ED03u;
+  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
+  z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
+  return z ^ (z >> 31);
+}
+
+/// The first S: where the samples start, and the input point each takes its normal from.
+struct Initial_samples
+{
+  Buffer<Vector> positions;
+  Buffer<Index> sources;
+  std::size_t number_of_distinct_points;
+};
+
+/// Splits `n` things in order into `m <= n` runs of nearly equal length and takes one of each at random.
+inline void pick_one_of_each_run(std::uint64_t n, std::uint64_t m, std::uint64_t seed, const Buffer<Index>& things,
+                                 Buffer<Index>& picked)
+{
+  for (std::uint64_t k = 0; k < m; ++k)
+  {
+    const std::uint64_t begin = k * n / m, end = (k + 1) * n / m;   // below 2^64, as both factors are below 2^32
+    picked.push_back(things[begin + random_bits(seed, k) % (end - begin)]);
+  }
+}
+
+/// Moves each of the new samples, which start on their source, part of the way to another point of its ball: one of a similar
+/// normal, so that the way does not cut an edge, if there is one; else any; else the next point in the order of `distinct`.
+template <typename ConcurrencyTag, typename T>
+void move_between_points(const Search_grid_3& grid, const Buffer<Vector>& points, const Buffer<Eigen::Matrix<T, 3, 1>>& normals,
+                         const Buffer<Index>& distinct, double radius, std::uint64_t seed, Progress& progress, Initial_samples& samples)
+{
+  const Buffer<Vector> starts(samples.positions);
+  const Search_grid_3 start_grid(starts, grid.cell_size());
+  const T similar_cosine = T(0.87);   // 30 degrees, what survives bilateral filtering on one side of an edge
+
+  const auto make_visitor = [&]() {
+    return [&](Search_grid_3::Range queries, const Local_points<T>& candidates, const Vector& origin) {
+      for (Index e = queries.first; e < queries.second; ++e)
+      {
+        const Index source = samples.sources[e];
+        const Eigen::Matrix<T, 3, 1> center = (starts[e] - origin).template cast<T>();
+        Index partner = source;
+        std::uint64_t best = 0;
+        for (std::size_t k = 0; k < candidates.indices.size(); ++k)
+        {
+          const Index j = candidates.indices[k];
+          const Eigen::Matrix<T, 3, 1> d = Eigen::Matrix<T, 3, 1>(candidates.x[k], candidates.y[k], candidates.z[k]) - center;
+          if (d.squaredNorm() >= T(radius * radius) || points[j] == starts[e])
+            continue;
+          const bool is_similar = std::abs(normals[source].dot(normals[j])) > similar_cosine;
+          const std::uint64_t rank = (random_bits(seed + e, j) >> 1) | (std::uint64_t(is_similar) << 63);
+          if (rank > best)
+          {
+            best = rank;
+            partner = j;
+          }
+        }
+        if (partner == source && distinct.size() > 1)
+        {
+          const auto next = std::upper_bound(distinct.begin(), distinct.end(), source);
+          partner = next != distinct.end() ? *next : *(distinct.end() - 2);
+        }
+        // never the middle, where the way back from the partner would put another one
+        const double share = 0.2 + 0.25 * std::ldexp(double(random_bits(seed, samples.positions.size() + e) >> 11), -53);
+        samples.positions[e] = starts[e] + share * (points[partner] - starts[e]);
+      }
+    };
+  };
+  for_each_cell<T, ConcurrencyTag>(start_grid, starts, grid, points, cells_in_reach(radius, grid.cell_size()), progress, make_visitor);
+}
+
+/*!
+Chooses where `number_of_samples` samples start. Up to the number of distinct points they start on points, no two on one, spread over
+the cloud as the points are. The further ones start between two points each.
+
+\param points sorted for `grid`, so that the choice does not depend on the order of the input
+\param normals unoriented, one a point
+\param radius how far apart the two points of a further sample may lie
+\returns samples sorted for a grid of the same cell size
+*/
+template <typename ConcurrencyTag, typename T>
+Initial_samples initialize_samples(const Search_grid_3& grid, const Buffer<Vector>& points,
+                                   const Buffer<Eigen::Matrix<T, 3, 1>>& normals, std::size_t number_of_samples, double radius,
+                                   std::uint64_t seed, Progress& progress)
+{
+  Buffer<Index> distinct(points.get_allocator());
+  for (std::size_t j = 0; j < points.size(); ++j)
+    if (j == 0 || points[j] != points[j - 1])
+      distinct.push_back(Index(j));
+
+  Initial_samples samples{Buffer<Vector>(points.get_allocator()), Buffer<Index>(points.get_allocator()), distinct.size()};
+  samples.sources.reserve(number_of_samples);
+  samples.positions.reserve(number_of_samples);
+  const auto start_on_sources = [&]() {
+    for (std::size_t i = samples.positions.size(); i < samples.sources.size(); ++i)
+      samples.positions.push_back(points[samples.sources[i]]);
+  };
+
+  if (number_of_samples <= distinct.size())
+  {
+    pick_one_of_each_run(distinct.size(), number_of_samples, seed, distinct, samples.sources);
+    start_on_sources();
+    return samples;
+  }
+
+  const std::uint64_t number_of_new = number_of_samples - distinct.size();
+  for (std::uint64_t e = 0; e < number_of_new; ++e)
+    samples.sources.push_back(distinct[std::size_t(e * distinct.size() / number_of_new)]);
+  start_on_sources();
+  move_between_points<ConcurrencyTag>(grid, points, normals, distinct, radius, seed, progress, samples);
+
+  samples.sources.insert(samples.sources.end(), distinct.begin(), distinct.end());
+  start_on_sources();
+  const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(samples.positions, grid.cell_size());
+  apply_order(order, samples.positions);
+  apply_order(order, samples.sources);
+  return samples;
+}
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_INITIALIZE_SAMPLES_H

@@ -1,0 +1,81 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_LANES_H
+#define CGAL_L0_RESAMPLING_INTERNAL_LANES_H
+
+#include <Eigen/Core>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/*!
+As many numbers as one vector register of the target holds, computed at once.
+
+A thin coat over Eigen's packets, which know the instructions of every processor and have a vectorized `exp`. Eigen's arrays of
+fixed size would do the same, but compilers keep those in memory between operations, which triples the time.
+*/
+template <typename T>
+struct Lanes
+{
+  using Packet = typename Eigen::internal::packet_traits<T>::type;
+  static constexpr int size = Eigen::internal::unpacket_traits<Packet>::size;
+
+  Packet packet;
+
+  Lanes() : packet(Eigen::internal::pset1<Packet>(T(0))) {}
+  explicit Lanes(T value) : packet(Eigen::internal::pset1<Packet>(value)) {}
+  explicit Lanes(const Packet& p) : packet(p) {}
+
+  Lanes max(T low) const { return Lanes(Eigen::internal::pmax(packet, Lanes(low).packet)); }
+  Lanes min(T high) const { return Lanes(Eigen::internal::pmin(packet, Lanes(high).packet)); }
+  T sum() const { return Eigen::internal::predux(packet); }
+
+  Lanes& operator+=(const Lanes& b) { return *this = *this + b; }
+
+  friend Lanes operator+(const Lanes& a, const Lanes& b) { return Lanes(Eigen::internal::padd(a.packet, b.packet)); }
+  friend Lanes operator-(const Lanes& a, const Lanes& b) { return Lanes(Eigen::internal::psub(a.packet, b.packet)); }
+  friend Lanes operator*(const Lanes& a, const Lanes& b) { return Lanes(Eigen::internal::pmul(a.packet, b.packet)); }
+  friend Lanes operator-(const Lanes& a, T b) { return a - Lanes(b); }
+  friend Lanes operator-(T a, const Lanes& b) { return Lanes(a) - b; }
+  friend Lanes operator*(const Lanes& a, T b) { return a * Lanes(b); }
+  friend Lanes operator-(const Lanes& a) { return Lanes(Eigen::internal::pnegate(a.packet)); }
+  friend Lanes abs(const Lanes& a) { return Lanes(Eigen::internal::pabs(a.packet)); }
+  friend Lanes exp(const Lanes& a) { return Lanes(Eigen::internal::pexp(a.packet)); }
+
+  // from and to addresses of any alignment
+  static Lanes load(const T* p) { return Lanes(Eigen::internal::ploadu<Packet>(p)); }
+  void store(T* p) const { Eigen::internal::pstoreu(p, packet); }
+};
+
+/// The values where `a < b`, 0 elsewhere.
+template <typename T>
+Lanes<T> where_less(const Lanes<T>& a, T b, const Lanes<T>& values)
+{
+  return Lanes<T>(Eigen::internal::pand(Eigen::internal::pcmp_lt(a.packet, Lanes<T>(b).packet), values.packet));
+}
+
+/// Whether `a < b` in any lane.
+template <typename T>
+bool any_less(const Lanes<T>& a, T b)
+{
+  return Eigen::internal::predux_any(Eigen::internal::pcmp_lt(a.packet, Lanes<T>(b).packet));
+}
+
+/// The values, not negative, with the sign of `signs`; 0 where that is 0, since 0 has two signs.
+template <typename T>
+Lanes<T> with_sign_of(const Lanes<T>& signs, const Lanes<T>& values)
+{
+  using namespace Eigen::internal;
+  const auto sign_bits = pand(signs.packet, Lanes<T>(T(-0.)).packet);
+  return Lanes<T>(pandnot(por(sign_bits, values.packet), pcmp_eq(signs.packet, Lanes<T>().packet)));
+}
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_LANES_H

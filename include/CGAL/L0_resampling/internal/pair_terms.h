@@ -1,0 +1,133 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_PAIR_TERMS_H
+#define CGAL_L0_RESAMPLING_INTERNAL_PAIR_TERMS_H
+
+#include <CGAL/L0_resampling/internal/Neighborhoods.h>
+#include <CGAL/L0_resampling/internal/Samples.h>
+#include <CGAL/L0_resampling/internal/shrinkage.h>
+#include <CGAL/L0_resampling/internal/weights.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+// The terms of Eq. (7) that couple samples, computed pair by pair. Blocks of samples run at the same time.
+constexpr std::size_t samples_per_block = 2048;
+
+/// Line 4 of Algorithm 1: updates \f$ w_i \f$ of Eq. (5), with the mean number of neighbors of all samples as \f$ \eta_S \f$, and the
+/// weights of the pairs in Eq. (7), \f$ a_{ik} = \alpha \bar\theta_{ik} (1/w_i + 1/w_k) \f$: the pair comes once with i and once with k.
+/// \param squared_bandwidth \f$ \sigma_q^2 \f$
+/// \param squared_radius \f$ r_p^2 \f$
+/// \param density_weights out: one number a sample, at least 1
+/// \param pair_weights out: one number a pair
+template <typename ConcurrencyTag>
+void update_weights(const Buffer<Vector>& samples, const Neighborhoods& neighbors, double squared_bandwidth, double squared_radius,
+                    double regularization_weight, Buffer<double>& density_weights, Buffer<double>& pair_weights)
+{
+  using Values = Eigen::Map<Eigen::ArrayXd>;
+  const auto pairs_of = [&](std::size_t begin, std::size_t end) {
+    return Values(pair_weights.data() + neighbors.offsets[begin], Eigen::Index(neighbors.offsets[end] - neighbors.offsets[begin]));
+  };
+
+  const double mean_number_of_sample_neighbors = double(neighbors.indices.size()) / double(samples.size());
+  for_each_block<ConcurrencyTag>(samples.size(), samples_per_block, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
+        pair_weights[e] = (samples[i] - samples[neighbors.indices[e]]).squaredNorm();
+
+    const Values squared_distances = pairs_of(begin, end);
+    const Eigen::ArrayXd theta = gaussian_weight(Eigen::ArrayXd(squared_distances), squared_bandwidth);
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      const std::size_t first = neighbors.offsets[i] - neighbors.offsets[begin], count = neighbors.offsets[i + 1] - neighbors.offsets[i];
+      const double sum = theta.segment(Eigen::Index(first), Eigen::Index(count)).sum();
+      density_weights[i] = count > 0 ? 1 + sum / mean_number_of_sample_neighbors : 1;
+    }
+    pairs_of(begin, end) = stretch_weight(Eigen::ArrayXd(squared_distances), squared_radius);
+  });
+  for_each_block<ConcurrencyTag>(samples.size(), samples_per_block, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
+        pair_weights[e] *= regularization_weight * (1 / density_weights[i] + 1 / density_weights[neighbors.indices[e]]);
+  });
+}
+
+/// The terms of Eq. (7), without the constant part of the first and without the weights of the last two.
+struct Energy_sums
+{
+  double fit = 0;                      ///< \f$ \sum W_i \|p_i - c_i\|^2 \f$
+  double regularization = 0;           ///< \f$ \sum_{\{i,k\}} a_{ik} \|p_i - p_k\|^2 \f$
+  double squared_normal_misfit = 0;    ///< \f$ \sum (n_i^T(p_i - p_k) - \delta_{ik})^2 \f$
+  std::size_t number_of_active_pairs = 0;
+
+  Energy_sums& operator+=(const Energy_sums& other)
+  {
+    fit += other.fit;
+    regularization += other.regularization;
+    squared_normal_misfit += other.squared_normal_misfit;
+    number_of_active_pairs += other.number_of_active_pairs;
+    return *this;
+  }
+};
+
+/*!
+Solves Eq. (8) by Eq. (9) for every pair with the samples fixed, and linearizes Eq. (10) there: half its negative gradient
+at the current positions,
+
+\f[ g_i = W_i (c_i - p_i) - \sum_{k \in N_i} \left( a_{ik} d_{ik} + \beta (n_i^T d_{ik} - \delta_{ik}) n_i
+          + \beta (n_k^T d_{ik} + \delta_{ki}) n_k \right), \qquad d_{ik} = p_i - p_k. \f]
+
+Only differences of neighbors enter, so that neither the place of the cloud nor a far outlier costs digits.
+
+\param threshold \f$ \sqrt{\lambda/\beta} \f$, a length
+\param right_hand_side out: \f$ g_i \f$, one vector a sample
+\param normal_offsets out: \f$ \delta_{ik} \f$ for each pair if not empty, for solvers that want the rows of Eq. (11)
+*/
+template <typename ConcurrencyTag>
+Energy_sums shrink_normal_offsets(const Samples& samples, const Neighborhoods& neighbors, const Buffer<double>& pair_weights,
+                                  double penalty, double threshold, Buffer<Vector>& right_hand_side, Buffer<double>& normal_offsets)
+{
+  return block_sum<ConcurrencyTag>(samples.positions.size(), samples_per_block, [&](std::size_t begin, std::size_t end) {
+    Energy_sums sums;
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      const Vector to_centroid = samples.fit_centroids[i] - samples.positions[i];
+      sums.fit += samples.fit_weights[i] * to_centroid.squaredNorm();
+
+      Vector g = samples.fit_weights[i] * to_centroid;
+      for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
+      {
+        const Index k = neighbors.indices[e];
+        const Vector difference = samples.positions[i] - samples.positions[k];
+        const double distance_i = samples.normals[i].dot(difference), distance_k = samples.normals[k].dot(difference);
+        const double offset_i = shrink(distance_i, threshold);
+        // delta_ki is minus this one, as p_k - p_i is minus the difference
+        const double offset_k = shrink(distance_k, threshold);
+        const double misfit_i = distance_i - offset_i, misfit_k = distance_k - offset_k;
+        g -= pair_weights[e] * difference + (penalty * misfit_i) * samples.normals[i] + (penalty * misfit_k) * samples.normals[k];
+        if (!normal_offsets.empty())
+          normal_offsets[e] = offset_i;
+
+        sums.regularization += 0.5 * pair_weights[e] * difference.squaredNorm();   // each unordered pair comes twice
+        sums.squared_normal_misfit += misfit_i * misfit_i;
+        sums.number_of_active_pairs += offset_i != 0;
+      }
+      right_hand_side[i] = g;
+    }
+    return sums;
+  });
+}
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_PAIR_TERMS_H

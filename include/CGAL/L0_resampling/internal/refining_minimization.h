@@ -1,0 +1,84 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_REFINING_MINIMIZATION_H
+#define CGAL_L0_RESAMPLING_INTERNAL_REFINING_MINIMIZATION_H
+
+#include <CGAL/L0_resampling/internal/alternating_minimization.h>
+#include <CGAL/L0_resampling/internal/fit_compatible_points.h>
+#include <CGAL/L0_resampling/internal/tangential_repulsion.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/// What the default method adds to Algorithm 1.
+struct Refinement_parameters
+{
+  double self_neighbor_radius;            ///< in place of r_p/2, so that a sample has neighbors at any number of samples
+  double spacing;                         ///< of an even set of that many samples
+  std::size_t number_of_repulsion_steps;  ///< after each turn
+};
+
+/// The fit term of the default method as rows: one a sample.
+inline Fit_rows collapsed_fit_rows(const Samples& samples)
+{
+  Fit_rows rows{Buffer<std::size_t>(samples.positions.size() + 1, 0, samples.positions.get_allocator()), samples.fit_centroids,
+                samples.fit_weights};
+  for (std::size_t i = 0; i < rows.offsets.size(); ++i)
+    rows.offsets[i] = i;
+  return rows;
+}
+
+/*!
+Algorithm 1 as the default method runs it: every turn looks for the neighbors anew where the samples are now, fits to compatible points
+only, and spreads the samples within the surface. Ends on the fitted surface.
+
+\param input the points to fit to
+\param samples positions and normals in and out; the order changes
+\param reports out: one for each value of the penalty
+\returns the number of ordered pairs of self neighbors in the last turn
+*/
+template <typename ConcurrencyTag, typename T, typename SolverTraits>
+std::size_t minimize_with_refinement(const Minimization_parameters& p, const Refinement_parameters& refinement, const Fit_input<T>& input,
+                              SolverTraits& solver, Progress& progress, Samples& samples, std::vector<Iteration_report>& reports)
+{
+  const auto allocator = samples.positions.get_allocator();
+  const double cell_size = (std::max)(input.grid.cell_size(), refinement.self_neighbor_radius);
+  samples.outward_directions.assign(samples.positions.size(), Vector::Zero());
+  Minimization_step<ConcurrencyTag, SolverTraits> step(p, solver, progress, allocator);
+  Fit_rows fit_rows{Buffer<std::size_t>(allocator), Buffer<Vector>(allocator), Buffer<double>(allocator)};
+
+  std::size_t number_of_pairs = 0;
+  double penalty = p.initial_penalty;
+  do
+  {
+    fit_compatible_points<ConcurrencyTag>(input, progress, samples);
+    apply_order(Search_grid_3::sorted_order<ConcurrencyTag>(samples.positions, cell_size), samples);
+    const Search_grid_3 grid(samples.positions, cell_size);
+    const Neighborhoods neighbors =
+      find_self_neighbors<ConcurrencyTag>(grid, samples.positions, refinement.self_neighbor_radius, progress);
+    number_of_pairs = neighbors.indices.size();
+    if (SolverTraits::needs_explicit_rows)
+      fit_rows = collapsed_fit_rows(samples);
+
+    reports.push_back(step(penalty, true, neighbors, fit_rows, samples));
+    repel_tangentially<ConcurrencyTag>(neighbors, refinement.spacing, refinement.number_of_repulsion_steps, samples);
+    penalty *= p.penalty_growth;
+  } while (penalty <= p.maximum_penalty);
+
+  fit_compatible_points<ConcurrencyTag>(input, progress, samples);
+  samples.positions = samples.fit_centroids;
+  return number_of_pairs;
+}
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_REFINING_MINIMIZATION_H

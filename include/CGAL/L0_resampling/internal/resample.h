@@ -1,0 +1,275 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_RESAMPLE_H
+#define CGAL_L0_RESAMPLING_INTERNAL_RESAMPLE_H
+
+#include <CGAL/L0_resampling/Report.h>
+#include <CGAL/L0_resampling/internal/Parameters.h>
+#include <CGAL/L0_resampling/internal/alternating_minimization.h>
+#include <CGAL/L0_resampling/internal/collapse_fit_term.h>
+#include <CGAL/L0_resampling/internal/density_weights.h>
+#include <CGAL/L0_resampling/internal/estimate_pca_normals.h>
+#include <CGAL/L0_resampling/internal/estimate_scales.h>
+#include <CGAL/L0_resampling/internal/filter_normals.h>
+#include <CGAL/L0_resampling/internal/initialize_samples.h>
+#include <CGAL/L0_resampling/internal/orient_normals.h>
+#include <CGAL/L0_resampling/internal/refining_minimization.h>
+#include <CGAL/L0_resampling/internal/working_frame.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/// The result, in the coordinates of the input.
+struct Oriented_points
+{
+  Buffer<Vector> positions;
+  Buffer<Vector> normals;   ///< unit length
+};
+
+/// The scalar type of what happens within one ball, where relative coordinates make `float` enough.
+using Local = float;
+using Local_vector = Eigen::Matrix<Local, 3, 1>;
+
+/// Coincident points are in no order but that of the input, which must not matter: puts their normals in one.
+inline void sort_normals_of_coincident_points(const Buffer<Vector>& points, Buffer<Local_vector>& normals)
+{
+  for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end)
+  {
+    while (end < points.size() && points[end] == points[begin])
+      ++end;
+    std::sort(normals.begin() + std::ptrdiff_t(begin), normals.begin() + std::ptrdiff_t(end),
+              [](const Local_vector& a, const Local_vector& b) {
+                return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+              });
+  }
+}
+
+/// Section 3.1: the filtered normals of the input points. `given_normals` replace PCA where they are usable.
+template <typename ConcurrencyTag>
+Buffer<Local_vector> compute_filtered_normals(const Search_grid_3& grid, const Buffer<Vector>& points,
+                                              const Buffer<Local_vector>& given_normals, double radius,
+                                              const Normal_filter<Local>& filter, std::size_t number_of_iterations,
+                                              Progress& progress, Report& report)
+{
+  Buffer<Local_vector> normals(points.size(), Local_vector::UnitZ(), points.get_allocator());
+  const bool all_given = !given_normals.empty()
+                         && std::none_of(given_normals.begin(), given_normals.end(), [](const Local_vector& n) { return n.isZero(0); });
+  if (!all_given)
+  {
+    progress.begin_stage("PCA normals", 0.1, points.size());
+    report.number_of_degenerate_neighborhoods =
+      estimate_pca_normals<ConcurrencyTag>(grid, points, pca_radius_factor * radius, progress, normals);
+  }
+  for (std::size_t i = 0; i < given_normals.size(); ++i)
+    if (!given_normals[i].isZero(0))
+      normals[i] = given_normals[i];
+
+  progress.begin_stage("filter normals", 0.4, points.size() * number_of_iterations);
+  filter_normals<ConcurrencyTag>(grid, points, filter, number_of_iterations, progress, normals);
+  return normals;
+}
+
+/// The lengths of a call, in the working frame.
+struct Lengths
+{
+  double radius;                 ///< \f$ r_p \f$, in [1, 2)
+  double filter_radius;          ///< \f$ r_q \f$
+  double self_neighbor_radius;
+  double sample_spacing;         ///< of an even set of the samples
+  double cell_size;              ///< of the grid of the points
+  double smallest_cell_size;     ///< of any grid
+};
+
+inline double square(double x) { return x * x; }
+
+/// \f$ (1 - \cos\sigma_n)^2 \f$ of Eq. (2), for an angle in degrees; never so small that its inverse is not finite.
+inline double normal_bandwidth(double angle) { return (std::max)(square(1 - std::cos(angle * EIGEN_PI / 180)), 1e-12); }
+
+/// Chooses the lengths that the caller left open: by the paper's rule, which is \f$ l_{diag} / \sqrt[3]{n} \f$, or by the spacing and the noise of the
+/// points for the default method. Scales frame and points to the radius.
+template <typename ConcurrencyTag>
+Lengths choose_lengths(const Parameters& parameters, Buffer<Vector>& points, Working_frame& frame, Progress& progress, Report& report)
+{
+  const double n = double(points.size()), m = double(parameters.number_of_output_points);
+  double diagonal = robust_diagonal(points);
+  const double paper_radius = sensible_radius(diagonal / std::cbrt(n), points);
+  diagonal *= frame.scale_to(paper_radius, points);
+  const double scaled_paper_radius = std::ldexp(paper_radius, -std::ilogb(paper_radius));
+
+  Lengths lengths;
+  lengths.radius = scaled_paper_radius;
+  // a surface through the middle of a cube of that diagonal, evenly sampled
+  lengths.sample_spacing = diagonal / std::sqrt(m);
+  if (parameters.method == Method::DEFAULT)
+  {
+    const Scales scales = estimate_scales<ConcurrencyTag, Local>(points, scaled_paper_radius, progress);
+    lengths.radius = std::hypot(radius_per_spacing * scales.spacing, radius_per_noise * scales.noise);
+    lengths.sample_spacing = scales.spacing * std::sqrt(n / m);
+    report.estimated_spacing = frame.length_of_input(scales.spacing);
+    report.estimated_noise = frame.length_of_input(scales.noise);
+  }
+  if (parameters.neighbor_radius > 0)
+    lengths.radius = frame.length_in_frame(parameters.neighbor_radius);
+  lengths.radius = sensible_radius(lengths.radius, points);
+
+  const double scale = frame.scale_to(lengths.radius, points);
+  lengths.radius *= scale;
+  lengths.sample_spacing *= scale;
+  const double default_factor = parameters.method == Method::DEFAULT ? default_filter_radius_factor : 1.;
+  lengths.filter_radius = parameters.normal_filter_radius > 0
+    ? sensible_radius(frame.length_in_frame(parameters.normal_filter_radius), points) : default_factor * lengths.radius;
+  lengths.self_neighbor_radius = self_neighbor_radius_factor * lengths.radius;
+  if (parameters.method == Method::DEFAULT)
+    // Beyond r_p the surface may bend away, and the fit could not hold a sample that the other terms carry off.
+    lengths.self_neighbor_radius = (std::min)(self_neighbor_radius_per_spacing * lengths.sample_spacing, lengths.radius);
+  // A radius far below the spacing would spread the cloud over more cells than a grid can number.
+  lengths.smallest_cell_size = std::ldexp(diagonal * scale, -18);
+  // The balls of the filter reach one cell far, or two if they are the larger ones: cells as large as that share a block of
+  // candidates among many queries.
+  lengths.cell_size = (std::max)(lengths.filter_radius > lengths.radius ? lengths.filter_radius / 2 : lengths.radius,
+                                 lengths.smallest_cell_size);
+
+  report.neighbor_radius = frame.length_of_input(lengths.radius);
+  report.normal_filter_radius = frame.length_of_input(lengths.filter_radius);
+  return lengths;
+}
+
+/*!
+Resamples: the stages of the paper, one after the other.
+
+\param points the input, finite, at least one point; used up
+\param given_normals unit or zero vectors, one a point, or none at all; used up
+\param parameters checked; radii in the unit of the input
+*/
+template <typename ConcurrencyTag, typename SolverTraits>
+Oriented_points resample(Buffer<Vector>& points, Buffer<Local_vector>& given_normals, const Parameters& parameters,
+                         SolverTraits& solver, Progress& progress, Report& report)
+{
+  const auto allocator = points.get_allocator();
+  // Lengths, and the frame in which r_p lies in [1, 2)
+  progress.begin_stage("sort points", 0.05, 1);
+  Working_frame frame;
+  frame.enter(points);
+  const Lengths lengths = choose_lengths<ConcurrencyTag>(parameters, points, frame, progress, report);
+
+  // Neighborhoods
+  {
+    const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(points, lengths.cell_size);
+    apply_order(order, points);
+    if (!given_normals.empty())
+    {
+      apply_order(order, given_normals);
+      sort_normals_of_coincident_points(points, given_normals);
+    }
+  }
+  Search_grid_3 grid(points, lengths.cell_size);
+
+  // Section 3.1: normals, Eq. (1) and (2)
+  const double squared_bandwidth = square(spatial_bandwidth_factor * lengths.filter_radius);
+  const Normal_filter<Local> filter{lengths.filter_radius, Local(squared_bandwidth), Local(normal_bandwidth(parameters.sharpness_angle))};
+  Buffer<Local_vector> normals = compute_filtered_normals<ConcurrencyTag>(
+    grid, points, given_normals, lengths.radius, filter, parameters.number_of_normal_filter_iterations, progress, report);
+  release(given_normals);
+
+  // Section 3.2: density weights of Q, Eq. (5), and the first S
+  progress.begin_stage("density weights", 0.08, points.size());
+  Buffer<Local> input_density_weights(points.size(), Local(1), allocator);
+  compute_input_density_weights<ConcurrencyTag>(grid, points, lengths.filter_radius, squared_bandwidth, progress, input_density_weights);
+
+  progress.begin_stage("initial samples", 0.02, parameters.number_of_output_points);
+  const std::size_t m = parameters.number_of_output_points;
+  Samples samples(allocator);
+  {
+    Initial_samples start =
+      initialize_samples<ConcurrencyTag>(grid, points, normals, m, lengths.radius, parameters.random_seed, progress);
+    report.number_of_distinct_points = start.number_of_distinct_points;
+    samples.positions = std::move(start.positions);
+    samples.normals.reserve(m);
+    for (Index source : start.sources)
+      samples.normals.push_back(normals[source].cast<double>().normalized());
+    samples.fit_weights.resize(m);
+    samples.fit_centroids.resize(m, Vector::Zero());
+  }
+
+  // Section 3.2 and 3.3: Eq. (6) by Algorithm 1
+  const Minimization_parameters minimization{
+    square(lengths.radius), squared_bandwidth, sparsity_unit_factor * lengths.radius,
+    parameters.normal_weight, parameters.regularization_weight,
+    parameters.initial_penalty, parameters.maximum_penalty, parameters.penalty_growth,
+    parameters.method == Method::ALOR};
+  if (parameters.method == Method::DEFAULT)
+  {
+    progress.begin_stage("L0 minimization", 0.35, 9 * m);
+    const Fit_input<Local> fit_input{grid, points, normals, input_density_weights, lengths.radius,
+                                     normal_bandwidth(fit_angle_factor * parameters.sharpness_angle)};
+    const Refinement_parameters refinement{lengths.self_neighbor_radius, lengths.sample_spacing, number_of_repulsion_steps};
+    report.number_of_self_neighbor_pairs =
+      minimize_with_refinement<ConcurrencyTag>(minimization, refinement, fit_input, solver, progress, samples, report.iterations);
+    release(points);
+    release(normals);
+    release(input_density_weights);
+  }
+  else
+  {
+    Fit_rows fit_rows{Buffer<std::size_t>(allocator), Buffer<Vector>(allocator), Buffer<double>(allocator)};
+    Neighborhoods neighbors{Buffer<std::size_t>(allocator), Buffer<Index>(allocator)};
+    {
+      const Search_grid_3 sample_grid(samples.positions, lengths.cell_size);
+      progress.begin_stage("original neighbors", 0.1, m);
+      report.number_of_lonely_samples =
+        collapse_fit_term<ConcurrencyTag>(sample_grid, samples.positions, grid, points, input_density_weights, lengths.radius, progress,
+                                          samples.fit_weights, samples.fit_centroids);
+      if (SolverTraits::needs_explicit_rows)
+      {
+        // Section 4.1. Merging changes the rows of Eq. (11) and not the collapsed terms, so only such solvers see Algorithm 2.
+        progress.begin_stage("fit rows", 0.1, 2 * m);
+        fit_rows = gather_fit_rows<ConcurrencyTag>(sample_grid, samples.positions, grid, points, input_density_weights, lengths.radius,
+                                                   parameters.method == Method::ALOR ? 2 : 0, progress);
+      }
+      release(points);
+      release(normals);
+      release(input_density_weights);
+      grid = Search_grid_3(points, lengths.cell_size);   // of no points
+    }
+
+    progress.begin_stage("self neighbors", 0.03, 3 * m);
+    {
+      const double self_cell_size = (std::max)(lengths.self_neighbor_radius, lengths.smallest_cell_size);
+      const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(samples.positions, self_cell_size);
+      apply_order(order, samples);
+      if (SolverTraits::needs_explicit_rows)
+        apply_order(order, fit_rows);
+      const Search_grid_3 self_grid(samples.positions, self_cell_size);
+      neighbors = find_self_neighbors<ConcurrencyTag>(self_grid, samples.positions, lengths.self_neighbor_radius, progress);
+    }
+    report.number_of_self_neighbor_pairs = neighbors.indices.size();
+
+    progress.begin_stage("L0 minimization", 0.2, 8);
+    minimize_alternatingly<ConcurrencyTag>(minimization, neighbors, fit_rows, solver, progress, samples, report.iterations);
+  }
+  for (const Iteration_report& iteration : report.iterations)
+    report.converged = report.converged && iteration.solver.converged;
+
+  progress.begin_stage("orient normals", 0.1, m);
+  report.oriented_share = orient_normals<ConcurrencyTag>(samples.positions, parameters.number_of_orientation_neighbors,
+                                                         lengths.sample_spacing, progress, samples.normals);
+  progress.end_stage();
+
+  for (Vector& position : samples.positions)
+    position = frame.leave(position);
+  return {std::move(samples.positions), std::move(samples.normals)};
+}
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_RESAMPLE_H

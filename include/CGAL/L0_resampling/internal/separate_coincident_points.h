@@ -1,0 +1,92 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_SEPARATE_COINCIDENT_POINTS_H
+#define CGAL_L0_RESAMPLING_INTERNAL_SEPARATE_COINCIDENT_POINTS_H
+
+#include <CGAL/L0_resampling/internal/Buffer.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <set>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/// Makes points that are equal, after rounding to the caller's number type, differ by a few units in the last place: no two results
+/// may be one. They fall together where a radius reaches the whole cloud, or where `float` is too coarse for UTM coordinates.
+/// \param points finite; those that coincide with an earlier one in lexicographic order of (coordinates, index) are moved
+/// \param low, high corners of the box that they have to stay in, where it has room
+/// \param length below which coordinates count as zero: its rounding is the least step
+template <typename FT>
+void separate_coincident_points(const std::array<FT, 3>& low, const std::array<FT, 3>& high, FT length, Buffer<std::array<FT, 3>>& points)
+{
+  using Point = std::array<FT, 3>;
+  const auto allocator = points.get_allocator();
+  Buffer<std::size_t> order(points.size(), 0, allocator);
+  for (std::size_t i = 0; i < order.size(); ++i)
+    order[i] = i;
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return points[a] != points[b] ? points[a] < points[b] : a < b;
+  });
+
+  const auto coincides = [&](std::size_t k) { return k > 0 && points[order[k]] == points[order[k - 1]]; };
+  Buffer<std::size_t> to_move(allocator);
+  for (std::size_t k = 0; k < order.size(); ++k)
+    if (coincides(k))
+      to_move.push_back(order[k]);
+  if (to_move.empty())
+    return;
+
+  // Each group takes the nodes of a lattice around its place, one after the other, and skips those that are taken.
+  std::set<Point> taken(points.begin(), points.end());
+  Point place = points[to_move.front()];
+  std::size_t node = 0;
+  for (std::size_t i : to_move)
+  {
+    if (points[i] != place)
+    {
+      place = points[i];
+      node = 0;
+    }
+    Point step;
+    std::array<int, 3> bits;   // an axis has room for 2^bits nodes
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      step[a] = 2 * std::numeric_limits<FT>::epsilon() * (std::max)({std::abs(place[a]), length, (std::numeric_limits<FT>::min)()});
+      const FT room = (std::min)(high[a] - place[a], place[a] - low[a]) / step[a];   // steps to the nearer side
+      bits[a] = room >= 1 ? (std::min)(std::ilogb(room), 20) + 1 : 0;
+    }
+    Point moved;
+    do
+    {
+      ++node;
+      // nodes 0, 1, -1, 2, -2 ... of each axis; the counter's bits go round the axes that have room for one more, so that the lattice
+      // grows evenly
+      std::array<std::size_t, 3> coordinates{};
+      std::size_t rest = node;
+      for (int bit = 0; rest > 0; ++bit)
+        for (std::size_t a = 0; a < 3; ++a)
+          if (bit < bits[a] || bit >= 21)
+          {
+            coordinates[a] |= (rest & 1) << bit;
+            rest >>= 1;
+          }
+      for (std::size_t a = 0; a < 3; ++a)
+        moved[a] = place[a] + FT((coordinates[a] + 1) / 2) * (coordinates[a] % 2 ? FT(1) : FT(-1)) * step[a];
+    } while (!taken.insert(moved).second);
+    points[i] = moved;
+  }
+}
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_SEPARATE_COINCIDENT_POINTS_H

@@ -1,0 +1,140 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_WORKING_FRAME_H
+#define CGAL_L0_RESAMPLING_INTERNAL_WORKING_FRAME_H
+
+#include <CGAL/L0_resampling/internal/Search_grid_3.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/*!
+The frame that all stages work in: moved by a point of the cloud, scaled by a power of two. Both steps are exact wherever the result
+needs no more digits than the coordinates had, so that a cloud and its double, or its copy at UTM coordinates, are one cloud in here.
+*/
+class Working_frame
+{
+  Vector m_origin = Vector::Zero();   // after the first scaling
+  int m_first_exponent = 0;           // brings the largest coordinate below 1, so that no difference overflows
+  int m_second_exponent = 0;
+
+public:
+  /// Moves `points` into a frame in which the median of each coordinate is 0 and no coordinate exceeds 2.
+  void enter(Buffer<Vector>& points)
+  {
+    double largest = 0;
+    for (const Vector& p : points)
+      largest = (std::max)(largest, p.cwiseAbs().maxCoeff());
+    if (largest > 0)
+      m_first_exponent = -std::ilogb(largest) - 1;
+
+    for (Vector& p : points)
+      p = scaled(p, m_first_exponent);
+    // a median is a coordinate of the cloud: differences to it are exact nearby, and outliers do not move it
+    Buffer<double> coordinates(points.size(), 0., points.get_allocator());
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      for (std::size_t i = 0; i < points.size(); ++i)
+        coordinates[i] = points[i][axis];
+      const auto middle = coordinates.begin() + std::ptrdiff_t(coordinates.size() / 2);
+      std::nth_element(coordinates.begin(), middle, coordinates.end());
+      m_origin[axis] = *middle;
+    }
+    for (Vector& p : points)
+      p -= m_origin;
+  }
+
+  /// Scales the frame and `points` with it so that `radius`, a length in the frame, comes to lie in [1, 2).
+  /// \returns the factor, a power of two
+  double scale_to(double radius, Buffer<Vector>& points)
+  {
+    const int exponent = -std::ilogb(radius);
+    m_second_exponent += exponent;
+    for (Vector& p : points)
+      p = scaled(p, exponent);
+    return std::ldexp(1., exponent);
+  }
+
+  /// A length of the input, in the frame.
+  double length_in_frame(double length) const { return std::ldexp(std::ldexp(length, m_first_exponent), m_second_exponent); }
+
+  /// A length in the frame, in the unit of the input.
+  double length_of_input(double length) const { return std::ldexp(std::ldexp(length, -m_second_exponent), -m_first_exponent); }
+
+  /// A point in the frame, in the coordinates of the input.
+  Vector leave(const Vector& point) const
+  {
+    return scaled(scaled(point, -m_second_exponent) + m_origin, -m_first_exponent);
+  }
+
+private:
+  static Vector scaled(const Vector& v, int exponent)
+  {
+    return {std::ldexp(v[0], exponent), std::ldexp(v[1], exponent), std::ldexp(v[2], exponent)};
+  }
+};
+
+/*!
+The diagonal of the bounding box of the points, outliers left out: on each axis, what lies further from the middle nine tenths of the
+points than those are wide, on the widest axis, does not count. A cloud without such points has its plain diagonal.
+*/
+inline double robust_diagonal(const Buffer<Vector>& points)
+{
+  Buffer<double> coordinates(points.size(), 0., points.get_allocator());
+  Vector low, high;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (std::size_t i = 0; i < points.size(); ++i)
+      coordinates[i] = points[i][axis];
+    const std::size_t margin = points.size() / 20;
+    const auto first = coordinates.begin() + std::ptrdiff_t(margin);
+    const auto last = coordinates.end() - 1 - std::ptrdiff_t(margin);
+    std::nth_element(coordinates.begin(), first, coordinates.end());
+    low[axis] = *first;
+    std::nth_element(first, last, coordinates.end());
+    high[axis] = *last;
+  }
+
+  const double reach = (high - low).maxCoeff();
+  Vector box_low = low, box_high = high;
+  for (const Vector& p : points)
+    for (int axis = 0; axis < 3; ++axis)
+      if (reach == 0 || (p[axis] >= low[axis] - reach && p[axis] <= high[axis] + reach))
+      {
+        box_low[axis] = (std::min)(box_low[axis], p[axis]);
+        box_high[axis] = (std::max)(box_high[axis], p[axis]);
+      }
+  return (box_high - box_low).norm();
+}
+
+/// The radius itself, but no larger than the diagonal of the bounding box, which reaches everybody, and not so small that the cloud
+/// has no finite coordinates in units of it: such a radius reaches nobody but duplicates either way. 1 if all points are one.
+inline double sensible_radius(double radius, const Buffer<Vector>& points)
+{
+  Vector low = points.front(), high = points.front();
+  for (const Vector& p : points)
+  {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  const double diagonal = (high - low).norm();
+  if (!(diagonal > 0))
+    return 1;
+  return (std::min)((std::max)(radius, std::ldexp(diagonal, -200)), diagonal);
+}
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_WORKING_FRAME_H

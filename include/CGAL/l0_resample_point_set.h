@@ -1,0 +1,449 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLE_POINT_SET_H
+#define CGAL_L0_RESAMPLE_POINT_SET_H
+
+#include <CGAL/L0_resampling/Block_conjugate_gradient_solver_traits.h>
+#include <CGAL/L0_resampling/Report.h>
+#include <CGAL/L0_resampling/internal/checked_parameters.h>
+#include <CGAL/L0_resampling/internal/resample.h>
+#include <CGAL/L0_resampling/internal/separate_coincident_points.h>
+#include <CGAL/L0_resampling/named_parameters.h>
+#include <CGAL/L0_resampling/tags.h>
+
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/Origin.h>
+#include <CGAL/property_map.h>
+#include <CGAL/tags.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+template <typename Point, typename Vector>
+class Point_set_3;
+
+namespace L0_resampling {
+namespace internal {
+
+/// The caller's points in double precision, and their bounding box.
+struct Input
+{
+  Buffer<Vector> points;
+  Buffer<Local_vector> normals;        // empty, or unit vectors, zero where the caller's is of no use
+  Buffer<unsigned char> is_kept;       // one for each point of the range
+  Vector low = Vector::Zero(), high = Vector::Zero();
+};
+
+/// Reads the points of the range, without the non-finite ones if they are to be dropped.
+/// \throws std::invalid_argument for the first non-finite point if they are not
+template <typename PointRange, typename PointMap>
+void read_points(const PointRange& range, PointMap point_map, bool drop_non_finite, Report& report, Input& input)
+{
+  std::size_t index = 0;
+  for (auto it = range.begin(); it != range.end(); ++it, ++index)
+  {
+    const auto& p = get(point_map, *it);
+    const Vector point(double(p.x()), double(p.y()), double(p.z()));
+    const bool is_finite = point.allFinite();
+    if (!is_finite && !drop_non_finite)
+      throw std::invalid_argument("l0_resample_point_set: point " + std::to_string(index) + " has a coordinate that is not finite ("
+                                  + std::to_string(point[0]) + ", " + std::to_string(point[1]) + ", " + std::to_string(point[2])
+                                  + "); drop_non_finite(true) leaves such points out");
+    input.is_kept.push_back(is_finite);
+    if (!is_finite)
+    {
+      ++report.number_of_dropped_points;
+      continue;
+    }
+    input.low = input.points.empty() ? point : Vector(input.low.cwiseMin(point));
+    input.high = input.points.empty() ? point : Vector(input.high.cwiseMax(point));
+    input.points.push_back(point);
+  }
+  report.number_of_input_points = input.points.size();
+}
+
+template <typename PointRange, typename NormalMap>
+void read_normals(const PointRange& range, NormalMap normal_map, Input& input)
+{
+  const Local_vector zero = Local_vector::Zero();
+  std::size_t index = 0;
+  for (auto it = range.begin(); it != range.end(); ++it)
+  {
+    if (!input.is_kept[index++])
+      continue;
+    const auto& v = get(normal_map, *it);
+    const Vector n(double(v.x()), double(v.y()), double(v.z()));
+    const double largest = n.cwiseAbs().maxCoeff();
+    Local_vector normal = Local_vector::Zero();
+    if (n.allFinite() && largest > 0)
+      normal = (n / largest).normalized().template cast<Local>();
+    // one of the two signs, so that neither the sign nor, among coincident points, the order of the input matters
+    if (std::lexicographical_compare(normal.data(), normal.data() + 3, zero.data(), zero.data() + 3))
+      normal = -normal;
+    input.normals.push_back(normal);
+  }
+}
+
+/// The number of distinct finite points of the range, counted before any scaling can make two of them one.
+template <typename PointRange, typename PointMap>
+std::size_t number_of_distinct_points(const PointRange& range, PointMap point_map, Memory_counter& memory)
+{
+  Buffer<Vector> points(&memory);
+  for (auto it = range.begin(); it != range.end(); ++it)
+  {
+    const auto& p = get(point_map, *it);
+    const Vector point(double(p.x()), double(p.y()), double(p.z()));
+    if (point.allFinite())
+      points.push_back(point);
+  }
+  std::sort(points.begin(), points.end(), [](const Vector& a, const Vector& b) {
+    return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+  });
+  return std::size_t(std::unique(points.begin(), points.end()) - points.begin());
+}
+
+/// The result's positions in the number type of the caller: inside the bounding box grown by `margin`, and no two equal if `separate`.
+template <typename FT>
+Buffer<std::array<FT, 3>> rounded_positions(const Buffer<Vector>& positions, const Input& input, double margin, bool separate)
+{
+  const double largest = double((std::numeric_limits<FT>::max)());
+  std::array<FT, 3> low, high;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    low[std::size_t(axis)] = FT((std::max)(input.low[axis] - margin, -largest));
+    high[std::size_t(axis)] = FT((std::min)(input.high[axis] + margin, largest));
+  }
+  Buffer<std::array<FT, 3>> rounded(positions.get_allocator());
+  rounded.reserve(positions.size());
+  for (const Vector& p : positions)
+  {
+    std::array<FT, 3> r;
+    for (std::size_t a = 0; a < 3; ++a)
+      r[a] = FT((std::min)((std::max)(p[Eigen::Index(a)], double(low[a])), double(high[a])));
+    rounded.push_back(r);
+  }
+  if (separate)
+    separate_coincident_points(low, high, FT(margin), rounded);
+  return rounded;
+}
+
+/// The caller's solver, which may come wrapped in a `std::reference_wrapper`, or else `default_solver`.
+template <typename NamedParameters, typename DefaultSolver>
+decltype(auto) choose_solver(const NamedParameters& np, DefaultSolver& default_solver)
+{
+  if constexpr (parameters::is_default_parameter<NamedParameters, internal_np::sparse_linear_solver_t>::value)
+    return (default_solver);
+  else
+    return parameters::get_parameter(np, internal_np::sparse_linear_solver);   // a copy
+}
+
+template <typename Solver>
+Solver& unwrapped(Solver& solver) { return solver; }
+template <typename Solver>
+Solver& unwrapped(std::reference_wrapper<Solver>& solver) { return solver.get(); }
+
+/// The whole function, once the property maps are known. `NormalMap` may be `bool`, for none.
+template <typename ConcurrencyTag, typename Kernel, typename PointRange, typename PointMap, typename NormalMap,
+          typename OutputIterator, typename NamedParameters>
+OutputIterator l0_resample_point_set(const PointRange& range, PointMap point_map, NormalMap normal_map, OutputIterator out,
+                                     const NamedParameters& np)
+{
+  using FT = typename Kernel::FT;
+  static_assert(std::is_floating_point<FT>::value,
+                "l0_resample_point_set() computes in floating point: convert the points to a kernel such as "
+                "Exact_predicates_inexact_constructions_kernel or Simple_cartesian<double> first.");
+  static_assert(!std::is_same<ConcurrencyTag, CUDA_tag>::value,
+                "CUDA_tag is declared but not delivered yet: use Sequential_tag or Parallel_if_available_tag.");
+
+  Report unwanted_report;
+  Report* wanted_report = &unwanted_report;
+  read_parameter(np, internal_np::resampling_report, wanted_report);
+  Report& report = *wanted_report;
+  report = Report();
+  report.device_reason = "compiled for the CPU";
+
+  std::function<bool(double)> callback;
+  read_parameter(np, internal_np::callback, callback);
+  bool drop_non_finite = false;
+  read_parameter(np, internal_np::drop_non_finite, drop_non_finite);
+
+  // Checked before any point is looked at, and read again below: a percentage is one of the points that are used.
+  const std::size_t size = std::size_t(std::distance(range.begin(), range.end()));
+  Memory_counter memory(checked_parameters(np, size).maximum_memory);
+  Input input{Buffer<Vector>(&memory), Buffer<Local_vector>(&memory), Buffer<unsigned char>(&memory)};
+  read_points(range, point_map, drop_non_finite, report, input);
+  const Parameters checked = checked_parameters(np, input.points.size());
+  if (checked.number_of_output_points == 0)
+    return out;
+  if constexpr (!std::is_same<NormalMap, bool>::value)
+    read_normals(range, normal_map, input);
+  release(input.is_kept);
+
+  Block_conjugate_gradient_solver_traits<double, ConcurrencyTag> default_solver;
+  decltype(auto) chosen_solver = choose_solver(np, default_solver);
+  Progress progress(callback, report, memory);
+  Buffer<std::array<FT, 3>> positions(&memory);
+  Buffer<Vector> normals(&memory);
+  try
+  {
+    const std::size_t n = input.points.size(), m = checked.number_of_output_points;
+    Oriented_points result =
+      resample<ConcurrencyTag>(input.points, input.normals, checked, unwrapped(chosen_solver), progress, report);
+    if (report.number_of_distinct_points < (std::min)(n, m))
+      report.number_of_distinct_points = number_of_distinct_points(range, point_map, memory);
+    positions = rounded_positions<FT>(result.positions, input, report.neighbor_radius,
+                                      report.number_of_distinct_points >= (std::min)(n, m));
+    normals = std::move(result.normals);
+  }
+  catch (const Interrupted&)
+  {
+    progress.rethrow_exception_of_callback();
+    report.outcome = Outcome::CANCELLED;
+    return out;
+  }
+
+  report.number_of_output_points = positions.size();
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    *out++ = std::make_pair(typename Kernel::Point_3(positions[i][0], positions[i][1], positions[i][2]),
+                            typename Kernel::Vector_3(FT(normals[i][0]), FT(normals[i][1]), FT(normals[i][2])));
+  return out;
+}
+
+} // namespace internal
+} // namespace L0_resampling
+
+/*!
+\ingroup PkgL0ResamplingRef
+
+resamples a point set: from raw, noisy, unoriented points to a given number of clean, evenly spread points with oriented normals that keep
+sharp features. It implements *Efficient L0 resampling of point sets* \cgalCite{cgal:czlwl-elrps-19}.
+
+The input is neither changed nor reordered. The result does not depend on its order, on the signs of given normals, on the number of
+threads or on the run; it scales and moves with the input.
+
+\tparam ConcurrencyTag says where the stages run: `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`.
+\tparam PointRange is a model of `ConstRange` with forward iterators.
+\tparam OutputIterator accepts `std::pair<Point_3, Vector_3>`.
+
+\param points the input. Any number of points, from none.
+\param out takes one pair for each point of the result: its position and its normal of unit length.
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below. Those that CGAL lacks start a
+chain, or are joined to one by `|`, one at a time: `parameters::neighbor_radius(0.1) | parameters::normal_weight(0.5)`.
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{point_map}
+    \cgalParamDescription{a property map associating points to the elements of the range `points`}
+    \cgalParamType{a model of `ReadablePropertyMap` with the iterator's value type as key type and `Point_3` as value type}
+    \cgalParamDefault{`CGAL::Identity_property_map<Point_3>`}
+  \cgalParamNEnd
+  \cgalParamNBegin{normal_map}
+    \cgalParamDescription{a property map associating normals to the elements of the range `points`; they replace the PCA normals. Length and sign do
+      not matter. A zero or non-finite normal is replaced by PCA.}
+    \cgalParamType{a model of `ReadablePropertyMap` with the iterator's value type as key type and `Vector_3` as value type}
+    \cgalParamDefault{none: normals are estimated by PCA}
+  \cgalParamNEnd
+  \cgalParamNBegin{geom_traits}
+    \cgalParamDescription{a kernel whose `FT` is `float` or `double`; one with an exact number type is refused at compile time}
+    \cgalParamType{a model of `Kernel`}
+    \cgalParamDefault{the kernel of the point type}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_output_points}
+    \cgalParamDescription{the number of points of the result, exactly. More than the input has may be asked for: the further ones start between existing
+      points.}
+    \cgalParamType{any integral type}
+    \cgalParamDefault{what `select_percentage` gives}
+    \cgalParamExtra{`std::invalid_argument` if negative or above \f$ 2^{32} - 2 \f$; 0 gives an empty result}
+  \cgalParamNEnd
+  \cgalParamNBegin{select_percentage}
+    \cgalParamDescription{the number of points of the result, \f$ \max(1, \lfloor n \cdot \mathrm{percentage} / 100 \rfloor) \f$ of n}
+    \cgalParamType{`double`}
+    \cgalParamDefault{50}
+    \cgalParamExtra{`std::invalid_argument` if not in (0, 100]}
+  \cgalParamNEnd
+  \cgalParamNBegin{resampling_method}
+    \cgalParamDescription{`LOR`, Section 3 of the paper; `ALOR`, Section 4; or `DEFAULT`, what this package recommends, which runs Algorithm 1 on the same
+      energy but fits to compatible points only, looks for neighbors anew in every iteration, spreads the samples by repulsion and takes the
+      radius from the spacing and the noise of the points. ALOR's local half-sampling leaves Eq. (10) as it is once the fit term is collapsed, so it is carried out only for solvers that need the rows of Eq. (11).}
+    \cgalParamType{`CGAL::L0_resampling::Method`}
+    \cgalParamDefault{`Method::DEFAULT`}
+  \cgalParamNEnd
+  \cgalParamNBegin{neighbor_radius}
+    \cgalParamDescription{\f$ r_p \f$: the fit looks at the input points within \f$ r_p \f$ of a sample. The other terms look at the samples within \f$ r_p / 2 \f$
+      (`LOR`, `ALOR`) or within 2.5 spacings of the samples, at most \f$ r_p \f$ (`DEFAULT`).}
+    \cgalParamType{`double`, a length in the unit of the points}
+    \cgalParamDefault{`LOR` and `ALOR`: \f$ l_{diag} / \sqrt[3]{n} \f$, where far outliers do not count for the diagonal of the bounding box. `DEFAULT`:
+      \f$ \sqrt{(4s)^2 + (4\sigma)^2} \f$ with the spacing s and the noise \f$ \sigma \f$ estimated from the points}
+    \cgalParamExtra{`std::invalid_argument` if not finite or not positive; values beyond the diagonal are taken as the diagonal}
+  \cgalParamNEnd
+  \cgalParamNBegin{normal_filter_radius}
+    \cgalParamDescription{\f$ r_q \f$, the radius of the bilateral filter of normals and of the density weights of Eq. (5)}
+    \cgalParamType{`double`, a length in the unit of the points}
+    \cgalParamDefault{\f$ r_p \f$; `DEFAULT`: \f$ 1.5 r_p \f$}
+    \cgalParamExtra{`std::invalid_argument` if not finite or not positive}
+  \cgalParamNEnd
+  \cgalParamNBegin{sharpness_angle}
+    \cgalParamDescription{\f$ \sigma_n \f$ of Eq. (2): normals that differ by much more are not averaged. Smaller values keep blunter edges.}
+    \cgalParamType{`double`, in degrees}
+    \cgalParamDefault{15}
+    \cgalParamExtra{`std::invalid_argument` if not in (0, 90]}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_normal_filter_iterations}
+    \cgalParamDescription{how often Eq. (1) is applied to all normals; 0 leaves them as they are}
+    \cgalParamType{any integral type}
+    \cgalParamDefault{5}
+    \cgalParamExtra{`std::invalid_argument` if negative or above 10000}
+  \cgalParamNEnd
+  \cgalParamNBegin{normal_weight}
+    \cgalParamDescription{\f$ \lambda \f$ of Eq. (6), the price of a jump across the tangent plane of a neighbor. Larger values give sharper edges and flatter
+      faces, smaller ones stay closer to the input. Read in the unit \f$ r_p / 4 \f$, so that it does not depend on the unit of the points.}
+    \cgalParamType{`double`}
+    \cgalParamDefault{0.9}
+    \cgalParamExtra{`std::invalid_argument` if negative or not finite}
+  \cgalParamNEnd
+  \cgalParamNBegin{regularization_weight}
+    \cgalParamDescription{\f$ \alpha \f$ of Eq. (6): larger values draw neighbors together more}
+    \cgalParamType{`double`}
+    \cgalParamDefault{0.15; `DEFAULT`: 0.05}
+    \cgalParamExtra{`std::invalid_argument` if negative or not finite}
+  \cgalParamNEnd
+  \cgalParamNBegin{initial_penalty}
+    \cgalParamDescription{the first \f$ \beta \f$ of Algorithm 1}
+    \cgalParamType{`double`}
+    \cgalParamDefault{0.1}
+    \cgalParamExtra{`std::invalid_argument` if not finite or not positive}
+  \cgalParamNEnd
+  \cgalParamNBegin{maximum_penalty}
+    \cgalParamDescription{Algorithm 1 ends once \f$ \beta \f$ is above; it runs one iteration at least}
+    \cgalParamType{`double`}
+    \cgalParamDefault{2}
+    \cgalParamExtra{`std::invalid_argument` if not finite or not positive}
+  \cgalParamNEnd
+  \cgalParamNBegin{penalty_growth}
+    \cgalParamDescription{\f$ \mu \f$, the factor between one \f$ \beta \f$ and the next}
+    \cgalParamType{`double`}
+    \cgalParamDefault{1.5}
+    \cgalParamExtra{`std::invalid_argument` if not finite, not above 1, or if it asks for more than 10000 iterations}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_orientation_neighbors}
+    \cgalParamDescription{the number of nearest samples over which the signs of the normals are propagated}
+    \cgalParamType{any integral type}
+    \cgalParamDefault{12}
+    \cgalParamExtra{`std::invalid_argument` if not in [3, 1000]}
+  \cgalParamNEnd
+  \cgalParamNBegin{sparse_linear_solver}
+    \cgalParamDescription{solves Eq. (10)}
+    \cgalParamType{a model of `L0ResamplingSolverTraits`, or a `std::reference_wrapper` of one}
+    \cgalParamDefault{`CGAL::L0_resampling::Block_conjugate_gradient_solver_traits`}
+    \cgalParamExtra{throws `CGAL::L0_resampling::Solver_error` where it has no answer}
+  \cgalParamNEnd
+  \cgalParamNBegin{random_seed}
+    \cgalParamDescription{chooses where the samples start}
+    \cgalParamType{any integral type}
+    \cgalParamDefault{0}
+  \cgalParamNEnd
+  \cgalParamNBegin{drop_non_finite}
+    \cgalParamDescription{whether points with a coordinate that is not finite are left out, and counted in the report, or refused}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`false`: `std::invalid_argument` with the index of the first such point}
+  \cgalParamNEnd
+  \cgalParamNBegin{maximum_memory}
+    \cgalParamDescription{the most memory that the function's own arrays may take}
+    \cgalParamType{any integral type, in bytes}
+    \cgalParamDefault{unlimited}
+    \cgalParamExtra{`std::bad_alloc` if it does not suffice}
+  \cgalParamNEnd
+  \cgalParamNBegin{callback}
+    \cgalParamDescription{called every now and then, from one thread at a time, with the progress, in [0, 1] and never falling. Once it returns `false` the
+      function returns and nothing is written to `out`.}
+    \cgalParamType{`std::function<bool(double)>`}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+  \cgalParamNBegin{resampling_report}
+    \cgalParamDescription{filled with what was done}
+    \cgalParamType{`CGAL::L0_resampling::Report*`}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\returns the output iterator behind the last pair written.
+
+\throws std::invalid_argument for a parameter out of its range, or a point that is not finite, before any work
+\throws CGAL::L0_resampling::Solver_error if the solver has no answer
+\throws std::bad_alloc if memory does not suffice
+\throws whatever the property maps, the callback and the output iterator throw. Nothing is written unless everything else succeeded.
+
+\cgalHeading{Complexity}
+With k neighbors in the ball of radius \f$ r_p \f$, time \cgalBigO{n k}; the default radius makes k grow like \f$ n^{1/3} \f$ on surfaces.
+*/
+template <typename ConcurrencyTag, typename PointRange, typename OutputIterator,
+          typename NamedParameters = parameters::Default_named_parameters>
+OutputIterator l0_resample_point_set(const PointRange& points, OutputIterator out,
+                                     const NamedParameters& np = parameters::default_values())
+{
+  using Value = typename std::iterator_traits<decltype(points.begin())>::value_type;
+  using Point_map = typename internal_np::Lookup_named_param_def<internal_np::point_t, NamedParameters,
+                                                                 Identity_property_map<const Value>>::type;
+  using Default_kernel = typename Kernel_traits<
+    std::remove_cv_t<typename boost::property_traits<Point_map>::value_type>>::Kernel;
+  using Kernel = typename internal_np::Lookup_named_param_def<internal_np::geom_traits_t, NamedParameters, Default_kernel>::type;
+
+  const Point_map point_map = parameters::choose_parameter<Point_map>(parameters::get_parameter(np, internal_np::point_map));
+  if constexpr (parameters::is_default_parameter<NamedParameters, internal_np::normal_t>::value)
+    return L0_resampling::internal::l0_resample_point_set<ConcurrencyTag, Kernel>(points, point_map, false, out, np);
+  else
+    return L0_resampling::internal::l0_resample_point_set<ConcurrencyTag, Kernel>(
+      points, point_map, parameters::get_parameter(np, internal_np::normal_map), out, np);
+}
+
+/*!
+\ingroup PkgL0ResamplingRef
+
+resamples a point set, as above, from `points` to the end of `result`, which gets a normal map if it has none.
+
+The input's own normals are used only if they are passed: `parameters::normal_map(points.normal_map())`.
+
+\param points the input; its point map is the default of `point_map`
+\param result another point set than `points`
+\param np as above
+*/
+template <typename ConcurrencyTag, typename Point, typename Vector, typename NamedParameters = parameters::Default_named_parameters>
+void l0_resample_point_set(const Point_set_3<Point, Vector>& points, Point_set_3<Point, Vector>& result,
+                           const NamedParameters& np = parameters::default_values())
+{
+  using Kernel = typename Kernel_traits<Point>::Kernel;
+  std::vector<std::pair<typename Kernel::Point_3, typename Kernel::Vector_3>> resampled;
+  const auto point_map = [&]() {
+    if constexpr (parameters::is_default_parameter<NamedParameters, internal_np::point_t>::value)
+      return points.point_map();
+    else
+      return parameters::get_parameter(np, internal_np::point_map);
+  }();
+  if constexpr (parameters::is_default_parameter<NamedParameters, internal_np::normal_t>::value)
+    L0_resampling::internal::l0_resample_point_set<ConcurrencyTag, Kernel>(points, point_map, false, std::back_inserter(resampled), np);
+  else
+    L0_resampling::internal::l0_resample_point_set<ConcurrencyTag, Kernel>(
+      points, point_map, parameters::get_parameter(np, internal_np::normal_map), std::back_inserter(resampled), np);
+
+  result.reserve(result.size() + resampled.size());
+  result.add_normal_map();
+  for (const auto& [point, normal] : resampled)
+    result.insert(point, normal);
+}
+
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLE_POINT_SET_H

@@ -1,0 +1,17 @@
+#!/usr/bin/env bash
+# Installs from Debian 12 what building and testing needs and the machine lacks.
+set -euo pipefail
+
+packages=(g++ cmake make git python3 libcgal-dev libeigen3-dev libtbb-dev libboost-dev libgmp-dev libmpfr-dev
+          libcli11-dev nlohmann-json3-dev libpng-dev libceres-dev)
+missing=()
+for package in "${packages[@]}"; do
+  [ "$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || missing+=("$package")
+done
+[ ${#missing[@]} -gt 0 ] || exit 0
+
+as_root=()
+[ "$(id -u)" -eq 0 ] || as_root=(sudo)
+echo "Installing: ${missing[*]}"
+"${as_root[@]}" apt-get update -qq
+DEBIAN_FRONTEND=noninteractive "${as_root[@]}" apt-get install -y -qq --no-install-recommends "${missing[@]}"

@@ -1,0 +1,41 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds the tool, and resamples real scans and a noisy sample of a mechanical part.
+# Says at the end where results and pictures are.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+scripts/install_dependencies.sh
+cmake -S . -B build -DCMAKE_BUILD_TYPE=Release -DCGAL_L0_BUILD_TESTS=OFF -DCGAL_L0_BUILD_EXAMPLES=OFF
+cmake --build build -j "$(nproc)" --target l0_resample sample_mesh
+
+mkdir -p output
+demo_data=output/demo_data
+if [ ! -d "$demo_data/data" ]; then
+  # Unpacked rather than installed: minimal Debian systems leave out the folder that the package puts its data in.
+  mkdir -p "$demo_data"
+  (cd "$demo_data" && apt-get download -qq libcgal-demo && dpkg-deb -x libcgal-demo_*.deb unpacked)
+  tar -xzf "$demo_data/unpacked/usr/share/doc/libcgal-dev/data.tar.gz" -C "$demo_data"
+  rm -r "$demo_data/unpacked" "$demo_data"/libcgal-demo_*.deb
+fi
+data=$demo_data/data
+tool=build/bin/l0_resample
+
+# A real scan, taken from one side: uneven, with borders and holes that have to stay where they are. And another, of facades and roofs, with
+# the most noise and the most edges of all scans in the package.
+"$tool" "$data/points_3/hippo1.ply" output/hippo_resampled.ply --percentage 100 --snapshot output/hippo.png --json output/hippo.json
+"$tool" "$data/points_3/building.ply" output/building_resampled.ply --percentage 60 \
+        --snapshot output/building.png --view 1,-1,0.8 --json output/building.json
+
+# A mechanical part with known truth: 110000 points, noise of 0.5 % of the diagonal.
+build/bin/sample_mesh "$data/meshes/fandisk.off" output/fandisk_noisy.ply --points 110000 --noise 0.5 --seed 1
+for method in default lor alor; do
+  "$tool" output/fandisk_noisy.ply "output/fandisk_$method.ply" --points 60000 --method "$method" \
+          --snapshot "output/fandisk_$method.png" --view 1,-1,0.6 --json "output/fandisk_$method.json"
+done
+
+cat <<END
+
+Results, oriented points as PLY:             output/{hippo,building}_resampled.ply  output/fandisk_{default,lor,alor}.ply
+Pictures, input on the left, result beside:  output/{hippo,building}.png            output/fandisk_{default,lor,alor}.png
+What was done, stage by stage:               output/{hippo,building}.json           output/fandisk_{default,lor,alor}.json
+END

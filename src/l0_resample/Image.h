@@ -1,0 +1,33 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef L0_RESAMPLE_IMAGE_H
+#define L0_RESAMPLE_IMAGE_H
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace l0_tool {
+
+/// Red, green, blue in [0, 1], linear in light.
+using Color = std::array<float, 3>;
+
+/// Row by row from the top left.
+struct Image
+{
+  int width, height;
+  std::vector<Color> pixels;
+
+  Image(int w, int h, const Color& background)
+    : width(w), height(h), pixels(std::size_t(w) * std::size_t(h), background) {}
+
+  Color& at(int x, int y) { return pixels[std::size_t(y) * std::size_t(width) + std::size_t(x)]; }
+  const Color& at(int x, int y) const { return pixels[std::size_t(y) * std::size_t(width) + std::size_t(x)]; }
+};
+
+} // namespace l0_tool
+
+#endif // L0_RESAMPLE_IMAGE_H

@@ -1,0 +1,152 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Input_file.h"
+
+#include "Failure.h"
+#include "signals.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+#include <utility>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace l0_tool {
+namespace {
+
+std::string last_error()
+{
+  return std::generic_category().message(errno);
+}
+
+} // namespace
+
+Input_file::Input_file(const std::string& path, On_progress on_progress)
+  : m_path(path), m_on_progress(std::move(on_progress)), m_descriptor(open(path.c_str(), O_RDONLY | O_CLOEXEC)),
+    m_buffer(256 * 1024)
+{
+  if (m_descriptor < 0) {
+    const std::string error = last_error();
+    throw_if_interrupted();   // while the other end of a pipe was waited for
+    throw Failure(INPUT_REFUSED, path + ": cannot be opened: " + error);
+  }
+  struct stat status;
+  // Files under /proc say that they are empty, and are not
+  if (fstat(m_descriptor, &status) == 0 && S_ISREG(status.st_mode) && status.st_size > 0)
+    m_size = std::uint64_t(status.st_size);
+}
+
+Input_file::~Input_file()
+{
+  if (m_descriptor >= 0)
+    close(m_descriptor);
+}
+
+// Appends to the unread part. Returns false at the end of the file.
+bool Input_file::fill()
+{
+  throw_if_interrupted();
+  if (m_size && m_on_progress)
+    m_on_progress((std::min)(1., double(m_position) / double(*m_size)));
+
+  std::memmove(m_buffer.data(), m_buffer.data() + m_begin, m_end - m_begin);
+  m_end -= m_begin;
+  m_begin = 0;
+  for (;;) {
+    const ssize_t n = read(m_descriptor, m_buffer.data() + m_end, m_buffer.size() - m_end);
+    if (n >= 0) {
+      m_end += std::size_t(n);
+      return n > 0;
+    }
+    if (errno != EINTR)
+      throw Failure(INPUT_REFUSED, m_path + ": cannot be read: " + last_error());
+    throw_if_interrupted();
+  }
+}
+
+std::optional<std::string_view> Input_file::read_line()
+{
+  m_in_text = true;
+  ++m_line;
+  std::size_t searched = 0;
+  for (;;) {
+    const char* begin = m_buffer.data() + m_begin;
+    const std::size_t available = m_end - m_begin;
+    const void* newline = std::memchr(begin + searched, '\n', available - searched);
+    const std::size_t length = newline ? std::size_t(static_cast<const char*>(newline) - begin) : available;
+    if (length > max_line_length)
+      refuse("the line is longer than " + std::to_string(max_line_length) + " bytes");
+
+    if (!newline) {
+      searched = available;
+      if (fill())
+        continue;
+      if (available == 0)
+        return std::nullopt;
+    }
+    begin = m_buffer.data() + m_begin;
+    const std::size_t consumed = length + (newline ? 1 : 0);
+    m_begin += consumed;
+    m_position += consumed;
+    std::string_view line(begin, length);
+    if (!line.empty() && line.back() == '\r')
+      line.remove_suffix(1);
+    return line;
+  }
+}
+
+const char* Input_file::read_bytes(std::size_t n)
+{
+  m_in_text = false;
+  while (m_end - m_begin < n)
+    if (!fill())
+      refuse("the file ends here, where " + std::to_string(n - (m_end - m_begin)) + " more bytes are expected");
+  const char* bytes = m_buffer.data() + m_begin;
+  m_begin += n;
+  m_position += n;
+  return bytes;
+}
+
+void Input_file::skip_bytes(std::uint64_t n)
+{
+  check_count(n, 1, "bytes");
+  while (n > 0) {
+    const std::size_t block = std::size_t((std::min)(n, std::uint64_t(max_block_length)));
+    read_bytes(block);
+    n -= block;
+  }
+}
+
+std::optional<std::uint64_t> Input_file::bytes_left() const
+{
+  if (!m_size)
+    return std::nullopt;
+  return *m_size > m_position ? *m_size - m_position : 0;
+}
+
+void Input_file::check_count(std::uint64_t count, std::uint64_t row_size, const std::string& what) const
+{
+  const std::optional<std::uint64_t> left = bytes_left();
+  if (left && count > *left / row_size)
+    refuse(std::to_string(count) + " " + what + " are announced, but only " + std::to_string(*left)
+           + " bytes are left");
+}
+
+std::string Input_file::where() const
+{
+  return m_path + (m_in_text ? ": line " + std::to_string(m_line) : ": byte " + std::to_string(m_position));
+}
+
+void Input_file::refuse(const std::string& what) const
+{
+  throw Failure(INPUT_REFUSED, where() + ": " + what);
+}
+
+} // namespace l0_tool

@@ -1,0 +1,73 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef L0_RESAMPLE_INPUT_FILE_H
+#define L0_RESAMPLE_INPUT_FILE_H
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace l0_tool {
+
+/// Reads a file or a pipe once, from begin to end, through a buffer of fixed size: no content can make it allocate
+/// more. Every member throws Failure, with the status INPUT_REFUSED where the file is to blame.
+class Input_file
+{
+public:
+  using On_progress = std::function<void(double)>;
+
+  static constexpr std::size_t max_line_length = 64 * 1024;
+  static constexpr std::size_t max_block_length = 64 * 1024;
+
+  /// \param on_progress called now and then with the share of the file that was read, in [0, 1]; never for a pipe
+  explicit Input_file(const std::string& path, On_progress on_progress = {});
+  ~Input_file();
+  Input_file(const Input_file&) = delete;
+  Input_file& operator=(const Input_file&) = delete;
+
+  /// The next line without its end (LF or CR LF), nothing at the end of the file. Valid until the next call.
+  std::optional<std::string_view> read_line();
+
+  /// The next `n` bytes, `n` at most `max_block_length`. Valid until the next call.
+  const char* read_bytes(std::size_t n);
+
+  void skip_bytes(std::uint64_t n);
+
+  /// Nothing for a pipe.
+  std::optional<std::uint64_t> bytes_left() const;
+
+  /// Refuses a count that the rest of the file cannot hold, before anybody allocates for it.
+  /// \param row_size the least number of bytes a row takes, > 0
+  void check_count(std::uint64_t count, std::uint64_t row_size, const std::string& what) const;
+
+  /// "file: line 7" or "file: byte 123", whichever of `read_line()` and `read_bytes()` was used last.
+  std::string where() const;
+
+  [[noreturn]] void refuse(const std::string& what) const;
+
+  const std::string& path() const { return m_path; }
+
+private:
+  bool fill();
+
+  std::string m_path;
+  On_progress m_on_progress;
+  int m_descriptor;
+  std::optional<std::uint64_t> m_size;
+  std::vector<char> m_buffer;
+  std::size_t m_begin = 0, m_end = 0;   // the unread part of the buffer
+  std::uint64_t m_position = 0;         // in the file, of m_begin
+  std::uint64_t m_line = 0;
+  bool m_in_text = true;
+};
+
+} // namespace l0_tool
+
+#endif // L0_RESAMPLE_INPUT_FILE_H

@@ -1,0 +1,34 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef L0_RESAMPLE_POINT_CLOUD_H
+#define L0_RESAMPLE_POINT_CLOUD_H
+
+#include <CGAL/Simple_cartesian.h>
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace l0_tool {
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point = Kernel::Point_3;
+using Vector = Kernel::Vector_3;
+using Oriented_point = std::pair<Point, Vector>;
+
+/// What a file held.
+struct Point_cloud
+{
+  std::vector<Point> points;                 ///< all finite
+  std::vector<Vector> normals;               ///< as in the file, unchecked: one for each point, or none at all
+  std::size_t number_of_dropped_points = 0;  ///< those with a coordinate that is not finite
+  std::vector<std::string> warnings;         ///< one line each, with the name of the file
+};
+
+} // namespace l0_tool
+
+#endif // L0_RESAMPLE_POINT_CLOUD_H

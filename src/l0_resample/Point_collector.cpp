@@ -1,0 +1,57 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Point_collector.h"
+
+#include "Failure.h"
+
+#include <cmath>
+#include <utility>
+
+namespace l0_tool {
+
+void Point_collector::check_limits(std::uint64_t number_of_points) const
+{
+  if (number_of_points > m_options.max_points)
+    throw Failure(INPUT_REFUSED, m_file.path() + ": more than the " + std::to_string(m_options.max_points)
+                                 + " points that --max-points allows");
+  const std::uint64_t point_size = sizeof(Point) + (m_has_normals && m_options.with_normals ? sizeof(Vector) : 0);
+  if (number_of_points > m_options.max_memory / point_size)
+    throw Failure(RUN_TIME_FAILURE, m_file.path() + ": the points alone take more than the "
+                                    + std::to_string(m_options.max_memory) + " bytes that --max-memory allows");
+}
+
+void Point_collector::announce(std::uint64_t count, std::uint64_t row_size)
+{
+  m_file.check_count(count, row_size, "points");
+  check_limits(count);
+  if (!m_file.bytes_left())
+    return;                     // a pipe: nothing backs the count
+  m_cloud.points.reserve(count);
+  if (m_has_normals && m_options.with_normals)
+    m_cloud.normals.reserve(count);
+}
+
+void Point_collector::add(const Point_row& row)
+{
+  ++m_number_of_rows;
+  if (!std::isfinite(row[0]) || !std::isfinite(row[1]) || !std::isfinite(row[2])) {
+    if (!m_options.drop_non_finite)
+      m_file.refuse("a coordinate is not finite; --drop-non-finite leaves such points out");
+    ++m_cloud.number_of_dropped_points;
+    return;
+  }
+  check_limits(m_cloud.points.size() + 1);
+  m_cloud.points.emplace_back(row[0], row[1], row[2]);
+  if (m_has_normals && m_options.with_normals)
+    m_cloud.normals.emplace_back(row[3], row[4], row[5]);
+}
+
+Point_cloud Point_collector::take()
+{
+  return std::move(m_cloud);
+}
+
+} // namespace l0_tool

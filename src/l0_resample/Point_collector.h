@@ -1,0 +1,54 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef L0_RESAMPLE_POINT_COLLECTOR_H
+#define L0_RESAMPLE_POINT_COLLECTOR_H
+
+#include "Input_file.h"
+#include "Point_cloud.h"
+#include "read_points.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+namespace l0_tool {
+
+/// x, y, z and, where the file has them, nx, ny, nz.
+using Point_row = std::array<double, 6>;
+
+/// Takes the points that a reader finds and keeps the limits of `Read_options`.
+class Point_collector
+{
+  const Input_file& m_file;
+  Read_options m_options;
+  bool m_has_normals = false;
+  std::uint64_t m_number_of_rows = 0;
+  Point_cloud m_cloud;
+
+  void check_limits(std::uint64_t number_of_points) const;
+
+public:
+  Point_collector(const Input_file& file, const Read_options& options) : m_file(file), m_options(options) {}
+
+  /// Says that from the first row on there are normals.
+  void set_has_normals() { m_has_normals = true; }
+
+  /// Makes room for `count` points, each of at least `row_size` bytes in the file.
+  /// \throws Failure if the file cannot hold them, or the limits forbid them
+  void announce(std::uint64_t count, std::uint64_t row_size);
+
+  void add(const Point_row& row);
+
+  void warn(const std::string& what) { m_cloud.warnings.push_back(m_file.path() + ": " + what); }
+
+  std::uint64_t number_of_rows() const { return m_number_of_rows; }
+
+  Point_cloud take();
+};
+
+} // namespace l0_tool
+
+#endif // L0_RESAMPLE_POINT_COLLECTOR_H

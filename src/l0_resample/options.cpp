@@ -1,0 +1,240 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "options.h"
+
+#include "Failure.h"
+#include "parse_numbers.h"
+
+#include <CGAL/version.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <string_view>
+#include <vector>
+
+namespace l0_tool {
+namespace {
+
+using CGAL::L0_resampling::Method;
+
+const std::map<std::string, Method> methods = {
+  {"default", Method::DEFAULT}, {"lor", Method::LOR}, {"alor", Method::ALOR}};
+const std::map<std::string, Solver> solvers = {
+  {"block-cg", Solver::BLOCK_CG}, {"cholesky", Solver::CHOLESKY}, {"rows-cg", Solver::ROWS_CG}};
+const std::map<std::string, Device> devices = {{"cpu", Device::CPU}, {"cuda", Device::CUDA}, {"auto", Device::AUTO}};
+const std::map<std::string, File_format> formats = {
+  {"ply", File_format::PLY}, {"off", File_format::OFF}, {"xyz", File_format::XYZ}};
+
+template <typename Value>
+std::string key_of(const std::map<std::string, Value>& names, Value value)
+{
+  for (const auto& [name, named] : names)
+    if (named == value)
+      return name;
+  return "";
+}
+
+template <typename Value>
+std::vector<std::string> keys_of(const std::map<std::string, Value>& names)
+{
+  std::vector<std::string> keys;
+  for (const auto& [name, value] : names)
+    keys.push_back(name);
+  return keys;
+}
+
+/// An option whose value is one of `names`.
+template <typename Value>
+CLI::Option* add_choice(CLI::App& app, const std::string& option, const std::map<std::string, Value>& names,
+                        Value& value, const std::string& description)
+{
+  const auto choose = [&names, &value](const std::string& name) { value = names.at(name); };
+  return app.add_option_function<std::string>(option, choose, description)
+            ->check(CLI::IsMember(keys_of(names)))->default_str(key_of(names, value));
+}
+
+/// Numbers are read as those in files are, so that a decimal comma or a "nan" is refused.
+CLI::Validator number_within(double low, bool low_allowed, double high, const std::string& description)
+{
+  return CLI::Validator([=](std::string& text) {
+    const std::optional<double> number = parse_number<double>(text);
+    const bool is_good = number && std::isfinite(*number)
+                         && (low_allowed ? *number >= low : *number > low) && *number <= high;
+    return is_good ? std::string() : text + " is not " + description;
+  }, "");
+}
+
+CLI::Validator count_within(std::uint64_t low, std::uint64_t high)
+{
+  return CLI::Validator([=](std::string& text) {
+    const std::optional<std::uint64_t> number = parse_number<std::uint64_t>(text);
+    const bool is_good = number && *number >= low && *number <= high;
+    if (is_good)
+      return std::string();
+    return text + " is not a whole number from " + std::to_string(low) + " to " + std::to_string(high);
+  }, "");
+}
+
+constexpr std::uint64_t any_count = (std::numeric_limits<std::uint64_t>::max)();
+
+[[noreturn]] void refuse_usage(const std::string& message)
+{
+  throw CLI::ValidationError(message, int(WRONG_USAGE));
+}
+
+std::array<double, 3> parse_view(const std::string& text)
+{
+  std::string words = text;
+  std::replace(words.begin(), words.end(), ',', ' ');
+  std::string_view rest = words;
+  std::array<double, 3> view;
+  double largest = 0;
+  for (double& coordinate : view) {
+    coordinate = parse_number<double>(next_word(rest)).value_or(std::numeric_limits<double>::quiet_NaN());
+    if (!std::isfinite(coordinate))
+      refuse_usage("--view: " + text + " is not three numbers separated by commas");
+    largest = (std::max)(largest, std::abs(coordinate));
+  }
+  if (largest == 0 || !next_word(rest).empty())
+    refuse_usage("--view: " + text + " is not a direction of three numbers");
+  return view;
+}
+
+void choose_format(const std::string& path, const std::string& option, const CLI::App& app, File_format& format)
+{
+  if (app.count(option) > 0)
+    return;
+  const std::optional<File_format> by_extension = format_of(path);
+  if (!by_extension)
+    refuse_usage(path + ": the extension is not .ply, .off, .xyz or .pwn; " + option + " tells what the file is");
+  format = *by_extension;
+}
+
+bool are_same_file(const std::string& path, const std::string& other)
+{
+  std::error_code error;
+  const auto resolve = [&](const std::string& p) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(p, error), error);
+  };
+  return !path.empty() && !other.empty() && resolve(path) == resolve(other) && !error;
+}
+
+// Input and output may be one file; nothing else may.
+void check_paths_differ(const Options& options)
+{
+  for (const std::string& path : {options.json, options.snapshot})
+    if (are_same_file(path, options.input) || are_same_file(path, options.output))
+      refuse_usage(path + ": is named twice");
+  if (are_same_file(options.json, options.snapshot))
+    refuse_usage(options.json + ": is named twice");
+}
+
+const char* description =
+  "Turns a noisy point set into clean, evenly spread, oriented points that keep sharp features, by L0 minimization.";
+
+const char* footer =
+  "Files: PLY (ASCII and binary), OFF and XYZ are read; PLY (binary), OFF and XYZ with normals are written,\n"
+  "as a whole or not at all. INPUT and OUTPUT may be the same. LAS is not read: convert it first. A name that\n"
+  "begins with a dash goes behind --.\n"
+  "\n"
+  "Exit status: 0 good, 1 failed at run time (memory, time, solver, device), 2 wrong usage, 3 input refused,\n"
+  "4 output not written, 5 not converged (with --strict), 130 and 143 cancelled by SIGINT and SIGTERM.\n"
+  "Standard output gets one line of summary.\n";
+
+void add_options(CLI::App& app, Options& options)
+{
+  app.add_option("INPUT", options.input, "points to read")->required()->type_name("FILE");
+  app.add_option("OUTPUT", options.output, "points with normals to write")->required()->type_name("FILE");
+
+  auto* points = app.add_option("--points", options.number_of_points, "how many points to write")
+                   ->check(count_within(1, 4294967294))->type_name("M");
+  app.add_option("--percentage", options.percentage, "how many points to write, in percent of those read")
+     ->check(number_within(0, false, 100, "a percentage in (0, 100]"))
+     ->type_name("P")->capture_default_str()->excludes(points);
+  add_choice(app, "--method", methods, options.method, "the paper's LOR or ALOR, or what is recommended");
+  app.add_option("--neighbor-radius", options.neighbor_radius,
+                 "radius of a neighborhood, a length [diagonal / cube root of points]")
+     ->check(number_within(0, false, (std::numeric_limits<double>::max)(), "a length above 0"))->type_name("R");
+  app.add_option("--normal-weight", options.normal_weight,
+                 "larger: sharper edges, flatter faces; smaller: closer to the input")
+     ->check(number_within(0, true, (std::numeric_limits<double>::max)(), "a number, 0 or above"))
+     ->type_name("L")->capture_default_str();
+  app.add_option("--sharpness-angle", options.sharpness_angle,
+                 "normals that differ by much more, in degrees, are of two faces")
+     ->check(number_within(0, false, 90, "an angle in (0, 90] degrees"))->type_name("A")->capture_default_str();
+  app.add_option("--seed", options.seed, "chooses where the points start")
+     ->check(count_within(0, any_count))->type_name("K")->capture_default_str();
+  app.add_flag("--use-normals", options.use_normals, "start from the normals of INPUT instead of estimating them");
+  app.add_flag("--drop-non-finite", options.drop_non_finite, "leave out points with a NaN or infinite coordinate");
+
+  add_choice(app, "--device", devices, options.device, "where to compute");
+  add_choice(app, "--solver", solvers, options.solver, "how to solve the linear systems");
+  app.add_option("--solver-iterations", options.solver_iterations, "most iterations of a solve by block-cg or rows-cg")
+     ->check(count_within(1, any_count))->type_name("N");
+  app.add_option("--threads", options.threads, "most threads to use [all]")
+     ->check(count_within(1, 4096))->type_name("N");
+
+  app.add_option("--json", options.json, "write what was done, stage by stage")->type_name("FILE");
+  app.add_option("--snapshot", options.snapshot, "draw input and result side by side, colored by normal direction")
+     ->type_name("FILE.png");
+  const auto set_view = [&options](const std::string& text) { options.view = parse_view(text); };
+  app.add_option_function<std::string>("--view", set_view, "where the eye of the snapshot is, such as 1,-2,0.5")
+     ->type_name("X,Y,Z");
+  app.add_flag("--quiet", options.quiet, "no summary, no progress bar, no warnings");
+  app.add_flag("--strict", options.strict, "write nothing if a solve did not converge");
+
+  add_choice(app, "--input-format", formats, options.input_format, "what INPUT is")->default_str("by extension");
+  add_choice(app, "--output-format", formats, options.output_format, "what OUTPUT is")->default_str("by extension");
+  app.add_option("--max-points", options.max_points, "refuse an INPUT of more points")
+     ->check(count_within(0, any_count))->type_name("N");
+  app.add_option("--max-memory", options.max_memory, "fail rather than take more, in bytes or as in 4GB")
+     ->transform(CLI::AsSizeValue(false))->type_name("SIZE");
+  app.add_option("--timeout", options.timeout, "fail after so many seconds")
+     ->check(number_within(0, false, 1e8, "a number of seconds above 0"))->type_name("SECONDS");
+}
+
+} // namespace
+
+std::optional<int> parse_command_line(int argc, char** argv, Options& options)
+{
+  CLI::App app(description, "l0_resample");
+  app.footer(footer);
+  app.set_version_flag("--version", std::string("l0_resample " L0_RESAMPLE_VERSION ", CGAL " CGAL_VERSION_STR));
+  app.get_formatter()->column_width(34);
+  add_options(app, options);
+  try {
+    app.parse(argc, argv);
+    choose_format(options.input, "--input-format", app, options.input_format);
+    choose_format(options.output, "--output-format", app, options.output_format);
+    if (!options.snapshot.empty() && std::filesystem::path(options.snapshot).extension() != ".png")
+      refuse_usage(options.snapshot + ": the extension of a snapshot is .png");
+    check_paths_differ(options);
+    return std::nullopt;
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == int(CLI::ExitCodes::Success)) {
+      app.exit(error);             // --help, --version
+      return SUCCESS;
+    }
+    std::cerr << "l0_resample: " << error.what() << " (see --help)" << std::endl;
+    return WRONG_USAGE;
+  }
+}
+
+std::string name_of(Method method)
+{
+  return key_of(methods, method);
+}
+
+std::string name_of(Solver solver)
+{
+  return key_of(solvers, solver);
+}
+
+} // namespace l0_tool

@@ -1,0 +1,68 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef L0_RESAMPLE_OPTIONS_H
+#define L0_RESAMPLE_OPTIONS_H
+
+#include "file_formats.h"
+
+#include <CGAL/L0_resampling/tags.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+
+namespace l0_tool {
+
+enum class Device { CPU, CUDA, AUTO };
+enum class Solver { BLOCK_CG, CHOLESKY, ROWS_CG };
+
+/// The command line, checked.
+struct Options
+{
+  std::string input;
+  std::string output;
+  File_format input_format = File_format::PLY;
+  File_format output_format = File_format::PLY;
+
+  std::optional<std::uint64_t> number_of_points;   ///< goes before `percentage`
+  double percentage = 50;
+  CGAL::L0_resampling::Method method = CGAL::L0_resampling::Method::DEFAULT;
+  std::optional<double> neighbor_radius;
+  double normal_weight = 0.9;
+  double sharpness_angle = 15;
+  std::uint64_t seed = 0;
+  bool use_normals = false;
+  bool drop_non_finite = false;
+
+  Device device = Device::AUTO;
+  Solver solver = Solver::BLOCK_CG;
+  std::optional<std::uint64_t> solver_iterations;  ///< the most of one solve
+  std::optional<int> threads;
+
+  std::string json;                                ///< empty for none
+  std::string snapshot;                            ///< empty for none
+  std::optional<std::array<double, 3>> view;       ///< from the points towards the eye
+  bool quiet = false;
+  bool strict = false;
+
+  std::uint64_t max_points = (std::numeric_limits<std::uint64_t>::max)();
+  std::uint64_t max_memory = (std::numeric_limits<std::uint64_t>::max)();   ///< in bytes
+  double timeout = 0;                              ///< in seconds, 0 for none
+};
+
+/// \returns the exit status if the program ends here, as after --help, having said why
+std::optional<int> parse_command_line(int argc, char** argv, Options& options);
+
+/// As on the command line.
+std::string name_of(CGAL::L0_resampling::Method method);
+std::string name_of(Solver solver);
+
+} // namespace l0_tool
+
+#endif // L0_RESAMPLE_OPTIONS_H

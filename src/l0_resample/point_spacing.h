@@ -1,0 +1,21 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef L0_RESAMPLE_POINT_SPACING_H
+#define L0_RESAMPLE_POINT_SPACING_H
+
+#include "Point_cloud.h"
+
+#include <vector>
+
+namespace l0_tool {
+
+/// Median over the points of the mean distance to their six nearest, a length; 0 for fewer than two distinct points.
+/// Estimated from a part of a large cloud, as for a surface: half as many points lie sqrt(2) as far apart.
+double point_spacing(const std::vector<Point>& points);
+
+} // namespace l0_tool
+
+#endif // L0_RESAMPLE_POINT_SPACING_H

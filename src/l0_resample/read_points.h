@@ -1,0 +1,48 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef L0_RESAMPLE_READ_POINTS_H
+#define L0_RESAMPLE_READ_POINTS_H
+
+#include "Input_file.h"
+#include "Point_cloud.h"
+#include "file_formats.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+
+namespace l0_tool {
+
+struct Read_options
+{
+  std::uint64_t max_points = (std::numeric_limits<std::uint64_t>::max)();
+  std::uint64_t max_memory = (std::numeric_limits<std::uint64_t>::max)();   ///< in bytes, for points and normals
+  bool drop_non_finite = false;  ///< drop and count points with a non-finite coordinate instead of refusing the file
+  bool with_normals = false;     ///< keep the normals, if the file has any
+};
+
+/*!
+Reads the points of a file that nobody vouches for: no header and no content makes it crash, hang or take more memory
+than the file's size justifies.
+
+- PLY, ASCII or binary of either byte order: one element `vertex` with the scalar properties x, y, z and maybe nx, ny,
+  nz, of any type.
+  Elements before it are skipped, those after it are not looked at.
+- OFF with its optional prefixes ST, C, N: the vertices. Only N says that there are normals.
+- XYZ: one point a line, the same number of columns in all of them, exactly six for points with normals. The first
+  line may hold the number of points; empty lines and those that begin with # are skipped.
+
+\throws Failure with INPUT_REFUSED and the line or byte where the file is not what it should be, or holds more than
+        `max_points`; with RUN_TIME_FAILURE where the points need more than `max_memory`; with the status of an
+        interrupt
+*/
+Point_cloud read_points(const std::string& path, File_format format, const Read_options& options,
+                        Input_file::On_progress on_progress = {});
+
+} // namespace l0_tool
+
+#endif // L0_RESAMPLE_READ_POINTS_H

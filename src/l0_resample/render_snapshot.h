@@ -1,0 +1,26 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef L0_RESAMPLE_RENDER_SNAPSHOT_H
+#define L0_RESAMPLE_RENDER_SNAPSHOT_H
+
+#include "Image.h"
+#include "Point_cloud.h"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace l0_tool {
+
+/// Draws the input on the left and the result on the right, seen by the same camera. Points are colored by the
+/// direction of their normals, as in the figures of the paper; an input without normals is gray.
+/// \param towards_eye not zero; by default from the front right, a little above, with y pointing up
+Image render_snapshot(const Point_cloud& input, const std::vector<Oriented_point>& result,
+                      const std::optional<std::array<double, 3>>& towards_eye);
+
+} // namespace l0_tool
+
+#endif // L0_RESAMPLE_RENDER_SNAPSHOT_H

@@ -1,0 +1,101 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "report_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+
+namespace l0_tool {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using CGAL::L0_resampling::Iteration_report;
+using CGAL::L0_resampling::Report;
+using CGAL::L0_resampling::Stage_report;
+
+Json parameters_as_json(const Options& options)
+{
+  Json json = {{"method", name_of(options.method)},
+               {"solver", name_of(options.solver)},
+               {"normal_weight", options.normal_weight},
+               {"sharpness_angle", options.sharpness_angle},
+               {"seed", options.seed},
+               {"use_normals", options.use_normals}};
+  json["threads"] = options.threads ? Json(*options.threads) : Json("all");
+  return json;
+}
+
+Json iteration_as_json(const Iteration_report& iteration)
+{
+  return {{"penalty", iteration.penalty},
+          {"regularized", iteration.regularized},
+          {"fit_energy", iteration.fit_energy},
+          {"regularization_energy", iteration.regularization_energy},
+          {"normal_energy", iteration.normal_energy},
+          {"sparsity_energy", iteration.sparsity_energy},
+          {"active_pair_share", iteration.active_pair_share},
+          {"solver_iterations", iteration.solver.iterations},
+          {"relative_residual", iteration.solver.relative_residual},
+          {"converged", iteration.solver.converged}};
+}
+
+Json report_as_json(const Report& report)
+{
+  Json json = {{"neighbor_radius", report.neighbor_radius},
+               {"normal_filter_radius", report.normal_filter_radius},
+               {"degenerate_neighborhoods", report.number_of_degenerate_neighborhoods},
+               {"lonely_samples", report.number_of_lonely_samples},
+               {"self_neighbor_pairs", report.number_of_self_neighbor_pairs},
+               {"oriented_share", report.oriented_share},
+               {"converged", report.converged},
+               {"peak_bytes", report.peak_bytes},
+               {"stages", Json::array()},
+               {"iterations", Json::array()}};
+  for (const Stage_report& stage : report.stages)
+    json["stages"].push_back({{"name", stage.name}, {"seconds", stage.seconds}, {"peak_bytes", stage.peak_bytes}});
+  for (const Iteration_report& iteration : report.iterations)
+    json["iterations"].push_back(iteration_as_json(iteration));
+  return json;
+}
+
+} // namespace
+
+std::string report_as_json(const Options& options, const Run_record& record)
+{
+  const Report& report = record.report;
+  Json json = {{"program", "l0_resample"}, {"version", L0_RESAMPLE_VERSION}, {"exit_status", int(record.status)}};
+  if (!record.error.empty())
+    json["error"] = record.error;
+  json["warnings"] = record.warnings;
+  json["input"] = {{"file", options.input}, {"points", report.number_of_input_points},
+                   {"dropped_points", report.number_of_dropped_points}};
+  json["output"] = {{"file", options.output}, {"points", report.number_of_output_points}};
+  json["parameters"] = parameters_as_json(options);
+  json["device"] = {{"used", report.device}, {"reason", report.device_reason}};
+  json["seconds"] = {{"read", record.seconds_to_read}, {"resample", record.seconds_to_resample},
+                     {"write", record.seconds_to_write}};
+  json["resampling"] = report_as_json(report);
+  // File names are bytes, JSON is UTF-8: what is not becomes U+FFFD
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string summary_line(const Options& options, const Run_record& record)
+{
+  const Report& report = record.report;
+  char numbers[64];
+  std::snprintf(numbers, sizeof numbers, "%.2f s, %.1f %% oriented", record.seconds_to_resample,
+                100 * report.oriented_share);
+  std::string line = options.input + ": " + std::to_string(report.number_of_input_points) + " points in, ";
+  if (report.number_of_dropped_points > 0)
+    line += std::to_string(report.number_of_dropped_points) + " dropped, ";
+  line += std::to_string(report.number_of_output_points) + " out, method " + name_of(options.method) + ", " + numbers;
+  if (!report.converged)
+    line += ", not converged";
+  return line + "\n";
+}
+
+} // namespace l0_tool

@@ -1,0 +1,40 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef L0_RESAMPLE_RESAMPLE_H
+#define L0_RESAMPLE_RESAMPLE_H
+
+#include "Point_cloud.h"
+#include "options.h"
+
+#include <CGAL/L0_resampling/Report.h>
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace l0_tool {
+
+/// \throws Failure with RUN_TIME_FAILURE if the device cannot be used
+void check_device(Device device);
+
+/// How many points the options ask for, given so many.
+std::size_t number_of_output_points(const Options& options, std::size_t number_of_input_points);
+
+/*!
+Calls `CGAL::l0_resample_point_set()` as the options ask.
+
+\param callback as the named parameter `callback`
+\param report filled as far as the call came, also if it throws
+
+\throws Failure with INPUT_REFUSED if the points cannot be resampled, with RUN_TIME_FAILURE if memory, a solver or a
+        device failed
+*/
+std::vector<Oriented_point> resample(const Point_cloud& cloud, const Options& options,
+                                     const std::function<bool(double)>& callback, CGAL::L0_resampling::Report& report);
+
+} // namespace l0_tool
+
+#endif // L0_RESAMPLE_RESAMPLE_H

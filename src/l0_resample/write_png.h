@@ -1,0 +1,20 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef L0_RESAMPLE_WRITE_PNG_H
+#define L0_RESAMPLE_WRITE_PNG_H
+
+#include "Image.h"
+
+#include <string>
+
+namespace l0_tool {
+
+/// As a whole or not at all, see `Output_file`. 8 bits a channel, sRGB.
+void write_png(const std::string& path, const Image& image);
+
+} // namespace l0_tool
+
+#endif // L0_RESAMPLE_WRITE_PNG_H

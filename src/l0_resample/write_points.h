@@ -1,0 +1,27 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef L0_RESAMPLE_WRITE_POINTS_H
+#define L0_RESAMPLE_WRITE_POINTS_H
+
+#include "Point_cloud.h"
+#include "file_formats.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace l0_tool {
+
+/// Writes points and normals so that reading them gives the same doubles again: PLY in little-endian binary, NOFF, or
+/// XYZ with six columns. The file is there as a whole or not at all, see `Output_file`.
+void write_points(const std::string& path, File_format format, const std::vector<Oriented_point>& points);
+
+/// At least the number of bytes that `write_points()` will write.
+std::uint64_t largest_file_size(File_format format, std::uint64_t number_of_points);
+
+} // namespace l0_tool
+
+#endif // L0_RESAMPLE_WRITE_POINTS_H

@@ -1,0 +1,75 @@
+# Checks who includes whom:  cmake -DINCLUDE_DIRECTORY=<include> -P includes_respect_levels.cmake
+#
+# A header includes only headers listed before its own. Stages (level 2) do not include each other: level 3 joins them
+# and passes the results of one to the next. Nothing under internal/ includes a solver, which is a template argument. Up
+# to level 3 nothing is known of CGAL's kernels and property maps.
+
+cmake_minimum_required(VERSION 3.21)
+
+set(level_0   # words: types, formulas and tools that know nothing of point sets
+  tags.h Solver_report.h Quadratic_problem.h
+  internal/host_device.h internal/weights.h internal/shrinkage.h internal/block_factorization.h internal/checked_count.h
+  internal/Buffer.h internal/lanes.h internal/parallel_for.h internal/parallel_sort.h)
+set(level_1   # what several stages share, and what works on the arrays of one neighborhood
+  Report.h internal/Parameters.h internal/Progress.h internal/solver_settings.h
+  internal/Search_grid_3.h internal/ball_queries.h internal/Neighborhoods.h internal/nearest_samples.h
+  internal/Samples.h internal/Local_normals.h internal/estimate_plane.h internal/half_sampling.h
+  internal/normal_matrix.h internal/least_squares_rows.h)
+set(level_2   # stages and solvers
+  internal/working_frame.h internal/estimate_scales.h internal/estimate_pca_normals.h internal/filter_normals.h
+  internal/density_weights.h internal/initialize_samples.h internal/collapse_fit_term.h internal/Fit_rows.h
+  internal/pair_terms.h internal/fit_compatible_points.h internal/tangential_repulsion.h internal/orient_normals.h
+  internal/separate_coincident_points.h
+  Block_conjugate_gradient_solver_traits.h Eigen_cholesky_solver_traits.h Eigen_least_squares_solver_traits.h
+  CUDA_least_squares_solver_traits.h)
+set(level_3   # Algorithm 1, and the whole
+  internal/alternating_minimization.h internal/refining_minimization.h internal/resample.h)
+set(level_4   # what users include, and how it reads what they pass
+  named_parameters_interface.h named_parameters.h internal/checked_parameters.h ../l0_resample_point_set.h)
+
+set(kernel_free_headers CGAL/tags.h CGAL/assertions.h)   # all that levels 0 to 3 may have of CGAL
+
+set(order "")
+foreach(level RANGE 4)
+  foreach(header IN LISTS level_${level})
+    string(REGEX REPLACE "^L0_resampling/../" "" header "L0_resampling/${header}")
+    list(APPEND order "CGAL/${header}")
+    set("level_of_CGAL/${header}" ${level})
+  endforeach()
+endforeach()
+
+file(GLOB_RECURSE headers RELATIVE ${INCLUDE_DIRECTORY} ${INCLUDE_DIRECTORY}/*.h)
+if(NOT headers)
+  message(FATAL_ERROR "There are no headers in '${INCLUDE_DIRECTORY}'.")
+endif()
+foreach(header IN LISTS order)
+  if(NOT header IN_LIST headers)
+    message(SEND_ERROR "There is no ${header}: take it off the list.")
+  endif()
+endforeach()
+foreach(header IN LISTS headers)
+  list(FIND order ${header} place)
+  if(place EQUAL -1)
+    message(SEND_ERROR "${header} has no level yet: list it in includes_respect_levels.cmake.")
+    continue()
+  endif()
+  set(level ${level_of_${header}})
+
+  file(STRINGS ${INCLUDE_DIRECTORY}/${header} lines REGEX "^[ \t]*#[ \t]*include[ \t]*[<\"]CGAL/")
+  foreach(line IN LISTS lines)
+    string(REGEX REPLACE "^[^<\"]*[<\"]([^>\"]*).*" "\\1" included "${line}")
+    list(FIND order ${included} included_place)
+    if(included_place EQUAL -1)
+      if(level LESS 4 AND NOT included IN_LIST kernel_free_headers)
+        message(SEND_ERROR "${header} (level ${level}) includes ${included}: only level 4 sees CGAL's own headers.")
+      endif()
+    elseif(NOT included_place LESS place)
+      message(SEND_ERROR
+              "${header} (level ${level}) includes ${included} (level ${level_of_${included}}), which is not below it.")
+    elseif(level EQUAL 2 AND level_of_${included} EQUAL 2)
+      message(SEND_ERROR "${header} includes ${included}: stages do not include each other.")
+    elseif(header MATCHES "/internal/" AND included MATCHES "_solver_traits\\.h$")
+      message(SEND_ERROR "${header} includes ${included}: the solver is a template argument.")
+    endif()
+  endforeach()
+endforeach()

@@ -1,0 +1,108 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_TEST_MINIMIZATION_SCENE_H
+#define CGAL_L0_RESAMPLING_TEST_MINIMIZATION_SCENE_H
+
+#include "stage_support.h"
+
+#include <CGAL/L0_resampling/internal/alternating_minimization.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace test {
+
+/// A noisy cube with samples on it, before Algorithm 1.
+struct Scene
+{
+  static constexpr double radius = 0.8;
+  Minimization_parameters parameters{std::pow(radius, 2), std::pow(0.4 * radius, 2), 0.25 * radius,
+                                     0.9, 0.15, 0.1, 2, 1.5, false};
+  Samples samples{Counting_allocator<Vector>()};
+  Neighborhoods neighbors;
+  Fit_rows rows;
+
+  Scene(Generator& generator, bool interleave)
+  {
+    parameters.interleave_regularization = interleave;
+    Oriented_points cube = cube_points(1500, 3, generator);
+    add_gaussian_noise(cube.points, 0.1, generator);
+    const Gridded_points input(cube.points, radius / 2);
+    const Gridded_points start(std::vector<Vector>(cube.points.begin(), cube.points.begin() + 400), radius / 2);
+    Unwatched unwatched;
+    const Buffer<double> density_weights(1500, 1.5);
+    samples.positions = start.points;
+    samples.normals = to_buffer(permuted(start.order, cube.normals));
+    samples.fit_weights.resize(400);
+    samples.fit_centroids.resize(400);
+    rows = gather_fit_rows<CGAL::Sequential_tag>(start.grid, start.points, input.grid, input.points, density_weights,
+                                                 radius, 0, unwatched.progress);
+    neighbors = find_self_neighbors<CGAL::Sequential_tag>(start.grid, start.points, radius / 2, unwatched.progress);
+    for (std::size_t i = 0; i < 400; ++i)
+    {
+      Vector sum = Vector::Zero();
+      for (std::size_t r = rows.offsets[i]; r < rows.offsets[i + 1]; ++r)
+      {
+        samples.fit_weights[i] += rows.weights[r];
+        sum += rows.weights[r] * rows.positions[r];
+      }
+      samples.fit_centroids[i] = sum / samples.fit_weights[i];
+    }
+  }
+
+};
+
+/// What the solver of Algorithm 1 sees in one iteration.
+struct Step
+{
+  std::vector<Vector> before, after;
+  std::vector<double> offsets, pair_weights;
+  double penalty;
+};
+
+/// The terms of Eq. (7), with lambda as in Eq. (8), read in the scene's unit of length.
+struct Energy
+{
+  double fit = 0, regularization = 0, normal = 0, sparsity = 0;
+};
+
+/// Eq. (7) as it stands. The weights of Eq. (4) and (5) are those of the positions before the step.
+inline Energy energy(const Scene& scene, const Step& step, bool regularized, const std::vector<Vector>& p,
+                     const std::vector<double>& offsets)
+{
+  const Minimization_parameters& parameters = scene.parameters;
+  Energy energy;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    for (std::size_t r = scene.rows.offsets[i]; r < scene.rows.offsets[i + 1]; ++r)
+      energy.fit += scene.rows.weights[r] * (p[i] - scene.rows.positions[r]).squaredNorm();
+
+  const auto for_each_pair = [&](const auto& f) {
+    for (std::size_t i = 0; i < p.size(); ++i)
+      for (std::size_t e = scene.neighbors.offsets[i]; e < scene.neighbors.offsets[i + 1]; ++e)
+        f(e, i, scene.neighbors.indices[e]);
+  };
+  std::vector<double> w(p.size(), 1);
+  const double mean_number_of_neighbors = double(scene.neighbors.indices.size()) / double(p.size());
+  const auto squared_distance = [&](std::size_t i, std::size_t k) {
+    return (step.before[i] - step.before[k]).squaredNorm();
+  };
+  for_each_pair([&](std::size_t, std::size_t i, std::size_t k) {
+    w[i] += std::exp(-squared_distance(i, k) / parameters.squared_bandwidth) / mean_number_of_neighbors;
+  });
+  for_each_pair([&](std::size_t e, std::size_t i, std::size_t k) {
+    const double stretch = std::exp((std::min)(squared_distance(i, k) / parameters.squared_radius, 1.));
+    if (regularized)
+      energy.regularization += parameters.regularization_weight * stretch / w[i] * (p[i] - p[k]).squaredNorm();
+    energy.normal += step.penalty * std::pow(scene.samples.normals[i].dot(p[i] - p[k]) - offsets[e], 2);
+    energy.sparsity += parameters.normal_weight * std::pow(parameters.sparsity_unit, 2) * (offsets[e] != 0);
+  });
+  return energy;
+}
+
+} // namespace test
+
+#endif // CGAL_L0_RESAMPLING_TEST_MINIMIZATION_SCENE_H

@@ -1,0 +1,137 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "minimization_scene.h"
+
+#include <CGAL/L0_resampling/Eigen_cholesky_solver_traits.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <utility>
+
+using namespace test;
+using namespace CGAL::L0_resampling;
+
+/// Solves by Cholesky and takes notes.
+struct Watching_solver
+{
+  using FT = double;
+  static constexpr bool needs_explicit_rows = true;
+  std::vector<Step> steps;
+
+  Solver_report solve(const Quadratic_problem<double>& problem, Eigen::Ref<Eigen::VectorXd> x)
+  {
+    const Solver_report report = Eigen_cholesky_solver_traits<double>().solve(problem, x);
+    Step step{{}, {}, {}, {}, problem.penalty};
+    for (std::size_t i = 0; i < problem.number_of_samples(); ++i)
+    {
+      step.before.emplace_back(Eigen::Map<const Vector>(problem.rows->origins + 3 * i));
+      step.after.push_back(step.before.back() + x.segment<3>(Eigen::Index(3 * i)));
+    }
+    step.offsets.assign(problem.rows->normal_offsets, problem.rows->normal_offsets + problem.pair_weights.size());
+    step.pair_weights.assign(problem.pair_weights.data(), problem.pair_weights.data() + problem.pair_weights.size());
+    steps.push_back(std::move(step));
+    return report;
+  }
+};
+
+/// At a fixed penalty neither half of an iteration raises Eq. (7): line 2 finds offsets better than all others tried,
+/// line 3 positions.
+void check_descent(const Scene& scene, const std::vector<Step>& steps, const std::vector<Iteration_report>& reports,
+                   Generator& generator)
+{
+  std::vector<double> last_offsets(scene.neighbors.indices.size(), 0);
+  for (std::size_t t = 0; t < steps.size(); ++t)
+  {
+    const auto eq_7 = [&](const std::vector<Vector>& p, const std::vector<double>& offsets) {
+      const Energy e = energy(scene, steps[t], reports[t].regularized, p, offsets);
+      return e.fit + e.regularization + e.normal + e.sparsity;
+    };
+    const double shrunk = eq_7(steps[t].before, steps[t].offsets), solved = eq_7(steps[t].after, steps[t].offsets);
+    CHECK(shrunk <= eq_7(steps[t].before, last_offsets));
+    CHECK(solved < shrunk);
+
+    std::vector<double> other_offsets = steps[t].offsets;
+    for (double& offset : other_offsets)
+      if (std::bernoulli_distribution(0.1)(generator))
+        offset = offset == 0 || std::bernoulli_distribution()(generator) ? random_number(-0.4, 0.4, generator) : 0;
+    CHECK(eq_7(steps[t].before, other_offsets) > shrunk);
+    for (double size : {1e-3, 1e-6})
+    {
+      std::vector<Vector> other_positions = steps[t].after;
+      add_gaussian_noise(other_positions, size, generator);
+      CHECK(eq_7(other_positions, steps[t].offsets) > solved);
+    }
+    last_offsets = steps[t].offsets;
+  }
+}
+
+/// The report gives the terms of Eq. (7) after line 2, per squared radius, the fit term above its least value.
+void check_report(const Scene& scene, const std::vector<Step>& steps, const std::vector<Iteration_report>& reports)
+{
+  const double unit = scene.parameters.squared_radius;
+  const std::vector<Vector> centroids(scene.samples.fit_centroids.begin(), scene.samples.fit_centroids.end());
+  for (std::size_t t = 0; t < steps.size(); ++t)
+  {
+    const Energy naive = energy(scene, steps[t], reports[t].regularized, steps[t].before, steps[t].offsets);
+    const double least_fit = energy(scene, steps[t], false, centroids, steps[t].offsets).fit;
+    CHECK(std::abs(reports[t].fit_energy * unit - (naive.fit - least_fit)) < 1e-13 * naive.fit);
+    CHECK(is_close(reports[t].regularization_energy, naive.regularization / unit, 1e-10));
+    CHECK(is_close(reports[t].normal_energy, naive.normal / unit, 1e-10));
+    CHECK(is_close(reports[t].sparsity_energy, naive.sparsity / unit, 1e-10));
+    const auto inactive = double(std::count(steps[t].offsets.begin(), steps[t].offsets.end(), 0.));
+    CHECK(is_close(1 - reports[t].active_pair_share, inactive / double(steps[t].offsets.size()), 1e-12));
+    CHECK(reports[t].solver.converged);
+  }
+  // small penalties let no jump through, large ones some
+  CHECK(reports.front().active_pair_share == 0 && reports.back().active_pair_share > 0.005);
+}
+
+/// Algorithm 1: eight penalties, each iteration from where the last one ended; the second half of Section 4 drops the
+/// pairs' weights in every second one.
+void check_course(const Scene& start, const Scene& end, const std::vector<Step>& steps,
+                  const std::vector<Iteration_report>& reports)
+{
+  CHECK(steps.size() == 8 && reports.size() == 8);
+  for (std::size_t t = 0; t < steps.size(); ++t)
+  {
+    const bool regularized = !start.parameters.interleave_regularization || t % 2 == 0;
+    CHECK(is_close(steps[t].penalty, 0.1 * std::pow(1.5, double(t)), 1e-12) && reports[t].penalty == steps[t].penalty);
+    CHECK(reports[t].regularized == regularized);
+    CHECK(std::all_of(steps[t].pair_weights.begin(), steps[t].pair_weights.end(),
+                      [&](double a) { return (a > 0) == regularized; }));
+    CHECK(to_buffer(steps[t].before) == (t == 0 ? start.samples.positions : to_buffer(steps[t - 1].after)));
+  }
+  CHECK(to_buffer(steps.back().after) == end.samples.positions);
+  CHECK(start.samples.normals == end.samples.normals && start.neighbors.indices == end.neighbors.indices);
+}
+
+int main()
+{
+  Generator generator(8);
+  for (bool interleave : {false, true})
+  {
+    const Scene start(generator, interleave);
+    Scene end = start;
+    Unwatched unwatched;
+    Watching_solver solver;
+    std::vector<Iteration_report> reports;
+    minimize_alternatingly<CGAL::Parallel_if_available_tag>(end.parameters, end.neighbors, end.rows, solver,
+                                                            unwatched.progress, end.samples, reports);
+    check_course(start, end, solver.steps, reports);
+    check_descent(start, solver.steps, reports, generator);
+    check_report(start, solver.steps, reports);
+
+    // Solvers of the collapsed form get no rows and see the same problems.
+    Scene without_rows = start;
+    without_rows.rows = Fit_rows();
+    Eigen_cholesky_solver_traits<double> cholesky;
+    minimize_alternatingly<CGAL::Sequential_tag>(end.parameters, end.neighbors, without_rows.rows, cholesky,
+                                                 unwatched.progress, without_rows.samples, reports);
+    CHECK(without_rows.samples.positions == end.samples.positions);
+  }
+  return result();
+}

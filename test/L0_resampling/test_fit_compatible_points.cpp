@@ -1,0 +1,191 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "naive_normal_filter.h"
+
+#include <CGAL/L0_resampling/internal/fit_compatible_points.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+using namespace test;
+
+const double radius = 0.4, bandwidth = radius / 2;
+
+/// What the stage makes of each sample.
+struct Fitted
+{
+  std::vector<Vector> normals, centroids, outward;
+  std::vector<double> weights;
+};
+
+/// The stage, for input and samples in any order.
+template <typename T>
+Fitted fit(const Oriented_points& input, const std::vector<double>& densities, const Oriented_points& start)
+{
+  const Gridded_points sorted(input.points, radius / 2);
+  const auto normals = to_local_vectors<T>(permuted(sorted.order, input.normals));
+  Buffer<T> density_weights;
+  for (Index j : sorted.order)
+    density_weights.push_back(T(densities[j]));
+
+  Samples samples{Counting_allocator<Vector>()};
+  samples.positions = to_buffer(start.points);
+  samples.normals = to_buffer(start.normals);
+  samples.fit_weights.resize(start.points.size());
+  samples.fit_centroids.resize(start.points.size());
+  samples.outward_directions.resize(start.points.size());
+  Unwatched unwatched;
+  fit_compatible_points<CGAL::Parallel_if_available_tag>(
+    Fit_input<T>{sorted.grid, sorted.points, normals, density_weights, radius, normal_bandwidth(25)},
+    unwatched.progress, samples);
+  CHECK(samples.positions == to_buffer(start.points));
+  const auto vector = [](const Buffer<Vector>& b) { return std::vector<Vector>(b.begin(), b.end()); };
+  return {vector(samples.normals), vector(samples.fit_centroids), vector(samples.outward_directions),
+          {samples.fit_weights.begin(), samples.fit_weights.end()}};
+}
+
+template <typename T>
+Fitted fit(const Oriented_points& input, const Oriented_points& start)
+{
+  return fit<T>(input, std::vector<double>(input.points.size(), 1), start);
+}
+
+/// The formulas of the docstring, sample by sample.
+Fitted fit_naively(const Oriented_points& input, const std::vector<double>& densities, const Oriented_points& start)
+{
+  Fitted result{start.normals, start.points, {}, {}};
+  const auto neighbors = brute_force_neighbors(start.points, input.points, radius);
+  for (std::size_t i = 0; i < start.points.size(); ++i)
+  {
+    double total = 0, height = 0;
+    Vector mean = Vector::Zero(), mean_normal = Vector::Zero();
+    const Vector n = start.normals[i];
+    for (std::size_t j : neighbors[i])
+    {
+      const Vector d = input.points[j] - start.points[i];
+      const double cosine = n.dot(input.normals[j]);
+      const double w = std::exp(-d.squaredNorm() / (bandwidth * bandwidth))
+                       * std::exp(-std::pow(1 - std::abs(cosine), 2) / normal_bandwidth(25)) / densities[j];
+      const Vector turned = (cosine < 0 ? -1 : 1) * input.normals[j];
+      total += w;
+      height += w * 0.5 * (n + turned).dot(d);
+      mean += w * d;
+      mean_normal += w * turned;
+    }
+    result.weights.push_back((std::max)(0.3 * total, 1e-3));
+    result.outward.push_back(Vector::Zero());
+    if (total <= 1e-3)
+      continue;
+    result.normals[i] = mean_normal.normalized();
+    const Vector offset = mean / total - n.dot(mean / total) * n;
+    const double half_plane_offset = bandwidth / std::sqrt(EIGEN_PI);
+    result.centroids[i] += height / total * n;
+    if (offset.norm() > half_plane_offset)
+      result.centroids[i] += EIGEN_PI / 2 * (offset.norm() - half_plane_offset) * offset.normalized();
+    if (offset.norm() > half_plane_offset / 2)
+      result.outward[i] = -offset.normalized();
+  }
+  return result;
+}
+
+template <typename T>
+void check_formulas(double tolerance, Generator& generator)
+{
+  Oriented_points input = wedge_points(1500, generator);
+  add_gaussian_noise(input.points, 0.02, generator);
+  input.normals = noisy_normals(input.normals, 0.2, generator);
+  std::vector<double> densities;
+  for (Vector& n : input.normals)
+  {
+    n *= std::bernoulli_distribution()(generator) ? 1 : -1;
+    densities.push_back(random_number(1, 3, generator));
+  }
+  Oriented_points start{std::vector<Vector>(input.points.begin(), input.points.begin() + 300),
+                        std::vector<Vector>(input.normals.begin(), input.normals.begin() + 300)};
+  start.points.push_back(Vector(9, 9, 9));   // sees nobody
+  start.normals.push_back(Vector::UnitX());
+
+  const Fitted fitted = fit<T>(input, densities, start), naive = fit_naively(input, densities, start);
+  double worst = 0;
+  for (std::size_t i = 0; i < start.points.size(); ++i)
+  {
+    worst = (std::max)(worst, std::abs(fitted.weights[i] / naive.weights[i] - 1));
+    worst = (std::max)({worst, (fitted.centroids[i] - naive.centroids[i]).norm(),
+                        (fitted.normals[i] - naive.normals[i]).norm(), (fitted.outward[i] - naive.outward[i]).norm()});
+  }
+  CHECK(worst < tolerance);
+  CHECK(fitted.centroids.back() == start.points.back() && fitted.normals.back() == start.normals.back());
+  CHECK(fitted.weights.back() > 0);
+}
+
+/// Two points of a sphere are at distance 0 in the symmetric sense: a sphere does not shrink.
+void check_sphere(Generator& generator)
+{
+  const Oriented_points sphere = sphere_points(4000, 1, generator), start = sphere_points(100, 1, generator);
+  const Fitted fitted = fit<float>(sphere, start);
+  double worst = 0;
+  for (std::size_t i = 0; i < start.points.size(); ++i)
+    worst = (std::max)(worst, std::abs(start.normals[i].dot(fitted.centroids[i] - start.points[i])));
+  CHECK(worst < 1e-6);
+}
+
+/// Beside an edge, a sample off its face is drawn back onto it and not towards the other face.
+void check_edge(Generator& generator)
+{
+  const Oriented_points wedge = wedge_points(3000, generator);
+  Oriented_points start = wedge_points(200, generator);
+  for (std::size_t i = 0; i < start.points.size(); ++i)
+    start.points[i] += random_number(-0.05, 0.05, generator) * start.normals[i];
+  const Fitted fitted = fit<float>(wedge, start);
+  double off_face = 0, turned = 0;
+  for (std::size_t i = 0; i < start.points.size(); ++i)
+  {
+    off_face = (std::max)(off_face, std::abs(fitted.centroids[i].dot(start.normals[i])));
+    turned = (std::max)(turned, angle_of_lines(fitted.normals[i], start.normals[i]));
+  }
+  CHECK(off_face < 1e-5);
+  CHECK(turned < 0.01);
+}
+
+/// On the border of half a plane a sample stays; further in too; from beyond it comes back. It knows where the border
+/// is.
+void check_border()
+{
+  Oriented_points half_plane;
+  for (const Vector& p : lattice_points(81, 1))
+    if (p[2] == 0)
+    {
+      half_plane.points.push_back(0.02 * (p - Vector(-0.5, 40, 0)));
+      half_plane.normals.push_back(Vector::UnitZ());
+    }
+  const std::vector<double> places{0, 0.05, 0.1, 0.8, -0.02, -0.05};
+  Oriented_points start;
+  for (double x : places)
+  {
+    start.points.emplace_back(x, 0, 0);
+    start.normals.push_back(Vector::UnitZ());
+  }
+  const Fitted fitted = fit<float>(half_plane, start);
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    const double expected = (std::max)(places[i], 0.);
+    CHECK(std::abs(fitted.centroids[i][0] - expected) < 0.01 * radius + 0.15 * (expected - places[i]));
+    CHECK(std::abs(fitted.centroids[i][1]) < 1e-6);
+    CHECK((fitted.outward[i] - (places[i] < 0.08 ? Vector(-1, 0, 0) : Vector(0, 0, 0))).norm() < 1e-5);
+  }
+}
+
+int main()
+{
+  Generator generator(15);
+  check_formulas<double>(1e-10, generator);
+  check_formulas<float>(1e-4, generator);
+  check_sphere(generator);
+  check_edge(generator);
+  check_border();
+  return result();
+}

@@ -1,0 +1,198 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "stage_support.h"
+
+#include <CGAL/L0_resampling/internal/orient_normals.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <random>
+
+using namespace test;
+
+/// Turns true outward normals by chance and asks for them back.
+void check_orientation(const Oriented_points& truth, double spacing, Generator& generator)
+{
+  Buffer<Vector> normals = to_buffer(truth.normals);
+  for (Vector& n : normals)
+    if (std::bernoulli_distribution()(generator))
+      n = -n;
+  const Buffer<Vector> positions = to_buffer(truth.points), unoriented = normals;
+  Unwatched unwatched;
+  CHECK(orient_normals<CGAL::Parallel_if_available_tag>(positions, 12, spacing, unwatched.progress, normals) == 1);
+
+  CHECK(positions == to_buffer(truth.points));   // by index: nobody changed places
+  bool are_only_turned = true;
+  std::size_t number_outward = 0;
+  for (std::size_t i = 0; i < normals.size(); ++i)
+  {
+    are_only_turned = are_only_turned && (normals[i] == unoriented[i] || normals[i] == -unoriented[i]);
+    number_outward += normals[i].dot(truth.normals[i]) > 0;
+  }
+  CHECK(are_only_turned);
+  CHECK(number_outward == normals.size());
+}
+
+/// The graph is that of the nearest neighbors, of whatever spacing one guesses.
+void check_nearest(const Oriented_points& cloud, double spacing_guess)
+{
+  Unwatched unwatched;
+  const Nearest_samples nearest = find_nearest_samples<CGAL::Parallel_if_available_tag>(
+    to_buffer(cloud.points), 12, spacing_guess, unwatched.progress);
+  bool are_nearest = true;
+  for (Index i = 0; i < cloud.points.size(); ++i)
+  {
+    std::vector<Index> others;
+    for (Index k = 0; k < cloud.points.size(); ++k)
+      if (k != i)
+        others.push_back(k);
+    const auto distance = [&](Index k) { return (cloud.points[i] - cloud.points[k]).squaredNorm(); };
+    std::partial_sort(others.begin(), others.begin() + 12, others.end(),
+                      [&](Index a, Index b) { return distance(a) < distance(b); });
+    are_nearest = are_nearest && nearest.end(i) - nearest.begin(i) == 12
+                  && std::is_permutation(nearest.begin(i), nearest.end(i), others.begin());
+  }
+  CHECK(are_nearest);
+}
+
+/// Samples without the clusters and holes of chance, as resampling leaves them: of twelve candidates the one furthest
+/// from the rest.
+Oriented_points evenly(std::size_t n, const std::function<Oriented_points(std::size_t)>& candidates)
+{
+  Oriented_points result;
+  while (result.points.size() < n)
+  {
+    const Oriented_points some = candidates(12);
+    std::size_t best = 0;
+    double largest = -1;
+    for (std::size_t c = 0; c < some.points.size(); ++c)
+    {
+      double nearest = 1e9;
+      for (const Vector& p : result.points)
+        nearest = (std::min)(nearest, (p - some.points[c]).squaredNorm());
+      if (nearest > largest)
+      {
+        largest = nearest;
+        best = c;
+      }
+    }
+    result.points.push_back(some.points[best]);
+    result.normals.push_back(some.normals[best]);
+  }
+  return result;
+}
+
+/// On the box [0, size] without its part above and behind the middle if `is_step`: that leaves an edge of 90 degrees
+/// that is concave.
+Oriented_points box_points(std::size_t n, const Vector& size, bool is_step, Generator& generator)
+{
+  // faces: axis, coordinate on it, outward sign, low and high corner
+  struct Face { int axis; double sign; Vector low, high; };
+  std::vector<Face> faces;
+  const auto add = [&](int axis, double sign, const Vector& low, const Vector& high) {
+    faces.push_back({axis, sign, low, high});
+  };
+  const double x = size[0], y = size[1], z = size[2], hx = is_step ? x / 2 : x, hz = z / 2;
+  add(2, -1, {0, 0, 0}, {x, y, 0});
+  add(2, 1, {0, 0, z}, {hx, y, z});
+  add(0, -1, {0, 0, 0}, {0, y, z});
+  add(0, 1, {x, 0, 0}, {x, y, is_step ? hz : z});
+  for (int side : {0, 1})
+  {
+    add(1, side ? 1 : -1, {0, side * y, 0}, {x, side * y, hz});
+    add(1, side ? 1 : -1, {0, side * y, hz}, {hx, side * y, z});
+  }
+  if (is_step)
+  {
+    add(2, 1, {hx, 0, hz}, {x, y, hz});
+    add(0, 1, {hx, 0, hz}, {hx, y, z});
+  }
+  std::vector<double> areas;
+  for (const Face& f : faces)
+  {
+    const Vector extent = f.high - f.low;
+    areas.push_back(extent[(f.axis + 1) % 3] * extent[(f.axis + 2) % 3]);
+  }
+  std::discrete_distribution<std::size_t> face(areas.begin(), areas.end());
+  Oriented_points result;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const Face& f = faces[face(generator)];
+    Vector p;
+    for (int c = 0; c < 3; ++c)
+      p[c] = f.low[c] < f.high[c] ? random_number(f.low[c], f.high[c], generator) : f.low[c];
+    result.points.push_back(p);
+    result.normals.push_back(f.sign * Vector::Unit(f.axis));
+  }
+  return result;
+}
+
+/// Radii 1 and 0.4, around the z axis; not quite uniform by area.
+Oriented_points torus_points(std::size_t n, Generator& generator)
+{
+  Oriented_points result;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const double u = random_number(0, 2 * EIGEN_PI, generator), v = random_number(0, 2 * EIGEN_PI, generator);
+    const Vector out(std::cos(u), std::sin(u), 0);
+    result.normals.push_back(std::cos(v) * out + std::sin(v) * Vector::UnitZ());
+    result.points.push_back(out + 0.4 * result.normals.back());
+  }
+  return result;
+}
+
+Oriented_points together(const Oriented_points& a, const Oriented_points& b, const Vector& shift)
+{
+  Oriented_points result = a;
+  for (const Vector& p : b.points)
+    result.points.push_back(p + shift);
+  result.normals.insert(result.normals.end(), b.normals.begin(), b.normals.end());
+  return result;
+}
+
+/// A flat patch has no outside, but one side: the same for all its normals, whatever signs they came with.
+void check_plane(Generator& generator)
+{
+  Oriented_points plane = plane_points(500, 1, generator);
+  for (Vector& p : plane.points)
+    p = Vector(p[2], p[0], p[1]);
+  std::vector<Buffer<Vector>> results;
+  for (int n = 0; n < 8; ++n)
+  {
+    results.push_back(Buffer<Vector>(500, Vector::UnitX()));
+    for (Vector& normal : results.back())
+      if (std::bernoulli_distribution()(generator))
+        normal = -normal;
+    Unwatched unwatched;
+    orient_normals<CGAL::Sequential_tag>(to_buffer(plane.points), 12, 0.05, unwatched.progress, results.back());
+    CHECK(std::count(results.back().begin(), results.back().end(), results.back().front()) == 500);
+    CHECK(results.back() == results.front());
+  }
+}
+
+int main()
+{
+  Generator generator(10);
+  const auto sphere = [&](std::size_t n) { return sphere_points(n, 1, generator); };
+  const auto cube = [&](std::size_t n) { return cube_points(n, 2, generator); };
+  const auto torus = [&](std::size_t n) { return torus_points(n, generator); };
+  const auto step = [&](std::size_t n) { return box_points(n, {2, 1, 1}, true, generator); };
+  const auto plate = [&](std::size_t n) { return box_points(n, {2, 2, 0.15}, false, generator); };
+
+  const Oriented_points even_sphere = evenly(800, sphere), even_cube = evenly(1200, cube);
+  check_orientation(even_sphere, 0.12, generator);
+  check_orientation(evenly(1000, torus), 0.12, generator);
+  check_orientation(evenly(1500, step), 0.08, generator);
+  check_orientation(evenly(1500, plate), 0.08, generator);   // twice as thick as the samples are apart
+  check_orientation(together(even_sphere, even_cube, Vector(5, 1, 0)), 0.13, generator);
+  for (double factor : {0.5, 2.})   // the spacing need not be known well
+    check_orientation(even_cube, factor * 0.14, generator);
+  check_plane(generator);
+  for (double spacing_guess : {1e-3, 0.1, 10.})
+    check_nearest(even_cube, spacing_guess);
+  return result();
+}

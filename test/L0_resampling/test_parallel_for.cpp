@@ -1,0 +1,125 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Blocks that do not depend on the number of threads, and sums that no thread can reorder.
+
+#include "test_support.h"
+
+#include <CGAL/L0_resampling/internal/parallel_for.h>
+
+#include <CGAL/tags.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+using CGAL::L0_resampling::internal::block_sum;
+using CGAL::L0_resampling::internal::for_each_block;
+
+template <typename ConcurrencyTag>
+void test_every_index_once_in_fixed_blocks()
+{
+  for (const std::size_t n : {0, 1, 7, 8, 9, 1000})
+    for (const std::size_t block_size : {1, 8, 2000})
+    {
+      std::vector<int> visits(n, 0);
+      std::atomic<bool> blocks_are_right(true);
+      for_each_block<ConcurrencyTag>(n, block_size, [&](std::size_t begin, std::size_t end) {
+        const std::size_t size = end - begin;
+        if (begin % block_size != 0 || size == 0 || size > block_size || (size != block_size && end != n))
+          blocks_are_right = false;
+        for (std::size_t i = begin; i < end; ++i)
+          ++visits[i];
+      });
+      CHECK(blocks_are_right);
+      CHECK(visits == std::vector<int>(n, 1));
+    }
+}
+
+/// Addition of doubles does depend on the order, by this much: the sum by blocks is not the plain sum.
+template <typename ConcurrencyTag>
+void test_sum_is_in_the_order_of_the_blocks()
+{
+  const std::size_t n = 100000, block_size = 64;
+  const auto term = [](std::size_t i) { return std::sin(double(i)) * std::exp2(double(i % 50)); };
+  const auto sum_of = [&](std::size_t begin, std::size_t end) {
+    double sum = 0;
+    for (std::size_t i = begin; i < end; ++i)
+      sum += term(i);
+    return sum;
+  };
+  double expected = 0;
+  for (std::size_t begin = 0; begin < n; begin += block_size)
+    expected += sum_of(begin, (std::min)(begin + block_size, n));
+  CHECK(expected != sum_of(0, n));
+  for (int run = 0; run < 20; ++run)
+    CHECK(block_sum<ConcurrencyTag>(n, block_size, sum_of) == expected);
+}
+
+/// Letters do not commute at all.
+struct Text
+{
+  std::string letters;
+  Text& operator+=(const Text& other)
+  {
+    letters += other.letters;
+    return *this;
+  }
+};
+
+template <typename ConcurrencyTag>
+void test_sum_of_a_type_of_ones_own()
+{
+  const std::string alphabet = "abcdefghijklmnopqrstuvwxyz";
+  const auto letters = [&](std::size_t begin, std::size_t end) { return Text{alphabet.substr(begin, end - begin)}; };
+  CHECK(block_sum<ConcurrencyTag>(26, 3, letters).letters == alphabet);
+  CHECK(block_sum<ConcurrencyTag>(0, 3, letters).letters.empty());
+}
+
+template <typename ConcurrencyTag>
+void test_exceptions_pass()
+{
+  const auto fails = [](std::size_t begin, std::size_t) {
+    if (begin == 50)
+      throw std::runtime_error("planted");
+    return 1;
+  };
+  CHECK_THROWS(for_each_block<ConcurrencyTag>(100, 10, fails), std::runtime_error);
+  CHECK_THROWS(block_sum<ConcurrencyTag>(100, 10, fails), std::runtime_error);
+}
+
+template <typename ConcurrencyTag>
+void test_all()
+{
+  test_every_index_once_in_fixed_blocks<ConcurrencyTag>();
+  test_sum_is_in_the_order_of_the_blocks<ConcurrencyTag>();
+  test_sum_of_a_type_of_ones_own<ConcurrencyTag>();
+  test_exceptions_pass<ConcurrencyTag>();
+}
+
+} // namespace
+
+int main()
+{
+  test_all<CGAL::Sequential_tag>();
+#ifdef CGAL_LINKED_WITH_TBB
+  for (const std::size_t threads : {1, 2, 5})
+  {
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    test_all<CGAL::Parallel_tag>();
+  }
+#endif
+  return test::result();
+}

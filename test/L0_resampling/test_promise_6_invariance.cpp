@@ -1,0 +1,193 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Promise 6: the unit of length, the place, the order of the points and the signs of given normals do not matter.
+
+#include "promise_support.h"
+
+#include <CGAL/property_map.h>
+
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <vector>
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Pair = std::pair<Kernel::Point_3, Kernel::Vector_3>;
+using CGAL::L0_resampling::Method;
+using test::Vector;
+namespace params = CGAL::parameters;
+
+namespace {
+
+/// Points on a 2^-20 grid, which adding a number of millions does not round, with normals.
+struct Cloud { std::string name; test::Oriented_points points; double length; };
+
+Cloud on_grid(const std::string& name, test::Oriented_points points, double length)
+{
+  for (Vector& p : points.points)
+    for (double& x : p)
+      x = std::ldexp(std::nearbyint(std::ldexp(x, 20)), -20);
+  return {name, points, length};
+}
+
+std::vector<Cloud> clouds()
+{
+  test::Generator generator(1);
+  test::Oriented_points noisy_cube = test::cube_points(1500, 1, generator);
+  test::add_gaussian_noise(noisy_cube.points, 0.01, generator);
+  test::Oriented_points duplicates = noisy_cube;
+  duplicates.points.insert(duplicates.points.end(), noisy_cube.points.begin(), noisy_cube.points.begin() + 300);
+  duplicates.normals.insert(duplicates.normals.end(), noisy_cube.normals.begin(), noisy_cube.normals.begin() + 300);
+  test::Oriented_points lattice{test::lattice_points(9, 0.125), {}};
+  for (std::size_t i = 0; i < lattice.points.size(); ++i)
+    lattice.normals.push_back(test::random_unit_vector(generator));
+  return {on_grid("noisy cube", noisy_cube, 1), on_grid("duplicates", duplicates, 1),
+          on_grid("cube without noise", test::cube_points(1500, 1, generator), 1),
+          on_grid("plane", test::plane_points(800, 1, generator), 1),
+          on_grid("sphere", test::sphere_points(800, 10, generator), 20), {"lattice", lattice, 1}};
+}
+
+/// The point `scale * p + translation` for each point p; normals are used if `with_normals`.
+template <typename NamedParameters>
+test::Pairs<Kernel> resample(const test::Oriented_points& points, double scale, const Vector& translation, bool with_normals,
+                             const NamedParameters& np)
+{
+  std::vector<Pair> input;
+  for (std::size_t i = 0; i < points.points.size(); ++i)
+  {
+    const Vector p = scale * points.points[i] + translation, n = points.normals[i];
+    input.emplace_back(Kernel::Point_3(p[0], p[1], p[2]), Kernel::Vector_3(n[0], n[1], n[2]));
+  }
+  using Tag = CGAL::Parallel_if_available_tag;
+  test::Pairs<Kernel> result;
+  const auto with_points = np.point_map(CGAL::First_of_pair_property_map<Pair>());
+  if (with_normals)
+    CGAL::l0_resample_point_set<Tag>(input, std::back_inserter(result),
+                                     with_points.normal_map(CGAL::Second_of_pair_property_map<Pair>()));
+  else
+    CGAL::l0_resample_point_set<Tag>(input, std::back_inserter(result), with_points);
+  return result;
+}
+
+/// The settings that each law is checked with; `f` gets named parameters whose lengths are multiples of `scale`.
+template <typename F>
+void for_each_setting(const Cloud& cloud, double scale, const F& f)
+{
+  const double length = scale * cloud.length;
+  f(params::select_percentage(50));
+  f(params::select_percentage(50) | params::resampling_method(Method::LOR));
+  f(params::select_percentage(30) | params::resampling_method(Method::ALOR));
+  f(params::neighbor_radius(0.1 * length) | params::normal_filter_radius(0.15 * length));
+  f(params::number_of_output_points(2 * cloud.points.points.size()).random_seed(5) | params::normal_weight(2));
+}
+
+/// The results of `resample()` with `scale` and `translation`, one for each setting, without and with normals.
+std::vector<test::Pairs<Kernel>> results(const Cloud& cloud, double scale, const Vector& translation)
+{
+  std::vector<test::Pairs<Kernel>> all;
+  for (bool with_normals : {false, true})
+    for_each_setting(cloud, scale, [&](const auto& np) {
+      all.push_back(resample(cloud.points, scale, translation, with_normals, np));
+    });
+  return all;
+}
+
+template <typename Law>
+void compare(const std::string& name, const Cloud& cloud, const std::vector<test::Pairs<Kernel>>& a,
+             const std::vector<test::Pairs<Kernel>>& b, const Law& law)
+{
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (!CHECK(a[i].size() == b[i].size() && !a[i].empty() && law(a[i], b[i])))
+      std::cerr << "  " << name << ", " << cloud.name << ", setting " << i << std::endl;
+}
+
+void test_scale(const Cloud& cloud, const std::vector<test::Pairs<Kernel>>& expected)
+{
+  for (int exponent : {-40, 40, 900})
+  {
+    const double scale = std::ldexp(1., exponent);
+    compare("scale", cloud, expected, results(cloud, scale, Vector::Zero()), [&](test::Pairs<Kernel> a, const test::Pairs<Kernel>& b) {
+      for (Pair& pair : a)
+        pair.first = Kernel::Point_3(scale * pair.first.x(), scale * pair.first.y(), scale * pair.first.z());
+      return test::are_identical<Kernel>(a, b);
+    });
+  }
+}
+
+/// Bitwise but for the last step, which puts the result where the input was: it rounds, and keeps apart what rounding has joined.
+void test_translation(const Cloud& cloud, const std::vector<test::Pairs<Kernel>>& expected)
+{
+  for (const Vector& translation : {Vector(456075, 5935300.5, 120.25), Vector(-1e7, 0.5, 1e7)})
+    compare("translation", cloud, expected, results(cloud, 1, translation), [&](const auto& a, const auto& b) {
+      const double rounding = 8 * std::numeric_limits<double>::epsilon() * (translation.cwiseAbs().maxCoeff() + 2 * cloud.length);
+      for (std::size_t i = 0; i < a.size(); ++i)
+        if (a[i].second != b[i].second
+            || !((test::as_vector(a[i].first) + translation - test::as_vector(b[i].first)).cwiseAbs().maxCoeff() <= rounding))
+          return false;
+      return true;
+    });
+}
+
+/// Points for each of which there is a point of the other set, and its normal, closer than 1e-9 of the size.
+bool are_same_set(const test::Pairs<Kernel>& a, const test::Pairs<Kernel>& b, double length)
+{
+  return std::all_of(a.begin(), a.end(), [&](const Pair& x) {
+    return std::any_of(b.begin(), b.end(), [&](const Pair& y) {
+      return (test::as_vector(x.first) - test::as_vector(y.first)).norm() <= 1e-9 * length
+             && (test::as_vector(x.second) - test::as_vector(y.second)).norm() <= 1e-6;
+    });
+  });
+}
+
+void test_permutation(const Cloud& cloud, const std::vector<test::Pairs<Kernel>>& expected)
+{
+  test::Generator generator(2);
+  for (int run = 0; run < 2; ++run)
+  {
+    std::vector<std::size_t> order(cloud.points.points.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::shuffle(order.begin(), order.end(), generator);
+    Cloud shuffled = cloud;
+    for (std::size_t i = 0; i < order.size(); ++i)
+    {
+      shuffled.points.points[i] = cloud.points.points[order[i]];
+      shuffled.points.normals[i] = cloud.points.normals[order[i]];
+    }
+    compare("permutation", cloud, expected, results(shuffled, 1, Vector::Zero()), [&](const auto& a, const auto& b) {
+      return are_same_set(a, b, cloud.length) && are_same_set(b, a, cloud.length);
+    });
+  }
+}
+
+void test_signs_of_normals(const Cloud& cloud, const std::vector<test::Pairs<Kernel>>& expected)
+{
+  test::Generator generator(3);
+  for (int run = 0; run < 2; ++run)
+  {
+    Cloud turned = cloud;
+    for (Vector& n : turned.points.normals)
+      if (test::random_number(0, 1, generator) < 0.5)
+        n = -n;
+    compare("signs", cloud, expected, results(turned, 1, Vector::Zero()), [&](const auto& a, const auto& b) {
+      return are_same_set(a, b, cloud.length) && are_same_set(b, a, cloud.length);
+    });
+  }
+}
+
+} // namespace
+
+int main()
+{
+  for (const Cloud& cloud : clouds())
+  {
+    const std::vector<test::Pairs<Kernel>> expected = results(cloud, 1, Vector::Zero());
+    test_scale(cloud, expected);
+    test_translation(cloud, expected);
+    test_permutation(cloud, expected);
+    test_signs_of_normals(cloud, expected);
+  }
+  return test::result();
+}

@@ -1,0 +1,53 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "test_support.h"
+
+#include <CGAL/L0_resampling/internal/shrinkage.h>
+
+#include <cmath>
+
+using namespace test;
+using CGAL::L0_resampling::internal::shrink;
+
+/// One term of Eq. (8).
+double cost(double distance, double offset, double normal_weight, double penalty)
+{
+  return penalty * std::pow(distance - offset, 2) + normal_weight * (offset != 0);
+}
+
+/// No offset costs less than that of Eq. (9), for distances of either sign.
+void check_minimum(double normal_weight, double penalty, Generator& generator)
+{
+  const double threshold = std::sqrt(normal_weight / penalty);
+  for (int n = 0; n < 200; ++n)
+  {
+    const double distance = threshold * random_number(-3, 3, generator);
+    const double offset = shrink(distance, threshold);
+    const double least = cost(distance, offset, normal_weight, penalty);
+    bool is_minimum = cost(distance, 0, normal_weight, penalty) >= least;
+    for (int step = -400; step <= 400; ++step)
+      is_minimum = is_minimum && cost(distance, threshold * step / 100, normal_weight, penalty) >= least;
+    CHECK(is_minimum);
+    CHECK(offset == 0 || offset == distance);
+    CHECK(shrink(-distance, threshold) == -offset);
+    CHECK(shrink(float(distance), float(threshold)) == (offset == 0 ? 0 : float(distance)));
+  }
+}
+
+int main()
+{
+  Generator generator(3);
+  for (double penalty : {0.1, 0.5, 2.})   // where Algorithm 1 starts, passes and ends
+    for (double normal_weight : {0.01, 0.9, 30.})
+      check_minimum(normal_weight, penalty, generator);
+
+  // Without a price nothing is zeroed, and just below and at the threshold the two candidates change places.
+  CHECK(shrink(1e-300, 0.) == 1e-300);
+  CHECK(shrink(std::nextafter(2., 0.), 2.) == 0);
+  CHECK(shrink(-std::nextafter(2., 0.), 2.) == 0);
+  CHECK(shrink(2., 2.) == 2);
+  return result();
+}

@@ -1,0 +1,259 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026  The CGAL::L0_resampling authors.
+# All rights reserved.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# The program l0_resample as a user meets it: exit statuses, what is printed where, and that no failure harms a file.
+# usage: test_tool_cli.sh PROGRAM
+
+set -u -m   # job control, since a script's background jobs ignore SIGINT without it
+program=$1
+folder=$(mktemp -d)
+trap 'chmod -R u+w "$folder"; rm -rf "$folder"' EXIT
+cd "$folder" || exit 1
+checks=0 failures=0
+
+check()   # what is checked, then a command that must succeed
+{
+  local what=$1
+  shift
+  checks=$((checks + 1))
+  "$@" && return
+  failures=$((failures + 1))
+  echo "failed: $what: $*; stderr: $(head -c 500 stderr)" >&2
+}
+
+run()     # the program's arguments; leaves status, stdout and stderr
+{
+  "$program" "$@" > stdout 2> stderr < /dev/null
+  status=$?
+}
+
+# A failure has its status, says one line on stderr that begins with the program's name, and nothing on stdout.
+check_failure()   # expected status, expected part of the message, the program's arguments
+{
+  local expected=$1 message=$2
+  shift 2
+  run "$@"
+  check "status $expected of: $*" test "$status" -eq "$expected"
+  check "one line on stderr of: $*" test "$(wc -l < stderr)" -eq 1
+  check "the name of the program on stderr of: $*" grep -q '^l0_resample: ' stderr
+  check "'$message' on stderr of: $*" grep -qF -- "$message" stderr
+  check "nothing on stdout of: $*" test ! -s stdout
+}
+
+no_temporary_files() { test -z "$(find "$folder" -name '*.tmp')"; }
+number_of_points()   { sed -n '/^element vertex /{s///p;q}' "$1"; }
+is_old()             { cmp -s "$1" <(echo old); }
+
+# The faces of a cube, 40 x 40 points each, moved by up to 0.01
+awk 'BEGIN { srand(1); for (f = 0; f < 6; ++f) for (i = 0; i < 40; ++i) for (j = 0; j < 40; ++j) {
+  a = i / 39 - .5; b = j / 39 - .5; c = (f % 2) - .5
+  p[0] = int(f / 2) == 0 ? c : a; p[1] = int(f / 2) == 1 ? c : (int(f / 2) == 0 ? a : b); p[2] = int(f / 2) == 2 ? c : b
+  for (k = 0; k < 3; ++k) printf "%.6f%s", p[k] + .02 * (rand() - .5), k < 2 ? " " : "\n" } }' > cube.xyz
+
+# Good runs
+run cube.xyz out.ply
+check "a good run" test "$status" -eq 0
+check "half of the points by default" test "$(number_of_points out.ply)" -eq 4800
+check "nothing on stderr" test ! -s stderr
+check "one line on stdout" test "$(wc -l < stdout)" -eq 1
+check "the summary" \
+  grep -qE '^cube.xyz: 9600 points in, 4800 out, method default, [0-9]+\.[0-9]+ s, [0-9.]+ % oriented$' stdout
+run cube.xyz out.ply --points 123 --method alor --quiet
+check "quiet" test "$status" -eq 0 -a ! -s stdout -a ! -s stderr
+check "exact number of points" test "$(number_of_points out.ply)" -eq 123
+run cube.xyz out.ply --percentage 12.5 --method lor
+check "percentage" test "$(number_of_points out.ply)" -eq 1200
+check "method in the summary" grep -q 'method lor' stdout
+run --version
+check "version" test "$status" -eq 0 -a "$(grep -cE '^l0_resample [0-9]+\.[0-9]+' stdout)" -eq 1
+run --help
+check "help" test "$status" -eq 0 -a "$(grep -c -- '--neighbor-radius' stdout)" -ge 1
+
+# The written formats hold the same points, and each can be read again
+for format in ply off xyz; do
+  run cube.xyz "same.$format" --points 500
+  check "writing $format" test "$status" -eq 0
+done
+check "OFF and XYZ agree" cmp <(tail -n +3 same.off) same.xyz
+for format in ply off xyz; do run "same.$format" "again_$format.xyz" --points 100 --use-normals; done
+check "PLY and XYZ agree" cmp again_ply.xyz again_xyz.xyz
+check "OFF and XYZ agree when read" cmp again_off.xyz again_xyz.xyz
+
+# What changes the result and what does not
+run cube.xyz a.xyz --threads 1
+run cube.xyz b.xyz --threads 2
+check "threads do not matter" cmp a.xyz b.xyz
+run cube.xyz b.xyz --seed 1
+check "the seed matters" test "$(cmp -s a.xyz b.xyz; echo $?)" -eq 1
+run cube.xyz b.xyz --neighbor-radius 0.2
+check "the radius matters" test "$(cmp -s a.xyz b.xyz; echo $?)" -eq 1
+run cube.xyz b.xyz --normal-weight 0
+check "the normal weight matters" test "$(cmp -s a.xyz b.xyz; echo $?)" -eq 1
+run cube.xyz b.xyz --sharpness-angle 60
+check "the sharpness angle matters" test "$(cmp -s a.xyz b.xyz; echo $?)" -eq 1
+for solver in block-cg cholesky rows-cg; do
+  run cube.xyz solved.ply --points 300 --solver "$solver" --json solved.json
+  check "solver $solver" test "$status" -eq 0 -a "$(number_of_points solved.ply)" -eq 300
+  check "solver $solver in the report" grep -q "\"solver\": \"$solver\"" solved.json
+done
+
+# Report and picture
+run cube.xyz out.ply --json report.json --snapshot picture.png --device auto
+check "report and picture" test "$status" -eq 0
+for key in '"exit_status": 0' '"points": 9600' '"points": 4800' '"used": "cpu"' '"reason": "' \
+           '"name": "filter normals"' '"penalty": 0.1,'; do
+  check "$key in the report" grep -qF "$key" report.json
+done
+check "a PNG of 1600 x 800" test \
+  "$(head -c 24 picture.png | od -An -tx1 | tr -d ' \n')" = 89504e470d0a1a0a0000000d494844520000064000000320
+run cube.xyz out.ply --json /dev/stdout
+check "the report alone on stdout" test "$(head -n 1 stdout)" = "{" -a "$(tail -n 1 stdout)" = "}"
+
+# Wrong usage: 2
+echo old > old.ply
+check_failure 2 "INPUT" 
+check_failure 2 "OUTPUT" cube.xyz
+check_failure 2 "--nonsense" cube.xyz old.ply --nonsense
+for value in 0 -5 1.5 x 99999999999999999999 4294967295; do
+  check_failure 2 "--points" cube.xyz old.ply --points "$value"
+done
+for value in 0 100.5 0,5 nan -1; do check_failure 2 "--percentage" cube.xyz old.ply --percentage "$value"; done
+for value in 0 -1 inf 1,5; do check_failure 2 "--neighbor-radius" cube.xyz old.ply --neighbor-radius "$value"; done
+for value in -1 nan; do check_failure 2 "--normal-weight" cube.xyz old.ply --normal-weight "$value"; done
+for value in 0 91; do check_failure 2 "--sharpness-angle" cube.xyz old.ply --sharpness-angle "$value"; done
+for value in 0 -1 two; do check_failure 2 "--threads" cube.xyz old.ply --threads "$value"; done
+check_failure 2 "--seed" cube.xyz old.ply --seed -1
+check_failure 2 "--view" cube.xyz old.ply --view 0,0,0
+check_failure 2 "--view" cube.xyz old.ply --view 1,2
+check_failure 2 "--view" cube.xyz old.ply --view 1,2,nan
+check_failure 2 "--method" cube.xyz old.ply --method best
+check_failure 2 "--solver" cube.xyz old.ply --solver magic
+check_failure 2 "--device" cube.xyz old.ply --device tpu
+check_failure 2 "--percentage" cube.xyz old.ply --points 5 --percentage 5
+check_failure 2 "cube.txt: the extension" cube.txt old.ply
+check_failure 2 "old.las: the extension" cube.xyz old.las
+check_failure 2 "the extension of a snapshot" cube.xyz old.ply --snapshot picture.jpg
+check_failure 2 "is named twice" cube.xyz old.ply --json ./old.ply
+check_failure 2 "is named twice" cube.xyz old.ply --json cube.xyz
+check "wrong usage writes nothing" is_old old.ply
+
+# Input refused: 3
+check_failure 3 "missing.ply: cannot be opened: No such file" missing.ply old.ply
+check_failure 3 "Is a directory" . old.ply --input-format ply
+printf '1 2 3\n1 0,5 3\n' > comma.xyz
+check_failure 3 "comma.xyz: line 2: '0,5' is not a number" comma.xyz old.ply
+check_failure 3 "--max-points" cube.xyz old.ply --max-points 9599
+check_failure 3 "has no normals" cube.xyz old.ply --use-normals
+printf '%s\n' ply 'format binary_little_endian 1.0' 'element vertex 1000000000000000' 'property double x' \
+  'property double y' 'property double z' end_header > huge.ply
+check_failure 3 "huge.ply: line 7: 1000000000000000 points are announced" huge.ply old.ply
+(cat cube.xyz; echo 'nan 0 0'; echo '0 inf 0') > bad.xyz
+check_failure 3 "bad.xyz: line 9601: a coordinate is not finite" bad.xyz old.ply
+check_failure 3 "line 9601" bad.xyz old.ply --json failed.json
+check "the report of a failure" grep -q '"exit_status": 3' failed.json
+check "refused input writes nothing" is_old old.ply
+run bad.xyz dropped.xyz --drop-non-finite --points 50 --json dropped.json
+check "dropping non-finite points" test "$status" -eq 0 -a "$(wc -l < dropped.xyz)" -eq 50
+check "dropped points in the report" grep -q '"dropped_points": 2' dropped.json
+check "dropped points in the summary" grep -q '9600 points in, 2 dropped, 50 out' stdout
+: > empty.xyz
+run empty.xyz empty.ply
+check "no points in, none out" test "$status" -eq 0 -a "$(number_of_points empty.ply)" -eq 0
+
+# Failed at run time: 1
+check_failure 1 "--device cuda" cube.xyz old.ply --device cuda
+check_failure 1 "--max-memory" cube.xyz old.ply --max-memory 10kb
+check_failure 1 "--max-memory" cube.xyz old.ply --max-memory 300kb
+check_failure 1 "--timeout" cube.xyz old.ply --timeout 0.001 --neighbor-radius 0.5
+mkfifo silent.xyz
+sleep 60 > silent.xyz &   # an input that never comes
+sleeper=$!
+check_failure 1 "--timeout" silent.xyz old.ply --timeout 0.2
+check "a failed run writes nothing" is_old old.ply
+
+# Output not written: 4
+check_failure 4 "no/out.ply" cube.xyz no/out.ply
+check_failure 4 "no/report.json" cube.xyz old.ply --json no/report.json
+check_failure 4 "no/picture.png" cube.xyz old.ply --snapshot no/picture.png
+mkdir folder.ply
+check_failure 4 "it is a directory" cube.xyz folder.ply
+ln -s /dev/full full.ply
+check_failure 4 "No space left on device" cube.xyz full.ply
+check "an output that cannot be written leaves the others" is_old old.ply
+(
+  ulimit -f 50   # in units of 1 KiB
+  check_failure 4 "File too large" cube.xyz old.ply
+  exit "$failures"
+) || failures=$((failures + 1))
+check "a full disk leaves the old file" is_old old.ply
+check "a full disk leaves no temporary file" no_temporary_files
+
+# Write-protected files stop nobody who is root
+unprivileged=()
+test "$(id -u)" -ne 0 || unprivileged=(setpriv --reuid 65534 --regid 65534 --clear-groups)
+chmod 755 "$folder"; mkdir -m 777 protected; echo old > protected/old.ply; chmod 444 protected/old.ply
+mkdir -m 555 closed
+for target in protected/old.ply closed/out.ply; do
+  "${unprivileged[@]}" "$program" cube.xyz "$target" > stdout 2> stderr
+  check "status of a write to $target" test $? -eq 4
+  check "reason of a write to $target" grep -q "^l0_resample: $target: cannot be written: .*Permission denied" stderr
+done
+check "a write-protected file is not replaced" is_old protected/old.ply
+
+# Not converged: 5
+run cube.xyz loose.ply --solver-iterations 1
+check "without --strict an unconverged solve is an answer" \
+  test "$status" -eq 0 -a "$(number_of_points loose.ply)" -eq 4800
+check "an unconverged solve in the summary" grep -q 'not converged' stdout
+check_failure 5 "did not converge" cube.xyz old.ply --solver-iterations 1 --strict
+check "--strict writes nothing" is_old old.ply
+run cube.xyz loose.ply --strict
+check "--strict lets a converged result pass" test "$status" -eq 0
+
+# Cancelled: 130 and 143, while the input is waited for and in the midst of the work. The copies of the cube and the
+# large radius make that work last for minutes, were it not cancelled.
+awk '{ for (i = 0; i < 40; ++i) print $1 + i % 7 * .01, $2 + i % 5 * .01, $3 + i % 3 * .01 }' cube.xyz > long.xyz
+patient=(timeout --foreground -s KILL 60)   # passes the signals on, and ends a program that is deaf to them
+for signal in INT TERM; do
+  expected=130; test $signal = INT || expected=143
+  "${patient[@]}" "$program" silent.xyz old.ply > stdout 2> stderr & job=$!
+  sleep 0.3; kill -$signal $job; wait $job
+  check "status after SIG$signal while reading" test $? -eq $expected
+  "${patient[@]}" "$program" long.xyz old.ply --neighbor-radius 1 > stdout 2> stderr & job=$!
+  sleep 1.5; kill -$signal $job; wait $job
+  check "status after SIG$signal while computing" test $? -eq $expected
+  check "one line after SIG$signal" test "$(wc -l < stderr)" -eq 1 -a ! -s stdout
+done
+kill $sleeper; wait $sleeper 2> /dev/null
+check "a cancelled run leaves the old file" is_old old.ply
+check "a cancelled run leaves no temporary file" no_temporary_files
+
+# Names and places
+run cube.xyz "a name with blanks é.ply"
+check "blanks and accents" test "$status" -eq 0 -a "$(number_of_points "a name with blanks é.ply")" -eq 4800
+cp cube.xyz ./-cube.xyz
+run --points 10 -- -cube.xyz -out.ply
+check "a leading dash" test "$status" -eq 0 -a "$(number_of_points ./-out.ply)" -eq 10
+cp cube.xyz both.xyz
+run both.xyz both.xyz --points 20
+check "input and output are one file" test "$status" -eq 0 -a "$(wc -l < both.xyz)" -eq 20
+run cube.xyz /dev/stdout --output-format xyz --points 30
+check "points alone on stdout" test "$status" -eq 0 -a "$(wc -l < stdout)" -eq 30
+check "then the summary is on stderr" grep -q '30 out' stderr
+run /dev/stdin out.ply --input-format xyz
+check "an empty standard input" test "$status" -eq 0
+"$program" /dev/stdin out.ply --input-format xyz --points 40 < <(cat cube.xyz) > /dev/null
+check "a pipe as input" test $? -eq 0 -a "$(number_of_points out.ply)" -eq 40
+(
+  ulimit -n 16
+  run cube.xyz out.ply --points 50
+  check "few open files" test "$status" -eq 0
+  exit "$failures"
+) || failures=$((failures + 1))
+check "nothing is left behind" no_temporary_files
+
+echo "$checks checks, $failures failed"
+test "$failures" -eq 0

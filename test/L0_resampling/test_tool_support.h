@@ -1,0 +1,118 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef L0_RESAMPLE_TEST_TOOL_SUPPORT_H
+#define L0_RESAMPLE_TEST_TOOL_SUPPORT_H
+
+#include "Failure.h"
+#include "read_points.h"
+
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+
+namespace tool_test {
+
+/// A new, empty folder that is gone at the end.
+class Scratch_folder
+{
+  std::filesystem::path m_path;
+
+public:
+  Scratch_folder()
+  {
+    std::string name = (std::filesystem::temp_directory_path() / "l0_resample_test_XXXXXX").string();
+    if (!mkdtemp(name.data()))
+      throw std::runtime_error("no folder for temporary files");
+    m_path = name;
+  }
+
+  ~Scratch_folder()
+  {
+    std::error_code ignored;
+    std::filesystem::remove_all(m_path, ignored);
+  }
+
+  Scratch_folder(const Scratch_folder&) = delete;
+  Scratch_folder& operator=(const Scratch_folder&) = delete;
+
+  std::string file(const std::string& name) const { return (m_path / name).string(); }
+
+  std::size_t number_of_files() const
+  {
+    return std::size_t(
+      std::distance(std::filesystem::directory_iterator(m_path), std::filesystem::directory_iterator()));
+  }
+};
+
+inline void write_bytes(const std::string& path, const std::string& bytes)
+{
+  std::ofstream(path, std::ios::binary) << bytes;
+}
+
+inline std::string read_bytes(const std::string& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+/// The exit status and the message of the Failure that `function` throws; status 0 if it throws none.
+struct Failure_seen
+{
+  int status = 0;
+  std::string message;
+
+  bool says(const std::string& part) const { return message.find(part) != std::string::npos; }
+};
+
+inline Failure_seen failure_of(const std::function<void()>& function)
+{
+  try {
+    function();
+  } catch (const l0_tool::Failure& failure) {
+    return {failure.status(), failure.what()};
+  }
+  return {};
+}
+
+/// Writes `bytes` into a file and reads them as points.
+inline l0_tool::Point_cloud read(const Scratch_folder& folder, const std::string& extension, const std::string& bytes,
+                                 const l0_tool::Read_options& options = {})
+{
+  const std::string path = folder.file("points" + extension);
+  write_bytes(path, bytes);
+  return l0_tool::read_points(path, *l0_tool::format_of(path), options);
+}
+
+inline l0_tool::Read_options with_normals()
+{
+  l0_tool::Read_options options;
+  options.with_normals = true;
+  return options;
+}
+
+template <typename T>
+std::string bytes_of(T value, bool big_endian)
+{
+  std::string bytes(sizeof(T), '\0');
+  std::memcpy(bytes.data(), &value, sizeof(T));
+  return big_endian ? std::string(bytes.rbegin(), bytes.rend()) : bytes;   // the tests run on little-endian machines
+}
+
+inline std::string ply_header(const std::string& format, const std::string& elements)
+{
+  return "ply\nformat " + format + " 1.0\ncomment made for a test\n" + elements + "end_header\n";
+}
+
+const std::string float_xyz = "property float x\nproperty float y\nproperty float z\n";
+
+} // namespace tool_test
+
+#endif // L0_RESAMPLE_TEST_TOOL_SUPPORT_H
