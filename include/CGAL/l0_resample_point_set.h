@@ -9,8 +9,8 @@
 #include <CGAL/L0_resampling/Block_conjugate_gradient_solver_traits.h>
 #include <CGAL/L0_resampling/Report.h>
 #include <CGAL/L0_resampling/internal/checked_parameters.h>
+#include <CGAL/L0_resampling/internal/points_of_range.h>
 #include <CGAL/L0_resampling/internal/resample.h>
-#include <CGAL/L0_resampling/internal/separate_coincident_points.h>
 #include <CGAL/L0_resampling/named_parameters.h>
 #include <CGAL/L0_resampling/tags.h>
 
@@ -31,6 +31,10 @@
 #include <utility>
 #include <vector>
 
+#ifdef CGAL_L0_LINKED_WITH_CUDA
+#include <CGAL/L0_resampling/CUDA_resampler.h>
+#endif
+
 namespace CGAL {
 
 template <typename Point, typename Vector>
@@ -38,108 +42,6 @@ class Point_set_3;
 
 namespace L0_resampling {
 namespace internal {
-
-/// The caller's points in double precision, and their bounding box.
-struct Input
-{
-  Buffer<Vector> points;
-  Buffer<Local_vector> normals;        // empty, or unit vectors, zero where the caller's is of no use
-  Buffer<unsigned char> is_kept;       // one for each point of the range
-  Vector low = Vector::Zero(), high = Vector::Zero();
-};
-
-/// Reads the points of the range, without the non-finite ones if they are to be dropped.
-/// \throws std::invalid_argument for the first non-finite point if they are not
-template <typename PointRange, typename PointMap>
-void read_points(const PointRange& range, PointMap point_map, bool drop_non_finite, Report& report, Input& input)
-{
-  std::size_t index = 0;
-  for (auto it = range.begin(); it != range.end(); ++it, ++index)
-  {
-    const auto& p = get(point_map, *it);
-    const Vector point(double(p.x()), double(p.y()), double(p.z()));
-    const bool is_finite = point.allFinite();
-    if (!is_finite && !drop_non_finite)
-      throw std::invalid_argument("l0_resample_point_set: point " + std::to_string(index) + " has a coordinate that is not finite ("
-                                  + std::to_string(point[0]) + ", " + std::to_string(point[1]) + ", " + std::to_string(point[2])
-                                  + "); drop_non_finite(true) leaves such points out");
-    input.is_kept.push_back(is_finite);
-    if (!is_finite)
-    {
-      ++report.number_of_dropped_points;
-      continue;
-    }
-    input.low = input.points.empty() ? point : Vector(input.low.cwiseMin(point));
-    input.high = input.points.empty() ? point : Vector(input.high.cwiseMax(point));
-    input.points.push_back(point);
-  }
-  report.number_of_input_points = input.points.size();
-}
-
-template <typename PointRange, typename NormalMap>
-void read_normals(const PointRange& range, NormalMap normal_map, Input& input)
-{
-  const Local_vector zero = Local_vector::Zero();
-  std::size_t index = 0;
-  for (auto it = range.begin(); it != range.end(); ++it)
-  {
-    if (!input.is_kept[index++])
-      continue;
-    const auto& v = get(normal_map, *it);
-    const Vector n(double(v.x()), double(v.y()), double(v.z()));
-    const double largest = n.cwiseAbs().maxCoeff();
-    Local_vector normal = Local_vector::Zero();
-    if (n.allFinite() && largest > 0)
-      normal = (n / largest).normalized().template cast<Local>();
-    // one of the two signs, so that neither the sign nor, among coincident points, the order of the input matters
-    if (std::lexicographical_compare(normal.data(), normal.data() + 3, zero.data(), zero.data() + 3))
-      normal = -normal;
-    input.normals.push_back(normal);
-  }
-}
-
-/// The number of distinct finite points of the range, counted before any scaling can make two of them one.
-template <typename PointRange, typename PointMap>
-std::size_t number_of_distinct_points(const PointRange& range, PointMap point_map, Memory_counter& memory)
-{
-  Buffer<Vector> points(&memory);
-  for (auto it = range.begin(); it != range.end(); ++it)
-  {
-    const auto& p = get(point_map, *it);
-    const Vector point(double(p.x()), double(p.y()), double(p.z()));
-    if (point.allFinite())
-      points.push_back(point);
-  }
-  std::sort(points.begin(), points.end(), [](const Vector& a, const Vector& b) {
-    return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
-  });
-  return std::size_t(std::unique(points.begin(), points.end()) - points.begin());
-}
-
-/// The result's positions in the number type of the caller: inside the bounding box grown by `margin`, and no two equal if `separate`.
-template <typename FT>
-Buffer<std::array<FT, 3>> rounded_positions(const Buffer<Vector>& positions, const Input& input, double margin, bool separate)
-{
-  const double largest = double((std::numeric_limits<FT>::max)());
-  std::array<FT, 3> low, high;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    low[std::size_t(axis)] = FT((std::max)(input.low[axis] - margin, -largest));
-    high[std::size_t(axis)] = FT((std::min)(input.high[axis] + margin, largest));
-  }
-  Buffer<std::array<FT, 3>> rounded(positions.get_allocator());
-  rounded.reserve(positions.size());
-  for (const Vector& p : positions)
-  {
-    std::array<FT, 3> r;
-    for (std::size_t a = 0; a < 3; ++a)
-      r[a] = FT((std::min)((std::max)(p[Eigen::Index(a)], double(low[a])), double(high[a])));
-    rounded.push_back(r);
-  }
-  if (separate)
-    separate_coincident_points(low, high, FT(margin), rounded);
-  return rounded;
-}
 
 /// The caller's solver, which may come wrapped in a `std::reference_wrapper`, or else `default_solver`.
 template <typename NamedParameters, typename DefaultSolver>
@@ -156,19 +58,13 @@ Solver& unwrapped(Solver& solver) { return solver; }
 template <typename Solver>
 Solver& unwrapped(std::reference_wrapper<Solver>& solver) { return solver.get(); }
 
-/// The whole function, once the property maps are known. `NormalMap` may be `bool`, for none.
+/// The whole function on the CPU, once the property maps are known. `NormalMap` may be `bool`, for none.
 template <typename ConcurrencyTag, typename Kernel, typename PointRange, typename PointMap, typename NormalMap,
           typename OutputIterator, typename NamedParameters>
-OutputIterator l0_resample_point_set(const PointRange& range, PointMap point_map, NormalMap normal_map, OutputIterator out,
-                                     const NamedParameters& np)
+OutputIterator resample_on_cpu(const PointRange& range, PointMap point_map, NormalMap normal_map, OutputIterator out,
+                               const NamedParameters& np)
 {
   using FT = typename Kernel::FT;
-  static_assert(std::is_floating_point<FT>::value,
-                "l0_resample_point_set() computes in floating point: convert the points to a kernel such as "
-                "Exact_predicates_inexact_constructions_kernel or Simple_cartesian<double> first.");
-  static_assert(!std::is_same<ConcurrencyTag, CUDA_tag>::value,
-                "CUDA_tag is declared but not delivered yet: use Sequential_tag or Parallel_if_available_tag.");
-
   Report unwanted_report;
   Report* wanted_report = &unwanted_report;
   read_parameter(np, internal_np::resampling_report, wanted_report);
@@ -193,15 +89,16 @@ OutputIterator l0_resample_point_set(const PointRange& range, PointMap point_map
     read_normals(range, normal_map, input);
   release(input.is_kept);
 
-  Block_conjugate_gradient_solver_traits<double, ConcurrencyTag> default_solver;
+  Block_conjugate_gradient_solver_traits<Local, ConcurrencyTag> default_solver;
   decltype(auto) chosen_solver = choose_solver(np, default_solver);
+  using Solver = std::decay_t<decltype(unwrapped(chosen_solver))>;
   Progress progress(callback, report, memory);
   Buffer<std::array<FT, 3>> positions(&memory);
-  Buffer<Vector> normals(&memory);
+  Buffer<Eigen::Matrix<typename Solver::FT, 3, 1>> normals(&memory);
   try
   {
     const std::size_t n = input.points.size(), m = checked.number_of_output_points;
-    Oriented_points result =
+    Oriented_points<typename Solver::FT> result =
       resample<ConcurrencyTag>(input.points, input.normals, checked, unwrapped(chosen_solver), progress, report);
     if (report.number_of_distinct_points < (std::min)(n, m))
       report.number_of_distinct_points = number_of_distinct_points(range, point_map, memory);
@@ -218,9 +115,37 @@ OutputIterator l0_resample_point_set(const PointRange& range, PointMap point_map
 
   report.number_of_output_points = positions.size();
   for (std::size_t i = 0; i < positions.size(); ++i)
+  {
+    const Vector normal = normals[i].template cast<double>().normalized();
     *out++ = std::make_pair(typename Kernel::Point_3(positions[i][0], positions[i][1], positions[i][2]),
-                            typename Kernel::Vector_3(FT(normals[i][0]), FT(normals[i][1]), FT(normals[i][2])));
+                            typename Kernel::Vector_3(FT(normal[0]), FT(normal[1]), FT(normal[2])));
+  }
   return out;
+}
+
+/// Chooses where the stages run.
+template <typename ConcurrencyTag, typename Kernel, typename PointRange, typename PointMap, typename NormalMap,
+          typename OutputIterator, typename NamedParameters>
+OutputIterator l0_resample_point_set(const PointRange& range, PointMap point_map, NormalMap normal_map, OutputIterator out,
+                                     const NamedParameters& np)
+{
+  static_assert(std::is_floating_point<typename Kernel::FT>::value,
+                "l0_resample_point_set() computes in floating point: convert the points to a kernel such as "
+                "Exact_predicates_inexact_constructions_kernel or Simple_cartesian<double> first.");
+  if constexpr (!std::is_same<ConcurrencyTag, CUDA_tag>::value)
+    return resample_on_cpu<ConcurrencyTag, Kernel>(range, point_map, normal_map, out, np);
+  else
+  {
+#ifdef CGAL_L0_LINKED_WITH_CUDA
+    CUDA_resampler<Kernel> resampler;
+    resampler.upload(range, point_map, normal_map, np);
+    return resampler.resample(out, np);
+#else
+    static_assert(!std::is_same<ConcurrencyTag, CUDA_tag>::value,
+                  "CUDA_tag needs a compiled library: link with the CMake target CGAL::L0_CUDA_support.");
+    return out;
+#endif
+  }
 }
 
 } // namespace internal
@@ -235,7 +160,8 @@ sharp features. It implements *Efficient L0 resampling of point sets* \cgalCite{
 The input is neither changed nor reordered. The result does not depend on its order, on the signs of given normals, on the number of
 threads or on the run; it scales and moves with the input.
 
-\tparam ConcurrencyTag says where the stages run: `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`.
+\tparam ConcurrencyTag says where the stages run: `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; or `CUDA_tag`, in programs that link with
+`CGAL::L0_CUDA_support`. On the device the solver is fixed, `maximum_memory` is of the device, and `Device_error` is thrown where none can be used.
 \tparam PointRange is a model of `ConstRange` with forward iterators.
 \tparam OutputIterator accepts `std::pair<Point_3, Vector_3>`.
 
@@ -292,7 +218,7 @@ chain, or are joined to one by `|`, one at a time: `parameters::neighbor_radius(
   \cgalParamNBegin{normal_filter_radius}
     \cgalParamDescription{\f$ r_q \f$, the radius of the bilateral filter of normals and of the density weights of Eq. (5)}
     \cgalParamType{`double`, a length in the unit of the points}
-    \cgalParamDefault{\f$ r_p \f$; `DEFAULT`: \f$ 1.5 r_p \f$}
+    \cgalParamDefault{\f$ r_p \f$; `DEFAULT`: \f$ 1.2 r_p \f$}
     \cgalParamExtra{`std::invalid_argument` if not finite or not positive}
   \cgalParamNEnd
   \cgalParamNBegin{sharpness_angle}
@@ -335,7 +261,7 @@ chain, or are joined to one by `|`, one at a time: `parameters::neighbor_radius(
   \cgalParamNBegin{penalty_growth}
     \cgalParamDescription{\f$ \mu \f$, the factor between one \f$ \beta \f$ and the next}
     \cgalParamType{`double`}
-    \cgalParamDefault{1.5}
+    \cgalParamDefault{1.5; 2.3 for `Method::DEFAULT`}
     \cgalParamExtra{`std::invalid_argument` if not finite, not above 1, or if it asks for more than 10000 iterations}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_orientation_neighbors}

@@ -69,7 +69,7 @@ std::vector<Oriented_point> resample_input(const Point_cloud& cloud, const Optio
 void run(const Options& options, Run_record& record)
 {
   // What would spoil the end is found at the beginning
-  check_device(options.device);
+  check_device(options);
   for (const std::string& path : {options.output, options.snapshot, options.json})
     if (!path.empty())
       check_writable(path, 0);

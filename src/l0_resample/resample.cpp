@@ -13,6 +13,10 @@
 #include <CGAL/l0_resample_point_set.h>
 #include <CGAL/property_map.h>
 
+#ifdef CGAL_L0_LINKED_WITH_CUDA
+#include <CGAL/L0_resampling/CUDA_resampler.h>
+#endif
+
 #include <boost/range/irange.hpp>
 #include <tbb/global_control.h>
 
@@ -32,31 +36,30 @@ using Concurrency_tag = CGAL::Parallel_if_available_tag;
 
 // The names of a chain are known to the compiler, so what the user leaves open needs a chain of its own: a step each.
 
-template <typename NamedParameters>
+template <typename Tag, typename NamedParameters>
 void call(const Point_cloud& cloud, const NamedParameters& np, std::vector<Oriented_point>& result)
 {
-  CGAL::l0_resample_point_set<Concurrency_tag>(
-    boost::irange(std::size_t(0), cloud.points.size()), std::back_inserter(result), np);
+  CGAL::l0_resample_point_set<Tag>(boost::irange(std::size_t(0), cloud.points.size()), std::back_inserter(result), np);
 }
 
-template <typename NamedParameters>
+template <typename Tag, typename NamedParameters>
 void call_with_normals(const Point_cloud& cloud, const Options& options, const NamedParameters& np,
                        std::vector<Oriented_point>& result)
 {
   if (options.use_normals)
-    call(cloud, np.normal_map(CGAL::make_property_map(cloud.normals.data())), result);
+    call<Tag>(cloud, np.normal_map(CGAL::make_property_map(cloud.normals.data())), result);
   else
-    call(cloud, np, result);
+    call<Tag>(cloud, np, result);
 }
 
-template <typename NamedParameters>
+template <typename Tag = Concurrency_tag, typename NamedParameters>
 void call_with_radius(const Point_cloud& cloud, const Options& options, const NamedParameters& np,
                       std::vector<Oriented_point>& result)
 {
   if (options.neighbor_radius)
-    call_with_normals(cloud, options, np.neighbor_radius(*options.neighbor_radius), result);
+    call_with_normals<Tag>(cloud, options, np.neighbor_radius(*options.neighbor_radius), result);
   else
-    call_with_normals(cloud, options, np, result);
+    call_with_normals<Tag>(cloud, options, np, result);
 }
 
 template <typename Solver_traits>
@@ -84,12 +87,52 @@ void call_with_solver(const Point_cloud& cloud, const Options& options, const Na
   }
 }
 
+/// Whether a CUDA device can do what the options ask for.
+/// \param reason out: why not
+bool is_device_usable(const Options& options, std::string& reason)
+{
+#ifdef CGAL_L0_LINKED_WITH_CUDA
+  if (options.solver != Solver::BLOCK_CG || options.solver_iterations)
+    reason = "the device has a solver of its own, and --solver or --solver-iterations asks for another";
+  else
+    return CGAL::L0_resampling::is_cuda_device_usable(&reason);
+#else
+  static_cast<void>(options);
+  reason = "this program was built without CUDA";
+#endif
+  return false;
+}
+
+#ifdef CGAL_L0_LINKED_WITH_CUDA
+/// Runs on the device.
+/// \returns whether it did; if not, and the options leave the choice to the program, `reason` says why
+template <typename NamedParameters>
+bool call_on_device(const Point_cloud& cloud, const Options& options, const NamedParameters& np, std::vector<Oriented_point>& result,
+                    std::string& reason)
+{
+  if (options.device == Device::CPU || (options.device == Device::AUTO && !is_device_usable(options, reason)))
+    return false;
+  try {
+    call_with_radius<CGAL::CUDA_tag>(cloud, options, np, result);
+    return true;
+  } catch (const CGAL::L0_resampling::Device_error& error) {
+    reason = error.what();
+  } catch (const std::bad_alloc&) {
+    reason = "the device has too little memory";
+  }
+  if (options.device == Device::CUDA)
+    throw Failure(RUN_TIME_FAILURE, "--device cuda: " + reason);
+  return false;
+}
+#endif
+
 } // namespace
 
-void check_device(Device device)
+void check_device(const Options& options)
 {
-  if (device == Device::CUDA)
-    throw Failure(RUN_TIME_FAILURE, "--device cuda: this program was built without CUDA");
+  std::string reason;
+  if (options.device == Device::CUDA && !is_device_usable(options, reason))
+    throw Failure(RUN_TIME_FAILURE, "--device cuda: " + reason);
 }
 
 std::size_t number_of_output_points(const Options& options, std::size_t number_of_input_points)
@@ -109,18 +152,29 @@ std::vector<Oriented_point> resample(const Point_cloud& cloud, const Options& op
     throw Failure(INPUT_REFUSED, options.input + ": --use-normals is given, but the file has no normals");
 
   std::vector<Oriented_point> result;
+  std::string reason = "asked for";
   try {
-    call_with_solver(cloud, options,
-                     parameters::resampling_method(options.method)
-                       .normal_weight(options.normal_weight)
-                       .sharpness_angle(options.sharpness_angle)
-                       .random_seed(options.seed)
-                       .number_of_output_points(number_of_output_points(options, cloud.points.size()))
-                       .maximum_memory(options.max_memory)
-                       .callback(callback)
-                       .resampling_report(&report)
-                       .point_map(CGAL::make_property_map(cloud.points.data())),
-                     result);
+    const auto np = parameters::resampling_method(options.method)
+                      .normal_weight(options.normal_weight)
+                      .sharpness_angle(options.sharpness_angle)
+                      .random_seed(options.seed)
+                      .number_of_output_points(number_of_output_points(options, cloud.points.size()))
+                      .maximum_memory(options.max_memory)
+                      .callback(callback)
+                      .resampling_report(&report)
+                      .point_map(CGAL::make_property_map(cloud.points.data()));
+#ifdef CGAL_L0_LINKED_WITH_CUDA
+    const bool is_done = call_on_device(cloud, options, np, result, reason);
+#else
+    const bool is_done = false;
+    if (options.device == Device::AUTO)
+      is_device_usable(options, reason);
+#endif
+    if (!is_done)
+      call_with_solver(cloud, options, np, result);
+    if (is_done && options.device == Device::AUTO)
+      reason = "a device can be used";
+    report.device_reason = reason;
   } catch (const std::bad_alloc&) {
     throw Failure(RUN_TIME_FAILURE, options.input + ": not enough memory to resample "
                                       + std::to_string(cloud.points.size()) + " points"
@@ -128,8 +182,6 @@ std::vector<Oriented_point> resample(const Point_cloud& cloud, const Options& op
   } catch (const std::invalid_argument& error) {
     throw Failure(INPUT_REFUSED, options.input + ": " + error.what());
   }
-  if (options.device == Device::AUTO)
-    report.device_reason = "built without CUDA";
   return result;
 }
 

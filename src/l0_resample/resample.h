@@ -18,7 +18,7 @@
 namespace l0_tool {
 
 /// \throws Failure with RUN_TIME_FAILURE if the device cannot be used
-void check_device(Device device);
+void check_device(const Options& options);
 
 /// How many points the options ask for, given so many.
 std::size_t number_of_output_points(const Options& options, std::size_t number_of_input_points);

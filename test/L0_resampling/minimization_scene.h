@@ -22,7 +22,7 @@ struct Scene
   static constexpr double radius = 0.8;
   Minimization_parameters parameters{std::pow(radius, 2), std::pow(0.4 * radius, 2), 0.25 * radius,
                                      0.9, 0.15, 0.1, 2, 1.5, false};
-  Samples samples{Counting_allocator<Vector>()};
+  Samples<double> samples{Counting_allocator<Vector>()};
   Neighborhoods neighbors;
   Fit_rows rows;
 

@@ -33,6 +33,32 @@ Cloud on_grid(const std::string& name, test::Oriented_points points, double leng
   return {name, points, length};
 }
 
+/// A cube as a mesh with a normal a face corner gives it: points of an edge come twice and corners three times, each with another normal.
+test::Oriented_points cube_of_face_corners(test::Generator& generator)
+{
+  test::Oriented_points cube = test::cube_points(1200, 1, generator);
+  const auto add = [&](const Vector& point, int axis) {
+    cube.points.push_back(point);
+    cube.normals.push_back((point[axis] > 0 ? 1. : -1.) * Vector::Unit(axis));
+  };
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const Vector start(corner & 1 ? 0.5 : -0.5, corner & 2 ? 0.5 : -0.5, corner & 4 ? 0.5 : -0.5);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      add(start, axis);
+      for (int n = 0; n < 10; ++n)
+      {
+        Vector point = start;
+        point[axis] = test::random_number(-0.5, 0.5, generator);
+        add(point, (axis + 1) % 3);
+        add(point, (axis + 2) % 3);
+      }
+    }
+  }
+  return cube;
+}
+
 std::vector<Cloud> clouds()
 {
   test::Generator generator(1);
@@ -47,7 +73,8 @@ std::vector<Cloud> clouds()
   return {on_grid("noisy cube", noisy_cube, 1), on_grid("duplicates", duplicates, 1),
           on_grid("cube without noise", test::cube_points(1500, 1, generator), 1),
           on_grid("plane", test::plane_points(800, 1, generator), 1),
-          on_grid("sphere", test::sphere_points(800, 10, generator), 20), {"lattice", lattice, 1}};
+          on_grid("sphere", test::sphere_points(800, 10, generator), 20), {"lattice", lattice, 1},
+          on_grid("cube of face corners", cube_of_face_corners(generator), 1)};
 }
 
 /// The point `scale * p + translation` for each point p; normals are used if `with_normals`.

@@ -10,7 +10,9 @@
 #include <CGAL/L0_resampling/Eigen_least_squares_solver_traits.h>
 
 #include <atomic>
+#include <chrono>
 #include <functional>
+#include <thread>
 #include <vector>
 
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -24,9 +26,10 @@ namespace {
 struct Observer
 {
   int refused_call;   // 0 for none
-  int calls = 0;
+  std::atomic<int> calls{0};
   double last_value = 0;
-  bool stays_in_range = true, never_falls = true, is_alone = true, call_is_running = true;
+  bool stays_in_range = true, never_falls = true, call_is_running = true;
+  std::atomic<bool> is_alone{true};
   std::atomic<int> inside{0};
 
   explicit Observer(int refused) : refused_call(refused) {}
@@ -92,6 +95,23 @@ void test_cancellation(const Points& points, const NamedParameters& np)
   CHECK(test::are_identical<Kernel>(observe<ConcurrencyTag>(points, again, np).pairs, uncalled.pairs));
 }
 
+/// While one thread waits for a slow callback, the others do not call it too.
+void test_slow_callback()
+{
+  Observer observer(0);
+  const std::function<bool(double)> callback = [&](double value) {
+    ++observer.inside;
+    std::this_thread::sleep_for(std::chrono::milliseconds(60));   // three times what lies between two calls
+    observer.is_alone = observer.is_alone && observer.inside == 1;
+    --observer.inside;
+    ++observer.calls;
+    return value >= 0;
+  };
+  test::resample<Kernel, CGAL::Parallel_if_available_tag>(cloud(20000), params::callback(callback));
+  CHECK(observer.is_alone);
+  CHECK(observer.calls > 0);
+}
+
 /// An empty function is none.
 void test_empty_callback()
 {
@@ -111,6 +131,7 @@ int main()
   test_cancellation<CGAL::Parallel_if_available_tag>(points, params::number_of_output_points(80000).neighbor_radius(0.03));
   test_cancellation<CGAL::Sequential_tag>(cloud(4000), params::sparse_linear_solver(
     CGAL::L0_resampling::Eigen_least_squares_solver_traits<double>()));
+  test_slow_callback();
   test_empty_callback();
   return test::result();
 }

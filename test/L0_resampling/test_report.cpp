@@ -7,6 +7,8 @@
 
 #include "promise_support.h"
 
+#include <functional>
+#include <limits>
 #include <vector>
 
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -41,9 +43,10 @@ void test_completed_call()
     CHECK(report.number_of_lonely_samples == 0 && report.number_of_self_neighbor_pairs > 500);
     CHECK(report.oriented_share > 0.9 && report.oriented_share <= 1);
     CHECK(report.converged && report.device == "cpu" && !report.device_reason.empty());
-    CHECK(report.iterations.size() == 8);   // 0.1 * 1.5^7 = 1.71
+    const double growth = method == Method::DEFAULT ? 2.3 : 1.5;
+    CHECK(report.iterations.size() == (method == Method::DEFAULT ? 4u : 8u));   // 0.1 * 2.3^3 = 1.22, 0.1 * 1.5^7 = 1.71
     double penalty = 0.1;
-    for (std::size_t k = 0; k < report.iterations.size(); ++k, penalty *= 1.5)
+    for (std::size_t k = 0; k < report.iterations.size(); ++k, penalty *= growth)
     {
       const CGAL::L0_resampling::Iteration_report& iteration = report.iterations[k];
       CHECK(test::is_close(iteration.penalty, penalty, 1e-12));
@@ -99,6 +102,66 @@ void test_solver_that_does_not_converge()
   }
 }
 
+/// One turn that does not converge is enough, whichever it is.
+struct Solver_that_fails_once : public CGAL::L0_resampling::Block_conjugate_gradient_solver_traits<double>
+{
+  using Base = CGAL::L0_resampling::Block_conjugate_gradient_solver_traits<double>;
+  int calls_left;
+
+  explicit Solver_that_fails_once(int call) : calls_left(call) {}
+
+  CGAL::L0_resampling::Solver_report solve(const CGAL::L0_resampling::Quadratic_problem<double>& problem,
+                                           Eigen::Ref<Eigen::VectorXd> x)
+  {
+    CGAL::L0_resampling::Solver_report report = Base::solve(problem, x);
+    report.converged = report.converged && calls_left-- != 0;
+    return report;
+  }
+};
+
+void test_turn_that_does_not_converge()
+{
+  const auto points = test::kernel_points<Kernel>(noisy_cube(1000));
+  for (Method method : {Method::LOR, Method::DEFAULT})
+  {
+    const auto run = [&](int call) {
+      Solver_that_fails_once solver(call);
+      return test::resample<Kernel, Sequential_tag>(
+        points, params::resampling_method(method).sparse_linear_solver(std::ref(solver))).report;
+    };
+    const int number_of_turns = int(run(-1).iterations.size());
+    CHECK(number_of_turns > 2 && run(-1).converged);
+    for (int call : {0, number_of_turns / 2, number_of_turns - 1})
+      CHECK(!run(call).converged);
+  }
+}
+
+/// Points that are left out, samples that no point is near to, and normals whose side is a guess.
+void test_exceptional_points()
+{
+  std::vector<Vector> cube = noisy_cube(1000);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t i : {0, 17, 999})
+    cube[i][1] = nan;
+  const Report dropped = test::resample<Kernel, Sequential_tag>(test::kernel_points<Kernel>(cube), params::drop_non_finite(true)).report;
+  CHECK(dropped.number_of_dropped_points == 3 && dropped.number_of_input_points == 997 && dropped.number_of_output_points == 498);
+
+  // half of the samples start between two points, which nobody reaches with such a radius
+  const auto points = test::kernel_points<Kernel>(noisy_cube(1000));
+  const Report lonely = test::resample<Kernel, Sequential_tag>(
+    points, params::neighbor_radius(1e-6).number_of_output_points(2000) | params::resampling_method(Method::LOR)).report;
+  CHECK(lonely.number_of_lonely_samples == 1000 && lonely.number_of_output_points == 2000);
+
+  // no surface at all
+  test::Generator generator(2);
+  std::vector<Vector> fog;
+  for (int i = 0; i < 1000; ++i)
+    fog.push_back(Vector(test::random_number(0, 1, generator), test::random_number(0, 1, generator), test::random_number(0, 1, generator)));
+  const Report unsure = test::resample<Kernel, Sequential_tag>(test::kernel_points<Kernel>(fog),
+    params::neighbor_radius(0.1) | params::number_of_normal_filter_iterations(0) | params::resampling_method(Method::LOR)).report;
+  CHECK(unsure.oriented_share > 0 && unsure.oriented_share < 1);
+}
+
 } // namespace
 
 int main()
@@ -106,5 +169,7 @@ int main()
   test_completed_call();
   test_failed_call();
   test_solver_that_does_not_converge();
+  test_turn_that_does_not_converge();
+  test_exceptional_points();
   return test::result();
 }

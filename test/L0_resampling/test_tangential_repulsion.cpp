@@ -24,16 +24,16 @@ Repelled repel(const Oriented_points& cloud, std::vector<Vector> outward, double
   const double self_neighbor_radius = 2.5 * spacing;
   outward.resize(cloud.points.size(), Vector::Zero());
   const Gridded_points sorted(cloud.points, self_neighbor_radius);
-  Samples samples{Counting_allocator<Vector>()};
+  Samples<double> samples{Counting_allocator<Vector>()};
   samples.positions = sorted.points;
   samples.normals = to_buffer(permuted(sorted.order, cloud.normals));
   samples.outward_directions = to_buffer(permuted(sorted.order, outward));
   Unwatched unwatched;
   const Neighborhoods neighbors =
     find_self_neighbors<CGAL::Sequential_tag>(sorted.grid, sorted.points, self_neighbor_radius, unwatched.progress);
-  Samples sequential = samples;
-  repel_tangentially<CGAL::Parallel_if_available_tag>(neighbors, spacing, number_of_steps, samples);
-  repel_tangentially<CGAL::Sequential_tag>(neighbors, spacing, number_of_steps, sequential);
+  Samples<double> sequential = samples;
+  repel_tangentially<CGAL::Parallel_if_available_tag>(neighbors, spacing, spacing, number_of_steps, samples);
+  repel_tangentially<CGAL::Sequential_tag>(neighbors, spacing, spacing, number_of_steps, sequential);
   CHECK(sequential.positions == samples.positions);
   return {sorted.vector, {samples.positions.begin(), samples.positions.end()}, permuted(sorted.order, cloud.normals),
           permuted(sorted.order, outward)};

@@ -164,7 +164,7 @@ run empty.xyz empty.ply
 check "no points in, none out" test "$status" -eq 0 -a "$(number_of_points empty.ply)" -eq 0
 
 # Failed at run time: 1
-check_failure 1 "--device cuda" cube.xyz old.ply --device cuda
+CUDA_VISIBLE_DEVICES=-1 check_failure 1 "--device cuda" cube.xyz old.ply --device cuda   # also where there is a device
 check_failure 1 "--max-memory" cube.xyz old.ply --max-memory 10kb
 check_failure 1 "--max-memory" cube.xyz old.ply --max-memory 300kb
 check_failure 1 "--timeout" cube.xyz old.ply --timeout 0.001 --neighbor-radius 0.5

@@ -34,7 +34,7 @@ iterations does.
 
 The result is bitwise the same for `Sequential_tag` and for `Parallel_tag` with any number of threads.
 
-`solve()` takes arrays of 18 numbers a sample, booked with the problem's `memory`, and gives them back at its end.
+`solve()` takes arrays of 20 numbers a sample, booked with the problem's `memory`, and gives them back at its end.
 
 \cgalModels{L0ResamplingSolverTraits}
 
@@ -117,14 +117,17 @@ private:
   {
     Block_conjugate_gradient_solver_traits& solver;
 
+    explicit Arrays_of_one_solve(Block_conjugate_gradient_solver_traits& s) : solver(s) {}
+
+    // Where one of the allocations throws, the destructor runs, since the constructor called first has ended.
     Arrays_of_one_solve(Block_conjugate_gradient_solver_traits& s, std::size_t m, internal::Memory_counter* memory)
-      : solver(s)
+      : Arrays_of_one_solve(s)
     {
       const internal::Counting_allocator<FT> allocator(memory);
       solver.m_residuals = internal::Buffer<FT>(3 * m, allocator);
       solver.m_products = internal::Buffer<FT>(3 * m, allocator);
       solver.m_blocks = internal::Buffer<internal::Block_factorization<FT>>(m, allocator);
-      solver.m_directions = internal::Buffer<FT>(6 * m, allocator);
+      solver.m_directions = internal::Buffer<FT>(8 * m, allocator);
     }
     ~Arrays_of_one_solve()
     {
@@ -168,7 +171,7 @@ private:
   };
 
   using Four = Eigen::Array<FT, 4, 1>;
-  using Six = Eigen::Array<FT, 6, 1>;
+  using Eight = Eigen::Array<FT, 8, 1>;
 
   template <typename F>
   static void for_each_block(std::size_t m, const F& f)
@@ -247,24 +250,25 @@ private:
     }
   }
 
-  /// p = source + ratio * p. Stored with each p_i is beta n_i n_i^T p_i, all that its neighbors need of n_i.
+  /// p = source + ratio * p. Stored with each p_i is beta n_i n_i^T p_i, all that its neighbors need of n_i. Each of the two takes the
+  /// room of four numbers, so that they fill vector registers.
   void update_directions(const Quadratic_problem<FT>& problem, const FT* source, FT ratio,
                          std::size_t begin, std::size_t end)
   {
     for (std::size_t i = begin; i < end; ++i)
     {
       const FT* const ni = problem.sample_normals.data() + 3 * i;
-      FT* const p = &m_directions[6 * i];
+      FT* const p = &m_directions[8 * i];
       for (std::size_t c = 0; c < 3; ++c)
         p[c] = source[3 * i + c] + ratio * p[c];
       const FT s = problem.penalty * dot(ni, p);
       for (std::size_t c = 0; c < 3; ++c)
-        p[3 + c] = s * ni[c];
+        p[4 + c] = s * ni[c];
     }
   }
 
-  /// The product H p, as (Hp)_i = D_i p_i - sum of [a_ik I + beta (n_i n_i^T + n_k n_k^T)] p_k. For a neighbor, the six
-  /// numbers that `update_directions()` has stored are added, and three of them once more, times a_ik.
+  /// The product H p, as (Hp)_i = D_i p_i - sum of [a_ik I + beta (n_i n_i^T + n_k n_k^T)] p_k. For a neighbor, all
+  /// that `update_directions()` has stored is added, and its first half once more, times a_ik.
   Curvatures multiply(const Quadratic_problem<FT>& problem, std::size_t begin, std::size_t end)
   {
     const FT* const directions = m_directions.data();
@@ -273,23 +277,23 @@ private:
     Curvatures curvatures;
     for (std::size_t i = begin; i < end; ++i)
     {
-      Six sum = Six::Zero();            // of p_k and beta n_k n_k^T p_k
-      Four weighted_sum = Four::Zero(); // of a_ik p_k, and a fourth number that fills the vector registers
+      Eight sum = Eight::Zero();          // of p_k and beta n_k n_k^T p_k
+      Four weighted_sum = Four::Zero();   // of a_ik p_k
       for (std::size_t e = problem.self_neighbors.offsets[i]; e < problem.self_neighbors.offsets[i + 1]; ++e)
       {
-        const FT* const p = directions + 6 * std::size_t(indices[e]);
-        sum += Eigen::Map<const Six>(p);
+        const FT* const p = directions + 8 * std::size_t(indices[e]);
+        sum += Eigen::Map<const Eight>(p);
         weighted_sum += pair_weights[e] * Eigen::Map<const Four>(p);
       }
       const FT* const ni = problem.sample_normals.data() + 3 * i;
-      const FT* const pi = directions + 6 * i;
+      const FT* const pi = directions + 8 * i;
       const FT s = problem.penalty * dot(ni, sum.data());
       FT* const product = &m_products[3 * i];
       internal::multiply_block(m_blocks[i], pi, product);
       for (std::size_t c = 0; c < 3; ++c)
       {
         curvatures.diagonal += double(pi[c]) * double(product[c]);
-        product[c] -= weighted_sum[Eigen::Index(c)] + sum[Eigen::Index(3 + c)] + s * ni[c];
+        product[c] -= weighted_sum[Eigen::Index(c)] + sum[Eigen::Index(4 + c)] + s * ni[c];
         curvatures.full += double(pi[c]) * double(product[c]);
       }
     }
@@ -304,7 +308,7 @@ private:
     {
       for (std::size_t c = 0; c < 3; ++c)
       {
-        x[3 * i + c] += step * m_directions[6 * i + c];
+        x[3 * i + c] += step * m_directions[8 * i + c];
         m_residuals[3 * i + c] -= step * m_products[3 * i + c];
       }
       precondition(i, sums);
@@ -318,7 +322,7 @@ private:
   internal::Buffer<FT> m_residuals;                               // r, 3 m
   internal::Buffer<FT> m_products;                                // H p, then z = D^{-1} r; 3 m
   internal::Buffer<internal::Block_factorization<FT>> m_blocks;   // D, m
-  internal::Buffer<FT> m_directions;                              // p_i and beta n_i n_i^T p_i, 6 m
+  internal::Buffer<FT> m_directions;                              // p_i, 0, beta n_i n_i^T p_i, 0; 8 m
 };
 
 } // namespace L0_resampling

@@ -52,19 +52,28 @@ Neighborhoods find_self_neighbors(const Search_grid_3& grid, const Buffer<Vector
     };
   });
 
-  const auto for_each_neighbor = [&](Index i, const Ranges& ranges, const auto& f) {
+  // Which candidates are near is beyond any branch prediction: each is written, and overwritten by the next unless it is.
+  const auto find_neighbors = [&](Index i, const Ranges& ranges, std::vector<Index>& found) {
+    const Vector center = samples[i];
+    const Index stride = strides[i];
+    std::size_t count = 0;
     for (const Search_grid_3::Range& range : ranges)
-      for (Index k = range.first + (i - range.first) % strides[i]; k < range.second; k += strides[i])
-        if (k != i && (k - i) % strides[k] == 0 && (samples[i] - samples[k]).squaredNorm() < squared_radius)
-          f(k);
+      for (Index k = range.first + ((i - range.first) & (stride - 1)); k < range.second; k += stride)
+      {
+        found[count] = k;
+        count += std::size_t((center - samples[k]).squaredNorm() < squared_radius) & std::size_t(k != i)
+                 & std::size_t(((k - i) & (strides[k] - 1)) == 0);
+      }
+    return count;
   };
 
   Neighborhoods neighbors{Buffer<std::size_t>(samples.size() + 1, 0, samples.get_allocator()), Buffer<Index>(samples.get_allocator())};
   for_each_cell_block<ConcurrencyTag>(grid, grid, 1, progress, [&]() {
-    return [&](Index cell, const Ranges& ranges, std::size_t) {
+    return [&, found = std::vector<Index>()](Index cell, const Ranges& ranges, std::size_t count) mutable {
+      found.resize(count + 1);
       const Search_grid_3::Range queries = grid.points_of_cell(cell);
       for (Index i = queries.first; i < queries.second; ++i)
-        for_each_neighbor(i, ranges, [&](Index) { ++neighbors.offsets[i + 1]; });
+        neighbors.offsets[i + 1] = find_neighbors(i, ranges, found);
     };
   });
   for (std::size_t i = 0; i < samples.size(); ++i)
@@ -72,13 +81,11 @@ Neighborhoods find_self_neighbors(const Search_grid_3& grid, const Buffer<Vector
 
   neighbors.indices.resize(neighbors.offsets.back());
   for_each_cell_block<ConcurrencyTag>(grid, grid, 1, progress, [&]() {
-    return [&](Index cell, const Ranges& ranges, std::size_t) {
+    return [&, found = std::vector<Index>()](Index cell, const Ranges& ranges, std::size_t count) mutable {
+      found.resize(count + 1);
       const Search_grid_3::Range queries = grid.points_of_cell(cell);
       for (Index i = queries.first; i < queries.second; ++i)
-      {
-        std::size_t e = neighbors.offsets[i];
-        for_each_neighbor(i, ranges, [&](Index k) { neighbors.indices[e++] = k; });
-      }
+        std::copy_n(found.begin(), find_neighbors(i, ranges, found), neighbors.indices.begin() + std::ptrdiff_t(neighbors.offsets[i]));
     };
   });
   return neighbors;

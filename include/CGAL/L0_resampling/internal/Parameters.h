@@ -8,6 +8,7 @@
 
 #include <CGAL/L0_resampling/tags.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 
@@ -31,7 +32,7 @@ struct Parameters
   double regularization_weight = 0;          ///< \f$ \alpha \f$
   double initial_penalty = 0.1;              ///< first \f$ \beta \f$
   double maximum_penalty = 2;                ///< last \f$ \beta \f$ is at most this
-  double penalty_growth = 1.5;               ///< \f$ \mu \f$
+  double penalty_growth = 1.5;               ///< \f$ \mu \f$; the default method has its own
 
   std::size_t number_of_orientation_neighbors = 12;
   std::size_t random_seed = 0;
@@ -63,19 +64,49 @@ constexpr double radius_per_spacing = 4;
 constexpr double radius_per_noise = 4;
 
 /// r_q per r_p: beside an edge, the filter has to reach points whose first normal the edge did not spoil.
-constexpr double default_filter_radius_factor = 1.5;
+constexpr double default_filter_radius_factor = 1.2;
 
 /// The fit is blind to points whose normal differs by much more than this many times \f$ \sigma_n \f$. More than once, since the normals
 /// of a curved surface differ more over the ball of the fit than filtered normals of one face do.
 constexpr double fit_angle_factor = 2;
 
+/// \f$ \sigma \f$ of the fit per r_p. A wider one averages more noise away and rounds corners more.
+constexpr double fit_bandwidth_factor = 0.6;
+
+/// The fit against the normal term: how much of the points' weight counts.
+constexpr double fit_weight_factor = 0.3;
+
+/// The default method corrects its normals by the positions before each of the last filter passes, as many times.
+constexpr std::size_t number_of_normal_refits = 2;
+
 /// \f$ \alpha \f$ of the default method, where repulsion does what regularization is for.
 constexpr double default_regularization_weight = 0.05;
+
+/// \f$ \mu \f$ of the default method: half as many turns as the paper's 1.5 makes, each of which fits anew.
+constexpr double default_penalty_growth = 2.3;
 
 /// Radius of the self neighbors, per spacing of the samples, at least.
 constexpr double self_neighbor_radius_per_spacing = 2.5;
 
 constexpr std::size_t number_of_repulsion_steps = 3;
+
+/// How the samples repel each other: the push of one from a neighbor at distance d is
+/// \f$ \mathrm{strength} \cdot d \, e^{-d^2 / \mathrm{squared\_bandwidth}} \f$, and the sum of all is cut at `maximum_step`. Chosen by the evenness they
+/// reach, and so that no sample is pushed out of the reach of the fit.
+struct Repulsion
+{
+  double squared_bandwidth, strength, maximum_step;
+
+  /// \param spacing of an even set of that many samples
+  /// \param radius of the fit
+  Repulsion(double spacing, double radius) : strength(0.7)
+  {
+    // Samples that a huge radius has made one point for it have no spacing to speak of; its square must not be zero.
+    spacing = (std::max)(spacing, 1e-9 * radius);
+    squared_bandwidth = 0.8 * spacing * spacing;
+    maximum_step = (std::min)(0.3 * spacing, 0.15 * radius);
+  }
+};
 
 } // namespace internal
 } // namespace L0_resampling

@@ -13,20 +13,25 @@ namespace L0_resampling {
 namespace internal {
 
 /// S, with what the fit term of Eq. (6) ties it to.
+/// \tparam FT the number type of the solver, for all but places in space: `float` cannot tell neighbors apart far from the origin
+template <typename FT>
 struct Samples
 {
-  Buffer<Vector> positions;           ///< \f$ p_i \f$
-  Buffer<Vector> normals;             ///< \f$ n_i \f$, unit length
-  Buffer<double> fit_weights;         ///< \f$ W_i \f$
-  Buffer<Vector> fit_centroids;       ///< \f$ c_i \f$
-  Buffer<Vector> outward_directions;  ///< default method only: where an edge or a border is near, the unit vector towards it, else zero
+  using Local_vector = Eigen::Matrix<FT, 3, 1>;
+
+  Buffer<Vector> positions;                 ///< \f$ p_i \f$
+  Buffer<Local_vector> normals;             ///< \f$ n_i \f$, unit length
+  Buffer<FT> fit_weights;                   ///< \f$ W_i \f$
+  Buffer<Vector> fit_centroids;             ///< \f$ c_i \f$
+  Buffer<Local_vector> outward_directions;  ///< default method only: where an edge or a border is near, the unit vector towards it, else zero
 
   explicit Samples(const Counting_allocator<Vector>& allocator)
     : positions(allocator), normals(allocator), fit_weights(allocator), fit_centroids(allocator), outward_directions(allocator) {}
 };
 
 /// Puts sample `order[i]` in place `i`.
-inline void apply_order(const Buffer<Index>& order, Samples& samples)
+template <typename FT>
+void apply_order(const Buffer<Index>& order, Samples<FT>& samples)
 {
   apply_order(order, samples.positions);
   apply_order(order, samples.normals);

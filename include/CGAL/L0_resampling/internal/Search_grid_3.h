@@ -27,8 +27,10 @@ namespace internal {
 using Vector = Eigen::Vector3d;
 
 /// The coordinates of the vectors, xyz interleaved; null if there are none.
-inline const double* coordinates(const Buffer<Vector>& vectors) { return vectors.empty() ? nullptr : vectors.front().data(); }
-inline double* coordinates(Buffer<Vector>& vectors) { return vectors.empty() ? nullptr : vectors.front().data(); }
+template <typename T>
+const T* coordinates(const Buffer<Eigen::Matrix<T, 3, 1>>& vectors) { return vectors.empty() ? nullptr : vectors.front().data(); }
+template <typename T>
+T* coordinates(Buffer<Eigen::Matrix<T, 3, 1>>& vectors) { return vectors.empty() ? nullptr : vectors.front().data(); }
 
 /*!
 Cubic cells of one size over the whole space, of which only the occupied ones are stored.

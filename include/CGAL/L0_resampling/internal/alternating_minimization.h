@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -51,11 +52,16 @@ inline Iteration_report iteration_report(const Minimization_parameters& p, doubl
 template <typename ConcurrencyTag, typename SolverTraits>
 class Minimization_step
 {
+  using FT = typename SolverTraits::FT;
+  using Local_vector = Eigen::Matrix<FT, 3, 1>;
+  static_assert(!SolverTraits::needs_explicit_rows || std::is_same<FT, double>::value,
+                "The rows of Eq. (11) hold positions and not differences, so that a solver that needs them has to take double.");
+
   const Minimization_parameters& m_parameters;
   SolverTraits& m_solver;
   Progress& m_progress;
-  Buffer<double> m_pair_weights, m_normal_offsets;
-  Buffer<Vector> m_right_hand_side, m_displacements;
+  Buffer<FT> m_pair_weights, m_normal_offsets;
+  Buffer<Local_vector> m_right_hand_side, m_displacements;
 
 public:
   Minimization_step(const Minimization_parameters& parameters, SolverTraits& solver, Progress& progress,
@@ -67,44 +73,49 @@ public:
   /// \param regularize whether the second term of Eq. (7) takes part
   /// \param fit_rows the fit rows of Eq. (11), for solvers that need them; may be empty for others
   /// \returns the terms of Eq. (7) after line 2 and what the solver did
-  Iteration_report operator()(double penalty, bool regularize, const Neighborhoods& neighbors, const Fit_rows& fit_rows, Samples& samples)
+  Iteration_report operator()(double penalty, bool regularize, const Neighborhoods& neighbors, const Fit_rows& fit_rows,
+                              Samples<FT>& samples)
   {
     const Minimization_parameters& p = m_parameters;
     const std::size_t m = samples.positions.size(), number_of_pairs = neighbors.indices.size();
     m_right_hand_side.resize(m);
-    m_displacements.assign(m, Vector::Zero());
+    m_displacements.assign(m, Local_vector::Zero());
     m_normal_offsets.resize(SolverTraits::needs_explicit_rows ? number_of_pairs : 0);
-    m_pair_weights.assign(number_of_pairs, 0.);
+    m_pair_weights.assign(number_of_pairs, FT(0));
 
     // Line 4, of the iteration before or of "Initialize"
     if (regularize)
     {
-      Buffer<double> density_weights(m, 1., samples.positions.get_allocator());
+      Buffer<FT> density_weights(m, FT(1), samples.positions.get_allocator());
       update_weights<ConcurrencyTag>(samples.positions, neighbors, p.squared_bandwidth, p.squared_radius, p.regularization_weight,
                                      density_weights, m_pair_weights);
     }
     m_progress.advance(0);
 
-    // Line 2: Eq. (8), (9)
+    // Line 2: Eq. (8), (9). Beyond these bounds one term of Eq. (7) is lost in the rounding of the others, whatever the penalty.
+    const FT bounded_penalty = FT((std::min)((std::max)(penalty, 1e-15), 1e15));
     const double threshold = p.sparsity_unit * std::sqrt(p.normal_weight / penalty);
-    const Energy_sums sums = shrink_normal_offsets<ConcurrencyTag>(samples, neighbors, m_pair_weights, penalty, threshold,
-                                                                   m_right_hand_side, m_normal_offsets);
+    const Energy_sums sums = shrink_normal_offsets<ConcurrencyTag, FT>(samples, neighbors, m_pair_weights, bounded_penalty, FT(threshold),
+                                                                       m_right_hand_side, m_normal_offsets);
     m_progress.advance(0);
 
     // Line 3: Eq. (10), for the displacements
-    const Explicit_rows<double> rows = fit_rows.view(samples.positions, m_normal_offsets);
-    const Quadratic_problem<double> problem{
+    Explicit_rows<FT> rows;
+    if constexpr (SolverTraits::needs_explicit_rows)
+      rows = fit_rows.view(samples.positions, m_normal_offsets);
+    const Quadratic_problem<FT> problem{
       {samples.fit_weights.data(), Eigen::Index(m)},
       neighbors.view(),
       {coordinates(samples.normals), 3, Eigen::Index(m)},
       {m_pair_weights.data(), Eigen::Index(number_of_pairs)},
       {coordinates(m_right_hand_side), 3, Eigen::Index(m)},
-      penalty,
+      bounded_penalty,
       SolverTraits::needs_explicit_rows ? &rows : nullptr,
       samples.positions.get_allocator().counter};
-    const Solver_report solver_report = m_solver.solve(problem, Eigen::Map<Eigen::VectorXd>(coordinates(m_displacements), Eigen::Index(3 * m)));
+    const Solver_report solver_report =
+      m_solver.solve(problem, Eigen::Map<Eigen::Matrix<FT, Eigen::Dynamic, 1>>(coordinates(m_displacements), Eigen::Index(3 * m)));
     for (std::size_t i = 0; i < m; ++i)
-      samples.positions[i] += m_displacements[i];
+      samples.positions[i] += m_displacements[i].template cast<double>();
     m_progress.advance(1);
     return iteration_report(p, penalty, regularize, sums, number_of_pairs, solver_report);
   }
@@ -115,7 +126,8 @@ public:
 /// \param reports out: one for each value of the penalty
 template <typename ConcurrencyTag, typename SolverTraits>
 void minimize_alternatingly(const Minimization_parameters& p, const Neighborhoods& neighbors, const Fit_rows& fit_rows,
-                            SolverTraits& solver, Progress& progress, Samples& samples, std::vector<Iteration_report>& reports)
+                            SolverTraits& solver, Progress& progress, Samples<typename SolverTraits::FT>& samples,
+                            std::vector<Iteration_report>& reports)
 {
   Minimization_step<ConcurrencyTag, SolverTraits> step(p, solver, progress, samples.positions.get_allocator());
   double penalty = p.initial_penalty;

@@ -92,6 +92,24 @@ public:
   /// Number of points, padding included: a multiple of the number of lanes.
   std::size_t padded_size() const { return x.size(); }
 
+  /// Calls `f(k)` for each run of as many points as there are lanes, from the k-th on, of which one is in the ball.
+  /// Points that follow each other are neighbors, so that half of the runs have none. Which half, no processor foresees: listing the
+  /// others before calling `f` costs less than a branch that is guessed wrong half of the time.
+  template <typename F>
+  void for_each_run_in_ball(const Eigen::Matrix<T, 3, 1>& center, T squared_radius, const F& f) const
+  {
+    m_runs.resize(padded_size() / Lanes<T>::size + 1);
+    Index* const runs = m_runs.data();
+    std::size_t count = 0;
+    for (std::size_t k = 0, size = padded_size(); k < size; k += Lanes<T>::size)
+    {
+      runs[count] = Index(k);
+      count += any_less(squared_distances(k, center), squared_radius);
+    }
+    for (std::size_t r = 0; r < count; ++r)
+      f(std::size_t(runs[r]));
+  }
+
   /// From `center` to the points from the k-th on, as many as there are lanes.
   Lanes<T> squared_distances(std::size_t k, const Eigen::Matrix<T, 3, 1>& center) const
   {
@@ -102,6 +120,8 @@ public:
   }
 
 private:
+  mutable std::vector<Index> m_runs;       // working memory of `for_each_run_in_ball()`
+
   static constexpr T far_away = T(1e12);   // its square is finite in `float`
 };
 

@@ -96,6 +96,8 @@ Parameters checked_parameters(const NamedParameters& np, std::size_t n)
   check_parameter(is_positive(p.initial_penalty), "initial_penalty", p.initial_penalty, "a finite number above 0");
   read_parameter(np, internal_np::maximum_penalty, p.maximum_penalty);
   check_parameter(is_positive(p.maximum_penalty), "maximum_penalty", p.maximum_penalty, "a finite number above 0");
+  if (p.method == Method::DEFAULT)
+    p.penalty_growth = default_penalty_growth;
   read_parameter(np, internal_np::penalty_growth, p.penalty_growth);
   check_parameter(std::isfinite(p.penalty_growth) && p.penalty_growth > 1, "penalty_growth", p.penalty_growth,
                   "a finite number above 1");

@@ -26,11 +26,12 @@ A sample without an original neighbor is tied to where it is.
 \param fit_weights, fit_centroids out: \f$ W_i > 0 \f$ and \f$ c_i \f$
 \returns the number of samples without an original neighbor
 */
-template <typename ConcurrencyTag, typename T>
+template <typename ConcurrencyTag, typename T, typename FT>
 std::size_t collapse_fit_term(const Search_grid_3& sample_grid, const Buffer<Vector>& samples,
                               const Search_grid_3& grid, const Buffer<Vector>& points, const Buffer<T>& input_density_weights,
-                              double radius, Progress& progress, Buffer<double>& fit_weights, Buffer<Vector>& fit_centroids)
+                              double radius, Progress& progress, Buffer<FT>& fit_weights, Buffer<Vector>& fit_centroids)
 {
+  const T squared_radius = T(radius * radius);
   std::atomic<std::size_t> number_of_lonely_samples{0};
   const auto make_visitor = [&]() {
     return [&, weights = std::vector<T>()](Search_grid_3::Range queries, const Local_points<T>& candidates,
@@ -49,7 +50,7 @@ std::size_t collapse_fit_term(const Search_grid_3& sample_grid, const Buffer<Vec
           const L dx = L::load(&candidates.x[k]) - center[0];
           const L dy = L::load(&candidates.y[k]) - center[1];
           const L dz = L::load(&candidates.z[k]) - center[2];
-          const L weight = where_less(dx * dx + dy * dy + dz * dz, T(radius * radius), L::load(&weights[k]));
+          const L weight = where_less(dx * dx + dy * dy + dz * dz, squared_radius, L::load(&weights[k]));
           sum += weight;
           x += weight * dx;
           y += weight * dy;
@@ -58,7 +59,7 @@ std::size_t collapse_fit_term(const Search_grid_3& sample_grid, const Buffer<Vec
         const double weight = sum.sum();
         if (weight > 0)
         {
-          fit_weights[i] = weight;
+          fit_weights[i] = FT(weight);
           fit_centroids[i] = samples[i] + Vector(x.sum(), y.sum(), z.sum()) / weight;
         }
         else

@@ -22,6 +22,7 @@ template <typename ConcurrencyTag, typename T>
 void compute_input_density_weights(const Search_grid_3& grid, const Buffer<Vector>& points, double radius, double squared_bandwidth,
                                    Progress& progress, Buffer<T>& weights)
 {
+  const T squared_radius = T(radius * radius);
   Buffer<Index> counts(points.size(), 0, points.get_allocator());
   const auto make_visitor = [&]() {
     return [&](Search_grid_3::Range queries, const Local_points<T>& candidates, const Vector& origin) {
@@ -30,14 +31,11 @@ void compute_input_density_weights(const Search_grid_3& grid, const Buffer<Vecto
       {
         const Eigen::Matrix<T, 3, 1> center = (points[i] - origin).template cast<T>();
         L count, sum;
-        for (std::size_t k = 0; k < candidates.padded_size(); k += L::size)
-        {
+        candidates.for_each_run_in_ball(center, squared_radius, [&](std::size_t k) {
           const L squared_distance = candidates.squared_distances(k, center);
-          if (!any_less(squared_distance, T(radius * radius)))
-            continue;
-          count += where_less(squared_distance, T(radius * radius), L(T(1)));
-          sum += where_less(squared_distance, T(radius * radius), gaussian_weight(squared_distance, T(squared_bandwidth)));
-        }
+          count += where_less(squared_distance, squared_radius, L(T(1)));
+          sum += where_less(squared_distance, squared_radius, gaussian_weight(squared_distance, T(squared_bandwidth)));
+        });
         // thinning may have left the point itself out
         const T self = count.sum() > 0 ? T(1) : T(0);
         counts[i] = Index(count.sum() - self);

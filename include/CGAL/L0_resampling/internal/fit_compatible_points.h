@@ -7,6 +7,7 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_FIT_COMPATIBLE_POINTS_H
 
 #include <CGAL/L0_resampling/internal/Local_normals.h>
+#include <CGAL/L0_resampling/internal/Parameters.h>
 #include <CGAL/L0_resampling/internal/ball_queries.h>
 #include <CGAL/L0_resampling/internal/Samples.h>
 #include <CGAL/L0_resampling/internal/weights.h>
@@ -41,17 +42,18 @@ corners and shrinks what is curved, this one looks at points of its own side of 
 
 which is zero for every pair of points of one sphere (the symmetric distance of Rusinkiewicz 2019). The sample is drawn to
 \f$ c_i = p_i + h_i n_i \f$: along its normal, so that it does not retreat from edges and borders. Only beyond them, where the weighted mean of
-the points lies further off in the plane than that of a half plane, \f$ \sigma / \sqrt\pi \f$, is it drawn back: the mean of a Gaussian cut
-off at x moves by \f$ 2x/\pi \f$ for small x, so that the way back is \f$ \pi/2 \f$ of what is too much.
+the points lies further off in the plane than that of half a ball, is it drawn back: the mean of a Gaussian cut
+off at x moves by \f$ 2x/\pi \f$ for small x, so that the way back is \f$ \pi/2 \f$ of what is too much. A sample that has strayed to where
+nobody agrees with it is drawn to the last \f$ c_i \f$ it had.
 
 The normal of the sample becomes the weighted mean of those points' normals.
 
-\param samples in: positions and normals; out: normals, fit weights, fit centroids and outward directions
+\param samples in: positions, normals and the last fit centroids; out: normals, fit weights, fit centroids and outward directions
 */
-template <typename ConcurrencyTag, typename T>
-void fit_compatible_points(const Fit_input<T>& input, Progress& progress, Samples& samples)
+template <typename ConcurrencyTag, typename T, typename FT>
+void fit_compatible_points(const Fit_input<T>& input, Progress& progress, Samples<FT>& samples)
 {
-  const double cell_size = input.grid.cell_size(), bandwidth = input.radius / 2;
+  const double cell_size = input.grid.cell_size(), bandwidth = fit_bandwidth_factor * input.radius;
   const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(samples.positions, cell_size);
   Buffer<Vector> queries_in_order(samples.positions);
   apply_order(order, queries_in_order);
@@ -59,10 +61,7 @@ void fit_compatible_points(const Fit_input<T>& input, Progress& progress, Sample
 
   const T squared_radius = T(input.radius * input.radius);
   const T squared_bandwidth = T(bandwidth * bandwidth), normal_bandwidth = T(input.normal_bandwidth);
-  const double half_plane_offset = bandwidth / std::sqrt(EIGEN_PI);
-  // The fit against the normal term; see the ablation table of the benchmark.
-  const double fit_weight_factor = 0.3;
-
+  const double half_ball_offset = mean_distance_in_half_disk(input.radius, bandwidth);
   const auto make_visitor = [&]() {
     return [&, normals = Local_normals<T>(), weights = std::vector<T>()](Search_grid_3::Range queries, const Local_points<T>& candidates,
                                                                          const Vector& origin) mutable {
@@ -77,14 +76,11 @@ void fit_compatible_points(const Fit_input<T>& input, Progress& progress, Sample
         const Index i = order[q];
         const Eigen::Matrix<T, 3, 1> center = (queries_in_order[q] - origin).template cast<T>(), normal = samples.normals[i].template cast<T>();
         L sum, height, x, y, z, mean_nx, mean_ny, mean_nz;
-        for (std::size_t k = 0; k < candidates.padded_size(); k += L::size)
-        {
+        candidates.for_each_run_in_ball(center, squared_radius, [&](std::size_t k) {
           const L dx = L::load(&candidates.x[k]) - center[0];
           const L dy = L::load(&candidates.y[k]) - center[1];
           const L dz = L::load(&candidates.z[k]) - center[2];
           const L squared_distance = dx * dx + dy * dy + dz * dz;
-          if (!any_less(squared_distance, squared_radius))
-            continue;
           const L nx = L::load(&normals.x[k]), ny = L::load(&normals.y[k]), nz = L::load(&normals.z[k]);
           const L cosine = nx * normal[0] + ny * normal[1] + nz * normal[2];
           const L weight = where_less(squared_distance, squared_radius, L::load(&weights[k]))
@@ -94,26 +90,29 @@ void fit_compatible_points(const Fit_input<T>& input, Progress& progress, Sample
           height += weight * (dx * normal[0] + dy * normal[1] + dz * normal[2]) + signed_weight * (dx * nx + dy * ny + dz * nz);
           x += weight * dx;  y += weight * dy;  z += weight * dz;
           mean_nx += signed_weight * nx;  mean_ny += signed_weight * ny;  mean_nz += signed_weight * nz;
-        }
+        });
 
         const double total = sum.sum();
-        samples.fit_weights[i] = (std::max)(fit_weight_factor * total, 1e-3);
-        samples.fit_centroids[i] = samples.positions[i];
-        samples.outward_directions[i] = Vector::Zero();
+        samples.outward_directions[i].setZero();
         if (!(total > 1e-3))
-          continue;   // nobody agrees: the sample stays, and keeps its normal
-        const Vector old_normal = samples.normals[i];
+        {
+          samples.fit_weights[i] = 1;
+          continue;
+        }
+        samples.fit_weights[i] = FT(fit_weight_factor * total);
+        samples.fit_centroids[i] = samples.positions[i];
+        const Vector old_normal = samples.normals[i].template cast<double>();
         const Vector mean = Vector(x.sum(), y.sum(), z.sum()) / total;
         const Vector offset = mean - old_normal.dot(mean) * old_normal;
         const double distance = offset.norm();
         samples.fit_centroids[i] += (0.5 * height.sum() / total) * old_normal;
-        if (distance > half_plane_offset)
-          samples.fit_centroids[i] += (EIGEN_PI / 2 * (distance - half_plane_offset) / distance) * offset;
-        if (distance > half_plane_offset / 2)
-          samples.outward_directions[i] = -offset / distance;
+        if (distance > half_ball_offset)
+          samples.fit_centroids[i] += (EIGEN_PI / 2 * (distance - half_ball_offset) / distance) * offset;
+        if (distance > half_ball_offset / 2)
+          samples.outward_directions[i] = (-offset / distance).template cast<FT>();
         const Vector mean_normal(mean_nx.sum(), mean_ny.sum(), mean_nz.sum());
         if (mean_normal.norm() > 1e-3 * total)
-          samples.normals[i] = mean_normal.normalized();
+          samples.normals[i] = mean_normal.normalized().template cast<FT>();
       }
     };
   };

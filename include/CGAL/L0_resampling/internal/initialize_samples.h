@@ -7,6 +7,7 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_INITIALIZE_SAMPLES_H
 
 #include <CGAL/L0_resampling/internal/ball_queries.h>
+#include <CGAL/L0_resampling/internal/random_bits.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -16,16 +17,6 @@
 namespace CGAL {
 namespace L0_resampling {
 namespace internal {
-
-/// The finalizer of the generator splitmix64 (Steele, Lea, Flood 2014): a number that looks random for each pair of a seed and a
-/// counter, the same on every machine and in any order of evaluation.
-inline std::uint64_t random_bits(std::uint64_t seed, std::uint64_t counter)
-{
-  std::uint64_t z = (seed + 1) * 0x9E3779B97F4A7C15u + counter * 0xD1B54A32D192ED03u;
-  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
-  z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
-  return z ^ (z >> 31);
-}
 
 /// The first S: where the samples start, and the input point each takes its normal from.
 struct Initial_samples

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -45,10 +45,9 @@ Nearest_samples find_nearest_samples(const Buffer<Vector>& positions, std::size_
   const int number_of_doublings = 10;
   Nearest_samples nearest(positions.size(), k, positions.get_allocator());
 
-  Buffer<Index> open(positions.size(), 0, positions.get_allocator());
-  for (std::size_t i = 0; i < open.size(); ++i)
-    open[i] = Index(i);
-  for (int doubling = 0; doubling <= number_of_doublings && !open.empty(); ++doubling)
+  Buffer<unsigned char> is_open(positions.size(), 1, positions.get_allocator());
+  Buffer<Index> open(positions.get_allocator());
+  for (int doubling = 0; doubling <= number_of_doublings; ++doubling)
   {
     const double radius = std::ldexp(spacing_guess, doubling);
     const bool take_what_is_there = doubling == number_of_doublings;
@@ -58,42 +57,40 @@ Nearest_samples find_nearest_samples(const Buffer<Vector>& positions, std::size_
     apply_order(order, sorted_positions);
     const Search_grid_3 grid(sorted_positions, radius);
 
-    Buffer<Vector> open_positions(positions.get_allocator());
-    for (Index i : open)
-      open_positions.push_back(positions[i]);
-    const Buffer<Index> open_order = Search_grid_3::sorted_order<ConcurrencyTag>(open_positions, radius);
-    apply_order(open_order, open_positions);
-    apply_order(open_order, open);
+    open.clear();
+    std::copy_if(order.begin(), order.end(), std::back_inserter(open), [&](Index i) { return is_open[i] != 0; });
+    if (open.empty())
+      break;
+    Buffer<Vector> open_positions(positions);
+    apply_order(open, open_positions);
     const Search_grid_3 open_grid(open_positions, radius);
-
-    const Index closed = (std::numeric_limits<Index>::max)();
     const auto make_visitor = [&]() {
       return [&, found = std::vector<std::pair<double, Index>>()](Search_grid_3::Range queries, const Local_points<double>& candidates,
                                                                   const Vector& origin) mutable {
         for (Index q = queries.first; q < queries.second; ++q)
         {
           const Vector center = open_positions[q] - origin;
-          found.clear();
+          found.resize(candidates.indices.size() + 1);
+          // Each candidate is written, and overwritten by the next one unless it is near: no branch that cannot be foreseen.
+          std::size_t size = 0;
           for (std::size_t c = 0; c < candidates.indices.size(); ++c)
           {
             const Vector p(candidates.x[c], candidates.y[c], candidates.z[c]);
             const double squared_distance = (p - center).squaredNorm();
-            const Index i = order[candidates.indices[c]];
-            if (squared_distance < radius * radius && i != open[q])
-              found.emplace_back(squared_distance, i);
+            found[size] = {squared_distance, order[candidates.indices[c]]};
+            size += std::size_t(squared_distance < radius * radius) & std::size_t(found[size].second != open[q]);
           }
-          if (found.size() < k && !take_what_is_there)
+          if (size < k && !take_what_is_there)
             continue;
-          const std::size_t count = (std::min)(k, found.size());
-          std::nth_element(found.begin(), found.begin() + std::ptrdiff_t(count), found.end());
+          const std::size_t count = (std::min)(k, size);
+          std::nth_element(found.begin(), found.begin() + std::ptrdiff_t(count), found.begin() + std::ptrdiff_t(size));
           for (std::size_t n = 0; n < count; ++n)
             nearest.add(open[q], found[n].second);
-          open[q] = closed;
+          is_open[open[q]] = 0;
         }
       };
     };
     for_each_cell<double, ConcurrencyTag>(open_grid, open_positions, grid, sorted_positions, 1, progress, make_visitor);
-    open.erase(std::remove(open.begin(), open.end(), closed), open.end());
   }
   return nearest;
 }

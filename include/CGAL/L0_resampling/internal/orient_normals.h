@@ -7,11 +7,13 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_ORIENT_NORMALS_H
 
 #include <CGAL/L0_resampling/internal/nearest_samples.h>
+#include <CGAL/L0_resampling/internal/orientation_agreement.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -19,25 +21,11 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/*!
-How far two samples agree about the side their normals point to: positive if the signs fit, negative if one has to turn; the
-absolute value, in [0, 1], is how sure that is.
-
-It is the mean of two rules for a patch of surface between the samples. On a flat one the normals are equal, so \f$ n_i^T n_k \f$
-decides (Hoppe et al. 1992). On one that bends like an arc, each is the mirror image of the other in the plane halfway between the
-samples, so \f$ n_i^T n_k - 2 (e^T n_i)(e^T n_k) \f$ decides, e the unit vector from one to the other; that holds across sharp edges of
-any angle, where the first rule says nothing. Opposite samples of the two sheets of a thin plate make the rules contradict each other. Those that are
-further apart than the sheets do not: a plate has to be thicker than about two spacings for its sheets to be told apart.
-
-\param spacing of the samples: below it, the direction from one to the other is noise, and what the second rule adds fades out
-*/
-inline double orientation_agreement(const Vector& p, const Vector& n, const Vector& other_p, const Vector& other_n, double spacing)
+/// `orientation_agreement()` of two samples, see there.
+inline double agreement_of_samples(const Vector& p, const Vector& n, const Vector& other_p, const Vector& other_n, double spacing)
 {
-  const Vector e = other_p - p;
-  const double squared_length = e.squaredNorm(), damped_squared_length = squared_length + 0.25 * spacing * spacing;
-  if (!(damped_squared_length > 0 && std::isfinite(damped_squared_length)))
-    return n.dot(other_n);
-  return n.dot(other_n) - e.dot(n) / damped_squared_length * e.dot(other_n);
+  const Vector to_other = other_p - p;
+  return orientation_agreement(n.dot(other_n), n.dot(to_other), -other_n.dot(to_other), spacing * spacing);
 }
 
 /// Two samples near each other, and `orientation_agreement()` of them.
@@ -112,9 +100,69 @@ public:
     m_sizes[root_i] += m_sizes[root_k];
   }
 
+  std::size_t size() const { return m_parents.size(); }
+
   /// Number of samples in the set that `root` represents.
   Index size_of_set(Index root) const { return m_sizes[root]; }
 };
+
+/// The sum of the agreements of all edges between two sets, each read for the sets' representatives.
+struct Vote { Index a, b; double agreement, total; };
+
+/// Puts the votes of the edges between different sets together, a vote for each pair of sets that touch; drops the edges within one.
+inline void count_votes(Buffer<Edge>& edges, Signed_union_find& sets, Buffer<Vote>& votes)
+{
+  votes.clear();
+  std::size_t number_of_edges = 0;
+  for (const Edge& e : edges)
+  {
+    const auto [root_i, sign_i] = sets.find(e.i);
+    const auto [root_k, sign_k] = sets.find(e.k);
+    if (root_i == root_k)
+      continue;
+    edges[number_of_edges++] = e;
+    votes.push_back({(std::min)(root_i, root_k), (std::max)(root_i, root_k), double(sign_i * sign_k) * e.agreement, std::abs(e.agreement)});
+  }
+  edges.resize(number_of_edges);
+  // stable, so that sums of the same votes are bitwise the same
+  std::stable_sort(votes.begin(), votes.end(), [](const Vote& v, const Vote& w) { return std::tie(v.a, v.b) < std::tie(w.a, w.b); });
+  std::size_t number_of_pairs = 0;
+  for (const Vote& v : votes)
+    if (number_of_pairs > 0 && votes[number_of_pairs - 1].a == v.a && votes[number_of_pairs - 1].b == v.b)
+    {
+      votes[number_of_pairs - 1].agreement += v.agreement;
+      votes[number_of_pairs - 1].total += v.total;
+    }
+    else
+      votes[number_of_pairs++] = v;
+  votes.resize(number_of_pairs);
+}
+
+/// Joins sets that touch by majority: round by round, each set with the neighbor that their edges are most of one mind about.
+/// \param sure the share of the votes, from -1 to 1, that the winning side has to be ahead by
+inline void join_by_votes(double sure, Buffer<Edge>& edges, Signed_union_find& sets)
+{
+  Buffer<Vote> votes(edges.get_allocator());
+  Buffer<std::size_t> strongest(sets.size(), 0, edges.get_allocator());
+  for (;;)
+  {
+    count_votes(edges, sets, votes);
+    votes.erase(std::remove_if(votes.begin(), votes.end(),
+                               [&](const Vote& v) { return std::abs(v.agreement) < sure * v.total; }), votes.end());
+    if (votes.empty())
+      return;
+    std::stable_sort(votes.begin(), votes.end(), [](const Vote& v, const Vote& w) { return std::abs(v.agreement) > std::abs(w.agreement); });
+    const std::size_t none = votes.size();
+    for (const Vote& v : votes)
+      strongest[v.a] = strongest[v.b] = none;
+    for (std::size_t n = 0; n < votes.size(); ++n)
+      for (const Index set : {votes[n].a, votes[n].b})
+        strongest[set] = (std::min)(strongest[set], n);
+    for (std::size_t n = 0; n < votes.size(); ++n)
+      if (strongest[votes[n].a] == n || strongest[votes[n].b] == n)
+        sets.join(votes[n].a, votes[n].b, votes[n].agreement < 0 ? -1 : 1);
+  }
+}
 
 /// Whether the normals of a tree point inwards as a whole. A flat tree has no inside: its normals shall point up its steepest axis.
 inline bool is_turned_inwards(double flux, double largest_flux, const Vector& normal_sum)
@@ -128,20 +176,23 @@ inline bool is_turned_inwards(double flux, double largest_flux, const Vector& no
 }
 
 /*!
-Turns the normals of the samples to one side: consistent along a maximum spanning forest of the graph of nearest neighbors, by how sure
-`orientation_agreement()` is, and outwards for each tree as a whole, in the sense of the divergence theorem:
-\f$ \sum n_i^T (p_i - \bar p) > 0 \f$. Works on indices; no sample changes its place.
+Turns the normals of the samples to one side. Over the edges of the graph of nearest neighbors where `orientation_agreement()` is beyond
+doubt, sets of samples grow as the maximum spanning forest of Hoppe et al. does. Where sets touch, across a sharp edge or through noise, one edge
+may well err, and would turn a whole face; there, all edges between two sets vote. Then the sets that hang together are turned
+outwards as a whole, in the sense of the divergence theorem: \f$ \sum n_i^T (p_i - \bar p) > 0 \f$. Works on indices; no sample changes its
+place.
 
 \param positions, normals unit vectors of any sign in, consistent out
 \param number_of_neighbors of the graph, at least 1
 \param spacing of the samples, roughly: more than a 1000th of it, and not so much that it spans the cloud
-\returns the share of the samples that reach the largest part of their tree over sure edges only
+\returns the share of the samples that are joined to the largest part of their tree by edges beyond doubt and clear majorities only
 */
-template <typename ConcurrencyTag>
+template <typename ConcurrencyTag, typename T>
 double orient_normals(const Buffer<Vector>& positions, std::size_t number_of_neighbors, double spacing, Progress& progress,
-                      Buffer<Vector>& normals)
+                      Buffer<Eigen::Matrix<T, 3, 1>>& normals)
 {
-  const double sure = 0.25;
+  const auto normal = [&](Index i) -> Vector { return normals[i].template cast<double>(); };
+  const double beyond_doubt = 0.95, clear_majority = 0.5;
   const std::size_t m = positions.size();
   const Nearest_samples nearest = find_nearest_samples<ConcurrencyTag>(positions, number_of_neighbors, spacing * std::sqrt(double(number_of_neighbors) / 2), progress);
 
@@ -150,18 +201,18 @@ double orient_normals(const Buffer<Vector>& positions, std::size_t number_of_nei
   for (Index i = 0; i < m; ++i)
     for (const Index* k = nearest.begin(i); k != nearest.end(i); ++k)
       if (i < *k || !nearest.contains(*k, i))
-        edges.push_back({float(orientation_agreement(positions[i], normals[i], positions[*k], normals[*k], spacing)), i, *k});
+        edges.push_back({float(agreement_of_samples(positions[i], normal(i), positions[*k], normal(*k), spacing)), i, *k});
   sort_by_decreasing_agreement(edges);
 
   Signed_union_find sets(m, positions.get_allocator());
-  auto edge = edges.begin();
-  for (; edge != edges.end() && std::abs(edge->agreement) >= sure; ++edge)
-    sets.join(edge->i, edge->k, edge->agreement < 0 ? -1 : 1);
+  for (const Edge& edge : edges)
+    if (std::abs(edge.agreement) >= beyond_doubt)
+      sets.join(edge.i, edge.k, edge.agreement < 0 ? -1 : 1);
+  join_by_votes(clear_majority, edges, sets);
   Buffer<Index> sure_set_sizes(m, 0, positions.get_allocator());
   for (Index i = 0; i < m; ++i)
     sure_set_sizes[i] = sets.size_of_set(sets.find(i).first);
-  for (; edge != edges.end(); ++edge)
-    sets.join(edge->i, edge->k, edge->agreement < 0 ? -1 : 1);
+  join_by_votes(0, edges, sets);
 
   struct Tree
   {
@@ -183,9 +234,9 @@ double orient_normals(const Buffer<Vector>& positions, std::size_t number_of_nei
     const auto [root, sign] = sets.find(i);
     Tree& tree = trees[root];
     const Vector from_center = positions[i] - tree.center;
-    tree.flux += sign * normals[i].dot(from_center);
+    tree.flux += sign * normal(i).dot(from_center);
     tree.largest_flux += from_center.norm();
-    tree.normal_sum += sign * normals[i];
+    tree.normal_sum += sign * normal(i);
     number_of_oriented += sets.size_of_set(root) > 1 && sure_set_sizes[i] == tree.largest_sure_set;
   }
   for (Index i = 0; i < m; ++i)

@@ -28,35 +28,36 @@ constexpr std::size_t samples_per_block = 2048;
 /// \param squared_radius \f$ r_p^2 \f$
 /// \param density_weights out: one number a sample, at least 1
 /// \param pair_weights out: one number a pair
-template <typename ConcurrencyTag>
+template <typename ConcurrencyTag, typename FT>
 void update_weights(const Buffer<Vector>& samples, const Neighborhoods& neighbors, double squared_bandwidth, double squared_radius,
-                    double regularization_weight, Buffer<double>& density_weights, Buffer<double>& pair_weights)
+                    double regularization_weight, Buffer<FT>& density_weights, Buffer<FT>& pair_weights)
 {
-  using Values = Eigen::Map<Eigen::ArrayXd>;
+  using Array = Eigen::Array<FT, Eigen::Dynamic, 1>;
+  using Values = Eigen::Map<Array>;
   const auto pairs_of = [&](std::size_t begin, std::size_t end) {
     return Values(pair_weights.data() + neighbors.offsets[begin], Eigen::Index(neighbors.offsets[end] - neighbors.offsets[begin]));
   };
 
-  const double mean_number_of_sample_neighbors = double(neighbors.indices.size()) / double(samples.size());
+  const FT mean_number_of_sample_neighbors = FT(double(neighbors.indices.size()) / double(samples.size()));
   for_each_block<ConcurrencyTag>(samples.size(), samples_per_block, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
-        pair_weights[e] = (samples[i] - samples[neighbors.indices[e]]).squaredNorm();
+        pair_weights[e] = FT((samples[i] - samples[neighbors.indices[e]]).squaredNorm());
 
     const Values squared_distances = pairs_of(begin, end);
-    const Eigen::ArrayXd theta = gaussian_weight(Eigen::ArrayXd(squared_distances), squared_bandwidth);
+    const Array theta = gaussian_weight(Array(squared_distances), FT(squared_bandwidth));
     for (std::size_t i = begin; i < end; ++i)
     {
       const std::size_t first = neighbors.offsets[i] - neighbors.offsets[begin], count = neighbors.offsets[i + 1] - neighbors.offsets[i];
-      const double sum = theta.segment(Eigen::Index(first), Eigen::Index(count)).sum();
+      const FT sum = theta.segment(Eigen::Index(first), Eigen::Index(count)).sum();
       density_weights[i] = count > 0 ? 1 + sum / mean_number_of_sample_neighbors : 1;
     }
-    pairs_of(begin, end) = stretch_weight(Eigen::ArrayXd(squared_distances), squared_radius);
+    pairs_of(begin, end) = stretch_weight(Array(squared_distances), FT(squared_radius));
   });
   for_each_block<ConcurrencyTag>(samples.size(), samples_per_block, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
-        pair_weights[e] *= regularization_weight * (1 / density_weights[i] + 1 / density_weights[neighbors.indices[e]]);
+        pair_weights[e] *= FT(regularization_weight) * (1 / density_weights[i] + 1 / density_weights[neighbors.indices[e]]);
   });
 }
 
@@ -91,35 +92,41 @@ Only differences of neighbors enter, so that neither the place of the cloud nor 
 \param right_hand_side out: \f$ g_i \f$, one vector a sample
 \param normal_offsets out: \f$ \delta_{ik} \f$ for each pair if not empty, for solvers that want the rows of Eq. (11)
 */
-template <typename ConcurrencyTag>
-Energy_sums shrink_normal_offsets(const Samples& samples, const Neighborhoods& neighbors, const Buffer<double>& pair_weights,
-                                  double penalty, double threshold, Buffer<Vector>& right_hand_side, Buffer<double>& normal_offsets)
+template <typename ConcurrencyTag, typename FT>
+Energy_sums shrink_normal_offsets(const Samples<FT>& samples, const Neighborhoods& neighbors, const Buffer<FT>& pair_weights,
+                                  FT penalty, FT threshold, Buffer<Eigen::Matrix<FT, 3, 1>>& right_hand_side,
+                                  Buffer<FT>& normal_offsets)
 {
+  using Local_vector = Eigen::Matrix<FT, 3, 1>;
   return block_sum<ConcurrencyTag>(samples.positions.size(), samples_per_block, [&](std::size_t begin, std::size_t end) {
     Energy_sums sums;
     for (std::size_t i = begin; i < end; ++i)
     {
-      const Vector to_centroid = samples.fit_centroids[i] - samples.positions[i];
+      const Local_vector to_centroid = (samples.fit_centroids[i] - samples.positions[i]).template cast<FT>();
       sums.fit += samples.fit_weights[i] * to_centroid.squaredNorm();
 
-      Vector g = samples.fit_weights[i] * to_centroid;
+      const Local_vector normal = samples.normals[i];
+      Local_vector g = samples.fit_weights[i] * to_centroid;
+      FT regularization = 0, squared_normal_misfit = 0;
       for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
       {
         const Index k = neighbors.indices[e];
-        const Vector difference = samples.positions[i] - samples.positions[k];
-        const double distance_i = samples.normals[i].dot(difference), distance_k = samples.normals[k].dot(difference);
-        const double offset_i = shrink(distance_i, threshold);
+        const Local_vector difference = (samples.positions[i] - samples.positions[k]).template cast<FT>();
+        const FT distance_i = normal.dot(difference), distance_k = samples.normals[k].dot(difference);
+        const FT offset_i = shrink(distance_i, threshold);
         // delta_ki is minus this one, as p_k - p_i is minus the difference
-        const double offset_k = shrink(distance_k, threshold);
-        const double misfit_i = distance_i - offset_i, misfit_k = distance_k - offset_k;
-        g -= pair_weights[e] * difference + (penalty * misfit_i) * samples.normals[i] + (penalty * misfit_k) * samples.normals[k];
+        const FT offset_k = shrink(distance_k, threshold);
+        const FT misfit_i = distance_i - offset_i, misfit_k = distance_k - offset_k;
+        g -= pair_weights[e] * difference + (penalty * misfit_i) * normal + (penalty * misfit_k) * samples.normals[k];
         if (!normal_offsets.empty())
           normal_offsets[e] = offset_i;
 
-        sums.regularization += 0.5 * pair_weights[e] * difference.squaredNorm();   // each unordered pair comes twice
-        sums.squared_normal_misfit += misfit_i * misfit_i;
+        regularization += pair_weights[e] * difference.squaredNorm();
+        squared_normal_misfit += misfit_i * misfit_i;
         sums.number_of_active_pairs += offset_i != 0;
       }
+      sums.regularization += 0.5 * regularization;   // each unordered pair comes twice
+      sums.squared_normal_misfit += squared_normal_misfit;
       right_hand_side[i] = g;
     }
     return sums;

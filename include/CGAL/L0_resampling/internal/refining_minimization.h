@@ -26,7 +26,7 @@ struct Refinement_parameters
 };
 
 /// The fit term of the default method as rows: one a sample.
-inline Fit_rows collapsed_fit_rows(const Samples& samples)
+inline Fit_rows collapsed_fit_rows(const Samples<double>& samples)
 {
   Fit_rows rows{Buffer<std::size_t>(samples.positions.size() + 1, 0, samples.positions.get_allocator()), samples.fit_centroids,
                 samples.fit_weights};
@@ -46,11 +46,12 @@ only, and spreads the samples within the surface. Ends on the fitted surface.
 */
 template <typename ConcurrencyTag, typename T, typename SolverTraits>
 std::size_t minimize_with_refinement(const Minimization_parameters& p, const Refinement_parameters& refinement, const Fit_input<T>& input,
-                              SolverTraits& solver, Progress& progress, Samples& samples, std::vector<Iteration_report>& reports)
+                                     SolverTraits& solver, Progress& progress, Samples<typename SolverTraits::FT>& samples,
+                                     std::vector<Iteration_report>& reports)
 {
   const auto allocator = samples.positions.get_allocator();
   const double cell_size = (std::max)(input.grid.cell_size(), refinement.self_neighbor_radius);
-  samples.outward_directions.assign(samples.positions.size(), Vector::Zero());
+  samples.outward_directions.assign(samples.positions.size(), Samples<typename SolverTraits::FT>::Local_vector::Zero());
   Minimization_step<ConcurrencyTag, SolverTraits> step(p, solver, progress, allocator);
   Fit_rows fit_rows{Buffer<std::size_t>(allocator), Buffer<Vector>(allocator), Buffer<double>(allocator)};
 
@@ -64,11 +65,11 @@ std::size_t minimize_with_refinement(const Minimization_parameters& p, const Ref
     const Neighborhoods neighbors =
       find_self_neighbors<ConcurrencyTag>(grid, samples.positions, refinement.self_neighbor_radius, progress);
     number_of_pairs = neighbors.indices.size();
-    if (SolverTraits::needs_explicit_rows)
+    if constexpr (SolverTraits::needs_explicit_rows)
       fit_rows = collapsed_fit_rows(samples);
 
     reports.push_back(step(penalty, true, neighbors, fit_rows, samples));
-    repel_tangentially<ConcurrencyTag>(neighbors, refinement.spacing, refinement.number_of_repulsion_steps, samples);
+    repel_tangentially<ConcurrencyTag>(neighbors, refinement.spacing, input.radius, refinement.number_of_repulsion_steps, samples);
     penalty *= p.penalty_growth;
   } while (penalty <= p.maximum_penalty);
 

@@ -17,6 +17,7 @@
 #include <CGAL/L0_resampling/internal/initialize_samples.h>
 #include <CGAL/L0_resampling/internal/orient_normals.h>
 #include <CGAL/L0_resampling/internal/refining_minimization.h>
+#include <CGAL/L0_resampling/internal/refit_normals.h>
 #include <CGAL/L0_resampling/internal/working_frame.h>
 
 #include <algorithm>
@@ -27,16 +28,18 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// The result, in the coordinates of the input.
-struct Oriented_points
-{
-  Buffer<Vector> positions;
-  Buffer<Vector> normals;   ///< unit length
-};
-
 /// The scalar type of what happens within one ball, where relative coordinates make `float` enough.
 using Local = float;
 using Local_vector = Eigen::Matrix<Local, 3, 1>;
+
+/// The result, in the coordinates of the input.
+/// \tparam FT the number type of the solver
+template <typename FT>
+struct Oriented_points
+{
+  Buffer<Vector> positions;
+  Buffer<Eigen::Matrix<FT, 3, 1>> normals;   ///< of unit length but for rounding in `FT`
+};
 
 /// Coincident points are in no order but that of the input, which must not matter: puts their normals in one.
 inline void sort_normals_of_coincident_points(const Buffer<Vector>& points, Buffer<Local_vector>& normals)
@@ -50,31 +53,6 @@ inline void sort_normals_of_coincident_points(const Buffer<Vector>& points, Buff
                 return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
               });
   }
-}
-
-/// Section 3.1: the filtered normals of the input points. `given_normals` replace PCA where they are usable.
-template <typename ConcurrencyTag>
-Buffer<Local_vector> compute_filtered_normals(const Search_grid_3& grid, const Buffer<Vector>& points,
-                                              const Buffer<Local_vector>& given_normals, double radius,
-                                              const Normal_filter<Local>& filter, std::size_t number_of_iterations,
-                                              Progress& progress, Report& report)
-{
-  Buffer<Local_vector> normals(points.size(), Local_vector::UnitZ(), points.get_allocator());
-  const bool all_given = !given_normals.empty()
-                         && std::none_of(given_normals.begin(), given_normals.end(), [](const Local_vector& n) { return n.isZero(0); });
-  if (!all_given)
-  {
-    progress.begin_stage("PCA normals", 0.1, points.size());
-    report.number_of_degenerate_neighborhoods =
-      estimate_pca_normals<ConcurrencyTag>(grid, points, pca_radius_factor * radius, progress, normals);
-  }
-  for (std::size_t i = 0; i < given_normals.size(); ++i)
-    if (!given_normals[i].isZero(0))
-      normals[i] = given_normals[i];
-
-  progress.begin_stage("filter normals", 0.4, points.size() * number_of_iterations);
-  filter_normals<ConcurrencyTag>(grid, points, filter, number_of_iterations, progress, normals);
-  return normals;
 }
 
 /// The lengths of a call, in the working frame.
@@ -92,6 +70,42 @@ inline double square(double x) { return x * x; }
 
 /// \f$ (1 - \cos\sigma_n)^2 \f$ of Eq. (2), for an angle in degrees; never so small that its inverse is not finite.
 inline double normal_bandwidth(double angle) { return (std::max)(square(1 - std::cos(angle * EIGEN_PI / 180)), 1e-12); }
+
+/// Section 3.1: the filtered normals of the input points. `given_normals` replace PCA where they are usable.
+template <typename ConcurrencyTag>
+Buffer<Local_vector> compute_filtered_normals(const Search_grid_3& grid, const Buffer<Vector>& points,
+                                              const Buffer<Local_vector>& given_normals, const Lengths& lengths,
+                                              const Parameters& parameters, Progress& progress, Report& report)
+{
+  Buffer<Local_vector> normals(points.size(), Local_vector::UnitZ(), points.get_allocator());
+  const bool all_given = !given_normals.empty()
+                         && std::none_of(given_normals.begin(), given_normals.end(), [](const Local_vector& n) { return n.isZero(0); });
+  if (!all_given)
+  {
+    progress.begin_stage("PCA normals", 0.1, points.size());
+    report.number_of_degenerate_neighborhoods =
+      estimate_pca_normals<ConcurrencyTag>(grid, points, pca_radius_factor * lengths.radius, progress, normals);
+  }
+  for (std::size_t i = 0; i < given_normals.size(); ++i)
+    if (!given_normals[i].isZero(0))
+      normals[i] = given_normals[i];
+
+  const Local squared_bandwidth = Local(square(spatial_bandwidth_factor * lengths.filter_radius));
+  const Normal_filter<Local> filter{lengths.filter_radius, squared_bandwidth, Local(normal_bandwidth(parameters.sharpness_angle))};
+  const Normal_filter<Local> plane{lengths.filter_radius, squared_bandwidth,
+                                   Local(normal_bandwidth(fit_angle_factor * parameters.sharpness_angle))};
+  const std::size_t number_of_iterations = parameters.number_of_normal_filter_iterations;
+  const std::size_t number_of_refits =
+    parameters.method == Method::DEFAULT ? (std::min)(number_of_normal_refits, number_of_iterations) : 0;
+  progress.begin_stage("filter normals", 0.4, points.size() * (number_of_iterations + number_of_refits));
+  filter_normals<ConcurrencyTag>(grid, points, filter, number_of_iterations - number_of_refits, progress, normals);
+  for (std::size_t refit = 0; refit < number_of_refits; ++refit)
+  {
+    refit_normals<ConcurrencyTag>(grid, points, plane, progress, normals);
+    filter_normals<ConcurrencyTag>(grid, points, filter, 1, progress, normals);
+  }
+  return normals;
+}
 
 /// Chooses the lengths that the caller left open: by the paper's rule, which is \f$ l_{diag} / \sqrt[3]{n} \f$, or by the spacing and the noise of the
 /// points for the default method. Scales frame and points to the radius.
@@ -150,9 +164,10 @@ Resamples: the stages of the paper, one after the other.
 \param parameters checked; radii in the unit of the input
 */
 template <typename ConcurrencyTag, typename SolverTraits>
-Oriented_points resample(Buffer<Vector>& points, Buffer<Local_vector>& given_normals, const Parameters& parameters,
+Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buffer<Local_vector>& given_normals, const Parameters& parameters,
                          SolverTraits& solver, Progress& progress, Report& report)
 {
+  using FT = typename SolverTraits::FT;
   const auto allocator = points.get_allocator();
   // Lengths, and the frame in which r_p lies in [1, 2)
   progress.begin_stage("sort points", 0.05, 1);
@@ -174,9 +189,8 @@ Oriented_points resample(Buffer<Vector>& points, Buffer<Local_vector>& given_nor
 
   // Section 3.1: normals, Eq. (1) and (2)
   const double squared_bandwidth = square(spatial_bandwidth_factor * lengths.filter_radius);
-  const Normal_filter<Local> filter{lengths.filter_radius, Local(squared_bandwidth), Local(normal_bandwidth(parameters.sharpness_angle))};
-  Buffer<Local_vector> normals = compute_filtered_normals<ConcurrencyTag>(
-    grid, points, given_normals, lengths.radius, filter, parameters.number_of_normal_filter_iterations, progress, report);
+  Buffer<Local_vector> normals =
+    compute_filtered_normals<ConcurrencyTag>(grid, points, given_normals, lengths, parameters, progress, report);
   release(given_normals);
 
   // Section 3.2: density weights of Q, Eq. (5), and the first S
@@ -186,7 +200,7 @@ Oriented_points resample(Buffer<Vector>& points, Buffer<Local_vector>& given_nor
 
   progress.begin_stage("initial samples", 0.02, parameters.number_of_output_points);
   const std::size_t m = parameters.number_of_output_points;
-  Samples samples(allocator);
+  Samples<FT> samples(allocator);
   {
     Initial_samples start =
       initialize_samples<ConcurrencyTag>(grid, points, normals, m, lengths.radius, parameters.random_seed, progress);
@@ -194,9 +208,9 @@ Oriented_points resample(Buffer<Vector>& points, Buffer<Local_vector>& given_nor
     samples.positions = std::move(start.positions);
     samples.normals.reserve(m);
     for (Index source : start.sources)
-      samples.normals.push_back(normals[source].cast<double>().normalized());
+      samples.normals.push_back(normals[source].cast<FT>().normalized());
     samples.fit_weights.resize(m);
-    samples.fit_centroids.resize(m, Vector::Zero());
+    samples.fit_centroids = samples.positions;
   }
 
   // Section 3.2 and 3.3: Eq. (6) by Algorithm 1

@@ -7,6 +7,7 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_TANGENTIAL_REPULSION_H
 
 #include <CGAL/L0_resampling/internal/Neighborhoods.h>
+#include <CGAL/L0_resampling/internal/Parameters.h>
 #include <CGAL/L0_resampling/internal/Samples.h>
 #include <CGAL/L0_resampling/internal/weights.h>
 
@@ -23,30 +24,40 @@ Spreads the samples: each moves away from its self neighbors within its tangent 
 pushes back from outside, so that the part of a push that goes there is left out.
 
 \param spacing of an even set of that many samples, a length
+\param radius of the fit: no sample is pushed out of its reach
 */
-template <typename ConcurrencyTag>
-void repel_tangentially(const Neighborhoods& neighbors, double spacing, std::size_t number_of_steps, Samples& samples)
+template <typename ConcurrencyTag, typename FT>
+void repel_tangentially(const Neighborhoods& neighbors, double spacing, double radius, std::size_t number_of_steps, Samples<FT>& samples)
 {
-  // Chosen by the evenness they reach; see the ablation table of the benchmark.
-  const double squared_bandwidth = 0.8 * spacing * spacing, strength = 0.7, maximum_step = 0.3 * spacing;
-  const std::size_t samples_per_block = 2048;
+  using Local_vector = Eigen::Matrix<FT, 3, 1>;
+  using Array = Eigen::Array<FT, Eigen::Dynamic, 1>;
+  const Repulsion repulsion(spacing, radius);
+  const FT squared_bandwidth = FT(repulsion.squared_bandwidth), strength = FT(repulsion.strength), maximum_step = FT(repulsion.maximum_step);
+  const std::size_t samples_per_block = 1024;
   Buffer<Vector> moved(samples.positions);
   for (std::size_t step = 0; step < number_of_steps; ++step)
   {
     for_each_block<ConcurrencyTag>(samples.positions.size(), samples_per_block, [&](std::size_t begin, std::size_t end) {
+      const std::size_t first_pair = neighbors.offsets[begin];
+      Eigen::Matrix<FT, 3, Eigen::Dynamic> differences(3, Eigen::Index(neighbors.offsets[end] - first_pair));
+      for (std::size_t i = begin; i < end; ++i)
+        for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
+          differences.col(Eigen::Index(e - first_pair)) =
+            (samples.positions[i] - samples.positions[neighbors.indices[e]]).template cast<FT>();
+      const Array squared_distances = differences.colwise().squaredNorm().transpose();
+      const Array strengths = strength * gaussian_weight(squared_distances, squared_bandwidth);
       for (std::size_t i = begin; i < end; ++i)
       {
-        Vector push = Vector::Zero();
-        for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
-        {
-          const Vector difference = samples.positions[i] - samples.positions[neighbors.indices[e]];
-          push += (strength * gaussian_weight(difference.squaredNorm(), squared_bandwidth)) * difference;
-        }
+        Local_vector push = Local_vector::Zero();
+        for (std::size_t e = neighbors.offsets[i] - first_pair; e < neighbors.offsets[i + 1] - first_pair; ++e)
+          push += strengths[Eigen::Index(e)] * differences.col(Eigen::Index(e));
         push -= samples.normals[i].dot(push) * samples.normals[i];
-        const Vector& outward = samples.outward_directions[i];
-        push -= (std::max)(outward.dot(push), 0.) * outward;
-        const double length = push.norm();
-        moved[i] = samples.positions[i] + (length > maximum_step ? maximum_step / length : 1.) * push;
+        const Local_vector& outward = samples.outward_directions[i];
+        push -= (std::max)(outward.dot(push), FT(0)) * outward;
+        const FT length = push.norm();
+        if (length > maximum_step)
+          push *= maximum_step / length;
+        moved[i] = samples.positions[i] + push.template cast<double>();
       }
     });
     samples.positions.swap(moved);

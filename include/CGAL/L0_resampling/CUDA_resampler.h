@@ -1,0 +1,260 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_CUDA_RESAMPLER_H
+#define CGAL_L0_RESAMPLING_CUDA_RESAMPLER_H
+
+#ifndef CGAL_L0_LINKED_WITH_CUDA
+#error "CUDA_resampler.h needs CUDA: link with CGAL::L0_CUDA_support"
+#endif
+
+#include <CGAL/L0_resampling/Report.h>
+#include <CGAL/L0_resampling/internal/checked_parameters.h>
+#include <CGAL/L0_resampling/internal/cuda_answer.h>
+#include <CGAL/L0_resampling/internal/cuda_interface.h>
+#include <CGAL/L0_resampling/internal/points_of_range.h>
+#include <CGAL/L0_resampling/named_parameters.h>
+
+#include <CGAL/property_map.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <exception>
+#include <functional>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace L0_resampling {
+
+namespace internal {
+
+struct Destroy_session
+{
+  void operator()(cuda::Session* session) const noexcept { cuda::destroy(session); }
+};
+
+/// The caller's callback behind the C interface: not too often, and what it throws waits until the device is done.
+class Device_progress
+{
+  using Clock = std::chrono::steady_clock;
+
+  std::function<bool(double)> m_callback;
+  Clock::time_point m_last_call = Clock::now();
+  std::exception_ptr m_exception;
+
+public:
+  explicit Device_progress(std::function<bool(double)> callback) : m_callback(std::move(callback)) {}
+
+  cuda::Progress_callback as_callback()
+  {
+    cuda::Progress_callback callback;
+    if (m_callback)
+    {
+      callback.function = [](void* context, double share) { return static_cast<Device_progress*>(context)->ask(share); };
+      callback.context = this;
+    }
+    return callback;
+  }
+
+  void rethrow_exception_of_callback() const
+  {
+    if (m_exception)
+      std::rethrow_exception(m_exception);
+  }
+
+private:
+  bool ask(double share)
+  {
+    if (Clock::now() - m_last_call < std::chrono::milliseconds(20))
+      return true;
+    m_last_call = Clock::now();
+    try
+    {
+      return m_callback(share);
+    }
+    catch (...)
+    {
+      m_exception = std::current_exception();
+      return false;
+    }
+  }
+};
+
+/// What the device did, as the report that users know.
+inline void fill_report(const cuda::Call_report& call, Report& report)
+{
+  report.number_of_distinct_points = call.number_of_distinct_points;
+  report.number_of_degenerate_neighborhoods = call.number_of_degenerate_neighborhoods;
+  report.number_of_lonely_samples = call.number_of_lonely_samples;
+  report.number_of_self_neighbor_pairs = call.number_of_self_neighbor_pairs;
+  report.neighbor_radius = call.neighbor_radius;
+  report.normal_filter_radius = call.normal_filter_radius;
+  report.estimated_spacing = call.estimated_spacing;
+  report.estimated_noise = call.estimated_noise;
+  report.oriented_share = call.oriented_share;
+  report.peak_bytes = call.peak_bytes;
+  for (std::size_t i = 0; i < call.number_of_stages; ++i)
+    report.stages.push_back({call.stages[i].name, call.stages[i].seconds, call.stages[i].peak_bytes});
+  for (std::size_t i = 0; i < call.number_of_iterations; ++i)
+  {
+    const cuda::Iteration& iteration = call.iterations[i];
+    report.iterations.push_back({iteration.penalty, iteration.regularized, iteration.fit_energy, iteration.regularization_energy,
+                                 iteration.normal_energy, iteration.sparsity_energy, iteration.active_pair_share,
+                                 {iteration.solver_iterations, iteration.relative_residual, iteration.converged}});
+    report.converged = report.converged && iteration.converged;
+  }
+}
+
+} // namespace internal
+
+/// \ingroup PkgL0ResamplingRef
+/// Whether a CUDA device can be used by this program, on this machine, now.
+/// \param reason out, if not null: why not
+inline bool is_cuda_device_usable(std::string* reason = nullptr)
+{
+  const internal::cuda::Answer answer = internal::cuda::find_device();
+  if (reason)
+    *reason = answer.message;
+  return answer.status == internal::cuda::Status::DONE;
+}
+
+/*!
+\ingroup PkgL0ResamplingRef
+
+Resamples one point set again and again on a CUDA device, as an application does in which somebody moves sliders: the points are brought to
+the device once, and a call like the last one allocates nothing there. The work is that of `l0_resample_point_set<CUDA_tag>()`, which makes
+one object for one call.
+
+An object uses the device that is current when it is made. Calls of one object from several threads wait for each other.
+
+\tparam Kernel a model of `Kernel` whose `FT` is `float` or `double`
+*/
+template <typename Kernel>
+class CUDA_resampler
+{
+  using FT = typename Kernel::FT;
+  using Point = typename Kernel::Point_3;
+  using Normal = typename Kernel::Vector_3;
+
+  std::unique_ptr<internal::cuda::Session, internal::Destroy_session> m_session;
+  internal::Input m_box{internal::Buffer<internal::Vector>(), internal::Buffer<internal::Local_vector>(), internal::Buffer<unsigned char>()};
+  std::size_t m_size = 0, m_number_of_dropped_points = 0;
+
+public:
+  /// \throws Device_error if there is no usable device
+  CUDA_resampler()
+  {
+    internal::cuda::Session* session = nullptr;
+    const internal::cuda::Answer answer = internal::cuda::create(session);
+    m_session.reset(session);
+    internal::throw_if_failed(answer);
+  }
+
+  /// Brings points to the device, in place of those it holds.
+  /// \param points as for `l0_resample_point_set()`
+  /// \param np `point_map`, `normal_map` and `drop_non_finite` of `l0_resample_point_set()`; `maximum_memory` is of the device; others are checked
+  /// \throws std::invalid_argument, std::bad_alloc, Device_error as `l0_resample_point_set()`; the object then holds no points
+  template <typename PointRange, typename NamedParameters = parameters::Default_named_parameters>
+  void upload(const PointRange& points, const NamedParameters& np = parameters::default_values())
+  {
+    using Value = typename std::iterator_traits<decltype(points.begin())>::value_type;
+    using Point_map = typename internal_np::Lookup_named_param_def<internal_np::point_t, NamedParameters,
+                                                                   Identity_property_map<const Value>>::type;
+    const Point_map point_map = parameters::choose_parameter<Point_map>(parameters::get_parameter(np, internal_np::point_map));
+    if constexpr (parameters::is_default_parameter<NamedParameters, internal_np::normal_t>::value)
+      upload(points, point_map, false, np);
+    else
+      upload(points, point_map, parameters::get_parameter(np, internal_np::normal_map), np);
+  }
+
+  /// Resamples the points. A named parameter that is not given has its default, whatever an earlier call had.
+  /// \param out takes one `std::pair<Point_3, Vector_3>` for each point of the result
+  /// \param np as for `l0_resample_point_set()`, but those that `upload()` reads and `sparse_linear_solver`
+  /// \returns the output iterator behind the last pair written
+  /// \throws what `l0_resample_point_set()` throws
+  template <typename OutputIterator, typename NamedParameters = parameters::Default_named_parameters>
+  OutputIterator resample(OutputIterator out, const NamedParameters& np = parameters::default_values())
+  {
+    using namespace internal;
+    static_assert(parameters::is_default_parameter<NamedParameters, internal_np::sparse_linear_solver_t>::value,
+                  "On the device there is one solver. CUDA_least_squares_solver_traits runs beside the stages of the CPU.");
+    Report unwanted_report;
+    Report* wanted_report = &unwanted_report;
+    read_parameter(np, internal_np::resampling_report, wanted_report);
+    Report& report = *wanted_report;
+    report = Report();
+    report.device = "cuda";
+    report.device_reason = "asked for";
+    report.number_of_input_points = m_size;
+    report.number_of_dropped_points = m_number_of_dropped_points;
+    const Parameters parameters = checked_parameters(np, m_size);
+    const std::size_t m = parameters.number_of_output_points;
+    if (m == 0)
+      return out;
+
+    std::function<bool(double)> callback;
+    read_parameter(np, internal_np::callback, callback);
+    Device_progress progress(callback);
+    cuda::Call_report call;
+    cuda::Answer answer = cuda::resample(*m_session, parameters, progress.as_callback(), call);
+    fill_report(call, report);
+    progress.rethrow_exception_of_callback();
+    throw_if_failed(answer);
+    if (answer.status == cuda::Status::CANCELLED)
+    {
+      report.outcome = Outcome::CANCELLED;
+      return out;
+    }
+
+    Buffer<Vector> positions(m, Vector::Zero());
+    std::vector<float> normals(3 * m);
+    throw_if_failed(cuda::download(*m_session, coordinates(positions), normals.data()));
+    const bool separate = report.number_of_distinct_points >= (std::min)(m_size, m);
+    const Buffer<std::array<FT, 3>> rounded = rounded_positions<FT>(positions, m_box, report.neighbor_radius, separate);
+    report.number_of_output_points = m;
+    for (std::size_t i = 0; i < m; ++i)
+      *out++ = std::make_pair(Point(rounded[i][0], rounded[i][1], rounded[i][2]),
+                              Normal(FT(normals[3 * i]), FT(normals[3 * i + 1]), FT(normals[3 * i + 2])));
+    return out;
+  }
+
+  /// \cond SKIP_IN_MANUAL
+  template <typename PointRange, typename PointMap, typename NormalMap, typename NamedParameters>
+  void upload(const PointRange& points, PointMap point_map, NormalMap normal_map, const NamedParameters& np)
+  {
+    using namespace internal;
+    m_size = 0;
+    Report report;
+    bool drop_non_finite = false;
+    read_parameter(np, internal_np::drop_non_finite, drop_non_finite);
+    // checked before any point is looked at
+    const std::size_t maximum_memory = checked_parameters(np, std::size_t(std::distance(points.begin(), points.end()))).maximum_memory;
+    Input input{Buffer<Vector>(), Buffer<Local_vector>(), Buffer<unsigned char>()};
+    read_points(points, point_map, drop_non_finite, report, input);
+    if constexpr (!std::is_same<NormalMap, bool>::value)
+      read_normals(points, normal_map, input);
+    m_number_of_dropped_points = report.number_of_dropped_points;
+    m_box.low = input.low;
+    m_box.high = input.high;
+    if (input.points.empty())
+      return;
+    throw_if_failed(cuda::upload(*m_session, coordinates(input.points), input.points.size(),
+                                 input.normals.empty() ? nullptr : input.normals.front().data(), maximum_memory));
+    m_size = input.points.size();
+  }
+  /// \endcond
+};
+
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_CUDA_RESAMPLER_H

@@ -1,0 +1,46 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_ORIENTATION_AGREEMENT_H
+#define CGAL_L0_RESAMPLING_INTERNAL_ORIENTATION_AGREEMENT_H
+
+#include <CGAL/L0_resampling/internal/weights.h>
+
+#include <cmath>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/*!
+How far two samples agree about the side their normals point to: positive if the signs fit, negative if one has to turn; the
+absolute value, in [0, 1], is how sure that is.
+
+Where each lies near the tangent plane of the other they are of one sheet, whose normals are parallel: \f$ n_i^T n_k \f$ decides (Hoppe et al. 1992).
+Where each lies well above or below, at the heights \f$ h_i = n_i^T(p_k - p_i) \f$ and \f$ h_k = n_k^T(p_i - p_k) \f$, they are on two sides of a fold
+or on the two sheets of a plate or a gap. Seen from the outside of a solid, both heights are negative across a convex edge or a plate, and both positive
+across a concave edge or a gap. So there \f$ 2 h_i h_k / (h_i^2 + h_k^2) \f$ decides, at any angle of the fold. In between, the two rules are mixed,
+and heights are damped, since on a rough surface they mean less.
+
+\param cosine \f$ n_i^T n_k \f$
+\param height, other_height \f$ h_i, h_k \f$, lengths
+\param squared_spacing of the samples: heights of a fraction of the spacing are noise
+*/
+template <typename T>
+CGAL_L0_HOST_DEVICE inline T orientation_agreement(T cosine, T height, T other_height, T squared_spacing)
+{
+  using std::isfinite;
+  const T squared_heights = height * height + other_height * other_height, squared_noise = squared_spacing / 2;
+  if (!(squared_noise > 0 && isfinite(squared_heights / squared_noise)))
+    return cosine;
+  const T one_sheet = decay(squared_heights / squared_noise);
+  return one_sheet * cosine + (1 - one_sheet) * 2 * height * other_height / (squared_heights + squared_noise);
+}
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_ORIENTATION_AGREEMENT_H

@@ -1,0 +1,131 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_POINTS_OF_RANGE_H
+#define CGAL_L0_RESAMPLING_INTERNAL_POINTS_OF_RANGE_H
+
+#include <CGAL/L0_resampling/internal/resample.h>
+#include <CGAL/L0_resampling/internal/separate_coincident_points.h>
+
+#include <CGAL/property_map.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/// The caller's points in double precision, and their bounding box.
+struct Input
+{
+  Buffer<Vector> points;
+  Buffer<Local_vector> normals;        // empty, or unit vectors, zero where the caller's is of no use
+  Buffer<unsigned char> is_kept;       // one for each point of the range
+  Vector low = Vector::Zero(), high = Vector::Zero();
+};
+
+/// Reads the points of the range, without the non-finite ones if they are to be dropped.
+/// \throws std::invalid_argument for the first non-finite point if they are not
+template <typename PointRange, typename PointMap>
+void read_points(const PointRange& range, PointMap point_map, bool drop_non_finite, Report& report, Input& input)
+{
+  std::size_t index = 0;
+  for (auto it = range.begin(); it != range.end(); ++it, ++index)
+  {
+    const auto& p = get(point_map, *it);
+    const Vector point(double(p.x()), double(p.y()), double(p.z()));
+    const bool is_finite = point.allFinite();
+    if (!is_finite && !drop_non_finite)
+      throw std::invalid_argument("l0_resample_point_set: point " + std::to_string(index) + " has a coordinate that is not finite ("
+                                  + std::to_string(point[0]) + ", " + std::to_string(point[1]) + ", " + std::to_string(point[2])
+                                  + "); drop_non_finite(true) leaves such points out");
+    input.is_kept.push_back(is_finite);
+    if (!is_finite)
+    {
+      ++report.number_of_dropped_points;
+      continue;
+    }
+    input.low = input.points.empty() ? point : Vector(input.low.cwiseMin(point));
+    input.high = input.points.empty() ? point : Vector(input.high.cwiseMax(point));
+    input.points.push_back(point);
+  }
+  report.number_of_input_points = input.points.size();
+}
+
+template <typename PointRange, typename NormalMap>
+void read_normals(const PointRange& range, NormalMap normal_map, Input& input)
+{
+  const Local_vector zero = Local_vector::Zero();
+  std::size_t index = 0;
+  for (auto it = range.begin(); it != range.end(); ++it)
+  {
+    if (!input.is_kept[index++])
+      continue;
+    const auto& v = get(normal_map, *it);
+    const Vector n(double(v.x()), double(v.y()), double(v.z()));
+    const double largest = n.cwiseAbs().maxCoeff();
+    Local_vector normal = Local_vector::Zero();
+    if (n.allFinite() && largest > 0)
+      normal = (n / largest).normalized().template cast<Local>();
+    // one of the two signs, so that neither the sign nor, among coincident points, the order of the input matters
+    if (std::lexicographical_compare(normal.data(), normal.data() + 3, zero.data(), zero.data() + 3))
+      normal = -normal;
+    input.normals.push_back(normal);
+  }
+}
+
+/// The number of distinct finite points of the range, counted before any scaling can make two of them one.
+template <typename PointRange, typename PointMap>
+std::size_t number_of_distinct_points(const PointRange& range, PointMap point_map, Memory_counter& memory)
+{
+  Buffer<Vector> points(&memory);
+  for (auto it = range.begin(); it != range.end(); ++it)
+  {
+    const auto& p = get(point_map, *it);
+    const Vector point(double(p.x()), double(p.y()), double(p.z()));
+    if (point.allFinite())
+      points.push_back(point);
+  }
+  std::sort(points.begin(), points.end(), [](const Vector& a, const Vector& b) {
+    return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+  });
+  return std::size_t(std::unique(points.begin(), points.end()) - points.begin());
+}
+
+/// The result's positions in the number type of the caller: inside the bounding box grown by `margin`, and no two equal if `separate`.
+template <typename FT>
+Buffer<std::array<FT, 3>> rounded_positions(const Buffer<Vector>& positions, const Input& input, double margin, bool separate)
+{
+  const double largest = double((std::numeric_limits<FT>::max)());
+  std::array<FT, 3> low, high;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    low[std::size_t(axis)] = FT((std::max)(input.low[axis] - margin, -largest));
+    high[std::size_t(axis)] = FT((std::min)(input.high[axis] + margin, largest));
+  }
+  Buffer<std::array<FT, 3>> rounded(positions.get_allocator());
+  rounded.reserve(positions.size());
+  for (const Vector& p : positions)
+  {
+    std::array<FT, 3> r;
+    for (std::size_t a = 0; a < 3; ++a)
+      r[a] = FT((std::min)((std::max)(p[Eigen::Index(a)], double(low[a])), double(high[a])));
+    rounded.push_back(r);
+  }
+  if (separate)
+    separate_coincident_points(low, high, FT(margin), rounded);
+  return rounded;
+}
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_POINTS_OF_RANGE_H

@@ -1,0 +1,92 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_REFIT_NORMALS_H
+#define CGAL_L0_RESAMPLING_INTERNAL_REFIT_NORMALS_H
+
+#include <CGAL/L0_resampling/internal/update_normals.h>
+#include <CGAL/L0_resampling/internal/weights.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <cmath>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/*!
+The unit normal halfway between that of a point and that of the plane through the points of its ball which agree with it: the smallest
+eigenvector of
+
+\f[ \sum_j w_j (q_j - \bar q)(q_j - \bar q)^T, \qquad w_j = \theta(\|q_j - q_i\|) \, \psi(n_i, n_j), \f]
+
+with the weights of Eq. (1) and (2). Returns the point's own where no plane is near it.
+*/
+template <typename T>
+Eigen::Matrix<T, 3, 1> refitted_normal(const Eigen::Matrix<T, 3, 1>& center, const Eigen::Matrix<T, 3, 1>& normal,
+                                       const Local_points<T>& candidates, const Local_normals<T>& normals,
+                                       const Normal_filter<T>& filter)
+{
+  using L = Lanes<T>;
+  const T squared_radius = T(filter.radius * filter.radius);
+  const T squared_bandwidth = filter.squared_bandwidth, normal_bandwidth = filter.normal_bandwidth;
+  const T own_x = normal[0], own_y = normal[1], own_z = normal[2];
+  L sum, x, y, z, xx, xy, xz, yy, yz, zz;
+  candidates.for_each_run_in_ball(center, squared_radius, [&](std::size_t k) {
+    const L dx = L::load(&candidates.x[k]) - center[0];
+    const L dy = L::load(&candidates.y[k]) - center[1];
+    const L dz = L::load(&candidates.z[k]) - center[2];
+    const L squared_distance = dx * dx + dy * dy + dz * dz;
+    const L cosine = L::load(&normals.x[k]) * own_x + L::load(&normals.y[k]) * own_y + L::load(&normals.z[k]) * own_z;
+    const L weight = where_less(squared_distance, squared_radius,
+                                bilateral_weight(squared_distance, squared_bandwidth, cosine, normal_bandwidth));
+    const L wx = weight * dx, wy = weight * dy, wz = weight * dz;
+    sum += weight;
+    x += wx;  y += wy;  z += wz;
+    xx += wx * dx;  xy += wx * dy;  xz += wx * dz;
+    yy += wy * dy;  yz += wy * dz;  zz += wz * dz;
+  });
+
+  const double total = sum.sum();
+  if (!(total > 2))   // hardly anybody but the point itself
+    return normal;
+  const Eigen::Vector3d mean = Eigen::Vector3d(x.sum(), y.sum(), z.sum()) / total;
+  Eigen::Matrix3d covariance;
+  covariance << xx.sum(), xy.sum(), xz.sum(),
+                xy.sum(), yy.sum(), yz.sum(),
+                xz.sum(), yz.sum(), zz.sum();
+  covariance = covariance / total - mean * mean.transpose();
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect(covariance);
+  const Eigen::Vector3d plane_normal = solver.eigenvectors().col(0), own = normal.template cast<double>();
+  const double cosine = plane_normal.dot(own), least_cosine = 0.5;
+  if (!(std::abs(cosine) > least_cosine))   // the points that agree lie in a strip or a clump
+    return normal;
+  return (own.normalized() + (cosine < 0 ? -1 : 1) * plane_normal.normalized()).normalized().template cast<T>();
+}
+
+/*!
+Corrects filtered normals by the positions. Filtering is a mean: near a sharp edge it leaves normals that lean to the other side. A plane through the
+points that agree with such a normal, which are those of its own side, leans the other way, since it lacks their noisiest part. The mean of the two is
+nearer to the truth than either; filtering once more then spreads it.
+
+\param points sorted for `grid`
+\param normals in and out, one unit vector a point
+*/
+template <typename ConcurrencyTag, typename T>
+void refit_normals(const Search_grid_3& grid, const Buffer<Vector>& points, const Normal_filter<T>& filter, Progress& progress,
+                   Buffer<Eigen::Matrix<T, 3, 1>>& normals)
+{
+  update_normals<ConcurrencyTag>(grid, points, filter.radius, progress, normals,
+    [&](const Eigen::Matrix<T, 3, 1>& center, const Eigen::Matrix<T, 3, 1>& normal, const Local_points<T>& candidates,
+        const Local_normals<T>& candidate_normals) { return refitted_normal(center, normal, candidates, candidate_normals, filter); });
+}
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_REFIT_NORMALS_H

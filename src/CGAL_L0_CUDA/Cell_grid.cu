@@ -1,0 +1,396 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Cell_grid.cuh"
+
+#include <cub/device/device_radix_sort.cuh>
+#include <cub/device/device_scan.cuh>
+#include <cub/device/device_select.cuh>
+#include <cuda/std/functional>
+#include <thrust/iterator/counting_iterator.h>
+
+#include <cmath>
+#include <utility>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+namespace cuda {
+
+namespace {
+
+// Ranking the points of a cell takes the square of their number: more than this are sorted axis by axis instead.
+constexpr unsigned maximum_size_of_ranked_cell = 2048;
+
+/// What the host has to know of a grid.
+struct Grid_counts
+{
+  unsigned number_of_cells;
+  unsigned has_large_cell;
+  unsigned number_of_distinct;
+};
+
+/// Calls a function of CUB: once for the size of its scratch memory, once for the work.
+template <typename F>
+void with_scratch(Device_arena& scratch, const char* name, const F& f)
+{
+  const Arena_scope scope(scratch);
+  std::size_t bytes = 0;
+  check(f(nullptr, bytes), name);
+  void* const memory = scratch.take<char>(bytes);
+  check(f(memory, bytes), name);
+}
+
+void sort_pairs(Key*& keys, Key*& other_keys, unsigned*& values, unsigned*& other_values, unsigned size, int bits, Device_arena& scratch,
+                cudaStream_t stream)
+{
+  cub::DoubleBuffer<Key> key_buffer(keys, other_keys);
+  cub::DoubleBuffer<unsigned> value_buffer(values, other_values);
+  with_scratch(scratch, "DeviceRadixSort::SortPairs", [&](void* memory, std::size_t& bytes) {
+    return cub::DeviceRadixSort::SortPairs(memory, bytes, key_buffer, value_buffer, size, 0, bits, stream);
+  });
+  keys = key_buffer.Current();
+  other_keys = key_buffer.Alternate();
+  values = value_buffer.Current();
+  other_values = value_buffer.Alternate();
+}
+
+__global__ void compute_keys(Positions positions, Cell_frame frame, Key* keys, unsigned* indices)
+{
+  const unsigned long long i = thread_index();
+  if (i >= positions.size)
+    return;
+  keys[i] = frame.key(positions(unsigned(i)));
+  indices[i] = unsigned(i);
+}
+
+__global__ void mark_first_of_cells(const Key* keys, unsigned size, unsigned* flags)
+{
+  const unsigned long long i = thread_index();
+  if (i < size)
+    flags[i] = i == 0 || keys[i] != keys[i - 1];
+}
+
+/// \param numbers for each point that of its cell, from 1
+__global__ void find_begins(const unsigned* numbers, unsigned size, unsigned* begins)
+{
+  const unsigned long long i = thread_index();
+  if (i >= size)
+    return;
+  if (i == 0 || numbers[i] != numbers[i - 1])
+    begins[numbers[i] - 1] = unsigned(i);
+  if (i == size - 1)
+    begins[numbers[i]] = size;
+}
+
+__global__ void gather_positions(Positions positions, const unsigned* order, double3* gathered)
+{
+  const unsigned long long i = thread_index();
+  if (i < positions.size)
+    gathered[i] = positions(order[i]);
+}
+
+__device__ int compare(double a, double b) { return a < b ? -1 : a > b; }
+
+__device__ int compare(double3 a, double3 b)
+{
+  const int x = compare(a.x, b.x), y = compare(a.y, b.y), z = compare(a.z, b.z);
+  return x ? x : y ? y : z;
+}
+
+__device__ int compare(const float* normals, unsigned i, unsigned k)
+{
+  const float* const a = normals + 3 * (unsigned long long)(i);
+  const float* const b = normals + 3 * (unsigned long long)(k);
+  for (int axis = 0; axis < 3; ++axis)
+    if (a[axis] != b[axis])
+      return a[axis] < b[axis] ? -1 : 1;
+  return 0;
+}
+
+/// Puts each point of a cell behind those that come before it by coordinates, normals and index.
+__global__ void rank_points(Cell_frame frame, const double3* positions, const unsigned* indices, const unsigned* numbers,
+                            const unsigned* begins, const float* normals, unsigned size, Cell_grid grid, Grid_counts* counts)
+{
+  const unsigned long long i = thread_index();
+  if (i >= size)
+    return;
+  const unsigned cell = numbers[i] - 1, begin = begins[cell], end = begins[cell + 1];
+  if (i == 0)
+    counts->number_of_cells = numbers[size - 1];
+  if (end - begin > maximum_size_of_ranked_cell)
+  {
+    counts->has_large_cell = 1;
+    return;
+  }
+  const double3 p = positions[i];
+  const unsigned index = indices[i];
+  unsigned rank = 0;
+  bool is_first = true;
+  for (unsigned k = begin; k < end; ++k)
+  {
+    const double x = positions[k].x;
+    if (x > p.x || k == i)
+      continue;
+    int comparison = -1;
+    if (x == p.x)
+    {
+      comparison = compare(positions[k], p);
+      if (comparison == 0)
+      {
+        comparison = normals ? compare(normals, indices[k], index) : 0;
+        if (comparison == 0)
+          comparison = indices[k] < index ? -1 : 1;
+        is_first = is_first && comparison > 0;
+      }
+    }
+    rank += comparison < 0;
+  }
+  const int3 fixed = frame.fixed_point(p);
+  grid.points[begin + rank] = make_int4(fixed.x, fixed.y, fixed.z, int(cell));
+  grid.order[begin + rank] = index;
+  grid.is_first[begin + rank] = is_first;
+  if (is_first)
+    atomicAdd(&counts->number_of_distinct, 1u);
+}
+
+/// Bits that ascend with the number.
+__device__ Key ascending_bits(double value)
+{
+  const long long bits = __double_as_longlong(value + 0.);   // -0 becomes 0
+  return Key(bits) ^ (bits < 0 ? ~Key(0) : Key(1) << 63);
+}
+
+/// Keys of one pass of the sort axis by axis: coordinates for `axis` 0 to 2, normals for 3 to 5, cells for 6.
+__global__ void compute_axis_keys(Positions positions, Cell_frame frame, const float* normals, int axis, const unsigned* order, Key* keys)
+{
+  const unsigned long long i = thread_index();
+  if (i >= positions.size)
+    return;
+  if (axis >= 3 && axis < 6)
+  {
+    keys[i] = ascending_bits(normals[3 * (unsigned long long)(order[i]) + (axis - 3)]);
+    return;
+  }
+  const double3 p = positions(order[i]);
+  keys[i] = axis == 6 ? frame.key(p) : ascending_bits(axis == 0 ? p.x : axis == 1 ? p.y : p.z);
+}
+
+__global__ void take_sorted_points(Cell_frame frame, const double3* positions, const unsigned* indices, const unsigned* numbers, unsigned size,
+                                   Cell_grid grid, Grid_counts* counts)
+{
+  const unsigned long long i = thread_index();
+  if (i >= size)
+    return;
+  const int3 fixed = frame.fixed_point(positions[i]);
+  const bool is_first = i == 0 || compare(positions[i - 1], positions[i]) != 0;
+  grid.points[i] = make_int4(fixed.x, fixed.y, fixed.z, int(numbers[i] - 1));
+  grid.order[i] = indices[i];
+  grid.is_first[i] = is_first;
+  if (is_first)
+    atomicAdd(&counts->number_of_distinct, 1u);
+}
+
+__global__ void copy_cells(const Key* point_keys, const unsigned* begins, Cell_grid grid)
+{
+  const unsigned long long c = thread_index();
+  if (c > grid.number_of_cells)
+    return;
+  grid.begins[c] = begins[c];
+  if (c < grid.number_of_cells)
+    grid.keys[c] = point_keys[begins[c]];
+}
+
+/// One thread for each row of cells of each block.
+__global__ void find_ranges(Cell_grid queries, Cell_grid grid, int reach, Cell_blocks blocks)
+{
+  const unsigned long long t = thread_index();
+  const unsigned long long cell = t / unsigned(blocks.number_of_rows);
+  if (cell >= queries.number_of_cells)
+    return;
+  blocks.ranges[t] = range_of_row(grid, queries.frame.cell_of_key(queries.keys[cell]), reach, int(t % unsigned(blocks.number_of_rows)));
+}
+
+__global__ void find_centers(Cell_grid queries, unsigned limit, Cell_blocks blocks)
+{
+  const unsigned long long c = thread_index();
+  if (c >= queries.number_of_cells)
+    return;
+  unsigned long long count = 0;
+  for (int row = 0; row < blocks.number_of_rows; ++row)
+  {
+    const uint2 range = blocks.ranges[c * unsigned(blocks.number_of_rows) + unsigned(row)];
+    count += range.y - range.x;
+  }
+  Block_center center;
+  center.stride = 1;
+  while (count / center.stride > limit)
+    center.stride *= 2;
+
+  const Cell_frame& frame = queries.frame;
+  const uint3 cell = frame.cell_of_key(queries.keys[c]);
+  const double3 begin = {0, (frame.first[1] + cell.y) * frame.cell_size, (frame.first[2] + cell.z) * frame.cell_size};
+  const int3 fixed = frame.fixed_point(begin);
+  center.begin_y = fixed.y;
+  center.begin_z = fixed.z;
+  const unsigned reach = unsigned(blocks.reach);
+  const auto is_inside = [reach](unsigned place, unsigned size) { return place > reach && place + reach + 1 < size; };
+  center.is_inside = is_inside(cell.x, frame.count[0]) && is_inside(cell.y, frame.count[1]) && is_inside(cell.z, frame.count[2]);
+  blocks.centers[c] = center;
+}
+
+int bits_for(unsigned count)
+{
+  int bits = 0;
+  while ((1ull << bits) < count)
+    ++bits;
+  return bits;
+}
+
+} // namespace
+
+Cell_frame Cell_frame::around(const double (&low)[3], const double (&high)[3], double cell_size, double longest_query)
+{
+  const double margin = 8, half_range = std::ldexp(1., 20);   // cells; the latter as in Search_grid_3
+  Cell_frame frame;
+  frame.cell_size = cell_size;
+  // Points that a query sees are at most four cells and a ball apart, on an axis.
+  frame.units_per_length = std::ldexp(1., 29 - std::ilogb(4 * cell_size + longest_query));
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    frame.first[axis] = (std::max)(std::floor(low[axis] / cell_size) - margin, -half_range);
+    const double last = (std::min)(std::floor(high[axis] / cell_size) + margin, half_range - 1);
+    frame.count[axis] = unsigned(last - frame.first[axis]) + 1;
+    frame.bits[axis] = bits_for(frame.count[axis]);
+  }
+  return frame;
+}
+
+int cells_in_reach(double radius, double cell_size) { return int(std::ceil(radius / cell_size)); }
+
+Cell_grid build_grid(const Positions& positions, const float* normals, const Cell_frame& frame, Device_arena& arena, Device_arena& scratch,
+                     cudaStream_t stream)
+{
+  const unsigned n = positions.size, blocks = blocks_for(n);
+  Cell_grid grid;
+  grid.frame = frame;
+  grid.size = n;
+  grid.points = arena.take<int4>(n);
+  grid.order = arena.take<unsigned>(n);
+  grid.is_first = arena.take<unsigned char>(n);
+
+  const Arena_scope scope(scratch);
+  Grid_counts* const device_counts = scratch.take<Grid_counts>(1);
+  Key *keys = scratch.take<Key>(n), *other_keys = scratch.take<Key>(n);
+  unsigned *indices = scratch.take<unsigned>(n), *other_indices = scratch.take<unsigned>(n);
+  unsigned *begins = scratch.take<unsigned>(std::size_t(n) + 1), *flags = scratch.take<unsigned>(n);
+  double3* const gathered = scratch.take<double3>(n);
+
+  const auto number_cells = [&]() {
+    mark_first_of_cells<<<blocks, threads_per_block, 0, stream>>>(keys, n, flags);
+    check_launch("mark_first_of_cells");
+    with_scratch(scratch, "DeviceScan::InclusiveSum", [&](void* memory, std::size_t& bytes) {
+      return cub::DeviceScan::InclusiveSum(memory, bytes, flags, other_indices, n, stream);
+    });
+    find_begins<<<blocks, threads_per_block, 0, stream>>>(other_indices, n, begins);
+    check_launch("find_begins");
+    gather_positions<<<blocks, threads_per_block, 0, stream>>>(positions, indices, gathered);
+    check_launch("gather_positions");
+  };
+  Grid_counts counts;
+  const auto read_counts = [&]() {
+    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(&counts, device_counts, sizeof(counts), cudaMemcpyDeviceToHost, stream));
+    CGAL_L0_CUDA_CHECK(cudaStreamSynchronize(stream));
+  };
+
+  CGAL_L0_CUDA_CHECK(cudaMemsetAsync(device_counts, 0, sizeof(Grid_counts), stream));
+  compute_keys<<<blocks, threads_per_block, 0, stream>>>(positions, frame, keys, indices);
+  check_launch("compute_keys");
+  sort_pairs(keys, other_keys, indices, other_indices, n, frame.total_bits(), scratch, stream);
+  number_cells();
+  rank_points<<<blocks, threads_per_block, 0, stream>>>(frame, gathered, indices, other_indices, begins, normals, n, grid, device_counts);
+  check_launch("rank_points");
+  read_counts();
+
+  if (counts.has_large_cell)
+  {
+    // A radix sort keeps the order of equal keys: the last pass decides first.
+    CGAL_L0_CUDA_CHECK(cudaMemsetAsync(device_counts, 0, sizeof(Grid_counts), stream));
+    compute_keys<<<blocks, threads_per_block, 0, stream>>>(positions, frame, keys, indices);
+    check_launch("compute_keys");
+    for (const int axis : {5, 4, 3, 2, 1, 0, 6})
+    {
+      if (axis >= 3 && axis < 6 && !normals)
+        continue;
+      compute_axis_keys<<<blocks, threads_per_block, 0, stream>>>(positions, frame, normals, axis, indices, keys);
+      check_launch("compute_axis_keys");
+      sort_pairs(keys, other_keys, indices, other_indices, n, axis == 6 ? frame.total_bits() : 64, scratch, stream);
+    }
+    number_cells();
+    take_sorted_points<<<blocks, threads_per_block, 0, stream>>>(frame, gathered, indices, other_indices, n, grid, device_counts);
+    check_launch("take_sorted_points");
+    const unsigned number_of_cells = counts.number_of_cells;
+    read_counts();
+    counts.number_of_cells = number_of_cells;
+  }
+  grid.number_of_cells = counts.number_of_cells;
+  grid.number_of_distinct = counts.number_of_distinct;
+
+  grid.keys = arena.take<Key>(grid.number_of_cells);
+  grid.begins = arena.take<unsigned>(std::size_t(grid.number_of_cells) + 1);
+  copy_cells<<<blocks_for(grid.number_of_cells + 1ull), threads_per_block, 0, stream>>>(keys, begins, grid);
+  check_launch("copy_cells");
+  return grid;
+}
+
+Cell_blocks find_blocks(const Cell_grid& query_grid, const Cell_grid& grid, int reach, unsigned maximum_number_of_candidates, Device_arena& arena,
+                        cudaStream_t stream)
+{
+  Cell_blocks blocks;
+  blocks.reach = reach;
+  blocks.number_of_rows = (2 * reach + 1) * (2 * reach + 1);
+  const std::size_t count = std::size_t(query_grid.number_of_cells) * std::size_t(blocks.number_of_rows);
+  blocks.ranges = arena.take<uint2>(count);
+  blocks.centers = arena.take<Block_center>(query_grid.number_of_cells);
+  find_ranges<<<blocks_for(count), threads_per_block, 0, stream>>>(query_grid, grid, reach, blocks);
+  check_launch("find_ranges");
+  find_centers<<<blocks_for(query_grid.number_of_cells), threads_per_block, 0, stream>>>(query_grid, maximum_number_of_candidates, blocks);
+  check_launch("find_centers");
+  return blocks;
+}
+
+unsigned list_flagged(const unsigned char* flags, unsigned size, unsigned* indices, Device_arena& scratch, cudaStream_t stream)
+{
+  const Arena_scope scope(scratch);
+  unsigned* const count = scratch.take<unsigned>(1);
+  with_scratch(scratch, "DeviceSelect::Flagged", [&](void* memory, std::size_t& bytes) {
+    return cub::DeviceSelect::Flagged(memory, bytes, thrust::counting_iterator<unsigned>(0), flags, indices, count, size, stream);
+  });
+  unsigned result = 0;
+  CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(&result, count, sizeof(result), cudaMemcpyDeviceToHost, stream));
+  CGAL_L0_CUDA_CHECK(cudaStreamSynchronize(stream));
+  return result;
+}
+
+void sum_up(const unsigned* counts, unsigned size, unsigned* offsets, Device_arena& scratch, cudaStream_t stream)
+{
+  with_scratch(scratch, "DeviceScan::ExclusiveSum", [&](void* memory, std::size_t& bytes) {
+    return cub::DeviceScan::ExclusiveSum(memory, bytes, counts, offsets, std::size_t(size) + 1, stream);
+  });
+}
+
+double* sort_values(double* values, double* other, unsigned size, Device_arena& scratch, cudaStream_t stream)
+{
+  cub::DoubleBuffer<double> buffer(values, other);
+  with_scratch(scratch, "DeviceRadixSort::SortKeys", [&](void* memory, std::size_t& bytes) {
+    return cub::DeviceRadixSort::SortKeys(memory, bytes, buffer, size, 0, 64, stream);
+  });
+  return buffer.Current();
+}
+
+} // namespace cuda
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL

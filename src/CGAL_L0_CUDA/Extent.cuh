@@ -1,0 +1,32 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_CUDA_EXTENT_CUH
+#define CGAL_L0_CUDA_EXTENT_CUH
+
+#include "stages.cuh"
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+namespace cuda {
+
+/// The frame that a cloud enters, not scaled to any radius yet, and its extent there. On the host.
+struct Extent
+{
+  Frame frame;
+  double low[3], high[3];    // corners of the bounding box
+  double robust_diagonal;    // as `robust_diagonal()` on the CPU
+};
+
+/// What `Working_frame::enter()` and `robust_diagonal()` find on the CPU, to the bit. Waits for the device.
+Extent find_extent(const Workplace& workplace, const double* points, unsigned size);
+
+} // namespace cuda
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_CUDA_EXTENT_CUH

@@ -1,0 +1,70 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_CUDA_FRAME_CUH
+#define CGAL_L0_CUDA_FRAME_CUH
+
+#include "vectors.cuh"
+
+#include <cmath>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+namespace cuda {
+
+/// The working frame of the CPU, `Working_frame`, to the bit: what of it the device needs.
+struct Frame
+{
+  int first_exponent = 0;
+  double origin[3] = {0, 0, 0};   // after the first scaling
+  int second_exponent = 0;
+
+  __host__ __device__ double enter(double coordinate, int axis) const
+  {
+    return scalbn(scalbn(coordinate, first_exponent) - origin[axis], second_exponent);
+  }
+
+  __host__ __device__ double3 enter(const double* xyz) const { return {enter(xyz[0], 0), enter(xyz[1], 1), enter(xyz[2], 2)}; }
+
+  __host__ __device__ double leave(double coordinate, int axis) const
+  {
+    return scalbn(scalbn(coordinate, -second_exponent) + origin[axis], -first_exponent);
+  }
+
+  /// Scales so that `radius`, a length in the frame, comes to lie in [1, 2).
+  /// \returns the factor
+  double scale_to(double radius)
+  {
+    const int exponent = -std::ilogb(radius);
+    second_exponent += exponent;
+    return std::ldexp(1., exponent);
+  }
+
+  double length_in_frame(double length) const { return std::ldexp(std::ldexp(length, first_exponent), second_exponent); }
+  double length_of_input(double length) const { return std::ldexp(std::ldexp(length, -second_exponent), -first_exponent); }
+};
+
+/// Points of the input, in a frame, or of that frame itself.
+struct Positions
+{
+  const double* xyz;
+  unsigned size;
+  Frame frame;
+  bool in_frame;     // whether they are there already
+
+  __device__ double3 operator()(unsigned i) const
+  {
+    const double* const p = xyz + 3 * (unsigned long long)(i);
+    return in_frame ? double3{p[0], p[1], p[2]} : frame.enter(p);
+  }
+};
+
+} // namespace cuda
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_CUDA_FRAME_CUH

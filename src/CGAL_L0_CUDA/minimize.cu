@@ -1,0 +1,367 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Grid_sum.cuh"
+#include "stages.cuh"
+
+#include <CGAL/L0_resampling/internal/block_factorization.h>
+#include <CGAL/L0_resampling/internal/shrinkage.h>
+#include <CGAL/L0_resampling/internal/weights.h>
+
+#include <cfloat>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+namespace cuda {
+
+namespace {
+
+using Wide = unsigned long long;
+
+// Threads that share a sample: it has some 10 to 50 self neighbors.
+constexpr int lanes_per_sample = 2;
+
+// Large blocks: few to wait for, and few partial sums.
+constexpr unsigned threads_per_large_block = 512;
+
+// The defaults of Block_conjugate_gradient_solver_traits
+constexpr double tolerance = 1e-5;
+constexpr unsigned maximum_number_of_iterations = 100;
+
+struct Turn
+{
+  Minimization parameters;
+  float penalty, threshold;
+  bool regularize;
+  float unit;
+  double units_per_length;
+  Neighbor_lists neighbors;
+  Samples samples;
+  int4* points;
+  Turn_arrays arrays;
+  Turn_result* result;
+};
+
+/// Walks over the samples of a group of lanes, all groups in step.
+template <typename F>
+__device__ void for_each_sample_of_group(unsigned size, const F& f)
+{
+  const Wide number_of_groups = Wide(gridDim.x) * blockDim.x / lanes_per_sample;
+  const Wide group = thread_index() / lanes_per_sample;
+  const unsigned lane = threadIdx.x % lanes_per_sample;
+  for (Wide begin = 0; begin < size; begin += number_of_groups)
+  {
+    const Wide i = begin + group;
+    // groups without a sample repeat the last one: whole warps have to take part in sums
+    f(unsigned(i < size ? i : size - 1), lane, i < size);
+  }
+}
+
+template <typename F>
+__device__ void for_each_sample(unsigned size, const F& f)
+{
+  const Wide number_of_threads = Wide(gridDim.x) * blockDim.x;
+  for (Wide i = thread_index(); i < size; i += number_of_threads)
+    f(unsigned(i));
+}
+
+/// w_i of Eq. (5): its inverse becomes the fourth number of the normal.
+__device__ void update_density_weights(const Turn& turn)
+{
+  const float squared_bandwidth = float(turn.parameters.squared_bandwidth);
+  const float mean_number_of_neighbors = float(double(turn.neighbors.number_of_pairs) / turn.samples.size);
+  for_each_sample_of_group(turn.samples.size, [&](unsigned i, unsigned lane, bool is_sample) {
+    const unsigned first = turn.neighbors.offsets[i], last = turn.neighbors.offsets[i + 1];
+    const int4 center = turn.points[i];
+    float sum = 0;
+    for (unsigned e = first + lane; e < last; e += lanes_per_sample)
+    {
+      const float3 d = difference(center, turn.points[turn.neighbors.indices[e]], turn.unit);
+      sum += gaussian_weight(dot(d, d), squared_bandwidth);
+    }
+    sum = group_sum<lanes_per_sample>(sum);
+    if (lane == 0 && is_sample)
+      turn.samples.normals[i].w = last > first ? 1 / (1 + sum / mean_number_of_neighbors) : 1;
+  });
+}
+
+__device__ Block_factorization<float> load_block(const float* blocks, Wide size, Wide i)
+{
+  Block_factorization<float> block;
+  block.pivots[0] = blocks[i];
+  block.pivots[1] = blocks[size + i];
+  block.pivots[2] = blocks[2 * size + i];
+  block.l10 = blocks[3 * size + i];
+  block.l20 = blocks[4 * size + i];
+  block.l21 = blocks[5 * size + i];
+  return block;
+}
+
+__device__ void store_block(const Block_factorization<float>& block, Wide size, Wide i, float* blocks)
+{
+  blocks[i] = block.pivots[0];
+  blocks[size + i] = block.pivots[1];
+  blocks[2 * size + i] = block.pivots[2];
+  blocks[3 * size + i] = block.l10;
+  blocks[4 * size + i] = block.l20;
+  blocks[5 * size + i] = block.l21;
+}
+
+__device__ float3 solve(const Block_factorization<float>& block, float3 r)
+{
+  const float x[3] = {r.x, r.y, r.z};
+  float y[3];
+  solve_block(block, x, y);
+  return {y[0], y[1], y[2]};
+}
+
+__device__ float3 multiply(const Block_factorization<float>& block, float3 v)
+{
+  const float x[3] = {v.x, v.y, v.z};
+  float y[3];
+  multiply_block(block, x, y);
+  return {y[0], y[1], y[2]};
+}
+
+__device__ double wide_dot(float3 a, float3 b) { return double(a.x) * b.x + double(a.y) * b.y + double(a.z) * b.z; }
+
+struct Energy_sums
+{
+  double fit = 0, regularization = 0, squared_normal_misfit = 0;
+  Wide number_of_active_pairs = 0;
+};
+
+/// Lines 4 and 2 of Algorithm 1 and the start of line 3: weights of the pairs, offsets by Eq. (9), g of Eq. (10), diagonal blocks D, and
+/// r = g, z = D^-1 r. The fourth number of z is beta n^T z, all that neighbors need of z beside itself.
+/// \param sums out, of the thread: g^T g and r^T z
+__device__ void linearize(const Turn& turn, Energy_sums& energy, double (&sums)[2])
+{
+  const float penalty = turn.penalty, alpha = float(turn.parameters.regularization_weight);
+  const float squared_radius = float(turn.parameters.squared_radius);
+  const Wide size = turn.samples.size;
+  for_each_sample_of_group(turn.samples.size, [&](unsigned i, unsigned lane, bool is_sample) {
+    const unsigned first = turn.neighbors.offsets[i], last = turn.neighbors.offsets[i + 1];
+    const int4 center = turn.points[i];
+    const float4 own = turn.samples.normals[i], fit = turn.samples.fit[i];
+    const float3 n = xyz(own), to_centroid = xyz(fit);
+    float3 g = {0, 0, 0};
+    float weight = 0, xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
+    float regularization = 0, squared_misfit = 0;
+    unsigned number_of_active_pairs = 0;
+    for (unsigned e = first + lane; e < last; e += lanes_per_sample)
+    {
+      const unsigned k = turn.neighbors.indices[e];
+      const float3 d = difference(center, turn.points[k], turn.unit);
+      const float4 other = turn.samples.normals[k];
+      const float3 nk = xyz(other);
+      const float squared_distance = dot(d, d);
+      const float a = turn.regularize ? alpha * stretch_weight(squared_distance, squared_radius) * (own.w + other.w) : 0.f;
+      if (is_sample)
+        turn.arrays.pair_weights[e] = a;
+      const float distance_i = dot(n, d), distance_k = dot(nk, d);
+      const float offset_i = shrink(distance_i, turn.threshold);
+      const float misfit_i = distance_i - offset_i, misfit_k = distance_k - shrink(distance_k, turn.threshold);
+      g -= a * d + (penalty * misfit_i) * n + (penalty * misfit_k) * nk;
+      weight += a;
+      xx += nk.x * nk.x;  xy += nk.x * nk.y;  xz += nk.x * nk.z;
+      yy += nk.y * nk.y;  yz += nk.y * nk.z;  zz += nk.z * nk.z;
+      regularization += 0.5f * a * squared_distance;   // each unordered pair comes twice
+      squared_misfit += misfit_i * misfit_i;
+      number_of_active_pairs += offset_i != 0;
+    }
+    g = group_sum<lanes_per_sample>(g);
+    weight = group_sum<lanes_per_sample>(weight);
+    xx = group_sum<lanes_per_sample>(xx);  xy = group_sum<lanes_per_sample>(xy);  xz = group_sum<lanes_per_sample>(xz);
+    yy = group_sum<lanes_per_sample>(yy);  yz = group_sum<lanes_per_sample>(yz);  zz = group_sum<lanes_per_sample>(zz);
+    if (!is_sample)
+      return;
+    energy.regularization += regularization;
+    energy.squared_normal_misfit += squared_misfit;
+    energy.number_of_active_pairs += number_of_active_pairs;
+    if (lane != 0)
+      return;
+    energy.fit += double(fit.w) * wide_dot(to_centroid, to_centroid);
+
+    g += fit.w * to_centroid;
+    weight += fit.w;
+    const float count = float(last - first);
+    const float upper[6] = {weight + penalty * (xx + count * n.x * n.x), penalty * (xy + count * n.x * n.y), penalty * (xz + count * n.x * n.z),
+                            weight + penalty * (yy + count * n.y * n.y), penalty * (yz + count * n.y * n.z),
+                            weight + penalty * (zz + count * n.z * n.z)};
+    const Block_factorization<float> block = factorize_block(upper);
+    store_block(block, size, i, turn.arrays.blocks);
+    const float3 z = solve(block, g);
+    turn.arrays.r.set(i, g);
+    turn.arrays.z[i] = with_w(z, penalty * dot(n, z));
+    turn.arrays.x.set(i, {0, 0, 0});
+    sums[0] += wide_dot(g, g);
+    sums[1] += wide_dot(g, z);
+  });
+}
+
+/// w = H z, as (Hz)_i = D_i z_i - sum of [a_ik I + beta (n_i n_i^T + n_k n_k^T)] z_k.
+/// \param curvature out, of the thread: z^T H z
+__device__ void multiply(const Turn& turn, double& curvature)
+{
+  const Wide size = turn.samples.size;
+  for_each_sample_of_group(turn.samples.size, [&](unsigned i, unsigned lane, bool is_sample) {
+    const unsigned first = turn.neighbors.offsets[i], last = turn.neighbors.offsets[i + 1];
+    float3 sum = {0, 0, 0}, product = {0, 0, 0};
+    for (unsigned e = first + lane; e < last; e += lanes_per_sample)
+    {
+      const unsigned k = turn.neighbors.indices[e];
+      const float4 z = turn.arrays.z[k];
+      sum += xyz(z);
+      product += turn.arrays.pair_weights[e] * xyz(z) + z.w * xyz(turn.samples.normals[k]);
+    }
+    sum = group_sum<lanes_per_sample>(sum);
+    product = group_sum<lanes_per_sample>(product);
+    if (lane != 0 || !is_sample)
+      return;
+    const float3 n = xyz(turn.samples.normals[i]), z = xyz(turn.arrays.z[i]);
+    const float3 w = multiply(load_block(turn.arrays.blocks, size, i), z) - product - (turn.penalty * dot(n, sum)) * n;
+    turn.arrays.w.set(i, w);
+    curvature += wide_dot(z, w);
+  });
+}
+
+/// p = z + ratio p, s = H p by the same recurrence, x += step p, r -= step s, z = D^-1 r
+/// \param sums out, of the thread: r^T r and r^T z
+__device__ void take_step(const Turn& turn, bool is_first, float ratio, float step, double (&sums)[2])
+{
+  for_each_sample(turn.samples.size, [&](unsigned i) {
+    float3 p = xyz(turn.arrays.z[i]), s = turn.arrays.w.get(i);
+    if (!is_first)
+    {
+      p += ratio * turn.arrays.p.get(i);
+      s += ratio * turn.arrays.s.get(i);
+    }
+    turn.arrays.p.set(i, p);
+    turn.arrays.s.set(i, s);
+    turn.arrays.x.set(i, is_first ? step * p : turn.arrays.x.get(i) + step * p);
+    const float3 r = turn.arrays.r.get(i) - step * s;
+    turn.arrays.r.set(i, r);
+    const float3 z = solve(load_block(turn.arrays.blocks, turn.samples.size, i), r);
+    turn.arrays.z[i] = with_w(z, turn.penalty * dot(xyz(turn.samples.normals[i]), z));
+    sums[0] += wide_dot(r, r);
+    sums[1] += wide_dot(r, z);
+  });
+}
+
+/// Moves the samples by x.
+__device__ void move_samples(const Turn& turn)
+{
+  for_each_sample(turn.samples.size, [&](unsigned i) {
+    const float3 x = turn.arrays.x.get(i);
+    double* const position = turn.samples.positions + 3 * Wide(i);
+    const double3 p = double3{position[0], position[1], position[2]} + to_double(x);
+    position[0] = p.x;
+    position[1] = p.y;
+    position[2] = p.z;
+    const auto fixed = [&](double c) { return int(unsigned(Wide(__double2ll_rn(c * turn.units_per_length)))); };
+    turn.points[i] = make_int4(fixed(p.x), fixed(p.y), fixed(p.z), turn.points[i].w);
+    const float4 fit = turn.samples.fit[i];
+    turn.samples.fit[i] = with_w(xyz(fit) - x, fit.w);
+  });
+}
+
+/*!
+One turn of Algorithm 1 in one cooperative launch, so that nobody waits for the host: weights, shrinkage, conjugate gradients, step.
+
+The conjugate gradients are those of Chronopoulos and Gear (1989): in place of the product with the directions p they carry s = H p by the
+recurrence of p, which leaves two barriers an iteration instead of three. At a tolerance of 1e-5 the few more roundings do not show.
+*/
+__global__ void __launch_bounds__(threads_per_large_block) run_turn(Turn turn)
+{
+  __shared__ double shared[Grid_sum<2>::size_of_shared(threads_per_large_block)];
+  Grid_sum<2> grid_sum(turn.arrays.partial_sums, shared);
+  const cooperative_groups::grid_group grid = cooperative_groups::this_grid();
+
+  if (turn.regularize)
+  {
+    update_density_weights(turn);
+    grid.sync();
+  }
+  Energy_sums energy;
+  double sums[2] = {0, 0};
+  linearize(turn, energy, sums);
+  grid_sum(sums);
+  const double squared_rhs = sums[0], squared_limit = tolerance * tolerance * squared_rhs;
+
+  double squared_residual = squared_rhs, gamma = sums[1], last_gamma = 0, last_step = 0;
+  unsigned iterations = 0;
+  bool is_finite = isfinite(squared_rhs);
+  while (is_finite && squared_residual > squared_limit && iterations < maximum_number_of_iterations)
+  {
+    double curvature[2] = {0, 0};
+    multiply(turn, curvature[0]);
+    grid_sum(curvature);
+    is_finite = isfinite(curvature[0]);
+    const double ratio = iterations == 0 ? 0 : gamma / last_gamma;
+    const double direction_curvature = iterations == 0 ? curvature[0] : curvature[0] - ratio * gamma / last_step;
+    // H is positive definite, but near the rounding of its terms a step could go anywhere.
+    if (!(direction_curvature > 100. * FLT_EPSILON * gamma))
+      break;
+    last_step = gamma / direction_curvature;
+    last_gamma = gamma;
+    sums[0] = sums[1] = 0;
+    take_step(turn, iterations == 0, float(ratio), float(last_step), sums);
+    grid_sum(sums);
+    squared_residual = sums[0];
+    gamma = sums[1];
+    is_finite = is_finite && isfinite(squared_residual);
+    ++iterations;
+  }
+  if (is_finite)
+    move_samples(turn);
+
+  double energies[2] = {energy.fit, energy.regularization}, misfits[2] = {energy.squared_normal_misfit, double(energy.number_of_active_pairs)};
+  grid_sum(energies);
+  grid_sum(misfits);
+  if (thread_index() == 0)
+    *turn.result = {energies[0], energies[1], misfits[0], Wide(misfits[1]), squared_rhs > 0 ? sqrt(squared_residual / squared_rhs) : 0,
+                    iterations, unsigned(squared_residual <= squared_limit), Wide(is_finite)};
+}
+
+unsigned number_of_cooperative_blocks(const Workplace& workplace)
+{
+  int blocks_per_multiprocessor = 0;
+  CGAL_L0_CUDA_CHECK(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&blocks_per_multiprocessor, run_turn, int(threads_per_large_block), 0));
+  return unsigned(blocks_per_multiprocessor * workplace.number_of_multiprocessors);
+}
+
+} // namespace
+
+Turn_arrays take_turn_arrays(const Workplace& workplace, unsigned number_of_samples, std::size_t number_of_pairs)
+{
+  Device_arena& arena = workplace.scratch;
+  Turn_arrays arrays;
+  arrays.pair_weights = arena.take<float>(number_of_pairs);
+  arrays.z = arena.take<float4>(number_of_samples);
+  for (Vectors* vectors : {&arrays.w, &arrays.p, &arrays.s, &arrays.x, &arrays.r})
+    *vectors = {arena.take<float>(3 * std::size_t(number_of_samples)), number_of_samples};
+  arrays.blocks = arena.take<float>(6 * std::size_t(number_of_samples));
+  arrays.partial_sums = arena.take<double>(4 * std::size_t(number_of_cooperative_blocks(workplace)));
+  return arrays;
+}
+
+void minimize_once(const Workplace& workplace, const Minimization& parameters, double penalty, bool regularize, const Neighbor_lists& neighbors,
+                   const Cell_grid& grid, const Samples& samples, const Turn_arrays& arrays, Turn_result* result)
+{
+  const double threshold = parameters.sparsity_unit * std::sqrt(parameters.normal_weight / penalty);
+  Turn turn = {parameters, float(penalty), float(threshold), regularize, grid.frame.unit(), grid.frame.units_per_length,
+               neighbors, samples, grid.points, arrays, result};
+  void* arguments[] = {&turn};
+  const unsigned useful_blocks = unsigned((Wide(samples.size) * lanes_per_sample + threads_per_large_block - 1) / threads_per_large_block);
+  const unsigned blocks = (std::min)(number_of_cooperative_blocks(workplace), useful_blocks);
+  CGAL_L0_CUDA_CHECK(cudaLaunchCooperativeKernel(reinterpret_cast<void*>(run_turn), dim3(blocks), dim3(threads_per_large_block), arguments, 0,
+                                                 workplace.stream));
+}
+
+} // namespace cuda
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL

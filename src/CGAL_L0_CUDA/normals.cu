@@ -1,0 +1,299 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Query.cuh"
+#include "Plane_fit.cuh"
+#include "plane_fits.cuh"
+#include "stages.cuh"
+
+#include <CGAL/L0_resampling/internal/weights.h>
+
+#include <cmath>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+namespace cuda {
+
+namespace {
+
+__device__ Plane_fit fit_plane(int4 center, const Cell_grid& grid, const Cell_blocks& blocks, unsigned lane, float radius)
+{
+  const float unit = grid.frame.unit(), squared_radius = radius * radius;
+  Moments moments;
+  for_each_candidate(grid, blocks, center, lane, radius, [&](unsigned j) {
+    const float3 d = difference(grid.points[j], center, unit);
+    if (dot(d, d) < squared_radius)
+      moments.add(d);
+  });
+  moments.sum_over_group<lanes>();
+  return moments.plane(squared_radius);
+}
+
+__global__ void fit_planes(Cell_grid grid, Cell_blocks blocks, float radius, float4* normals, unsigned char* is_degenerate,
+                           unsigned* number_of_degenerate)
+{
+  const Query query(grid.size);
+  const int4 center = grid.points[query.index];
+  const Plane_fit fit = fit_plane(center, grid, blocks, query.lane, radius);
+  if (!query.writes)
+    return;
+  normals[query.index] = with_w(fit.normal, 0);
+  is_degenerate[query.index] = !fit.spans_plane;
+  if (!fit.spans_plane)
+    atomicAdd(number_of_degenerate, 1u);
+}
+
+/// \param open points without a plane so far, in the order of the fine grid
+/// \param places of the points of the fine grid in the coarse one
+__global__ void refit_planes(Cell_grid coarse_grid, Cell_blocks blocks, const unsigned* places, float radius, const unsigned* open,
+                             unsigned number_of_open, float4* normals, unsigned char* is_degenerate)
+{
+  const Query query(number_of_open);
+  const unsigned i = open[query.index];
+  const int4 center = coarse_grid.points[places[i]];
+  const Plane_fit fit = fit_plane(center, coarse_grid, blocks, query.lane, radius);
+  if (!query.writes)
+    return;
+  normals[i] = with_w(fit.normal, 0);
+  is_degenerate[i] = !fit.spans_plane;
+}
+
+__global__ void invert_order(const unsigned* order, unsigned size, unsigned* places)
+{
+  const unsigned long long i = thread_index();
+  if (i < size)
+    places[order[i]] = unsigned(i);
+}
+
+/// places[i] becomes the place of the i-th point of another order
+__global__ void compose(const unsigned* places, const unsigned* order, unsigned size, unsigned* composed)
+{
+  const unsigned long long i = thread_index();
+  if (i < size)
+    composed[i] = places[order[i]];
+}
+
+__global__ void gather_given_normals(const float* given, const unsigned* order, unsigned size, float4* normals)
+{
+  const unsigned long long i = thread_index();
+  if (i >= size)
+    return;
+  const float* const n = given + 3 * (unsigned long long)(order[i]);
+  if (n[0] != 0 || n[1] != 0 || n[2] != 0)
+    normals[i] = make_float4(n[0], n[1], n[2], 0);
+}
+
+__global__ void count_zeros(const float* vectors, unsigned size, unsigned* count)
+{
+  const unsigned long long i = thread_index();
+  if (i < size && vectors[3 * i] == 0 && vectors[3 * i + 1] == 0 && vectors[3 * i + 2] == 0)
+    atomicAdd(count, 1u);
+}
+
+/// Eq. (1): the mean of the normals in the ball, each turned to the side of the point's own first.
+__global__ void filter_normals_kernel(Cell_grid grid, Cell_blocks blocks, float radius, float squared_bandwidth, float normal_bandwidth,
+                                      const float4* normals, float4* filtered)
+{
+  const Query query(grid.size);
+  const int4 center = grid.points[query.index];
+  const float3 normal = xyz(normals[query.index]);
+  const float unit = grid.frame.unit(), squared_radius = radius * radius;
+  float3 sum = {0, 0, 0};
+  for_each_candidate(grid, blocks, center, query.lane, radius, [&](unsigned j) {
+    const float3 d = difference(grid.points[j], center, unit);
+    const float squared_distance = dot(d, d);
+    if (squared_distance >= squared_radius)
+      return;
+    const float3 other = xyz(normals[j]);
+    const float cosine = dot(normal, other);
+    const float weight = bilateral_weight(squared_distance, squared_bandwidth, cosine, normal_bandwidth);
+    sum += (cosine > 0 ? weight : cosine < 0 ? -weight : 0.f) * other;
+  });
+  sum = group_sum<lanes>(sum);
+  if (!query.writes)
+    return;
+  const double3 mean = to_double(sum);
+  const double length = sqrt(dot(mean, mean));
+  filtered[query.index] = with_w(length > 1e-3 ? to_float((1 / length) * mean) : normal, 0);
+}
+
+/// As `refitted_normal()` on the CPU.
+__global__ void refit_normals_kernel(Cell_grid grid, Cell_blocks blocks, float radius, float squared_bandwidth, float normal_bandwidth,
+                                     const float4* normals, float4* refitted)
+{
+  const Query query(grid.size);
+  const int4 center = grid.points[query.index];
+  const float3 normal = xyz(normals[query.index]);
+  const float unit = grid.frame.unit(), squared_radius = radius * radius;
+  Moments moments;
+  for_each_candidate(grid, blocks, center, query.lane, radius, [&](unsigned j) {
+    const float3 d = difference(grid.points[j], center, unit);
+    const float squared_distance = dot(d, d);
+    if (squared_distance < squared_radius)
+      moments.add(d, bilateral_weight(squared_distance, squared_bandwidth, dot(normal, xyz(normals[j])), normal_bandwidth));
+  });
+  moments.sum_over_group<lanes>();
+  if (!query.writes)
+    return;
+  float3 result = normal;
+  if (moments.values[0] > 2)   // more than hardly anybody but the point itself
+  {
+    const double3 plane_normal = moments.eigen_decomposition().smallest_vector, own = to_double(normal);
+    const double cosine = dot(plane_normal, own), least_cosine = 0.5;
+    if (fabs(cosine) > least_cosine)   // else the points that agree lie in a strip or a clump
+      result = to_float(normalized(normalized(own) + (cosine < 0 ? -1. : 1.) * plane_normal));
+  }
+  refitted[query.index] = with_w(result, 0);
+}
+
+/// The sum of Eq. (5) without the point itself, to the fourth number of its normal; the counts of the neighbors add up.
+__global__ void sum_up_density(Cell_grid grid, Cell_blocks blocks, float radius, float squared_bandwidth, float4* normals,
+                               unsigned long long* total_count)
+{
+  const Query query(grid.size);
+  const int4 center = grid.points[query.index];
+  const float unit = grid.frame.unit(), squared_radius = radius * radius;
+  float count = 0, sum = 0;
+  for_each_candidate(grid, blocks, center, query.lane, radius, [&](unsigned j) {
+    const float3 d = difference(grid.points[j], center, unit);
+    const float squared_distance = dot(d, d);
+    if (squared_distance >= squared_radius)
+      return;
+    count += 1;
+    sum += gaussian_weight(squared_distance, squared_bandwidth);
+  });
+  count = group_sum<lanes>(count);
+  sum = group_sum<lanes>(sum);
+  // thinning may have left the point itself out
+  const float self = count > 0 ? 1.f : 0.f;
+  if (query.writes)
+    normals[query.index].w = fmaxf(0, sum - self);
+
+  // integers, so that the order of the additions does not matter
+  __shared__ unsigned block_count;
+  if (threadIdx.x == 0)
+    block_count = 0;
+  __syncthreads();
+  if (query.writes)
+    atomicAdd(&block_count, unsigned(count - self));
+  __syncthreads();
+  if (threadIdx.x == 0 && block_count > 0)
+    atomicAdd(total_count, (unsigned long long)(block_count));
+}
+
+__global__ void invert_density(unsigned size, const unsigned long long* total_count, float4* normals)
+{
+  const unsigned long long i = thread_index();
+  if (i >= size)
+    return;
+  const float mean_number_of_neighbors = float(double(*total_count) / size);
+  normals[i].w = mean_number_of_neighbors > 0 ? 1 / (1 + normals[i].w / mean_number_of_neighbors) : 1;
+}
+
+} // namespace
+
+std::size_t estimate_pca_normals(const Workplace& workplace, const Positions& positions, const Cell_grid& grid, const Cell_blocks& blocks,
+                                 double radius, float4* normals)
+{
+  const int number_of_doublings = 10;
+  // For so few points, and as long as there are not too many cells to look into, a coarser grid of all points would cost more.
+  const unsigned largest_number_of_single_queries = 10000;
+  const int largest_reach = 16;
+  const unsigned n = grid.size;
+  const cudaStream_t stream = workplace.stream;
+  const Arena_scope scope(workplace.scratch);
+  unsigned char* const is_degenerate = workplace.scratch.take<unsigned char>(n);
+  const Device_counter<unsigned> counter(workplace.scratch, stream);
+  fit_planes<<<blocks_for_queries(n), threads_per_block, 0, stream>>>(grid, blocks, float(radius), normals, is_degenerate,
+                                                                                         counter.address());
+  check_launch("fit_planes");
+  const unsigned number_of_degenerate = counter.read();
+  if (number_of_degenerate == 0)
+    return 0;
+
+  // Few points in a healthy cloud, which meet coarser and coarser grids.
+  unsigned* const open = workplace.scratch.take<unsigned>(n);
+  unsigned* const places = workplace.scratch.take<unsigned>(n);
+  unsigned* const coarse_places = workplace.scratch.take<unsigned>(n);
+  for (int doubling = 1; doubling <= number_of_doublings; ++doubling)
+  {
+    const unsigned number_of_open = list_flagged(is_degenerate, n, open, workplace.scratch, stream);
+    if (number_of_open == 0)
+      break;
+    const double coarse_radius = std::ldexp(radius, doubling);
+    if (number_of_open <= largest_number_of_single_queries && cells_in_reach(coarse_radius, grid.frame.cell_size) <= largest_reach)
+    {
+      refit_planes_of(workplace, grid, open, number_of_open, coarse_radius, normals, is_degenerate);
+      continue;
+    }
+    const Arena_scope coarse_scope(workplace.arena);
+    double low[3], high[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      low[axis] = (grid.frame.first[axis] + 8) * grid.frame.cell_size;
+      high[axis] = (grid.frame.first[axis] + grid.frame.count[axis] - 8) * grid.frame.cell_size;
+    }
+    const Cell_grid coarse_grid = build_grid(positions, nullptr, Cell_frame::around(low, high, coarse_radius, coarse_radius), workplace.arena,
+                                             workplace.scratch, stream);
+    const Cell_blocks coarse_blocks = find_blocks(coarse_grid, coarse_grid, 1, maximum_number_of_candidates, workplace.arena, stream);
+    invert_order<<<blocks_for(n), threads_per_block, 0, stream>>>(coarse_grid.order, n, places);
+    check_launch("invert_order");
+    compose<<<blocks_for(n), threads_per_block, 0, stream>>>(places, grid.order, n, coarse_places);
+    check_launch("compose");
+    refit_planes<<<blocks_for_queries(number_of_open), threads_per_block, 0, stream>>>(
+      coarse_grid, coarse_blocks, coarse_places, float(coarse_radius), open, number_of_open, normals, is_degenerate);
+    check_launch("refit_planes");
+  }
+  return number_of_degenerate;
+}
+
+bool has_zero(const Workplace& workplace, const float* vectors, unsigned size)
+{
+  const Arena_scope scope(workplace.scratch);
+  const Device_counter<unsigned> counter(workplace.scratch, workplace.stream);
+  count_zeros<<<blocks_for(size), threads_per_block, 0, workplace.stream>>>(vectors, size, counter.address());
+  check_launch("count_zeros");
+  return counter.read() > 0;
+}
+
+void take_given_normals(const Workplace& workplace, const Cell_grid& grid, const float* given_normals, float4* normals)
+{
+  gather_given_normals<<<blocks_for(grid.size), threads_per_block, 0, workplace.stream>>>(given_normals, grid.order, grid.size, normals);
+  check_launch("gather_given_normals");
+}
+
+void filter_normals(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks, double radius, float squared_bandwidth,
+                    float normal_bandwidth, const float4* normals, float4* filtered)
+{
+  filter_normals_kernel<<<blocks_for_queries(grid.size), threads_per_block, 0, workplace.stream>>>(
+    grid, blocks, float(radius), squared_bandwidth, normal_bandwidth, normals, filtered);
+  check_launch("filter_normals_kernel");
+}
+
+void refit_normals(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks, double radius, float squared_bandwidth,
+                   float normal_bandwidth, const float4* normals, float4* refitted)
+{
+  refit_normals_kernel<<<blocks_for_queries(grid.size), threads_per_block, 0, workplace.stream>>>(grid, blocks, float(radius), squared_bandwidth,
+                                                                                                normal_bandwidth, normals, refitted);
+  check_launch("refit_normals_kernel");
+}
+
+void compute_input_density_weights(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks, double radius,
+                                   float squared_bandwidth, float4* normals)
+{
+  const Arena_scope scope(workplace.scratch);
+  const Device_counter<unsigned long long> total_count(workplace.scratch, workplace.stream);
+  sum_up_density<<<blocks_for_queries(grid.size), threads_per_block, 0, workplace.stream>>>(
+    grid, blocks, float(radius), squared_bandwidth, normals, total_count.address());
+  check_launch("sum_up_density");
+  invert_density<<<blocks_for(grid.size), threads_per_block, 0, workplace.stream>>>(grid.size, total_count.address(), normals);
+  check_launch("invert_density");
+}
+
+} // namespace cuda
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL

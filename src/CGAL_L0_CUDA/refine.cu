@@ -1,0 +1,170 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Query.cuh"
+#include "stages.cuh"
+
+#include <CGAL/L0_resampling/internal/Parameters.h>
+#include <CGAL/L0_resampling/internal/weights.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+namespace cuda {
+
+namespace {
+
+using Wide = unsigned long long;
+
+/// What the fit needs beside the points.
+struct Fit
+{
+  float radius, squared_bandwidth, normal_bandwidth;
+  double half_ball_offset;   // how far from its straight side the mean of a half disk lies, by the weights of the fit
+};
+
+/// The fit of the default method, as `fit_compatible_points()` on the CPU, which says why.
+__global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_blocks blocks, Cell_grid grid, const float4* normals,
+                            Fit fit, Samples samples)
+{
+  const Query query(samples.size);
+  const int4 center = sample_grid.points[query.index];
+  const unsigned i = order ? order[query.index] : query.index;
+  const float3 normal = xyz(samples.normals[i]);
+  const float unit = grid.frame.unit(), radius = fit.radius, squared_radius = radius * radius;
+  float sum = 0, height = 0;
+  float3 offset_sum = {0, 0, 0}, normal_sum = {0, 0, 0};
+  for_each_candidate(grid, blocks, center, query.lane, radius, [&](unsigned j) {
+    const float3 d = difference(grid.points[j], center, unit);
+    const float squared_distance = dot(d, d);
+    if (squared_distance >= squared_radius)
+      return;
+    const float4 other = normals[j];
+    const float cosine = dot(xyz(other), normal);
+    const float weight = other.w * bilateral_weight(squared_distance, fit.squared_bandwidth, cosine, fit.normal_bandwidth);
+    const float signed_weight = cosine > 0 ? weight : cosine < 0 ? -weight : 0.f;
+    sum += weight;
+    height += weight * dot(d, normal) + signed_weight * dot(d, xyz(other));
+    offset_sum += weight * d;
+    normal_sum += signed_weight * xyz(other);
+  });
+  sum = group_sum<lanes>(sum);
+  height = group_sum<lanes>(height);
+  offset_sum = group_sum<lanes>(offset_sum);
+  normal_sum = group_sum<lanes>(normal_sum);
+  if (!query.writes)
+    return;
+
+  const double pi = 3.141592653589793, total = sum, half_ball_offset = fit.half_ball_offset;
+  samples.outward[i] = make_float4(0, 0, 0, 0);
+  if (!(total > 1e-3))   // nobody agrees: the sample is drawn to where it was last fitted, and keeps its normal
+  {
+    samples.fit[i].w = 1;
+    return;
+  }
+  const double3 old_normal = to_double(normal), mean = (1 / total) * to_double(offset_sum);
+  const double3 offset = mean - dot(old_normal, mean) * old_normal;
+  const double distance = sqrt(dot(offset, offset));
+  double3 to_centroid = (0.5 * height / total) * old_normal;
+  if (distance > half_ball_offset)
+    to_centroid = to_centroid + (pi / 2 * (distance - half_ball_offset) / distance) * offset;
+  samples.fit[i] = with_w(to_float(to_centroid), float(fit_weight_factor * total));
+  if (distance > half_ball_offset / 2)
+    samples.outward[i] = with_w(to_float((-1 / distance) * offset), 0);
+  const double3 mean_normal = to_double(normal_sum);
+  const double length = sqrt(dot(mean_normal, mean_normal));
+  if (length > 1e-3 * total)
+    samples.normals[i] = with_w(to_float((1 / length) * mean_normal), 0);
+}
+
+/// `Repulsion` in `float`.
+struct Push { float squared_bandwidth, strength, maximum_step; };
+
+/// One step of `repel_tangentially()` on the CPU.
+__global__ void repel(Cell_frame frame, Neighbor_lists neighbors, Push push_rule, const int4* points,
+                      Samples samples, int4* moved_points)
+{
+  const Query query(samples.size);
+  const unsigned i = query.index;
+  const float unit = frame.unit();
+  const int4 center = points[i];
+  float3 push = {0, 0, 0};
+  for (unsigned e = neighbors.offsets[i] + query.lane; e < neighbors.offsets[i + 1]; e += lanes)
+  {
+    const float3 d = difference(center, points[neighbors.indices[e]], unit);
+    push += (push_rule.strength * gaussian_weight(dot(d, d), push_rule.squared_bandwidth)) * d;
+  }
+  push = group_sum<lanes>(push);
+  if (!query.writes)
+    return;
+  const float3 normal = xyz(samples.normals[i]), outward = xyz(samples.outward[i]);
+  push -= dot(normal, push) * normal;
+  push -= fmaxf(dot(outward, push), 0) * outward;
+  const float length = sqrtf(dot(push, push));
+  if (length > push_rule.maximum_step)
+    push = (push_rule.maximum_step / length) * push;
+  double* const position = samples.positions + 3 * Wide(i);
+  const double3 p = double3{position[0], position[1], position[2]} + to_double(push);
+  position[0] = p.x;
+  position[1] = p.y;
+  position[2] = p.z;
+  const float4 fit = samples.fit[i];
+  samples.fit[i] = with_w(xyz(fit) - push, fit.w);   // c_i stays where it is
+  const int3 fixed = frame.fixed_point(p);
+  moved_points[i] = make_int4(fixed.x, fixed.y, fixed.z, center.w);
+}
+
+__global__ void move_onto_fit(Samples samples)
+{
+  const Wide i = thread_index();
+  if (i >= samples.size)
+    return;
+  const double3 offset = to_double(xyz(samples.fit[i]));
+  samples.positions[3 * i] += offset.x;
+  samples.positions[3 * i + 1] += offset.y;
+  samples.positions[3 * i + 2] += offset.z;
+}
+
+} // namespace
+
+void fit_compatible_points(const Workplace& workplace, const Cell_grid& sample_grid, bool is_in_order, const Cell_blocks& blocks,
+                           const Cell_grid& grid, const float4* normals, double radius, double normal_bandwidth, const Samples& samples)
+{
+  const double bandwidth = fit_bandwidth_factor * radius;
+  const Fit fit = {float(radius), float(bandwidth * bandwidth), float(normal_bandwidth), mean_distance_in_half_disk(radius, bandwidth)};
+  fit_samples<<<blocks_for_queries(samples.size), threads_per_block, 0, workplace.stream>>>(
+    sample_grid, is_in_order ? nullptr : sample_grid.order, blocks, grid, normals, fit, samples);
+  check_launch("fit_samples");
+}
+
+void repel_tangentially(const Workplace& workplace, const Cell_grid& sample_grid, const Neighbor_lists& neighbors, double spacing,
+                        double radius, std::size_t number_of_steps, const Samples& samples)
+{
+  const Repulsion repulsion(spacing, radius);
+  const Push push = {float(repulsion.squared_bandwidth), float(repulsion.strength), float(repulsion.maximum_step)};
+  const Arena_scope scope(workplace.scratch);
+  int4 *points = sample_grid.points, *moved = workplace.scratch.take<int4>(samples.size);
+  for (std::size_t step = 0; step < number_of_steps; ++step)
+  {
+    repel<<<blocks_for_queries(samples.size), threads_per_block, 0, workplace.stream>>>(sample_grid.frame, neighbors, push, points, samples,
+                                                                                       moved);
+    check_launch("repel");
+    std::swap(points, moved);
+  }
+}
+
+void take_fitted_positions(const Workplace& workplace, const Samples& samples)
+{
+  move_onto_fit<<<blocks_for(samples.size), threads_per_block, 0, workplace.stream>>>(samples);
+  check_launch("move_onto_fit");
+}
+
+} // namespace cuda
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL

@@ -1,0 +1,339 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Query.cuh"
+#include "stages.cuh"
+
+#include <CGAL/L0_resampling/internal/random_bits.h>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+namespace cuda {
+
+namespace {
+
+using Wide = unsigned long long;
+
+/// The points of the grid that differ from the one before; `list` is null where all do.
+struct Distinct_points
+{
+  const unsigned* list;
+  unsigned size;
+
+  __device__ unsigned operator[](Wide k) const { return list ? list[k] : unsigned(k); }
+};
+
+__device__ float4 unit_normal(float4 n)
+{
+  const double3 wide = to_double(xyz(n));
+  return with_w(to_float((1 / sqrt(dot(wide, wide))) * wide), 0);
+}
+
+__device__ void start_on_point(const Samples& samples, Wide i, double3 position, float4 normal)
+{
+  samples.positions[3 * i] = position.x;
+  samples.positions[3 * i + 1] = position.y;
+  samples.positions[3 * i + 2] = position.z;
+  samples.normals[i] = unit_normal(normal);
+  samples.fit[i] = make_float4(0, 0, 0, 1);
+}
+
+/// One of each run of nearly equal length, as `pick_one_of_each_run()` on the CPU.
+__global__ void pick_samples(Positions positions, const unsigned* order, Distinct_points distinct, Wide seed, const float4* normals,
+                             Samples samples)
+{
+  const Wide k = thread_index();
+  if (k >= samples.size)
+    return;
+  const Wide begin = k * distinct.size / samples.size, end = (k + 1) * distinct.size / samples.size;
+  const unsigned source = distinct[begin + random_bits(seed, k) % (end - begin)];
+  start_on_point(samples, k, positions(order[source]), normals[source]);
+}
+
+/// The partner of each new sample, as `move_between_points()` on the CPU: of the points of its ball the one of the highest rank.
+__global__ void place_between_points(Positions positions, Cell_grid grid, Cell_blocks blocks, Distinct_points distinct,
+                                     unsigned number_of_new, float radius, Wide seed, const float4* normals, Samples samples)
+{
+  const Query query(number_of_new);
+  const Wide e = query.index;
+  const Wide number = e * distinct.size / number_of_new;
+  const unsigned source = distinct[number];
+  const int4 center = grid.points[source];
+  const float3 normal = xyz(normals[source]);
+  const float unit = grid.frame.unit(), squared_radius = radius * radius, similar_cosine = 0.87f;   // as on the CPU
+
+  Wide best = 0;
+  unsigned partner = source;
+  for_each_candidate(grid, blocks, center, query.lane, radius, [&](unsigned j) {
+    const int4 point = grid.points[j];
+    const float3 d = difference(point, center, unit);
+    if (dot(d, d) >= squared_radius)
+      return;
+    const Wide is_similar = fabsf(dot(normal, xyz(normals[j]))) > similar_cosine;
+    const Wide rank = (random_bits(seed + e, j) >> 1) | (is_similar << 63);
+    if (rank <= best)
+      return;
+    const double3 p = positions(grid.order[j]), q = positions(grid.order[source]);
+    if (p.x == q.x && p.y == q.y && p.z == q.z)
+      return;
+    best = rank;
+    partner = j;
+  });
+  for (int offset = lanes / 2; offset > 0; offset /= 2)
+  {
+    const Wide other_best = __shfl_xor_sync(0xffffffffu, best, offset);
+    const unsigned other_partner = __shfl_xor_sync(0xffffffffu, partner, offset);
+    if (other_best > best || (other_best == best && other_partner < partner))
+    {
+      best = other_best;
+      partner = other_partner;
+    }
+  }
+  if (!query.writes)
+    return;
+  if (best == 0 && distinct.size > 1)
+    partner = number + 1 < distinct.size ? distinct[number + 1] : distinct[distinct.size - 2];
+  const double3 start = positions(grid.order[source]);
+  // never the middle, where the way back from the partner would put another one
+  const double share = 0.2 + 0.25 * scalbn(double(random_bits(seed, number_of_new + e) >> 11), -53);
+  start_on_point(samples, e, start + share * (positions(grid.order[partner]) - start), normals[source]);
+}
+
+__global__ void start_on_distinct_points(Positions positions, const unsigned* order, Distinct_points distinct, unsigned first,
+                                         const float4* normals, Samples samples)
+{
+  const Wide k = thread_index();
+  if (k < distinct.size)
+    start_on_point(samples, first + k, positions(order[distinct[k]]), normals[distinct[k]]);
+}
+
+__global__ void collapse(Cell_grid sample_grid, Cell_blocks blocks, Cell_grid grid, const float4* normals, float radius, Samples samples,
+                         unsigned* number_of_lonely_samples)
+{
+  const Query query(samples.size);
+  const int4 center = sample_grid.points[query.index];
+  const float unit = grid.frame.unit(), squared_radius = radius * radius;
+  float weight_sum = 0;
+  float3 sum = {0, 0, 0};
+  for_each_candidate(grid, blocks, center, query.lane, radius, [&](unsigned j) {
+    const float3 d = difference(grid.points[j], center, unit);
+    if (dot(d, d) >= squared_radius)
+      return;
+    const float weight = normals[j].w;
+    weight_sum += weight;
+    sum += weight * d;
+  });
+  weight_sum = group_sum<lanes>(weight_sum);
+  sum = group_sum<lanes>(sum);
+  if (!query.writes)
+    return;
+  const unsigned i = sample_grid.order[query.index];
+  const bool is_lonely = !(weight_sum > 0);
+  samples.fit[i] = is_lonely ? make_float4(0, 0, 0, 1) : with_w((1 / weight_sum) * sum, weight_sum);
+  if (is_lonely)
+    atomicAdd(number_of_lonely_samples, 1u);
+}
+
+__global__ void reorder_samples(const unsigned* order, Samples from, Samples to)
+{
+  const Wide i = thread_index();
+  if (i >= to.size)
+    return;
+  const Wide k = order[i];
+  for (int axis = 0; axis < 3; ++axis)
+    to.positions[3 * i + axis] = from.positions[3 * k + axis];
+  to.normals[i] = from.normals[k];
+  to.fit[i] = from.fit[k];
+}
+
+/// Calls `f(k, is_neighbor, found)` in all threads of a group at once: whether the sample k of the thread is a self neighbor, and a bit for
+/// each thread whose is; k ascends.
+/// Where blocks are thinned, a pair counts if both samples' strides say so, which keeps the lists symmetric.
+template <typename F>
+__device__ void for_each_self_neighbor(const Cell_grid& grid, const Cell_blocks& blocks, float squared_radius, unsigned i, unsigned lane,
+                                       const F& f)
+{
+  const int4 center = grid.points[i];
+  const unsigned cell = unsigned(center.w), stride = blocks.centers[cell].stride;
+  const float unit = grid.frame.unit();
+  const unsigned group_shift = threadIdx.x % 32 / lanes * lanes, group_mask = ((1u << lanes) - 1) << group_shift;
+  for (int row = 0; row < blocks.number_of_rows; ++row)
+  {
+    const uint2 range = blocks.ranges[Wide(cell) * unsigned(blocks.number_of_rows) + unsigned(row)];
+    const Wide first = Wide(range.x) + ((i - range.x) & (stride - 1));
+    for (Wide begin = first; begin < range.y; begin += lanes * stride)
+    {
+      const Wide k = begin + lane * stride;
+      bool is_neighbor = k < range.y && k != i;
+      if (is_neighbor)
+      {
+        const int4 other = grid.points[k];
+        const float3 d = difference(center, other, unit);
+        is_neighbor = dot(d, d) < squared_radius && ((unsigned(k) - i) & (blocks.centers[other.w].stride - 1)) == 0;
+      }
+      const unsigned found = (__ballot_sync(group_mask, is_neighbor) & group_mask) >> group_shift;
+      f(unsigned(k), is_neighbor, found);
+    }
+  }
+}
+
+__global__ void count_self_neighbors(Cell_grid grid, Cell_blocks blocks, float squared_radius, unsigned* counts, Wide* total_count)
+{
+  const Query query(grid.size);
+  unsigned count = 0;
+  for_each_self_neighbor(grid, blocks, squared_radius, query.index, query.lane,
+                         [&](unsigned, bool, unsigned found) { count += unsigned(__popc(found)); });
+  if (query.writes)
+    counts[query.index] = count;
+
+  __shared__ Wide block_count;
+  if (threadIdx.x == 0)
+    block_count = 0;
+  __syncthreads();
+  if (query.writes)
+    atomicAdd(&block_count, Wide(count));
+  __syncthreads();
+  if (threadIdx.x == 0)
+    atomicAdd(total_count, block_count);
+}
+
+__global__ void list_self_neighbors(Cell_grid grid, Cell_blocks blocks, float squared_radius, const unsigned* offsets, unsigned* indices)
+{
+  const Wide q = thread_index() / lanes;
+  if (q >= grid.size)   // whole groups leave
+    return;
+  const unsigned lane = threadIdx.x % lanes;
+  unsigned next = offsets[q];
+  for_each_self_neighbor(grid, blocks, squared_radius, unsigned(q), lane, [&](unsigned k, bool is_neighbor, unsigned found) {
+    if (is_neighbor)
+      indices[next + unsigned(__popc(found & ((1u << lane) - 1)))] = k;
+    next += unsigned(__popc(found));
+  });
+}
+
+__global__ void take_result(Frame frame, Samples samples, float* normals)
+{
+  const Wide i = thread_index();
+  if (i >= samples.size)
+    return;
+  const double3 n = to_double(xyz(samples.normals[i]));
+  const double3 unit = (1 / sqrt(dot(n, n))) * n;
+  for (int axis = 0; axis < 3; ++axis)
+    samples.positions[3 * i + axis] = frame.leave(samples.positions[3 * i + axis], axis);
+  normals[3 * i] = float(unit.x);
+  normals[3 * i + 1] = float(unit.y);
+  normals[3 * i + 2] = float(unit.z);
+}
+
+} // namespace
+
+Samples take_samples(Device_arena& arena, unsigned size, bool with_outward_directions)
+{
+  Samples samples;
+  samples.size = size;
+  samples.positions = arena.take<double>(3 * std::size_t(size));
+  samples.normals = arena.take<float4>(size);
+  samples.fit = arena.take<float4>(size);
+  samples.outward = with_outward_directions ? arena.take<float4>(size) : nullptr;
+  return samples;
+}
+
+void reorder(const Workplace& workplace, const unsigned* order, const Samples& samples)
+{
+  const Arena_scope scope(workplace.scratch);
+  const std::size_t m = samples.size;
+  Samples before = samples;
+  before.positions = workplace.scratch.take<double>(3 * m);
+  before.normals = workplace.scratch.take<float4>(m);
+  before.fit = workplace.scratch.take<float4>(m);
+  const auto copy = [&](auto* to, const auto* from, std::size_t count) {
+    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(to, from, count * sizeof(*to), cudaMemcpyDeviceToDevice, workplace.stream));
+  };
+  copy(before.positions, samples.positions, 3 * m);
+  copy(before.normals, samples.normals, m);
+  copy(before.fit, samples.fit, m);
+  reorder_samples<<<blocks_for(m), threads_per_block, 0, workplace.stream>>>(order, before, samples);
+  check_launch("reorder_samples");
+}
+
+void initialize_samples(const Workplace& workplace, const Positions& positions, const Cell_grid& grid, const float4* normals, double radius,
+                        std::size_t seed, const Samples& samples)
+{
+  const cudaStream_t stream = workplace.stream;
+  const Arena_scope scope(workplace.scratch);
+  Distinct_points distinct = {nullptr, grid.number_of_distinct};
+  if (grid.number_of_distinct < grid.size)
+  {
+    unsigned* const list = workplace.scratch.take<unsigned>(grid.size);
+    list_flagged(grid.is_first, grid.size, list, workplace.scratch, stream);
+    distinct.list = list;
+  }
+  if (samples.size <= distinct.size)
+  {
+    pick_samples<<<blocks_for(samples.size), threads_per_block, 0, stream>>>(positions, grid.order, distinct, seed, normals, samples);
+    check_launch("pick_samples");
+    return;
+  }
+  const unsigned number_of_new = samples.size - distinct.size;
+  const Arena_scope blocks_scope(workplace.arena);
+  const Cell_blocks blocks =
+    find_blocks(grid, grid, cells_in_reach(radius, grid.frame.cell_size), maximum_number_of_candidates, workplace.arena, stream);
+  place_between_points<<<blocks_for_queries(number_of_new), threads_per_block, 0, stream>>>(
+    positions, grid, blocks, distinct, number_of_new, float(radius), seed, normals, samples);
+  check_launch("place_between_points");
+  start_on_distinct_points<<<blocks_for(distinct.size), threads_per_block, 0, stream>>>(positions, grid.order, distinct, number_of_new, normals,
+                                                                                      samples);
+  check_launch("start_on_distinct_points");
+}
+
+std::size_t collapse_fit_term(const Workplace& workplace, const Cell_grid& sample_grid, const Cell_blocks& blocks, const Cell_grid& grid,
+                              const float4* normals, double radius, const Samples& samples)
+{
+  const Arena_scope scope(workplace.scratch);
+  const Device_counter<unsigned> counter(workplace.scratch, workplace.stream);
+  collapse<<<blocks_for_queries(samples.size), threads_per_block, 0, workplace.stream>>>(sample_grid, blocks, grid, normals,
+                                                                                       float(radius), samples, counter.address());
+  check_launch("collapse");
+  return counter.read();
+}
+
+Neighbor_lists find_self_neighbors(const Workplace& workplace, const Cell_grid& grid, double radius)
+{
+  const unsigned limit = 1024;   // as on the CPU
+  const cudaStream_t stream = workplace.stream;
+  const unsigned m = grid.size, thread_blocks = blocks_for_queries(m);
+  const float squared_radius = float(radius * radius);
+  Neighbor_lists lists;
+  lists.offsets = workplace.arena.take<unsigned>(std::size_t(m) + 1);
+
+  const Arena_scope scope(workplace.scratch);
+  const Cell_blocks blocks = find_blocks(grid, grid, 1, limit, workplace.scratch, stream);
+  unsigned* const counts = workplace.scratch.take<unsigned>(std::size_t(m) + 1);
+  CGAL_L0_CUDA_CHECK(cudaMemsetAsync(counts + m, 0, sizeof(unsigned), stream));
+  const Device_counter<Wide> total_count(workplace.scratch, stream);
+  count_self_neighbors<<<thread_blocks, threads_per_block, 0, stream>>>(grid, blocks, squared_radius, counts, total_count.address());
+  check_launch("count_self_neighbors");
+  sum_up(counts, m, lists.offsets, workplace.scratch, stream);
+  lists.number_of_pairs = total_count.read();
+  if (lists.number_of_pairs > 0xffffffffu)
+    throw Failure(Status::OUT_OF_MEMORY, "more than 2^32 - 1 pairs of self neighbors");
+
+  lists.indices = workplace.arena.take<unsigned>(lists.number_of_pairs);
+  list_self_neighbors<<<thread_blocks, threads_per_block, 0, stream>>>(grid, blocks, squared_radius, lists.offsets, lists.indices);
+  check_launch("list_self_neighbors");
+  return lists;
+}
+
+void leave_frame(const Workplace& workplace, const Frame& frame, const Samples& samples)
+{
+  take_result<<<blocks_for(samples.size), threads_per_block, 0, workplace.stream>>>(frame, samples, reinterpret_cast<float*>(samples.fit));
+  check_launch("take_result");
+}
+
+} // namespace cuda
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL

@@ -1,0 +1,199 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_CUDA_STAGES_CUH
+#define CGAL_L0_CUDA_STAGES_CUH
+
+#include "Cell_grid.cuh"
+
+#include <CGAL/L0_resampling/internal/cuda_interface.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+namespace cuda {
+
+/// Where a stage works: arrays that outlive it come from `arena`, the others from `scratch`.
+struct Workplace
+{
+  Device_arena& arena;
+  Device_arena& scratch;
+  cudaStream_t stream;
+  int number_of_multiprocessors;
+};
+
+/// One number on the device, 0 at first.
+template <typename T>
+class Device_counter
+{
+  T* m_value;
+  cudaStream_t m_stream;
+
+public:
+  Device_counter(Device_arena& arena, cudaStream_t stream) : m_value(arena.take<T>(1)), m_stream(stream)
+  {
+    CGAL_L0_CUDA_CHECK(cudaMemsetAsync(m_value, 0, sizeof(T), stream));
+  }
+
+  T* address() const { return m_value; }
+
+  /// Waits for the device.
+  T read() const
+  {
+    T value;
+    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(&value, m_value, sizeof(T), cudaMemcpyDeviceToHost, m_stream));
+    CGAL_L0_CUDA_CHECK(cudaStreamSynchronize(m_stream));
+    return value;
+  }
+};
+
+// The normals of the input, Section 3.1. They are float4; the fourth number is the density weight 1/v_j in the end.
+
+/// Fits planes to the points in balls of `radius`, and in larger ones where that determines none.
+/// \param positions those that `grid` was built of
+/// \returns the number of points whose first ball spans no plane
+std::size_t estimate_pca_normals(const Workplace& workplace, const Positions& positions, const Cell_grid& grid, const Cell_blocks& blocks,
+                                 double radius, float4* normals);
+
+/// Puts given normals in the order of the grid, in place of those of `normals`, where they are not zero.
+/// \param normals in and out
+void take_given_normals(const Workplace& workplace, const Cell_grid& grid, const float* given_normals, float4* normals);
+
+/// Whether one of the vectors is zero; waits for the device.
+bool has_zero(const Workplace& workplace, const float* vectors, unsigned size);
+
+/// Eq. (1), (2) for all points, once.
+void filter_normals(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks, double radius, float squared_bandwidth,
+                    float normal_bandwidth, const float4* normals, float4* filtered);
+
+/// Corrects filtered normals by the positions, as `refit_normals()` on the CPU.
+void refit_normals(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks, double radius, float squared_bandwidth,
+                   float normal_bandwidth, const float4* normals, float4* refitted);
+
+/// Eq. (5) for the input: writes 1/v_j to the fourth number of each normal.
+void compute_input_density_weights(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks, double radius,
+                                   float squared_bandwidth, float4* normals);
+
+/// S, and what the fit term of Eq. (6) ties it to.
+struct Samples
+{
+  unsigned size = 0;
+  double* positions = nullptr;   // xyz interleaved, in the frame
+  float4* normals = nullptr;     // and a number that a stage may use
+  float4* fit = nullptr;         // from the sample to c_i, and W_i
+  float4* outward = nullptr;     // default method only
+};
+
+Samples take_samples(Device_arena& arena, unsigned size, bool with_outward_directions);
+
+/// Puts sample `order[i]` in place `i`; outward directions are forgotten.
+void reorder(const Workplace& workplace, const unsigned* order, const Samples& samples);
+
+/// The first S, chosen as the CPU chooses it.
+void initialize_samples(const Workplace& workplace, const Positions& positions, const Cell_grid& grid, const float4* normals, double radius,
+                        std::size_t seed, const Samples& samples);
+
+/// The fit term of LOR and ALOR: weight and centroid of the original neighbors.
+/// \param blocks of `grid` around the cells of `sample_grid`
+/// \returns the number of samples without an original neighbor; waits for the device
+std::size_t collapse_fit_term(const Workplace& workplace, const Cell_grid& sample_grid, const Cell_blocks& blocks, const Cell_grid& grid,
+                              const float4* normals, double radius, const Samples& samples);
+
+/// The self neighbors in compressed rows.
+struct Neighbor_lists
+{
+  unsigned* offsets = nullptr;
+  unsigned* indices = nullptr;
+  std::size_t number_of_pairs = 0;
+};
+
+/// Waits for the device. The lists are taken from the arena.
+Neighbor_lists find_self_neighbors(const Workplace& workplace, const Cell_grid& grid, double radius);
+
+/// The weights of Algorithm 1, as `Minimization_parameters` of the CPU.
+struct Minimization
+{
+  double squared_radius, squared_bandwidth, sparsity_unit;
+  double normal_weight, regularization_weight;
+};
+
+/// What a turn of Algorithm 1 leaves on the device.
+struct Turn_result
+{
+  double fit_energy, regularization_energy, squared_normal_misfit;
+  unsigned long long number_of_active_pairs;
+  double relative_residual;
+  unsigned solver_iterations, converged;
+  unsigned long long is_finite;   // as long, so that there is no gap in what is copied
+};
+
+/// One vector a sample, each coordinate by itself, so that neighboring threads read neighboring numbers.
+struct Vectors
+{
+  float* values;
+  unsigned size;
+
+#ifdef __CUDACC__
+  __device__ float3 get(unsigned i) const { return {values[i], values[std::size_t(size) + i], values[2 * std::size_t(size) + i]}; }
+  __device__ void set(unsigned i, float3 v) const
+  {
+    values[i] = v.x;
+    values[std::size_t(size) + i] = v.y;
+    values[2 * std::size_t(size) + i] = v.z;
+  }
+#endif
+};
+
+/// The arrays of a turn; they keep their place from turn to turn.
+struct Turn_arrays
+{
+  float* pair_weights;
+  float4* z;
+  Vectors w, p, s, x, r;
+  float* blocks;
+  double* partial_sums;
+};
+
+/// From the scratch arena.
+Turn_arrays take_turn_arrays(const Workplace& workplace, unsigned number_of_samples, std::size_t number_of_pairs);
+
+/// One turn of Algorithm 1: moves the samples, in `samples` and in the points of `grid`, to the minimum of Eq. (10).
+/// \param samples in the order of `grid`
+void minimize_once(const Workplace& workplace, const Minimization& parameters, double penalty, bool regularize, const Neighbor_lists& neighbors,
+                   const Cell_grid& grid, const Samples& samples, const Turn_arrays& arrays, Turn_result* result);
+
+// The default method
+
+/// The fit to compatible points; normals of the samples change.
+/// \param sample_grid of the same cells as `grid`
+/// \param is_in_order whether the samples are in the order of their grid
+void fit_compatible_points(const Workplace& workplace, const Cell_grid& sample_grid, bool is_in_order, const Cell_blocks& blocks,
+                           const Cell_grid& grid, const float4* normals, double radius, double normal_bandwidth, const Samples& samples);
+
+/// Spreads the samples within the surface, by steps that the radius of the fit limits. The points of the grid are used up.
+void repel_tangentially(const Workplace& workplace, const Cell_grid& sample_grid, const Neighbor_lists& neighbors, double spacing,
+                        double radius, std::size_t number_of_steps, const Samples& samples);
+
+/// Moves the samples to what they were fitted to.
+void take_fitted_positions(const Workplace& workplace, const Samples& samples);
+
+/// Turns the normals of the samples to one side, outwards.
+/// \param low, high corners of a box that holds the samples, but for a few
+/// \returns the share of the samples that were oriented surely; waits for the device
+double orient_normals(const Workplace& workplace, const double (&low)[3], const double (&high)[3], unsigned number_of_neighbors, double spacing,
+                      const Samples& samples);
+
+/// Takes the positions of the samples out of the frame, and puts their normals, xyz interleaved, in the place of the fit.
+void leave_frame(const Workplace& workplace, const Frame& frame, const Samples& samples);
+
+} // namespace cuda
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_CUDA_STAGES_CUH

@@ -1,0 +1,72 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_CUDA_VECTORS_CUH
+#define CGAL_L0_CUDA_VECTORS_CUH
+
+#include <cuda_runtime.h>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+namespace cuda {
+
+__host__ __device__ inline float3 operator+(float3 a, float3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+__host__ __device__ inline float3 operator-(float3 a, float3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+__host__ __device__ inline float3 operator*(float s, float3 a) { return {s * a.x, s * a.y, s * a.z}; }
+__host__ __device__ inline float3& operator+=(float3& a, float3 b) { return a = a + b; }
+__host__ __device__ inline float3& operator-=(float3& a, float3 b) { return a = a - b; }
+__host__ __device__ inline float dot(float3 a, float3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+__host__ __device__ inline float3 xyz(float4 a) { return {a.x, a.y, a.z}; }
+__host__ __device__ inline float4 with_w(float3 a, float w) { return {a.x, a.y, a.z, w}; }
+
+__host__ __device__ inline double3 operator+(double3 a, double3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+__host__ __device__ inline double3 operator-(double3 a, double3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+__host__ __device__ inline double3 operator*(double s, double3 a) { return {s * a.x, s * a.y, s * a.z}; }
+__host__ __device__ inline double dot(double3 a, double3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+__host__ __device__ inline double3 cross(double3 a, double3 b)
+{
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+__host__ __device__ inline double3 to_double(float3 a) { return {double(a.x), double(a.y), double(a.z)}; }
+__host__ __device__ inline float3 to_float(double3 a) { return {float(a.x), float(a.y), float(a.z)}; }
+
+#ifdef __CUDACC__
+
+/// The index of the thread in the launch.
+__device__ inline unsigned long long thread_index() { return (unsigned long long)(blockIdx.x) * blockDim.x + threadIdx.x; }
+
+/// The sum over a group of `lanes` neighboring threads, the same bits in each of them. Whole warps have to call it.
+template <int lanes, typename T>
+__device__ inline T group_sum(T value)
+{
+  for (int offset = lanes / 2; offset > 0; offset /= 2)
+    value += __shfl_xor_sync(0xffffffffu, value, offset);
+  return value;
+}
+
+template <int lanes>
+__device__ inline float3 group_sum(float3 v)
+{
+  return {group_sum<lanes>(v.x), group_sum<lanes>(v.y), group_sum<lanes>(v.z)};
+}
+
+#endif // __CUDACC__
+
+constexpr unsigned threads_per_block = 256;
+
+/// The number of blocks that have a thread for each of `count` things.
+inline unsigned blocks_for(unsigned long long count)
+{
+  return unsigned((count + threads_per_block - 1) / threads_per_block);
+}
+
+} // namespace cuda
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_CUDA_VECTORS_CUH

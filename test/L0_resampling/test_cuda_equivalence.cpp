@@ -1,0 +1,121 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "test_cuda_support.h"
+
+#include <CGAL/Simple_cartesian.h>
+
+#include <cmath>
+#include <iostream>
+#include <string>
+
+// P7: the device and the CPU give one result, but for rounding. Both order it alike, so that it is compared point by point.
+
+namespace {
+
+using namespace test_cuda;
+
+/// Of the points of `a` that `b` has elsewhere, by more than a thousandth of a radius, the largest distance to any point of `b`.
+double one_sided_hausdorff_distance(const Result& a, const Result& b, double radius)
+{
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    double least = CGAL::squared_distance(a[i].first, b[i].first);
+    if (least > 1e-6 * radius * radius)
+      for (const auto& other : b)
+        least = (std::min)(least, CGAL::squared_distance(a[i].first, other.first));
+    largest = (std::max)(largest, std::sqrt(least));
+  }
+  return largest;
+}
+
+struct Comparison
+{
+  double median, largest_but_a_thousandth, hausdorff;   // distance, in radii
+  double largest_angle_share;                         // share of the normals that differ by more than 5 degrees, sign included
+};
+
+Comparison compare(const Result& a, const Result& b, double radius)
+{
+  std::vector<double> distances;
+  std::size_t number_of_other_normals = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    distances.push_back(std::sqrt(CGAL::squared_distance(a[i].first, b[i].first)) / radius);
+    number_of_other_normals += a[i].second * b[i].second < std::cos(5 * CGAL_PI / 180);
+  }
+  std::sort(distances.begin(), distances.end());
+  const std::size_t n = distances.size();
+  const double hausdorff = (std::max)(one_sided_hausdorff_distance(a, b, radius), one_sided_hausdorff_distance(b, a, radius)) / radius;
+  return {distances[n / 2], distances[n - 1 - n / 1000], hausdorff, double(number_of_other_normals) / double(n)};
+}
+
+template <typename NamedParameters>
+void check_agreement(const std::string& name, const Points& points, const NamedParameters& np)
+{
+  Result on_cpu, on_device;
+  Report cpu_report, device_report;
+  CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(points, std::back_inserter(on_cpu), np.resampling_report(&cpu_report));
+  CGAL::l0_resample_point_set<CGAL::CUDA_tag>(points, std::back_inserter(on_device), np.resampling_report(&device_report));
+  if (!CHECK(on_cpu.size() == on_device.size()))
+    return;
+  CHECK(device_report.device == "cuda");
+  CHECK(std::abs(cpu_report.neighbor_radius - device_report.neighbor_radius) <= 1e-6 * cpu_report.neighbor_radius);
+  CHECK(cpu_report.number_of_distinct_points == device_report.number_of_distinct_points);
+  CHECK(cpu_report.iterations.size() == device_report.iterations.size());
+  const double pairs = double(cpu_report.number_of_self_neighbor_pairs);
+  CHECK(std::abs(double(device_report.number_of_self_neighbor_pairs) - pairs) <= 1e-3 * pairs);
+  double flipped_share = 0;
+  for (std::size_t i = 0; i < cpu_report.iterations.size(); ++i)
+    flipped_share = (std::max)(flipped_share, std::abs(cpu_report.iterations[i].active_pair_share
+                                                       - device_report.iterations[i].active_pair_share));
+  CHECK(flipped_share <= 1e-3);
+  CHECK(std::abs(cpu_report.oriented_share - device_report.oriented_share) <= 1e-2);
+
+  const Comparison comparison = compare(on_cpu, on_device, cpu_report.neighbor_radius);
+  std::cout << name << ": " << points.size() << " -> " << on_cpu.size() << ", radii median " << comparison.median << ", 99.9 % "
+            << comparison.largest_but_a_thousandth << ", Hausdorff " << comparison.hausdorff << ", other normals "
+            << comparison.largest_angle_share << ", flipped " << flipped_share << ", pairs " << pairs << " / "
+            << device_report.number_of_self_neighbor_pairs << ", oriented " << cpu_report.oriented_share << " / " << device_report.oriented_share
+            << ", degenerate " << cpu_report.number_of_degenerate_neighborhoods << " / " << device_report.number_of_degenerate_neighborhoods
+            << ", iterations " << cpu_report.iterations.back().solver.iterations << " / "
+            << device_report.iterations.back().solver.iterations << std::endl;
+  CHECK(comparison.median <= 1e-4);
+  CHECK(comparison.largest_but_a_thousandth <= 1e-2);
+  CHECK(comparison.hausdorff <= 0.05);
+  CHECK(comparison.largest_angle_share <= 1e-2);
+}
+
+} // namespace
+
+int main()
+{
+  if (!has_device())
+    return number_of_skip;
+  using CGAL::L0_resampling::Method;
+  namespace parameters = CGAL::parameters;
+  for (const Method method : {Method::LOR, Method::ALOR, Method::DEFAULT})
+  {
+    const std::string name = method == Method::LOR ? "LOR " : method == Method::ALOR ? "ALOR " : "default ";
+    const auto np = parameters::resampling_method(method);
+    check_agreement(name + "cube", noisy_cube(20000, 0.01, 1), np.select_percentage(60));
+    check_agreement(name + "sphere", noisy_sphere(30000, 0.02, 2), np.number_of_output_points(10000));
+    check_agreement(name + "upsampled cube", noisy_cube(5000, 0.005, 3), np.number_of_output_points(9000));
+    check_agreement(name + "far from the origin", moved(noisy_cube(20000, 0.01, 4), {256075.1, 3935300.5, 120.}), np.select_percentage(60));
+    check_agreement(name + "large radius", noisy_cube(4000, 0.01, 5), np.neighbor_radius(0.3).select_percentage(60));
+    check_agreement(name + "large filter radius", noisy_cube(20000, 0.01, 6), np.normal_filter_radius(0.2).select_percentage(60));
+    check_agreement(name + "few samples", noisy_cube(20000, 0.01, 9), np.number_of_output_points(700));
+    check_agreement(name + "strong noise", noisy_sphere(20000, 0.05, 10), np.select_percentage(60));
+    check_agreement(name + "many orientation neighbors", noisy_sphere(3000, 0.01, 11),
+                    np.number_of_orientation_neighbors(300).number_of_output_points(2000));
+    check_agreement(name + "duplicates", duplicated(noisy_cube(3000, 0.01, 7)), np.select_percentage(60));
+    Points with_outliers = noisy_cube(20000, 0.01, 8);
+    with_outliers.push_back(Point(1e6, 3, 4));
+    with_outliers.push_back(Point(-50, 1e3, 40));
+    check_agreement(name + "outliers", with_outliers, np.select_percentage(60));
+  }
+  return test::result();
+}

@@ -1,0 +1,87 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_TEST_CUDA_SUPPORT_H
+#define CGAL_L0_RESAMPLING_TEST_CUDA_SUPPORT_H
+
+#include "test_support.h"
+
+#include <CGAL/L0_resampling/CUDA_resampler.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/l0_resample_point_set.h>
+
+#include <cmath>
+#include <cstddef>
+#include <iostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace test_cuda {
+
+using CGAL::L0_resampling::Report;
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point = Kernel::Point_3;
+using Normal = Kernel::Vector_3;
+using Points = std::vector<Point>;
+using Result = std::vector<std::pair<Point, Normal>>;
+
+/// What `main()` returns without a device: CTest counts the test as skipped.
+constexpr int number_of_skip = 77;
+
+inline bool has_device()
+{
+  std::string reason;
+  if (CGAL::L0_resampling::is_cuda_device_usable(&reason))
+    return true;
+  std::cout << "skipped: " << reason << std::endl;
+  return false;
+}
+
+inline Points noisy_cube(std::size_t n, double noise, unsigned seed)
+{
+  test::Generator generator(seed);
+  std::normal_distribution<double> gauss(0, noise);
+  Points points;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    double p[3] = {test::random_number(-1, 1, generator), test::random_number(-1, 1, generator), test::random_number(-1, 1, generator)};
+    p[i % 3] = i % 2 ? 1 : -1;
+    points.emplace_back(p[0] + gauss(generator), p[1] + gauss(generator), p[2] + gauss(generator));
+  }
+  return points;
+}
+
+inline Points noisy_sphere(std::size_t n, double noise, unsigned seed)
+{
+  test::Generator generator(seed);
+  std::normal_distribution<double> gauss(0, noise);
+  Points points;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const test::Vector p = (1 + gauss(generator)) * test::random_unit_vector(generator);
+    points.emplace_back(p[0], p[1], p[2]);
+  }
+  return points;
+}
+
+inline Points moved(Points points, const Normal& translation)
+{
+  for (Point& p : points)
+    p = p + translation;
+  return points;
+}
+
+/// Every point twice.
+inline Points duplicated(Points points)
+{
+  const Points copy(points);
+  points.insert(points.end(), copy.begin(), copy.end());
+  return points;
+}
+
+} // namespace test_cuda
+
+#endif // CGAL_L0_RESAMPLING_TEST_CUDA_SUPPORT_H
