@@ -202,8 +202,8 @@ chain, or are joined to one by `|`, one at a time: `parameters::neighbor_radius(
   \cgalParamNEnd
   \cgalParamNBegin{resampling_method}
     \cgalParamDescription{`LOR`, Section 3 of the paper; `ALOR`, Section 4; or `DEFAULT`, what this package recommends, which runs Algorithm 1 on the same
-      energy but fits to compatible points only, looks for neighbors anew in every iteration, spreads the samples by repulsion and takes the
-      radius from the spacing and the noise of the points. ALOR's local half-sampling leaves Eq. (10) as it is once the fit term is collapsed, so it is carried out only for solvers that need the rows of Eq. (11).}
+      energy but corrects the normals by the positions, fits to compatible points only, looks for neighbors anew in every iteration, spreads the
+      samples by repulsion and takes the radius from the spacing and the noise of the points. ALOR's local half-sampling leaves Eq. (10) as it is once the fit term is collapsed, so it is carried out only for solvers that need the rows of Eq. (11).}
     \cgalParamType{`CGAL::L0_resampling::Method`}
     \cgalParamDefault{`Method::DEFAULT`}
   \cgalParamNEnd
@@ -228,7 +228,8 @@ chain, or are joined to one by `|`, one at a time: `parameters::neighbor_radius(
     \cgalParamExtra{`std::invalid_argument` if not in (0, 90]}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_normal_filter_iterations}
-    \cgalParamDescription{how often Eq. (1) is applied to all normals; 0 leaves them as they are}
+    \cgalParamDescription{how often Eq. (1) is applied to all normals; 0 leaves them as they are. Before each of the last two times, the default method
+      corrects the normals by planes through the points that agree with them.}
     \cgalParamType{any integral type}
     \cgalParamDefault{5}
     \cgalParamExtra{`std::invalid_argument` if negative or above 10000}
@@ -293,7 +294,8 @@ chain, or are joined to one by `|`, one at a time: `parameters::neighbor_radius(
     \cgalParamExtra{`std::bad_alloc` if it does not suffice}
   \cgalParamNEnd
   \cgalParamNBegin{callback}
-    \cgalParamDescription{called every now and then, from one thread at a time, with the progress, in [0, 1] and never falling. Once it returns `false` the
+    \cgalParamDescription{called every now and then, from one thread at a time, with the progress, in [0, 1] and never falling; it may read
+      the name of the last stage in the report. Once it returns `false` the
       function returns and nothing is written to `out`.}
     \cgalParamType{`std::function<bool(double)>`}
     \cgalParamDefault{none}

@@ -8,6 +8,8 @@
 
 #include "smallest_eigenvector.cuh"
 
+#include <CGAL/L0_resampling/internal/Parameters.h>
+
 #include <cfloat>
 
 namespace CGAL {
@@ -64,7 +66,7 @@ struct Moments
     if (!(eigen.values[2] > rounding))
       return fit;
     fit.normal = to_float(eigen.smallest_vector);
-    fit.spans_plane = eigen.values[1] > rounding;
+    fit.spans_plane = eigen.values[1] > rounding && fit.number_of_points >= fewest_points_of_plane;
     fit.variance = fmax(eigen.values[0], 0.);
     return fit;
   }

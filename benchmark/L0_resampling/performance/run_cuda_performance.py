@@ -12,9 +12,11 @@ ball holds as many points in all of them; the smaller ones are the paper's, with
 import argparse
 import json
 import math
+import os
 import shlex
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 LINEAR = ("--noise-in-spacings", "0.5")
@@ -44,8 +46,33 @@ def measure(program, mesh):
     return results
 
 
+def measure_beside(programs, mesh):
+    """The same fandisk with the stages on the processor of the same machine, and with the paper's rows on the device."""
+    cores = str(os.cpu_count())
+    runs = ([("lor", "block", threads) for threads in ("1", cores)] + [("default", "block", threads) for threads in ("1", cores)]
+            + [(method, solver, cores) for method in ("lor", "alor") for solver in ("rows", "cuda_rows")])
+    results = []
+    with tempfile.TemporaryDirectory() as scratch:
+        cloud = Path(scratch) / "cloud.ply"
+        subprocess.run([programs / "sample_mesh", mesh, cloud, "--points", "110000", "--noise", "0.5", "--seed", "1"], check=True,
+                       stdout=subprocess.DEVNULL)
+        for method, solver, threads in runs:
+            command = [programs / "run_l0", cloud, Path(scratch) / "result.ply", "--points", "60000", "--method", method,
+                       "--solver", solver, "--threads", threads]
+            lines = [json.loads(subprocess.run(command, check=True, capture_output=True, text=True).stdout) for _ in range(5)]
+            results.append(sorted(lines, key=lambda line: line["wall_seconds"])[len(lines) // 2])
+            print("beside:", method, solver, threads, file=sys.stderr)
+    return results
+
+
 def milliseconds(seconds):
     return f"{1e3 * seconds:.3g}"
+
+
+def processor():
+    with open("/proc/cpuinfo", encoding="ascii", errors="replace") as stream:
+        model = next((line.split(":", 1)[1].strip() for line in stream if line.startswith("model name")), "unknown")
+    return f"{os.cpu_count()} cores of {model}"
 
 
 def exponent(results, method):
@@ -58,7 +85,7 @@ def exponent(results, method):
     return math.log(ratio) / math.log(last["points_in"] / first["points_in"])
 
 
-def markdown(results, command):
+def markdown(results, beside, beside_machine, command):
     lines = ["# Speed on a CUDA device", "", f"Made by `{command}` on one {results[0]['device']}. Input: {Path(results[0]['mesh']).name}, "
              "sampled uniformly with Gaussian noise. Medians in milliseconds, warm. *On the device*: points and result stay there; host clock around "
              "the call. *Host to host*: upload, extent of the cloud, resampling and download, from and to plain memory. Up to 300000 points: noise of 0.5 % "
@@ -78,6 +105,15 @@ def markdown(results, command):
         power = exponent(results, method)
         if power is not None:
             lines.append(f"- {method}: time grows as n^{power:.2f} from a million points on.")
+    if beside:
+        lines += ["", f"Beside them, 110000 points to 60000 on the processor of the same machine ({beside_machine}), median of 5 calls, milliseconds. `block`: the "
+                  "function's own solver; `rows`: the paper's explicit rows with least-squares conjugate gradients, stages and solver on the processor; "
+                  "`cuda_rows`: the same rows solved on the device with cuSPARSE and cuBLAS, warm.", "",
+                  "| method | solver | threads | whole function | L0 minimization | solver iterations |", "| --- | --- | ---: | ---: | ---: | ---: |"]
+        for r in beside:
+            l0 = next(s["seconds"] for s in r["report"]["stages"] if s["name"] == "L0 minimization")
+            lines.append(f"| {r['parameters']['method']} | {r['parameters']['solver']} | {r['threads']} | {milliseconds(r['wall_seconds'])} | "
+                         f"{milliseconds(l0)} | {r['report']['solver_iterations']} |")
     names = list(dict.fromkeys(stage["name"] for r in results for stage in r["stages"]))
     lines += ["", "By the device's clock, milliseconds:", "",
               "| stage | " + " | ".join(f"{r['points_in']} {r['method']}" for r in results) + " |", "| --- |" + " ---: |" * len(results)]
@@ -89,7 +125,7 @@ def markdown(results, command):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("program", help="run_l0_cuda")
+    parser.add_argument("program", help="run_l0_cuda; sample_mesh and run_l0 are taken from the same folder")
     parser.add_argument("mesh", help="OFF file")
     parser.add_argument("--output", default="cuda", help="where to write, without the ending")
     parser.add_argument("--tables-only", action="store_true", help="write the tables of the JSON file that is there")
@@ -99,9 +135,10 @@ def main():
         recorded = json.loads(json_path.read_text())
     else:
         words = [Path(arguments.program).name, Path(arguments.mesh).name, "--output", f"results/{Path(arguments.output).name}"]
-        recorded = {"command": "run_cuda_performance.py " + shlex.join(words), "results": measure(arguments.program, arguments.mesh)}
+        recorded = {"command": "run_cuda_performance.py " + shlex.join(words), "results": measure(arguments.program, arguments.mesh),
+                    "beside": measure_beside(Path(arguments.program).resolve().parent, arguments.mesh), "beside_machine": processor()}
         json_path.write_text(json.dumps(recorded, indent=1) + "\n")
-    Path(arguments.output + ".md").write_text(markdown(recorded["results"], recorded["command"]))
+    Path(arguments.output + ".md").write_text(markdown(recorded["results"], recorded.get("beside"), recorded.get("beside_machine"), recorded["command"]))
 
 
 if __name__ == "__main__":

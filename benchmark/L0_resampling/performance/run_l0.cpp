@@ -11,6 +11,10 @@
 #include <CGAL/L0_resampling/Eigen_least_squares_solver_traits.h>
 #include <CGAL/l0_resample_point_set.h>
 
+#ifdef CGAL_L0_LINKED_WITH_CUDA
+#include <CGAL/L0_resampling/CUDA_least_squares_solver_traits.h>
+#endif
+
 #include <map>
 
 namespace {
@@ -18,6 +22,12 @@ namespace {
 using namespace L0_benchmark;
 using CGAL::L0_resampling::Method;
 using CGAL::L0_resampling::Report;
+
+#ifdef CGAL_L0_LINKED_WITH_CUDA
+const std::vector<std::string> solver_names = {"block", "cholesky", "rows", "cuda_rows"};
+#else
+const std::vector<std::string> solver_names = {"block", "cholesky", "rows"};
+#endif
 
 const std::map<std::string, Method> methods =
   {{"default", Method::DEFAULT}, {"lor", Method::LOR}, {"alor", Method::ALOR}};
@@ -36,6 +46,11 @@ void resample(const std::vector<Point>& points, std::size_t number_of_output_poi
   else if (solver == "cholesky")
     CGAL::l0_resample_point_set<ConcurrencyTag>(
       points, out, parameters.sparse_linear_solver(solvers::Eigen_cholesky_solver_traits<double>()));
+#ifdef CGAL_L0_LINKED_WITH_CUDA
+  else if (solver == "cuda_rows")
+    CGAL::l0_resample_point_set<ConcurrencyTag>(
+      points, out, parameters.sparse_linear_solver(solvers::CUDA_least_squares_solver_traits<double>()));
+#endif
   else
     CGAL::l0_resample_point_set<ConcurrencyTag>(
       points, out, parameters.sparse_linear_solver(solvers::Eigen_least_squares_solver_traits<double>()));
@@ -67,8 +82,8 @@ int main(int argc, char** argv)
   arguments.add_to(app);
   app.add_option("--method", method)->check(CLI::IsMember(methods));
   app.add_option("--solver", solver, "block: conjugate gradients on 3x3 blocks; cholesky: of the normal equations; "
-                 "rows: least-squares conjugate gradients on the paper's rows")
-    ->check(CLI::IsMember({"block", "cholesky", "rows"}));
+                 "rows: least-squares conjugate gradients on the paper's rows; cuda_rows: the same on a CUDA device, where built with CUDA")
+    ->check(CLI::IsMember(solver_names));
 
   return run_program(app, argc, argv, [&] {
     const std::vector<Point> points = read_positions(arguments.input);
@@ -76,6 +91,11 @@ int main(int argc, char** argv)
     Report report;
     Oriented_points result(arguments.number_of_output_points);
     result.clear();
+    if (solver == "cuda_rows")   // the first call starts the device
+    {
+      resample<CGAL::Parallel_tag>(points, arguments.number_of_output_points, methods.at(method), solver, report, result);
+      result.clear();
+    }
     Measurement measurement;
     with_concurrency_tag(arguments.number_of_threads, [&](auto tag) {
       measurement.phase("l0_resample", [&] {

@@ -64,7 +64,7 @@ struct Report
   std::size_t number_of_dropped_points = 0;            ///< non-finite points, with `drop_non_finite(true)`
   std::size_t number_of_distinct_points = 0;           ///< of the points used
   std::size_t number_of_output_points = 0;
-  std::size_t number_of_degenerate_neighborhoods = 0;  ///< points whose ball spans no plane
+  std::size_t number_of_degenerate_neighborhoods = 0;  ///< points whose ball spans no plane, or holds fewer than six points
   std::size_t number_of_lonely_samples = 0;            ///< samples without an original neighbor; they stay where they start
   std::size_t number_of_self_neighbor_pairs = 0;       ///< ordered pairs \f$ (i, i') \f$ of the normal term
 

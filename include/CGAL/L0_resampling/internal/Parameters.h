@@ -48,6 +48,9 @@ constexpr double self_neighbor_radius_factor = 0.5;
 /// is the filter's job.
 constexpr double pca_radius_factor = 0.7;
 
+/// A ball of fewer points determines no normal: through three noisy points a plane goes anywhere.
+constexpr unsigned fewest_points_of_plane = 6;
+
 /// \f$ \sigma_q \f$ is "a scaling of r_q" (Section 3.1).
 constexpr double spatial_bandwidth_factor = 0.5;
 

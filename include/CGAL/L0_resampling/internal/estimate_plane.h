@@ -6,6 +6,7 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_ESTIMATE_PLANE_H
 #define CGAL_L0_RESAMPLING_INTERNAL_ESTIMATE_PLANE_H
 
+#include <CGAL/L0_resampling/internal/Parameters.h>
 #include <CGAL/L0_resampling/internal/ball_queries.h>
 
 #include <Eigen/Eigenvalues>
@@ -23,7 +24,7 @@ template <typename T>
 struct Plane_fit
 {
   Eigen::Matrix<T, 3, 1> normal = Eigen::Matrix<T, 3, 1>::UnitZ();
-  bool spans_plane = false;            ///< whether the points determine it
+  bool spans_plane = false;            ///< whether the points determine it, and are not too few to be trusted
   double variance = 0;                 ///< of the points across it
   std::size_t number_of_points = 0;
 };
@@ -68,7 +69,7 @@ Plane_fit<T> fit_plane(const Eigen::Matrix<T, 3, 1>& center, const Local_points<
   if (!(variances[2] > rounding))
     return fit;
   fit.normal = solver.eigenvectors().col(0).normalized().template cast<T>();
-  fit.spans_plane = variances[1] > rounding;
+  fit.spans_plane = variances[1] > rounding && fit.number_of_points >= fewest_points_of_plane;
   fit.variance = (std::max)(variances[0], 0.);
   return fit;
 }
