@@ -23,7 +23,7 @@ namespace {
 using Wide = unsigned long long;
 
 // As on the CPU
-constexpr float beyond_doubt = 0.95f;
+constexpr float beyond_doubt = 0.98f;
 constexpr double clear_majority = 0.5;
 constexpr unsigned number_of_steps = 1024;   // of how sure edges are
 

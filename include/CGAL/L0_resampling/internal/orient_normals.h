@@ -192,7 +192,7 @@ double orient_normals(const Buffer<Vector>& positions, std::size_t number_of_nei
                       Buffer<Eigen::Matrix<T, 3, 1>>& normals)
 {
   const auto normal = [&](Index i) -> Vector { return normals[i].template cast<double>(); };
-  const double beyond_doubt = 0.95, clear_majority = 0.5;
+  const double beyond_doubt = 0.98, clear_majority = 0.5;
   const std::size_t m = positions.size();
   const Nearest_samples nearest = find_nearest_samples<ConcurrencyTag>(positions, number_of_neighbors, spacing * std::sqrt(double(number_of_neighbors) / 2), progress);
 

@@ -21,8 +21,8 @@ absolute value, in [0, 1], is how sure that is.
 Where each lies near the tangent plane of the other they are of one sheet, whose normals are parallel: \f$ n_i^T n_k \f$ decides (Hoppe et al. 1992).
 Where each lies well above or below, at the heights \f$ h_i = n_i^T(p_k - p_i) \f$ and \f$ h_k = n_k^T(p_i - p_k) \f$, they are on two sides of a fold
 or on the two sheets of a plate or a gap. Seen from the outside of a solid, both heights are negative across a convex edge or a plate, and both positive
-across a concave edge or a gap. So there \f$ 2 h_i h_k / (h_i^2 + h_k^2) \f$ decides, at any angle of the fold. In between, the two rules are mixed,
-and heights are damped, since on a rough surface they mean less.
+across a concave edge or a gap. So there \f$ 2 h_i h_k / (h_i^2 + h_k^2) \f$ decides, at any angle of the fold. In between, the two rules are mixed.
+The second counts a tenth of the first: it decides where the first is silent, and on a rough surface, where heights mean little, it is outvoted.
 
 \param cosine \f$ n_i^T n_k \f$
 \param height, other_height \f$ h_i, h_k \f$, lengths
@@ -35,8 +35,8 @@ CGAL_L0_HOST_DEVICE inline T orientation_agreement(T cosine, T height, T other_h
   const T squared_heights = height * height + other_height * other_height, squared_noise = squared_spacing / 2;
   if (!(squared_noise > 0 && isfinite(squared_heights / squared_noise)))
     return cosine;
-  const T one_sheet = decay(squared_heights / squared_noise);
-  return one_sheet * cosine + (1 - one_sheet) * 2 * height * other_height / (squared_heights + squared_noise);
+  const T one_sheet = decay(squared_heights / squared_noise), weight_of_folds = T(0.1);
+  return one_sheet * cosine + weight_of_folds * (1 - one_sheet) * 2 * height * other_height / (squared_heights + squared_noise);
 }
 
 } // namespace internal
