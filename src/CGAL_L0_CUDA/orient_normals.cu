@@ -23,8 +23,6 @@ namespace {
 using Wide = unsigned long long;
 
 // As on the CPU
-constexpr float beyond_doubt = 0.98f;
-constexpr double clear_majority = 0.5;
 constexpr unsigned number_of_steps = 1024;   // of how sure edges are
 
 constexpr Wide no_edge = ~Wide(0);
@@ -103,7 +101,7 @@ __global__ void grade_edges(Graph graph)
     return;
   const float a = agreement_of(graph, i, graph.nearest[t]);
   const unsigned step = unsigned((1 - fminf(fabsf(a), 1.f)) * (number_of_steps - 1));
-  graph.grades[t] = fabsf(a) >= beyond_doubt ? static_cast<unsigned short>(step << 1 | unsigned(a < 0)) : doubtful;
+  graph.grades[t] = fabsf(a) >= float(beyond_doubt) ? static_cast<unsigned short>(step << 1 | unsigned(a < 0)) : doubtful;
 }
 
 __device__ Link load(const Link* link) { return {__ldcg(&link->word)}; }

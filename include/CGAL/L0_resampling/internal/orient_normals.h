@@ -139,7 +139,7 @@ inline void count_votes(Buffer<Edge>& edges, Signed_union_find& sets, Buffer<Vot
 }
 
 /// Joins sets that touch by majority: round by round, each set with the neighbor that their edges are most of one mind about.
-/// \param sure the share of the votes, from -1 to 1, that the winning side has to be ahead by
+/// \param sure the share of the votes, in [0, 1], that the winning side has to be ahead by
 inline void join_by_votes(double sure, Buffer<Edge>& edges, Signed_union_find& sets)
 {
   Buffer<Vote> votes(edges.get_allocator());
@@ -192,7 +192,6 @@ double orient_normals(const Buffer<Vector>& positions, std::size_t number_of_nei
                       Buffer<Eigen::Matrix<T, 3, 1>>& normals)
 {
   const auto normal = [&](Index i) -> Vector { return normals[i].template cast<double>(); };
-  const double beyond_doubt = 0.98, clear_majority = 0.5;
   const std::size_t m = positions.size();
   const Nearest_samples nearest = find_nearest_samples<ConcurrencyTag>(positions, number_of_neighbors, spacing * std::sqrt(double(number_of_neighbors) / 2), progress);
 

@@ -14,6 +14,12 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
+/// Samples that agree as much as this are of one sheet, whatever others say.
+constexpr double beyond_doubt = 0.98;
+
+/// The votes between two sets of samples are clear if one side is ahead by this share of all.
+constexpr double clear_majority = 0.5;
+
 /*!
 How far two samples agree about the side their normals point to: positive if the signs fit, negative if one has to turn; the
 absolute value, in [0, 1], is how sure that is.
