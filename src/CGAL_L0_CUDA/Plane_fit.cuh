@@ -6,9 +6,9 @@
 #ifndef CGAL_L0_CUDA_PLANE_FIT_CUH
 #define CGAL_L0_CUDA_PLANE_FIT_CUH
 
-#include "smallest_eigenvector.cuh"
+#include "vectors.cuh"
 
-#include <CGAL/L0_resampling/internal/Parameters.h>
+#include <CGAL/L0_resampling/internal/Plane_moments.h>
 
 #include <cfloat>
 
@@ -24,6 +24,8 @@ struct Plane_fit
   double variance;             // of the points across it
   long long spans_plane;       // whether the points determine it; as long, so that there is no gap in what is copied
 };
+
+__device__ inline float3 to_float(const Triple& v) { return {float(v.x), float(v.y), float(v.z)}; }
 
 /// Moments of points, relative to the center of their ball.
 struct Moments
@@ -46,29 +48,16 @@ struct Moments
       values[i] = group_sum<lanes>(values[i]);
   }
 
-  /// Of the covariance matrix.
-  __device__ Eigen_decomposition eigen_decomposition() const
+  __device__ Plane_moments<double> all() const
   {
-    const double n = values[0], x = values[1] / n, y = values[2] / n, z = values[3] / n;
-    return decompose({values[4] / n - x * x, values[5] / n - x * y, values[6] / n - x * z, values[7] / n - y * y, values[8] / n - y * z,
-                      values[9] / n - z * z});
+    return {values[0], values[1], values[2], values[3], values[4], values[5], values[6], values[7], values[8], values[9]};
   }
 
   /// The plane of `fit_plane()` on the CPU, of points of equal weight.
   __device__ Plane_fit plane(float squared_radius) const
   {
-    Plane_fit fit = {{0, 0, 1}, unsigned(values[0]), 0, false};
-    if (values[0] < 2)
-      return fit;
-    const Eigen_decomposition eigen = eigen_decomposition();
-    // what rounding leaves of a variance across a line
-    const double rounding = 16 * double(FLT_EPSILON) * fmax(eigen.values[2], double(squared_radius) * 1e-6);
-    if (!(eigen.values[2] > rounding))
-      return fit;
-    fit.normal = to_float(eigen.smallest_vector);
-    fit.spans_plane = eigen.values[1] > rounding && fit.number_of_points >= fewest_points_of_plane;
-    fit.variance = fmax(eigen.values[0], 0.);
-    return fit;
+    const Fitted_plane plane = all().plane(squared_radius, FLT_EPSILON);
+    return {to_float(plane.normal), unsigned(values[0]), plane.variance, plane.spans_plane};
   }
 };
 

@@ -138,15 +138,8 @@ __global__ void refit_normals_kernel(Cell_grid grid, Cell_blocks blocks, float r
   moments.sum_over_group<lanes>();
   if (!query.writes)
     return;
-  float3 result = normal;
-  if (moments.values[0] > 2)   // more than hardly anybody but the point itself
-  {
-    const double3 plane_normal = moments.eigen_decomposition().smallest_vector, own = to_double(normal);
-    const double cosine = dot(plane_normal, own), least_cosine = 0.5;
-    if (fabs(cosine) > least_cosine)   // else the points that agree lie in a strip or a clump
-      result = to_float(normalized(normalized(own) + (cosine < 0 ? -1. : 1.) * plane_normal));
-  }
-  refitted[query.index] = with_w(result, 0);
+  const Triple result = halfway_to_plane(moments.all(), {normal.x, normal.y, normal.z});
+  refitted[query.index] = with_w(to_float(result), 0);
 }
 
 /// The sum of Eq. (5) without the point itself, to the fourth number of its normal; the counts of the neighbors add up.

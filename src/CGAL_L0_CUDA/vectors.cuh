@@ -26,11 +26,6 @@ __host__ __device__ inline double3 operator+(double3 a, double3 b) { return {a.x
 __host__ __device__ inline double3 operator-(double3 a, double3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 __host__ __device__ inline double3 operator*(double s, double3 a) { return {s * a.x, s * a.y, s * a.z}; }
 __host__ __device__ inline double dot(double3 a, double3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-__host__ __device__ inline double3 cross(double3 a, double3 b)
-{
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
 __host__ __device__ inline double3 to_double(float3 a) { return {double(a.x), double(a.y), double(a.z)}; }
 __host__ __device__ inline float3 to_float(double3 a) { return {float(a.x), float(a.y), float(a.z)}; }
 

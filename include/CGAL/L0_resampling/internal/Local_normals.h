@@ -27,11 +27,8 @@ struct Local_normals
     x.resize(candidates.padded_size(), T(0));
     y.resize(candidates.padded_size(), T(0));
     z.resize(candidates.padded_size(), T(0));
-    T* const local[3] = {x.data(), y.data(), z.data()};
-    const Index* const indices = candidates.indices.data();
-    for (std::size_t k = 0, size = candidates.indices.size(); k < size; ++k)
-      for (int axis = 0; axis < 3; ++axis)
-        local[axis][k] = normals[indices[k]].data()[axis];
+    const T zero[3] = {0, 0, 0};
+    candidates.gather_coordinates(coordinates(normals), zero, x, y, z);
   }
 };
 

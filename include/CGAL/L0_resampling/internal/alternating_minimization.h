@@ -81,10 +81,12 @@ public:
     m_right_hand_side.resize(m);
     m_displacements.assign(m, Local_vector::Zero());
     m_normal_offsets.resize(SolverTraits::needs_explicit_rows ? number_of_pairs : 0);
-    m_pair_weights.assign(number_of_pairs, FT(0));
+    m_pair_weights.resize(number_of_pairs);
 
     // Line 4, of the iteration before or of "Initialize"
-    if (regularize)
+    if (!regularize)
+      std::fill(m_pair_weights.begin(), m_pair_weights.end(), FT(0));
+    else
     {
       Buffer<FT> density_weights(m, FT(1), samples.positions.get_allocator());
       update_weights<ConcurrencyTag>(samples.positions, neighbors, p.squared_bandwidth, p.squared_radius, p.regularization_weight,

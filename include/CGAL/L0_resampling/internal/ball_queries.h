@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -56,26 +57,22 @@ public:
 
     const std::size_t lanes = Lanes<T>::size, maximum_size = count / stride + ranges.size() + lanes;
     indices.resize(maximum_size);
-    x.resize(maximum_size);
-    y.resize(maximum_size);
-    z.resize(maximum_size);
-    T* const local[3] = {x.data(), y.data(), z.data()};
-    const double x0 = origin[0], y0 = origin[1], z0 = origin[2];
+    m_runs_of_indices.clear();
     std::size_t size = 0;
     for (const Search_grid_3::Range& range : ranges)
     {
       const Index first = (range.first + stride - 1) & ~(stride - 1);   // stride is a power of two
       if (first >= range.second)
         continue;
-      const double* p = points[first].data();
-      for (Index j = first; j < range.second; j += stride, p += 3 * std::size_t(stride), ++size)
-      {
-        local[0][size] = T(p[0] - x0);
-        local[1][size] = T(p[1] - y0);
-        local[2][size] = T(p[2] - z0);
-        indices[size] = j;
-      }
+      const std::size_t run = (range.second - first - 1) / stride + 1;
+      m_runs_of_indices.push_back({first, size, size + run});
+      for (std::size_t k = 0; k < run; ++k)
+        indices[size + k] = first + Index(k) * stride;
+      size += run;
     }
+    for (std::vector<T>* coordinates : {&x, &y, &z})
+      coordinates->resize(maximum_size);
+    gather_coordinates(points.data()->data(), origin.data(), x, y, z);
     const std::size_t padded_size = (size + lanes - 1) / lanes * lanes;
     for (std::vector<T>* coordinates : {&x, &y, &z})
     {
@@ -89,25 +86,54 @@ public:
         Lanes<T>::load(&(*coordinates)[k]).max(-far_away).min(far_away).store(&(*coordinates)[k]);
   }
 
+  /// Gathers coordinates of the points, or of vectors that belong to them, relative to `origin`.
+  /// \param vectors xyz interleaved, one for each point of the cloud
+  /// \param to_x, to_y, to_z have room for all points
+  template <typename U>
+  void gather_coordinates(const U* vectors, const U* origin, std::vector<T>& to_x, std::vector<T>& to_y, std::vector<T>& to_z) const
+  {
+    const U x0 = origin[0], y0 = origin[1], z0 = origin[2];
+    const auto gather_run = [&](const Run& run, auto step) {
+      const U* const from = vectors + 3 * std::size_t(run.first);
+      T *const tx = to_x.data() + run.begin, *const ty = to_y.data() + run.begin, *const tz = to_z.data() + run.begin;
+      for (std::size_t k = 0, size = run.end - run.begin; k < size; ++k)
+      {
+        tx[k] = T(from[3 * step * k] - x0);
+        ty[k] = T(from[3 * step * k + 1] - y0);
+        tz[k] = T(from[3 * step * k + 2] - z0);
+      }
+    };
+    for (const Run& run : m_runs_of_indices)
+      if (stride == 1)
+        gather_run(run, std::integral_constant<std::size_t, 1>());   // known to the compiler, which then uses vector instructions
+      else
+        gather_run(run, std::size_t(stride));
+  }
+
   /// Number of points, padding included: a multiple of the number of lanes.
   std::size_t padded_size() const { return x.size(); }
 
-  /// Calls `f(k)` for each run of as many points as there are lanes, from the k-th on, of which one is in the ball.
+  /// Calls `f(k, squared_distances)` for each run of as many points as there are lanes, from the k-th on, of which one is in the ball.
   /// Points that follow each other are neighbors, so that half of the runs have none. Which half, no processor foresees: listing the
   /// others before calling `f` costs less than a branch that is guessed wrong half of the time.
   template <typename F>
   void for_each_run_in_ball(const Eigen::Matrix<T, 3, 1>& center, T squared_radius, const F& f) const
   {
-    m_runs.resize(padded_size() / Lanes<T>::size + 1);
+    constexpr std::size_t lanes = Lanes<T>::size;
+    m_runs.resize(padded_size() / lanes + 1);
+    m_squared_distances.resize(padded_size() + lanes);
     Index* const runs = m_runs.data();
+    T* const distances = m_squared_distances.data();
     std::size_t count = 0;
-    for (std::size_t k = 0, size = padded_size(); k < size; k += Lanes<T>::size)
+    for (std::size_t k = 0, size = padded_size(); k < size; k += lanes)
     {
+      const Lanes<T> squared_distance = squared_distances(k, center);
       runs[count] = Index(k);
-      count += any_less(squared_distances(k, center), squared_radius);
+      squared_distance.store(distances + count * lanes);
+      count += any_less(squared_distance, squared_radius);
     }
     for (std::size_t r = 0; r < count; ++r)
-      f(std::size_t(runs[r]));
+      f(std::size_t(runs[r]), Lanes<T>::load(distances + r * lanes));
   }
 
   /// From `center` to the points from the k-th on, as many as there are lanes.
@@ -120,7 +146,12 @@ public:
   }
 
 private:
-  mutable std::vector<Index> m_runs;       // working memory of `for_each_run_in_ball()`
+  struct Run { Index first; std::size_t begin, end; };   // the indices in these places ascend from the first by the stride
+  std::vector<Run> m_runs_of_indices;
+
+  // working memory of `for_each_run_in_ball()`
+  mutable std::vector<Index> m_runs;
+  mutable std::vector<T> m_squared_distances;
 
   static constexpr T far_away = T(1e12);   // its square is finite in `float`
 };

@@ -31,8 +31,7 @@ void compute_input_density_weights(const Search_grid_3& grid, const Buffer<Vecto
       {
         const Eigen::Matrix<T, 3, 1> center = (points[i] - origin).template cast<T>();
         L count, sum;
-        candidates.for_each_run_in_ball(center, squared_radius, [&](std::size_t k) {
-          const L squared_distance = candidates.squared_distances(k, center);
+        candidates.for_each_run_in_ball(center, squared_radius, [&](std::size_t, const L& squared_distance) {
           count += where_less(squared_distance, squared_radius, L(T(1)));
           sum += where_less(squared_distance, squared_radius, gaussian_weight(squared_distance, T(squared_bandwidth)));
         });

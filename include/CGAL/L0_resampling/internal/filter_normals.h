@@ -27,8 +27,7 @@ Eigen::Matrix<T, 3, 1> filtered_normal(const Eigen::Matrix<T, 3, 1>& center, con
   const T squared_bandwidth = filter.squared_bandwidth, normal_bandwidth = filter.normal_bandwidth;
   const T own_x = normal[0], own_y = normal[1], own_z = normal[2];
   L x, y, z;
-  candidates.for_each_run_in_ball(center, squared_radius, [&](std::size_t k) {
-    const L squared_distance = candidates.squared_distances(k, center);
+  candidates.for_each_run_in_ball(center, squared_radius, [&](std::size_t k, const L& squared_distance) {
     const L nx = L::load(&normals.x[k]), ny = L::load(&normals.y[k]), nz = L::load(&normals.z[k]);
     const L cosine = nx * own_x + ny * own_y + nz * own_z;
     const L similarity = bilateral_weight(squared_distance, squared_bandwidth, cosine, normal_bandwidth);

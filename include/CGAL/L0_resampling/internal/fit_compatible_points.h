@@ -76,11 +76,10 @@ void fit_compatible_points(const Fit_input<T>& input, Progress& progress, Sample
         const Index i = order[q];
         const Eigen::Matrix<T, 3, 1> center = (queries_in_order[q] - origin).template cast<T>(), normal = samples.normals[i].template cast<T>();
         L sum, height, x, y, z, mean_nx, mean_ny, mean_nz;
-        candidates.for_each_run_in_ball(center, squared_radius, [&](std::size_t k) {
+        candidates.for_each_run_in_ball(center, squared_radius, [&](std::size_t k, const L& squared_distance) {
           const L dx = L::load(&candidates.x[k]) - center[0];
           const L dy = L::load(&candidates.y[k]) - center[1];
           const L dz = L::load(&candidates.z[k]) - center[2];
-          const L squared_distance = dx * dx + dy * dy + dz * dz;
           const L nx = L::load(&normals.x[k]), ny = L::load(&normals.y[k]), nz = L::load(&normals.z[k]);
           const L cosine = nx * normal[0] + ny * normal[1] + nz * normal[2];
           const L weight = where_less(squared_distance, squared_radius, L::load(&weights[k]))

@@ -12,8 +12,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <numeric>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -21,29 +22,49 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// `orientation_agreement()` of two samples, see there.
-inline double agreement_of_samples(const Vector& p, const Vector& n, const Vector& other_p, const Vector& other_n, double spacing)
-{
-  const Vector to_other = other_p - p;
-  return orientation_agreement(n.dot(other_n), n.dot(to_other), -other_n.dot(to_other), spacing * spacing);
-}
-
 /// Two samples near each other, and `orientation_agreement()` of them.
 struct Edge { float agreement; Index i, k; };
 
-/// Sorts by how sure the edges are, in steps of 1/1024, which is all that a spanning forest of noisy normals needs.
-inline void sort_by_decreasing_agreement(Buffer<Edge>& edges)
+/// The edges of the graph of nearest neighbors, each once.
+template <typename ConcurrencyTag, typename T>
+Buffer<Edge> rated_edges(const Buffer<Vector>& positions, const Buffer<Eigen::Matrix<T, 3, 1>>& normals, std::size_t number_of_neighbors,
+                         double spacing, Progress& progress)
+{
+  const double radius_of_that_many = spacing * std::sqrt(double(number_of_neighbors) / 2);
+  const Nearest_samples nearest = find_nearest_samples<ConcurrencyTag>(positions, number_of_neighbors, radius_of_that_many, progress);
+  const T squared_spacing = T(spacing * spacing);
+  Buffer<Edge> edges(positions.get_allocator());
+  edges.reserve(nearest.number_of_pairs());
+  for (Index i = 0; i < positions.size(); ++i)
+    for (const Index* other = nearest.begin(i); other != nearest.end(i); ++other)
+    {
+      const Index k = *other;
+      if (k < i && nearest.contains(k, i))
+        continue;
+      const Eigen::Matrix<T, 3, 1> to_other = (positions[k] - positions[i]).template cast<T>();
+      const T agreement =
+        orientation_agreement(normals[i].dot(normals[k]), normals[i].dot(to_other), -normals[k].dot(to_other), squared_spacing);
+      edges.push_back({float(agreement), i, k});
+    }
+  return edges;
+}
+
+/// The edges beyond doubt, sorted by how sure they are, in steps of 1/1024, which is all that a spanning forest of noisy normals needs.
+inline Buffer<Edge> sure_edges(const Buffer<Edge>& edges)
 {
   const std::size_t number_of_steps = 1024;
+  const auto is_sure = [](const Edge& e) { return std::abs(e.agreement) >= beyond_doubt; };
   const auto step = [&](const Edge& e) { return std::size_t((1 - (std::min)(std::abs(e.agreement), 1.f)) * (number_of_steps - 1)); };
   std::vector<std::size_t> places(number_of_steps + 1, 0);
   for (const Edge& e : edges)
-    ++places[step(e) + 1];
+    if (is_sure(e))
+      ++places[step(e) + 1];
   std::partial_sum(places.begin(), places.end(), places.begin());
-  Buffer<Edge> sorted(edges.size(), Edge(), edges.get_allocator());
+  Buffer<Edge> sorted(places.back(), Edge(), edges.get_allocator());
   for (const Edge& e : edges)
-    sorted[places[step(e)]++] = e;
-  edges.swap(sorted);
+    if (is_sure(e))
+      sorted[places[step(e)]++] = e;
+  return sorted;
 }
 
 /// Sets of samples whose normals are fixed relative to each other: union-find, where each sample knows whether it is turned
@@ -106,61 +127,62 @@ public:
   Index size_of_set(Index root) const { return m_sizes[root]; }
 };
 
-/// The sum of the agreements of all edges between two sets, each read for the sets' representatives.
+/// The sum of the agreements of edges between two samples or, read for their representatives, between two sets.
 struct Vote { Index a, b; double agreement, total; };
 
-/// Puts the votes of the edges between different sets together, a vote for each pair of sets that touch; drops the edges within one.
-inline void count_votes(Buffer<Edge>& edges, Signed_union_find& sets, Buffer<Vote>& votes)
+/// The votes between the sets as they are now: one for each pair that touches, in the order of the pairs.
+inline void add_up_votes(Buffer<Vote>& votes, Signed_union_find& sets)
 {
-  votes.clear();
-  std::size_t number_of_edges = 0;
-  for (const Edge& e : edges)
-  {
-    const auto [root_i, sign_i] = sets.find(e.i);
-    const auto [root_k, sign_k] = sets.find(e.k);
-    if (root_i == root_k)
-      continue;
-    edges[number_of_edges++] = e;
-    votes.push_back({(std::min)(root_i, root_k), (std::max)(root_i, root_k), double(sign_i * sign_k) * e.agreement, std::abs(e.agreement)});
-  }
-  edges.resize(number_of_edges);
-  // stable, so that sums of the same votes are bitwise the same
-  std::stable_sort(votes.begin(), votes.end(), [](const Vote& v, const Vote& w) { return std::tie(v.a, v.b) < std::tie(w.a, w.b); });
-  std::size_t number_of_pairs = 0;
+  std::size_t size = 0;
   for (const Vote& v : votes)
-    if (number_of_pairs > 0 && votes[number_of_pairs - 1].a == v.a && votes[number_of_pairs - 1].b == v.b)
+  {
+    const auto [root_a, sign_a] = sets.find(v.a);
+    const auto [root_b, sign_b] = sets.find(v.b);
+    if (root_a != root_b)
+      votes[size++] = {(std::min)(root_a, root_b), (std::max)(root_a, root_b), sign_a * sign_b * v.agreement, v.total};
+  }
+  votes.resize(size);
+  sort_by_key<Sequential_tag>(votes.begin(), votes.end(), [](const Vote& v) { return (std::uint64_t(v.a) << 32) | v.b; },
+                              [](const Vote& v, const Vote& w) { return v.agreement < w.agreement; });
+  size = 0;
+  for (const Vote& v : votes)
+    if (size > 0 && votes[size - 1].a == v.a && votes[size - 1].b == v.b)
     {
-      votes[number_of_pairs - 1].agreement += v.agreement;
-      votes[number_of_pairs - 1].total += v.total;
+      votes[size - 1].agreement += v.agreement;
+      votes[size - 1].total += v.total;
     }
     else
-      votes[number_of_pairs++] = v;
-  votes.resize(number_of_pairs);
+      votes[size++] = v;
+  votes.resize(size);
 }
 
-/// Joins sets that touch by majority: round by round, each set with the neighbor that their edges are most of one mind about.
+/// Joins sets that touch by majority: round by round, each set with the neighbor that their votes are most of one mind about.
 /// \param sure the share of the votes, in [0, 1], that the winning side has to be ahead by
-inline void join_by_votes(double sure, Buffer<Edge>& edges, Signed_union_find& sets)
+inline void join_by_votes(double sure, Buffer<Vote>& votes, Signed_union_find& sets)
 {
-  Buffer<Vote> votes(edges.get_allocator());
-  Buffer<std::size_t> strongest(sets.size(), 0, edges.get_allocator());
-  for (;;)
+  const std::size_t none = (std::numeric_limits<std::size_t>::max)();
+  Buffer<std::size_t> strongest(sets.size(), none, votes.get_allocator());   // the vote of each set that it joins by
+  const auto is_stronger = [&](std::size_t v, std::size_t w) {
+    const double a = std::abs(votes[v].agreement), b = std::abs(votes[w].agreement);
+    return a != b ? a > b : v < w;
+  };
+  for (bool is_joined = true; is_joined;)
   {
-    count_votes(edges, sets, votes);
-    votes.erase(std::remove_if(votes.begin(), votes.end(),
-                               [&](const Vote& v) { return std::abs(v.agreement) < sure * v.total; }), votes.end());
-    if (votes.empty())
-      return;
-    std::stable_sort(votes.begin(), votes.end(), [](const Vote& v, const Vote& w) { return std::abs(v.agreement) > std::abs(w.agreement); });
-    const std::size_t none = votes.size();
+    is_joined = false;
+    add_up_votes(votes, sets);
     for (const Vote& v : votes)
       strongest[v.a] = strongest[v.b] = none;
     for (std::size_t n = 0; n < votes.size(); ++n)
-      for (const Index set : {votes[n].a, votes[n].b})
-        strongest[set] = (std::min)(strongest[set], n);
+      if (std::abs(votes[n].agreement) >= sure * votes[n].total)
+        for (const Index set : {votes[n].a, votes[n].b})
+          if (strongest[set] == none || is_stronger(n, strongest[set]))
+            strongest[set] = n;
     for (std::size_t n = 0; n < votes.size(); ++n)
       if (strongest[votes[n].a] == n || strongest[votes[n].b] == n)
+      {
         sets.join(votes[n].a, votes[n].b, votes[n].agreement < 0 ? -1 : 1);
+        is_joined = true;
+      }
   }
 }
 
@@ -193,25 +215,21 @@ double orient_normals(const Buffer<Vector>& positions, std::size_t number_of_nei
 {
   const auto normal = [&](Index i) -> Vector { return normals[i].template cast<double>(); };
   const std::size_t m = positions.size();
-  const Nearest_samples nearest = find_nearest_samples<ConcurrencyTag>(positions, number_of_neighbors, spacing * std::sqrt(double(number_of_neighbors) / 2), progress);
-
-  Buffer<Edge> edges(positions.get_allocator());
-  edges.reserve(nearest.number_of_pairs());
-  for (Index i = 0; i < m; ++i)
-    for (const Index* k = nearest.begin(i); k != nearest.end(i); ++k)
-      if (i < *k || !nearest.contains(*k, i))
-        edges.push_back({float(agreement_of_samples(positions[i], normal(i), positions[*k], normal(*k), spacing)), i, *k});
-  sort_by_decreasing_agreement(edges);
-
   Signed_union_find sets(m, positions.get_allocator());
-  for (const Edge& edge : edges)
-    if (std::abs(edge.agreement) >= beyond_doubt)
+  Buffer<Vote> votes(positions.get_allocator());
+  {
+    const Buffer<Edge> edges = rated_edges<ConcurrencyTag>(positions, normals, number_of_neighbors, spacing, progress);
+    for (const Edge& edge : sure_edges(edges))
       sets.join(edge.i, edge.k, edge.agreement < 0 ? -1 : 1);
-  join_by_votes(clear_majority, edges, sets);
+    for (const Edge& edge : edges)
+      if (sets.find(edge.i).first != sets.find(edge.k).first)
+        votes.push_back({edge.i, edge.k, edge.agreement, std::abs(edge.agreement)});
+  }
+  join_by_votes(clear_majority, votes, sets);
   Buffer<Index> sure_set_sizes(m, 0, positions.get_allocator());
   for (Index i = 0; i < m; ++i)
     sure_set_sizes[i] = sets.size_of_set(sets.find(i).first);
-  join_by_votes(0, edges, sets);
+  join_by_votes(0, votes, sets);
 
   struct Tree
   {

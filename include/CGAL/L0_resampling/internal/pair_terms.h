@@ -19,8 +19,8 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-// The terms of Eq. (7) that couple samples, computed pair by pair. Blocks of samples run at the same time.
-constexpr std::size_t samples_per_block = 2048;
+// The terms of Eq. (7) that couple samples, computed pair by pair. Blocks of samples run at the same time; the pairs of one fit into the cache.
+constexpr std::size_t samples_per_block = 256;
 
 /// Line 4 of Algorithm 1: updates \f$ w_i \f$ of Eq. (5), with the mean number of neighbors of all samples as \f$ \eta_S \f$, and the
 /// weights of the pairs in Eq. (7), \f$ a_{ik} = \alpha \bar\theta_{ik} (1/w_i + 1/w_k) \f$: the pair comes once with i and once with k.

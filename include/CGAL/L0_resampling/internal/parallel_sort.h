@@ -8,7 +8,11 @@
 
 #include <CGAL/tags.h>
 
+#include <boost/sort/spreadsort/integer_sort.hpp>
+
 #include <algorithm>
+#include <cstdint>
+#include <iterator>
 #include <type_traits>
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -19,15 +23,23 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// Sorts by an order without ties, so that the result does not depend on the number of threads.
-template <typename ConcurrencyTag, typename Iterator, typename Less>
-void sort(Iterator begin, Iterator end, const Less& less)
+/// Sorts by a key, a `std::uint64_t`, and values of equal keys by `less`, an order without ties, so that the result does not depend on the
+/// number of threads.
+template <typename ConcurrencyTag, typename Iterator, typename Key, typename Less>
+void sort_by_key(Iterator begin, Iterator end, const Key& key, const Less& less)
 {
+  using Value = typename std::iterator_traits<Iterator>::value_type;
 #ifdef CGAL_LINKED_WITH_TBB
   if (std::is_convertible<ConcurrencyTag, Parallel_tag>::value)
-    return tbb::parallel_sort(begin, end, less);
+    return tbb::parallel_sort(begin, end, [&](const Value& a, const Value& b) { return key(a) != key(b) ? key(a) < key(b) : less(a, b); });
 #endif
-  std::sort(begin, end, less);
+  boost::sort::spreadsort::integer_sort(begin, end, [&](const Value& a, unsigned shift) -> std::uint64_t { return key(a) >> shift; },
+                                        [&](const Value& a, const Value& b) { return key(a) < key(b); });
+  for (Iterator first = begin, last = begin; first != end; first = last)
+  {
+    last = std::find_if(first, end, [&](const Value& a) { return key(a) != key(*first); });
+    std::sort(first, last, less);
+  }
 }
 
 } // namespace internal

@@ -6,12 +6,9 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_REFIT_NORMALS_H
 #define CGAL_L0_RESAMPLING_INTERNAL_REFIT_NORMALS_H
 
+#include <CGAL/L0_resampling/internal/Plane_moments.h>
 #include <CGAL/L0_resampling/internal/update_normals.h>
 #include <CGAL/L0_resampling/internal/weights.h>
-
-#include <Eigen/Eigenvalues>
-
-#include <cmath>
 
 namespace CGAL {
 namespace L0_resampling {
@@ -34,38 +31,15 @@ Eigen::Matrix<T, 3, 1> refitted_normal(const Eigen::Matrix<T, 3, 1>& center, con
   const T squared_radius = T(filter.radius * filter.radius);
   const T squared_bandwidth = filter.squared_bandwidth, normal_bandwidth = filter.normal_bandwidth;
   const T own_x = normal[0], own_y = normal[1], own_z = normal[2];
-  L sum, x, y, z, xx, xy, xz, yy, yz, zz;
-  candidates.for_each_run_in_ball(center, squared_radius, [&](std::size_t k) {
-    const L dx = L::load(&candidates.x[k]) - center[0];
-    const L dy = L::load(&candidates.y[k]) - center[1];
-    const L dz = L::load(&candidates.z[k]) - center[2];
-    const L squared_distance = dx * dx + dy * dy + dz * dz;
+  Plane_moments<L> lanes;
+  candidates.for_each_run_in_ball(center, squared_radius, [&](std::size_t k, const L& squared_distance) {
     const L cosine = L::load(&normals.x[k]) * own_x + L::load(&normals.y[k]) * own_y + L::load(&normals.z[k]) * own_z;
-    const L weight = where_less(squared_distance, squared_radius,
-                                bilateral_weight(squared_distance, squared_bandwidth, cosine, normal_bandwidth));
-    const L wx = weight * dx, wy = weight * dy, wz = weight * dz;
-    sum += weight;
-    x += wx;  y += wy;  z += wz;
-    xx += wx * dx;  xy += wx * dy;  xz += wx * dz;
-    yy += wy * dy;  yz += wy * dz;  zz += wz * dz;
+    lanes.add(L::load(&candidates.x[k]) - center[0], L::load(&candidates.y[k]) - center[1], L::load(&candidates.z[k]) - center[2],
+              where_less(squared_distance, squared_radius, bilateral_weight(squared_distance, squared_bandwidth, cosine, normal_bandwidth)));
   });
 
-  const double total = sum.sum();
-  if (!(total > 2))   // hardly anybody but the point itself
-    return normal;
-  const Eigen::Vector3d mean = Eigen::Vector3d(x.sum(), y.sum(), z.sum()) / total;
-  Eigen::Matrix3d covariance;
-  covariance << xx.sum(), xy.sum(), xz.sum(),
-                xy.sum(), yy.sum(), yz.sum(),
-                xz.sum(), yz.sum(), zz.sum();
-  covariance = covariance / total - mean * mean.transpose();
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect(covariance);
-  const Eigen::Vector3d plane_normal = solver.eigenvectors().col(0), own = normal.template cast<double>();
-  const double cosine = plane_normal.dot(own), least_cosine = 0.5;
-  if (!(std::abs(cosine) > least_cosine))   // the points that agree lie in a strip or a clump
-    return normal;
-  return (own.normalized() + (cosine < 0 ? -1 : 1) * plane_normal.normalized()).normalized().template cast<T>();
+  const Triple refitted = halfway_to_plane(sum_of_lanes(lanes), {normal[0], normal[1], normal[2]});
+  return {T(refitted.x), T(refitted.y), T(refitted.z)};
 }
 
 /*!

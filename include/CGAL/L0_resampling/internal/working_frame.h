@@ -80,6 +80,9 @@ public:
 private:
   static Vector scaled(const Vector& v, int exponent)
   {
+    const double factor = std::ldexp(1., exponent);
+    if (std::isnormal(factor))
+      return factor * v;
     return {std::ldexp(v[0], exponent), std::ldexp(v[1], exponent), std::ldexp(v[2], exponent)};
   }
 };

@@ -1,0 +1,94 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_PLANE_MOMENTS_H
+#define CGAL_L0_RESAMPLING_INTERNAL_PLANE_MOMENTS_H
+
+#include <CGAL/L0_resampling/internal/Parameters.h>
+#include <CGAL/L0_resampling/internal/symmetric_eigen.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/// A plane through points.
+struct Fitted_plane
+{
+  Triple normal;
+  bool spans_plane;       ///< whether the points determine it, and are not too few to be trusted
+  double variance;        ///< of the points across it
+};
+
+/// The weighted moments of points relative to some center, up to the second, and what a plane through the points takes from them (Hoppe et al. 1992).
+/// \tparam S a number, or lanes of numbers
+template <typename S>
+struct Plane_moments
+{
+  S sum = S(), x = S(), y = S(), z = S(), xx = S(), xy = S(), xz = S(), yy = S(), yz = S(), zz = S();
+
+  CGAL_L0_HOST_DEVICE void add(const S& dx, const S& dy, const S& dz, const S& weight)
+  {
+    const S wx = weight * dx, wy = weight * dy, wz = weight * dz;
+    sum += weight;
+    x += wx;  y += wy;  z += wz;
+    xx += wx * dx;  xy += wx * dy;  xz += wx * dz;
+    yy += wy * dy;  yz += wy * dz;  zz += wz * dz;
+  }
+
+  /// Of the covariance. The plane's normal is its smallest vector, the variance across it its smallest value.
+  /// \pre `S` is a number, and `sum` is positive
+  CGAL_L0_HOST_DEVICE Eigen_decomposition eigen_decomposition() const
+  {
+    const double n = sum, mx = x / n, my = y / n, mz = z / n;
+    return decompose({xx / n - mx * mx, xy / n - mx * my, xz / n - mx * mz, yy / n - my * my, yz / n - my * mz, zz / n - mz * mz});
+  }
+
+  /// The plane through points of weight 1 in a ball. Points on a line give a normal across it; coincident points give (0, 0, 1).
+  /// \param epsilon of the number type of the points' coordinates
+  CGAL_L0_HOST_DEVICE Fitted_plane plane(double squared_radius, double epsilon) const
+  {
+    Fitted_plane fit = {{0, 0, 1}, false, 0};
+    if (sum < 2)
+      return fit;
+    const Eigen_decomposition eigen = eigen_decomposition();
+    const double longest = eigen.values[2] < squared_radius * 1e-6 ? squared_radius * 1e-6 : eigen.values[2];
+    const double rounding = 16 * epsilon * longest;   // what is left of a variance across a line
+    if (!(eigen.values[2] > rounding))
+      return fit;
+    fit.normal = eigen.smallest_vector;
+    fit.spans_plane = eigen.values[1] > rounding && sum >= fewest_points_of_plane;
+    fit.variance = eigen.values[0] < 0 ? 0 : eigen.values[0];
+    return fit;
+  }
+};
+
+/// The unit normal halfway between `own` and that of the plane through the points that agree with it, whose moments these are; `own` where hardly anybody
+/// does, or where they lie in a strip or a clump.
+/// \param own of unit length but for rounding
+CGAL_L0_HOST_DEVICE inline Triple halfway_to_plane(const Plane_moments<double>& moments, const Triple& own)
+{
+  if (!(moments.sum > 2))
+    return own;
+  const Triple n = moments.eigen_decomposition().smallest_vector, unit = normalized(own);
+  const double cosine = dot(n, own), least_cosine = 0.5, sign = cosine < 0 ? -1 : 1;
+  if (!(cosine * sign > least_cosine))
+    return own;
+  return normalized({unit.x + sign * n.x, unit.y + sign * n.y, unit.z + sign * n.z});
+}
+
+/// The moments of all lanes.
+template <typename L>
+Plane_moments<double> sum_of_lanes(const Plane_moments<L>& m)
+{
+  return {m.sum.sum(), m.x.sum(), m.y.sum(), m.z.sum(), m.xx.sum(), m.xy.sum(), m.xz.sum(), m.yy.sum(), m.yz.sum(), m.zz.sum()};
+}
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_PLANE_MOMENTS_H
