@@ -28,7 +28,6 @@ FACE = "0.5,0,0.4,0.9,0.4,0.6"        # a part of the front of the bracket
 METHODS = {"default": "method=0", "lor": "method=1", "alor": "method=2"}
 FIGURE_LIST = {
     "teaser": ("bracket_noisy", CORNER, EVERYTHING, ["input", "default"]),
-    "shapes": ("dodecahedron_noisy", CORNER, EVERYTHING, ["input", "default", "select_percentage=200"]),
     "torus": ("torus_noisy", CORNER, EVERYTHING, ["input", "default"]),
     "methods": ("bracket_noisy", CORNER, EVERYTHING, ["input", *METHODS.values()]),
     "profile": ("staircase_noisy", FRONT, STEPS, ["input", *(f"{method},select_percentage=100" for method in METHODS.values())]),

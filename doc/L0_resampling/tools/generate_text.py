@@ -7,6 +7,7 @@
 
 - figures_of_the_code: Doxygen aliases, one for each default, constant and measured figure, such as \\default_normal_weight,
   \\constant_pca_radius_factor, \\quality_fandisk_10_default_distance (noise of 1.0 %) or \\speed_default_seconds;
+- formula_macros.tex: the same defaults, constants and figures of speed for use in formulas, such as \\constantPcaRadiusFactor, as TeX knows no underscores;
 - table_*.txt: the tables of the benchmarks, for \\include{doc}.
 
 DEFAULTS.json is what the program print_defaults prints, BENCHMARK_DIRECTORY is benchmark/L0_resampling.
@@ -49,6 +50,11 @@ def html_tables(markdown):
             tables.append("\n".join(['<table class="l0Table">', row(header, "th"), *(row(b, "td") for b in body), "</table>"]) + "\n")
             lines = []
     return tables
+
+
+def camel_case(name):
+    first, *others = name.split("_")
+    return first + "".join(word.capitalize() for word in others)
 
 
 def code_figures(defaults):
@@ -129,6 +135,8 @@ def main():
     output.mkdir(parents=True, exist_ok=True)
     aliases = "".join(f'ALIASES += "{name}={value}"\n' for name, value in figures.items())
     (output / "figures_of_the_code").write_text(aliases, encoding="utf-8")
+    macros = "".join(f"\\newcommand{{\\{camel_case(name)}}}{{{value}}}\n" for name, value in figures.items() if camel_case(name).isalpha())
+    (output / "formula_macros.tex").write_text(macros, encoding="utf-8")
     for name, text in texts.items():
         for number, table in enumerate(html_tables(text), start=1):
             (output / f"table_{name}_{number}.txt").write_text(table, encoding="utf-8")
