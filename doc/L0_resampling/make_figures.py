@@ -67,7 +67,7 @@ def main():
             figure = FIGURES / f"{name}.png"
             subprocess.run([programs / "draw_variants", input_file(data, programs, Path(scratch)), figure, eye, box, *variants],
                            check=True)
-            Image.open(figure).quantize(128).save(figure, optimize=True)
+            Image.open(figure).quantize(256, Image.Quantize.MAXCOVERAGE).save(figure, optimize=True)
 
 
 if __name__ == "__main__":

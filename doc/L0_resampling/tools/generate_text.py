@@ -68,6 +68,7 @@ QUALITY_NAMES = {"mean distance, %": "distance", "mean coverage, %": "coverage",
 
 
 def quality_figures(quality_tables, name, result):
+    """Of each method, and the best figure of CGAL's in each column."""
     for experiment in result["experiments"]:
         noise = f"{experiment['noise_percent']:.1f}".replace(".", "")
         for method, runs in experiment["measurements"].items():
@@ -75,6 +76,11 @@ def quality_figures(quality_tables, name, result):
                 value = column.value([runs["evaluation"]])
                 if column.heading in QUALITY_NAMES and value is not None:
                     yield f"quality_{name}_{noise}_{method}_{QUALITY_NAMES[column.heading]}", f"{value:.{column.digits}f}"
+        theirs = [[run["evaluation"]] for run in experiment["measurements"].values() if not quality_tables.is_ours([run])]
+        for column in quality_tables.COLUMNS:
+            if column.heading in QUALITY_NAMES:
+                best = column.best(column.value(evaluations) for evaluations in theirs)
+                yield f"quality_{name}_{noise}_best_{QUALITY_NAMES[column.heading]}", f"{best:.{column.digits}f}"
 
 
 def speed_figures(performance_tables, comparison, scaling):
@@ -96,6 +102,7 @@ def speed_figures(performance_tables, comparison, scaling):
 
 def solver_figures(performance_tables, solvers):
     """What the paper's rows cost beside the collapsed problem, and what half-sampling saves of them."""
+    yield "solver_points_in", str(solvers[0]["number_of_input_points"])
     for line in solvers:
         name = f"solver_{line['parameters']['solver']}_{line['parameters']['method']}"
         runs = [other for other in solvers if other["parameters"] == line["parameters"]]
