@@ -6,7 +6,7 @@
 """Holds the manual to the code: check_manual.py PRINT_DEFAULTS SOURCE_DIRECTORY, with the program print_defaults
 
 - The docstring of l0_resample_point_set() quotes the defaults that the code has.
-- The pages type no decimal number, as all of these are generated, and no code, as all of it is an example.
+- The pages type no decimal number and no default, as these are generated, and no code, as all of it is an example.
 - Formulas use only macros that are generated; every figure exists and is used; every named parameter is explained.
 """
 
@@ -61,8 +61,11 @@ def wrong_defaults(parameters, values):
 
 def typed_by_hand(name, page):
     text = FORMULA.sub("", page)
-    for number in re.findall(r"(?<![\w.-])\d+\.\d+(?![\w.])", text):
+    for number in re.findall(r"(?<![\w.-])\d+\.\d+(?!\.?\w)", text):
         yield f"{name} types the number {number}: quote it by an alias that generate_text.py makes"
+    for sentence in re.split(r"(?<=[.;:])\s", re.sub(r"\\\w+", "", text)):
+        if re.search(r"\bdefault (?:is|of)\b|\b[Bb]y default\b", sentence) and re.search(r"\d", sentence):
+            yield f"{name} types a default: {' '.join(sentence.split())}"
     for command in re.findall(r"[\\@](?:code|verbatim)\b|```|~~~", text):
         yield f"{name} types code behind {command}: show an example with \\snippet"
 

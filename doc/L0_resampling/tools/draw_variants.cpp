@@ -127,7 +127,7 @@ std::vector<Oriented_point> resample(const Point_cloud& cloud, const std::string
 bool lies_in(const Point& p, const std::array<double, 6>& box)
 {
   for (int axis = 0; axis < 3; ++axis)
-    if (!(p[axis] >= box[std::size_t(axis)] && p[axis] <= box[std::size_t(axis + 3)]))
+    if (!(p[axis] >= box[std::size_t(axis)] && p[axis] <= box[std::size_t(axis) + 3]))
       return false;
   return true;
 }
