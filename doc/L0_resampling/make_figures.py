@@ -5,7 +5,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Draws the figures of the manual from the sets in data/:  make_figures.py BUILD_DIRECTORY [NAME...]
 
-BUILD_DIRECTORY has the programs draw_variants and sample_mesh. Needs Pillow (Debian: python3-pil) to make the files small. Each figure is a row of pictures; what differs from one to the next stands below.
+BUILD_DIRECTORY has the programs draw_variants and sample_mesh. Needs Pillow (Debian: python3-pil) to make the files small.
+Each figure is a row of pictures; what differs from one to the next stands below.
 """
 
 import subprocess
@@ -54,8 +55,8 @@ def input_file(name, programs, scratch):
     if not noise:
         return ROOT / "data" / f"{name}.ply"
     path = scratch / f"{mesh}_{noise}.ply"
-    subprocess.run([programs / "sample_mesh", ROOT / "data" / f"{mesh}.off", path, "--points", "10000", "--noise", noise, "--seed", "2"],
-                   check=True, stdout=subprocess.DEVNULL)
+    subprocess.run([programs / "sample_mesh", ROOT / "data" / f"{mesh}.off", path,
+                    "--points", "10000", "--noise", noise, "--seed", "2"], check=True, stdout=subprocess.DEVNULL)
     return path
 
 

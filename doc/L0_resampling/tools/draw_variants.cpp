@@ -7,8 +7,9 @@
 //
 //   draw_variants INPUT.ply OUTPUT.png TOWARDS_EYE BOX VARIANT...
 //
-// TOWARDS_EYE is x,y,z and BOX x0,y0,z0,x1,y1,z1: only what lies in it is drawn. A variant is `input`, or `default`, or names and values such as
-// `method=1,normal_weight=5`, with the names of the named parameters. A radius is read in units of its default.
+// TOWARDS_EYE is x,y,z and BOX x0,y0,z0,x1,y1,z1: only what lies in it is drawn. A variant is `input`, or `default`, or
+// names and values such as `method=1,normal_weight=5`, with the names of the named parameters and the number of a Method.
+// A radius is read in units of its default.
 
 #include "file_formats.h"
 #include "read_points.h"

@@ -7,7 +7,8 @@
 
 - figures_of_the_code: Doxygen aliases, one for each default, constant and measured figure, such as \\default_normal_weight,
   \\constant_pca_radius_factor, \\quality_fandisk_10_default_distance (noise of 1.0 %) or \\speed_default_seconds;
-- formula_macros.tex: the same defaults, constants and figures of speed for use in formulas, such as \\constantPcaRadiusFactor, as TeX knows no underscores;
+- formula_macros.tex: the same for formulas, where their names have letters only, such as \\constantPcaRadiusFactor, as
+  TeX knows no underscores;
 - table_*.txt: the tables of the benchmarks, for \\include{doc}.
 
 DEFAULTS.json is what the program print_defaults prints, BENCHMARK_DIRECTORY is benchmark/L0_resampling.
@@ -47,7 +48,8 @@ def html_tables(markdown):
             lines.append(line)
         elif lines:
             header, _, *body = lines
-            tables.append("\n".join(['<table class="l0Table">', row(header, "th"), *(row(b, "td") for b in body), "</table>"]) + "\n")
+            rows = [row(header, "th"), *(row(b, "td") for b in body)]
+            tables.append("\n".join(['<table class="l0Table">', *rows, "</table>"]) + "\n")
             lines = []
     return tables
 
@@ -142,7 +144,8 @@ def main():
     output.mkdir(parents=True, exist_ok=True)
     aliases = "".join(f'ALIASES += "{name}={value}"\n' for name, value in figures.items())
     (output / "figures_of_the_code").write_text(aliases, encoding="utf-8")
-    macros = "".join(f"\\newcommand{{\\{camel_case(name)}}}{{{value}}}\n" for name, value in figures.items() if camel_case(name).isalpha())
+    macros = "".join(f"\\newcommand{{\\{camel_case(name)}}}{{{value}}}\n" for name, value in figures.items()
+                     if camel_case(name).isalpha())
     (output / "formula_macros.tex").write_text(macros, encoding="utf-8")
     for name, text in texts.items():
         for number, table in enumerate(html_tables(text), start=1):

@@ -3,7 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Prints the defaults of the named parameters and the constants of the methods as JSON, for generate_text.py and check_docstrings.py.
+// Prints the defaults of the named parameters and the constants of the methods as JSON, for generate_text.py and
+// check_manual.py.
 
 #include <CGAL/L0_resampling/internal/checked_parameters.h>
 #include <CGAL/L0_resampling/internal/orientation_agreement.h>
