@@ -9,6 +9,7 @@
 using Kernel = CGAL::Simple_cartesian<double>;
 using namespace CGAL::L0_resampling;
 
+//! [solver]
 struct My_solver_traits  // a model of L0ResamplingSolverTraits
 {
   using FT = double;
@@ -46,6 +47,7 @@ struct My_solver_traits  // a model of L0ResamplingSolverTraits
     return {std::size_t(solver.iterations()), solver.error(), solver.info() == Eigen::Success};
   }
 };
+//! [solver]
 
 int main(int argc, char** argv)
 {

@@ -26,6 +26,7 @@ int main(int argc, char* argv[])
   if (!CGAL::IO::read_points(input_file, std::back_inserter(points)))
     return EXIT_FAILURE;
 
+  //! [callback]
   const auto start = std::chrono::steady_clock::now();
   const auto callback = [&](double progress) {
     std::cout << "\r" << int(100 * progress) << " %" << std::flush;
@@ -37,6 +38,7 @@ int main(int argc, char* argv[])
     points, std::back_inserter(result), CGAL::parameters::resampling_report(&report).callback(callback));
 
   const bool is_cancelled = report.outcome == CGAL::L0_resampling::Outcome::CANCELLED;
+  //! [callback]
   std::cout << "\r" << (is_cancelled ? "cancelled, " : "") << result.size() << " points" << std::endl;
   return EXIT_SUCCESS;
 }

@@ -30,11 +30,13 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
 
+  //! [call]
   std::vector<Point_with_normal> result;
   CGAL::L0_resampling::Report report;
   CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(
     points, std::back_inserter(result),
     CGAL::parameters::resampling_report(&report).number_of_output_points(points.size() / 2));
+  //! [call]
 
   std::cout << result.size() << " of " << points.size() << " points, " << 100 * report.oriented_share << " % oriented" << std::endl;
   const auto np = CGAL::parameters::point_map(CGAL::First_of_pair_property_map<Point_with_normal>())

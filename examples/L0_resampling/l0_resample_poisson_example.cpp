@@ -30,6 +30,7 @@ int main(int argc, char* argv[])
   if (!CGAL::IO::read_points(input_file, std::back_inserter(points)))
     return EXIT_FAILURE;
 
+  //! [reconstruct]
   std::vector<Point_with_normal> clean;
   CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(points, std::back_inserter(clean));
 
@@ -39,6 +40,7 @@ int main(int argc, char* argv[])
   CGAL::Surface_mesh<Kernel::Point_3> mesh;
   if (!CGAL::poisson_surface_reconstruction_delaunay(clean.begin(), clean.end(), point_map, normal_map, mesh, spacing))
     return EXIT_FAILURE;
+  //! [reconstruct]
   std::cout << mesh.number_of_vertices() << " vertices, " << mesh.number_of_faces() << " faces" << std::endl;
   std::ofstream out(output_file);
   return (out << mesh) ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -1,0 +1,75 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026  The CGAL::L0_resampling authors.
+# All rights reserved.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Draws the figures of the manual from the sets in data/:  make_figures.py BUILD_DIRECTORY [NAME...]
+
+BUILD_DIRECTORY has the programs draw_variants and sample_mesh. Needs Pillow (Debian: python3-pil) to make the files small.
+Each figure is a row of pictures; what differs from one to the next stands below.
+"""
+
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from PIL import Image
+
+ROOT = Path(__file__).resolve().parents[2]
+FIGURES = Path(__file__).resolve().parent / "fig"
+
+EVERYTHING = "-9,-9,-9,9,9,9"
+CORNER = "0.6,0.55,1"           # where the eye is
+FRONT, ABOVE = "0,0,1", "0.2,0.1,1"
+STEPS = "0.1,0.2,0.3,0.8,0.8,0.7"     # a slab through two steps of the staircase
+FACE = "0.5,0,0.4,0.9,0.4,0.6"        # a part of the front of the bracket
+
+# name: (set, towards the eye, what is drawn, variants for draw_variants)
+METHODS = {"default": "method=0", "lor": "method=1", "alor": "method=2"}
+FIGURE_LIST = {
+    "teaser": ("bracket_noisy", CORNER, EVERYTHING, ["input", "default"]),
+    "torus": ("torus_noisy", CORNER, EVERYTHING, ["input", "default"]),
+    "methods": ("bracket_noisy", CORNER, EVERYTHING, ["input", *METHODS.values()]),
+    "profile": ("staircase_noisy", FRONT, STEPS, ["input", *(f"{method},select_percentage=100" for method in METHODS.values())]),
+    "number_of_output_points": ("dodecahedron_noisy", CORNER, EVERYTHING, [f"select_percentage={p}" for p in (5, 20, 50, 200)]),
+    "neighbor_radius": ("bracket_noisy", CORNER, EVERYTHING, [f"neighbor_radius={r}" for r in (0.4, 1, 2)]),
+    "normal_filter_radius": ("bracket_noisy", CORNER, EVERYTHING, [f"normal_filter_radius={r}" for r in (0.5, 1, 2.5)]),
+    "sharpness_angle": ("bracket_noisy", CORNER, EVERYTHING, [f"sharpness_angle={a}" for a in (4, 15, 50)]),
+    "number_of_normal_filter_iterations": ("bracket_noisy", CORNER, EVERYTHING,
+                                           [f"number_of_normal_filter_iterations={n}" for n in (0, 1, 5, 40)]),
+    "normal_weight": ("staircase 1.5", FRONT, STEPS,
+                      ["input", *(f"method=1,select_percentage=100,neighbor_radius=2,normal_weight={w}" for w in (0, 0.9, 20))]),
+    "regularization_weight": ("bracket_noisy", ABOVE, FACE, ["input", *(f"regularization_weight={w}" for w in (0, 0.05, 5))]),
+    "penalties": ("staircase 1.5", FRONT, STEPS,
+                  ["input", *(f"method=1,select_percentage=100,neighbor_radius=2,maximum_penalty={p}" for p in (0.1, 2, 200))]),
+    "number_of_orientation_neighbors": ("thin_plate_noisy", CORNER, EVERYTHING,
+                                        [f"number_of_orientation_neighbors={k}" for k in (3, 12, 100)]),
+    "random_seed": ("dodecahedron_noisy", CORNER, "-9,-9,1,9,9,9", [f"select_percentage=20,random_seed={s}" for s in (0, 1, 2)]),
+}
+
+
+def input_file(name, programs, scratch):
+    """A set of data/, or the mesh of one sampled with other noise, in % of its diagonal."""
+    mesh, _, noise = name.partition(" ")
+    if not noise:
+        return ROOT / "data" / f"{name}.ply"
+    path = scratch / f"{mesh}_{noise}.ply"
+    subprocess.run([programs / "sample_mesh", ROOT / "data" / f"{mesh}.off", path,
+                    "--points", "10000", "--noise", noise, "--seed", "2"], check=True, stdout=subprocess.DEVNULL)
+    return path
+
+
+def main():
+    programs = Path(sys.argv[1]) / "bin"
+    with tempfile.TemporaryDirectory() as scratch:
+        for name in sys.argv[2:] or FIGURE_LIST:
+            data, eye, box, variants = FIGURE_LIST[name]
+            figure = FIGURES / f"{name}.png"
+            subprocess.run([programs / "draw_variants", input_file(data, programs, Path(scratch)), figure, eye, box, *variants],
+                           check=True)
+            Image.open(figure).quantize(256, Image.Quantize.MAXCOVERAGE).save(figure, optimize=True)
+
+
+if __name__ == "__main__":
+    main()

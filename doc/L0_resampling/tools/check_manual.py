@@ -1,0 +1,112 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026  The CGAL::L0_resampling authors.
+# All rights reserved.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Holds the manual to the code: check_manual.py PRINT_DEFAULTS SOURCE_DIRECTORY, with the program print_defaults
+
+- The docstring of l0_resample_point_set() quotes the defaults that the code has.
+- The pages type no decimal number and no default, as these are generated, and no code, as all of it is an example.
+- Formulas use only macros that are generated; every figure exists and is used; every named parameter is explained.
+"""
+
+import json
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+NUMBER = r"\d+(?:\.\d+)?"
+FORMULA = re.compile(r"\\f\$.*?\\f\$|\\f\[.*?\\f\]", re.DOTALL)
+
+
+def braced(text, begin):
+    """What stands between the brace at `begin` and the one that closes it."""
+    depth = 0
+    for i in range(begin, len(text)):
+        depth += {"{": 1, "}": -1}.get(text[i], 0)
+        if depth == 0:
+            return text[begin + 1:i]
+    raise ValueError("a brace is not closed")
+
+
+def docstring_parameters(header):
+    """The documentation of each named parameter of l0_resample_point_set(), and what it says of the default."""
+    parameters = {}
+    for block in re.findall(r"\\cgalParamNBegin(.*?)\\cgalParamNEnd", header, re.DOTALL):
+        default = block.index(r"\cgalParamDefault") + len(r"\cgalParamDefault")
+        parameters[braced(block, 0)] = (re.sub(r"\s+", " ", block), braced(block, default))
+    return parameters
+
+
+def wrong_defaults(parameters, values):
+    default, lor, constant = values["default"], values["lor"], values["constant"]
+    for name in default:
+        quoted = [float(n) for n in re.findall(NUMBER, parameters[name][1])]
+        expected = [lor[name]] if lor[name] == default[name] else [lor[name], default[name]]
+        if quoted != expected:
+            yield f"the docstring of {name} quotes {quoted} as default, the code has {expected}"
+        if values["alor"][name] != lor[name]:
+            yield f"LOR and ALOR have different defaults of {name}: the manual takes them for one"
+    radius = f"({constant['radius_per_spacing']:g}s)^2 + ({constant['radius_per_noise']:g}\\sigma)^2"
+    phrases = [("neighbor_radius", radius),
+               ("neighbor_radius", f"r_p / {1 / constant['self_neighbor_radius_factor']:g} "),
+               ("neighbor_radius", f"within {constant['self_neighbor_radius_per_spacing']:g} spacings"),
+               ("normal_filter_radius", f"{constant['default_filter_radius_factor']:g} r_p"),
+               ("normal_weight", f"r_p / {1 / constant['sparsity_unit_factor']:g} ")]
+    for name, phrase in phrases:
+        if phrase not in parameters[name][0]:
+            yield f"the docstring of {name} does not say '{phrase}', as the code has it"
+
+
+def typed_by_hand(name, page):
+    text = FORMULA.sub("", page)
+    for number in re.findall(r"(?<![\w.-])\d+\.\d+(?!\.?\w)", text):
+        yield f"{name} types the number {number}: quote it by an alias that generate_text.py makes"
+    for sentence in re.split(r"(?<=[.;:])\s", re.sub(r"\\\w+", "", text)):
+        if re.search(r"\bdefault (?:is|of)\b|\b[Bb]y default\b", sentence) and re.search(r"\d", sentence):
+            yield f"{name} types a default: {' '.join(sentence.split())}"
+    for command in re.findall(r"[\\@](?:code|verbatim)\b|```|~~~", text):
+        yield f"{name} types code behind {command}: show an example with \\snippet"
+
+
+def unknown_macros(name, page, macros):
+    for formula in FORMULA.findall(page):
+        for macro in re.findall(r"\\((?:default|lor|alor|constant|quality|speed|solver|device)[A-Z_]\w*)", formula):
+            if macro not in macros:
+                yield f"{name} has \\{macro} in a formula, which generate_text.py does not make"
+
+
+def main():
+    source = Path(sys.argv[2])
+    manual = source / "doc" / "L0_resampling"
+    defaults = subprocess.run([sys.argv[1]], check=True, capture_output=True, text=True).stdout
+    with tempfile.TemporaryDirectory() as scratch:
+        (Path(scratch) / "defaults.json").write_text(defaults, encoding="utf-8")
+        subprocess.run([sys.executable, manual / "tools" / "generate_text.py", Path(scratch) / "defaults.json",
+                        source / "benchmark" / "L0_resampling", scratch], check=True)
+        macros = set(re.findall(r"\\newcommand\{\\(\w+)\}", (Path(scratch) / "formula_macros.tex").read_text(encoding="utf-8")))
+
+    header = (source / "include" / "CGAL" / "l0_resample_point_set.h").read_text(encoding="utf-8")
+    parameters = docstring_parameters(header)
+    pages = {path.name: path.read_text(encoding="utf-8") for path in sorted(manual.glob("*.txt"))
+             if path.name != "CMakeLists.txt"}
+
+    errors = list(wrong_defaults(parameters, json.loads(defaults)))
+    for name, page in pages.items():
+        errors += [*typed_by_hand(name, page), *unknown_macros(name, page, macros)]
+    errors += [f"the user manual does not explain {name}" for name in parameters if name not in pages["L0_resampling.txt"]]
+
+    shown = set(re.findall(r"[\w.]+\.png", "".join(pages.values())))
+    drawn = {path.name for path in (manual / "fig").glob("*.png")}
+    errors += [f"there is no figure fig/{name}" for name in sorted(shown - drawn)]
+    errors += [f"no page shows fig/{name}" for name in sorted(drawn - shown)]
+
+    for error in errors:
+        print("check_manual:", error, file=sys.stderr)
+    sys.exit(1 if errors else 0)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,214 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Draws results of several parameters beside each other, for the figures of the manual:
+//
+//   draw_variants INPUT.ply OUTPUT.png TOWARDS_EYE BOX VARIANT...
+//
+// TOWARDS_EYE is x,y,z and BOX x0,y0,z0,x1,y1,z1: only what lies in it is drawn. A variant is `input`, or `default`, or
+// names and values such as `method=1,normal_weight=5`, with the names of the named parameters and the number of a Method.
+// A radius is read in units of its default.
+
+#include "file_formats.h"
+#include "read_points.h"
+#include "render_snapshot.h"
+#include "write_png.h"
+
+#include <CGAL/l0_resample_point_set.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace parameters = CGAL::parameters;
+using CGAL::L0_resampling::Method;
+using l0_tool::Image;
+using l0_tool::Oriented_point;
+using l0_tool::Point;
+using l0_tool::Point_cloud;
+
+std::vector<std::string> split(const std::string& text)
+{
+  std::vector<std::string> parts;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, ',');)
+    parts.push_back(part);
+  return parts;
+}
+
+template <std::size_t N>
+std::array<double, N> numbers(const std::string& text)
+{
+  const std::vector<std::string> parts = split(text);
+  if (parts.size() != N)
+    throw std::invalid_argument(text + " is not a list of " + std::to_string(N) + " numbers");
+  std::array<double, N> result;
+  for (std::size_t i = 0; i < N; ++i)
+    result[i] = std::stod(parts[i]);
+  return result;
+}
+
+using Values = std::map<std::string, double>;
+
+Values values_of_variant(const std::string& variant)
+{
+  Values values;
+  if (variant == "default")
+    return values;
+  for (const std::string& part : split(variant)) {
+    const std::size_t sign = part.find('=');
+    if (sign == std::string::npos)
+      throw std::invalid_argument(part + " is not NAME=VALUE");
+    values[part.substr(0, sign)] = std::stod(part.substr(sign + 1));
+  }
+  return values;
+}
+
+/// Takes a value off the list, so that what is left at the end is a misspelled name.
+double take(Values& values, const std::string& name, double default_value)
+{
+  const auto found = values.find(name);
+  if (found == values.end())
+    return default_value;
+  const double value = found->second;
+  values.erase(found);
+  return value;
+}
+
+std::vector<Oriented_point> resample(const Point_cloud& cloud, const std::string& variant)
+{
+  Values values = values_of_variant(variant);
+  const Method method = Method(int(take(values, "method", double(Method::DEFAULT))));
+  const auto defaults =
+    CGAL::L0_resampling::internal::checked_parameters(parameters::resampling_method(method), cloud.points.size());
+
+  // The radii that the points ask for are known after a call only.
+  CGAL::L0_resampling::Report report;
+  std::vector<Oriented_point> result;
+  CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(
+    cloud.points, std::back_inserter(result), parameters::resampling_method(method).resampling_report(&report));
+  result.clear();
+  const double radius = take(values, "neighbor_radius", 1) * report.neighbor_radius;
+  const double filter_radius =
+    take(values, "normal_filter_radius", 1) * radius * report.normal_filter_radius / report.neighbor_radius;
+  const double share = take(values, "select_percentage", 50) / 100;
+
+  const auto np =
+    parameters::resampling_method(method).neighbor_radius(radius).normal_filter_radius(filter_radius)
+      .sharpness_angle(take(values, "sharpness_angle", defaults.sharpness_angle))
+      .number_of_normal_filter_iterations(std::size_t(
+        take(values, "number_of_normal_filter_iterations", double(defaults.number_of_normal_filter_iterations))))
+      .normal_weight(take(values, "normal_weight", defaults.normal_weight))
+      .regularization_weight(take(values, "regularization_weight", defaults.regularization_weight))
+      .initial_penalty(take(values, "initial_penalty", defaults.initial_penalty))
+      .maximum_penalty(take(values, "maximum_penalty", defaults.maximum_penalty))
+      .penalty_growth(take(values, "penalty_growth", defaults.penalty_growth))
+      .number_of_orientation_neighbors(
+        std::size_t(take(values, "number_of_orientation_neighbors", double(defaults.number_of_orientation_neighbors))))
+      .random_seed(std::size_t(take(values, "random_seed", 0)))
+      .number_of_output_points(std::size_t(share * double(cloud.points.size())));
+  if (!values.empty())
+    throw std::invalid_argument(values.begin()->first + " is not a named parameter");
+  CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(cloud.points, std::back_inserter(result), np);
+  return result;
+}
+
+bool lies_in(const Point& p, const std::array<double, 6>& box)
+{
+  for (int axis = 0; axis < 3; ++axis)
+    if (!(p[axis] >= box[std::size_t(axis)] && p[axis] <= box[std::size_t(axis) + 3]))
+      return false;
+  return true;
+}
+
+/// The panel of the result, at half its size: what render_snapshot() draws beside the input.
+void copy_panel(const Image& snapshot, int panel, int place, Image& picture)
+{
+  const int width = snapshot.width / 2;
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < width / 2; ++x)
+      for (std::size_t channel = 0; channel < 3; ++channel) {
+        float sum = 0;
+        for (int dy : {0, 1})
+          for (int dx : {0, 1})
+            sum += snapshot.at(panel * width + 2 * x + dx, 2 * y + dy)[channel];
+        picture.at(place * width / 2 + x, y)[channel] = sum / 4;
+      }
+}
+
+/// Leaves out the rows at the top and the bottom that are white all along, but for a few.
+Image without_white_rows(const Image& picture)
+{
+  const auto is_white = [&](int y) {
+    for (int x = 0; x < picture.width; ++x)
+      if (picture.at(x, y) != l0_tool::Color{1, 1, 1})
+        return false;
+    return true;
+  };
+  int begin = 0, end = picture.height;
+  while (begin < end && is_white(begin))
+    ++begin;
+  while (begin < end && is_white(end - 1))
+    --end;
+  const int margin = 10;
+  begin = (std::max)(begin - margin, 0);
+  end = (std::min)(end + margin, picture.height);
+  Image result(picture.width, end - begin, {1, 1, 1});
+  for (int y = begin; y < end; ++y)
+    for (int x = 0; x < picture.width; ++x)
+      result.at(x, y - begin) = picture.at(x, y);
+  return result;
+}
+
+void draw(int argc, char** argv)
+{
+  if (argc < 6)
+    throw std::invalid_argument("expected INPUT.ply OUTPUT.png TOWARDS_EYE BOX VARIANT...");
+  const Point_cloud cloud = l0_tool::read_points(argv[1], l0_tool::File_format::PLY, {});
+  const std::array<double, 3> towards_eye = numbers<3>(argv[3]);
+  const std::array<double, 6> box = numbers<6>(argv[4]);
+  Point_cloud visible_cloud;
+  for (const Point& p : cloud.points)
+    if (lies_in(p, box))
+      visible_cloud.points.push_back(p);
+
+  Image picture(0, 0, {1, 1, 1});
+  for (int v = 5; v < argc; ++v) {
+    const bool is_input = std::string(argv[v]) == "input";
+    std::vector<Oriented_point> visible_result;
+    if (!is_input)
+      for (const Oriented_point& p : resample(cloud, argv[v]))
+        if (lies_in(p.first, box))
+          visible_result.push_back(p);
+    const Image snapshot = l0_tool::render_snapshot(visible_cloud, visible_result, towards_eye);
+    if (v == 5)
+      picture = Image((argc - 5) * snapshot.width / 4, snapshot.height / 2, {1, 1, 1});
+    copy_panel(snapshot, is_input ? 0 : 1, v - 5, picture);
+  }
+  l0_tool::write_png(argv[2], without_white_rows(picture));
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  try {
+    draw(argc, argv);
+    return EXIT_SUCCESS;
+  } catch (const std::exception& error) {
+    std::cerr << "draw_variants: " << error.what() << std::endl;
+    return EXIT_FAILURE;
+  }
+}

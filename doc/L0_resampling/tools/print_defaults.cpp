@@ -1,0 +1,93 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Prints the defaults of the named parameters and the constants of the methods as JSON, for generate_text.py and
+// check_manual.py.
+
+#include <CGAL/L0_resampling/internal/checked_parameters.h>
+#include <CGAL/L0_resampling/internal/orientation_agreement.h>
+#include <CGAL/L0_resampling/internal/ball_queries.h>
+
+#include <cstdlib>
+#include <iostream>
+
+using namespace CGAL::L0_resampling;
+using namespace CGAL::L0_resampling::internal;
+
+namespace {
+
+/// `"name": value`, with a comma before all but the first of an object.
+class Object
+{
+  const char* m_separator = "";
+
+public:
+  template <typename T>
+  void add(const char* name, const T& value)
+  {
+    std::cout << m_separator << "\n    \"" << name << "\": " << value;
+    m_separator = ",";
+  }
+};
+
+void print_defaults(const char* name, Method method)
+{
+  const std::size_t n = 1000;   // enough to read a percentage off the number of points
+  const Parameters p = checked_parameters(CGAL::parameters::resampling_method(method), n);
+  std::cout << "  \"" << name << "\": {";
+  Object object;
+  object.add("select_percentage", double(p.number_of_output_points) * 100 / double(n));
+  object.add("sharpness_angle", p.sharpness_angle);
+  object.add("number_of_normal_filter_iterations", p.number_of_normal_filter_iterations);
+  object.add("normal_weight", p.normal_weight);
+  object.add("regularization_weight", p.regularization_weight);
+  object.add("initial_penalty", p.initial_penalty);
+  object.add("maximum_penalty", p.maximum_penalty);
+  object.add("penalty_growth", p.penalty_growth);
+  object.add("number_of_orientation_neighbors", p.number_of_orientation_neighbors);
+  object.add("random_seed", p.random_seed);
+  std::cout << "\n  },\n";
+}
+
+void print_constants()
+{
+  const Repulsion repulsion(1, 1e3);   // in units of the spacing, of a radius that does not limit the step
+  std::cout << "  \"constant\": {";
+  Object object;
+  object.add("self_neighbor_radius_factor", self_neighbor_radius_factor);
+  object.add("pca_radius_factor", pca_radius_factor);
+  object.add("fewest_points_of_plane", fewest_points_of_plane);
+  object.add("spatial_bandwidth_factor", spatial_bandwidth_factor);
+  object.add("sparsity_unit_factor", sparsity_unit_factor);
+  object.add("radius_per_spacing", radius_per_spacing);
+  object.add("radius_per_noise", radius_per_noise);
+  object.add("default_filter_radius_factor", default_filter_radius_factor);
+  object.add("fit_angle_factor", fit_angle_factor);
+  object.add("fit_bandwidth_factor", fit_bandwidth_factor);
+  object.add("fit_weight_factor", fit_weight_factor);
+  object.add("number_of_normal_refits", number_of_normal_refits);
+  object.add("self_neighbor_radius_per_spacing", self_neighbor_radius_per_spacing);
+  object.add("number_of_repulsion_steps", number_of_repulsion_steps);
+  object.add("repulsion_squared_bandwidth", repulsion.squared_bandwidth);
+  object.add("repulsion_strength", repulsion.strength);
+  object.add("repulsion_maximum_step", repulsion.maximum_step);
+  object.add("beyond_doubt", beyond_doubt);
+  object.add("clear_majority", clear_majority);
+  object.add("maximum_number_of_candidates", Local_points<float>::maximum_number_of_candidates);
+  std::cout << "\n  }\n";
+}
+
+} // namespace
+
+int main()
+{
+  std::cout << "{\n";
+  print_defaults("default", Method::DEFAULT);
+  print_defaults("lor", Method::LOR);
+  print_defaults("alor", Method::ALOR);
+  print_constants();
+  std::cout << "}\n";
+  return std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
+}
