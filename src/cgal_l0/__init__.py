@@ -65,21 +65,24 @@ def l0_resample_point_set(
     """Resamples a point set as CGAL::l0_resample_point_set() does, whose documentation explains every parameter.
 
     points and normals are arrays of shape (n, 3). Arrays of float32 and float64 are read where they are, whatever their
-    strides, and must not be changed by another thread meanwhile; others are converted. The result has the number type of points.
+    strides, and must not be changed by another thread meanwhile; others are converted. The result has the number type
+    of points.
 
-    The keyword arguments are the named parameters of C++, by the same names. None stands for the default that C++ takes from
-    the points or from the method. Further ones:
+    The keyword arguments are the named parameters of C++, by the same names. None stands for the default that C++ takes
+    from the points or from the method. Further ones:
 
     method    "default", "lor" or "alor": the named parameter resampling_method
     threads   how many threads may compute; None for all. They do not change the result.
-    device    "cpu"; "cuda", which raises RuntimeError where no device can be used; or "auto", whose choice the report explains
-    callback  called with the progress in [0, 1] every now and then, in the calling thread; cancels the call if it returns False
+    device    "cpu"; "cuda", which raises RuntimeError where no device can be used; or "auto", whose choice the report
+              explains
+    callback  called with the progress in [0, 1] every now and then, in the calling thread; cancels if it returns False
     report    whether to return a Report too
 
-    Returns positions and normals, and the report if it is asked for. The interpreter's lock is not held meanwhile; Ctrl-C is obeyed.
+    Returns positions and normals, and the report if it is asked for. The interpreter's lock is not held meanwhile, and
+    Ctrl-C is obeyed.
 
-    Raises ValueError for points and parameters that cannot be used, TypeError for what is no number, MemoryError, Cancelled, what
-    the callback raises, and RuntimeError if a solver or a device fails.
+    Raises ValueError for points and parameters that cannot be used, TypeError for what is no number, MemoryError,
+    Cancelled, what the callback raises, and RuntimeError if a solver or a device fails.
     """
     named = {
         "number_of_output_points": number_of_output_points,

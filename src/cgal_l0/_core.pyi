@@ -45,5 +45,8 @@ class Parameters:
     def __init__(self, resampling_method: Method = ...) -> None: ...
 
 def resample(
-    points: NDArray[Any], normals: NDArray[Any] | None, parameters: Parameters, callback: Callable[[float], object] | None
+    points: NDArray[Any],
+    normals: NDArray[Any] | None,
+    parameters: Parameters,
+    callback: Callable[[float], object] | None,
 ) -> tuple[NDArray[Any], NDArray[Any], dict[str, Any]] | None: ...

@@ -67,20 +67,24 @@ py::dict dictionary_of(const Report& report)
   for (const CGAL::L0_resampling::Stage_report& s : report.stages)
     stages.append(py::dict("name"_a = s.name, "seconds"_a = s.seconds, "peak_bytes"_a = s.peak_bytes));
   return py::dict(
-    "number_of_input_points"_a = report.number_of_input_points, "number_of_dropped_points"_a = report.number_of_dropped_points,
-    "number_of_distinct_points"_a = report.number_of_distinct_points, "number_of_output_points"_a = report.number_of_output_points,
+    "number_of_input_points"_a = report.number_of_input_points,
+    "number_of_dropped_points"_a = report.number_of_dropped_points,
+    "number_of_distinct_points"_a = report.number_of_distinct_points,
+    "number_of_output_points"_a = report.number_of_output_points,
     "number_of_degenerate_neighborhoods"_a = report.number_of_degenerate_neighborhoods,
     "number_of_lonely_samples"_a = report.number_of_lonely_samples,
-    "number_of_self_neighbor_pairs"_a = report.number_of_self_neighbor_pairs, "neighbor_radius"_a = report.neighbor_radius,
-    "normal_filter_radius"_a = report.normal_filter_radius, "estimated_spacing"_a = report.estimated_spacing,
-    "estimated_noise"_a = report.estimated_noise, "oriented_share"_a = report.oriented_share, "iterations"_a = iterations,
-    "converged"_a = report.converged, "stages"_a = stages, "peak_bytes"_a = report.peak_bytes, "device"_a = report.device,
-    "device_reason"_a = report.device_reason);
+    "number_of_self_neighbor_pairs"_a = report.number_of_self_neighbor_pairs,
+    "neighbor_radius"_a = report.neighbor_radius, "normal_filter_radius"_a = report.normal_filter_radius,
+    "estimated_spacing"_a = report.estimated_spacing, "estimated_noise"_a = report.estimated_noise,
+    "oriented_share"_a = report.oriented_share, "iterations"_a = iterations, "converged"_a = report.converged,
+    "stages"_a = stages, "peak_bytes"_a = report.peak_bytes,
+    "device"_a = report.device, "device_reason"_a = report.device_reason);
 }
 
 /// \returns positions, normals and the report; or None, if the callback cancelled
 template <typename FT>
-py::object resample_as(const Array_view& points, const Array_view* normals, const Parameters& parameters, const py::object& callback)
+py::object resample_as(const Array_view& points, const Array_view* normals, const Parameters& parameters,
+                       const py::object& callback)
 {
   Result<FT> result;
   const bool is_complete = run_beside_python(callback, [&](const std::function<bool(double)>& go_on) {
@@ -92,8 +96,8 @@ py::object resample_as(const Array_view& points, const Array_view* normals, cons
   return py::make_tuple(array_of(std::move(result.positions)), array_of(std::move(result.normals)), report);
 }
 
-py::object resample_arrays(const py::array& points, const std::optional<py::array>& normals, const Parameters& parameters,
-                           const py::object& callback)
+py::object resample_arrays(const py::array& points, const std::optional<py::array>& normals,
+                           const Parameters& parameters, const py::object& callback)
 {
   const Array_view point_view = view_of(points, "points");
   std::optional<Array_view> normal_view;
@@ -113,8 +117,14 @@ PYBIND11_MODULE(_core, module)
   module.doc() = "What cgal_l0 is made of. Use cgal_l0.l0_resample_point_set().";
   module.attr("__version__") = CGAL_L0_VERSION;
 
-  py::enum_<Method>(module, "Method").value("default", Method::DEFAULT).value("lor", Method::LOR).value("alor", Method::ALOR);
-  py::enum_<Device>(module, "Device").value("cpu", Device::CPU).value("cuda", Device::CUDA).value("auto", Device::AUTO);
+  py::enum_<Method>(module, "Method")
+    .value("default", Method::DEFAULT)
+    .value("lor", Method::LOR)
+    .value("alor", Method::ALOR);
+  py::enum_<Device>(module, "Device")
+    .value("cpu", Device::CPU)
+    .value("cuda", Device::CUDA)
+    .value("auto", Device::AUTO);
 
   py::class_<Parameters>(module, "Parameters")
     .def(py::init(&default_parameters), py::arg("resampling_method") = Method::DEFAULT)
@@ -137,5 +147,6 @@ PYBIND11_MODULE(_core, module)
     .def_readwrite("threads", &Parameters::threads)
     .def_readwrite("device", &Parameters::device);
 
-  module.def("resample", &resample_arrays, py::arg("points"), py::arg("normals"), py::arg("parameters"), py::arg("callback"));
+  module.def("resample", &resample_arrays, py::arg("points"), py::arg("normals"), py::arg("parameters"),
+             py::arg("callback"));
 }

@@ -29,7 +29,8 @@ namespace {
 using CGAL::L0_resampling::Method;
 using CGAL::L0_resampling::Report;
 
-/// Appends the pairs that the function writes to the arrays of a result. The report knows their number before the first is written.
+/// Appends the pairs that the function writes to the arrays of a result. The report knows their number before the first
+/// is written.
 template <typename FT>
 class Result_inserter
 {
@@ -64,7 +65,8 @@ public:
   }
 };
 
-/// Calls `next` with the chain, or with the chain and `add` of the value if there is one: the compiler has to know which names a chain has.
+/// Calls `next` with the chain, or with the chain and `add` of the value if there is one: the compiler has to know
+/// which names a chain has.
 template <typename Chain, typename T, typename Add, typename Next>
 void with_optional(const Chain& np, const std::optional<T>& value, const Add& add, const Next& next)
 {
@@ -75,20 +77,21 @@ void with_optional(const Chain& np, const std::optional<T>& value, const Add& ad
 }
 
 template <typename Tag, typename FT, typename Chain>
-void call(const Array_view& points, const Array_view* normals, const Parameters& parameters, const Chain& chain, Result<FT>& result)
+void call(const Array_view& points, const Array_view* normals, const Parameters& parameters, const Chain& chain,
+          Result<FT>& result)
 {
+  const auto add_count = [](const auto& np, std::int64_t count) { return np.number_of_output_points(count); };
+  const auto add_radius = [](const auto& np, double radius) { return np.neighbor_radius(radius); };
+  const auto add_filter_radius = [](const auto& np, double radius) { return np.normal_filter_radius(radius); };
+  const auto add_normals = [](const auto& np, const Normal_map& map) { return np.normal_map(map); };
   const std::optional<Normal_map> normal_map = normals ? std::make_optional(Normal_map{*normals}) : std::nullopt;
-  const auto run = [&](const auto& np) {
+
+  with_optional(chain, parameters.number_of_output_points, add_count, [&](const auto& np) {
+  with_optional(np, parameters.neighbor_radius, add_radius, [&](const auto& np) {
+  with_optional(np, parameters.normal_filter_radius, add_filter_radius, [&](const auto& np) {
+  with_optional(np, normal_map, add_normals, [&](const auto& np) {
     CGAL::l0_resample_point_set<Tag>(boost::irange(std::size_t(0), points.size), Result_inserter<FT>(result), np);
-  };
-  with_optional(chain, parameters.number_of_output_points,
-                [](const auto& np, std::int64_t count) { return np.number_of_output_points(count); }, [&](const auto& np) {
-  with_optional(np, parameters.neighbor_radius, [](const auto& np, double radius) { return np.neighbor_radius(radius); },
-                [&](const auto& np) {
-  with_optional(np, parameters.normal_filter_radius,
-                [](const auto& np, double radius) { return np.normal_filter_radius(radius); }, [&](const auto& np) {
-  with_optional(np, normal_map, [](const auto& np, const Normal_map& map) { return np.normal_map(map); }, run);
-  }); }); });
+  }); }); }); });
 }
 
 template <typename FT>
@@ -202,7 +205,8 @@ Result<FT> resample(const Array_view& points, const Array_view* normals, const P
                     const std::function<bool(double)>& callback)
 {
   if (parameters.threads && (*parameters.threads < 1 || *parameters.threads > 4096))
-    throw std::invalid_argument("l0_resample_point_set: threads is " + std::to_string(*parameters.threads) + ", expected 1 to 4096");
+    throw std::invalid_argument("l0_resample_point_set: threads is " + std::to_string(*parameters.threads)
+                                + ", expected 1 to 4096");
   if (normals && normals->size != points.size)
     throw std::invalid_argument("l0_resample_point_set: " + std::to_string(points.size) + " points with "
                                 + std::to_string(normals->size) + " normals");
@@ -213,7 +217,9 @@ Result<FT> resample(const Array_view& points, const Array_view* normals, const P
   return result;
 }
 
-template Result<float> resample(const Array_view&, const Array_view*, const Parameters&, const std::function<bool(double)>&);
-template Result<double> resample(const Array_view&, const Array_view*, const Parameters&, const std::function<bool(double)>&);
+template Result<float> resample(const Array_view&, const Array_view*, const Parameters&,
+                                const std::function<bool(double)>&);
+template Result<double> resample(const Array_view&, const Array_view*, const Parameters&,
+                                 const std::function<bool(double)>&);
 
 } // namespace l0_python

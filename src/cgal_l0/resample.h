@@ -22,8 +22,8 @@ namespace l0_python {
 
 enum class Device { CPU, CUDA, AUTO };
 
-/// The named parameters of `CGAL::l0_resample_point_set()`, by their names. What is not there keeps the function's default.
-/// Counts have a sign, so that it is the function who refuses the negative ones.
+/// The named parameters of `CGAL::l0_resample_point_set()`, by their names. What is not there keeps the function's
+/// default. Counts have a sign, so that it is the function that refuses the negative ones.
 struct Parameters
 {
   CGAL::L0_resampling::Method resampling_method = CGAL::L0_resampling::Method::DEFAULT;

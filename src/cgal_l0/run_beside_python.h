@@ -65,8 +65,9 @@ public:
 };
 
 /*!
-Computes in a thread of its own, without the interpreter's lock. The calling thread asks Python: only there can a signal such as
-Ctrl-C become an exception, and only there may a callback expect to be called. The threads that compute never wait for Python.
+Computes in a thread of its own, without the interpreter's lock. The calling thread asks Python: only there can a signal
+such as Ctrl-C become an exception, and only there may a callback expect to be called. The threads that compute never
+wait for Python.
 
 \param callback called with the progress now and then, or None. It cancels by what is false, but for None.
 \param work called with a function to ask whether to go on

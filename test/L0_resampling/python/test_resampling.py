@@ -76,11 +76,11 @@ def test_every_other_parameter_arrives(cube):
 
 
 def test_defaults_are_those_of_the_function(cube):
-    constants = {name: parameter.default for name, parameter in inspect.signature(l0_resample_point_set).parameters.items()
-                 if parameter.default is not inspect.Parameter.empty}
+    constants = {name: p.default for name, p in inspect.signature(l0_resample_point_set).parameters.items()}
     by_method = _core.Parameters(_core.Method.default)
     for name in ("select_percentage", "sharpness_angle", "number_of_normal_filter_iterations", "normal_weight",
-                 "initial_penalty", "maximum_penalty", "number_of_orientation_neighbors", "random_seed", "drop_non_finite"):
+                 "initial_penalty", "maximum_penalty", "number_of_orientation_neighbors", "random_seed",
+                 "drop_non_finite"):
         assert constants[name] == getattr(by_method, name), name
     for method in ("default", "lor"):
         own = _core.Parameters(_core.Method.__members__[method])
