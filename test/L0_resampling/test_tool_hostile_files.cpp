@@ -229,6 +229,9 @@ void test_hostile_files()
     {".pcd", pcd("DATA binary", bytes_of(std::nanf(""), false) + three_floats), "not finite"},
     {".pcd", pcd_header("", "8 4 4", "U F F", "1", "binary") + three_floats + three_floats,
      "the field x is an integer of 64 bits"},
+    {".pcd", "VERSION 0.7\nFIELDS x y z _\nSIZE 4 4 4 1\nTYPE F F F U\nCOUNT 1 1 1 100\nWIDTH 2\nHEIGHT 1\nPOINTS 2\n"
+             "DATA binary\n" + three_floats + std::string(150, 'p'),
+     "2 points are announced, but only 162 bytes are left"},
     {".pcd", "VERSION 0.7\n# " + std::string(70000, 'c') + "\n", "longer than 65536 bytes"},
     // NPY
     {".npy", "", "6 more bytes are expected"},
