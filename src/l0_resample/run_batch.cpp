@@ -47,7 +47,7 @@ void print_failures(const std::vector<std::string>& errors, std::size_t number_o
     print_error(error);
   if (!errors.empty() || number_of_runs_left > 0)
     print_error(std::to_string(errors.size()) + " of " + std::to_string(number_of_runs) + " files failed"
-                + (number_of_runs_left > 0 ? ", " + std::to_string(number_of_runs_left) + " were not begun" : ""));
+                + (number_of_runs_left > 0 ? ", " + std::to_string(number_of_runs_left) + " not begun" : ""));
 }
 
 Exit_status common_status(const std::vector<Exit_status>& statuses)

@@ -277,8 +277,11 @@ check "the input format of a batch" grep -qF 'scans/notes.txt: line 1: a point n
 sleep 2.5; kill -INT $job; wait $job
 check "status of an interrupted batch" test $? -eq 130
 check "an interrupted batch says what was not done" \
-  grep -q '^l0_resample: 1 of 3 files failed, [12] were not begun$' stderr
+  grep -q '^l0_resample: 1 of 3 files failed, [12] not begun$' stderr
 check "an interrupted batch leaves no temporary file" no_temporary_files
+run long.xyz scans/b.npy --output-directory batch/slow --neighbor-radius 1 --timeout 0.2
+check "the time of a batch is over" test "$status" -eq 1 -a ! -e batch/slow/b.npy
+check "where the time was over" grep -q '^l0_resample: long.xyz: the time given by --timeout is over$' stderr
 
 # Names and places
 run cube.xyz "a name with blanks é.ply"
