@@ -5,7 +5,7 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 scripts/install_dependencies.sh
-cmake -S . -B build -DCMAKE_BUILD_TYPE=Release -DCGAL_L0_BUILD_TESTS=OFF -DCGAL_L0_BUILD_EXAMPLES=OFF
+cmake -S . -B build -DCMAKE_BUILD_TYPE=Release -DCGAL_L0_BUILD_TESTS=OFF -DCGAL_L0_BUILD_EXAMPLES=OFF -DCGAL_L0_WITH_PYTHON=OFF
 cmake --build build -j "$(nproc)" --target l0_resample sample_mesh
 
 mkdir -p output

@@ -19,14 +19,17 @@ constexpr std::size_t max_header_length = 1024 * 1024;
 constexpr std::size_t max_number_of_properties = 1000;
 constexpr std::size_t max_number_of_elements = 100;
 
-Ply_type parse_type(const Input_file& file, std::string_view word)
+Number_type parse_type(const Input_file& file, std::string_view word)
 {
-  static constexpr std::pair<std::string_view, Ply_type> types[] = {
-    {"char", Ply_type::INT8}, {"int8", Ply_type::INT8}, {"uchar", Ply_type::UINT8}, {"uint8", Ply_type::UINT8},
-    {"short", Ply_type::INT16}, {"int16", Ply_type::INT16}, {"ushort", Ply_type::UINT16}, {"uint16", Ply_type::UINT16},
-    {"int", Ply_type::INT32}, {"int32", Ply_type::INT32}, {"uint", Ply_type::UINT32}, {"uint32", Ply_type::UINT32},
-    {"float", Ply_type::FLOAT32}, {"float32", Ply_type::FLOAT32},
-    {"double", Ply_type::FLOAT64}, {"float64", Ply_type::FLOAT64}};
+  static constexpr std::pair<std::string_view, Number_type> types[] = {
+    {"char", Number_type::INT8}, {"int8", Number_type::INT8},
+    {"uchar", Number_type::UINT8}, {"uint8", Number_type::UINT8},
+    {"short", Number_type::INT16}, {"int16", Number_type::INT16},
+    {"ushort", Number_type::UINT16}, {"uint16", Number_type::UINT16},
+    {"int", Number_type::INT32}, {"int32", Number_type::INT32},
+    {"uint", Number_type::UINT32}, {"uint32", Number_type::UINT32},
+    {"float", Number_type::FLOAT32}, {"float32", Number_type::FLOAT32},
+    {"double", Number_type::FLOAT64}, {"float64", Number_type::FLOAT64}};
   for (const auto& [name, type] : types)
     if (name == word)
       return type;
@@ -65,7 +68,7 @@ Ply_property parse_property(const Input_file& file, std::string_view words)
   if (word == "list") {
     property.is_list = true;
     property.length_type = parse_type(file, next_word(words));
-    if (property.length_type == Ply_type::FLOAT32 || property.length_type == Ply_type::FLOAT64)
+    if (property.length_type == Number_type::FLOAT32 || property.length_type == Number_type::FLOAT64)
       file.refuse("the length of a list is of a floating-point type");
     word = next_word(words);
   }
@@ -77,17 +80,6 @@ Ply_property parse_property(const Input_file& file, std::string_view words)
 }
 
 } // namespace
-
-std::size_t size_of(Ply_type type)
-{
-  switch (type) {
-  case Ply_type::INT8: case Ply_type::UINT8: return 1;
-  case Ply_type::INT16: case Ply_type::UINT16: return 2;
-  case Ply_type::INT32: case Ply_type::UINT32: case Ply_type::FLOAT32: return 4;
-  case Ply_type::FLOAT64: break;
-  }
-  return 8;
-}
 
 bool Ply_element::has_lists() const
 {

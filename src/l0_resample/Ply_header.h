@@ -7,6 +7,7 @@
 #define L0_RESAMPLE_PLY_HEADER_H
 
 #include "Input_file.h"
+#include "Number_type.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -15,17 +16,12 @@
 
 namespace l0_tool {
 
-enum class Ply_type { INT8, UINT8, INT16, UINT16, INT32, UINT32, FLOAT32, FLOAT64 };
-
-/// In bytes.
-std::size_t size_of(Ply_type type);
-
 struct Ply_property
 {
   std::string name;
-  Ply_type type;                             ///< of the value, or of each entry of a list
+  Number_type type;                             ///< of the value, or of each entry of a list
   bool is_list = false;
-  Ply_type length_type = Ply_type::UINT8;    ///< only of a list; no floating-point type
+  Number_type length_type = Number_type::UINT8;    ///< only of a list; no floating-point type
 };
 
 struct Ply_element

@@ -20,9 +20,31 @@ std::optional<File_format> format_of(const std::string& path)
     return File_format::PLY;
   if (extension == ".off")
     return File_format::OFF;
-  if (extension == ".xyz" || extension == ".pwn")
+  if (extension == ".xyz" || extension == ".xyzn" || extension == ".pwn")
     return File_format::XYZ;
+  if (extension == ".pcd")
+    return File_format::PCD;
+  if (extension == ".npy")
+    return File_format::NPY;
   return std::nullopt;
+}
+
+std::string extension_of(File_format format)
+{
+  switch (format) {
+  case File_format::PLY: return ".ply";
+  case File_format::OFF: return ".off";
+  case File_format::XYZ: return ".xyz";
+  case File_format::PCD: return ".pcd";
+  case File_format::NPY: break;
+  }
+  return ".npy";
+}
+
+std::string unknown_extension(const std::string& path, const std::string& option)
+{
+  return path + ": the extension is not .ply, .off, .xyz, .xyzn, .pwn, .pcd or .npy; " + option
+         + " tells what the file is";
 }
 
 } // namespace l0_tool

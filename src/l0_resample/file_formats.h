@@ -11,10 +11,16 @@
 
 namespace l0_tool {
 
-enum class File_format { PLY, OFF, XYZ };
+enum class File_format { PLY, OFF, XYZ, PCD, NPY };
 
-/// By the extension of `path`, in lower or upper case: .ply, .off, .xyz or .pwn.
+/// By the extension of `path`, in lower or upper case: .ply, .off, .xyz, .xyzn, .pwn, .pcd or .npy.
 std::optional<File_format> format_of(const std::string& path);
+
+/// The usual one, with its dot.
+std::string extension_of(File_format format);
+
+/// What to say of a file whose extension tells no format, while `option` would.
+std::string unknown_extension(const std::string& path, const std::string& option);
 
 } // namespace l0_tool
 

@@ -4,147 +4,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "Failure.h"
-#include "Output_file.h"
-#include "Progress_bar.h"
 #include "options.h"
-#include "read_points.h"
-#include "render_snapshot.h"
 #include "report_json.h"
-#include "resample.h"
+#include "run.h"
+#include "run_batch.h"
 #include "signals.h"
-#include "write_png.h"
-#include "write_points.h"
 
-#include <chrono>
-#include <exception>
-#include <iostream>
-#include <new>
-#include <string>
-#include <vector>
+#include <optional>
 
 namespace {
 
 using namespace l0_tool;
 
-class Stopwatch
+Exit_status run_alone(const Options& options)
 {
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point m_start = Clock::now();
-
-public:
-  double seconds() const { return std::chrono::duration<double>(Clock::now() - m_start).count(); }
-};
-
-Point_cloud read_input(const Options& options, Progress_bar& progress, Run_record& record)
-{
-  const Stopwatch stopwatch;
-  Read_options read_options;
-  read_options.max_points = options.max_points;
-  read_options.max_memory = options.max_memory;
-  read_options.drop_non_finite = options.drop_non_finite;
-  read_options.with_normals = options.use_normals || !options.snapshot.empty();
-  Point_cloud cloud = read_points(options.input, options.input_format, read_options,
-                                  [&](double share) { progress.update("read", share); });
-  record.warnings = cloud.warnings;
-  record.seconds_to_read = stopwatch.seconds();
-  return cloud;
-}
-
-std::vector<Oriented_point> resample_input(const Point_cloud& cloud, const Options& options, Progress_bar& progress,
-                                           Run_record& record)
-{
-  const Stopwatch stopwatch;
-  progress.restart();
-  const auto callback = [&](double share) {
-    progress.update(record.report.stages.empty() ? "" : record.report.stages.back().name, share);
-    return !is_interrupted();
-  };
-  std::vector<Oriented_point> result = resample(cloud, options, callback, record.report);
-  throw_if_interrupted();
-  record.report.number_of_dropped_points = cloud.number_of_dropped_points;   // the reader drops them, not the library
-  record.seconds_to_resample = stopwatch.seconds();
-  return result;
-}
-
-void run(const Options& options, Run_record& record)
-{
-  // What would spoil the end is found at the beginning
-  check_device(options);
-  for (const std::string& path : {options.output, options.snapshot, options.json})
-    if (!path.empty())
-      check_writable(path, 0);
-
-  Progress_bar progress(options.quiet);
-  const Point_cloud cloud = read_input(options, progress, record);
-  check_writable(options.output,
-                 largest_file_size(options.output_format, number_of_output_points(options, cloud.points.size())));
-
-  const std::vector<Oriented_point> result = resample_input(cloud, options, progress, record);
-  if (options.strict && !record.report.converged)
-    throw Failure(NOT_CONVERGED, options.input + ": a solve did not converge, nothing is written");
-
-  const Stopwatch stopwatch;
-  write_points(options.output, options.output_format, result);
-  record.seconds_to_write = stopwatch.seconds();
-  if (!options.snapshot.empty())
-    write_png(options.snapshot, render_snapshot(cloud, result, options.view));
-}
-
-/// Runs the function and keeps in the record how it ended.
-template <typename Function>
-void guarded(Run_record& record, const Function& function)
-{
-  try {
-    function();
-  } catch (const Failure& failure) {
-    record.status = failure.status();
-    record.error = failure.what();
-  } catch (const std::bad_alloc&) {
-    record.status = RUN_TIME_FAILURE;
-    record.error = "not enough memory";
-  } catch (const std::exception& error) {
-    record.status = RUN_TIME_FAILURE;
-    record.error = error.what();
-  }
-}
-
-void write_json(const Options& options, const Run_record& record)
-{
-  Output_file file(options.json);
-  file.write(report_as_json(options, record));
-  file.commit();
-}
-
-void print_summary(const Options& options, const Run_record& record)
-{
-  const bool is_taken =
-    is_standard_output(options.output) || (!options.json.empty() && is_standard_output(options.json));
-  std::ostream& stream = is_taken ? std::cerr : std::cout;
-  stream << summary_line(options, record) << std::flush;
-  if (!stream)
-    throw Failure(OUTPUT_NOT_WRITTEN, "standard output: the summary cannot be written");
+  Run_record record = run(options);
+  if (!options.json.empty() && !is_interrupted())
+    guarded(record, [&]() { write_text(options.json, report_as_json(options, record)); });
+  print_outcome(options, record);
+  print_error(record.error);
+  return record.status;
 }
 
 } // namespace
 
 int main(int argc, char** argv)
 {
-  Options options;
-  if (const std::optional<int> status = parse_command_line(argc, argv, options))
+  Command command;
+  if (const std::optional<int> status = parse_command_line(argc, argv, command))
     return *status;
-
-  catch_signals(options.timeout);
-  Run_record record;
-  guarded(record, [&]() { run(options, record); });
-  if (!options.json.empty() && !is_interrupted())
-    guarded(record, [&]() { write_json(options, record); });
-  if (record.status == SUCCESS && !options.quiet)
-    guarded(record, [&]() { print_summary(options, record); });
-
-  if (!options.quiet)
-    for (const std::string& warning : record.warnings)
-      std::cerr << "l0_resample: warning: " << warning << std::endl;
-  if (!record.error.empty())
-    std::cerr << "l0_resample: " << record.error << std::endl;
-  return record.status;
+  catch_signals(command.runs.front().timeout);
+  return command.is_batch() ? run_batch(command) : run_alone(command.runs.front());
 }

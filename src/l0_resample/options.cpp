@@ -6,6 +6,7 @@
 #include "options.h"
 
 #include "Failure.h"
+#include "batch.h"
 #include "parse_numbers.h"
 
 #include <CGAL/version.h>
@@ -30,7 +31,8 @@ const std::map<std::string, Solver> solvers = {
   {"block-cg", Solver::BLOCK_CG}, {"cholesky", Solver::CHOLESKY}, {"rows-cg", Solver::ROWS_CG}};
 const std::map<std::string, Device> devices = {{"cpu", Device::CPU}, {"cuda", Device::CUDA}, {"auto", Device::AUTO}};
 const std::map<std::string, File_format> formats = {
-  {"ply", File_format::PLY}, {"off", File_format::OFF}, {"xyz", File_format::XYZ}};
+  {"ply", File_format::PLY}, {"off", File_format::OFF}, {"xyz", File_format::XYZ}, {"pcd", File_format::PCD},
+  {"npy", File_format::NPY}};
 
 template <typename Value>
 std::string key_of(const std::map<std::string, Value>& names, Value value)
@@ -113,7 +115,7 @@ void choose_format(const std::string& path, const std::string& option, const CLI
     return;
   const std::optional<File_format> by_extension = format_of(path);
   if (!by_extension)
-    refuse_usage(path + ": the extension is not .ply, .off, .xyz or .pwn; " + option + " tells what the file is");
+    refuse_usage(unknown_extension(path, option));
   format = *by_extension;
 }
 
@@ -137,21 +139,31 @@ void check_paths_differ(const Options& options)
 }
 
 const char* description =
-  "Turns a noisy point set into clean, evenly spread, oriented points that keep sharp features, by L0 minimization.";
+  "Turns a noisy point set into clean, evenly spread, oriented points that keep sharp features, by L0 minimization.\n"
+  "\n"
+  "  l0_resample [OPTIONS] INPUT OUTPUT\n"
+  "  l0_resample [OPTIONS] INPUT... --output-directory FOLDER";
 
 const char* footer =
-  "Files: PLY (ASCII and binary), OFF and XYZ are read; PLY (binary), OFF and XYZ with normals are written,\n"
-  "as a whole or not at all. INPUT and OUTPUT may be the same. LAS is not read: convert it first. A name that\n"
-  "begins with a dash goes behind --.\n"
+  "Files: PLY and PCD (ASCII and binary), OFF, XYZ and NPY are read; PLY and PCD (binary), OFF, XYZ and NPY are\n"
+  "written with normals, as a whole or not at all. INPUT and OUTPUT may be the same. LAS is not read: convert it\n"
+  "first. A name that begins with a dash goes behind --.\n"
   "\n"
   "Exit status: 0 good, 1 failed at run time (memory, time, solver, device), 2 wrong usage, 3 input refused,\n"
   "4 output not written, 5 not converged (with --strict), 130 and 143 cancelled by SIGINT and SIGTERM.\n"
-  "Standard output gets one line of summary.\n";
+  "Standard output gets one line of summary.\n"
+  "\n"
+  "In a batch, standard output gets one line for each file that was resampled, and standard error, at the end, one\n"
+  "for each that failed and their number; the others are not harmed. The exit status is that of the failures if\n"
+  "they all have the same, else 1. After SIGINT, SIGTERM or --timeout no other file is begun. A result never takes\n"
+  "the place of an input, or of another result.\n";
 
-void add_options(CLI::App& app, Options& options)
+void add_options(CLI::App& app, Options& options, std::vector<std::string>& files, std::string& output_directory)
 {
-  app.add_option("INPUT", options.input, "points to read")->required()->type_name("FILE");
-  app.add_option("OUTPUT", options.output, "points with normals to write")->required()->type_name("FILE");
+  app.add_option("FILES", files, "INPUT, points to read, and OUTPUT, points with normals to write")->type_name("FILE");
+  app.add_option("--output-directory", output_directory,
+                 "a batch: all FILES are read, and those of folders; results go here, under the same names")
+     ->type_name("FOLDER");
 
   auto* points = app.add_option("--points", options.number_of_points, "how many points to write")
                    ->check(count_within(1, 4294967294))->type_name("M");
@@ -200,23 +212,70 @@ void add_options(CLI::App& app, Options& options)
      ->check(number_within(0, false, 1e8, "a number of seconds above 0"))->type_name("SECONDS");
 }
 
+void set_files(const CLI::App& app, const std::vector<std::string>& files, Options& options)
+{
+  if (files.size() == 1)
+    refuse_usage("OUTPUT is required");
+  if (files.size() > 2)
+    refuse_usage("INPUT and OUTPUT expected, found " + std::to_string(files.size())
+                 + " files; --output-directory resamples them all");
+  options.input = files[0];
+  options.output = files[1];
+  choose_format(options.input, "--input-format", app, options.input_format);
+  choose_format(options.output, "--output-format", app, options.output_format);
+  if (!options.snapshot.empty() && std::filesystem::path(options.snapshot).extension() != ".png")
+    refuse_usage(options.snapshot + ": the extension of a snapshot is .png");
+  check_paths_differ(options);
+}
+
+std::vector<Options> batch_of(const CLI::App& app, const std::vector<std::string>& inputs, const std::string& directory,
+                              const Options& options)
+{
+  if (!options.snapshot.empty())
+    refuse_usage("--snapshot is not for a batch");
+  const auto given = [&app](const std::string& option, File_format format) {
+    return app.count(option) > 0 ? std::optional<File_format>(format) : std::nullopt;
+  };
+  std::vector<Options> runs;
+  for (const Batch_item& item : plan_batch(inputs, directory, given("--input-format", options.input_format),
+                                           given("--output-format", options.output_format))) {
+    runs.push_back(options);
+    runs.back().input = item.input;
+    runs.back().output = item.output;
+    runs.back().input_format = item.input_format;
+    runs.back().output_format = item.output_format;
+    check_paths_differ(runs.back());
+  }
+  return runs;
+}
+
 } // namespace
 
-std::optional<int> parse_command_line(int argc, char** argv, Options& options)
+std::optional<int> parse_command_line(int argc, char** argv, Command& command)
 {
+  Options options;
+  std::vector<std::string> files;
   CLI::App app(description, "l0_resample");
   app.footer(footer);
   app.set_version_flag("--version", std::string("l0_resample " L0_RESAMPLE_VERSION ", CGAL " CGAL_VERSION_STR));
   app.get_formatter()->column_width(34);
-  add_options(app, options);
+  add_options(app, options, files, command.output_directory);
   try {
     app.parse(argc, argv);
-    choose_format(options.input, "--input-format", app, options.input_format);
-    choose_format(options.output, "--output-format", app, options.output_format);
-    if (!options.snapshot.empty() && std::filesystem::path(options.snapshot).extension() != ".png")
-      refuse_usage(options.snapshot + ": the extension of a snapshot is .png");
-    check_paths_differ(options);
+    if (app.count("--output-directory") > 0 && command.output_directory.empty())
+      refuse_usage("--output-directory: the name is empty");
+    if (files.empty())
+      refuse_usage("INPUT is required");
+    if (command.is_batch())
+      command.runs = batch_of(app, files, command.output_directory, options);
+    else {
+      set_files(app, files, options);
+      command.runs.push_back(options);
+    }
     return std::nullopt;
+  } catch (const Failure& failure) {
+    std::cerr << "l0_resample: " << failure.what() << std::endl;
+    return failure.status();
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == int(CLI::ExitCodes::Success)) {
       app.exit(error);             // --help, --version

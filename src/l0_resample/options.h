@@ -16,13 +16,14 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace l0_tool {
 
 enum class Device { CPU, CUDA, AUTO };
 enum class Solver { BLOCK_CG, CHOLESKY, ROWS_CG };
 
-/// The command line, checked.
+/// What is asked for one input.
 struct Options
 {
   std::string input;
@@ -56,8 +57,17 @@ struct Options
   double timeout = 0;                              ///< in seconds, 0 for none
 };
 
+/// The command line, checked.
+struct Command
+{
+  std::vector<Options> runs;      ///< one for each input; all options but the files are the same
+  std::string output_directory;   ///< empty unless it is a batch
+
+  bool is_batch() const { return !output_directory.empty(); }
+};
+
 /// \returns the exit status if the program ends here, as after --help, having said why
-std::optional<int> parse_command_line(int argc, char** argv, Options& options);
+std::optional<int> parse_command_line(int argc, char** argv, Command& command);
 
 /// As on the command line.
 std::string name_of(CGAL::L0_resampling::Method method);

@@ -12,7 +12,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -47,41 +46,6 @@ Targets find_targets(const Input_file& file, const Ply_element& vertex)
   if (!found[3] || !found[4] || !found[5])
     std::replace_if(targets.begin(), targets.end(), [](std::size_t target) { return target >= 3; }, unused);
   return targets;
-}
-
-template <typename T>
-double to_double(const char* bytes, bool swap)
-{
-  char copy[sizeof(T)];
-  std::memcpy(copy, bytes, sizeof(T));
-  if (swap)
-    std::reverse(copy, copy + sizeof(T));
-  T value;
-  std::memcpy(&value, copy, sizeof(T));
-  return double(value);
-}
-
-double decode(const char* bytes, Ply_type type, bool swap)
-{
-  switch (type) {
-  case Ply_type::INT8: return to_double<std::int8_t>(bytes, swap);
-  case Ply_type::UINT8: return to_double<std::uint8_t>(bytes, swap);
-  case Ply_type::INT16: return to_double<std::int16_t>(bytes, swap);
-  case Ply_type::UINT16: return to_double<std::uint16_t>(bytes, swap);
-  case Ply_type::INT32: return to_double<std::int32_t>(bytes, swap);
-  case Ply_type::UINT32: return to_double<std::uint32_t>(bytes, swap);
-  case Ply_type::FLOAT32: return to_double<float>(bytes, swap);
-  case Ply_type::FLOAT64: break;
-  }
-  return to_double<double>(bytes, swap);
-}
-
-bool is_little_endian_machine()
-{
-  const std::uint16_t one = 1;
-  char first;
-  std::memcpy(&first, &one, 1);
-  return first == 1;
 }
 
 class Binary_rows

@@ -40,6 +40,8 @@ Point_cloud read_points(const std::string& path, File_format format, const Read_
   case File_format::PLY: read_ply(file, collector); break;
   case File_format::OFF: read_off(file, collector); break;
   case File_format::XYZ: read_xyz(file, collector); break;
+  case File_format::PCD: read_pcd(file, collector); break;
+  case File_format::NPY: read_npy(file, collector); break;
   }
   return collector.take();
 }

@@ -35,6 +35,9 @@ than the file's size justifies.
 - OFF with its optional prefixes ST, C, N: the vertices. Only N says that there are normals.
 - XYZ: one point a line, the same number of columns in all of them, exactly six for points with normals. The first
   line may hold the number of points; empty lines and those that begin with # are skipped.
+- PCD, ASCII or binary, of version 0.5 to 0.7: the fields x, y, z and maybe normal_x, normal_y, normal_z, of any type
+  but integers of 64 bits. The viewpoint is not looked at.
+- NPY: an array of float32 or float64, of shape (n, 3), or (n, 6) for points with normals, in the order of C.
 
 \throws Failure with INPUT_REFUSED and the line or byte where the file is not what it should be, or holds more than
         `max_points`; with RUN_TIME_FAILURE where the points need more than `max_memory`; with the status of an

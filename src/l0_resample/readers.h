@@ -22,6 +22,8 @@ Point_row parse_row(const Input_file& file, std::string_view line, bool has_norm
 void read_ply(Input_file& file, Point_collector& collector);
 void read_off(Input_file& file, Point_collector& collector);
 void read_xyz(Input_file& file, Point_collector& collector);
+void read_pcd(Input_file& file, Point_collector& collector);
+void read_npy(Input_file& file, Point_collector& collector);
 
 } // namespace l0_tool
 

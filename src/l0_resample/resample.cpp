@@ -75,7 +75,7 @@ void call_with_solver(const Point_cloud& cloud, const Options& options, const Na
                       std::vector<Oriented_point>& result)
 {
   using namespace CGAL::L0_resampling;
-  using Block_cg = Block_conjugate_gradient_solver_traits<double, Concurrency_tag>;
+  using Block_cg = Block_conjugate_gradient_solver_traits<float, Concurrency_tag>;   // the function's own default
   using Rows_cg = Eigen_least_squares_solver_traits<double>;
   switch (options.solver) {
   case Solver::BLOCK_CG:

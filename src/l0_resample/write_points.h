@@ -15,8 +15,10 @@
 
 namespace l0_tool {
 
-/// Writes points and normals so that reading them gives the same doubles again: PLY in little-endian binary, NOFF, or
-/// XYZ with six columns. The file is there as a whole or not at all, see `Output_file`.
+/// Writes points and normals so that reading them gives the same doubles again: PLY in little-endian binary, NOFF, XYZ
+/// with six columns, or NPY of shape (n, 6). Binary PCD holds single precision, as the point types of PCL do, unless
+/// that would move a coordinate by more than a millionth of the diagonal of all points.
+/// The file is there as a whole or not at all, see `Output_file`.
 void write_points(const std::string& path, File_format format, const std::vector<Oriented_point>& points);
 
 /// At least the number of bytes that `write_points()` will write.

@@ -73,14 +73,20 @@ run --help
 check "help" test "$status" -eq 0 -a "$(grep -c -- '--neighbor-radius' stdout)" -ge 1
 
 # The written formats hold the same points, and each can be read again
-for format in ply off xyz; do
+for format in ply off xyz xyzn pcd npy; do
   run cube.xyz "same.$format" --points 500
   check "writing $format" test "$status" -eq 0
 done
+check "XYZ and XYZN agree" cmp same.xyz same.xyzn
+run cube.xyz same.bin --output-format pcd --points 500
+check "the format by its name" cmp same.bin same.pcd
 check "OFF and XYZ agree" cmp <(tail -n +3 same.off) same.xyz
-for format in ply off xyz; do run "same.$format" "again_$format.xyz" --points 100 --use-normals; done
+for format in ply off xyz npy; do run "same.$format" "again_$format.xyz" --points 100 --use-normals; done
 check "PLY and XYZ agree" cmp again_ply.xyz again_xyz.xyz
 check "OFF and XYZ agree when read" cmp again_off.xyz again_xyz.xyz
+check "NPY and XYZ agree when read" cmp again_npy.xyz again_xyz.xyz
+run same.pcd again_pcd.xyz --points 100 --use-normals
+check "PCD has normals" test "$status" -eq 0 -a "$(wc -l < again_pcd.xyz)" -eq 100
 
 # What changes the result and what does not
 run cube.xyz a.xyz --threads 1
@@ -230,6 +236,52 @@ done
 kill $sleeper; wait $sleeper 2> /dev/null
 check "a cancelled run leaves the old file" is_old old.ply
 check "a cancelled run leaves no temporary file" no_temporary_files
+
+# A batch: failures at the end, the others unharmed. Its status is the one that all failures have, else 1.
+mkdir scans other; cp cube.xyz scans/a.xyz; cp same.npy scans/b.npy; cp comma.xyz scans/c.xyz; cp same.pcd scans/d.pcd
+echo nothing > scans/notes.txt; echo old > scans/old.las
+run scans/a.xyz scans/c.xyz scans/b.npy missing.ply --output-directory batch/new --points 30 --output-format ply
+check "status of a batch with failures of one kind" test "$status" -eq 3
+check "files of a batch" test "$(ls batch/new)" = "$(printf 'a.ply\nb.ply')"
+check "a result of a batch" test "$(number_of_points batch/new/b.ply)" -eq 30
+check "a line for each success" test "$(grep -c '30 out' stdout)" -eq 2 -a "$(wc -l < stdout)" -eq 2
+check "a line for each failure, and their number" cmp stderr <(printf '%s\n' \
+  "l0_resample: scans/c.xyz: line 2: '0,5' is not a number" \
+  "l0_resample: missing.ply: cannot be opened: No such file or directory" "l0_resample: 2 of 4 files failed")
+run scans/a.xyz batch_alone.ply --points 30 --quiet
+check "a batch gives what single runs give" cmp batch/new/a.ply batch_alone.ply
+run scans --output-directory batch/folder --points 30 --json batch.json
+check "a folder, each in its format" test "$status" -eq 3 -a "$(ls batch/folder)" = "$(printf 'a.xyz\nb.npy\nd.pcd')"
+check "the report of a batch" test "$(head -n 1 batch.json)" = "[" -a "$(grep -c '"exit_status": 0' batch.json)" -eq 3 \
+  -a "$(grep -c '"exit_status": 3' batch.json)" -eq 1 -a "$(tail -n 1 batch.json)" = "]"
+mkdir -p batch/mixed/a.xyz
+run scans/a.xyz scans/c.xyz --output-directory batch/mixed --quiet
+check "status of a batch with failures of two kinds" test "$status" -eq 1 -a "$(wc -l < stderr)" -eq 3
+run scans/a.xyz scans/b.npy --output-directory batch/good --points 30 --quiet
+check "a quiet batch" test "$status" -eq 0 -a ! -s stdout -a ! -s stderr
+cp scans/a.xyz other/a.xyz
+check_failure 2 "both scans/a.xyz and other/a.xyz" scans/a.xyz other/a.xyz --output-directory batch/same
+check_failure 2 "both scans/a.xyz and ./scans/a.xyz" scans/a.xyz ./scans/a.xyz --output-directory batch/same
+check_failure 2 "would take the place of the input scans/a.xyz" scans/a.xyz --output-directory other/../scans
+check_failure 2 "notes.txt: the extension" scans/a.xyz scans/notes.txt --output-directory batch/same
+check_failure 2 "--snapshot" scans/a.xyz --output-directory batch/same --snapshot picture.png
+check_failure 2 "3 files" scans/a.xyz scans/b.npy out.ply
+check_failure 2 "INPUT" --output-directory batch/same
+check_failure 3 "no file with a known extension" batch --output-directory batch/same
+check "a refused batch makes nothing" test ! -e batch/same
+check_failure 4 "cannot be made" scans/a.xyz --output-directory cube.xyz/inside
+run scans/notes.txt --output-directory batch/named --input-format xyz --output-format off
+check "the input format of a batch" grep -qF 'scans/notes.txt: line 1: a point needs 3 numbers' stderr
+"${patient[@]}" "$program" scans/a.xyz long.xyz scans/b.npy --output-directory batch/cut --neighbor-radius 1 \
+  > stdout 2> stderr & job=$!
+sleep 2.5; kill -INT $job; wait $job
+check "status of an interrupted batch" test $? -eq 130
+check "an interrupted batch says what was not done" \
+  grep -q '^l0_resample: 1 of 3 files failed, [12] not begun$' stderr
+check "an interrupted batch leaves no temporary file" no_temporary_files
+run long.xyz scans/b.npy --output-directory batch/slow --neighbor-radius 1 --timeout 0.2
+check "the time of a batch is over" test "$status" -eq 1 -a ! -e batch/slow/b.npy
+check "where the time was over" grep -q '^l0_resample: long.xyz: the time given by --timeout is over$' stderr
 
 # Names and places
 run cube.xyz "a name with blanks é.ply"

@@ -147,6 +147,100 @@ void test_xyz()
   CHECK(read(".xyz", "").points.empty());
 }
 
+void test_pcd()
+{
+  // As PCL writes it: padding, a packed color, normals after other fields
+  std::string header = pcd_header(" _ rgb normal_x normal_y normal_z curvature", "4 4 4 1 4 4 4 4 4",
+                                  "F F F U U F F F F", "2", "binary");
+  header.insert(header.find("WIDTH"), "COUNT 1 1 1 4 1 1 1 1 1\n");
+  std::string body;
+  for (int k = 0; k < 2; ++k) {
+    for (const float number : {1.f, 2.f, 3.f + float(k)})
+      body += bytes_of(number, false);
+    body += "pad." + bytes_of(std::uint32_t(0xff00ff), false);
+    for (const float number : {0.f, -1.f, float(k), 9.f})
+      body += bytes_of(number, false);
+  }
+  const Point_cloud cloud = read(".pcd", header + body, with_normals());
+  CHECK(cloud.points == (std::vector<Point>{Point(1, 2, 3), Point(1, 2, 4)}));
+  CHECK(cloud.normals == (std::vector<Vector>{Vector(0, -1, 0), Vector(0, -1, 1)}));
+  CHECK(cloud.warnings.empty());
+  CHECK(read(".pcd", header + body + "more").warnings.size() == 1);
+
+  // every type, in either order of the fields
+  const std::string mixed =
+    "VERSION .7\nFIELDS z y x i j\nSIZE 8 2 1 8 8\nTYPE F I U I U\nCOUNT 1 1 1 1 1\nWIDTH 1\nHEIGHT 1\nPOINTS 1\n"
+    "DATA binary\n"
+    + bytes_of(0.1, false) + bytes_of(std::int16_t(-300), false) + bytes_of(std::uint8_t(200), false);
+  CHECK(read(".pcd", mixed + std::string(16, 'i')).points == std::vector<Point>{Point(200, -300, 0.1)});
+
+  // ASCII, CR LF, an organized cloud with an empty place
+  std::string text = pcd_header(" label", "4 4 4 4", "F F F U", "2", "ascii") + "1 2 3 4294967295\n\nnan nan nan 0\n";
+  text.replace(text.find("WIDTH 2\nHEIGHT 1"), 16, "WIDTH 1\nHEIGHT 2");
+  Read_options options;
+  options.drop_non_finite = true;
+  CHECK(read(".PCD", text, options).points == std::vector<Point>{Point(1, 2, 3)});
+  CHECK(read(".pcd", text, options).number_of_dropped_points == 1);
+  std::string windows;
+  for (const char c : text)
+    windows += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  CHECK(read(".pcd", windows, options).points == std::vector<Point>{Point(1, 2, 3)});
+  const std::string one_normal_coordinate = pcd_header(" normal_x", "4 4 4 4", "F F F F", "1", "ascii") + "1 2 3 4\n";
+  CHECK(read(".pcd", one_normal_coordinate, with_normals()).normals.empty());
+  CHECK(read(".pcd", pcd_header("", "4 4 4", "F F F", "0", "binary")).points.empty());
+}
+
+void test_npy()
+{
+  for (const bool big : {false, true}) {
+    const std::string order = big ? ">" : "<";
+    std::string singles, doubles;
+    for (int k = 0; k < 6; ++k) {
+      singles += bytes_of(float(k) / 3, big);
+      doubles += bytes_of(double(k) / 3, big);
+    }
+    const auto single = [](int k) { return double(float(k) / 3); };
+    CHECK(read(".npy", npy_file(npy_header(order + "f4", "(2, 3)"), singles)).points
+          == (std::vector<Point>{Point(0, single(1), single(2)), Point(1, single(4), single(5))}));
+    CHECK(read(".npy", npy_file(npy_header(order + "f8", "(2,3)"), doubles), with_normals()).normals.empty());
+    const Point_cloud cloud = read(".npy", npy_file(npy_header(order + "f8", "(1, 6)"), doubles), with_normals());
+    CHECK(cloud.points == std::vector<Point>{Point(0, 1. / 3, 2. / 3)});
+    CHECK(cloud.normals == std::vector<Vector>{Vector(1, 4. / 3, 5. / 3)});
+    CHECK(read(".npy", npy_file(npy_header(order + "f8", "(1, 3)"), doubles)).warnings.size() == 1);
+  }
+  // another order of the names, no comma at the end, a long header of version 2
+  const std::string header = "{'shape':(0,3),'fortran_order':False,'descr':'<f4'}" + std::string(100, ' ') + "\n";
+  CHECK(read(".npy", npy_file(header)).points.empty());
+  const std::string version_2 =
+    std::string("\x93NUMPY\x02\x00", 8) + bytes_of(std::uint32_t(header.size()), false) + header;
+  CHECK(read(".npy", version_2).points.empty());
+}
+
+// PCD holds single precision where that is enough.
+void test_precision_of_pcd()
+{
+  const std::string path = scratch.file("precision.pcd");
+  std::vector<Oriented_point> points;
+  for (int k = 0; k < 100; ++k)
+    points.push_back({Point(k / 99., k / 7., 0.1 * k), Vector(0.6, 0, 0.8)});
+  const double diagonal = std::sqrt((points.back().first - points.front().first).squared_length());
+  for (const double offset : {0., 100., 1e6}) {
+    std::vector<Oriented_point> moved = points;
+    for (Oriented_point& point : moved)
+      point.first = point.first + offset * Vector(1, -1, 1);
+    write_points(path, File_format::PCD, moved);
+    const bool is_single = read_bytes(path).find("SIZE 4 4 4 4 4 4\n") != std::string::npos;
+    CHECK(is_single == (offset < 1e6));
+    const Point_cloud cloud = read_points(path, File_format::PCD, with_normals());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      CHECK(std::sqrt((cloud.points[i] - moved[i].first).squared_length()) <= (is_single ? 2e-6 * diagonal : 0));
+      CHECK(std::sqrt((cloud.normals[i] - moved[i].second).squared_length()) <= 1e-6);
+    }
+  }
+  write_points(path, File_format::PCD, {});
+  CHECK(read_points(path, File_format::PCD, {}).points.empty());
+}
+
 void test_options()
 {
   Read_options options;
@@ -192,9 +286,15 @@ int main()
   test_round_trip(File_format::PLY, ".ply");
   test_round_trip(File_format::OFF, ".off");
   test_round_trip(File_format::XYZ, ".xyz");
+  test_round_trip(File_format::XYZ, ".xyzn");
+  test_round_trip(File_format::PCD, ".pcd");   // its numbers need double precision
+  test_round_trip(File_format::NPY, ".npy");
   test_ply();
   test_off();
   test_xyz();
+  test_pcd();
+  test_npy();
+  test_precision_of_pcd();
   test_options();
   return test::result();
 }

@@ -9,6 +9,7 @@
 #include "Failure.h"
 #include "read_points.h"
 
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -109,6 +110,26 @@ std::string bytes_of(T value, bool big_endian)
 inline std::string ply_header(const std::string& format, const std::string& elements)
 {
   return "ply\nformat " + format + " 1.0\ncomment made for a test\n" + elements + "end_header\n";
+}
+
+/// Of a PCD file with fields x, y, z and maybe more.
+inline std::string pcd_header(const std::string& more_fields, const std::string& sizes, const std::string& types,
+                              const std::string& number_of_points, const std::string& data)
+{
+  return "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z" + more_fields + "\nSIZE " + sizes
+         + "\nTYPE " + types + "\nWIDTH " + number_of_points + "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS "
+         + number_of_points + "\nDATA " + data + "\n";
+}
+
+/// An NPY file of version 1 with the text as its header.
+inline std::string npy_file(const std::string& header, const std::string& body = "")
+{
+  return std::string("\x93NUMPY\x01\x00", 8) + bytes_of(std::uint16_t(header.size()), false) + header + body;
+}
+
+inline std::string npy_header(const std::string& type, const std::string& shape)
+{
+  return "{'descr': '" + type + "', 'fortran_order': False, 'shape': " + shape + ", }\n";
 }
 
 const std::string float_xyz = "property float x\nproperty float y\nproperty float z\n";

@@ -1,0 +1,30 @@
+# What `cpack` makes: a Debian package of all that is installed. scripts/package.sh makes one for every machine.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME cgal-l0-resampling)
+set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
+set(CPACK_PACKAGE_CONTACT "The CGAL::L0_resampling authors")
+set(CPACK_PACKAGE_DESCRIPTION
+"Turns raw, noisy, unoriented points into clean, evenly spread, oriented points
+of an exact number that keep sharp features: the program l0_resample, the C++
+headers of CGAL::l0_resample_point_set() with their CMake package, and, where it
+was built, the Python package cgal_l0.")
+if(CGAL_L0_WITH_NATIVE_INSTRUCTIONS)
+  # Other processors may not run it, and nobody shall find that out by a crash.
+  string(APPEND CPACK_PACKAGE_VERSION +native)
+  string(APPEND CPACK_PACKAGE_DESCRIPTION "\n\nThis build runs on processors as the one of the machine that made it.")
+endif()
+set(CPACK_STRIP_FILES ON)
+
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION math)
+# The program needs libraries. Headers and Python package need more, which nobody has to have who only wants the program.
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libcgal-dev (>= 5.5), libeigen3-dev (>= 3.3.7), libtbb-dev")
+if(TARGET cgal_l0)
+  math(EXPR l0_next_python "${Python_VERSION_MINOR} + 1")
+  string(APPEND CPACK_DEBIAN_PACKAGE_RECOMMENDS ", python3-numpy, python3 (>= ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR})"
+         ", python3 (<< ${Python_VERSION_MAJOR}.${l0_next_python})")
+endif()
+
+install(FILES ${CMAKE_CURRENT_LIST_DIR}/copyright DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/${CPACK_PACKAGE_NAME})
+include(CPack)

@@ -1,0 +1,10 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds for any processor of this architecture, and makes a Debian package. Says at the end where it is.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+scripts/install_dependencies.sh
+cmake -S . -B build-package -DCMAKE_BUILD_TYPE=Release -DCGAL_L0_WITH_NATIVE_INSTRUCTIONS=OFF -DPython_EXECUTABLE=/usr/bin/python3 \
+      -DCGAL_L0_BUILD_TESTS=OFF -DCGAL_L0_BUILD_EXAMPLES=OFF -DCGAL_L0_BUILD_BENCHMARKS=OFF
+cmake --build build-package -j "$(nproc)"
+cpack --config build-package/CPackConfig.cmake -B build-package

@@ -1,0 +1,225 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "resample.h"
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/l0_resample_point_set.h>
+
+#ifdef CGAL_L0_LINKED_WITH_CUDA
+#include <CGAL/L0_resampling/CUDA_resampler.h>
+#endif
+
+#include <boost/range/irange.hpp>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace l0_python {
+namespace {
+
+using CGAL::L0_resampling::Method;
+using CGAL::L0_resampling::Report;
+
+/// Appends the pairs that the function writes to the arrays of a result. The report knows their number before the first
+/// is written.
+template <typename FT>
+class Result_inserter
+{
+  Result<FT>* m_result;
+
+public:
+  using iterator_category = std::output_iterator_tag;
+  using value_type = void;
+  using difference_type = void;
+  using pointer = void;
+  using reference = void;
+
+  explicit Result_inserter(Result<FT>& result) : m_result(&result) {}
+
+  Result_inserter& operator*() { return *this; }
+  Result_inserter& operator++() { return *this; }
+  Result_inserter& operator++(int) { return *this; }
+
+  template <typename Point, typename Vector>
+  Result_inserter& operator=(const std::pair<Point, Vector>& pair)
+  {
+    if (m_result->positions.empty())
+    {
+      m_result->positions.reserve(3 * m_result->report.number_of_output_points);
+      m_result->normals.reserve(3 * m_result->report.number_of_output_points);
+    }
+    const Point& p = pair.first;
+    const Vector& n = pair.second;
+    m_result->positions.insert(m_result->positions.end(), {p.x(), p.y(), p.z()});
+    m_result->normals.insert(m_result->normals.end(), {n.x(), n.y(), n.z()});
+    return *this;
+  }
+};
+
+/// Calls `next` with the chain, or with the chain and `add` of the value if there is one: the compiler has to know
+/// which names a chain has.
+template <typename Chain, typename T, typename Add, typename Next>
+void with_optional(const Chain& np, const std::optional<T>& value, const Add& add, const Next& next)
+{
+  if (value)
+    next(add(np, *value));
+  else
+    next(np);
+}
+
+template <typename Tag, typename FT, typename Chain>
+void call(const Array_view& points, const Array_view* normals, const Parameters& parameters, const Chain& chain,
+          Result<FT>& result)
+{
+  const auto add_count = [](const auto& np, std::int64_t count) { return np.number_of_output_points(count); };
+  const auto add_radius = [](const auto& np, double radius) { return np.neighbor_radius(radius); };
+  const auto add_filter_radius = [](const auto& np, double radius) { return np.normal_filter_radius(radius); };
+  const auto add_normals = [](const auto& np, const Normal_map& map) { return np.normal_map(map); };
+  const std::optional<Normal_map> normal_map = normals ? std::make_optional(Normal_map{*normals}) : std::nullopt;
+
+  with_optional(chain, parameters.number_of_output_points, add_count, [&](const auto& np) {
+  with_optional(np, parameters.neighbor_radius, add_radius, [&](const auto& np) {
+  with_optional(np, parameters.normal_filter_radius, add_filter_radius, [&](const auto& np) {
+  with_optional(np, normal_map, add_normals, [&](const auto& np) {
+    CGAL::l0_resample_point_set<Tag>(boost::irange(std::size_t(0), points.size), Result_inserter<FT>(result), np);
+  }); }); }); });
+}
+
+template <typename FT>
+Result<FT> resample_with_tag(const Array_view& points, const Array_view* normals, const Parameters& parameters,
+                             const std::function<bool(double)>& callback, bool on_device)
+{
+  const Parameters defaults = default_parameters(parameters.resampling_method);
+  Result<FT> result;
+  const auto np = CGAL::parameters::resampling_method(parameters.resampling_method)
+                    .select_percentage(parameters.select_percentage)
+                    .sharpness_angle(parameters.sharpness_angle)
+                    .number_of_normal_filter_iterations(parameters.number_of_normal_filter_iterations)
+                    .normal_weight(parameters.normal_weight)
+                    .regularization_weight(parameters.regularization_weight.value_or(*defaults.regularization_weight))
+                    .initial_penalty(parameters.initial_penalty)
+                    .maximum_penalty(parameters.maximum_penalty)
+                    .penalty_growth(parameters.penalty_growth.value_or(*defaults.penalty_growth))
+                    .number_of_orientation_neighbors(parameters.number_of_orientation_neighbors)
+                    .random_seed(parameters.random_seed)
+                    .drop_non_finite(parameters.drop_non_finite)
+                    .maximum_memory(parameters.maximum_memory)
+                    .callback(callback)
+                    .resampling_report(&result.report)
+                    .point_map(Point_map{points})
+                    .geom_traits(CGAL::Simple_cartesian<FT>());
+#ifdef CGAL_L0_LINKED_WITH_CUDA
+  if (on_device)
+    call<CGAL::CUDA_tag>(points, normals, parameters, np, result);
+  else
+#else
+  static_cast<void>(on_device);
+#endif
+    call<CGAL::Parallel_if_available_tag>(points, normals, parameters, np, result);
+  return result;
+}
+
+/// \param reason out: why not
+bool is_device_usable(std::string& reason)
+{
+#ifdef CGAL_L0_LINKED_WITH_CUDA
+  return CGAL::L0_resampling::is_cuda_device_usable(&reason);
+#else
+  reason = "this module was built without CUDA";
+  return false;
+#endif
+}
+
+template <typename FT>
+Result<FT> resample_on_any_device(const Array_view& points, const Array_view* normals, const Parameters& parameters,
+                                  const std::function<bool(double)>& callback)
+{
+  std::string reason = "asked for";
+  if (parameters.device != Device::CPU)
+  {
+    std::string failure;
+    if (!is_device_usable(failure))
+    {
+      if (parameters.device == Device::CUDA)
+        throw CGAL::L0_resampling::Device_error("device='cuda': " + failure);
+    }
+    else
+      try
+      {
+        Result<FT> result = resample_with_tag<FT>(points, normals, parameters, callback, true);
+        if (parameters.device == Device::AUTO)
+          result.report.device_reason = "a device can be used";
+        return result;
+      }
+      catch (const CGAL::L0_resampling::Device_error& error)
+      {
+        if (parameters.device == Device::CUDA)
+          throw;
+        failure = error.what();
+      }
+      catch (const std::bad_alloc&)
+      {
+        if (parameters.device == Device::CUDA)
+          throw;
+        failure = "the device has too little memory";
+      }
+    reason = failure;
+  }
+  Result<FT> result = resample_with_tag<FT>(points, normals, parameters, callback, false);
+  result.report.device_reason = reason;
+  return result;
+}
+
+} // namespace
+
+Parameters default_parameters(Method method)
+{
+  const CGAL::L0_resampling::internal::Parameters defaults =
+    CGAL::L0_resampling::internal::checked_parameters(CGAL::parameters::resampling_method(method), 100);
+  Parameters parameters;
+  parameters.resampling_method = method;
+  parameters.select_percentage = double(defaults.number_of_output_points);   // of a hundred points
+  parameters.sharpness_angle = defaults.sharpness_angle;
+  parameters.number_of_normal_filter_iterations = std::int64_t(defaults.number_of_normal_filter_iterations);
+  parameters.normal_weight = defaults.normal_weight;
+  parameters.regularization_weight = defaults.regularization_weight;
+  parameters.initial_penalty = defaults.initial_penalty;
+  parameters.maximum_penalty = defaults.maximum_penalty;
+  parameters.penalty_growth = defaults.penalty_growth;
+  parameters.number_of_orientation_neighbors = std::int64_t(defaults.number_of_orientation_neighbors);
+  parameters.random_seed = defaults.random_seed;
+  return parameters;
+}
+
+template <typename FT>
+Result<FT> resample(const Array_view& points, const Array_view* normals, const Parameters& parameters,
+                    const std::function<bool(double)>& callback)
+{
+  if (parameters.threads && (*parameters.threads < 1 || *parameters.threads > 4096))
+    throw std::invalid_argument("l0_resample_point_set: threads is " + std::to_string(*parameters.threads)
+                                + ", expected 1 to 4096");
+  if (normals && normals->size != points.size)
+    throw std::invalid_argument("l0_resample_point_set: " + std::to_string(points.size) + " points with "
+                                + std::to_string(normals->size) + " normals");
+  // An arena limits this call alone, where tbb::global_control would limit every other one of the process too.
+  tbb::task_arena arena(parameters.threads ? int(*parameters.threads) : int(tbb::task_arena::automatic));
+  Result<FT> result;
+  arena.execute([&]() { result = resample_on_any_device<FT>(points, normals, parameters, callback); });
+  return result;
+}
+
+template Result<float> resample(const Array_view&, const Array_view*, const Parameters&,
+                                const std::function<bool(double)>&);
+template Result<double> resample(const Array_view&, const Array_view*, const Parameters&,
+                                 const std::function<bool(double)>&);
+
+} // namespace l0_python

@@ -1,0 +1,75 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_PYTHON_RESAMPLE_H
+#define CGAL_L0_PYTHON_RESAMPLE_H
+
+#include "Array_view.h"
+
+#include <CGAL/L0_resampling/Report.h>
+#include <CGAL/L0_resampling/tags.h>
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace l0_python {
+
+enum class Device { CPU, CUDA, AUTO };
+
+/// The named parameters of `CGAL::l0_resample_point_set()`, by their names. What is not there keeps the function's
+/// default. Counts have a sign, so that it is the function that refuses the negative ones.
+struct Parameters
+{
+  CGAL::L0_resampling::Method resampling_method = CGAL::L0_resampling::Method::DEFAULT;
+  std::optional<std::int64_t> number_of_output_points;
+  double select_percentage = 0;
+  std::optional<double> neighbor_radius;
+  std::optional<double> normal_filter_radius;
+  double sharpness_angle = 0;
+  std::int64_t number_of_normal_filter_iterations = 0;
+  double normal_weight = 0;
+  std::optional<double> regularization_weight;
+  double initial_penalty = 0;
+  double maximum_penalty = 0;
+  std::optional<double> penalty_growth;
+  std::int64_t number_of_orientation_neighbors = 0;
+  std::uint64_t random_seed = 0;
+  bool drop_non_finite = false;
+  std::uint64_t maximum_memory = (std::numeric_limits<std::uint64_t>::max)();   ///< in bytes
+
+  // of this call, not of the function
+  std::optional<std::int64_t> threads;   ///< all, if not given
+  Device device = Device::CPU;
+};
+
+/// The parameters with the defaults of the function for a method, but for those that it takes from the points.
+Parameters default_parameters(CGAL::L0_resampling::Method method);
+
+/// Positions and normals, xyz interleaved.
+template <typename FT>
+struct Result
+{
+  std::vector<FT> positions, normals;
+  CGAL::L0_resampling::Report report;
+};
+
+/*!
+Calls `CGAL::l0_resample_point_set()`.
+
+\tparam FT `float` or `double`, the number type of the result
+\param normals of the points, or null
+\throws what the function throws
+*/
+template <typename FT>
+Result<FT> resample(const Array_view& points, const Array_view* normals, const Parameters& parameters,
+                    const std::function<bool(double)>& callback);
+
+} // namespace l0_python
+
+#endif // CGAL_L0_PYTHON_RESAMPLE_H

@@ -1,0 +1,63 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Number_type.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+
+namespace l0_tool {
+namespace {
+
+template <typename T>
+double to_double(const char* bytes, bool swap)
+{
+  char copy[sizeof(T)];
+  std::memcpy(copy, bytes, sizeof(T));
+  if (swap)
+    std::reverse(copy, copy + sizeof(T));
+  T value;
+  std::memcpy(&value, copy, sizeof(T));
+  return double(value);
+}
+
+} // namespace
+
+std::size_t size_of(Number_type type)
+{
+  switch (type) {
+  case Number_type::INT8: case Number_type::UINT8: return 1;
+  case Number_type::INT16: case Number_type::UINT16: return 2;
+  case Number_type::INT32: case Number_type::UINT32: case Number_type::FLOAT32: return 4;
+  case Number_type::FLOAT64: break;
+  }
+  return 8;
+}
+
+double decode(const char* bytes, Number_type type, bool swap)
+{
+  switch (type) {
+  case Number_type::INT8: return to_double<std::int8_t>(bytes, swap);
+  case Number_type::UINT8: return to_double<std::uint8_t>(bytes, swap);
+  case Number_type::INT16: return to_double<std::int16_t>(bytes, swap);
+  case Number_type::UINT16: return to_double<std::uint16_t>(bytes, swap);
+  case Number_type::INT32: return to_double<std::int32_t>(bytes, swap);
+  case Number_type::UINT32: return to_double<std::uint32_t>(bytes, swap);
+  case Number_type::FLOAT32: return to_double<float>(bytes, swap);
+  case Number_type::FLOAT64: break;
+  }
+  return to_double<double>(bytes, swap);
+}
+
+bool is_little_endian_machine()
+{
+  const std::uint16_t one = 1;
+  char first;
+  std::memcpy(&first, &one, 1);
+  return first == 1;
+}
+
+} // namespace l0_tool

@@ -1,0 +1,46 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef L0_RESAMPLE_PCD_HEADER_H
+#define L0_RESAMPLE_PCD_HEADER_H
+
+#include "Input_file.h"
+#include "Number_type.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace l0_tool {
+
+struct Pcd_field
+{
+  std::string name;
+  std::uint64_t size = 0;            ///< of each value, in bytes
+  std::uint64_t count = 1;           ///< of values in a row
+  std::optional<Number_type> type;   ///< not for integers of 64 bits
+};
+
+struct Pcd_header
+{
+  std::vector<Pcd_field> fields;
+  std::uint64_t number_of_points = 0;
+  bool is_binary = false;
+
+  /// Of values in a row.
+  std::uint64_t number_of_values() const;
+
+  /// In a binary file, in bytes.
+  std::uint64_t row_size() const;
+};
+
+/// Reads to the end of the line DATA: at most 1 MiB, 1000 fields.
+/// \throws Failure with the line that is at fault
+Pcd_header read_pcd_header(Input_file& file);
+
+} // namespace l0_tool
+
+#endif // L0_RESAMPLE_PCD_HEADER_H

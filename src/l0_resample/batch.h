@@ -1,0 +1,43 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef L0_RESAMPLE_BATCH_H
+#define L0_RESAMPLE_BATCH_H
+
+#include "file_formats.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace l0_tool {
+
+/// One input of a batch, and where its result goes.
+struct Batch_item
+{
+  std::string input;
+  std::string output;
+  File_format input_format;
+  File_format output_format;
+};
+
+/*!
+Plans a batch: the result of `a/scan.xyz` goes to `directory/scan.xyz`, or to `directory/scan.ply` if the output format
+is PLY.
+
+\param inputs files, and folders, which stand for those of their files that have a known extension, in the order of
+       their names
+\param input_format of all inputs; by their extensions, if not given
+\param output_format of all results; that of the input and its extension, if not given
+
+\throws Failure with WRONG_USAGE, before anything is written, if an extension is not known, or if a result would take
+        the place of an input or of another result; with INPUT_REFUSED if a folder cannot be read or has no such file
+*/
+std::vector<Batch_item> plan_batch(const std::vector<std::string>& inputs, const std::string& directory,
+                                   std::optional<File_format> input_format, std::optional<File_format> output_format);
+
+} // namespace l0_tool
+
+#endif // L0_RESAMPLE_BATCH_H

@@ -1,0 +1,114 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Pcd_header.h"
+#include "parse_numbers.h"
+#include "readers.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace l0_tool {
+namespace {
+
+// Where the value of a field goes: index 0 to 5 in Point_row, or `unused`.
+constexpr std::size_t unused = 6;
+using Targets = std::vector<std::size_t>;
+
+Targets find_targets(const Input_file& file, const Pcd_header& header)
+{
+  static constexpr std::array<std::string_view, 6> names = {"x", "y", "z", "normal_x", "normal_y", "normal_z"};
+  Targets targets;
+  std::array<bool, 6> found = {};
+  for (const Pcd_field& field : header.fields) {
+    const std::size_t target = std::size_t(std::find(names.begin(), names.end(), field.name) - names.begin());
+    targets.push_back(target);
+    if (target == unused)
+      continue;
+    if (field.count != 1)
+      file.refuse("the field " + field.name + " has " + std::to_string(field.count) + " values");
+    if (!field.type)
+      file.refuse("the field " + field.name + " is an integer of 64 bits");
+    if (found[target])
+      file.refuse("two fields " + field.name);
+    found[target] = true;
+  }
+  for (std::size_t k = 0; k < 3; ++k)
+    if (!found[k])
+      file.refuse("there is no field " + std::string(names[k]));
+  if (!found[3] || !found[4] || !found[5])
+    std::replace_if(targets.begin(), targets.end(), [](std::size_t target) { return target >= 3; }, unused);
+  return targets;
+}
+
+void read_binary_row(Input_file& file, const Pcd_header& header, const Targets& targets, Point_row& row)
+{
+  const bool swap = !is_little_endian_machine();
+  for (std::size_t k = 0; k < targets.size(); ++k) {
+    const Pcd_field& field = header.fields[k];
+    if (targets[k] == unused)
+      file.skip_bytes(field.count * field.size);
+    else
+      row[targets[k]] = decode(file.read_bytes(std::size_t(field.size)), *field.type, swap);
+  }
+}
+
+void read_ascii_row(Input_file& file, const Pcd_header& header, const Targets& targets, Point_row& row)
+{
+  std::string_view line;
+  for (std::string_view rest; next_word(rest).empty(); rest = line) {
+    const std::optional<std::string_view> next = file.read_line();
+    if (!next)
+      file.refuse("the file ends here, where another row is expected");
+    line = *next;
+  }
+  for (std::size_t k = 0; k < targets.size(); ++k) {
+    const Pcd_field& field = header.fields[k];
+    for (std::uint64_t i = 0; i < field.count; ++i) {
+      const std::string_view word = next_word(line);
+      if (word.empty())
+        file.refuse("the row ends before its field " + printable(field.name));
+      if (targets[k] == unused)
+        continue;
+      const std::optional<double> number = parse_number<double>(word);
+      if (!number)
+        file.refuse(printable(word) + " is not a number");
+      row[targets[k]] = *number;
+    }
+  }
+  if (!next_word(line).empty())
+    file.refuse("the row has more than its " + std::to_string(header.number_of_values()) + " values");
+}
+
+} // namespace
+
+void read_pcd(Input_file& file, Point_collector& collector)
+{
+  const Pcd_header header = read_pcd_header(file);
+  const Targets targets = find_targets(file, header);
+  if (std::count(targets.begin(), targets.end(), std::size_t(3)) > 0)
+    collector.set_has_normals();
+
+  // In text a digit and a blank for each value, but for the end of the last line
+  collector.announce(header.number_of_points, header.is_binary ? header.row_size() : 2 * header.number_of_values() - 1);
+  Point_row row = {};
+  for (std::uint64_t i = 0; i < header.number_of_points; ++i) {
+    if (header.is_binary)
+      read_binary_row(file, header, targets, row);
+    else
+      read_ascii_row(file, header, targets, row);
+    collector.add(row);
+  }
+  if (file.bytes_left() > std::uint64_t(0))
+    collector.warn(std::to_string(*file.bytes_left()) + " bytes after the last point are not looked at");
+}
+
+} // namespace l0_tool

@@ -1,0 +1,148 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "run.h"
+
+#include "Failure.h"
+#include "Output_file.h"
+#include "Progress_bar.h"
+#include "read_points.h"
+#include "render_snapshot.h"
+#include "resample.h"
+#include "signals.h"
+#include "write_png.h"
+#include "write_points.h"
+
+#include <chrono>
+#include <exception>
+#include <iostream>
+#include <new>
+#include <vector>
+
+namespace l0_tool {
+namespace {
+
+class Stopwatch
+{
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point m_start = Clock::now();
+
+public:
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - m_start).count(); }
+};
+
+Point_cloud read_input(const Options& options, Progress_bar& progress, Run_record& record)
+{
+  const Stopwatch stopwatch;
+  Read_options read_options;
+  read_options.max_points = options.max_points;
+  read_options.max_memory = options.max_memory;
+  read_options.drop_non_finite = options.drop_non_finite;
+  read_options.with_normals = options.use_normals || !options.snapshot.empty();
+  Point_cloud cloud = read_points(options.input, options.input_format, read_options,
+                                  [&](double share) { progress.update("read", share); });
+  record.warnings = cloud.warnings;
+  record.seconds_to_read = stopwatch.seconds();
+  return cloud;
+}
+
+std::vector<Oriented_point> resample_input(const Point_cloud& cloud, const Options& options, Progress_bar& progress,
+                                           Run_record& record)
+{
+  const Stopwatch stopwatch;
+  progress.restart();
+  const auto callback = [&](double share) {
+    progress.update(record.report.stages.empty() ? "" : record.report.stages.back().name, share);
+    return !is_interrupted();
+  };
+  std::vector<Oriented_point> result = resample(cloud, options, callback, record.report);
+  throw_if_interrupted();
+  record.report.number_of_dropped_points = cloud.number_of_dropped_points;   // the reader drops them, not the library
+  record.seconds_to_resample = stopwatch.seconds();
+  return result;
+}
+
+void resample_file(const Options& options, Run_record& record)
+{
+  // What would spoil the end is found at the beginning
+  check_device(options);
+  for (const std::string& path : {options.output, options.snapshot, options.json})
+    if (!path.empty())
+      check_writable(path, 0);
+
+  Progress_bar progress(options.quiet);
+  const Point_cloud cloud = read_input(options, progress, record);
+  check_writable(options.output,
+                 largest_file_size(options.output_format, number_of_output_points(options, cloud.points.size())));
+
+  const std::vector<Oriented_point> result = resample_input(cloud, options, progress, record);
+  if (options.strict && !record.report.converged)
+    throw Failure(NOT_CONVERGED, options.input + ": a solve did not converge, nothing is written");
+
+  const Stopwatch stopwatch;
+  write_points(options.output, options.output_format, result);
+  record.seconds_to_write = stopwatch.seconds();
+  if (!options.snapshot.empty())
+    write_png(options.snapshot, render_snapshot(cloud, result, options.view));
+}
+
+void print_summary(const Options& options, const Run_record& record)
+{
+  const bool is_taken =
+    is_standard_output(options.output) || (!options.json.empty() && is_standard_output(options.json));
+  std::ostream& stream = is_taken ? std::cerr : std::cout;
+  stream << summary_line(options, record) << std::flush;
+  if (!stream)
+    throw Failure(OUTPUT_NOT_WRITTEN, "standard output: the summary cannot be written");
+}
+
+} // namespace
+
+void guarded(Run_record& record, const std::function<void()>& function)
+{
+  try {
+    function();
+  } catch (const Failure& failure) {
+    record.status = failure.status();
+    record.error = failure.what();
+  } catch (const std::bad_alloc&) {
+    record.status = RUN_TIME_FAILURE;
+    record.error = "not enough memory";
+  } catch (const std::exception& error) {
+    record.status = RUN_TIME_FAILURE;
+    record.error = error.what();
+  }
+}
+
+Run_record run(const Options& options)
+{
+  Run_record record;
+  guarded(record, [&]() { resample_file(options, record); });
+  return record;
+}
+
+void write_text(const std::string& path, const std::string& text)
+{
+  Output_file file(path);
+  file.write(text);
+  file.commit();
+}
+
+void print_error(const std::string& error)
+{
+  if (!error.empty())
+    std::cerr << "l0_resample: " << error << std::endl;
+}
+
+void print_outcome(const Options& options, Run_record& record)
+{
+  if (record.status == SUCCESS && !options.quiet)
+    guarded(record, [&]() { print_summary(options, record); });
+  if (!options.quiet)
+    for (const std::string& warning : record.warnings)
+      std::cerr << "l0_resample: warning: " << warning << std::endl;
+}
+
+} // namespace l0_tool

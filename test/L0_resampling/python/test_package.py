@@ -1,0 +1,72 @@
+# Copyright (c) 2026  The CGAL::L0_resampling authors.
+# All rights reserved.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""What cgal_l0 says about itself is true: the stubs, the example, the README."""
+
+import ast
+import dataclasses
+import inspect
+import os
+import pathlib
+import runpy
+
+import cgal_l0
+import numpy
+from cgal_l0 import _core
+
+root = pathlib.Path(os.environ["L0_SOURCE"])
+package = pathlib.Path(cgal_l0.__file__).parent
+
+
+def test_the_stub_of_the_function_is_its_signature():
+    actual = inspect.signature(cgal_l0.l0_resample_point_set).parameters
+    stub = ast.parse((package / "__init__.pyi").read_text())
+    overloads = [node for node in stub.body if isinstance(node, ast.FunctionDef)]
+    assert len(overloads) == 2
+    for overload in overloads:
+        arguments = overload.args
+        assert [a.arg for a in arguments.args + arguments.kwonlyargs] == list(actual)
+        for argument, default in zip(arguments.kwonlyargs, arguments.kw_defaults):
+            if argument.arg != "report":
+                assert ast.literal_eval(default) == actual[argument.arg].default, argument.arg
+    assert (package / "py.typed").exists()
+
+
+def test_the_stub_of_the_core_has_its_names():
+    def public(names):
+        return {name for name in names if not name.startswith("_") and name not in ("name", "value")}
+
+    stub = ast.parse((package / "_core.pyi").read_text())
+    definitions = [node for node in stub.body if isinstance(node, (ast.ClassDef, ast.FunctionDef))]
+    assert {node.name for node in definitions} == public(dir(_core))
+    for node in definitions:
+        if isinstance(node, ast.ClassDef):
+            attributes = {item.target.id for item in node.body if isinstance(item, ast.AnnAssign)}
+            assert public(attributes) == public(dir(getattr(_core, node.name))), node.name
+
+
+def test_the_version_is_the_project_s():
+    project = (root / "CMakeLists.txt").read_text()
+    assert f"project(CGAL_L0_resampling VERSION {cgal_l0.__version__} " in project
+
+
+def test_the_report_has_the_members_of_the_cpp_report():
+    header = (root / "include/CGAL/L0_resampling/Report.h").read_text()
+    struct = header[header.index("struct Report\n"):]
+    missing = [f.name for f in dataclasses.fields(cgal_l0.Report) if f" {f.name}" not in struct]
+    assert missing == []
+    members = [line for line in struct.split("};")[0].splitlines() if line.startswith("  ") and ";" in line]
+    assert len(members) == len(dataclasses.fields(cgal_l0.Report)) + 1   # the outcome, which is an exception here
+
+
+def test_the_example_is_in_the_readme_and_runs(cube, tmp_path, monkeypatch):
+    example = root / "examples/L0_resampling/l0_resample_example.py"
+    code = example.read_text().split("\n\n", 1)[1].strip()   # without the licence
+    assert len(code.splitlines()) == 3
+    assert f"```python\n{code}\n```" in (root / "README.md").read_text()
+    monkeypatch.chdir(tmp_path)
+    numpy.savetxt("scan.xyz", cube)
+    names = runpy.run_path(str(example))
+    assert names["positions"].shape == names["normals"].shape == (20000, 3)

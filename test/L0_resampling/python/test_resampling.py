@@ -1,0 +1,235 @@
+# Copyright (c) 2026  The CGAL::L0_resampling authors.
+# All rights reserved.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""cgal_l0 gives what the C++ function gives, wherever its arrays lie, and passes every parameter on."""
+
+import dataclasses
+import inspect
+import tracemalloc
+
+import cgal_l0
+import numpy
+import pytest
+from cgal_l0 import _core, l0_resample_point_set
+
+
+def same(result, other):
+    """Bitwise, but for NaN, which is in no result."""
+    return all(a.dtype == b.dtype and numpy.array_equal(a, b) for a, b in zip(result, other))
+
+
+@pytest.mark.parametrize("options, named", [
+    ([], {}),
+    (["--points", 777], {"number_of_output_points": 777}),
+    (["--percentage", 12.5], {"select_percentage": 12.5}),
+    (["--method", "lor"], {"method": "lor"}),
+    (["--method", "alor"], {"method": "alor"}),
+    (["--neighbor-radius", 0.2], {"neighbor_radius": 0.2}),
+    (["--normal-weight", 0.1], {"normal_weight": 0.1}),
+    (["--sharpness-angle", 40], {"sharpness_angle": 40}),
+    (["--seed", 5], {"random_seed": 5}),
+])
+def test_equals_the_program_bitwise(cube, tool, options, named):
+    positions, normals, _ = tool(cube, *options)
+    result = l0_resample_point_set(cube, **named)
+    assert same(result, (positions, normals))
+    if named:
+        assert not same(result, l0_resample_point_set(cube))
+
+
+def test_equals_the_program_with_normals(cube, cube_normals, tool):
+    positions, normals, _ = tool(cube, "--use-normals", normals=cube_normals)
+    result = l0_resample_point_set(cube, cube_normals)
+    assert same(result, (positions, normals))
+    assert not same(result, l0_resample_point_set(cube))
+    assert same(result, l0_resample_point_set(cube, cube_normals.astype(numpy.float32)))   # zeros and ones
+
+
+def test_single_precision(cube, tool):
+    single = cube.astype(numpy.float32)
+    positions, normals = l0_resample_point_set(single)
+    assert positions.dtype == normals.dtype == numpy.float32
+    expected = tool(single.astype(numpy.float64))
+    assert same((positions, normals), (expected[0].astype(numpy.float32), expected[1].astype(numpy.float32)))
+
+
+def test_every_other_parameter_arrives(cube):
+    def report_of(**named):
+        return l0_resample_point_set(cube, report=True, **named)[2]
+
+    default = report_of()
+    assert report_of(normal_filter_radius=0.3).normal_filter_radius == pytest.approx(0.3, rel=1e-12)
+    assert report_of(neighbor_radius=0.2).neighbor_radius == pytest.approx(0.2, rel=1e-12)
+    assert report_of(initial_penalty=0.5).iterations[0].penalty == 0.5
+    assert report_of(maximum_penalty=0.2).iterations[-1].penalty <= 0.2 < default.iterations[-1].penalty
+    assert report_of(penalty_growth=4).iterations[1].penalty == pytest.approx(0.4)
+    assert report_of(regularization_weight=0).iterations[0].regularization_energy == 0
+    assert default.iterations[0].regularization_energy > 0
+    for named in ({"number_of_normal_filter_iterations": 1}, {"regularization_weight": 1}):
+        assert not same(l0_resample_point_set(cube, **named), l0_resample_point_set(cube))
+    with pytest.raises(ValueError, match="number_of_orientation_neighbors is 2"):
+        l0_resample_point_set(cube, number_of_orientation_neighbors=2)
+    with pytest.raises(MemoryError):
+        l0_resample_point_set(cube, maximum_memory=1000)
+
+
+def test_defaults_are_those_of_the_function(cube):
+    constants = {name: p.default for name, p in inspect.signature(l0_resample_point_set).parameters.items()}
+    by_method = _core.Parameters(_core.Method.default)
+    for name in ("select_percentage", "sharpness_angle", "number_of_normal_filter_iterations", "normal_weight",
+                 "initial_penalty", "maximum_penalty", "number_of_orientation_neighbors", "random_seed",
+                 "drop_non_finite"):
+        assert constants[name] == getattr(by_method, name), name
+    for method in ("default", "lor"):
+        own = _core.Parameters(_core.Method.__members__[method])
+        assert same(l0_resample_point_set(cube, method=method),
+                    l0_resample_point_set(cube, method=method, regularization_weight=own.regularization_weight,
+                                          penalty_growth=own.penalty_growth))
+    assert own.penalty_growth != by_method.penalty_growth
+
+
+def layouts_of(array):
+    n = len(array)
+    wide = numpy.zeros((2 * n, 7), array.dtype)
+    wide[::2, 1:7:2] = array
+    read_only = array.copy()
+    read_only.flags.writeable = False
+    packed = numpy.zeros(n, [("tag", "u1"), ("point", array.dtype, 3)])
+    packed["point"] = array
+    return {
+        "column by column": numpy.asfortranarray(array),
+        "with gaps": wide[::2, 1:7:2],
+        "backwards": array[::-1, ::-1].copy()[::-1, ::-1],
+        "read-only": read_only,
+        "unaligned": packed["point"],
+    }
+
+
+@pytest.mark.parametrize("number_type", [numpy.float32, numpy.float64])
+def test_layouts_are_read_in_place(cube, cube_normals, number_type):
+    points, normals = cube.astype(number_type), cube_normals.astype(number_type)
+    expected = l0_resample_point_set(points, normals)
+    for (name, strided_points), strided_normals in zip(layouts_of(points).items(), layouts_of(normals).values()):
+        tracemalloc.start()   # sees what NumPy allocates
+        result = l0_resample_point_set(strided_points, strided_normals)
+        peak = tracemalloc.get_traced_memory()[1]
+        tracemalloc.stop()
+        assert same(result, expected), name
+        assert peak < points.nbytes / 4, f"{name}: {peak} bytes"
+
+
+def test_the_input_stays_as_it_is(cube):
+    points = cube.copy()
+    l0_resample_point_set(points)
+    assert numpy.array_equal(points, cube)
+
+
+def test_other_number_types_are_converted():
+    steps = numpy.array([[x, y, x * y % 3] for x in range(20) for y in range(20)])
+    expected = l0_resample_point_set(steps.astype(numpy.float64))
+    assert same(l0_resample_point_set(steps), expected)
+    assert same(l0_resample_point_set(steps.tolist()), expected)
+    assert same(l0_resample_point_set(steps.astype(">f8")), expected)
+    assert same(l0_resample_point_set(steps.astype(">f4")), l0_resample_point_set(steps.astype(numpy.float32)))
+    for wrong in (steps.astype(complex), steps.astype(str), steps.astype(object), steps.astype(numpy.longdouble)):
+        with pytest.raises(TypeError, match="points holds numbers of type"):
+            l0_resample_point_set(wrong)
+
+
+def test_the_result_lives_alone(cube):
+    positions, normals = l0_resample_point_set(cube)
+    again = l0_resample_point_set(cube)
+    assert positions.flags.c_contiguous and positions.flags.writeable and positions.flags.aligned
+    kept = positions[:10].copy(), positions[:10]
+    positions[10:] = 0
+    del positions
+    assert numpy.array_equal(*kept)
+    assert numpy.array_equal(normals, again[1])
+
+
+def test_threads_do_not_matter(cube):
+    assert same(l0_resample_point_set(cube, threads=1), l0_resample_point_set(cube, threads=3))
+    assert same(l0_resample_point_set(cube, threads=1), l0_resample_point_set(cube))
+
+
+def test_small_inputs():
+    for number_type in (numpy.float32, numpy.float64):
+        positions, normals = l0_resample_point_set(numpy.zeros((0, 3), number_type))
+        assert positions.shape == normals.shape == (0, 3) and positions.dtype == number_type
+    positions, normals = l0_resample_point_set([[1, 2, 3]])
+    assert positions.tolist() == [[1, 2, 3]] and normals.shape == (1, 3)
+
+
+def test_drop_non_finite(cube):
+    bad = numpy.vstack([cube, [[numpy.nan, 0, 0], [0, numpy.inf, 0]]])
+    with pytest.raises(ValueError, match="point 6000 has a coordinate that is not finite"):
+        l0_resample_point_set(bad)
+    *result, report = l0_resample_point_set(bad, drop_non_finite=True, report=True)
+    assert report.number_of_dropped_points == 2
+    assert same(result, l0_resample_point_set(cube))
+
+
+@pytest.mark.parametrize("error, message, named", [
+    (ValueError, "number_of_output_points is -1", {"number_of_output_points": -1}),
+    (ValueError, "number_of_output_points is 2.5", {"number_of_output_points": 2.5}),
+    (ValueError, "number_of_output_points is 1000000000000000000000", {"number_of_output_points": 10**21}),
+    (ValueError, "select_percentage is 0", {"select_percentage": 0}),
+    (ValueError, "select_percentage is nan", {"select_percentage": float("nan")}),
+    (ValueError, "neighbor_radius is -1", {"neighbor_radius": -1}),
+    (ValueError, "normal_filter_radius is 0", {"normal_filter_radius": 0.0}),
+    (ValueError, "sharpness_angle is 91", {"sharpness_angle": 91}),
+    (ValueError, "normal_weight is -1", {"normal_weight": -1}),
+    (ValueError, "penalty_growth is 1", {"penalty_growth": 1}),
+    (ValueError, "random_seed is -1", {"random_seed": -1}),
+    (ValueError, "threads is 0", {"threads": 0}),
+    (ValueError, "threads is 5000", {"threads": 5000}),
+    (ValueError, "method is 'best'", {"method": "best"}),
+    (ValueError, "device is 'tpu'", {"device": "tpu"}),
+    (TypeError, "neighbor_radius is '1'", {"neighbor_radius": "1"}),
+    (TypeError, "nonsense", {"nonsense": 1}),
+    (ValueError, "6000 points with 5 normals", {"normals": numpy.ones((5, 3))}),
+    (ValueError, r"normals has the shape \(6000, 2\)", {"normals": numpy.ones((6000, 2))}),
+])
+def test_refusals(cube, error, message, named):
+    with pytest.raises(error, match=message):
+        l0_resample_point_set(cube, **named)
+
+
+@pytest.mark.parametrize("shape", [(3,), (5, 2), (5, 4), (5, 3, 1), (0,)])
+def test_shapes_that_are_no_points(shape):
+    with pytest.raises(ValueError, match="points has the shape"):
+        l0_resample_point_set(numpy.zeros(shape))
+
+
+def test_report(cube, tool):
+    report = l0_resample_point_set(cube, report=True)[2]
+    _, _, of_the_program = tool(cube)
+    assert len(l0_resample_point_set(cube)) == 2
+    assert report.number_of_input_points == 6000 and report.number_of_output_points == 3000
+    assert (report.device, report.device_reason) == ("cpu", "asked for")
+    expected = of_the_program["resampling"]
+    for name in ("neighbor_radius", "normal_filter_radius", "oriented_share", "converged"):
+        assert getattr(report, name) == expected[name], name
+    assert report.number_of_self_neighbor_pairs == expected["self_neighbor_pairs"]
+    assert [stage.name for stage in report.stages] == [stage["name"] for stage in expected["stages"]]
+    for iteration, other in zip(report.iterations, expected["iterations"], strict=True):
+        flat = {**dataclasses.asdict(iteration), **dataclasses.asdict(iteration.solver)}
+        del flat["solver"]
+        flat["solver_iterations"] = flat.pop("iterations")
+        assert flat == other
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        report.converged = False
+    assert hash(report) == hash(dataclasses.replace(report))
+
+
+def test_cuda_is_refused_or_close(cube):
+    *result, report = l0_resample_point_set(cube, device="auto", report=True)
+    if report.device == "cuda":
+        assert same(result, l0_resample_point_set(cube, device="cuda"))
+    else:
+        assert report.device_reason not in ("", "asked for")
+        assert same(result, l0_resample_point_set(cube))
+        with pytest.raises(RuntimeError, match="device='cuda': .*"):
+            l0_resample_point_set(cube, device="cuda")

@@ -1,0 +1,74 @@
+# Makes the Debian package of the build in BUILD_DIRECTORY, as it was built, looks into it, installs it below a folder of its own and runs
+# what it brings:
+#   cmake -DBUILD_DIRECTORY=... -DSCRATCH=... -DCPACK=... -DVERSION=... -DDATA=... [-DPYTHON=... -DPYTHON_PACKAGES=...] -P test_package.cmake
+
+cmake_minimum_required(VERSION 3.21)
+
+function(run)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE errors)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "${ARGN} ended with status ${status}:\n${output}\n${errors}")
+  endif()
+  set(output ${output} PARENT_SCOPE)
+endfunction()
+
+function(expect what text regular_expression)
+  if(NOT text MATCHES "${regular_expression}")
+    message(SEND_ERROR "${what} does not match ${regular_expression}:\n${text}")
+  endif()
+endfunction()
+
+file(REMOVE_RECURSE ${SCRATCH})
+# Ninja builds nothing before an install, where make would build all that is not up to date.
+run(${CPACK} -G DEB --config ${BUILD_DIRECTORY}/CPackConfig.cmake -B ${SCRATCH} -D CPACK_CMAKE_GENERATOR=Ninja)
+file(GLOB packages ${SCRATCH}/*.deb)
+list(LENGTH packages number_of_packages)
+if(NOT number_of_packages EQUAL 1)
+  message(FATAL_ERROR "${number_of_packages} packages: ${packages}")
+endif()
+
+# What it says
+cmake_path(GET packages FILENAME name)
+string(REPLACE . \\. version ${VERSION})
+string(REPLACE + \\+ version ${version})
+expect("The file name" ${name} "^cgal-l0-resampling_${version}_[a-z0-9]+\\.deb$")
+run(dpkg-deb --field ${packages})
+expect("The control file" "${output}" "Package: cgal-l0-resampling\n")
+expect("The control file" "${output}" "Version: ${version}\n")
+expect("The control file" "${output}" "Maintainer: The CGAL::L0_resampling authors")
+expect("The control file" "${output}" "Depends: [^\n]*libc6 \\(>= ")
+expect("The control file" "${output}" "Depends: [^\n]*libtbb12 ")
+expect("The control file" "${output}" "Depends: [^\n]*libpng16-16 ")
+expect("The control file" "${output}" "Recommends: libcgal-dev \\(>= 5\\.5\\), ")
+
+# What is in it
+run(dpkg-deb --contents ${packages})
+foreach(path IN ITEMS bin/l0_resample include/CGAL/l0_resample_point_set.h CGAL_L0_resamplingConfig.cmake
+                      share/doc/cgal-l0-resampling/copyright)
+  expect("The list of files" "${output}" "root/root [^\n]* \\./usr/[^\n]*${path}\n")
+endforeach()
+string(REGEX MATCHALL "[^\n]* \\./[^\n]*" lines "${output}")
+list(FILTER lines EXCLUDE REGEX " \\./(usr/.*)?$")
+if(lines)
+  message(SEND_ERROR "Not below /usr: ${lines}")
+endif()
+
+# What it does, installed where nothing else is
+set(root ${SCRATCH}/root)
+file(MAKE_DIRECTORY ${root}/var/lib/dpkg/info ${root}/var/lib/dpkg/updates)
+file(WRITE ${root}/var/lib/dpkg/status "")
+run(dpkg --root=${root} --force-depends,not-root --log=${SCRATCH}/dpkg.log --install ${packages})
+run(dpkg --root=${root} --status cgal-l0-resampling)
+expect("The status" "${output}" "Status: install ok installed\n")
+run(${root}/usr/bin/l0_resample --version)
+expect("The version of the program" "${output}" "^l0_resample [0-9.]+, ")
+run(${root}/usr/bin/l0_resample ${DATA}/bracket_noisy.ply ${SCRATCH}/out.npy --points 500)
+expect("The summary" "${output}" "500 out")
+if(PYTHON)
+  set(ENV{PYTHONPATH} ${root}/usr/${PYTHON_PACKAGES})
+  file(WRITE ${SCRATCH}/use.py "import cgal_l0, numpy\n"
+       "points = numpy.load('${SCRATCH}/out.npy')[:, :3]\n"
+       "print(cgal_l0.__file__, len(cgal_l0.l0_resample_point_set(points)[0]))\n")
+  run(${PYTHON} -B ${SCRATCH}/use.py)
+  expect("The Python package" "${output}" "^${root}/usr/.* 250\n")
+endif()
