@@ -97,9 +97,11 @@ OutputIterator resample_on_cpu(const PointRange& range, PointMap point_map, Norm
   Buffer<Eigen::Matrix<typename Solver::FT, 3, 1>> normals(&memory);
   try
   {
-    const std::size_t n = input.points.size(), m = checked.number_of_output_points;
+    std::size_t n = input.points.size();
+    const std::size_t m = checked.number_of_output_points;
     Oriented_points<typename Solver::FT> result =
       resample<ConcurrencyTag>(input.points, input.normals, checked, unwrapped(chosen_solver), progress, report);
+    n -= report.number_of_outliers;
     if (report.number_of_distinct_points < (std::min)(n, m))
       report.number_of_distinct_points = number_of_distinct_points(range, point_map, memory);
     positions = rounded_positions<FT>(result.positions, input, report.neighbor_radius,
@@ -202,7 +204,7 @@ chain, or are joined to one by `|`, one at a time: `parameters::neighbor_radius(
   \cgalParamNEnd
   \cgalParamNBegin{resampling_method}
     \cgalParamDescription{`LOR`, Section 3 of the paper; `ALOR`, Section 4; or `DEFAULT`, what this package recommends, which runs Algorithm 1 on the same
-      energy but corrects the normals by the positions, fits to compatible points only, looks for neighbors anew in every iteration, spreads the
+      energy but leaves outliers out, corrects the normals by the positions, starts evenly, fits to points of the same side and sheet only, looks for neighbors anew in every iteration, spreads the
       samples by repulsion and takes the radius from the spacing and the noise of the points. ALOR's local half-sampling leaves Eq. (10) as it is once the fit term is collapsed, so it is carried out only for solvers that need the rows of Eq. (11).}
     \cgalParamType{`CGAL::L0_resampling::Method`}
     \cgalParamDefault{`Method::DEFAULT`}
@@ -212,7 +214,7 @@ chain, or are joined to one by `|`, one at a time: `parameters::neighbor_radius(
       (`LOR`, `ALOR`) or within 2.5 spacings of the samples, at most \f$ r_p \f$ (`DEFAULT`).}
     \cgalParamType{`double`, a length in the unit of the points}
     \cgalParamDefault{`LOR` and `ALOR`: \f$ l_{diag} / \sqrt[3]{n} \f$, where far outliers do not count for the diagonal of the bounding box. `DEFAULT`:
-      \f$ \sqrt{(4s)^2 + (4\sigma)^2} \f$ with the spacing s and the noise \f$ \sigma \f$ estimated from the points}
+      \f$ \sqrt{(4s)^2 + (4.2\sigma)^2} \f$ with the spacing s and the noise \f$ \sigma \f$ estimated from the points}
     \cgalParamExtra{`std::invalid_argument` if not finite or not positive; values beyond the diagonal are taken as the diagonal}
   \cgalParamNEnd
   \cgalParamNBegin{normal_filter_radius}
@@ -286,6 +288,12 @@ chain, or are joined to one by `|`, one at a time: `parameters::neighbor_radius(
     \cgalParamDescription{whether points with a coordinate that is not finite are left out, and counted in the report, or refused}
     \cgalParamType{`bool`}
     \cgalParamDefault{`false`: `std::invalid_argument` with the index of the first such point}
+  \cgalParamNEnd
+  \cgalParamNBegin{drop_outliers}
+    \cgalParamDescription{whether points off the cloud are left out, and counted in the report: points around which there are far fewer others than around the
+      points in their surroundings, and small clusters apart from the rest}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`false` for `LOR` and `ALOR`, `true` for `DEFAULT`}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_memory}
     \cgalParamDescription{the most memory that the function's own arrays may take}

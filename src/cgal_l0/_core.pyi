@@ -39,6 +39,7 @@ class Parameters:
     number_of_orientation_neighbors: int
     random_seed: int
     drop_non_finite: bool
+    drop_outliers: bool | None
     maximum_memory: int
     threads: int | None
     device: Device

@@ -69,6 +69,7 @@ py::dict dictionary_of(const Report& report)
   return py::dict(
     "number_of_input_points"_a = report.number_of_input_points,
     "number_of_dropped_points"_a = report.number_of_dropped_points,
+    "number_of_outliers"_a = report.number_of_outliers,
     "number_of_distinct_points"_a = report.number_of_distinct_points,
     "number_of_output_points"_a = report.number_of_output_points,
     "number_of_degenerate_neighborhoods"_a = report.number_of_degenerate_neighborhoods,
@@ -143,6 +144,7 @@ PYBIND11_MODULE(_core, module)
     .def_readwrite("number_of_orientation_neighbors", &Parameters::number_of_orientation_neighbors)
     .def_readwrite("random_seed", &Parameters::random_seed)
     .def_readwrite("drop_non_finite", &Parameters::drop_non_finite)
+    .def_readwrite("drop_outliers", &Parameters::drop_outliers)
     .def_readwrite("maximum_memory", &Parameters::maximum_memory)
     .def_readwrite("threads", &Parameters::threads)
     .def_readwrite("device", &Parameters::device);

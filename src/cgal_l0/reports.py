@@ -49,6 +49,7 @@ class Report:
 
     number_of_input_points: int
     number_of_dropped_points: int
+    number_of_outliers: int
     number_of_distinct_points: int
     number_of_output_points: int
     number_of_degenerate_neighborhoods: int

@@ -112,6 +112,7 @@ Result<FT> resample_with_tag(const Array_view& points, const Array_view* normals
                     .number_of_orientation_neighbors(parameters.number_of_orientation_neighbors)
                     .random_seed(parameters.random_seed)
                     .drop_non_finite(parameters.drop_non_finite)
+                    .drop_outliers(parameters.drop_outliers.value_or(*defaults.drop_outliers))
                     .maximum_memory(parameters.maximum_memory)
                     .callback(callback)
                     .resampling_report(&result.report)
@@ -197,6 +198,7 @@ Parameters default_parameters(Method method)
   parameters.penalty_growth = defaults.penalty_growth;
   parameters.number_of_orientation_neighbors = std::int64_t(defaults.number_of_orientation_neighbors);
   parameters.random_seed = defaults.random_seed;
+  parameters.drop_outliers = defaults.drop_outliers;
   return parameters;
 }
 

@@ -41,6 +41,7 @@ struct Parameters
   std::int64_t number_of_orientation_neighbors = 0;
   std::uint64_t random_seed = 0;
   bool drop_non_finite = false;
+  std::optional<bool> drop_outliers;
   std::uint64_t maximum_memory = (std::numeric_limits<std::uint64_t>::max)();   ///< in bytes
 
   // of this call, not of the function

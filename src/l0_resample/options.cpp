@@ -185,6 +185,7 @@ void add_options(CLI::App& app, Options& options, std::vector<std::string>& file
      ->check(count_within(0, any_count))->type_name("K")->capture_default_str();
   app.add_flag("--use-normals", options.use_normals, "start from the normals of INPUT instead of estimating them");
   app.add_flag("--drop-non-finite", options.drop_non_finite, "leave out points with a NaN or infinite coordinate");
+  app.add_flag("--keep-outliers", options.keep_outliers, "let points off the cloud take part, which the default method leaves out");
 
   add_choice(app, "--device", devices, options.device, "where to compute");
   add_choice(app, "--solver", solvers, options.solver, "how to solve the linear systems");

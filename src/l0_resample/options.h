@@ -40,6 +40,7 @@ struct Options
   std::uint64_t seed = 0;
   bool use_normals = false;
   bool drop_non_finite = false;
+  bool keep_outliers = false;
 
   Device device = Device::AUTO;
   Solver solver = Solver::BLOCK_CG;

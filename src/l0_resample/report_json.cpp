@@ -24,7 +24,8 @@ Json parameters_as_json(const Options& options)
                {"normal_weight", options.normal_weight},
                {"sharpness_angle", options.sharpness_angle},
                {"seed", options.seed},
-               {"use_normals", options.use_normals}};
+               {"use_normals", options.use_normals},
+               {"keep_outliers", options.keep_outliers}};
   json["threads"] = options.threads ? Json(*options.threads) : Json("all");
   return json;
 }
@@ -47,6 +48,7 @@ Json report_as_json(const Report& report)
 {
   Json json = {{"neighbor_radius", report.neighbor_radius},
                {"normal_filter_radius", report.normal_filter_radius},
+               {"outliers", report.number_of_outliers},
                {"degenerate_neighborhoods", report.number_of_degenerate_neighborhoods},
                {"lonely_samples", report.number_of_lonely_samples},
                {"self_neighbor_pairs", report.number_of_self_neighbor_pairs},
@@ -92,6 +94,8 @@ std::string summary_line(const Options& options, const Run_record& record)
   std::string line = options.input + ": " + std::to_string(report.number_of_input_points) + " points in, ";
   if (report.number_of_dropped_points > 0)
     line += std::to_string(report.number_of_dropped_points) + " dropped, ";
+  if (report.number_of_outliers > 0)
+    line += std::to_string(report.number_of_outliers) + " outliers left out, ";
   line += std::to_string(report.number_of_output_points) + " out, method " + name_of(options.method) + ", " + numbers;
   if (!report.converged)
     line += ", not converged";

@@ -158,6 +158,7 @@ std::vector<Oriented_point> resample(const Point_cloud& cloud, const Options& op
                       .normal_weight(options.normal_weight)
                       .sharpness_angle(options.sharpness_angle)
                       .random_seed(options.seed)
+                      .drop_outliers(options.method == CGAL::L0_resampling::Method::DEFAULT && !options.keep_outliers)
                       .number_of_output_points(number_of_output_points(options, cloud.points.size()))
                       .maximum_memory(options.max_memory)
                       .callback(callback)

@@ -41,6 +41,20 @@ void check_scales(std::vector<Vector> points, double area, Generator& generator)
   }
 }
 
+/// The two sheets of a thin plate, closer than the first balls are wide, are not taken for one noisy sheet.
+void check_plate(double thickness, double noise, Generator& generator)
+{
+  std::vector<Vector> points = plane_points(10000, 3, generator).points;
+  const double spacing = std::sqrt(9 / double(points.size()));
+  for (const Vector& p : plane_points(10000, 3, generator).points)
+    points.push_back(p + Vector(0, 0, thickness * spacing));
+  add_gaussian_noise(points, noise * spacing, generator);
+  const Scales scales = scales_of(points);
+  CHECK(is_close(scales.spacing, spacing, 0.25));
+  CHECK(scales.noise < (noise + 0.4) * spacing);   // and not half the thickness
+  CHECK(scales.noise > 0.6 * noise * spacing);
+}
+
 /// Scales are lengths: they double with the cloud, bit by bit.
 void check_unit(std::vector<Vector> points)
 {
@@ -60,6 +74,9 @@ int main()
     check_scales(plane_points(n, 3, generator).points, 9, generator);
     check_scales(sphere_points(n, 1, generator).points, 4 * EIGEN_PI, generator);
   }
+  check_plate(3, 0, generator);
+  check_plate(4, 0.5, generator);
+  check_plate(6, 1, generator);
   std::vector<Vector> noisy = cube_points(3000, 2, generator).points;
   add_gaussian_noise(noisy, 0.03, generator);
   check_unit(noisy);

@@ -13,7 +13,7 @@
 
 using namespace test;
 
-const double radius = 0.4, bandwidth = 0.6 * radius;
+const double radius = 0.4, bandwidth = 0.6 * radius, squared_sheet_height = 0.08 * 0.08;
 
 /// What the stage makes of each sample.
 struct Fitted
@@ -41,7 +41,7 @@ Fitted fit(const Oriented_points& input, const std::vector<double>& densities, c
   samples.outward_directions.resize(start.points.size());
   Unwatched unwatched;
   fit_compatible_points<CGAL::Parallel_if_available_tag>(
-    Fit_input<T>{sorted.grid, sorted.points, normals, density_weights, radius, normal_bandwidth(25)},
+    Fit_input<T>{sorted.grid, sorted.points, normals, density_weights, radius, squared_sheet_height, normal_bandwidth(25)},
     unwatched.progress, samples);
   CHECK(samples.positions == to_buffer(start.points));
   const auto vector = [](const Buffer<Vector>& b) { return std::vector<Vector>(b.begin(), b.end()); };
@@ -83,11 +83,13 @@ Fitted fit_naively(const Oriented_points& input, const std::vector<double>& dens
     {
       const Vector d = input.points[j] - start.points[i];
       const double cosine = n.dot(input.normals[j]);
-      const double w = std::exp(-d.squaredNorm() / (bandwidth * bandwidth))
-                       * std::exp(-std::pow(1 - std::abs(cosine), 2) / normal_bandwidth(25)) / densities[j];
       const Vector turned = (cosine < 0 ? -1 : 1) * input.normals[j];
+      const double h = 0.5 * (n + turned).dot(d);
+      const double w = std::exp(-d.squaredNorm() / (bandwidth * bandwidth))
+                       * std::exp(-std::pow(1 - std::abs(cosine), 2) / normal_bandwidth(25))
+                       * std::exp(-h * h / squared_sheet_height) / densities[j];
       total += w;
-      height += w * 0.5 * (n + turned).dot(d);
+      height += w * h;
       mean += w * d;
       mean_normal += w * turned;
     }
@@ -198,6 +200,26 @@ void check_border()
   }
 }
 
+/// On a plate thinner than the radius, a sample is drawn to its own sheet and the other one does not move it.
+void check_plate(Generator& generator)
+{
+  Oriented_points plate = plane_points(2000, 2, generator);
+  const std::size_t n = plate.points.size();
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    plate.points.push_back(plate.points[i] - Vector(0, 0, 0.25));
+    plate.normals.push_back(-plate.normals[i]);
+  }
+  Oriented_points start = plane_points(100, 1, generator);
+  for (Vector& p : start.points)
+    p[2] = random_number(-0.02, 0.02, generator);
+  const Fitted fitted = fit<float>(plate, start);
+  double worst = 0;
+  for (const Vector& c : fitted.centroids)
+    worst = (std::max)(worst, std::abs(c[2]));
+  CHECK(worst < 0.001);
+}
+
 int main()
 {
   Generator generator(15);
@@ -206,5 +228,6 @@ int main()
   check_sphere(generator);
   check_edge(generator);
   check_border();
+  check_plate(generator);
   return result();
 }

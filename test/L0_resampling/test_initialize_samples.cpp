@@ -26,17 +26,27 @@ struct Start
   std::vector<Vector> sources;   ///< the input point of each sample
   std::size_t number_of_distinct_points;
 
-  Start(const Oriented_points& cloud, std::size_t number_of_samples, std::uint64_t seed)
+  /// \param areas what each point of the cloud stands for; none, for all alike
+  Start(const Oriented_points& cloud, std::size_t number_of_samples, std::uint64_t seed, const std::vector<double>& areas = {})
     : input(cloud.points, radius / 2)
   {
     Unwatched unwatched;
     const Initial_samples samples = initialize_samples<CGAL::Parallel_if_available_tag>(
-      input.grid, input.points, to_local_vectors<float>(permuted(input.order, cloud.normals)), number_of_samples,
+      input.grid, input.points, to_local_vectors<float>(permuted(input.order, cloud.normals)), areas_in_order(areas), number_of_samples,
       radius, seed, unwatched.progress);
     positions.assign(samples.positions.begin(), samples.positions.end());
     for (Index j : samples.sources)
       sources.push_back(input.vector[j]);
     number_of_distinct_points = samples.number_of_distinct_points;
+  }
+
+  Buffer<float> areas_in_order(const std::vector<double>& areas) const
+  {
+    Buffer<float> result;
+    if (!areas.empty())
+      for (Index i : input.order)
+        result.push_back(float(areas[i]));
+    return result;
   }
 };
 
@@ -152,6 +162,41 @@ void check_upsampling(Generator& generator)
   CHECK(are_between);
 }
 
+/// With areas, samples are spread as the area is: each point gets as many as its own is worth, up to one, and no two are one.
+void check_areas(Generator& generator)
+{
+  Oriented_points cloud = plane_points(2000, 2, generator);
+  std::vector<double> areas;
+  double total = 0;
+  for (const Vector& p : cloud.points)
+  {
+    areas.push_back(p[0] < 0 ? 1 : 9);
+    total += areas.back();
+  }
+  for (std::size_t n : {1, 300, 1500, 6000})
+  {
+    const Start start(cloud, n, 3, areas);
+    CHECK(start.positions.size() == n && distinct(start.positions).size() == n);
+    CHECK(Gridded_points(start.positions, radius / 2).vector == start.positions);
+    std::map<Key, int> counts;
+    for (const Vector& p : start.sources)
+      ++counts[key(p)];
+    bool are_fair = true;
+    double worst = 0, sum = 0, counted = 0;
+    const Gridded_points& input = start.input;
+    for (std::size_t i = 0; i < input.vector.size(); ++i)
+    {
+      const double share = double(n) * areas[input.order[i]] / total, count = counts[key(input.vector[i])];
+      are_fair = are_fair && std::abs(count - share) < 2;   // the ends of its part may lie inside two more thresholds' parts
+      sum += share;
+      counted += count;
+      worst = (std::max)(worst, std::abs(counted - sum));   // nor do the differences add up
+    }
+    CHECK(are_fair);
+    CHECK(worst < 1.001);
+  }
+}
+
 /// Points that see nobody take a partner out of reach, and a single place has none.
 void check_small_clouds()
 {
@@ -185,6 +230,7 @@ int main()
   check_seeds(cloud);
   check_spread(cloud);
   check_upsampling(generator);
+  check_areas(generator);
   check_small_clouds();
   return result();
 }

@@ -16,7 +16,7 @@
 
 using namespace test;
 
-const double radius = 0.3, bandwidth = radius / 2, angle = 30;
+const double radius = 0.3, bandwidth = radius / 2, angle = 30, squared_sheet_height = 0.05 * 0.05;
 
 /// The stage, for points in any order; the result in the order of the grid.
 struct Refitted
@@ -29,8 +29,8 @@ struct Refitted
     auto normals = to_local_vectors<double>(before), sequential = normals;
     const Normal_filter<double> filter{radius, bandwidth * bandwidth, normal_bandwidth(angle)};
     Unwatched unwatched;
-    refit_normals<CGAL::Parallel_if_available_tag>(sorted.grid, sorted.points, filter, unwatched.progress, normals);
-    refit_normals<CGAL::Sequential_tag>(sorted.grid, sorted.points, filter, unwatched.progress, sequential);
+    refit_normals<CGAL::Parallel_if_available_tag>(sorted.grid, sorted.points, filter, squared_sheet_height, unwatched.progress, normals);
+    refit_normals<CGAL::Sequential_tag>(sorted.grid, sorted.points, filter, squared_sheet_height, unwatched.progress, sequential);
     CHECK(normals == sequential);
     after.assign(normals.begin(), normals.end());
   }
@@ -56,7 +56,9 @@ void check_formula(Generator& generator)
       const Vector q = refitted.sorted.vector[j];
       if ((q - p).norm() >= radius)
         continue;
-      const double similarity = std::exp(-std::pow(1 - std::abs(n.dot(refitted.before[j])), 2) / normal_bandwidth(angle));
+      const double cosine = n.dot(refitted.before[j]);
+      const double height = 0.5 * (n + (cosine < 0 ? -1 : 1) * refitted.before[j]).dot(q - p);
+      const double similarity = std::exp(-std::pow(1 - std::abs(cosine), 2) / normal_bandwidth(angle) - height * height / squared_sheet_height);
       weights.push_back(std::exp(-(q - p).squaredNorm() / (bandwidth * bandwidth)) * similarity);
       points.push_back(q);
       mean += weights.back() * q;

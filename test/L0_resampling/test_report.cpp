@@ -136,6 +136,28 @@ void test_turn_that_does_not_converge()
   }
 }
 
+/// Points off the cloud are left out by the default method only, unless it is told otherwise; either way the count is what was asked for.
+void test_outliers()
+{
+  std::vector<Vector> cube = noisy_cube(3000);
+  test::Generator generator(3);
+  for (int i = 0; i < 150; ++i)
+    cube.push_back(3 * Vector(test::random_number(-1, 1, generator), test::random_number(-1, 1, generator), test::random_number(-1, 1, generator)));
+  const auto points = test::kernel_points<Kernel>(cube);
+  for (const Method method : {Method::DEFAULT, Method::LOR, Method::ALOR})
+    for (const bool drops : {true, false})
+    {
+      const auto run = test::resample<Kernel, Sequential_tag>(
+        points, params::resampling_method(method).number_of_output_points(1000).drop_outliers(drops));
+      CHECK(run.report.number_of_output_points == 1000 && run.report.number_of_input_points == 3150);
+      CHECK(drops ? run.report.number_of_outliers > 120 && run.report.number_of_outliers <= 150 : run.report.number_of_outliers == 0);
+      const Report by_default =
+        test::resample<Kernel, Sequential_tag>(points, params::resampling_method(method).number_of_output_points(1000)).report;
+      if (drops == (method == Method::DEFAULT))
+        CHECK(by_default.number_of_outliers == run.report.number_of_outliers);
+    }
+}
+
 /// Points that are left out, samples that no point is near to, and normals whose side is a guess.
 void test_exceptional_points()
 {
@@ -170,6 +192,7 @@ int main()
   test_failed_call();
   test_solver_that_does_not_converge();
   test_turn_that_does_not_converge();
+  test_outliers();
   test_exceptional_points();
   return test::result();
 }

@@ -62,7 +62,8 @@ struct Report
 
   std::size_t number_of_input_points = 0;              ///< points used, without the dropped ones
   std::size_t number_of_dropped_points = 0;            ///< non-finite points, with `drop_non_finite(true)`
-  std::size_t number_of_distinct_points = 0;           ///< of the points used
+  std::size_t number_of_outliers = 0;                  ///< points off the cloud that were left out, with `drop_outliers(true)`
+  std::size_t number_of_distinct_points = 0;           ///< of the points used, without outliers
   std::size_t number_of_output_points = 0;
   std::size_t number_of_degenerate_neighborhoods = 0;  ///< points whose ball spans no plane, or holds fewer than six points
   std::size_t number_of_lonely_samples = 0;            ///< samples without an original neighbor; they stay where they start

@@ -171,6 +171,17 @@ def test_drop_non_finite(cube):
     assert same(result, l0_resample_point_set(cube))
 
 
+def test_drop_outliers(cube):
+    scattered = numpy.vstack([cube, numpy.random.default_rng(1).uniform(-3, 3, (300, 3)) * numpy.ptp(cube)])
+    *kept, report = l0_resample_point_set(scattered, drop_outliers=False, report=True)
+    assert report.number_of_outliers == 0
+    *result, report = l0_resample_point_set(scattered, report=True)
+    assert 250 < report.number_of_outliers <= 300
+    assert numpy.abs(result[0]).max() < numpy.abs(kept[0]).max() / 2
+    assert same(result, l0_resample_point_set(scattered, drop_outliers=True))
+    assert l0_resample_point_set(scattered, method="lor", report=True)[2].number_of_outliers == 0
+
+
 @pytest.mark.parametrize("error, message, named", [
     (ValueError, "number_of_output_points is -1", {"number_of_output_points": -1}),
     (ValueError, "number_of_output_points is 2.5", {"number_of_output_points": 2.5}),

@@ -34,6 +34,7 @@ struct Parameters
   double maximum_penalty = 2;                ///< last \f$ \beta \f$ is at most this
   double penalty_growth = 1.5;               ///< \f$ \mu \f$; the default method has its own
 
+  bool drop_outliers = false;                ///< whether points off the cloud are left out; the default method has its own default
   std::size_t number_of_orientation_neighbors = 12;
   std::size_t random_seed = 0;
   std::size_t maximum_memory = (std::numeric_limits<std::size_t>::max)();   ///< in bytes
@@ -64,7 +65,7 @@ constexpr double sparsity_unit_factor = 0.25;
 /// r_p covers this many spacings of clean points, and this many standard deviations of the noise of dense ones; in between the two
 /// add up as squares. Smaller radii follow finer detail, larger ones average more noise away.
 constexpr double radius_per_spacing = 4;
-constexpr double radius_per_noise = 4;
+constexpr double radius_per_noise = 4.2;
 
 /// r_q per r_p: beside an edge, the filter has to reach points whose first normal the edge did not spoil.
 constexpr double default_filter_radius_factor = 1.2;
@@ -75,6 +76,20 @@ constexpr double fit_angle_factor = 2;
 
 /// \f$ \sigma \f$ of the fit per r_p. A wider one averages more noise away and rounds corners more.
 constexpr double fit_bandwidth_factor = 0.6;
+
+/// Points of the other sheet of a thin plate agree with a normal too. The default method weighs points by their height over the
+/// sheet, \f$ e^{-h^2/H^2} \f$, where H is this many standard deviations of the noise and this share of r_p; the two add up as squares.
+constexpr double sheet_height_per_noise = 3;
+constexpr double sheet_height_per_radius = 0.25;
+
+/// A point is an outlier if its ball holds fewer points than this share of the mean ball around it, or of the median ball. At a border and its corners a ball
+/// is a half or a quarter full; between the ends of a scan densities may differ by ten.
+constexpr double outlier_share_of_surroundings = 0.3;
+constexpr double outlier_share_of_median = 0.05;
+
+/// Parts of the cloud are apart if a layer of cells of this size, per r_p, lies empty between them. Smaller cells would tear sparse regions to pieces, larger ones
+/// join outliers to the cloud.
+constexpr double gap_of_parts = 0.6;
 
 /// The fit against the normal term: how much of the points' weight counts.
 constexpr double fit_weight_factor = 0.3;

@@ -104,6 +104,9 @@ Parameters checked_parameters(const NamedParameters& np, std::size_t n)
   const double number_of_steps = (std::log(p.maximum_penalty) - std::log(p.initial_penalty)) / std::log(p.penalty_growth);
   check_parameter(number_of_steps <= 1e4, "penalty_growth", p.penalty_growth, "a growth that reaches maximum_penalty in 10000 steps");
 
+  p.drop_outliers = p.method == Method::DEFAULT;
+  read_parameter(np, internal_np::drop_outliers, p.drop_outliers);
+
   read_count(np, internal_np::number_of_orientation_neighbors, "number_of_orientation_neighbors", p.number_of_orientation_neighbors);
   check_parameter(p.number_of_orientation_neighbors >= 3 && p.number_of_orientation_neighbors <= 1000,
                   "number_of_orientation_neighbors", p.number_of_orientation_neighbors, "3 to 1000");

@@ -9,7 +9,10 @@
 #include <CGAL/L0_resampling/internal/ball_queries.h>
 #include <CGAL/L0_resampling/internal/weights.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <numeric>
 
 namespace CGAL {
 namespace L0_resampling {
@@ -18,8 +21,9 @@ namespace internal {
 /// \f$ v_j \f$ of Eq. (5) for each input point. The sum leaves out the point itself, which the "1 +" of Eq. (5) counts.
 /// \param points sorted for `grid`
 /// \param weights out: one number a point, at least 1
+/// \returns \f$ \eta_Q \f$, the mean number of neighbors
 template <typename ConcurrencyTag, typename T>
-void compute_input_density_weights(const Search_grid_3& grid, const Buffer<Vector>& points, double radius, double squared_bandwidth,
+double compute_input_density_weights(const Search_grid_3& grid, const Buffer<Vector>& points, double radius, double squared_bandwidth,
                                    Progress& progress, Buffer<T>& weights)
 {
   const T squared_radius = T(radius * radius);
@@ -37,8 +41,8 @@ void compute_input_density_weights(const Search_grid_3& grid, const Buffer<Vecto
         });
         // thinning may have left the point itself out
         const T self = count.sum() > 0 ? T(1) : T(0);
-        counts[i] = Index(count.sum() - self);
-        weights[i] = (std::max)(T(0), sum.sum() - self);
+        counts[i] = Index(count.sum() - self) * candidates.stride;
+        weights[i] = (std::max)(T(0), sum.sum() - self) * T(candidates.stride);
       }
     };
   };
@@ -53,6 +57,28 @@ void compute_input_density_weights(const Search_grid_3& grid, const Buffer<Vecto
       weight = T(1 + weight / mean_number_of_input_neighbors);
   else
     weights.assign(weights.size(), T(1));
+  return mean_number_of_input_neighbors;
+}
+
+/// The area of the surface that each point stands for, from the density weights: a plane of density 1 adds up the weights of Eq. (2) to the integral of
+/// \f$ e^{-d^2/\sigma_q^2} \f$ over the disk. The points of a cell share theirs evenly, as far from the surface those on it would seem to be the denser ones.
+/// \param grid of the points
+/// \param mean_number_of_neighbors what `compute_input_density_weights()` returns
+template <typename T>
+Buffer<T> areas_of_points(const Search_grid_3& grid, const Buffer<T>& density_weights, double mean_number_of_neighbors, double radius, double squared_bandwidth)
+{
+  const double integral = EIGEN_PI * squared_bandwidth * (1 - std::exp(-radius * radius / squared_bandwidth));
+  Buffer<T> areas(density_weights.get_allocator());
+  areas.reserve(density_weights.size());
+  for (T weight : density_weights)
+    areas.push_back(T(integral / (1 + (double(weight) - 1) * mean_number_of_neighbors)));   // the point itself counts
+  for (std::size_t cell = 0; cell < grid.number_of_cells(); ++cell)
+  {
+    const Search_grid_3::Range points = grid.points_of_cell(cell);
+    const auto begin = areas.begin() + points.first, end = areas.begin() + points.second;
+    std::fill(begin, end, T(std::accumulate(begin, end, 0.) / double(points.second - points.first)));
+  }
+  return areas;
 }
 
 } // namespace internal

@@ -6,6 +6,7 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_ESTIMATE_SCALES_H
 #define CGAL_L0_RESAMPLING_INTERNAL_ESTIMATE_SCALES_H
 
+#include <CGAL/L0_resampling/internal/Height_moments.h>
 #include <CGAL/L0_resampling/internal/estimate_plane.h>
 
 #include <algorithm>
@@ -24,18 +25,36 @@ struct Scales
   double noise;     ///< standard deviation across the surface
 };
 
+/// Of the candidates in the ball around `center`, over the plane through it.
+template <typename T>
+Height_moments<double> moments_over_plane(const Eigen::Matrix<T, 3, 1>& center, const Eigen::Matrix<T, 3, 1>& normal,
+                                          const Local_points<T>& candidates, T squared_radius)
+{
+  using L = Lanes<T>;
+  Height_moments<L> lanes;
+  candidates.for_each_run_in_ball(center, squared_radius, [&](std::size_t k, const L& squared_distance) {
+    const L height = (L::load(&candidates.x[k]) - center[0]) * normal[0] + (L::load(&candidates.y[k]) - center[1]) * normal[1]
+                     + (L::load(&candidates.z[k]) - center[2]) * normal[2];
+    lanes.add(height, where_less(squared_distance, squared_radius, L(T(1))));
+  });
+  return sum_of_lanes(lanes);
+}
+
 /*!
-Estimates the scales from plane fits around a thousand points, in balls that grow until the points of the median ball lie in a plane
-rather than fill the ball: until their standard deviation across it is below a quarter of the radius, half of what a filled ball has. That
-deviation is the noise, and the number of points gives the spacing.
+Estimates the scales from plane fits around a thousand points, in balls that grow until their points lie in a plane rather than fill the ball: until
+the standard deviation across it is below a quarter of the radius, half of what a filled ball has. That deviation is the noise, and the
+number of points gives the spacing. Of the noise of all balls the third tenth counts: edges, curvature and thin parts only ever raise it.
+
+Balls that hold two sheets, as those of a thin plate do, would grow for ever and find its thickness. They are known by `single_sheet_index()`; then the noise is
+that of one sheet.
 
 \param initial_radius where the largest ball is 8 times as large; the paper's r_p is a good one
 */
 template <typename ConcurrencyTag, typename T>
 Scales estimate_scales(const Buffer<Vector>& unsorted_points, double initial_radius, Progress& progress)
 {
-  const std::size_t number_of_queries = 1000, fewest_points = 15;
-  const double flat = 0.25;
+  const std::size_t number_of_queries = 1000, fewest_points = 30;
+  const double flat = 0.25, surely_flat = 0.15, two_sheets = 2;
 
   const double cell_size = initial_radius / 4;
   Buffer<Vector> points(unsorted_points);
@@ -47,13 +66,13 @@ Scales estimate_scales(const Buffer<Vector>& unsorted_points, double initial_rad
     queries.push_back(points[i]);
   const Search_grid_3 query_grid(queries, cell_size);
 
-  const auto median = [](std::vector<double>& values) {
-    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
+  const auto quantile = [](std::vector<double> values, double share) {
+    const auto place = values.begin() + std::ptrdiff_t(share * double(values.size() - 1));
+    std::nth_element(values.begin(), place, values.end());
+    return *place;
   };
   Scales scales{cell_size, 0};
-  std::vector<double> variances(queries.size()), counts(queries.size());
+  std::vector<double> variances(queries.size()), counts(queries.size()), indices(queries.size());
   for (const int reach : {1, 2, 3, 4, 6, 8, 12, 16, 24, 32})
   {
     const double radius = reach * cell_size;
@@ -61,17 +80,28 @@ Scales estimate_scales(const Buffer<Vector>& unsorted_points, double initial_rad
       return [&](Search_grid_3::Range range, const Local_points<T>& candidates, const Vector& origin) {
         for (Index i = range.first; i < range.second; ++i)
         {
-          const Plane_fit<T> fit = fit_plane<T>((queries[i] - origin).template cast<T>(), candidates, T(radius * radius));
-          variances[i] = fit.variance;
-          counts[i] = double(fit.number_of_points) * double(candidates.stride);
+          const Eigen::Matrix<T, 3, 1> center = (queries[i] - origin).template cast<T>();
+          const Plane_fit<T> fit = fit_plane<T>(center, candidates, T(radius * radius));
+          const double n = double(fit.number_of_points);
+          counts[i] = n * double(candidates.stride);
+          variances[i] = n > 3 ? fit.variance * n / (n - 3) : fit.variance;   // the plane took three degrees of freedom
+          indices[i] = moments_over_plane(center, fit.normal, candidates, T(radius * radius)).single_sheet_index(n);
         }
       };
     });
-    const double count = median(counts);
+    const double count = quantile(counts, 0.5);
     if (count < double(fewest_points) && reach < 32)
       continue;
     scales.spacing = radius * std::sqrt(EIGEN_PI / (std::max)(count, 1.));
-    scales.noise = std::sqrt(median(variances));
+    scales.noise = std::sqrt(quantile(variances, 0.3));
+    if (scales.noise > surely_flat * radius && quantile(indices, 0.5) < two_sheets)
+    {
+      for (std::size_t i = 0; i < queries.size(); ++i)
+        variances[i] *= share_of_noise(indices[i]);
+      scales.noise = std::sqrt(quantile(variances, 0.3));
+      scales.spacing *= std::sqrt(2.);
+      break;
+    }
     if (scales.noise < flat * radius)
       break;
   }

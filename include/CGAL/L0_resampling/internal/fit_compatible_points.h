@@ -30,18 +30,18 @@ struct Fit_input
   const Buffer<Eigen::Matrix<T, 3, 1>>& normals;
   const Buffer<T>& density_weights;   ///< \f$ v_j \f$
   double radius;                      ///< \f$ r_p \f$
+  double squared_sheet_height;        ///< \f$ H^2 \f$
   double normal_bandwidth;            ///< \f$ (1 - \cos\sigma_n)^2 \f$
 };
 
 /*!
 The fit term of the default method. Where the paper draws a sample to the mean of all points of its ball, which cuts
-corners and shrinks what is curved, this one looks at points of its own side of an edge only, each weighted by
-\f$ \theta \psi / v_j \f$, and at their height over the sample's plane and the sample's over theirs, half and half,
+corners and shrinks what is curved, this one looks at points of its own side of an edge and its own sheet only, each weighted by
+\f$ w_j = \theta \psi e^{-h_{ij}^2/H^2} / v_j \f$, and at their `symmetric_height()` over it,
 
-\f[ h_i = \sum_j w_j \tfrac12 (n_i + n_j)^T (q_j - p_i) / \sum_j w_j, \f]
+\f[ h_i = \sum_j w_j h_{ij} / \sum_j w_j, \qquad h_{ij} = \tfrac12 (n_i + n_j)^T (q_j - p_i). \f]
 
-which is zero for every pair of points of one sphere (the symmetric distance of Rusinkiewicz 2019). The sample is drawn to
-\f$ c_i = p_i + h_i n_i \f$: along its normal, so that it does not retreat from edges and borders. Only beyond them, where the weighted mean of
+The sample is drawn to \f$ c_i = p_i + h_i n_i \f$: along its normal, so that it does not retreat from edges and borders. Only beyond them, where the weighted mean of
 the points lies further off in the plane than that of half a ball, is it drawn back: the mean of a Gaussian cut
 off at x moves by \f$ 2x/\pi \f$ for small x, so that the way back is \f$ \pi/2 \f$ of what is too much. A sample that has strayed to where
 nobody agrees with it is drawn to the last \f$ c_i \f$ it had.
@@ -61,6 +61,7 @@ void fit_compatible_points(const Fit_input<T>& input, Progress& progress, Sample
 
   const T squared_radius = T(input.radius * input.radius);
   const T squared_bandwidth = T(bandwidth * bandwidth), normal_bandwidth = T(input.normal_bandwidth);
+  const T squared_sheet_height = T(input.squared_sheet_height);
   const double half_ball_offset = mean_distance_in_half_disk(input.radius, bandwidth);
   const auto make_visitor = [&]() {
     return [&, normals = Local_normals<T>(), weights = std::vector<T>()](Search_grid_3::Range queries, const Local_points<T>& candidates,
@@ -82,11 +83,13 @@ void fit_compatible_points(const Fit_input<T>& input, Progress& progress, Sample
           const L dz = L::load(&candidates.z[k]) - center[2];
           const L nx = L::load(&normals.x[k]), ny = L::load(&normals.y[k]), nz = L::load(&normals.z[k]);
           const L cosine = nx * normal[0] + ny * normal[1] + nz * normal[2];
+          const L sign = with_sign_of(cosine, L(T(1)));
+          const L h = symmetric_height(dx * normal[0] + dy * normal[1] + dz * normal[2], sign * (dx * nx + dy * ny + dz * nz));
           const L weight = where_less(squared_distance, squared_radius, L::load(&weights[k]))
-                           * bilateral_weight(squared_distance, squared_bandwidth, cosine, normal_bandwidth);
-          const L signed_weight = with_sign_of(cosine, weight);
+                           * sheet_weight(squared_distance, squared_bandwidth, cosine, normal_bandwidth, h, squared_sheet_height);
+          const L signed_weight = sign * weight;
           sum += weight;
-          height += weight * (dx * normal[0] + dy * normal[1] + dz * normal[2]) + signed_weight * (dx * nx + dy * ny + dz * nz);
+          height += weight * h;
           x += weight * dx;  y += weight * dy;  z += weight * dz;
           mean_nx += signed_weight * nx;  mean_ny += signed_weight * ny;  mean_nz += signed_weight * nz;
         });
@@ -104,7 +107,7 @@ void fit_compatible_points(const Fit_input<T>& input, Progress& progress, Sample
         const Vector mean = Vector(x.sum(), y.sum(), z.sum()) / total;
         const Vector offset = mean - old_normal.dot(mean) * old_normal;
         const double distance = offset.norm();
-        samples.fit_centroids[i] += (0.5 * height.sum() / total) * old_normal;
+        samples.fit_centroids[i] += (height.sum() / total) * old_normal;
         if (distance > half_ball_offset)
           samples.fit_centroids[i] += (EIGEN_PI / 2 * (distance - half_ball_offset) / distance) * offset;
         if (distance > half_ball_offset / 2)

@@ -83,48 +83,87 @@ void move_between_points(const Search_grid_3& grid, const Buffer<Vector>& points
   for_each_cell<T, ConcurrencyTag>(start_grid, starts, grid, points, cells_in_reach(radius, grid.cell_size()), progress, make_visitor);
 }
 
+/// Where samples start: on a point, or between it and another.
+struct Sources
+{
+  Buffer<Index> on_points, between_points;
+};
+
+/// Shares the samples out by area: each point gets as many as there are thresholds, one at random in each of m equal parts of the whole area, in the part of the
+/// area that is its own. The first starts on it.
+/// \param areas one number a point, positive
+template <typename T>
+Sources sources_by_area(const Buffer<Index>& distinct, const Buffer<T>& areas, std::uint64_t m, std::uint64_t seed)
+{
+  Sources sources{Buffer<Index>(distinct.get_allocator()), Buffer<Index>(distinct.get_allocator())};
+  double total = 0;
+  for (Index i : distinct)
+    total += areas[i];
+  const auto threshold = [&](std::uint64_t k) { return (double(k) + std::ldexp(double(random_bits(seed, k) >> 11), -53)) / double(m) * total; };
+  double sum = 0;
+  std::uint64_t k = 0;
+  for (Index i : distinct)
+  {
+    sum += areas[i];
+    const bool is_last = i == distinct.back();   // takes what rounding leaves
+    for (bool is_first = true; k < m && (is_last || threshold(k) < sum); is_first = false, ++k)
+      (is_first ? sources.on_points : sources.between_points).push_back(i);
+  }
+  return sources;
+}
+
+/// Shares the samples out by points: no more than one each, or, if there are more samples than points, one at least.
+inline Sources sources_by_points(const Buffer<Index>& distinct, std::uint64_t m, std::uint64_t seed)
+{
+  Sources sources{Buffer<Index>(distinct.get_allocator()), Buffer<Index>(distinct.get_allocator())};
+  if (m <= distinct.size())
+  {
+    pick_one_of_each_run(distinct.size(), m, seed, distinct, sources.on_points);
+    return sources;
+  }
+  sources.on_points = distinct;
+  const std::uint64_t number_of_new = m - distinct.size();
+  for (std::uint64_t e = 0; e < number_of_new; ++e)
+    sources.between_points.push_back(distinct[std::size_t(e * distinct.size() / number_of_new)]);
+  return sources;
+}
+
 /*!
-Chooses where `number_of_samples` samples start. Up to the number of distinct points they start on points, no two on one, spread over
-the cloud as the points are. The further ones start between two points each.
+Chooses where `number_of_samples` samples start. No two start on one point: the further ones of a point start between two points each.
 
 \param points sorted for `grid`, so that the choice does not depend on the order of the input
 \param normals unoriented, one a point
+\param areas what each point stands for, so that the samples spread evenly over the surface; or none, so that they spread as the points do
 \param radius how far apart the two points of a further sample may lie
 \returns samples sorted for a grid of the same cell size
 */
 template <typename ConcurrencyTag, typename T>
 Initial_samples initialize_samples(const Search_grid_3& grid, const Buffer<Vector>& points,
-                                   const Buffer<Eigen::Matrix<T, 3, 1>>& normals, std::size_t number_of_samples, double radius,
-                                   std::uint64_t seed, Progress& progress)
+                                   const Buffer<Eigen::Matrix<T, 3, 1>>& normals, const Buffer<T>& areas, std::size_t number_of_samples,
+                                   double radius, std::uint64_t seed, Progress& progress)
 {
   Buffer<Index> distinct(points.get_allocator());
   for (std::size_t j = 0; j < points.size(); ++j)
     if (j == 0 || points[j] != points[j - 1])
       distinct.push_back(Index(j));
+  Sources sources =
+    areas.empty() ? sources_by_points(distinct, number_of_samples, seed) : sources_by_area(distinct, areas, number_of_samples, seed);
 
-  Initial_samples samples{Buffer<Vector>(points.get_allocator()), Buffer<Index>(points.get_allocator()), distinct.size()};
+  Initial_samples samples{Buffer<Vector>(points.get_allocator()), std::move(sources.between_points), distinct.size()};
   samples.sources.reserve(number_of_samples);
   samples.positions.reserve(number_of_samples);
   const auto start_on_sources = [&]() {
     for (std::size_t i = samples.positions.size(); i < samples.sources.size(); ++i)
       samples.positions.push_back(points[samples.sources[i]]);
   };
-
-  if (number_of_samples <= distinct.size())
-  {
-    pick_one_of_each_run(distinct.size(), number_of_samples, seed, distinct, samples.sources);
-    start_on_sources();
+  const bool is_sorted = samples.sources.empty();
+  start_on_sources();
+  if (!is_sorted)
+    move_between_points<ConcurrencyTag>(grid, points, normals, distinct, radius, seed, progress, samples);
+  samples.sources.insert(samples.sources.end(), sources.on_points.begin(), sources.on_points.end());
+  start_on_sources();
+  if (is_sorted)
     return samples;
-  }
-
-  const std::uint64_t number_of_new = number_of_samples - distinct.size();
-  for (std::uint64_t e = 0; e < number_of_new; ++e)
-    samples.sources.push_back(distinct[std::size_t(e * distinct.size() / number_of_new)]);
-  start_on_sources();
-  move_between_points<ConcurrencyTag>(grid, points, normals, distinct, radius, seed, progress, samples);
-
-  samples.sources.insert(samples.sources.end(), distinct.begin(), distinct.end());
-  start_on_sources();
   const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(samples.positions, grid.cell_size());
   apply_order(order, samples.positions);
   apply_order(order, samples.sources);

@@ -14,6 +14,7 @@
 #include <CGAL/L0_resampling/internal/estimate_pca_normals.h>
 #include <CGAL/L0_resampling/internal/estimate_scales.h>
 #include <CGAL/L0_resampling/internal/filter_normals.h>
+#include <CGAL/L0_resampling/internal/find_outliers.h>
 #include <CGAL/L0_resampling/internal/initialize_samples.h>
 #include <CGAL/L0_resampling/internal/orient_normals.h>
 #include <CGAL/L0_resampling/internal/refining_minimization.h>
@@ -23,6 +24,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 
 namespace CGAL {
 namespace L0_resampling {
@@ -61,6 +63,7 @@ struct Lengths
   double radius;                 ///< \f$ r_p \f$, in [1, 2)
   double filter_radius;          ///< \f$ r_q \f$
   double self_neighbor_radius;
+  double noise;                  ///< standard deviation across the surface; default method only
   double sample_spacing;         ///< of an even set of the samples
   double cell_size;              ///< of the grid of the points
   double smallest_cell_size;     ///< of any grid
@@ -70,6 +73,38 @@ inline double square(double x) { return x * x; }
 
 /// \f$ (1 - \cos\sigma_n)^2 \f$ of Eq. (2), for an angle in degrees; never so small that its inverse is not finite.
 inline double normal_bandwidth(double angle) { return (std::max)(square(1 - std::cos(angle * EIGEN_PI / 180)), 1e-12); }
+
+/// \f$ H^2 \f$: how far from a sheet points are of that sheet.
+inline double squared_sheet_height(const Lengths& lengths)
+{
+  return square(sheet_height_per_noise * lengths.noise) + square(sheet_height_per_radius * lengths.radius);
+}
+
+/// The default method's range of the terms between samples. Beyond r_p the surface may bend away, and the fit could not hold a sample that the other
+/// terms carry off.
+inline double self_neighbor_radius_of_spacing(const Lengths& lengths)
+{
+  return (std::min)(self_neighbor_radius_per_spacing * lengths.sample_spacing, lengths.radius);
+}
+
+/// Takes the outliers out of the points and what belongs to them.
+/// \returns their number
+template <typename ConcurrencyTag>
+std::size_t drop_outliers(double radius, Buffer<Vector>& points, Buffer<Local_vector>& given_normals, Progress& progress)
+{
+  const Buffer<unsigned char> is_outlier = find_outliers<Local, ConcurrencyTag>(points, radius, progress);
+  const auto drop_from = [&](auto& values) {
+    std::size_t size = 0;
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (!is_outlier[i])
+        values[size++] = values[i];
+    values.resize(size);
+  };
+  const std::size_t n = points.size();
+  drop_from(points);
+  drop_from(given_normals);
+  return n - points.size();
+}
 
 /// Section 3.1: the filtered normals of the input points. `given_normals` replace PCA where they are usable.
 template <typename ConcurrencyTag>
@@ -101,7 +136,7 @@ Buffer<Local_vector> compute_filtered_normals(const Search_grid_3& grid, const B
   filter_normals<ConcurrencyTag>(grid, points, filter, number_of_iterations - number_of_refits, progress, normals);
   for (std::size_t refit = 0; refit < number_of_refits; ++refit)
   {
-    refit_normals<ConcurrencyTag>(grid, points, plane, progress, normals);
+    refit_normals<ConcurrencyTag>(grid, points, plane, Local(squared_sheet_height(lengths)), progress, normals);
     filter_normals<ConcurrencyTag>(grid, points, filter, 1, progress, normals);
   }
   return normals;
@@ -119,6 +154,7 @@ Lengths choose_lengths(const Parameters& parameters, Buffer<Vector>& points, Wor
   const double scaled_paper_radius = std::ldexp(paper_radius, -std::ilogb(paper_radius));
 
   Lengths lengths;
+  lengths.noise = 0;
   lengths.radius = scaled_paper_radius;
   // a surface through the middle of a cube of that diagonal, evenly sampled
   lengths.sample_spacing = diagonal / std::sqrt(m);
@@ -126,6 +162,7 @@ Lengths choose_lengths(const Parameters& parameters, Buffer<Vector>& points, Wor
   {
     const Scales scales = estimate_scales<ConcurrencyTag, Local>(points, scaled_paper_radius, progress);
     lengths.radius = std::hypot(radius_per_spacing * scales.spacing, radius_per_noise * scales.noise);
+    lengths.noise = scales.noise;
     lengths.sample_spacing = scales.spacing * std::sqrt(n / m);
     report.estimated_spacing = frame.length_of_input(scales.spacing);
     report.estimated_noise = frame.length_of_input(scales.noise);
@@ -136,14 +173,14 @@ Lengths choose_lengths(const Parameters& parameters, Buffer<Vector>& points, Wor
 
   const double scale = frame.scale_to(lengths.radius, points);
   lengths.radius *= scale;
+  lengths.noise *= scale;
   lengths.sample_spacing *= scale;
   const double default_factor = parameters.method == Method::DEFAULT ? default_filter_radius_factor : 1.;
   lengths.filter_radius = parameters.normal_filter_radius > 0
     ? sensible_radius(frame.length_in_frame(parameters.normal_filter_radius), points) : default_factor * lengths.radius;
   lengths.self_neighbor_radius = self_neighbor_radius_factor * lengths.radius;
   if (parameters.method == Method::DEFAULT)
-    // Beyond r_p the surface may bend away, and the fit could not hold a sample that the other terms carry off.
-    lengths.self_neighbor_radius = (std::min)(self_neighbor_radius_per_spacing * lengths.sample_spacing, lengths.radius);
+    lengths.self_neighbor_radius = self_neighbor_radius_of_spacing(lengths);
   // A radius far below the spacing would spread the cloud over more cells than a grid can number.
   lengths.smallest_cell_size = std::ldexp(diagonal * scale, -18);
   // The balls of the filter reach one cell far, or two if they are the larger ones: cells as large as that share a block of
@@ -173,7 +210,14 @@ Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buff
   progress.begin_stage("sort points", 0.05, 1);
   Working_frame frame;
   frame.enter(points);
-  const Lengths lengths = choose_lengths<ConcurrencyTag>(parameters, points, frame, progress, report);
+  Lengths lengths = choose_lengths<ConcurrencyTag>(parameters, points, frame, progress, report);
+
+  if (parameters.drop_outliers)
+  {
+    progress.begin_stage("find outliers", 0.05, points.size());
+    report.number_of_outliers = drop_outliers<ConcurrencyTag>(lengths.radius, points, given_normals, progress);
+    progress.begin_stage("sort points", 0.05, 1);
+  }
 
   // Neighborhoods
   {
@@ -196,14 +240,22 @@ Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buff
   // Section 3.2: density weights of Q, Eq. (5), and the first S
   progress.begin_stage("density weights", 0.08, points.size());
   Buffer<Local> input_density_weights(points.size(), Local(1), allocator);
-  compute_input_density_weights<ConcurrencyTag>(grid, points, lengths.filter_radius, squared_bandwidth, progress, input_density_weights);
+  const double mean_number_of_neighbors = compute_input_density_weights<ConcurrencyTag>(grid, points, lengths.filter_radius, squared_bandwidth,
+                                                                                        progress, input_density_weights);
 
   progress.begin_stage("initial samples", 0.02, parameters.number_of_output_points);
   const std::size_t m = parameters.number_of_output_points;
+  Buffer<Local> areas(allocator);
+  if (parameters.method == Method::DEFAULT)
+  {
+    areas = areas_of_points(grid, input_density_weights, mean_number_of_neighbors, lengths.filter_radius, squared_bandwidth);
+    lengths.sample_spacing = std::sqrt(std::accumulate(areas.begin(), areas.end(), 0.) / double(m));
+    lengths.self_neighbor_radius = self_neighbor_radius_of_spacing(lengths);
+  }
   Samples<FT> samples(allocator);
   {
     Initial_samples start =
-      initialize_samples<ConcurrencyTag>(grid, points, normals, m, lengths.radius, parameters.random_seed, progress);
+      initialize_samples<ConcurrencyTag>(grid, points, normals, areas, m, lengths.radius, parameters.random_seed, progress);
     report.number_of_distinct_points = start.number_of_distinct_points;
     samples.positions = std::move(start.positions);
     samples.normals.reserve(m);
@@ -211,6 +263,7 @@ Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buff
       samples.normals.push_back(normals[source].cast<FT>().normalized());
     samples.fit_weights.resize(m);
     samples.fit_centroids = samples.positions;
+    release(areas);
   }
 
   // Section 3.2 and 3.3: Eq. (6) by Algorithm 1
@@ -222,7 +275,7 @@ Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buff
   if (parameters.method == Method::DEFAULT)
   {
     progress.begin_stage("L0 minimization", 0.35, 9 * m);
-    const Fit_input<Local> fit_input{grid, points, normals, input_density_weights, lengths.radius,
+    const Fit_input<Local> fit_input{grid, points, normals, input_density_weights, lengths.radius, squared_sheet_height(lengths),
                                      normal_bandwidth(fit_angle_factor * parameters.sharpness_angle)};
     const Refinement_parameters refinement{lengths.self_neighbor_radius, lengths.sample_spacing, number_of_repulsion_steps};
     report.number_of_self_neighbor_pairs =

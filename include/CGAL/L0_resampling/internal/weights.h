@@ -77,6 +77,28 @@ CGAL_L0_HOST_DEVICE inline T stretch_weight(const T& squared_distance, S squared
   return T(exp(at_most(T(squared_distance * (1 / squared_radius)), 1)));
 }
 
+/// \f$ \theta \psi e^{-h^2/H^2} \f$: `bilateral_weight()` for the points of one sheet only.
+/// \param height `symmetric_height()`
+/// \param squared_sheet_height \f$ H^2 \f$
+template <typename T, typename S>
+CGAL_L0_HOST_DEVICE inline T sheet_weight(const T& squared_distance, S squared_bandwidth, const T& cosine, S normal_bandwidth, const T& height,
+                                          S squared_sheet_height)
+{
+  using std::abs;
+  const T difference = 1 - T(abs(cosine));
+  return decay(T(squared_distance * (1 / squared_bandwidth) + T(difference * difference) * (1 / normal_bandwidth)
+                 + T(height * height) * (1 / squared_sheet_height)));
+}
+
+/// The height of a point over the sheet of another, by the planes of both, half and half: \f$ \frac12 (n_i + n_j)^T (q_j - p_i) \f$ with \f$ n_j \f$ turned to the side
+/// of \f$ n_i \f$. It is zero for any two points of one sphere (the symmetric distance of Rusinkiewicz 2019), so that curvature is no height.
+/// \param own_height, turned_other_height \f$ n_i^T (q_j - p_i) \f$ and \f$ n_j^T (q_j - p_i) \f$
+template <typename T>
+CGAL_L0_HOST_DEVICE inline T symmetric_height(const T& own_height, const T& turned_other_height)
+{
+  return T(T(own_height + turned_other_height) * 0.5f);
+}
+
 /// How far from its straight side the mean of a half disk lies, weighted by \f$ e^{-d^2/\sigma^2} \f$. With
 /// \f$ s = radius / \sigma \f$ it is \f$ \sigma / \sqrt\pi \f$ for large s, times what the cut at the radius leaves.
 inline double mean_distance_in_half_disk(double radius, double bandwidth)
