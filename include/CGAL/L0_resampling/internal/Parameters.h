@@ -91,6 +91,10 @@ constexpr double outlier_share_of_median = 0.05;
 /// join outliers to the cloud.
 constexpr double gap_of_parts = 0.6;
 
+/// A sample is drawn back from beyond a border or an edge only if the mean of its points lies this much further away than half a ball's does. Noise takes
+/// points from a border; to where they begin to thin would leave a gap along every edge.
+constexpr double border_allowance = 1.15;
+
 /// The fit against the normal term: how much of the points' weight counts.
 constexpr double fit_weight_factor = 0.3;
 

@@ -42,7 +42,7 @@ corners and shrinks what is curved, this one looks at points of its own side of 
 \f[ h_i = \sum_j w_j h_{ij} / \sum_j w_j, \qquad h_{ij} = \tfrac12 (n_i + n_j)^T (q_j - p_i). \f]
 
 The sample is drawn to \f$ c_i = p_i + h_i n_i \f$: along its normal, so that it does not retreat from edges and borders. Only beyond them, where the weighted mean of
-the points lies further off in the plane than that of half a ball, is it drawn back: the mean of a Gaussian cut
+the points lies further off in the plane than that of half a ball, and a little more, is it drawn back: the mean of a Gaussian cut
 off at x moves by \f$ 2x/\pi \f$ for small x, so that the way back is \f$ \pi/2 \f$ of what is too much. A sample that has strayed to where
 nobody agrees with it is drawn to the last \f$ c_i \f$ it had.
 
@@ -62,7 +62,7 @@ void fit_compatible_points(const Fit_input<T>& input, Progress& progress, Sample
   const T squared_radius = T(input.radius * input.radius);
   const T squared_bandwidth = T(bandwidth * bandwidth), normal_bandwidth = T(input.normal_bandwidth);
   const T squared_sheet_height = T(input.squared_sheet_height);
-  const double half_ball_offset = mean_distance_in_half_disk(input.radius, bandwidth);
+  const double largest_offset = border_allowance * mean_distance_in_half_disk(input.radius, bandwidth);
   const auto make_visitor = [&]() {
     return [&, normals = Local_normals<T>(), weights = std::vector<T>()](Search_grid_3::Range queries, const Local_points<T>& candidates,
                                                                          const Vector& origin) mutable {
@@ -108,9 +108,9 @@ void fit_compatible_points(const Fit_input<T>& input, Progress& progress, Sample
         const Vector offset = mean - old_normal.dot(mean) * old_normal;
         const double distance = offset.norm();
         samples.fit_centroids[i] += (height.sum() / total) * old_normal;
-        if (distance > half_ball_offset)
-          samples.fit_centroids[i] += (EIGEN_PI / 2 * (distance - half_ball_offset) / distance) * offset;
-        if (distance > half_ball_offset / 2)
+        if (distance > largest_offset)
+          samples.fit_centroids[i] += (EIGEN_PI / 2 * (distance - largest_offset) / distance) * offset;
+        if (distance > largest_offset / 2)
           samples.outward_directions[i] = (-offset / distance).template cast<FT>();
         const Vector mean_normal(mean_nx.sum(), mean_ny.sum(), mean_nz.sum());
         if (mean_normal.norm() > 1e-3 * total)

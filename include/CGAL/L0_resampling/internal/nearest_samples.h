@@ -34,7 +34,6 @@ public:
   const Index* begin(Index i) const { return m_indices.data() + i * m_k; }
   const Index* end(Index i) const { return begin(i) + m_counts[i]; }
   bool contains(Index i, Index k) const { return std::find(begin(i), end(i), k) != end(i); }
-  std::size_t number_of_pairs() const { return m_indices.size(); }
 
   void add(Index i, Index k) { m_indices[i * m_k + m_counts[i]++] = k; }
 };

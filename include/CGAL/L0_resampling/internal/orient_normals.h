@@ -33,9 +33,7 @@ Buffer<Edge> rated_edges(const Buffer<Vector>& positions, const Buffer<Eigen::Ma
   const double radius_of_that_many = spacing * std::sqrt(double(number_of_neighbors) / 2);
   const Nearest_samples nearest = find_nearest_samples<ConcurrencyTag>(positions, number_of_neighbors, radius_of_that_many, progress);
   const T squared_spacing = T(spacing * spacing);
-  Buffer<Edge> edges(positions.get_allocator());
-  edges.reserve(nearest.number_of_pairs());
-  for (Index i = 0; i < positions.size(); ++i)
+  const auto append_edges_of = [&](Index i, Buffer<Edge>& edges) {
     for (const Index* other = nearest.begin(i); other != nearest.end(i); ++other)
     {
       const Index k = *other;
@@ -46,6 +44,21 @@ Buffer<Edge> rated_edges(const Buffer<Vector>& positions, const Buffer<Eigen::Ma
         orientation_agreement(normals[i].dot(normals[k]), normals[i].dot(to_other), -normals[k].dot(to_other), squared_spacing);
       edges.push_back({float(agreement), i, k});
     }
+  };
+  const std::size_t samples_per_block = 4096, m = positions.size();
+  const Counting_allocator<Edge> allocator = positions.get_allocator();
+  std::vector<Buffer<Edge>> blocks((m + samples_per_block - 1) / samples_per_block, Buffer<Edge>(allocator));
+  for_each_block<ConcurrencyTag>(m, samples_per_block, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      append_edges_of(Index(i), blocks[begin / samples_per_block]);
+  });
+  Buffer<Edge> edges(allocator);
+  edges.reserve(std::accumulate(blocks.begin(), blocks.end(), std::size_t(0), [](std::size_t n, const Buffer<Edge>& b) { return n + b.size(); }));
+  for (Buffer<Edge>& block : blocks)
+  {
+    edges.insert(edges.end(), block.begin(), block.end());
+    release(block);
+  }
   return edges;
 }
 
