@@ -374,21 +374,29 @@ unsigned list_flagged(const unsigned char* flags, unsigned size, unsigned* indic
   return result;
 }
 
-void sum_up(const unsigned* counts, unsigned size, unsigned* offsets, Device_arena& scratch, cudaStream_t stream)
+template <typename T>
+void sum_up(const T* counts, unsigned size, T* offsets, Device_arena& scratch, cudaStream_t stream)
 {
   with_scratch(scratch, "DeviceScan::ExclusiveSum", [&](void* memory, std::size_t& bytes) {
     return cub::DeviceScan::ExclusiveSum(memory, bytes, counts, offsets, std::size_t(size) + 1, stream);
   });
 }
 
-double* sort_values(double* values, double* other, unsigned size, Device_arena& scratch, cudaStream_t stream)
+template void sum_up(const unsigned*, unsigned, unsigned*, Device_arena&, cudaStream_t);
+template void sum_up(const unsigned long long*, unsigned, unsigned long long*, Device_arena&, cudaStream_t);
+
+template <typename T>
+T* sort_values(T* values, T* other, unsigned size, Device_arena& scratch, cudaStream_t stream)
 {
-  cub::DoubleBuffer<double> buffer(values, other);
+  cub::DoubleBuffer<T> buffer(values, other);
   with_scratch(scratch, "DeviceRadixSort::SortKeys", [&](void* memory, std::size_t& bytes) {
-    return cub::DeviceRadixSort::SortKeys(memory, bytes, buffer, size, 0, 64, stream);
+    return cub::DeviceRadixSort::SortKeys(memory, bytes, buffer, size, 0, int(8 * sizeof(T)), stream);
   });
   return buffer.Current();
 }
+
+template unsigned* sort_values(unsigned*, unsigned*, unsigned, Device_arena&, cudaStream_t);
+template double* sort_values(double*, double*, unsigned, Device_arena&, cudaStream_t);
 
 } // namespace cuda
 } // namespace internal

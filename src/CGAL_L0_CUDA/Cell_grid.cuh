@@ -129,11 +129,16 @@ int cells_in_reach(double radius, double cell_size);
 unsigned list_flagged(const unsigned char* flags, unsigned size, unsigned* indices, Device_arena& scratch, cudaStream_t stream);
 
 /// offsets[i] = counts[0] + ... + counts[i - 1], for i up to `size`; counts[size] is read and has no part in it.
-void sum_up(const unsigned* counts, unsigned size, unsigned* offsets, Device_arena& scratch, cudaStream_t stream);
+/// The two arrays may be one.
+/// \tparam T `unsigned` or `unsigned long long`
+template <typename T>
+void sum_up(const T* counts, unsigned size, T* offsets, Device_arena& scratch, cudaStream_t stream);
 
 /// Sorts numbers.
+/// \tparam T `unsigned` or `double`
 /// \returns where they are: in one of the arrays
-double* sort_values(double* values, double* other, unsigned size, Device_arena& scratch, cudaStream_t stream);
+template <typename T>
+T* sort_values(T* values, T* other, unsigned size, Device_arena& scratch, cudaStream_t stream);
 
 #ifdef __CUDACC__
 

@@ -47,17 +47,18 @@ struct Frame
   double length_of_input(double length) const { return std::ldexp(std::ldexp(length, -second_exponent), -first_exponent); }
 };
 
-/// Points of the input, in a frame, or of that frame itself.
+/// Points of the input, all or some, in a frame; or of that frame itself.
 struct Positions
 {
   const double* xyz;
   unsigned size;
   Frame frame;
-  bool in_frame;     // whether they are there already
+  bool in_frame;                    // whether they are there already
+  const unsigned* list = nullptr;   // which of the points they are; null for the first `size`
 
   __device__ double3 operator()(unsigned i) const
   {
-    const double* const p = xyz + 3 * (unsigned long long)(i);
+    const double* const p = xyz + 3 * (unsigned long long)(list ? list[i] : i);
     return in_frame ? double3{p[0], p[1], p[2]} : frame.enter(p);
   }
 };

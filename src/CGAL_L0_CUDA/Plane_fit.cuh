@@ -22,7 +22,7 @@ struct Plane_fit
   float3 normal;
   unsigned number_of_points;
   double variance;             // of the points across it
-  long long spans_plane;       // whether the points determine it; as long, so that there is no gap in what is copied
+  bool spans_plane;            // whether the points determine it
 };
 
 __device__ inline float3 to_float(const Triple& v) { return {float(v.x), float(v.y), float(v.z)}; }

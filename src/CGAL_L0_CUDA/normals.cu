@@ -86,6 +86,14 @@ __global__ void gather_given_normals(const float* given, const unsigned* order, 
     normals[i] = make_float4(n[0], n[1], n[2], 0);
 }
 
+__global__ void take_listed_vectors(const float* vectors, const unsigned* list, unsigned size, float* taken)
+{
+  const unsigned long long i = thread_index();
+  if (i < size)
+    for (int axis = 0; axis < 3; ++axis)
+      taken[3 * i + unsigned(axis)] = vectors[3 * (unsigned long long)(list[i]) + unsigned(axis)];
+}
+
 __global__ void count_zeros(const float* vectors, unsigned size, unsigned* count)
 {
   const unsigned long long i = thread_index();
@@ -122,7 +130,7 @@ __global__ void filter_normals_kernel(Cell_grid grid, Cell_blocks blocks, float 
 
 /// As `refitted_normal()` on the CPU.
 __global__ void refit_normals_kernel(Cell_grid grid, Cell_blocks blocks, float radius, float squared_bandwidth, float normal_bandwidth,
-                                     const float4* normals, float4* refitted)
+                                     float squared_sheet_height, const float4* normals, float4* refitted)
 {
   const Query query(grid.size);
   const int4 center = grid.points[query.index];
@@ -132,8 +140,12 @@ __global__ void refit_normals_kernel(Cell_grid grid, Cell_blocks blocks, float r
   for_each_candidate(grid, blocks, center, query.lane, radius, [&](unsigned j) {
     const float3 d = difference(grid.points[j], center, unit);
     const float squared_distance = dot(d, d);
-    if (squared_distance < squared_radius)
-      moments.add(d, bilateral_weight(squared_distance, squared_bandwidth, dot(normal, xyz(normals[j])), normal_bandwidth));
+    if (squared_distance >= squared_radius)
+      return;
+    const float3 other = xyz(normals[j]);
+    const float cosine = dot(normal, other);
+    const float height = symmetric_height(dot(d, normal), copysignf(1, cosine) * dot(d, other));
+    moments.add(d, sheet_weight(squared_distance, squared_bandwidth, cosine, normal_bandwidth, height, squared_sheet_height));
   });
   moments.sum_over_group<lanes>();
   if (!query.writes)
@@ -162,28 +174,46 @@ __global__ void sum_up_density(Cell_grid grid, Cell_blocks blocks, float radius,
   sum = group_sum<lanes>(sum);
   // thinning may have left the point itself out
   const float self = count > 0 ? 1.f : 0.f;
+  const unsigned stride = blocks.centers[center.w].stride;
   if (query.writes)
-    normals[query.index].w = fmaxf(0, sum - self);
+    normals[query.index].w = fmaxf(0, sum - self) * float(stride);
 
   // integers, so that the order of the additions does not matter
-  __shared__ unsigned block_count;
+  __shared__ unsigned long long block_count;
   if (threadIdx.x == 0)
     block_count = 0;
   __syncthreads();
   if (query.writes)
-    atomicAdd(&block_count, unsigned(count - self));
+    atomicAdd(&block_count, (unsigned long long)(count - self) * stride);
   __syncthreads();
   if (threadIdx.x == 0 && block_count > 0)
-    atomicAdd(total_count, (unsigned long long)(block_count));
+    atomicAdd(total_count, block_count);
 }
 
-__global__ void invert_density(unsigned size, const unsigned long long* total_count, float4* normals)
+/// One warp for each cell: the mean area of its points, and the sum of all.
+__global__ void average_areas(Cell_grid grid, const float4* normals, double mean_number_of_neighbors, Areas areas, float* areas_of_cells,
+                              unsigned long long* total_units)
+{
+  const unsigned long long cell = thread_index() / 32;
+  if (cell >= grid.number_of_cells)   // whole warps leave
+    return;
+  const unsigned begin = grid.begins[cell], end = grid.begins[cell + 1];
+  double sum = 0;
+  for (unsigned long long i = begin + threadIdx.x % 32; i < end; i += 32)
+    sum += areas.largest / (1 + (1 / double(normals[i].w) - 1) * mean_number_of_neighbors);   // the point itself counts
+  sum = group_sum<32>(sum);
+  if (threadIdx.x % 32 != 0)
+    return;
+  const float area = float(sum / (end - begin));
+  areas_of_cells[cell] = area;
+  atomicAdd(total_units, __double2ull_rn(area * areas.units_per_area(grid.size)) * (end - begin));
+}
+
+__global__ void invert_density(unsigned size, float mean_number_of_neighbors, float4* normals)
 {
   const unsigned long long i = thread_index();
-  if (i >= size)
-    return;
-  const float mean_number_of_neighbors = float(double(*total_count) / size);
-  normals[i].w = mean_number_of_neighbors > 0 ? 1 / (1 + normals[i].w / mean_number_of_neighbors) : 1;
+  if (i < size)
+    normals[i].w = mean_number_of_neighbors > 0 ? 1 / (1 + normals[i].w / mean_number_of_neighbors) : 1;
 }
 
 } // namespace
@@ -243,6 +273,12 @@ std::size_t estimate_pca_normals(const Workplace& workplace, const Positions& po
   return number_of_degenerate;
 }
 
+void take_listed(const Workplace& workplace, const float* vectors, const unsigned* list, unsigned size, float* taken)
+{
+  take_listed_vectors<<<blocks_for(size), threads_per_block, 0, workplace.stream>>>(vectors, list, size, taken);
+  check_launch("take_listed_vectors");
+}
+
 bool has_zero(const Workplace& workplace, const float* vectors, unsigned size)
 {
   const Arena_scope scope(workplace.scratch);
@@ -267,23 +303,40 @@ void filter_normals(const Workplace& workplace, const Cell_grid& grid, const Cel
 }
 
 void refit_normals(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks, double radius, float squared_bandwidth,
-                   float normal_bandwidth, const float4* normals, float4* refitted)
+                   float normal_bandwidth, float squared_sheet_height, const float4* normals, float4* refitted)
 {
-  refit_normals_kernel<<<blocks_for_queries(grid.size), threads_per_block, 0, workplace.stream>>>(grid, blocks, float(radius), squared_bandwidth,
-                                                                                                normal_bandwidth, normals, refitted);
+  refit_normals_kernel<<<blocks_for_queries(grid.size), threads_per_block, 0, workplace.stream>>>(
+    grid, blocks, float(radius), squared_bandwidth, normal_bandwidth, squared_sheet_height, normals, refitted);
   check_launch("refit_normals_kernel");
 }
 
-void compute_input_density_weights(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks, double radius,
-                                   float squared_bandwidth, float4* normals)
+double compute_input_density_weights(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks, double radius,
+                                     float squared_bandwidth, float4* normals)
 {
   const Arena_scope scope(workplace.scratch);
   const Device_counter<unsigned long long> total_count(workplace.scratch, workplace.stream);
   sum_up_density<<<blocks_for_queries(grid.size), threads_per_block, 0, workplace.stream>>>(
     grid, blocks, float(radius), squared_bandwidth, normals, total_count.address());
   check_launch("sum_up_density");
-  invert_density<<<blocks_for(grid.size), threads_per_block, 0, workplace.stream>>>(grid.size, total_count.address(), normals);
+  const double mean_number_of_neighbors = double(total_count.read()) / double(grid.size);
+  invert_density<<<blocks_for(grid.size), threads_per_block, 0, workplace.stream>>>(grid.size, float(mean_number_of_neighbors), normals);
   check_launch("invert_density");
+  return mean_number_of_neighbors;
+}
+
+Areas find_areas(const Workplace& workplace, const Cell_grid& grid, const float4* normals, double mean_number_of_neighbors, double radius,
+                 double squared_bandwidth)
+{
+  const double pi = 3.141592653589793;
+  float* const areas_of_cells = workplace.arena.take<float>(grid.number_of_cells);
+  Areas areas = {areas_of_cells, pi * squared_bandwidth * (1 - std::exp(-radius * radius / squared_bandwidth)), 0};
+  const Arena_scope scope(workplace.scratch);
+  const Device_counter<unsigned long long> total_units(workplace.scratch, workplace.stream);
+  average_areas<<<blocks_for(32ull * grid.number_of_cells), threads_per_block, 0, workplace.stream>>>(
+    grid, normals, mean_number_of_neighbors, areas, areas_of_cells, total_units.address());
+  check_launch("average_areas");
+  areas.total = double(total_units.read()) / areas.units_per_area(grid.size);
+  return areas;
 }
 
 } // namespace cuda

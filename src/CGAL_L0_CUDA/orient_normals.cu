@@ -362,9 +362,7 @@ struct Tree_scale
 /// Adds up over the threads of a warp that have the same root, so that a tree's sums are not the bottleneck.
 __device__ void add(long long* sum, long long value, unsigned peers, bool is_leader)
 {
-  long long total = 0;
-  for (unsigned rest = peers; rest; rest &= rest - 1)
-    total += __shfl_sync(peers, value, __ffs(int(rest)) - 1);
+  const long long total = peer_sum(peers, value);
   if (is_leader && total != 0)
     atomicAdd(reinterpret_cast<Wide*>(sum), Wide(total));
 }
@@ -376,7 +374,7 @@ __global__ void find_centers(Forest forest, Samples samples, Tree_scale scale, T
     return;
   const unsigned root = forest.roots[i].target();
   const unsigned peers = __match_any_sync(__activemask(), root);
-  const bool is_leader = threadIdx.x % 32 == unsigned(__ffs(int(peers))) - 1;
+  const bool is_leader = is_leader_of(peers);
   Tree_sums& tree = trees[root];
   for (int axis = 0; axis < 3; ++axis)
     add(&tree.center[axis], __double2ll_rn(samples.positions[3 * i + axis] * scale.units_per_length), peers, is_leader);
@@ -393,7 +391,7 @@ __global__ void find_fluxes(Forest forest, Samples samples, Tree_scale scale, Tr
   const Link link = forest.roots[i];
   const unsigned root = link.target();
   const unsigned peers = __match_any_sync(__activemask(), root);
-  const bool is_leader = threadIdx.x % 32 == unsigned(__ffs(int(peers))) - 1;
+  const bool is_leader = is_leader_of(peers);
   Tree_sums& tree = trees[root];
   const double sign = link.is_turned() ? -1 : 1, length = 1 / scale.units_per_length / tree.size;
   const double3 from_center = {samples.positions[3 * i] - double(tree.center[0]) * length,

@@ -6,6 +6,8 @@
 #include "Plane_fit.cuh"
 #include "plane_fits.cuh"
 
+#include <CGAL/L0_resampling/internal/Height_moments.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -38,78 +40,124 @@ __device__ void sum_over_block(T (&values)[count])
         values[c] += shared[w][c];
 }
 
-/// One block of threads for each query, one thread for each row of cells around it, however many there are.
-template <typename Query_point>
-__global__ void fit_planes_around(Cell_grid grid, Query_point query_point, int reach, float radius, Plane_fit* fits)
+/// The points around a query, for a block of threads: one thread for each row of cells, however many there are.
+class Surroundings
 {
-  const int4 center = grid.points[query_point(blockIdx.x)];
-  const float unit = grid.frame.unit(), squared_radius = radius * radius;
-  const uint3 cell = grid.frame.cell_of_key(grid.keys[center.w]);
-  const int width = 2 * reach + 1, number_of_rows = width * width;
+  const Cell_grid& m_grid;
+  int4 m_center;
+  uint3 m_cell;
+  int m_reach;
+  Wide m_stride;   // where there are too many points, every so manieth of them is looked at
 
-  Wide count[1] = {0};
-  for (int row = int(threadIdx.x); row < number_of_rows; row += int(threads_per_query))
+public:
+  __device__ Surroundings(const Cell_grid& grid, unsigned query, int reach)
+    : m_grid(grid), m_center(grid.points[query]), m_cell(grid.frame.cell_of_key(grid.keys[m_center.w])), m_reach(reach)
   {
-    const uint2 range = range_of_row(grid, cell, reach, row);
-    count[0] += range.y - range.x;
+    Wide count[1] = {0};
+    for_each_row([&](uint2 range) { count[0] += range.y - range.x; });
+    sum_over_block(count);
+    __shared__ Wide stride;
+    if (threadIdx.x == 0)
+    {
+      stride = 1;
+      while (count[0] / stride > maximum_number_of_candidates)
+        stride *= 2;
+    }
+    __syncthreads();
+    m_stride = stride;
   }
-  sum_over_block(count);
-  __shared__ unsigned shared_stride;
+
+  __device__ unsigned stride() const { return unsigned(m_stride); }
+
+  /// Calls `f(d)` for the points of the thread in the ball, with the way to them.
+  template <typename F>
+  __device__ void for_each_in_ball(float radius, const F& f) const
+  {
+    const float unit = m_grid.frame.unit();
+    for_each_row([&](uint2 range) {
+      for (Wide j = (range.x + m_stride - 1) & ~(m_stride - 1); j < range.y; j += m_stride)
+      {
+        const float3 d = difference(m_grid.points[j], m_center, unit);
+        if (dot(d, d) < radius * radius)
+          f(d);
+      }
+    });
+  }
+
+  /// In the first thread; the others return nothing of use.
+  __device__ Plane_fit fit_plane(float radius) const
+  {
+    Moments moments;
+    for_each_in_ball(radius, [&](float3 d) { moments.add(d); });
+    sum_over_block(moments.values);
+    return threadIdx.x == 0 ? moments.plane(radius * radius) : Plane_fit();
+  }
+
+private:
+  template <typename F>
+  __device__ void for_each_row(const F& f) const
+  {
+    const int width = 2 * m_reach + 1;
+    for (int row = int(threadIdx.x); row < width * width; row += int(threads_per_query))
+      f(range_of_row(m_grid, m_cell, m_reach, row));
+  }
+};
+
+/// One block of threads for each point of the list.
+__global__ void fit_planes_around(Cell_grid grid, const unsigned* list, int reach, float radius, float4* normals, unsigned char* is_degenerate)
+{
+  const unsigned i = list[blockIdx.x];
+  const Plane_fit fit = Surroundings(grid, i, reach).fit_plane(radius);
+  if (threadIdx.x != 0)
+    return;
+  normals[i] = with_w(fit.normal, 0);
+  is_degenerate[i] = !fit.spans_plane;
+}
+
+/// What a ball tells of the scales.
+struct Ball
+{
+  double count;               // of points
+  double variance;            // across their plane
+  double single_sheet_index;
+};
+
+/// One block of threads for each query, which are every so manieth point.
+__global__ void look_at_balls(Cell_grid grid, unsigned stride_of_queries, int reach, float radius, Ball* balls)
+{
+  const Surroundings surroundings(grid, blockIdx.x * stride_of_queries, reach);
+  const Plane_fit fit = surroundings.fit_plane(radius);
+  __shared__ float normal[3];
   if (threadIdx.x == 0)
   {
-    shared_stride = 1;
-    while (count[0] / shared_stride > maximum_number_of_candidates)
-      shared_stride *= 2;
+    normal[0] = fit.normal.x;
+    normal[1] = fit.normal.y;
+    normal[2] = fit.normal.z;
   }
   __syncthreads();
-  const Wide stride = shared_stride;
-
-  Moments moments;
-  for (int row = int(threadIdx.x); row < number_of_rows; row += int(threads_per_query))
-  {
-    const uint2 range = range_of_row(grid, cell, reach, row);
-    for (Wide j = (range.x + stride - 1) & ~(stride - 1); j < range.y; j += stride)
-    {
-      const float3 d = difference(grid.points[j], center, unit);
-      if (dot(d, d) < squared_radius)
-        moments.add(d);
-    }
-  }
-  sum_over_block(moments.values);
-  if (threadIdx.x == 0)
-  {
-    Plane_fit fit = moments.plane(squared_radius);
-    fit.number_of_points *= unsigned(stride);
-    fits[blockIdx.x] = fit;
-  }
-}
-
-struct Every_so_manieth
-{
-  unsigned stride;
-  __device__ unsigned operator()(unsigned q) const { return q * stride; }
-};
-
-struct Listed
-{
-  const unsigned* list;
-  __device__ unsigned operator()(unsigned q) const { return list[q]; }
-};
-
-__global__ void take_fits(const Plane_fit* fits, const unsigned* open, unsigned number_of_open, float4* normals, unsigned char* is_degenerate)
-{
-  const Wide q = thread_index();
-  if (q >= number_of_open)
+  Height_moments<float> heights;
+  surroundings.for_each_in_ball(radius, [&](float3 d) { heights.add(dot(d, float3{normal[0], normal[1], normal[2]}), 1); });
+  float sums[4] = {heights.first, heights.second, heights.third, heights.fourth};
+  sum_over_block(sums);
+  if (threadIdx.x != 0)
     return;
-  normals[open[q]] = with_w(fits[q].normal, 0);
-  is_degenerate[open[q]] = !fits[q].spans_plane;
+  const double n = fit.number_of_points;
+  Ball& ball = balls[blockIdx.x];
+  ball.count = n * surroundings.stride();
+  ball.variance = n > 3 ? fit.variance * n / (n - 3) : fit.variance;   // the plane took three degrees of freedom
+  ball.single_sheet_index = Height_moments<double>{sums[0], sums[1], sums[2], sums[3]}.single_sheet_index(n);
 }
 
-double median(std::vector<double>& values)
+/// \param value of a ball
+template <typename Value>
+double quantile(const std::vector<Ball>& balls, double share, const Value& value)
 {
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  std::vector<double> values;
+  for (const Ball& ball : balls)
+    values.push_back(value(ball));
+  const auto place = values.begin() + std::ptrdiff_t(share * double(values.size() - 1));
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
 }
 
 } // namespace
@@ -117,20 +165,16 @@ double median(std::vector<double>& values)
 void refit_planes_of(const Workplace& workplace, const Cell_grid& grid, const unsigned* open, unsigned number_of_open, double radius,
                      float4* normals, unsigned char* is_degenerate)
 {
-  const Arena_scope scope(workplace.scratch);
-  Plane_fit* const fits = workplace.scratch.take<Plane_fit>(number_of_open);
-  fit_planes_around<<<number_of_open, threads_per_query, 0, workplace.stream>>>(grid, Listed{open}, cells_in_reach(radius, grid.frame.cell_size),
-                                                                              float(radius), fits);
+  fit_planes_around<<<number_of_open, threads_per_query, 0, workplace.stream>>>(grid, open, cells_in_reach(radius, grid.frame.cell_size),
+                                                                              float(radius), normals, is_degenerate);
   check_launch("fit_planes_around");
-  take_fits<<<blocks_for(number_of_open), threads_per_block, 0, workplace.stream>>>(fits, open, number_of_open, normals, is_degenerate);
-  check_launch("take_fits");
 }
 
 Scales estimate_scales(const Workplace& workplace, const Positions& positions, const double (&low)[3], const double (&high)[3],
                        double initial_radius)
 {
-  const unsigned number_of_queries = 1000;   // as on the CPU, and so are the next three
-  const double fewest_points = 15, flat = 0.25;
+  const unsigned number_of_queries = 1000;   // as on the CPU, and so are the next five
+  const double fewest_points = 30, flat = 0.25, surely_flat = 0.15, two_sheets = 2;
   const int reaches[] = {1, 2, 3, 4, 6, 8, 12, 16, 24, 32};
   const double cell_size = initial_radius / 4, pi = 3.141592653589793;
 
@@ -139,27 +183,30 @@ Scales estimate_scales(const Workplace& workplace, const Positions& positions, c
                                     workplace.scratch, workplace.stream);
   const unsigned stride = (std::max)(positions.size / number_of_queries, 1u);
   const unsigned size = (positions.size + stride - 1) / stride;
-  Plane_fit* const device_fits = workplace.scratch.take<Plane_fit>(size);
-  std::vector<Plane_fit> fits(size);
-  std::vector<double> variances(size), counts(size);
+  Ball* const device_balls = workplace.scratch.take<Ball>(size);
+  std::vector<Ball> balls(size);
+  const auto noise = [&]() { return std::sqrt(quantile(balls, 0.3, [](const Ball& ball) { return ball.variance; })); };
   Scales scales = {cell_size, 0};
   for (const int reach : reaches)
   {
     const double radius = reach * cell_size;
-    fit_planes_around<<<size, threads_per_query, 0, workplace.stream>>>(grid, Every_so_manieth{stride}, reach, float(radius), device_fits);
-    check_launch("fit_planes_around");
-    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(fits.data(), device_fits, size * sizeof(Plane_fit), cudaMemcpyDeviceToHost, workplace.stream));
+    look_at_balls<<<size, threads_per_query, 0, workplace.stream>>>(grid, stride, reach, float(radius), device_balls);
+    check_launch("look_at_balls");
+    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(balls.data(), device_balls, size * sizeof(Ball), cudaMemcpyDeviceToHost, workplace.stream));
     CGAL_L0_CUDA_CHECK(cudaStreamSynchronize(workplace.stream));
-    for (unsigned q = 0; q < size; ++q)
-    {
-      variances[q] = fits[q].variance;
-      counts[q] = fits[q].number_of_points;
-    }
-    const double count = median(counts);
+    const double count = quantile(balls, 0.5, [](const Ball& ball) { return ball.count; });
     if (count < fewest_points && reach < 32)
       continue;
     scales.spacing = radius * std::sqrt(pi / (std::max)(count, 1.));
-    scales.noise = std::sqrt(median(variances));
+    scales.noise = noise();
+    if (scales.noise > surely_flat * radius && quantile(balls, 0.5, [](const Ball& ball) { return ball.single_sheet_index; }) < two_sheets)
+    {
+      for (Ball& ball : balls)
+        ball.variance *= share_of_noise(ball.single_sheet_index);
+      scales.noise = noise();
+      scales.spacing *= std::sqrt(2.);
+      break;
+    }
     if (scales.noise < flat * radius)
       break;
   }

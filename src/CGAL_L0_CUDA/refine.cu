@@ -24,7 +24,7 @@ using Wide = unsigned long long;
 /// What the fit needs beside the points.
 struct Fit
 {
-  float radius, squared_bandwidth, normal_bandwidth;
+  float radius, squared_bandwidth, normal_bandwidth, squared_sheet_height;
   double half_ball_offset;   // how far from its straight side the mean of a half disk lies, by the weights of the fit
 };
 
@@ -46,12 +46,14 @@ __global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_b
       return;
     const float4 other = normals[j];
     const float cosine = dot(xyz(other), normal);
-    const float weight = other.w * bilateral_weight(squared_distance, fit.squared_bandwidth, cosine, fit.normal_bandwidth);
-    const float signed_weight = cosine > 0 ? weight : cosine < 0 ? -weight : 0.f;
+    const float sign = copysignf(1, cosine);
+    const float h = symmetric_height(dot(d, normal), sign * dot(d, xyz(other)));
+    const float weight =
+      other.w * sheet_weight(squared_distance, fit.squared_bandwidth, cosine, fit.normal_bandwidth, h, fit.squared_sheet_height);
     sum += weight;
-    height += weight * dot(d, normal) + signed_weight * dot(d, xyz(other));
+    height += weight * h;
     offset_sum += weight * d;
-    normal_sum += signed_weight * xyz(other);
+    normal_sum += (sign * weight) * xyz(other);
   });
   sum = group_sum<lanes>(sum);
   height = group_sum<lanes>(height);
@@ -70,7 +72,7 @@ __global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_b
   const double3 old_normal = to_double(normal), mean = (1 / total) * to_double(offset_sum);
   const double3 offset = mean - dot(old_normal, mean) * old_normal;
   const double distance = sqrt(dot(offset, offset));
-  double3 to_centroid = (0.5 * height / total) * old_normal;
+  double3 to_centroid = (height / total) * old_normal;
   if (distance > half_ball_offset)
     to_centroid = to_centroid + (pi / 2 * (distance - half_ball_offset) / distance) * offset;
   samples.fit[i] = with_w(to_float(to_centroid), float(fit_weight_factor * total));
@@ -133,10 +135,12 @@ __global__ void move_onto_fit(Samples samples)
 } // namespace
 
 void fit_compatible_points(const Workplace& workplace, const Cell_grid& sample_grid, bool is_in_order, const Cell_blocks& blocks,
-                           const Cell_grid& grid, const float4* normals, double radius, double normal_bandwidth, const Samples& samples)
+                           const Cell_grid& grid, const float4* normals, double radius, double squared_sheet_height, double normal_bandwidth,
+                           const Samples& samples)
 {
   const double bandwidth = fit_bandwidth_factor * radius;
-  const Fit fit = {float(radius), float(bandwidth * bandwidth), float(normal_bandwidth), mean_distance_in_half_disk(radius, bandwidth)};
+  const Fit fit = {float(radius), float(bandwidth * bandwidth), float(normal_bandwidth), float(squared_sheet_height),
+                   mean_distance_in_half_disk(radius, bandwidth)};
   fit_samples<<<blocks_for_queries(samples.size), threads_per_block, 0, workplace.stream>>>(
     sample_grid, is_in_order ? nullptr : sample_grid.order, blocks, grid, normals, fit, samples);
   check_launch("fit_samples");

@@ -3,22 +3,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "Extent.cuh"
-#include "plane_fits.cuh"
-#include "stages.cuh"
+#include "Lengths.cuh"
+#include "Session.cuh"
 
-#include <CGAL/L0_resampling/internal/Parameters.h>
-#include <CGAL/L0_resampling/internal/cuda_interface.h>
-
-#include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <exception>
-#include <limits>
-#include <memory>
-#include <mutex>
-#include <new>
-#include <vector>
 
 namespace CGAL {
 namespace L0_resampling {
@@ -27,238 +15,13 @@ namespace cuda {
 
 namespace {
 
-/// Thrown once the caller wants no more; never leaves the library.
-struct Cancelled {};
-
-constexpr double pi = 3.141592653589793;
-
 double square(double x) { return x * x; }
 
-/// As `sensible_radius()` on the CPU, for a bounding box.
-double sensible_radius(double radius, const double (&low)[3], const double (&high)[3])
+double normal_bandwidth(double angle)
 {
-  const double x = high[0] - low[0], y = high[1] - low[1], z = high[2] - low[2], diagonal = std::sqrt(x * x + y * y + z * z);
-  if (!(diagonal > 0))
-    return 1;
-  return (std::min)((std::max)(radius, std::ldexp(diagonal, -200)), diagonal);
+  const double pi = 3.141592653589793;
+  return (std::max)(square(1 - std::cos(angle * pi / 180)), 1e-12);
 }
-
-double normal_bandwidth(double angle) { return (std::max)(square(1 - std::cos(angle * pi / 180)), 1e-12); }
-
-/// The lengths of a call, in its frame; as on the CPU.
-struct Lengths
-{
-  Frame frame;
-  double low[3], high[3];   // bounding box of the points
-  double radius, filter_radius, self_neighbor_radius, sample_spacing, cell_size, smallest_cell_size;
-
-  /// Scales frame and box so that `r`, a length in the frame, comes to lie in [1, 2).
-  /// \returns the factor
-  double scale_to(double r)
-  {
-    const double scale = frame.scale_to(r);
-    for (double* corner : {low, high})
-      for (int axis = 0; axis < 3; ++axis)
-        corner[axis] *= scale;
-    return scale;
-  }
-};
-
-/// Chooses the lengths that the caller left open, as the CPU does.
-/// \param scales_in called with the frame of the paper's radius, and that radius there, if spacing and noise of the points are wanted
-template <typename Scales_in>
-Lengths choose_lengths(const Extent& extent, unsigned n, const Parameters& parameters, const Scales_in& scales_in, Call_report& report)
-{
-  const bool is_default = parameters.method == Method::DEFAULT;
-  const double m = double(parameters.number_of_output_points);
-  Lengths lengths;
-  lengths.frame = extent.frame;
-  std::copy(extent.low, extent.low + 3, lengths.low);
-  std::copy(extent.high, extent.high + 3, lengths.high);
-  const double paper_radius = sensible_radius(extent.robust_diagonal / std::cbrt(double(n)), lengths.low, lengths.high);
-  double diagonal = extent.robust_diagonal * lengths.scale_to(paper_radius);
-  lengths.radius = std::ldexp(paper_radius, -std::ilogb(paper_radius));
-  lengths.sample_spacing = diagonal / std::sqrt(m);
-  if (is_default)
-  {
-    const Scales scales = scales_in(lengths);
-    lengths.radius = std::hypot(radius_per_spacing * scales.spacing, radius_per_noise * scales.noise);
-    lengths.sample_spacing = scales.spacing * std::sqrt(n / m);
-    report.estimated_spacing = lengths.frame.length_of_input(scales.spacing);
-    report.estimated_noise = lengths.frame.length_of_input(scales.noise);
-  }
-  if (parameters.neighbor_radius > 0)
-    lengths.radius = lengths.frame.length_in_frame(parameters.neighbor_radius);
-  lengths.radius = sensible_radius(lengths.radius, lengths.low, lengths.high);
-
-  const double scale = lengths.scale_to(lengths.radius);
-  lengths.radius *= scale;
-  lengths.sample_spacing *= scale;
-  lengths.filter_radius = parameters.normal_filter_radius > 0
-    ? sensible_radius(lengths.frame.length_in_frame(parameters.normal_filter_radius), lengths.low, lengths.high)
-    : (is_default ? default_filter_radius_factor : 1.) * lengths.radius;
-  lengths.self_neighbor_radius = is_default ? (std::min)(self_neighbor_radius_per_spacing * lengths.sample_spacing, lengths.radius)
-                                            : self_neighbor_radius_factor * lengths.radius;
-  lengths.smallest_cell_size = std::ldexp(diagonal * scale, -18);
-  lengths.cell_size = (std::max)(lengths.filter_radius > lengths.radius ? lengths.filter_radius / 2 : lengths.radius,
-                                 lengths.smallest_cell_size);
-  report.neighbor_radius = lengths.frame.length_of_input(lengths.radius);
-  report.normal_filter_radius = lengths.frame.length_of_input(lengths.filter_radius);
-  return lengths;
-}
-
-/// Restores the caller's device at the end of a call.
-class Device_scope
-{
-  int m_previous = 0;
-
-public:
-  explicit Device_scope(int device)
-  {
-    CGAL_L0_CUDA_CHECK(cudaGetDevice(&m_previous));
-    CGAL_L0_CUDA_CHECK(cudaSetDevice(device));
-  }
-  Device_scope(const Device_scope&) = delete;
-  Device_scope& operator=(const Device_scope&) = delete;
-  ~Device_scope() { cudaSetDevice(m_previous); }
-};
-
-__global__ void do_nothing() {}
-
-/// \returns the caller's device, once a kernel of ours has run there
-int usable_device()
-{
-  int count = 0, device = 0;
-  CGAL_L0_CUDA_CHECK(cudaGetDeviceCount(&count));
-  if (count == 0)
-    throw Failure(Status::NO_DEVICE, "cudaGetDeviceCount: there is no device");
-  CGAL_L0_CUDA_CHECK(cudaGetDevice(&device));
-  cudaFuncAttributes attributes;
-  CGAL_L0_CUDA_CHECK(cudaFuncGetAttributes(&attributes, do_nothing));
-  int is_cooperative = 0;
-  CGAL_L0_CUDA_CHECK(cudaDeviceGetAttribute(&is_cooperative, cudaDevAttrCooperativeLaunch, device));
-  if (!is_cooperative)
-    throw Failure(Status::NO_DEVICE, "the device has no cooperative launches");
-  return device;
-}
-
-} // namespace
-
-struct Session
-{
-  std::mutex mutex;
-  int device;
-  bool is_broken = false;            // after an error of a kernel no call of this process will work
-  cudaStream_t stream = nullptr;
-  int number_of_multiprocessors = 0;
-  Memory_limit memory_limit{(std::numeric_limits<std::size_t>::max)()};
-  Device_arena input{memory_limit}, arena{memory_limit}, scratch{memory_limit};
-
-  unsigned size = 0;
-  const double* points = nullptr;
-  const float* normals = nullptr;    // null if none were given
-  bool all_normals_given = false;
-  Extent extent;
-  bool has_scales = false;
-  Scales scales;                     // of the points, in the frame of the paper's radius; found when first wanted
-
-  unsigned number_of_samples = 0;
-  double* positions = nullptr;       // the result, at the bottom of the arena
-  float* sample_normals = nullptr;
-  std::vector<Iteration> iterations;
-  std::vector<cudaEvent_t> events;
-
-  explicit Session(int d) : device(d)
-  {
-    CGAL_L0_CUDA_CHECK(cudaDeviceGetAttribute(&number_of_multiprocessors, cudaDevAttrMultiProcessorCount, device));
-    CGAL_L0_CUDA_CHECK(cudaStreamCreateWithFlags(&stream, cudaStreamNonBlocking));
-  }
-
-  ~Session()
-  {
-    for (cudaEvent_t event : events)
-      cudaEventDestroy(event);
-    if (stream)
-      cudaStreamDestroy(stream);
-    cudaGetLastError();
-  }
-
-  Workplace workplace() { return {arena, scratch, stream, number_of_multiprocessors}; }
-
-  cudaEvent_t event(std::size_t i)
-  {
-    while (events.size() <= i)
-    {
-      cudaEvent_t created;
-      CGAL_L0_CUDA_CHECK(cudaEventCreate(&created));
-      events.push_back(created);
-    }
-    return events[i];
-  }
-};
-
-namespace {
-
-/// Names the stages, times them on the device, and asks the caller whether to go on.
-class Stages
-{
-  Session& m_session;
-  Progress_callback m_progress;
-  Call_report& m_report;
-  double m_done = 0, m_share = 0;
-
-public:
-  Stages(Session& session, Progress_callback progress, Call_report& report) : m_session(session), m_progress(progress), m_report(report) {}
-
-  /// \param share of the whole call
-  void begin(const char* name, double share)
-  {
-    record();
-    m_done += m_share;
-    m_share = share;
-    m_report.stages[m_report.number_of_stages++] = {name, 0, 0};
-    ask(0);
-  }
-
-  /// Asks the caller, once the device has done what it was given so far.
-  /// \param done share of the running stage
-  void ask(double done)
-  {
-    note_memory();
-    if (!m_progress.function)
-      return;
-    CGAL_L0_CUDA_CHECK(cudaStreamSynchronize(m_session.stream));
-    if (!m_progress.function(m_progress.context, (std::min)(1., m_done + done * m_share)))
-      throw Cancelled();
-  }
-
-  /// After the last stage; waits for the device.
-  void end()
-  {
-    record();
-    CGAL_L0_CUDA_CHECK(cudaStreamSynchronize(m_session.stream));
-    for (std::size_t i = 0; i < m_report.number_of_stages; ++i)
-    {
-      float milliseconds = 0;
-      CGAL_L0_CUDA_CHECK(cudaEventElapsedTime(&milliseconds, m_session.event(i), m_session.event(i + 1)));
-      m_report.stages[i].seconds = milliseconds * 1e-3;
-    }
-  }
-
-private:
-  void record()
-  {
-    note_memory();
-    CGAL_L0_CUDA_CHECK(cudaEventRecord(m_session.event(m_report.number_of_stages), m_session.stream));
-  }
-
-  void note_memory()
-  {
-    if (m_report.number_of_stages > 0)
-      m_report.stages[m_report.number_of_stages - 1].peak_bytes = m_session.memory_limit.held;
-    m_report.peak_bytes = (std::max)(m_report.peak_bytes, m_session.memory_limit.held);
-  }
-};
 
 Iteration iteration_report(const Parameters& parameters, const Minimization& minimization, double penalty, bool regularized,
                            std::size_t number_of_pairs, const Turn_result& result)
@@ -284,10 +47,10 @@ std::vector<double> penalties(const Parameters& parameters)
 
 /// Bytes of the two stacks for n points and m samples with as many neighbors as is usual; what is missing is added on the way, once.
 struct Memory_estimate { std::size_t arena, scratch; };
-Memory_estimate estimate_memory(std::size_t n, std::size_t m, bool is_default)
+Memory_estimate estimate_memory(std::size_t n, std::size_t m, bool is_default, bool drops_outliers)
 {
   const std::size_t slack = std::size_t(1) << 20;
-  const std::size_t of_points = 42 * n, of_sample_grid = 36 * m, of_neighbors = is_default ? 96 * m : 64 * m, of_graph = 120 * m;
+  const std::size_t of_points = (drops_outliers ? 46 : 42) * n, of_sample_grid = 36 * m, of_neighbors = is_default ? 96 * m : 64 * m, of_graph = 120 * m;
   const std::size_t arena = is_default ? 72 * m + (std::max)(of_points + of_sample_grid + of_neighbors, of_graph)
                                        : 56 * m + (std::max)({of_points + of_sample_grid, of_sample_grid + of_neighbors, of_graph});
   return {arena + slack, (std::max)(50 * n, is_default ? 190 * m : 164 * m) + slack};
@@ -323,22 +86,59 @@ struct Call
   }
 };
 
+/// The points of the session that a call works with.
+struct Input
+{
+  Positions positions;
+  const float* normals;        // of them; null if none were given
+  bool all_normals_given;
+};
+
+/// Leaves outliers out, if that is asked for.
+Input take_input(Session& session, Call& call)
+{
+  const Workplace& workplace = call.workplace;
+  const Lengths& lengths = call.lengths;
+  Input input = {{session.points, session.size, lengths.frame, false}, session.normals, session.all_normals_given};
+  if (!call.parameters.drop_outliers)
+    return input;
+  call.stages.begin("find outliers", 0.05);
+  unsigned* const kept = workplace.arena.take<unsigned>(session.size);
+  const unsigned number_of_outliers = find_outliers(workplace, input.positions, lengths.low, lengths.high, lengths.radius, kept);
+  call.report.number_of_outliers = number_of_outliers;
+  if (number_of_outliers > 0)
+  {
+    input.positions.size -= number_of_outliers;
+    input.positions.list = kept;
+    if (session.normals)
+    {
+      float* const normals = workplace.arena.take<float>(3 * std::size_t(input.positions.size));
+      take_listed(workplace, session.normals, kept, input.positions.size, normals);
+      input.normals = normals;
+      input.all_normals_given = session.all_normals_given || !has_zero(workplace, normals, input.positions.size);
+    }
+  }
+  call.stages.begin("sort points", 0.05);
+  return input;
+}
+
 /// The input points with all that the stages find out about them.
 struct Prepared_points
 {
   Cell_grid grid;
-  float4* normals;             // filtered, and 1/v_j
+  float4* normals;                    // filtered, and 1/v_j
+  double mean_number_of_neighbors;    // within r_q
 };
 
 /// Section 3.1 and Eq. (5): normals and density weights of the input.
-Prepared_points prepare_points(Session& session, Call& call, const Positions& positions)
+Prepared_points prepare_points(Call& call, const Input& input)
 {
   const Workplace& workplace = call.workplace;
   const Lengths& lengths = call.lengths;
   const Parameters& parameters = call.parameters;
   const double longest_query = (std::max)(lengths.radius, lengths.filter_radius);
   Prepared_points points;
-  points.grid = build_grid(positions, session.normals, Cell_frame::around(lengths.low, lengths.high, lengths.cell_size, longest_query),
+  points.grid = build_grid(input.positions, input.normals, Cell_frame::around(lengths.low, lengths.high, lengths.cell_size, longest_query),
                            workplace.arena, workplace.scratch, workplace.stream);
   call.report.number_of_distinct_points = points.grid.number_of_distinct;
   points.normals = workplace.arena.take<float4>(points.grid.size);
@@ -350,16 +150,17 @@ Prepared_points prepare_points(Session& session, Call& call, const Positions& po
                        workplace.stream);
   };
   const Cell_blocks filter_blocks = blocks_for_radius(lengths.filter_radius);
-  if (!session.all_normals_given)
+  if (!input.all_normals_given)
   {
     call.stages.begin("PCA normals", 0.1);
     const double pca_radius = pca_radius_factor * lengths.radius;
     const bool shares_blocks = cells_in_reach(pca_radius, lengths.cell_size) == cells_in_reach(lengths.filter_radius, lengths.cell_size);
     call.report.number_of_degenerate_neighborhoods =
-      estimate_pca_normals(workplace, positions, points.grid, shares_blocks ? filter_blocks : blocks_for_radius(pca_radius), pca_radius, normals);
+      estimate_pca_normals(workplace, input.positions, points.grid, shares_blocks ? filter_blocks : blocks_for_radius(pca_radius), pca_radius,
+                           normals);
   }
-  if (session.normals)
-    take_given_normals(workplace, points.grid, session.normals, normals);
+  if (input.normals)
+    take_given_normals(workplace, points.grid, input.normals, normals);
 
   call.stages.begin("filter normals", 0.4);
   const float squared_bandwidth = float(call.minimization.squared_bandwidth);
@@ -370,8 +171,8 @@ Prepared_points prepare_points(Session& session, Call& call, const Positions& po
   {
     if (i + number_of_refits >= number_of_passes)
     {
-      refit_normals(workplace, points.grid, filter_blocks, lengths.filter_radius, squared_bandwidth, bandwidth(fit_angle_factor), normals,
-                    filtered);
+      refit_normals(workplace, points.grid, filter_blocks, lengths.filter_radius, squared_bandwidth, bandwidth(fit_angle_factor),
+                    float(lengths.squared_sheet_height()), normals, filtered);
       std::swap(normals, filtered);
     }
     filter_normals(workplace, points.grid, filter_blocks, lengths.filter_radius, squared_bandwidth, bandwidth(1), normals, filtered);
@@ -383,8 +184,28 @@ Prepared_points prepare_points(Session& session, Call& call, const Positions& po
                                        workplace.stream));
 
   call.stages.begin("density weights", 0.08);
-  compute_input_density_weights(workplace, points.grid, filter_blocks, lengths.filter_radius, squared_bandwidth, points.normals);
+  points.mean_number_of_neighbors =
+    compute_input_density_weights(workplace, points.grid, filter_blocks, lengths.filter_radius, squared_bandwidth, points.normals);
   return points;
+}
+
+/// Section 3.2: the first S. The default method spreads it by area, which tells its spacing.
+void choose_samples(Call& call, const Positions& positions, const Prepared_points& points)
+{
+  const Workplace& workplace = call.workplace;
+  Lengths& lengths = call.lengths;
+  call.stages.begin("initial samples", 0.02);
+  const Arena_scope scope(workplace.arena);
+  Areas areas;
+  const bool is_default = call.parameters.method == Method::DEFAULT;
+  if (is_default)
+  {
+    areas = find_areas(workplace, points.grid, points.normals, points.mean_number_of_neighbors, lengths.filter_radius,
+                       call.minimization.squared_bandwidth);
+    lengths.set_sample_spacing(std::sqrt(areas.total / double(call.samples.size)));
+  }
+  initialize_samples(workplace, positions, points.grid, points.normals, is_default ? &areas : nullptr, lengths.radius,
+                     call.parameters.random_seed, call.samples);
 }
 
 /// Section 3.2: the fit term of LOR and ALOR, collapsed.
@@ -433,7 +254,8 @@ void minimize_with_refinement(Call& call, const Prepared_points& points)
   const Cell_frame self_frame = one_grid_is_enough ? points.grid.frame : call.self_frame(lengths.self_neighbor_radius);
   const auto fit = [&](const Cell_grid& sample_grid, bool is_in_order) {
     const Cell_blocks blocks = find_blocks(sample_grid, points.grid, reach, maximum_number_of_candidates, workplace.arena, workplace.stream);
-    fit_compatible_points(workplace, sample_grid, is_in_order, blocks, points.grid, points.normals, lengths.radius, bandwidth, call.samples);
+    fit_compatible_points(workplace, sample_grid, is_in_order, blocks, points.grid, points.normals, lengths.radius,
+                          lengths.squared_sheet_height(), bandwidth, call.samples);
   };
   const auto fit_in_cells_of_points = [&]() {
     const Arena_scope scope(workplace.arena);
@@ -464,13 +286,14 @@ void minimize_with_refinement(Call& call, const Prepared_points& points)
   take_fitted_positions(workplace, call.samples);
 }
 
-/// The stages of the paper, one after the other.
+} // namespace
+
 void run(Session& session, const Parameters& parameters, Stages& stages, Call_report& report)
 {
   const unsigned n = session.size, m = unsigned(parameters.number_of_output_points);
   const bool is_default = parameters.method == Method::DEFAULT;
   session.number_of_samples = 0;
-  const Memory_estimate estimate = estimate_memory(n, m, is_default);
+  const Memory_estimate estimate = estimate_memory(n, m, is_default, parameters.drop_outliers);
   session.arena.reserve(estimate.arena);
   session.scratch.reserve(estimate.scratch);
   const Workplace workplace = session.workplace();
@@ -492,10 +315,9 @@ void run(Session& session, const Parameters& parameters, Stages& stages, Call_re
   call.samples = take_samples(session.arena, m, is_default);
   {
     const Arena_scope points_scope(session.arena);
-    const Positions positions = {session.points, n, lengths.frame, false};
-    const Prepared_points points = prepare_points(session, call, positions);
-    stages.begin("initial samples", 0.02);
-    initialize_samples(workplace, positions, points.grid, points.normals, lengths.radius, parameters.random_seed, call.samples);
+    const Input input = take_input(session, call);
+    const Prepared_points points = prepare_points(call, input);
+    choose_samples(call, input.positions, points);
     if (is_default)
       minimize_with_refinement(call, points);
     else
@@ -508,7 +330,7 @@ void run(Session& session, const Parameters& parameters, Stages& stages, Call_re
 
   stages.begin("orient normals", 0.1);
   report.oriented_share = orient_normals(workplace, lengths.low, lengths.high, unsigned(parameters.number_of_orientation_neighbors),
-                                         lengths.sample_spacing, call.samples);
+                                         call.lengths.sample_spacing, call.samples);
   leave_frame(workplace, lengths.frame, call.samples);
   stages.end();
 
@@ -526,129 +348,6 @@ void run(Session& session, const Parameters& parameters, Stages& stages, Call_re
   session.positions = call.samples.positions;
   session.sample_normals = reinterpret_cast<float*>(call.samples.fit);
   session.number_of_samples = m;
-}
-
-Answer answer(Status status, const char* message)
-{
-  Answer result;
-  result.status = status;
-  std::snprintf(result.message, sizeof(result.message), "%s", message);
-  return result;
-}
-
-/// Runs `f`, and turns what it throws into an answer.
-template <typename F>
-Answer guarded(Session* session, const F& f)
-{
-  try
-  {
-    if (!session)
-    {
-      f();
-      return Answer();
-    }
-    const std::lock_guard<std::mutex> lock(session->mutex);
-    if (session->is_broken)
-      return answer(Status::DEVICE_FAILED, "the device failed in an earlier call");
-    const Device_scope device(session->device);
-    try
-    {
-      f();
-    }
-    catch (const Failure& failure)
-    {
-      // Only an error of a kernel outlives its call, and shows in the next one.
-      session->is_broken = cudaStreamSynchronize(session->stream) != cudaSuccess;
-      cudaGetLastError();
-      if (failure.status() == Status::OUT_OF_MEMORY)
-      {
-        session->arena.free_all();
-        session->scratch.free_all();
-        session->number_of_samples = 0;
-      }
-      throw;
-    }
-    return Answer();
-  }
-  catch (const Cancelled&) { return answer(Status::CANCELLED, ""); }
-  catch (const Failure& failure) { return answer(failure.status(), failure.what()); }
-  catch (const std::bad_alloc&) { return answer(Status::OUT_OF_MEMORY, "the host has no memory"); }
-  catch (const std::exception& error) { return answer(Status::DEVICE_FAILED, error.what()); }
-}
-
-} // namespace
-
-Answer find_device()
-{
-  return guarded(nullptr, []() { usable_device(); });
-}
-
-Answer create(Session*& session)
-{
-  session = nullptr;
-  return guarded(nullptr, [&]() { session = std::make_unique<Session>(usable_device()).release(); });
-}
-
-void destroy(Session* session) noexcept
-{
-  if (!session)
-    return;
-  int previous = 0;
-  const bool has_previous = cudaGetDevice(&previous) == cudaSuccess;
-  cudaSetDevice(session->device);
-  delete session;
-  if (has_previous)
-    cudaSetDevice(previous);
-  cudaGetLastError();
-}
-
-Answer upload(Session& session, const double* points, std::size_t size, const float* normals, std::size_t maximum_memory)
-{
-  return guarded(&session, [&]() {
-    session.size = 0;
-    session.has_scales = false;
-    session.number_of_samples = 0;
-    session.memory_limit.limit = maximum_memory;
-    const std::size_t bytes_of_points = 3 * sizeof(double) * size, bytes_of_normals = normals ? 3 * sizeof(float) * size : 0;
-    session.input.reserve(bytes_of_points + bytes_of_normals + 1024);
-    double* const device_points = session.input.take<double>(3 * size);
-    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(device_points, points, bytes_of_points, cudaMemcpyHostToDevice, session.stream));
-    session.points = device_points;
-    session.normals = nullptr;
-    session.all_normals_given = false;
-    session.scratch.reserve(34 * size + (std::size_t(1) << 20));
-    if (normals)
-    {
-      float* const device_normals = session.input.take<float>(3 * size);
-      CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(device_normals, normals, bytes_of_normals, cudaMemcpyHostToDevice, session.stream));
-      session.normals = device_normals;
-      session.all_normals_given = !has_zero(session.workplace(), device_normals, unsigned(size));
-    }
-    session.extent = find_extent(session.workplace(), device_points, unsigned(size));
-    session.size = unsigned(size);
-  });
-}
-
-Answer resample(Session& session, const Parameters& parameters, Progress_callback progress, Call_report& report)
-{
-  report = Call_report();
-  return guarded(&session, [&]() {
-    if (session.size == 0)
-      throw Failure(Status::DEVICE_FAILED, "there are no points on the device");
-    session.memory_limit.limit = parameters.maximum_memory;
-    Stages stages(session, progress, report);
-    run(session, parameters, stages, report);
-  });
-}
-
-Answer download(Session& session, double* positions, float* normals)
-{
-  return guarded(&session, [&]() {
-    const std::size_t m = session.number_of_samples;
-    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(positions, session.positions, 3 * m * sizeof(double), cudaMemcpyDeviceToHost, session.stream));
-    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(normals, session.sample_normals, 3 * m * sizeof(float), cudaMemcpyDeviceToHost, session.stream));
-    CGAL_L0_CUDA_CHECK(cudaStreamSynchronize(session.stream));
-  });
 }
 
 } // namespace cuda

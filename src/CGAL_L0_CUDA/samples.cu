@@ -6,8 +6,6 @@
 #include "Query.cuh"
 #include "stages.cuh"
 
-#include <CGAL/L0_resampling/internal/random_bits.h>
-
 namespace CGAL {
 namespace L0_resampling {
 namespace internal {
@@ -16,99 +14,6 @@ namespace cuda {
 namespace {
 
 using Wide = unsigned long long;
-
-/// The points of the grid that differ from the one before; `list` is null where all do.
-struct Distinct_points
-{
-  const unsigned* list;
-  unsigned size;
-
-  __device__ unsigned operator[](Wide k) const { return list ? list[k] : unsigned(k); }
-};
-
-__device__ float4 unit_normal(float4 n)
-{
-  const double3 wide = to_double(xyz(n));
-  return with_w(to_float((1 / sqrt(dot(wide, wide))) * wide), 0);
-}
-
-__device__ void start_on_point(const Samples& samples, Wide i, double3 position, float4 normal)
-{
-  samples.positions[3 * i] = position.x;
-  samples.positions[3 * i + 1] = position.y;
-  samples.positions[3 * i + 2] = position.z;
-  samples.normals[i] = unit_normal(normal);
-  samples.fit[i] = make_float4(0, 0, 0, 1);
-}
-
-/// One of each run of nearly equal length, as `pick_one_of_each_run()` on the CPU.
-__global__ void pick_samples(Positions positions, const unsigned* order, Distinct_points distinct, Wide seed, const float4* normals,
-                             Samples samples)
-{
-  const Wide k = thread_index();
-  if (k >= samples.size)
-    return;
-  const Wide begin = k * distinct.size / samples.size, end = (k + 1) * distinct.size / samples.size;
-  const unsigned source = distinct[begin + random_bits(seed, k) % (end - begin)];
-  start_on_point(samples, k, positions(order[source]), normals[source]);
-}
-
-/// The partner of each new sample, as `move_between_points()` on the CPU: of the points of its ball the one of the highest rank.
-__global__ void place_between_points(Positions positions, Cell_grid grid, Cell_blocks blocks, Distinct_points distinct,
-                                     unsigned number_of_new, float radius, Wide seed, const float4* normals, Samples samples)
-{
-  const Query query(number_of_new);
-  const Wide e = query.index;
-  const Wide number = e * distinct.size / number_of_new;
-  const unsigned source = distinct[number];
-  const int4 center = grid.points[source];
-  const float3 normal = xyz(normals[source]);
-  const float unit = grid.frame.unit(), squared_radius = radius * radius, similar_cosine = 0.87f;   // as on the CPU
-
-  Wide best = 0;
-  unsigned partner = source;
-  for_each_candidate(grid, blocks, center, query.lane, radius, [&](unsigned j) {
-    const int4 point = grid.points[j];
-    const float3 d = difference(point, center, unit);
-    if (dot(d, d) >= squared_radius)
-      return;
-    const Wide is_similar = fabsf(dot(normal, xyz(normals[j]))) > similar_cosine;
-    const Wide rank = (random_bits(seed + e, j) >> 1) | (is_similar << 63);
-    if (rank <= best)
-      return;
-    const double3 p = positions(grid.order[j]), q = positions(grid.order[source]);
-    if (p.x == q.x && p.y == q.y && p.z == q.z)
-      return;
-    best = rank;
-    partner = j;
-  });
-  for (int offset = lanes / 2; offset > 0; offset /= 2)
-  {
-    const Wide other_best = __shfl_xor_sync(0xffffffffu, best, offset);
-    const unsigned other_partner = __shfl_xor_sync(0xffffffffu, partner, offset);
-    if (other_best > best || (other_best == best && other_partner < partner))
-    {
-      best = other_best;
-      partner = other_partner;
-    }
-  }
-  if (!query.writes)
-    return;
-  if (best == 0 && distinct.size > 1)
-    partner = number + 1 < distinct.size ? distinct[number + 1] : distinct[distinct.size - 2];
-  const double3 start = positions(grid.order[source]);
-  // never the middle, where the way back from the partner would put another one
-  const double share = 0.2 + 0.25 * scalbn(double(random_bits(seed, number_of_new + e) >> 11), -53);
-  start_on_point(samples, e, start + share * (positions(grid.order[partner]) - start), normals[source]);
-}
-
-__global__ void start_on_distinct_points(Positions positions, const unsigned* order, Distinct_points distinct, unsigned first,
-                                         const float4* normals, Samples samples)
-{
-  const Wide k = thread_index();
-  if (k < distinct.size)
-    start_on_point(samples, first + k, positions(order[distinct[k]]), normals[distinct[k]]);
-}
 
 __global__ void collapse(Cell_grid sample_grid, Cell_blocks blocks, Cell_grid grid, const float4* normals, float radius, Samples samples,
                          unsigned* number_of_lonely_samples)
@@ -257,36 +162,6 @@ void reorder(const Workplace& workplace, const unsigned* order, const Samples& s
   copy(before.fit, samples.fit, m);
   reorder_samples<<<blocks_for(m), threads_per_block, 0, workplace.stream>>>(order, before, samples);
   check_launch("reorder_samples");
-}
-
-void initialize_samples(const Workplace& workplace, const Positions& positions, const Cell_grid& grid, const float4* normals, double radius,
-                        std::size_t seed, const Samples& samples)
-{
-  const cudaStream_t stream = workplace.stream;
-  const Arena_scope scope(workplace.scratch);
-  Distinct_points distinct = {nullptr, grid.number_of_distinct};
-  if (grid.number_of_distinct < grid.size)
-  {
-    unsigned* const list = workplace.scratch.take<unsigned>(grid.size);
-    list_flagged(grid.is_first, grid.size, list, workplace.scratch, stream);
-    distinct.list = list;
-  }
-  if (samples.size <= distinct.size)
-  {
-    pick_samples<<<blocks_for(samples.size), threads_per_block, 0, stream>>>(positions, grid.order, distinct, seed, normals, samples);
-    check_launch("pick_samples");
-    return;
-  }
-  const unsigned number_of_new = samples.size - distinct.size;
-  const Arena_scope blocks_scope(workplace.arena);
-  const Cell_blocks blocks =
-    find_blocks(grid, grid, cells_in_reach(radius, grid.frame.cell_size), maximum_number_of_candidates, workplace.arena, stream);
-  place_between_points<<<blocks_for_queries(number_of_new), threads_per_block, 0, stream>>>(
-    positions, grid, blocks, distinct, number_of_new, float(radius), seed, normals, samples);
-  check_launch("place_between_points");
-  start_on_distinct_points<<<blocks_for(distinct.size), threads_per_block, 0, stream>>>(positions, grid.order, distinct, number_of_new, normals,
-                                                                                      samples);
-  check_launch("start_on_distinct_points");
 }
 
 std::size_t collapse_fit_term(const Workplace& workplace, const Cell_grid& sample_grid, const Cell_blocks& blocks, const Cell_grid& grid,

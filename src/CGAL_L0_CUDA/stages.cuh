@@ -52,6 +52,14 @@ public:
   }
 };
 
+/// Finds the points off the cloud, as `find_outliers()` on the CPU.
+/// \param low, high corners of the box of the points
+/// \param radius of the ball
+/// \param kept out, as many as there are positions: the indices of the others, ascending
+/// \returns the number of outliers; if it is 0, `kept` means nothing. Waits for the device
+unsigned find_outliers(const Workplace& workplace, const Positions& positions, const double (&low)[3], const double (&high)[3], double radius,
+                       unsigned* kept);
+
 // The normals of the input, Section 3.1. They are float4; the fourth number is the density weight 1/v_j in the end.
 
 /// Fits planes to the points in balls of `radius`, and in larger ones where that determines none.
@@ -64,6 +72,10 @@ std::size_t estimate_pca_normals(const Workplace& workplace, const Positions& po
 /// \param normals in and out
 void take_given_normals(const Workplace& workplace, const Cell_grid& grid, const float* given_normals, float4* normals);
 
+/// Takes some of a list of vectors.
+/// \param list `size` indices
+void take_listed(const Workplace& workplace, const float* vectors, const unsigned* list, unsigned size, float* taken);
+
 /// Whether one of the vectors is zero; waits for the device.
 bool has_zero(const Workplace& workplace, const float* vectors, unsigned size);
 
@@ -73,11 +85,27 @@ void filter_normals(const Workplace& workplace, const Cell_grid& grid, const Cel
 
 /// Corrects filtered normals by the positions, as `refit_normals()` on the CPU.
 void refit_normals(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks, double radius, float squared_bandwidth,
-                   float normal_bandwidth, const float4* normals, float4* refitted);
+                   float normal_bandwidth, float squared_sheet_height, const float4* normals, float4* refitted);
 
 /// Eq. (5) for the input: writes 1/v_j to the fourth number of each normal.
-void compute_input_density_weights(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks, double radius,
-                                   float squared_bandwidth, float4* normals);
+/// \returns the mean number of neighbors; waits for the device
+double compute_input_density_weights(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks, double radius,
+                                     float squared_bandwidth, float4* normals);
+
+/// The areas of the surface that points stand for, as `areas_of_points()` on the CPU.
+struct Areas
+{
+  const float* of_cells;   // what each point of a cell stands for
+  double largest;          // that can be
+  double total;            // of all points
+
+  /// Sums are taken in fixed point, so that the order of the additions does not matter: of this many points at most.
+  __host__ __device__ double units_per_area(unsigned number_of_points) const { return 4611686018427387904. / (largest * number_of_points); }
+};
+
+/// From the density weights; waits for the device. The areas are taken from the arena.
+Areas find_areas(const Workplace& workplace, const Cell_grid& grid, const float4* normals, double mean_number_of_neighbors, double radius,
+                 double squared_bandwidth);
 
 /// S, and what the fit term of Eq. (6) ties it to.
 struct Samples
@@ -95,8 +123,9 @@ Samples take_samples(Device_arena& arena, unsigned size, bool with_outward_direc
 void reorder(const Workplace& workplace, const unsigned* order, const Samples& samples);
 
 /// The first S, chosen as the CPU chooses it.
-void initialize_samples(const Workplace& workplace, const Positions& positions, const Cell_grid& grid, const float4* normals, double radius,
-                        std::size_t seed, const Samples& samples);
+/// \param areas null for none
+void initialize_samples(const Workplace& workplace, const Positions& positions, const Cell_grid& grid, const float4* normals,
+                        const Areas* areas, double radius, std::size_t seed, const Samples& samples);
 
 /// The fit term of LOR and ALOR: weight and centroid of the original neighbors.
 /// \param blocks of `grid` around the cells of `sample_grid`
@@ -173,7 +202,8 @@ void minimize_once(const Workplace& workplace, const Minimization& parameters, d
 /// \param sample_grid of the same cells as `grid`
 /// \param is_in_order whether the samples are in the order of their grid
 void fit_compatible_points(const Workplace& workplace, const Cell_grid& sample_grid, bool is_in_order, const Cell_blocks& blocks,
-                           const Cell_grid& grid, const float4* normals, double radius, double normal_bandwidth, const Samples& samples);
+                           const Cell_grid& grid, const float4* normals, double radius, double squared_sheet_height, double normal_bandwidth,
+                           const Samples& samples);
 
 /// Spreads the samples within the surface, by steps that the radius of the fit limits. The points of the grid are used up.
 void repel_tangentially(const Workplace& workplace, const Cell_grid& sample_grid, const Neighbor_lists& neighbors, double spacing,

@@ -49,6 +49,19 @@ __device__ inline float3 group_sum(float3 v)
   return {group_sum<lanes>(v.x), group_sum<lanes>(v.y), group_sum<lanes>(v.z)};
 }
 
+/// The sum over the threads of a warp that `peers` names, which all have to call it, in each of them.
+template <typename T>
+__device__ inline T peer_sum(unsigned peers, T value)
+{
+  T sum = 0;
+  for (unsigned rest = peers; rest; rest &= rest - 1)
+    sum += __shfl_sync(peers, value, __ffs(int(rest)) - 1);
+  return sum;
+}
+
+/// Whether the thread is the first of `peers`.
+__device__ inline bool is_leader_of(unsigned peers) { return threadIdx.x % 32 == unsigned(__ffs(int(peers))) - 1; }
+
 #endif // __CUDACC__
 
 constexpr unsigned threads_per_block = 256;

@@ -92,6 +92,7 @@ private:
 /// What the device did, as the report that users know.
 inline void fill_report(const cuda::Call_report& call, Report& report)
 {
+  report.number_of_outliers = call.number_of_outliers;
   report.number_of_distinct_points = call.number_of_distinct_points;
   report.number_of_degenerate_neighborhoods = call.number_of_degenerate_neighborhoods;
   report.number_of_lonely_samples = call.number_of_lonely_samples;
@@ -218,7 +219,7 @@ public:
     Buffer<Vector> positions(m, Vector::Zero());
     std::vector<float> normals(3 * m);
     throw_if_failed(cuda::download(*m_session, coordinates(positions), normals.data()));
-    const bool separate = report.number_of_distinct_points >= (std::min)(m_size, m);
+    const bool separate = report.number_of_distinct_points >= (std::min)(m_size - report.number_of_outliers, m);
     const Buffer<std::array<FT, 3>> rounded = rounded_positions<FT>(positions, m_box, report.neighbor_radius, separate);
     report.number_of_output_points = m;
     for (std::size_t i = 0; i < m; ++i)

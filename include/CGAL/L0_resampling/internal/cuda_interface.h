@@ -59,6 +59,7 @@ struct Call_report
 {
   static constexpr std::size_t maximum_number_of_stages = 16;
 
+  std::size_t number_of_outliers;
   std::size_t number_of_distinct_points;
   std::size_t number_of_degenerate_neighborhoods;
   std::size_t number_of_lonely_samples;

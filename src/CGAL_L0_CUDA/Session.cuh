@@ -1,0 +1,149 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_CUDA_SESSION_CUH
+#define CGAL_L0_CUDA_SESSION_CUH
+
+#include "Extent.cuh"
+#include "plane_fits.cuh"
+
+#include <CGAL/L0_resampling/internal/Parameters.h>
+
+#include <algorithm>
+#include <limits>
+#include <mutex>
+#include <vector>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+namespace cuda {
+
+/// Thrown once the caller wants no more; never leaves the library.
+struct Cancelled {};
+
+struct Session
+{
+  std::mutex mutex;
+  int device;
+  bool is_broken = false;            // after an error of a kernel no call of this process will work
+  cudaStream_t stream = nullptr;
+  int number_of_multiprocessors = 0;
+  Memory_limit memory_limit{(std::numeric_limits<std::size_t>::max)()};
+  Device_arena input{memory_limit}, arena{memory_limit}, scratch{memory_limit};
+
+  unsigned size = 0;
+  const double* points = nullptr;
+  const float* normals = nullptr;    // null if none were given
+  bool all_normals_given = false;
+  Extent extent;
+  bool has_scales = false;
+  Scales scales;                     // of the points, in the frame of the paper's radius; found when first wanted
+
+  unsigned number_of_samples = 0;
+  double* positions = nullptr;       // the result, at the bottom of the arena
+  float* sample_normals = nullptr;
+  std::vector<Iteration> iterations;
+  std::vector<cudaEvent_t> events;
+
+  explicit Session(int d) : device(d)
+  {
+    CGAL_L0_CUDA_CHECK(cudaDeviceGetAttribute(&number_of_multiprocessors, cudaDevAttrMultiProcessorCount, device));
+    CGAL_L0_CUDA_CHECK(cudaStreamCreateWithFlags(&stream, cudaStreamNonBlocking));
+  }
+
+  ~Session()
+  {
+    for (cudaEvent_t event : events)
+      cudaEventDestroy(event);
+    if (stream)
+      cudaStreamDestroy(stream);
+    cudaGetLastError();
+  }
+
+  Workplace workplace() { return {arena, scratch, stream, number_of_multiprocessors}; }
+
+  cudaEvent_t event(std::size_t i)
+  {
+    while (events.size() <= i)
+    {
+      cudaEvent_t created;
+      CGAL_L0_CUDA_CHECK(cudaEventCreate(&created));
+      events.push_back(created);
+    }
+    return events[i];
+  }
+};
+
+/// Names the stages, times them on the device, and asks the caller whether to go on.
+class Stages
+{
+  Session& m_session;
+  Progress_callback m_progress;
+  Call_report& m_report;
+  double m_done = 0, m_share = 0;
+
+public:
+  Stages(Session& session, Progress_callback progress, Call_report& report) : m_session(session), m_progress(progress), m_report(report) {}
+
+  /// \param share of the whole call
+  void begin(const char* name, double share)
+  {
+    record();
+    m_done += m_share;
+    m_share = share;
+    m_report.stages[m_report.number_of_stages++] = {name, 0, 0};
+    ask(0);
+  }
+
+  /// Asks the caller, once the device has done what it was given so far.
+  /// \param done share of the running stage
+  void ask(double done)
+  {
+    note_memory();
+    if (!m_progress.function)
+      return;
+    CGAL_L0_CUDA_CHECK(cudaStreamSynchronize(m_session.stream));
+    if (!m_progress.function(m_progress.context, (std::min)(1., m_done + done * m_share)))
+      throw Cancelled();
+  }
+
+  /// After the last stage; waits for the device.
+  void end()
+  {
+    record();
+    CGAL_L0_CUDA_CHECK(cudaStreamSynchronize(m_session.stream));
+    for (std::size_t i = 0; i < m_report.number_of_stages; ++i)
+    {
+      float milliseconds = 0;
+      CGAL_L0_CUDA_CHECK(cudaEventElapsedTime(&milliseconds, m_session.event(i), m_session.event(i + 1)));
+      m_report.stages[i].seconds = milliseconds * 1e-3;
+    }
+  }
+
+private:
+  void record()
+  {
+    note_memory();
+    CGAL_L0_CUDA_CHECK(cudaEventRecord(m_session.event(m_report.number_of_stages), m_session.stream));
+  }
+
+  void note_memory()
+  {
+    if (m_report.number_of_stages > 0)
+      m_report.stages[m_report.number_of_stages - 1].peak_bytes = m_session.memory_limit.held;
+    m_report.peak_bytes = (std::max)(m_report.peak_bytes, m_session.memory_limit.held);
+  }
+};
+
+/// The stages of the paper, one after the other. The result is left in the session.
+void run(Session& session, const Parameters& parameters, Stages& stages, Call_report& report);
+
+} // namespace cuda
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_CUDA_SESSION_CUH

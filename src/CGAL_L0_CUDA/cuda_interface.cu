@@ -1,0 +1,181 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Session.cuh"
+
+#include <cstdio>
+#include <exception>
+#include <memory>
+#include <new>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+namespace cuda {
+
+namespace {
+
+/// Restores the caller's device at the end of a call.
+class Device_scope
+{
+  int m_previous = 0;
+
+public:
+  explicit Device_scope(int device)
+  {
+    CGAL_L0_CUDA_CHECK(cudaGetDevice(&m_previous));
+    CGAL_L0_CUDA_CHECK(cudaSetDevice(device));
+  }
+  Device_scope(const Device_scope&) = delete;
+  Device_scope& operator=(const Device_scope&) = delete;
+  ~Device_scope() { cudaSetDevice(m_previous); }
+};
+
+__global__ void do_nothing() {}
+
+/// \returns the caller's device, once a kernel of ours has run there
+int usable_device()
+{
+  int count = 0, device = 0;
+  CGAL_L0_CUDA_CHECK(cudaGetDeviceCount(&count));
+  if (count == 0)
+    throw Failure(Status::NO_DEVICE, "cudaGetDeviceCount: there is no device");
+  CGAL_L0_CUDA_CHECK(cudaGetDevice(&device));
+  cudaFuncAttributes attributes;
+  CGAL_L0_CUDA_CHECK(cudaFuncGetAttributes(&attributes, do_nothing));
+  int is_cooperative = 0;
+  CGAL_L0_CUDA_CHECK(cudaDeviceGetAttribute(&is_cooperative, cudaDevAttrCooperativeLaunch, device));
+  if (!is_cooperative)
+    throw Failure(Status::NO_DEVICE, "the device has no cooperative launches");
+  return device;
+}
+
+Answer answer(Status status, const char* message)
+{
+  Answer result;
+  result.status = status;
+  std::snprintf(result.message, sizeof(result.message), "%s", message);
+  return result;
+}
+
+/// Runs `f`, and turns what it throws into an answer.
+template <typename F>
+Answer guarded(Session* session, const F& f)
+{
+  try
+  {
+    if (!session)
+    {
+      f();
+      return Answer();
+    }
+    const std::lock_guard<std::mutex> lock(session->mutex);
+    if (session->is_broken)
+      return answer(Status::DEVICE_FAILED, "the device failed in an earlier call");
+    const Device_scope device(session->device);
+    try
+    {
+      f();
+    }
+    catch (const Failure& failure)
+    {
+      // Only an error of a kernel outlives its call, and shows in the next one.
+      session->is_broken = cudaStreamSynchronize(session->stream) != cudaSuccess;
+      cudaGetLastError();
+      if (failure.status() == Status::OUT_OF_MEMORY)
+      {
+        session->arena.free_all();
+        session->scratch.free_all();
+        session->number_of_samples = 0;
+      }
+      throw;
+    }
+    return Answer();
+  }
+  catch (const Cancelled&) { return answer(Status::CANCELLED, ""); }
+  catch (const Failure& failure) { return answer(failure.status(), failure.what()); }
+  catch (const std::bad_alloc&) { return answer(Status::OUT_OF_MEMORY, "the host has no memory"); }
+  catch (const std::exception& error) { return answer(Status::DEVICE_FAILED, error.what()); }
+}
+
+} // namespace
+
+Answer find_device()
+{
+  return guarded(nullptr, []() { usable_device(); });
+}
+
+Answer create(Session*& session)
+{
+  session = nullptr;
+  return guarded(nullptr, [&]() { session = std::make_unique<Session>(usable_device()).release(); });
+}
+
+void destroy(Session* session) noexcept
+{
+  if (!session)
+    return;
+  int previous = 0;
+  const bool has_previous = cudaGetDevice(&previous) == cudaSuccess;
+  cudaSetDevice(session->device);
+  delete session;
+  if (has_previous)
+    cudaSetDevice(previous);
+  cudaGetLastError();
+}
+
+Answer upload(Session& session, const double* points, std::size_t size, const float* normals, std::size_t maximum_memory)
+{
+  return guarded(&session, [&]() {
+    session.size = 0;
+    session.has_scales = false;
+    session.number_of_samples = 0;
+    session.memory_limit.limit = maximum_memory;
+    const std::size_t bytes_of_points = 3 * sizeof(double) * size, bytes_of_normals = normals ? 3 * sizeof(float) * size : 0;
+    session.input.reserve(bytes_of_points + bytes_of_normals + 1024);
+    double* const device_points = session.input.take<double>(3 * size);
+    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(device_points, points, bytes_of_points, cudaMemcpyHostToDevice, session.stream));
+    session.points = device_points;
+    session.normals = nullptr;
+    session.all_normals_given = false;
+    session.scratch.reserve(34 * size + (std::size_t(1) << 20));
+    if (normals)
+    {
+      float* const device_normals = session.input.take<float>(3 * size);
+      CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(device_normals, normals, bytes_of_normals, cudaMemcpyHostToDevice, session.stream));
+      session.normals = device_normals;
+      session.all_normals_given = !has_zero(session.workplace(), device_normals, unsigned(size));
+    }
+    session.extent = find_extent(session.workplace(), device_points, unsigned(size));
+    session.size = unsigned(size);
+  });
+}
+
+Answer resample(Session& session, const Parameters& parameters, Progress_callback progress, Call_report& report)
+{
+  report = Call_report();
+  return guarded(&session, [&]() {
+    if (session.size == 0)
+      throw Failure(Status::DEVICE_FAILED, "there are no points on the device");
+    session.memory_limit.limit = parameters.maximum_memory;
+    Stages stages(session, progress, report);
+    run(session, parameters, stages, report);
+  });
+}
+
+Answer download(Session& session, double* positions, float* normals)
+{
+  return guarded(&session, [&]() {
+    const std::size_t m = session.number_of_samples;
+    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(positions, session.positions, 3 * m * sizeof(double), cudaMemcpyDeviceToHost, session.stream));
+    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(normals, session.sample_normals, 3 * m * sizeof(float), cudaMemcpyDeviceToHost, session.stream));
+    CGAL_L0_CUDA_CHECK(cudaStreamSynchronize(session.stream));
+  });
+}
+
+} // namespace cuda
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL

@@ -1,0 +1,217 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Query.cuh"
+#include "stages.cuh"
+
+#include <CGAL/L0_resampling/internal/Parameters.h>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+namespace cuda {
+
+namespace {
+
+using Wide = unsigned long long;
+
+/// Of the points in the ball of each point, itself included.
+/// \param wide_counts out: the same numbers
+__global__ void count_points_in_balls(Cell_grid grid, Cell_blocks blocks, float radius, float squared_radius, unsigned* counts,
+                                      Wide* wide_counts)
+{
+  const Query query(grid.size);
+  const int4 center = grid.points[query.index];
+  const float unit = grid.frame.unit();
+  unsigned count = 0;
+  for_each_candidate(grid, blocks, center, query.lane, radius, [&](unsigned j) {
+    const float3 d = difference(grid.points[j], center, unit);
+    count += dot(d, d) < squared_radius;
+  });
+  count = group_sum<lanes>(count) * blocks.centers[center.w].stride;
+  if (!query.writes)
+    return;
+  counts[query.index] = count;
+  wide_counts[query.index] = count;
+}
+
+/// For each cell, how many points the balls of its points have to hold: a share of the mean ball in the block of cells around, and of the
+/// median ball.
+/// \param sums of the counts of all points before each point
+__global__ void find_least_counts(Cell_blocks blocks, unsigned number_of_cells, const Wide* sums, const unsigned* median, double* least_counts)
+{
+  const Wide cell = thread_index();
+  if (cell >= number_of_cells)
+    return;
+  Wide sum = 0, count = 0;
+  for (int row = 0; row < blocks.number_of_rows; ++row)
+  {
+    const uint2 range = blocks.ranges[cell * unsigned(blocks.number_of_rows) + unsigned(row)];
+    sum += sums[range.y] - sums[range.x];
+    count += range.y - range.x;
+  }
+  least_counts[cell] = fmax(outlier_share_of_surroundings * (double(sum) / double(count)), outlier_share_of_median * double(*median));
+}
+
+/// \param is_kept out: in the order of the positions that the grid was built of
+__global__ void keep_dense(Cell_grid grid, const unsigned* counts, const double* least_counts, unsigned char* is_kept)
+{
+  const Wide i = thread_index();
+  if (i < grid.size)
+    is_kept[grid.order[i]] = double(counts[i]) >= least_counts[grid.points[i].w];
+}
+
+__global__ void make_parts(unsigned number_of_cells, unsigned* parents)
+{
+  const Wide cell = thread_index();
+  if (cell < number_of_cells)
+    parents[cell] = unsigned(cell);
+}
+
+/// The lowest cell of the part, as far as parts are joined. Shortens the way: a parent that another thread has put there meanwhile is an
+/// ancestor too.
+__device__ unsigned find_root(unsigned* parents, unsigned cell)
+{
+  for (unsigned parent = __ldcg(parents + cell); parent != cell;)
+  {
+    const unsigned next = __ldcg(parents + parent);
+    if (next != parent)
+      __stcg(parents + cell, next);
+    cell = parent;
+    parent = next;
+  }
+  return cell;
+}
+
+/// Hooks the higher root to the lower, so that no circle closes, and the roots in the end do not depend on who was first.
+__device__ void join_parts(unsigned* parents, unsigned a, unsigned b)
+{
+  while (true)
+  {
+    a = find_root(parents, a);
+    b = find_root(parents, b);
+    if (a == b)
+      return;
+    const unsigned high = max(a, b), low = min(a, b);
+    if (atomicCAS(parents + high, high, low) == high)
+      return;
+  }
+}
+
+constexpr int number_of_rows_before = 5;   // of the nine rows of cells around a cell: four whose cells all come before it, and its own
+
+/// Joins each cell with those before it that it touches.
+__global__ void join_touching_cells(Cell_grid grid, unsigned* parents)
+{
+  const Wide t = thread_index(), cell = t / number_of_rows_before;
+  if (cell >= grid.number_of_cells)
+    return;
+  const uint2 range = range_of_row(grid, grid.frame.cell_of_key(grid.keys[cell]), 1, int(t % number_of_rows_before));
+  if (range.x == range.y)
+    return;
+  const unsigned last = unsigned(grid.points[range.y - 1].w);
+  for (unsigned other = unsigned(grid.points[range.x].w); other <= last && other < cell; ++other)
+    join_parts(parents, unsigned(cell), other);
+}
+
+/// \param sizes of each root: the points of its part
+__global__ void count_points_of_parts(Cell_grid grid, unsigned* parents, unsigned* sizes)
+{
+  const Wide cell = thread_index();
+  const bool is_cell = cell < grid.number_of_cells;
+  const unsigned root = is_cell ? find_root(parents, unsigned(cell)) : grid.number_of_cells;
+  const unsigned peers = __match_any_sync(0xffffffffu, root);
+  const unsigned size = peer_sum(peers, is_cell ? grid.begins[cell + 1] - grid.begins[cell] : 0u);
+  if (is_cell && is_leader_of(peers))
+    atomicAdd(sizes + root, size);
+}
+
+/// \param grid of the points in the list
+__global__ void keep_large_parts(Cell_grid grid, unsigned* parents, const unsigned* sizes, const unsigned* median, const unsigned* list,
+                                 unsigned char* is_kept)
+{
+  const Wide i = thread_index();
+  if (i < grid.size)
+    is_kept[list[grid.order[i]]] = sizes[find_root(parents, unsigned(grid.points[i].w))] >= double(*median) / 2;
+}
+
+/// Keeps the points with enough others around.
+/// \param median out: of the counts of all balls
+void find_dense_points(const Workplace& workplace, const Positions& positions, const double (&low)[3], const double (&high)[3], double radius,
+                       unsigned char* is_kept, unsigned* median)
+{
+  const unsigned n = positions.size;
+  const cudaStream_t stream = workplace.stream;
+  const Arena_scope arena_scope(workplace.arena), scratch_scope(workplace.scratch);
+  const Cell_grid grid =
+    build_grid(positions, nullptr, Cell_frame::around(low, high, radius, radius), workplace.arena, workplace.scratch, stream);
+  const Cell_blocks blocks = find_blocks(grid, grid, 1, maximum_number_of_candidates, workplace.arena, stream);
+  unsigned* const counts = workplace.arena.take<unsigned>(n);
+  Wide* const sums = workplace.scratch.take<Wide>(Wide(n) + 1);
+  CGAL_L0_CUDA_CHECK(cudaMemsetAsync(sums + n, 0, sizeof(Wide), stream));
+  count_points_in_balls<<<blocks_for_queries(n), threads_per_block, 0, stream>>>(grid, blocks, float(radius), float(radius * radius), counts,
+                                                                               sums);
+  check_launch("count_points_in_balls");
+  sum_up(sums, n, sums, workplace.scratch, stream);
+  {
+    const Arena_scope sort_scope(workplace.scratch);
+    unsigned *const values = workplace.scratch.take<unsigned>(n), *const other = workplace.scratch.take<unsigned>(n);
+    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(values, counts, n * sizeof(unsigned), cudaMemcpyDeviceToDevice, stream));
+    const unsigned* const sorted = sort_values(values, other, n, workplace.scratch, stream);
+    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(median, sorted + n / 2, sizeof(unsigned), cudaMemcpyDeviceToDevice, stream));
+  }
+  double* const least_counts = workplace.scratch.take<double>(grid.number_of_cells);
+  find_least_counts<<<blocks_for(grid.number_of_cells), threads_per_block, 0, stream>>>(blocks, grid.number_of_cells, sums, median,
+                                                                                      least_counts);
+  check_launch("find_least_counts");
+  keep_dense<<<blocks_for(n), threads_per_block, 0, stream>>>(grid, counts, least_counts, is_kept);
+  check_launch("keep_dense");
+}
+
+/// Of the points that are kept, keeps those whose part of the cloud, where cells that touch hang together, has half as many points as the median ball.
+void find_large_parts(const Workplace& workplace, const Positions& positions, const double (&low)[3], const double (&high)[3],
+                      double cell_size, const unsigned* median, unsigned char* is_kept)
+{
+  const cudaStream_t stream = workplace.stream;
+  const Arena_scope arena_scope(workplace.arena), scratch_scope(workplace.scratch);
+  unsigned* const list = workplace.arena.take<unsigned>(positions.size);
+  Positions rest = positions;
+  rest.size = list_flagged(is_kept, positions.size, list, workplace.scratch, stream);
+  rest.list = list;
+  if (rest.size == 0)
+    return;
+  const Cell_grid grid =
+    build_grid(rest, nullptr, Cell_frame::around(low, high, cell_size, cell_size), workplace.arena, workplace.scratch, stream);
+  const unsigned cells = grid.number_of_cells, blocks_for_cells = blocks_for(cells);
+  unsigned *const parents = workplace.scratch.take<unsigned>(cells), *const sizes = workplace.scratch.take<unsigned>(cells);
+  CGAL_L0_CUDA_CHECK(cudaMemsetAsync(sizes, 0, cells * sizeof(unsigned), stream));
+  make_parts<<<blocks_for_cells, threads_per_block, 0, stream>>>(cells, parents);
+  check_launch("make_parts");
+  join_touching_cells<<<blocks_for(Wide(cells) * number_of_rows_before), threads_per_block, 0, stream>>>(grid, parents);
+  check_launch("join_touching_cells");
+  count_points_of_parts<<<blocks_for_cells, threads_per_block, 0, stream>>>(grid, parents, sizes);
+  check_launch("count_points_of_parts");
+  keep_large_parts<<<blocks_for(rest.size), threads_per_block, 0, stream>>>(grid, parents, sizes, median, list, is_kept);
+  check_launch("keep_large_parts");
+}
+
+} // namespace
+
+unsigned find_outliers(const Workplace& workplace, const Positions& positions, const double (&low)[3], const double (&high)[3], double radius,
+                       unsigned* kept)
+{
+  const Arena_scope scope(workplace.scratch);
+  unsigned char* const is_kept = workplace.scratch.take<unsigned char>(positions.size);
+  unsigned* const median = workplace.scratch.take<unsigned>(1);
+  find_dense_points(workplace, positions, low, high, radius, is_kept, median);
+  find_large_parts(workplace, positions, low, high, gap_of_parts * radius, median, is_kept);
+  const unsigned number_of_kept = list_flagged(is_kept, positions.size, kept, workplace.scratch, workplace.stream);
+  return number_of_kept > 0 ? positions.size - number_of_kept : 0;
+}
+
+} // namespace cuda
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL

@@ -1,0 +1,267 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Query.cuh"
+#include "stages.cuh"
+
+#include <CGAL/L0_resampling/internal/random_bits.h>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+namespace cuda {
+
+namespace {
+
+using Wide = unsigned long long;
+
+/// Some of the numbers from 0 on, ascending; `list` is null where they are the first `size`.
+struct Some
+{
+  const unsigned* list;
+  unsigned size;
+
+  __device__ unsigned operator[](Wide k) const { return list ? list[k] : unsigned(k); }
+};
+
+/// Where samples start, by the numbers of distinct points: on a point, or between it and another.
+struct Sources
+{
+  Some on_points, between_points;
+};
+
+// Samples shared out by points
+
+/// One of each run of nearly equal length, as `pick_one_of_each_run()` on the CPU.
+__global__ void pick_one_of_each_run(unsigned number_of_distinct, unsigned number_of_samples, Wide seed, unsigned* picked)
+{
+  const Wide k = thread_index();
+  if (k >= number_of_samples)
+    return;
+  const Wide begin = k * number_of_distinct / number_of_samples, end = (k + 1) * number_of_distinct / number_of_samples;
+  picked[k] = unsigned(begin + random_bits(seed, k) % (end - begin));
+}
+
+__global__ void spread_evenly(unsigned number_of_distinct, unsigned number_of_new, unsigned* sources)
+{
+  const Wide e = thread_index();
+  if (e < number_of_new)
+    sources[e] = unsigned(e * number_of_distinct / number_of_new);
+}
+
+/// As `sources_by_points()` on the CPU.
+Sources sources_by_points(const Workplace& workplace, unsigned number_of_distinct, unsigned m, Wide seed)
+{
+  Sources sources = {{nullptr, m}, {nullptr, 0}};
+  unsigned* const list = workplace.scratch.take<unsigned>(m);
+  if (m <= number_of_distinct)
+  {
+    pick_one_of_each_run<<<blocks_for(m), threads_per_block, 0, workplace.stream>>>(number_of_distinct, m, seed, list);
+    check_launch("pick_one_of_each_run");
+    sources.on_points.list = list;
+    return sources;
+  }
+  sources.on_points.size = number_of_distinct;
+  sources.between_points = {list, m - number_of_distinct};
+  spread_evenly<<<blocks_for(sources.between_points.size), threads_per_block, 0, workplace.stream>>>(number_of_distinct,
+                                                                                                   sources.between_points.size, list);
+  check_launch("spread_evenly");
+  return sources;
+}
+
+// Samples shared out by area
+
+__global__ void take_areas(Cell_grid grid, Some distinct, Areas areas, Wide* units)
+{
+  const Wide k = thread_index();
+  if (k < distinct.size)
+    units[k] = __double2ull_rn(areas.of_cells[grid.points[distinct[k]].w] * areas.units_per_area(grid.size));
+}
+
+/// The point in whose area the threshold of each sample lies; the last takes what rounding leaves.
+/// \param sums of the areas before each point, and of all
+__global__ void find_thresholds(const Wide* sums, unsigned number_of_distinct, unsigned number_of_samples, Wide seed, unsigned* sources)
+{
+  const Wide k = thread_index();
+  if (k >= number_of_samples)
+    return;
+  const double share = (double(k) + scalbn(double(random_bits(seed, k) >> 11), -53)) / double(number_of_samples);
+  const Wide threshold = Wide(share * double(sums[number_of_distinct]));
+  unsigned first = 0, size = number_of_distinct - 1;
+  while (size > 0)
+  {
+    const unsigned half = size / 2;
+    if (sums[first + half + 1] <= threshold)
+    {
+      first += half + 1;
+      size -= half + 1;
+    }
+    else
+      size = half;
+  }
+  sources[k] = first;
+}
+
+__global__ void mark_first_of_points(const unsigned* sources, unsigned number_of_samples, unsigned* is_first)
+{
+  const Wide k = thread_index();
+  if (k < number_of_samples)
+    is_first[k] = k == 0 || sources[k] != sources[k - 1];
+}
+
+/// \param places how many samples before each are the first of their points
+__global__ void part_first_from_others(const unsigned* sources, const unsigned* places, unsigned number_of_samples, unsigned* first,
+                                       unsigned* others)
+{
+  const Wide k = thread_index();
+  if (k >= number_of_samples)
+    return;
+  const unsigned place = places[k];
+  if (places[k + 1] > place)
+    first[place] = sources[k];
+  else
+    others[k - place] = sources[k];
+}
+
+/// As `sources_by_area()` on the CPU.
+Sources sources_by_area(const Workplace& workplace, const Cell_grid& grid, const Some& distinct, const Areas& areas, unsigned m, Wide seed)
+{
+  const cudaStream_t stream = workplace.stream;
+  unsigned *const first = workplace.scratch.take<unsigned>(m), *const others = workplace.scratch.take<unsigned>(m);
+  const Arena_scope scope(workplace.scratch);
+  unsigned *const sources = workplace.scratch.take<unsigned>(m), *const places = workplace.scratch.take<unsigned>(Wide(m) + 1);
+  Wide* const sums = workplace.scratch.take<Wide>(Wide(distinct.size) + 1);
+  CGAL_L0_CUDA_CHECK(cudaMemsetAsync(sums + distinct.size, 0, sizeof(Wide), stream));
+  CGAL_L0_CUDA_CHECK(cudaMemsetAsync(places + m, 0, sizeof(unsigned), stream));
+  take_areas<<<blocks_for(distinct.size), threads_per_block, 0, stream>>>(grid, distinct, areas, sums);
+  check_launch("take_areas");
+  sum_up(sums, distinct.size, sums, workplace.scratch, stream);
+  find_thresholds<<<blocks_for(m), threads_per_block, 0, stream>>>(sums, distinct.size, m, seed, sources);
+  check_launch("find_thresholds");
+  mark_first_of_points<<<blocks_for(m), threads_per_block, 0, stream>>>(sources, m, places);
+  check_launch("mark_first_of_points");
+  sum_up(places, m, places, workplace.scratch, stream);
+  part_first_from_others<<<blocks_for(m), threads_per_block, 0, stream>>>(sources, places, m, first, others);
+  check_launch("part_first_from_others");
+  unsigned number_of_first = 0;
+  CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(&number_of_first, places + m, sizeof(unsigned), cudaMemcpyDeviceToHost, stream));
+  CGAL_L0_CUDA_CHECK(cudaStreamSynchronize(stream));
+  return {{first, number_of_first}, {others, m - number_of_first}};
+}
+
+// Where they are then
+
+__device__ float4 unit_normal(float4 n)
+{
+  const double3 wide = to_double(xyz(n));
+  return with_w(to_float((1 / sqrt(dot(wide, wide))) * wide), 0);
+}
+
+__device__ void start_on_point(const Samples& samples, Wide i, double3 position, float4 normal)
+{
+  samples.positions[3 * i] = position.x;
+  samples.positions[3 * i + 1] = position.y;
+  samples.positions[3 * i + 2] = position.z;
+  samples.normals[i] = unit_normal(normal);
+  samples.fit[i] = make_float4(0, 0, 0, 1);
+}
+
+/// The partner of each new sample, as `move_between_points()` on the CPU: of the points of its ball the one of the highest rank.
+/// \param sources numbers of distinct points
+__global__ void place_between_points(Positions positions, Cell_grid grid, Cell_blocks blocks, Some distinct, Some sources, float radius,
+                                     Wide seed, const float4* normals, Samples samples)
+{
+  const Query query(sources.size);
+  const Wide e = query.index;
+  const Wide number = sources[e];
+  const unsigned source = distinct[number];
+  const int4 center = grid.points[source];
+  const float3 normal = xyz(normals[source]);
+  const float unit = grid.frame.unit(), squared_radius = radius * radius, similar_cosine = 0.87f;   // as on the CPU
+
+  Wide best = 0;
+  unsigned partner = source;
+  for_each_candidate(grid, blocks, center, query.lane, radius, [&](unsigned j) {
+    const int4 point = grid.points[j];
+    const float3 d = difference(point, center, unit);
+    if (dot(d, d) >= squared_radius)
+      return;
+    const Wide is_similar = fabsf(dot(normal, xyz(normals[j]))) > similar_cosine;
+    const Wide rank = (random_bits(seed + e, j) >> 1) | (is_similar << 63);
+    if (rank <= best)
+      return;
+    const double3 p = positions(grid.order[j]), q = positions(grid.order[source]);
+    if (p.x == q.x && p.y == q.y && p.z == q.z)
+      return;
+    best = rank;
+    partner = j;
+  });
+  for (int offset = lanes / 2; offset > 0; offset /= 2)
+  {
+    const Wide other_best = __shfl_xor_sync(0xffffffffu, best, offset);
+    const unsigned other_partner = __shfl_xor_sync(0xffffffffu, partner, offset);
+    if (other_best > best || (other_best == best && other_partner < partner))
+    {
+      best = other_best;
+      partner = other_partner;
+    }
+  }
+  if (!query.writes)
+    return;
+  if (best == 0 && distinct.size > 1)
+    partner = number + 1 < distinct.size ? distinct[number + 1] : distinct[distinct.size - 2];
+  const double3 start = positions(grid.order[source]);
+  // never the middle, where the way back from the partner would put another one
+  const double share = 0.2 + 0.25 * scalbn(double(random_bits(seed, sources.size + e) >> 11), -53);
+  start_on_point(samples, e, start + share * (positions(grid.order[partner]) - start), normals[source]);
+}
+
+/// \param first of the samples that start so
+__global__ void place_on_points(Positions positions, const unsigned* order, Some distinct, Some sources, unsigned first,
+                                const float4* normals, Samples samples)
+{
+  const Wide k = thread_index();
+  if (k >= sources.size)
+    return;
+  const unsigned source = distinct[sources[k]];
+  start_on_point(samples, first + k, positions(order[source]), normals[source]);
+}
+
+} // namespace
+
+void initialize_samples(const Workplace& workplace, const Positions& positions, const Cell_grid& grid, const float4* normals,
+                        const Areas* areas, double radius, std::size_t seed, const Samples& samples)
+{
+  const cudaStream_t stream = workplace.stream;
+  const Arena_scope scope(workplace.scratch);
+  Some distinct = {nullptr, grid.number_of_distinct};
+  if (grid.number_of_distinct < grid.size)
+  {
+    unsigned* const list = workplace.scratch.take<unsigned>(grid.size);
+    list_flagged(grid.is_first, grid.size, list, workplace.scratch, stream);
+    distinct.list = list;
+  }
+  const Sources sources = areas ? sources_by_area(workplace, grid, distinct, *areas, samples.size, seed)
+                                : sources_by_points(workplace, distinct.size, samples.size, seed);
+
+  const unsigned number_of_new = sources.between_points.size;
+  if (number_of_new > 0)
+  {
+    const Arena_scope blocks_scope(workplace.arena);
+    const Cell_blocks blocks =
+      find_blocks(grid, grid, cells_in_reach(radius, grid.frame.cell_size), maximum_number_of_candidates, workplace.arena, stream);
+    place_between_points<<<blocks_for_queries(number_of_new), threads_per_block, 0, stream>>>(
+      positions, grid, blocks, distinct, sources.between_points, float(radius), seed, normals, samples);
+    check_launch("place_between_points");
+  }
+  place_on_points<<<blocks_for(sources.on_points.size), threads_per_block, 0, stream>>>(positions, grid.order, distinct, sources.on_points,
+                                                                                      number_of_new, normals, samples);
+  check_launch("place_on_points");
+}
+
+} // namespace cuda
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
