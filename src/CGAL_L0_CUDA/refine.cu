@@ -25,7 +25,7 @@ using Wide = unsigned long long;
 struct Fit
 {
   float radius, squared_bandwidth, normal_bandwidth, squared_sheet_height;
-  double half_ball_offset;   // how far from its straight side the mean of a half disk lies, by the weights of the fit
+  double largest_offset;   // of the mean of the points, before the sample is drawn back from a border
 };
 
 /// The fit of the default method, as `fit_compatible_points()` on the CPU, which says why.
@@ -62,7 +62,7 @@ __global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_b
   if (!query.writes)
     return;
 
-  const double pi = 3.141592653589793, total = sum, half_ball_offset = fit.half_ball_offset;
+  const double pi = 3.141592653589793, total = sum, largest_offset = fit.largest_offset;
   samples.outward[i] = make_float4(0, 0, 0, 0);
   if (!(total > 1e-3))   // nobody agrees: the sample is drawn to where it was last fitted, and keeps its normal
   {
@@ -73,10 +73,10 @@ __global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_b
   const double3 offset = mean - dot(old_normal, mean) * old_normal;
   const double distance = sqrt(dot(offset, offset));
   double3 to_centroid = (height / total) * old_normal;
-  if (distance > half_ball_offset)
-    to_centroid = to_centroid + (pi / 2 * (distance - half_ball_offset) / distance) * offset;
+  if (distance > largest_offset)
+    to_centroid = to_centroid + (pi / 2 * (distance - largest_offset) / distance) * offset;
   samples.fit[i] = with_w(to_float(to_centroid), float(fit_weight_factor * total));
-  if (distance > half_ball_offset / 2)
+  if (distance > largest_offset / 2)
     samples.outward[i] = with_w(to_float((-1 / distance) * offset), 0);
   const double3 mean_normal = to_double(normal_sum);
   const double length = sqrt(dot(mean_normal, mean_normal));
@@ -140,7 +140,7 @@ void fit_compatible_points(const Workplace& workplace, const Cell_grid& sample_g
 {
   const double bandwidth = fit_bandwidth_factor * radius;
   const Fit fit = {float(radius), float(bandwidth * bandwidth), float(normal_bandwidth), float(squared_sheet_height),
-                   mean_distance_in_half_disk(radius, bandwidth)};
+                   border_allowance * mean_distance_in_half_disk(radius, bandwidth)};
   fit_samples<<<blocks_for_queries(samples.size), threads_per_block, 0, workplace.stream>>>(
     sample_grid, is_in_order ? nullptr : sample_grid.order, blocks, grid, normals, fit, samples);
   check_launch("fit_samples");
