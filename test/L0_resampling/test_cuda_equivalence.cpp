@@ -53,17 +53,20 @@ Comparison compare(const Result& a, const Result& b, double radius)
   return {distances[n / 2], distances[n - 1 - n / 1000], hausdorff, double(number_of_other_normals) / double(n)};
 }
 
-template <typename NamedParameters>
-void check_agreement(const std::string& name, const Points& points, const NamedParameters& np)
+/// \returns the number of outliers
+template <typename PointRange, typename NamedParameters>
+std::size_t check_agreement(const std::string& name, const PointRange& points, const NamedParameters& np)
 {
   Result on_cpu, on_device;
   Report cpu_report, device_report;
-  CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(points, std::back_inserter(on_cpu), np.resampling_report(&cpu_report));
-  CGAL::l0_resample_point_set<CGAL::CUDA_tag>(points, std::back_inserter(on_device), np.resampling_report(&device_report));
+  using CGAL::parameters::resampling_report;
+  CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(points, std::back_inserter(on_cpu), np | resampling_report(&cpu_report));
+  CGAL::l0_resample_point_set<CGAL::CUDA_tag>(points, std::back_inserter(on_device), np | resampling_report(&device_report));
   if (!CHECK(on_cpu.size() == on_device.size()))
-    return;
+    return 0;
   CHECK(device_report.device == "cuda");
   CHECK(std::abs(cpu_report.neighbor_radius - device_report.neighbor_radius) <= 1e-6 * cpu_report.neighbor_radius);
+  CHECK(cpu_report.number_of_outliers == device_report.number_of_outliers);
   CHECK(cpu_report.number_of_distinct_points == device_report.number_of_distinct_points);
   CHECK(cpu_report.iterations.size() == device_report.iterations.size());
   const double pairs = double(cpu_report.number_of_self_neighbor_pairs);
@@ -80,13 +83,27 @@ void check_agreement(const std::string& name, const Points& points, const NamedP
             << comparison.largest_but_a_thousandth << ", Hausdorff " << comparison.hausdorff << ", other normals "
             << comparison.largest_angle_share << ", flipped " << flipped_share << ", pairs " << pairs << " / "
             << device_report.number_of_self_neighbor_pairs << ", oriented " << cpu_report.oriented_share << " / " << device_report.oriented_share
-            << ", degenerate " << cpu_report.number_of_degenerate_neighborhoods << " / " << device_report.number_of_degenerate_neighborhoods
+            << ", outliers " << cpu_report.number_of_outliers << " / " << device_report.number_of_outliers << ", degenerate " << cpu_report.number_of_degenerate_neighborhoods << " / " << device_report.number_of_degenerate_neighborhoods
             << ", iterations " << cpu_report.iterations.back().solver.iterations << " / "
             << device_report.iterations.back().solver.iterations << std::endl;
   CHECK(comparison.median <= 1e-4);
   CHECK(comparison.largest_but_a_thousandth <= 1e-2);
   CHECK(comparison.hausdorff <= 0.05);
   CHECK(comparison.largest_angle_share <= 1e-2);
+  return cpu_report.number_of_outliers;
+}
+
+/// Given normals, of which only those of outliers are zero: once these are dropped, PCA has nothing to do.
+void check_given_normals()
+{
+  namespace parameters = CGAL::parameters;
+  const Points sphere = noisy_sphere(20000, 0.005, 15), points = with_outliers(sphere, 16);
+  Result with_normals;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    with_normals.emplace_back(points[i], i < sphere.size() ? points[i] - CGAL::ORIGIN : CGAL::NULL_VECTOR);
+  CHECK(check_agreement("default given normals", with_normals,
+                        parameters::point_map(CGAL::First_of_pair_property_map<Result::value_type>())
+                          .normal_map(CGAL::Second_of_pair_property_map<Result::value_type>()).select_percentage(50)) > 0);
 }
 
 } // namespace
@@ -112,10 +129,23 @@ int main()
     check_agreement(name + "many orientation neighbors", noisy_sphere(3000, 0.01, 11),
                     np.number_of_orientation_neighbors(300).number_of_output_points(2000));
     check_agreement(name + "duplicates", duplicated(noisy_cube(3000, 0.01, 7)), np.select_percentage(60));
-    Points with_outliers = noisy_cube(20000, 0.01, 8);
-    with_outliers.push_back(Point(1e6, 3, 4));
-    with_outliers.push_back(Point(-50, 1e3, 40));
-    check_agreement(name + "outliers", with_outliers, np.select_percentage(60));
+    Points with_far_points = noisy_cube(20000, 0.01, 8);
+    with_far_points.push_back(Point(1e6, 3, 4));
+    with_far_points.push_back(Point(-50, 1e3, 40));
+    check_agreement(name + "far points", with_far_points, np.select_percentage(60));
+    for (const double noise : {0., 0.01})
+    {
+      const std::string kind = name + (noise > 0 ? "noisy " : "clean ");
+      CHECK(check_agreement(kind + "cube with outliers", with_outliers(noisy_cube(20000, noise, 12), 13),
+                            np.drop_outliers(true).select_percentage(60)) > 500);
+      check_agreement(kind + "density gradient", graded_sphere(20000, noise, 14), np.select_percentage(60));
+    }
   }
+  for (const double noise : {0., 0.005})
+    check_agreement(noise > 0 ? "default noisy thin plate" : "default clean thin plate", noisy_plate(20000, 0.05, noise, 17),
+                    parameters::select_percentage(60));
+  // more points in a block of cells than are looked at
+  check_agreement("default huge radius", noisy_cube(20000, 0.01, 18), parameters::neighbor_radius(0.5).select_percentage(20));
+  check_given_normals();
   return test::result();
 }

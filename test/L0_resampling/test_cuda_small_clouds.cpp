@@ -65,6 +65,13 @@ void check_small_clouds()
         Report report;
         const auto np = parameters::resampling_method(method).resampling_report(&report);
         const Result less = resample(points, np.select_percentage(60));
+        Report cpu_report;
+        Result on_cpu;
+        CGAL::l0_resample_point_set<CGAL::Sequential_tag>(
+          points, std::back_inserter(on_cpu),
+          parameters::resampling_method(method).resampling_report(&cpu_report).select_percentage(60));
+        CHECK(report.number_of_outliers == cpu_report.number_of_outliers);
+        CHECK(report.number_of_distinct_points == cpu_report.number_of_distinct_points);
         CHECK(less.size() == (std::max)(std::size_t(1), n * 60 / 100));
         CHECK(is_clean(less, points, report.neighbor_radius));
         const Result more = resample(points, np.number_of_output_points(2 * n));

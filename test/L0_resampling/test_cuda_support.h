@@ -82,6 +82,51 @@ inline Points duplicated(Points points)
   return points;
 }
 
+/// With outliers: 5 % of the points uniform in a box around them, and a cluster of a few that is off by half the box.
+inline Points with_outliers(Points points, unsigned seed)
+{
+  test::Generator generator(seed);
+  const CGAL::Bbox_3 box = CGAL::bbox_3(points.begin(), points.end());
+  const auto random_point = [&](double low, double high) {
+    const auto coordinate = [&](int axis) {
+      const double size = (box.max)(axis) - (box.min)(axis);
+      return (box.min)(axis) + test::random_number(low, high, generator) * size;
+    };
+    return Point(coordinate(0), coordinate(1), coordinate(2));
+  };
+  const std::size_t n = points.size();
+  for (std::size_t i = 0; i < n / 20; ++i)
+    points.push_back(random_point(-0.2, 1.2));
+  for (std::size_t i = 0; i < 12; ++i)
+    points.push_back(random_point(1.49, 1.5));
+  return points;
+}
+
+/// Of a sphere, ten times as dense at one pole as at the other.
+inline Points graded_sphere(std::size_t n, double noise, unsigned seed)
+{
+  test::Generator generator(seed);
+  Points points;
+  for (const Point& p : noisy_sphere(8 * n, noise, seed + 1))
+    if (points.size() < n && test::random_number(0, 1, generator) < 0.1 + 0.45 * (1 + p.x()))
+      points.push_back(p);
+  return points;
+}
+
+/// Two sheets that are closer to each other than the radius of a ball.
+inline Points noisy_plate(std::size_t n, double thickness, double noise, unsigned seed)
+{
+  test::Generator generator(seed);
+  std::normal_distribution<double> gauss(0, noise > 0 ? noise : 1);
+  Points points;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const double x = test::random_number(-1, 1, generator), y = test::random_number(-1, 1, generator);
+    points.emplace_back(x, y, (i % 2 ? 0.5 : -0.5) * thickness + (noise > 0 ? gauss(generator) : 0));
+  }
+  return points;
+}
+
 } // namespace test_cuda
 
 #endif // CGAL_L0_RESAMPLING_TEST_CUDA_SUPPORT_H
