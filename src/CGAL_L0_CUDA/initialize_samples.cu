@@ -177,6 +177,15 @@ __global__ void place_between_points(Positions positions, Cell_grid grid, Cell_b
   const Wide e = query.index;
   const Wide number = sources[e];
   const unsigned source = distinct[number];
+  Wide first = 0;   // of the samples of this source
+  for (Wide size = e; size > 0;)
+  {
+    const Wide half = size / 2;
+    const bool is_before = sources[first + half] < number;
+    first = is_before ? first + half + 1 : first;
+    size = is_before ? size - half - 1 : half;
+  }
+  const Wide number_before = e - first;
   const int4 center = grid.points[source];
   const float3 normal = xyz(normals[source]);
   const float unit = grid.frame.unit(), squared_radius = radius * radius, similar_cosine = 0.87f;   // as on the CPU
@@ -189,7 +198,7 @@ __global__ void place_between_points(Positions positions, Cell_grid grid, Cell_b
     if (dot(d, d) >= squared_radius)
       return;
     const Wide is_similar = fabsf(dot(normal, xyz(normals[j]))) > similar_cosine;
-    const Wide rank = (random_bits(seed + e, j) >> 1) | (is_similar << 63);
+    const Wide rank = (random_bits(seed + source, (number_before << 32) | j) >> 1) | (is_similar << 63);
     if (rank <= best)
       return;
     const double3 p = positions(grid.order[j]), q = positions(grid.order[source]);
@@ -214,7 +223,7 @@ __global__ void place_between_points(Positions positions, Cell_grid grid, Cell_b
     partner = number + 1 < distinct.size ? distinct[number + 1] : distinct[distinct.size - 2];
   const double3 start = positions(grid.order[source]);
   // never the middle, where the way back from the partner would put another one
-  const double share = 0.2 + 0.25 * scalbn(double(random_bits(seed, sources.size + e) >> 11), -53);
+  const double share = 0.2 + 0.25 * scalbn(double(random_bits(seed + source, (number_before << 32) | 0xffffffff) >> 11), -53);
   start_on_point(samples, e, start + share * (positions(grid.order[partner]) - start), normals[source]);
 }
 

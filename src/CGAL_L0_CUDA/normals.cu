@@ -204,7 +204,7 @@ __global__ void average_areas(Cell_grid grid, const float4* normals, double mean
   sum = group_sum<32>(sum);
   if (threadIdx.x % 32 != 0)
     return;
-  const float area = float(sum / (end - begin));
+  const float area = area_in_steps(sum / (end - begin));
   areas_of_cells[cell] = area;
   atomicAdd(total_units, __double2ull_rn(area * areas.units_per_area(grid.size)) * (end - begin));
 }

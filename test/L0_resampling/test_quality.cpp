@@ -148,7 +148,8 @@ void check_any_method(const Measures& m, double percent)
   report({CHECK(m.distance.max < 2.5),                          // 1.74, LOR, staircase at 300 %
           CHECK(m.normals.mean_error < (percent < 20 ? 13 :     // 10.9, DEFAULT, staircase without noise at 3 %
                                         9.5)),                  // 8.35, LOR, staircase at 50 %
-          CHECK(m.normals.share_inwards < 0.01),                // 0.0033, LOR, bracket at 3 %
+          CHECK(m.normals.share_inwards < (percent < 10 ? 0.1 : // 0.063, DEFAULT, bracket at 3 %: a face of twenty samples may turn
+                                           0.01)),              // 0.0033, LOR, bracket at 10 %
           CHECK(m.gap.max < (percent < 20 ? 1.8 :               // 1.48, LOR, bracket at 10 %
                              percent <= 100 ? 3 : 4.8))},       // 2.37, LOR, bracket at 100 %; 4.00, DEFAULT, torus at 300 %
          {m});

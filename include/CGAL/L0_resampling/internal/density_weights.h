@@ -76,7 +76,7 @@ Buffer<T> areas_of_points(const Search_grid_3& grid, const Buffer<T>& density_we
   {
     const Search_grid_3::Range points = grid.points_of_cell(cell);
     const auto begin = areas.begin() + points.first, end = areas.begin() + points.second;
-    std::fill(begin, end, T(std::accumulate(begin, end, 0.) / double(points.second - points.first)));
+    std::fill(begin, end, T(area_in_steps(std::accumulate(begin, end, 0.) / double(points.second - points.first))));
   }
   return areas;
 }

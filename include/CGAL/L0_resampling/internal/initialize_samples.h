@@ -55,6 +55,8 @@ void move_between_points(const Search_grid_3& grid, const Buffer<Vector>& points
         const Eigen::Matrix<T, 3, 1> center = (starts[e] - origin).template cast<T>();
         Index partner = source;
         std::uint64_t best = 0;
+        const auto first = std::lower_bound(samples.sources.begin(), samples.sources.end(), source);
+        const std::uint64_t number = e - std::uint64_t(first - samples.sources.begin());   // of the samples of this source before this one
         for (std::size_t k = 0; k < candidates.indices.size(); ++k)
         {
           const Index j = candidates.indices[k];
@@ -62,7 +64,7 @@ void move_between_points(const Search_grid_3& grid, const Buffer<Vector>& points
           if (d.squaredNorm() >= T(radius * radius) || points[j] == starts[e])
             continue;
           const bool is_similar = std::abs(normals[source].dot(normals[j])) > similar_cosine;
-          const std::uint64_t rank = (random_bits(seed + e, j) >> 1) | (std::uint64_t(is_similar) << 63);
+          const std::uint64_t rank = (random_bits(seed + source, (number << 32) | j) >> 1) | (std::uint64_t(is_similar) << 63);
           if (rank > best)
           {
             best = rank;
@@ -75,7 +77,7 @@ void move_between_points(const Search_grid_3& grid, const Buffer<Vector>& points
           partner = next != distinct.end() ? *next : *(distinct.end() - 2);
         }
         // never the middle, where the way back from the partner would put another one
-        const double share = 0.2 + 0.25 * std::ldexp(double(random_bits(seed, samples.positions.size() + e) >> 11), -53);
+        const double share = 0.2 + 0.25 * std::ldexp(double(random_bits(seed + source, (number << 32) | 0xffffffff) >> 11), -53);
         samples.positions[e] = starts[e] + share * (points[partner] - starts[e]);
       }
     };
