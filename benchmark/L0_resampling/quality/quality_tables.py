@@ -73,12 +73,11 @@ def experiment_table(measurements):
     return table(["method", *(column.heading for column in COLUMNS)], rows)
 
 
-def group(experiments):
-    """Experiments that differ by their seed alone stand together."""
+def group(experiments, names=("mesh", "noise_percent", "input_points", "output_points")):
+    """Experiments that have these in common, and differ by their seed alone, stand together."""
     groups = {}
     for experiment in experiments:
-        key = tuple(experiment[name] for name in ("mesh", "noise_percent", "input_points", "output_points"))
-        groups.setdefault(key, []).append(experiment)
+        groups.setdefault(tuple(experiment[name] for name in names), []).append(experiment)
     return groups
 
 

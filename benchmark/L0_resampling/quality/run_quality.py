@@ -12,40 +12,19 @@ missing or not finite, or a result with the wrong count, ends the run with an er
 
 import argparse
 import json
-import math
 import os
-import shlex
 import subprocess
 import sys
 import tempfile
-from dataclasses import dataclass
 from pathlib import Path
 
 import quality_tables
-
-# The example of CGAL's manual for edge-aware upsampling
-EXAMPLE_EAR = ("--sharpness-angle", 25, "--edge-sensitivity", 0)
-
-
-@dataclass(frozen=True)
-class Method:
-    program: str
-    options: tuple
-    is_exact: bool = True    # edge-aware upsampling may stop before it has all points
-
-
-def wlop(radius, *options):
-    return Method("baseline_wlop", ("--radius-in-spacings", radius, *options))
-
-
-def ear(program, radius, *options):
-    return Method(program, ("--radius-in-spacings", radius, *EXAMPLE_EAR, *options), False)
-
+from quality_bench import Bench, command_line, ear, ours, reuse, wlop, write_result
 
 METHODS = {
-    "lor": Method("run_l0", ("--method", "lor")),
-    "alor": Method("run_l0", ("--method", "alor")),
-    "default": Method("run_l0", ("--method", "default")),
+    "lor": ours("lor"),
+    "alor": ours("alor"),
+    "default": ours("default"),
     "wlop_4": wlop(4),
     "wlop_6": wlop(6),
     "wlop_4_uniform": wlop(4, "--require-uniform-sampling"),
@@ -54,68 +33,6 @@ METHODS = {
     "smoothed_ear_6": ear("baseline_smoothed_ear", 6),
     "smoothed_ear_6_again": ear("baseline_smoothed_ear", 6, "--smooth-again"),
 }
-
-
-def parse_finite(text):
-    """Raises ValueError for NaN, infinities and null, which is how evaluate_point_set's library writes both."""
-
-    def check(value, name):
-        if isinstance(value, dict):
-            for key, item in value.items():
-                if item is not None or key not in ("normals", "features"):  # null is what these have none of
-                    check(item, f"{name}.{key}" if name else key)
-        elif not isinstance(value, (int, float)) or not math.isfinite(value):
-            raise ValueError(f"{name} is {value}, not a finite number")
-
-    result = json.loads(text)
-    check(result, "")
-    return result
-
-
-class Bench:
-    """Runs the programs of one build and keeps their files in one folder."""
-
-    def __init__(self, programs, scratch, threads):
-        self.programs = programs
-        self.scratch = scratch
-        self.threads = threads
-
-    def run(self, program, *arguments):
-        return subprocess.run([self.programs / program, *map(str, arguments)], check=True, stdout=subprocess.PIPE,
-                              text=True).stdout
-
-    def sample(self, mesh, experiment):
-        path = self.scratch / "input.ply"
-        self.run("sample_mesh", mesh, path, "--points", experiment["input_points"],
-                 "--noise", experiment["noise_percent"], "--seed", experiment["seed"])
-        return path
-
-    def measure(self, mesh, source, method, points):
-        result = self.scratch / "result.ply"
-        line = json.loads(self.run(method.program, source, result, "--points", points,
-                                   "--threads", self.threads, *method.options))
-        evaluation = parse_finite(self.run("evaluate_point_set", result, mesh))
-        count = evaluation["number_of_points"]
-        if count != points and (method.is_exact or not 0 < count < points):
-            raise ValueError(f"{count} points instead of {points}")
-        if evaluation["normals"] is None:
-            raise ValueError("the result has no normals")
-        return {"program": method.program, "cgal_version": line["cgal_version"], "parameters": line["parameters"],
-                "evaluation": evaluation}
-
-
-def run_experiment(bench, mesh, experiment, methods):
-    """Adds a measurement for each of `methods` to the experiment, and replaces the one it has."""
-    source = bench.sample(mesh, experiment)
-    measured = experiment["measurements"]
-    for name in methods:
-        try:
-            measured[name] = bench.measure(mesh, source, METHODS[name], experiment["output_points"])
-        except ValueError as error:
-            raise ValueError(f"{name} on {mesh.name}, noise {experiment['noise_percent']:g} %: {error}") from error
-        print(f"{mesh.name}, noise {experiment['noise_percent']:g} %, seed {experiment['seed']}, {name}: mean distance "
-              f"{measured[name]['evaluation']['distance']['mean']:.4f} %", file=sys.stderr, flush=True)
-    experiment["measurements"] = {name: measured[name] for name in METHODS if name in measured}
 
 
 def parse_arguments():
@@ -148,49 +65,26 @@ def plan(arguments):
             for mesh in arguments.meshes for noise in arguments.noise for seed in arguments.seeds]
 
 
-def settings(experiment):
-    return {key: value for key, value in experiment.items() if key != "measurements"}
-
-
-def reuse(previous, planned, only):
-    """Fills `planned` with the measurements of an earlier run.
-
-    Raises ValueError unless that run was on the same experiments, so that no table mixes two samplings, and has all
-    but the methods `only`.
-    """
-    experiments = previous["experiments"]
-    if list(map(settings, experiments)) != [settings(experiment) for _, experiment in planned]:
-        raise ValueError("--only: the earlier run was on other meshes, noise, seeds or counts")
-    for (_, experiment), old in zip(planned, experiments):
-        missing = METHODS.keys() - old["measurements"].keys() - set(only)
-        if missing:
-            raise ValueError("--only: the earlier run lacks " + ", ".join(sorted(missing)))
-        experiment["measurements"] = old["measurements"]
-
-
 def main():
     arguments = parse_arguments()
-    words = [os.path.basename(word) if os.path.isabs(word) else word for word in sys.argv[1:]]
-    command = shlex.join(["run_quality.py", *words])
+    command = command_line("run_quality.py", sys.argv[1:])
     result = {"commands": [command], "mesh_origin": arguments.mesh_origin, "experiments": []}
     planned = plan(arguments)
     if arguments.only:
         previous = json.loads(arguments.output.with_suffix(".json").read_text())
-        reuse(previous, planned, arguments.only)
+        reuse(previous, planned, METHODS, arguments.only)
         result["commands"] = [old for old in previous["commands"] if old != command] + [command]
         result["mesh_origin"] = arguments.mesh_origin or previous["mesh_origin"]
     with tempfile.TemporaryDirectory() as scratch:
         bench = Bench(arguments.build / "bin", Path(scratch), arguments.threads)
         for mesh, experiment in planned:
-            run_experiment(bench, mesh, experiment, arguments.only or METHODS)
+            source = bench.sample(mesh, experiment)
+            methods = {name: METHODS[name] for name in arguments.only or METHODS}
+            bench.measure_all(mesh, experiment, methods, lambda name, source=source: source)
+            measured = experiment["measurements"]
+            experiment["measurements"] = {name: measured[name] for name in METHODS if name in measured}
             result["experiments"].append(experiment)
-    tables = quality_tables.markdown(result)
-    if arguments.output is None:
-        print(tables, end="")
-        return
-    arguments.output.parent.mkdir(parents=True, exist_ok=True)
-    arguments.output.with_suffix(".json").write_text(json.dumps(result, indent=1, allow_nan=False) + "\n")
-    arguments.output.with_suffix(".md").write_text(tables)
+    write_result(arguments.output, result, quality_tables.markdown(result))
 
 
 if __name__ == "__main__":

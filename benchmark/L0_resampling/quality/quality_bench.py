@@ -1,0 +1,163 @@
+# Copyright (c) 2026  The CGAL::L0_resampling authors.
+# All rights reserved.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the drivers of this folder share: they sample a mesh, run programs on the points, and measure the results."""
+
+import json
+import math
+import os
+import re
+import shlex
+import subprocess
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+# In CGAL's demo data, and in ours
+CGAL_SHAPES = ("fandisk", "anchor_dense", "armadillo")
+OWN_SHAPES = ("dodecahedron", "staircase", "thin_plate")
+
+# The example of CGAL's manual for edge-aware upsampling
+EXAMPLE_EAR = ("--sharpness-angle", 25, "--edge-sensitivity", 0)
+
+
+@dataclass(frozen=True)
+class Method:
+    program: str
+    options: tuple
+    is_exact: bool = True    # edge-aware upsampling may stop before it has all points
+
+
+def ours(name):
+    return Method("run_l0", ("--method", name))
+
+
+def wlop(radius, *options):
+    return Method("baseline_wlop", ("--radius-in-spacings", radius, *options))
+
+
+def ear(program, radius, *options):
+    return Method(program, ("--radius-in-spacings", radius, *EXAMPLE_EAR, *options), False)
+
+
+def parse_finite(text):
+    """Raises ValueError for NaN, infinities and null, which is how evaluate_point_set's library writes both."""
+
+    def check(value, name):
+        if isinstance(value, dict):
+            for key, item in value.items():
+                if item is not None or key not in ("normals", "features"):  # null is what these have none of
+                    check(item, f"{name}.{key}" if name else key)
+        elif not isinstance(value, (int, float)) or not math.isfinite(value):
+            raise ValueError(f"{name} is {value}, not a finite number")
+
+    result = json.loads(text)
+    check(result, "")
+    return result
+
+
+def mesh_of(shape, mesh_folder):
+    folder = mesh_folder if shape in CGAL_SHAPES else Path(__file__).resolve().parents[3] / "data"
+    return folder / f"{shape}.off"
+
+
+def describe(experiment):
+    """The input of an experiment in words; `outliers_percent` and `density_gradient` may be missing."""
+    words = [experiment["mesh"], f"noise {experiment['noise_percent']:g} %"]
+    if experiment.get("outliers_percent"):
+        words.append(f"outliers {experiment['outliers_percent']:g} %")
+    if experiment.get("density_gradient", 1) != 1:
+        words.append(f"density gradient {experiment['density_gradient']:g}")
+    return ", ".join(words)
+
+
+class Bench:
+    """Runs the programs of one build and keeps their files in one folder."""
+
+    def __init__(self, programs, scratch, threads):
+        self.programs = programs
+        self.scratch = scratch
+        self.threads = threads
+
+    def run(self, program, *arguments):
+        return subprocess.run([self.programs / program, *map(str, arguments)], check=True, stdout=subprocess.PIPE,
+                              text=True).stdout
+
+    def sample(self, mesh, experiment):
+        path = self.scratch / "input.ply"
+        self.run("sample_mesh", mesh, path, "--points", experiment["input_points"],
+                 "--noise", experiment["noise_percent"], "--seed", experiment["seed"],
+                 "--outliers", experiment.get("outliers_percent", 0),
+                 "--density-gradient", experiment.get("density_gradient", 1))
+        return path
+
+    def remove_outliers(self, source, percent):
+        path = self.scratch / "input_without_outliers.ply"
+        self.run("remove_outliers", source, path, "--percent", percent)
+        return path
+
+    def measure(self, mesh, source, method, points):
+        result = self.scratch / "result.ply"
+        line = json.loads(self.run(method.program, source, result, "--points", points,
+                                   "--threads", self.threads, *method.options))
+        evaluation = parse_finite(self.run("evaluate_point_set", result, mesh))
+        count = evaluation["number_of_points"]
+        if count != points and (method.is_exact or not 0 < count < points):
+            raise ValueError(f"{count} points instead of {points}")
+        if evaluation["normals"] is None:
+            raise ValueError("the result has no normals")
+        return {"program": line["program"], "cgal_version": line["cgal_version"], "parameters": line["parameters"],
+                "evaluation": evaluation}
+
+    def measure_all(self, mesh, experiment, methods, sources):
+        """Adds a measurement for each of `methods` to the experiment, and replaces the one it has.
+
+        `sources` maps the name of a method to the points it gets.
+        """
+        for name, method in methods.items():
+            try:
+                measured = self.measure(mesh, sources(name), method, experiment["output_points"])
+            except ValueError as error:
+                raise ValueError(f"{name} on {describe(experiment)}: {error}") from error
+            experiment["measurements"][name] = measured
+            print(f"{describe(experiment)}, seed {experiment['seed']}, {name}: mean distance "
+                  f"{measured['evaluation']['distance']['mean']:.4f} %", file=sys.stderr, flush=True)
+
+
+def settings(experiment):
+    return {key: value for key, value in experiment.items() if key != "measurements"}
+
+
+def reuse(previous, planned, methods, only):
+    """Fills `planned` with the measurements of an earlier run.
+
+    Raises ValueError unless that run was on the same experiments, so that no table mixes two samplings, and has all
+    of `methods` but those of `only`.
+    """
+    experiments = previous["experiments"]
+    if list(map(settings, experiments)) != [settings(experiment) for _, experiment in planned]:
+        raise ValueError("--only: the earlier run was on other meshes, noise, outliers, gradients, seeds or counts")
+    for (_, experiment), old in zip(planned, experiments):
+        missing = set(methods) - old["measurements"].keys() - set(only)
+        if missing:
+            raise ValueError("--only: the earlier run lacks " + ", ".join(sorted(missing)))
+        experiment["measurements"] = old["measurements"]
+
+
+def command_line(program, arguments):
+    """As it stands in the results: without the folders of this machine."""
+    words = [os.path.basename(word) if os.path.isabs(word) else word for word in arguments]
+    return shlex.join([program, *words])
+
+
+def write_result(output, result, markdown):
+    """OUTPUT.json, with the innermost objects on a line each, and OUTPUT.md; prints that where `output` is None."""
+    if output is None:
+        print(markdown, end="")
+        return
+    text = json.dumps(result, indent=1, allow_nan=False)
+    text = re.sub(r"\{[^{}]*\}", lambda found: " ".join(found.group().split()), text)
+    output.parent.mkdir(parents=True, exist_ok=True)
+    output.with_suffix(".json").write_text(text + "\n", encoding="utf-8")
+    output.with_suffix(".md").write_text(markdown, encoding="utf-8")

@@ -1,0 +1,111 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026  The CGAL::L0_resampling authors.
+# All rights reserved.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Measures what each ingredient of the default method gains.
+
+Each patch of the folder `ablation` switches one off, or puts the paper's form in its place; its first line says what is
+left. Patches are applied one at a time to a temporary copy of the tree, where run_l0 alone is built. All variants get
+the same points. OUTPUT.json keeps all that was measured, OUTPUT.md has the figures relative to the whole method's.
+"""
+
+import argparse
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import ablation_tables
+from quality_bench import Bench, Method, command_line, mesh_of, write_result
+
+# Shape, noise in %, share of outliers in %, density gradient: what each ingredient is for occurs once at least.
+INPUTS = (("fandisk", 0.5, 0, 1), ("fandisk", 1, 0, 1), ("fandisk", 1.5, 0, 1), ("anchor_dense", 0.5, 5, 1),
+          ("anchor_dense", 0.5, 0, 10), ("armadillo", 0.5, 0, 1), ("thin_plate", 0.5, 0, 1))
+
+PATCHES = Path(__file__).resolve().parent / "ablation"
+
+
+class Variant_builder:
+    """Builds run_l0 from a copy of the tree."""
+
+    def __init__(self, scratch):
+        self.scratch, self.tree, self.build = scratch, scratch / "tree", scratch / "build"
+        root = Path(__file__).resolve().parents[3]
+        shutil.copytree(root, self.tree, ignore=shutil.ignore_patterns(".git", "build*", "output"))
+        off = ("BUILD_TOOL", "BUILD_TESTS", "BUILD_EXAMPLES", "WITH_PYTHON", "WITH_CUDA", "WITH_DOCUMENTATION",
+               "INSTALL")
+        launcher = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
+        self.call("cmake", "-S", self.tree, "-B", self.build, "-DCMAKE_BUILD_TYPE=Release",
+                  *(f"-DCGAL_L0_{name}=OFF" for name in off), *launcher)
+
+    def call(self, *command):
+        done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        if done.returncode != 0:
+            raise ValueError(f"{' '.join(map(str, command))} failed:\n{done.stdout}")
+
+    def program(self, name):
+        """The program of the tree as it is now, under a name of its own."""
+        self.call("cmake", "--build", self.build, "--target", "run_l0")
+        return shutil.copy(self.build / "bin" / "run_l0", self.scratch / f"run_l0_{name}")
+
+    def patched_program(self, patch):
+        change = ("patch", "-d", self.tree, "-p1", "-s", "-f", "--no-backup-if-mismatch", "-i", patch)
+        self.call(*change)
+        program = self.program(patch.stem)
+        self.call(*change, "-R")
+        return program
+
+
+def build_variants(scratch):
+    """Each variant's program and description; the whole method is the first."""
+    builder = Variant_builder(scratch)
+    variants, descriptions = {}, {}
+    for name, patch in [("full", None), *((patch.stem, patch) for patch in sorted(PATCHES.glob("*.patch")))]:
+        print(f"building {name}", file=sys.stderr, flush=True)
+        program = builder.patched_program(patch) if patch else builder.program(name)
+        variants[name] = Method(program, ("--method", "default"))
+        descriptions[name] = "the whole method"
+        if patch:
+            descriptions[name] = patch.read_text(encoding="utf-8").splitlines()[0].removeprefix("# ")
+    return variants, descriptions
+
+
+def parse_arguments():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("build", type=Path, help="build folder; its bin/ has the programs that sample and measure")
+    parser.add_argument("meshes", type=Path, metavar="mesh_folder", help="has the meshes of libcgal-demo")
+    parser.add_argument("--output", type=Path, help="writes OUTPUT.json and OUTPUT.md; else the tables are printed")
+    parser.add_argument("--seeds", type=int, nargs="+", default=[1, 2, 3],
+                        help="of the sampling; the tables show means")
+    parser.add_argument("--input-points", type=int, default=12_000)
+    parser.add_argument("--output-points", type=int, default=8_000)
+    parser.add_argument("--threads", type=int, default=1)
+    return parser.parse_args()
+
+
+def main():
+    arguments = parse_arguments()
+    result = {"commands": [command_line("run_ablation.py", sys.argv[1:])], "experiments": []}
+    with tempfile.TemporaryDirectory() as folder:
+        scratch = Path(folder)
+        bench = Bench(arguments.build.resolve() / "bin", scratch, arguments.threads)
+        variants, result["variants"] = build_variants(scratch)
+        for shape, noise, outliers, gradient in INPUTS:
+            for seed in arguments.seeds:
+                mesh = mesh_of(shape, arguments.meshes)
+                experiment = {"mesh": mesh.name, "noise_percent": noise, "outliers_percent": outliers,
+                              "density_gradient": gradient, "seed": seed, "input_points": arguments.input_points,
+                              "output_points": arguments.output_points, "measurements": {}}
+                source = bench.sample(mesh, experiment)
+                bench.measure_all(mesh, experiment, variants, lambda name, source=source: source)
+                result["experiments"].append(experiment)
+    write_result(arguments.output, result, ablation_tables.markdown(result))
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except (ValueError, OSError, subprocess.CalledProcessError) as error:
+        sys.exit(f"run_ablation.py: {error}")

@@ -1,0 +1,113 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026  The CGAL::L0_resampling authors.
+# All rights reserved.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Compares the default method with the best that CGAL's pipelines reach, on many shapes and kinds of input.
+
+Each shape is sampled with each noise, and once more with outliers and with a density gradient. Where there are
+outliers, CGAL's pipelines get the points that its remove_outliers() leaves, which is told their share; ours gets all.
+OUTPUT.json keeps all that was measured, OUTPUT.md has a row for each input, and what is met of the goals.
+"""
+
+import argparse
+import json
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import comparison_tables
+from quality_bench import (CGAL_SHAPES, OWN_SHAPES, Bench, command_line, ear, mesh_of, ours, reuse, wlop,
+                           write_result)
+
+NOISE_PERCENT = (0, 0.25, 0.5, 1, 1.5)
+SPECIAL_NOISE_PERCENT = 0.5    # of the inputs with outliers, and with a density gradient
+OUTLIERS_PERCENT = 5
+DENSITY_GRADIENT = 10
+
+
+def methods(radii):
+    chosen = {"default": ours("default")}
+    for radius in radii:
+        chosen[f"wlop_{radius:g}"] = wlop(radius)
+        chosen[f"wlop_{radius:g}_uniform"] = wlop(radius, "--require-uniform-sampling")
+        chosen[f"ear_{radius:g}"] = ear("baseline_ear", radius)
+        chosen[f"smoothed_ear_{radius:g}"] = ear("baseline_smoothed_ear", radius)
+    return chosen
+
+
+def plan(arguments):
+    """The experiments of this command line, each with its mesh, without measurements."""
+    inputs = [(noise, 0, 1) for noise in arguments.noise]
+    inputs += [(SPECIAL_NOISE_PERCENT, OUTLIERS_PERCENT, 1), (SPECIAL_NOISE_PERCENT, 0, DENSITY_GRADIENT)]
+    return [(mesh_of(shape, arguments.meshes),
+             {"mesh": f"{shape}.off", "noise_percent": noise, "outliers_percent": outliers,
+              "density_gradient": gradient, "seed": seed, "input_points": arguments.input_points,
+              "output_points": arguments.output_points, "measurements": {}})
+            for shape in arguments.shapes for noise, outliers, gradient in inputs for seed in arguments.seeds]
+
+
+def parse_arguments():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("build", type=Path, help="build folder; its bin/ has the programs")
+    parser.add_argument("meshes", type=Path, metavar="mesh_folder", help="has the meshes of libcgal-demo")
+    parser.add_argument("--output", type=Path, help="writes OUTPUT.json and OUTPUT.md; else the tables are printed")
+    parser.add_argument("--shapes", nargs="+", choices=CGAL_SHAPES + OWN_SHAPES, default=CGAL_SHAPES + OWN_SHAPES)
+    parser.add_argument("--noise", type=float, nargs="+", default=NOISE_PERCENT,
+                        help="standard deviations, %% of the diagonal")
+    parser.add_argument("--radii", type=float, nargs="+", default=[4, 6], help="of CGAL's pipelines, in spacings")
+    parser.add_argument("--seeds", type=int, nargs="+", default=[1], help="of the sampling; the tables show means")
+    parser.add_argument("--input-points", type=int, default=12_000)
+    parser.add_argument("--output-points", type=int, default=8_000)
+    parser.add_argument("--threads", type=int, default=1)
+    parser.add_argument("--only-ours", action="store_true",
+                        help="takes the figures of CGAL's pipelines from OUTPUT.json")
+    parser.add_argument("--full", action="store_true",
+                        help="100000 points to 66000, three seeds, radii 4, 6 and 8: takes a night")
+    parser.add_argument("--small", action="store_true",
+                        help="one shape of our own, one noise, one radius, 2000 points to 1300")
+    arguments = parser.parse_args()
+    if arguments.full:
+        arguments.input_points, arguments.output_points = 100_000, 66_000
+        arguments.seeds, arguments.radii = [1, 2, 3], [4, 6, 8]
+    if arguments.small:
+        arguments.input_points, arguments.output_points = 2_000, 1_300
+        arguments.shapes, arguments.noise, arguments.radii = ["staircase"], [0.5], [4]
+    if arguments.only_ours and arguments.output is None:
+        parser.error("--only-ours needs the --output of a complete run")
+    return arguments
+
+
+def main():
+    arguments = parse_arguments()
+    command = command_line("run_comparison.py", sys.argv[1:])
+    result = {"commands": [command], "experiments": []}
+    planned, compared = plan(arguments), methods(arguments.radii)
+    measured = dict(compared)
+    if arguments.only_ours:
+        previous = json.loads(arguments.output.with_suffix(".json").read_text(encoding="utf-8"))
+        reuse(previous, planned, compared, ["default"])
+        result["commands"] = [old for old in previous["commands"] if old != command] + [command]
+        measured = {"default": compared["default"]}
+    with tempfile.TemporaryDirectory() as scratch:
+        bench = Bench(arguments.build / "bin", Path(scratch), arguments.threads)
+        for mesh, experiment in planned:
+            source = bench.sample(mesh, experiment)
+            cleaned = source
+            if experiment["outliers_percent"] > 0 and not arguments.only_ours:
+                cleaned = bench.remove_outliers(source, experiment["outliers_percent"])
+            bench.measure_all(mesh, experiment, measured,
+                              lambda name, all_points=source, rest=cleaned: all_points if name == "default" else rest)
+            result["experiments"].append(experiment)
+            if arguments.output is not None:   # a long run that fails leaves what it has
+                write_result(arguments.output, result, comparison_tables.markdown(result))
+    if arguments.output is None:
+        write_result(None, result, comparison_tables.markdown(result))
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except (ValueError, OSError, subprocess.CalledProcessError) as error:
+        sys.exit(f"run_comparison.py: {error}")
