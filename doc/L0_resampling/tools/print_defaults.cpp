@@ -67,6 +67,12 @@ void print_constants()
   object.add("fit_angle_factor", fit_angle_factor);
   object.add("fit_bandwidth_factor", fit_bandwidth_factor);
   object.add("fit_weight_factor", fit_weight_factor);
+  object.add("border_allowance", border_allowance);
+  object.add("sheet_height_per_noise", sheet_height_per_noise);
+  object.add("sheet_height_per_radius", sheet_height_per_radius);
+  object.add("outlier_share_of_surroundings", outlier_share_of_surroundings);
+  object.add("outlier_share_of_median", outlier_share_of_median);
+  object.add("gap_of_parts", gap_of_parts);
   object.add("number_of_normal_refits", number_of_normal_refits);
   object.add("self_neighbor_radius_per_spacing", self_neighbor_radius_per_spacing);
   object.add("number_of_repulsion_steps", number_of_repulsion_steps);
