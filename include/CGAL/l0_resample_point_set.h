@@ -60,7 +60,7 @@ Solver& unwrapped(Solver& solver) { return solver; }
 template <typename Solver>
 Solver& unwrapped(std::reference_wrapper<Solver>& solver) { return solver.get(); }
 
-/// The whole function on the CPU, once the property maps are known. `NormalMap` may be `bool`, for none.
+/// The whole function on the CPU, once the property maps are known. `NormalMap` may be `bool`, for none, or an optional.
 /// \param near_count how many near points of the input `write` wants to know of each point, if the maps among the parameters want fewer
 /// \param write called once if there is a result: with its size, a function that gives its i-th pair, and the `Point_data` asked for
 template <typename ConcurrencyTag, typename Kernel, typename PointRange, typename PointMap, typename NormalMap, typename Write,
@@ -89,10 +89,8 @@ void resample_on_cpu(const PointRange& range, PointMap point_map, NormalMap norm
   const Parameters checked = checked_parameters(np, input.points.size());
   if (checked.number_of_output_points == 0)
     return;
-  if constexpr (!std::is_same<NormalMap, bool>::value)
-    read_normals(range, normal_map, input);
-  if constexpr (!parameters::is_default_parameter<NamedParameters, internal_np::orientation_hint_map_t>::value)
-    read_directions(range, parameters::get_parameter(np, internal_np::orientation_hint_map), input, input.hints);
+  read_normals_if_given(range, normal_map, input);
+  if_given(np, internal_np::orientation_hint_map, [&](const auto& map) { read_directions(range, map, input, input.hints); });
   release(input.is_kept);
 
   Block_conjugate_gradient_solver_traits<Local, ConcurrencyTag> default_solver;
@@ -198,7 +196,8 @@ threads or on the run; it scales and moves with the input.
 \param points the input. Any number of points, from none.
 \param out takes one pair for each point of the result: its position and its normal of unit length.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below. Those that CGAL lacks start a
-chain, or are joined to one by `|`, one at a time: `parameters::neighbor_radius(0.1) | parameters::normal_weight(0.5)`.
+chain, or are joined to one by `|`, one at a time: `parameters::neighbor_radius(0.1) | parameters::normal_weight(0.5)`. All but `point_map`, `geom_traits` and
+`sparse_linear_solver` may also be given as a `std::optional` of their type; one without a value leaves the default.
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{point_map}

@@ -53,6 +53,9 @@ def l0_resample_point_set(
     initial_penalty=0.1,
     maximum_penalty=2,
     penalty_growth=None,
+    keep_density=False,
+    viewpoint=None,
+    orientation_hints=None,
     number_of_orientation_neighbors=12,
     random_seed=0,
     drop_non_finite=False,
@@ -61,6 +64,8 @@ def l0_resample_point_set(
     threads=None,
     device="cpu",
     callback=None,
+    source_indices=False,
+    feature_confidences=False,
     report=False,
 ):
     """Resamples a point set as CGAL::l0_resample_point_set() does, whose documentation explains every parameter.
@@ -77,10 +82,14 @@ def l0_resample_point_set(
     device    "cpu"; "cuda", which raises RuntimeError where no device can be used; or "auto", whose choice the report
               explains
     callback  called with the progress in [0, 1] every now and then, in the calling thread; cancels if it returns False
+    viewpoint three coordinates
+    orientation_hints    an array of shape (n, 3): the named parameter orientation_hint_map
+    source_indices       whether to return, for each point of the result, the index of the nearest of points
+    feature_confidences  whether to return, for each point of the result, how sure it is to lie on an edge, in [0, 1]
     report    whether to return a Report too
 
-    Returns positions and normals, and the report if it is asked for. The interpreter's lock is not held meanwhile, and
-    Ctrl-C is obeyed.
+    Returns positions and normals, then what is asked for in this order: source indices, feature confidences and the
+    report. The interpreter's lock is not held meanwhile, and Ctrl-C is obeyed.
 
     Raises ValueError for points and parameters that cannot be used, TypeError for what is no number, MemoryError,
     Cancelled, what the callback raises, and RuntimeError if a solver or a device fails.
@@ -97,6 +106,10 @@ def l0_resample_point_set(
         "initial_penalty": initial_penalty,
         "maximum_penalty": maximum_penalty,
         "penalty_growth": penalty_growth,
+        "keep_density": bool(keep_density),
+        "viewpoint": None if viewpoint is None else [float(coordinate) for coordinate in viewpoint],
+        "source_indices": bool(source_indices),
+        "feature_confidences": bool(feature_confidences),
         "number_of_orientation_neighbors": number_of_orientation_neighbors,
         "random_seed": random_seed,
         "drop_non_finite": bool(drop_non_finite),
@@ -113,15 +126,24 @@ def l0_resample_point_set(
             setattr(parameters, name, value)
         except TypeError:
             # A number that does not fit, such as a negative seed, is a bad value; a string is a bad type.
-            error = ValueError if isinstance(value, (int, float)) else TypeError
+            error = ValueError if isinstance(value, (int, float, list)) else TypeError
             raise error(f"{name} is {value!r}, which it cannot be") from None
 
     result = _core.resample(
-        _array("points", points), None if normals is None else _array("normals", normals), parameters, callback
+        _array("points", points),
+        None if normals is None else _array("normals", normals),
+        None if orientation_hints is None else _array("orientation_hints", orientation_hints),
+        parameters,
+        callback,
     )
     if result is None:
         raise Cancelled("cancelled by the callback")
-    positions, resampled_normals, members = result
+    positions, resampled_normals, sources, confidences, members = result
+    answer = [positions, resampled_normals]
+    if source_indices:
+        answer.append(sources)
+    if feature_confidences:
+        answer.append(confidences)
     if report:
-        return positions, resampled_normals, report_of(members)
-    return positions, resampled_normals
+        answer.append(report_of(members))
+    return tuple(answer)

@@ -3,7 +3,7 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-from typing import Any, Callable, Literal, overload
+from typing import Any, Callable, Literal, Sequence, overload
 
 from numpy.typing import ArrayLike, NDArray
 
@@ -37,6 +37,9 @@ def l0_resample_point_set(
     initial_penalty: float = 0.1,
     maximum_penalty: float = 2,
     penalty_growth: float | None = None,
+    keep_density: bool = False,
+    viewpoint: Sequence[float] | None = None,
+    orientation_hints: ArrayLike | None = None,
     number_of_orientation_neighbors: int = 12,
     random_seed: int = 0,
     drop_non_finite: bool = False,
@@ -45,6 +48,8 @@ def l0_resample_point_set(
     threads: int | None = None,
     device: Literal["cpu", "cuda", "auto"] = "cpu",
     callback: Callable[[float], object] | None = None,
+    source_indices: Literal[False] = False,
+    feature_confidences: Literal[False] = False,
     report: Literal[False] = False,
 ) -> tuple[_Array, _Array]: ...
 @overload
@@ -64,6 +69,9 @@ def l0_resample_point_set(
     initial_penalty: float = 0.1,
     maximum_penalty: float = 2,
     penalty_growth: float | None = None,
+    keep_density: bool = False,
+    viewpoint: Sequence[float] | None = None,
+    orientation_hints: ArrayLike | None = None,
     number_of_orientation_neighbors: int = 12,
     random_seed: int = 0,
     drop_non_finite: bool = False,
@@ -72,5 +80,39 @@ def l0_resample_point_set(
     threads: int | None = None,
     device: Literal["cpu", "cuda", "auto"] = "cpu",
     callback: Callable[[float], object] | None = None,
+    source_indices: Literal[False] = False,
+    feature_confidences: Literal[False] = False,
     report: Literal[True],
 ) -> tuple[_Array, _Array, Report]: ...
+@overload
+def l0_resample_point_set(
+    points: ArrayLike,
+    normals: ArrayLike | None = None,
+    *,
+    number_of_output_points: int | None = None,
+    select_percentage: float = 50,
+    method: Literal["default", "lor", "alor"] = "default",
+    neighbor_radius: float | None = None,
+    normal_filter_radius: float | None = None,
+    sharpness_angle: float = 15,
+    number_of_normal_filter_iterations: int = 5,
+    normal_weight: float = 0.9,
+    regularization_weight: float | None = None,
+    initial_penalty: float = 0.1,
+    maximum_penalty: float = 2,
+    penalty_growth: float | None = None,
+    keep_density: bool = False,
+    viewpoint: Sequence[float] | None = None,
+    orientation_hints: ArrayLike | None = None,
+    number_of_orientation_neighbors: int = 12,
+    random_seed: int = 0,
+    drop_non_finite: bool = False,
+    drop_outliers: bool | None = None,
+    maximum_memory: int | None = None,
+    threads: int | None = None,
+    device: Literal["cpu", "cuda", "auto"] = "cpu",
+    callback: Callable[[float], object] | None = None,
+    source_indices: bool = False,
+    feature_confidences: bool = False,
+    report: bool = False,
+) -> tuple[Any, ...]: ...

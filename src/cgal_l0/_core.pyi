@@ -36,6 +36,10 @@ class Parameters:
     initial_penalty: float
     maximum_penalty: float
     penalty_growth: float | None
+    keep_density: bool
+    viewpoint: list[float] | None
+    source_indices: bool
+    feature_confidences: bool
     number_of_orientation_neighbors: int
     random_seed: int
     drop_non_finite: bool
@@ -48,6 +52,7 @@ class Parameters:
 def resample(
     points: NDArray[Any],
     normals: NDArray[Any] | None,
+    orientation_hints: NDArray[Any] | None,
     parameters: Parameters,
     callback: Callable[[float], object] | None,
-) -> tuple[NDArray[Any], NDArray[Any], dict[str, Any]] | None: ...
+) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any], NDArray[Any], dict[str, Any]] | None: ...

@@ -41,15 +41,18 @@ Array_view view_of(const py::array& array, const char* name)
   return view;
 }
 
-/// An (n, 3) array that takes the numbers over.
-template <typename FT>
-py::array_t<FT> array_of(std::vector<FT>&& numbers)
+/// An array of that many columns that takes the numbers over; of one dimension if there is one column.
+template <typename T>
+py::array_t<T> array_of(std::vector<T>&& numbers, py::ssize_t columns)
 {
-  auto owned = std::make_unique<std::vector<FT>>(std::move(numbers));
-  std::vector<FT>* vector = owned.get();
-  const py::capsule owner(vector, [](void* pointer) { delete static_cast<std::vector<FT>*>(pointer); });
+  auto owned = std::make_unique<std::vector<T>>(std::move(numbers));
+  std::vector<T>* vector = owned.get();
+  const py::capsule owner(vector, [](void* pointer) { delete static_cast<std::vector<T>*>(pointer); });
   owned.release();
-  return py::array_t<FT>({py::ssize_t(vector->size() / 3), py::ssize_t(3)}, vector->data(), owner);
+  std::vector<py::ssize_t> shape = {py::ssize_t(vector->size()) / columns};
+  if (columns > 1)
+    shape.push_back(columns);
+  return py::array_t<T>(shape, vector->data(), owner);
 }
 
 /// By the names of the C++ members.
@@ -77,36 +80,43 @@ py::dict dictionary_of(const Report& report)
     "number_of_self_neighbor_pairs"_a = report.number_of_self_neighbor_pairs,
     "neighbor_radius"_a = report.neighbor_radius, "normal_filter_radius"_a = report.normal_filter_radius,
     "estimated_spacing"_a = report.estimated_spacing, "estimated_noise"_a = report.estimated_noise,
-    "oriented_share"_a = report.oriented_share, "iterations"_a = iterations, "converged"_a = report.converged,
+    "oriented_share"_a = report.oriented_share, "hinted_share"_a = report.hinted_share, "iterations"_a = iterations, "converged"_a = report.converged,
     "stages"_a = stages, "peak_bytes"_a = report.peak_bytes,
     "device"_a = report.device, "device_reason"_a = report.device_reason);
 }
 
-/// \returns positions, normals and the report; or None, if the callback cancelled
+/// \returns positions, normals, source indices, feature confidences and the report; or None, if the callback cancelled. What is not
+/// wanted is empty.
 template <typename FT>
-py::object resample_as(const Array_view& points, const Array_view* normals, const Parameters& parameters,
-                       const py::object& callback)
+py::object resample_as(const Array_view& points, const Array_view* normals, const Array_view* orientation_hints,
+                       const Parameters& parameters, const py::object& callback)
 {
   Result<FT> result;
   const bool is_complete = run_beside_python(callback, [&](const std::function<bool(double)>& go_on) {
-    result = resample<FT>(points, normals, parameters, go_on);
+    result = resample<FT>(points, normals, orientation_hints, parameters, go_on);
   });
   if (!is_complete)
     return py::none();
   const py::dict report = dictionary_of(result.report);
-  return py::make_tuple(array_of(std::move(result.positions)), array_of(std::move(result.normals)), report);
+  return py::make_tuple(array_of(std::move(result.positions), 3), array_of(std::move(result.normals), 3),
+                        array_of(std::move(result.source_indices), 1), array_of(std::move(result.feature_confidences), 1),
+                        report);
 }
 
 py::object resample_arrays(const py::array& points, const std::optional<py::array>& normals,
-                           const Parameters& parameters, const py::object& callback)
+                           const std::optional<py::array>& orientation_hints, const Parameters& parameters,
+                           const py::object& callback)
 {
   const Array_view point_view = view_of(points, "points");
-  std::optional<Array_view> normal_view;
+  std::optional<Array_view> normal_view, hint_view;
   if (normals)
     normal_view = view_of(*normals, "normals");
+  if (orientation_hints)
+    hint_view = view_of(*orientation_hints, "orientation_hints");
   const Array_view* given_normals = normal_view ? &*normal_view : nullptr;
-  return point_view.is_double ? resample_as<double>(point_view, given_normals, parameters, callback)
-                              : resample_as<float>(point_view, given_normals, parameters, callback);
+  const Array_view* given_hints = hint_view ? &*hint_view : nullptr;
+  return point_view.is_double ? resample_as<double>(point_view, given_normals, given_hints, parameters, callback)
+                              : resample_as<float>(point_view, given_normals, given_hints, parameters, callback);
 }
 
 } // namespace
@@ -141,6 +151,10 @@ PYBIND11_MODULE(_core, module)
     .def_readwrite("initial_penalty", &Parameters::initial_penalty)
     .def_readwrite("maximum_penalty", &Parameters::maximum_penalty)
     .def_readwrite("penalty_growth", &Parameters::penalty_growth)
+    .def_readwrite("keep_density", &Parameters::keep_density)
+    .def_readwrite("viewpoint", &Parameters::viewpoint)
+    .def_readwrite("source_indices", &Parameters::source_indices)
+    .def_readwrite("feature_confidences", &Parameters::feature_confidences)
     .def_readwrite("number_of_orientation_neighbors", &Parameters::number_of_orientation_neighbors)
     .def_readwrite("random_seed", &Parameters::random_seed)
     .def_readwrite("drop_non_finite", &Parameters::drop_non_finite)
@@ -149,6 +163,6 @@ PYBIND11_MODULE(_core, module)
     .def_readwrite("threads", &Parameters::threads)
     .def_readwrite("device", &Parameters::device);
 
-  module.def("resample", &resample_arrays, py::arg("points"), py::arg("normals"), py::arg("parameters"),
-             py::arg("callback"));
+  module.def("resample", &resample_arrays, py::arg("points"), py::arg("normals"),
+             py::arg("orientation_hints"), py::arg("parameters"), py::arg("callback"));
 }

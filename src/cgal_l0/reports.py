@@ -60,6 +60,7 @@ class Report:
     estimated_spacing: float
     estimated_noise: float
     oriented_share: float
+    hinted_share: float
     iterations: tuple[IterationReport, ...]
     converged: bool
     stages: tuple[StageReport, ...]

@@ -17,11 +17,14 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <new>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace l0_python {
 namespace {
@@ -65,43 +68,35 @@ public:
   }
 };
 
-/// Calls `next` with the chain, or with the chain and `add` of the value if there is one: the compiler has to know
-/// which names a chain has.
-template <typename Chain, typename T, typename Add, typename Next>
-void with_optional(const Chain& np, const std::optional<T>& value, const Add& add, const Next& next)
+/// Appends what is put to it, which comes in the order of the points.
+template <typename T>
+struct Appending_map
 {
-  if (value)
-    next(add(np, *value));
-  else
-    next(np);
-}
+  using key_type = std::size_t;
+  using value_type = T;
+  using reference = T;
+  using category = boost::writable_property_map_tag;
 
-template <typename Tag, typename FT, typename Chain>
-void call(const Array_view& points, const Array_view* normals, const Parameters& parameters, const Chain& chain,
-          Result<FT>& result)
-{
-  const auto add_count = [](const auto& np, std::int64_t count) { return np.number_of_output_points(count); };
-  const auto add_radius = [](const auto& np, double radius) { return np.neighbor_radius(radius); };
-  const auto add_filter_radius = [](const auto& np, double radius) { return np.normal_filter_radius(radius); };
-  const auto add_normals = [](const auto& np, const Normal_map& map) { return np.normal_map(map); };
-  const std::optional<Normal_map> normal_map = normals ? std::make_optional(Normal_map{*normals}) : std::nullopt;
+  std::vector<T>* values;
 
-  with_optional(chain, parameters.number_of_output_points, add_count, [&](const auto& np) {
-  with_optional(np, parameters.neighbor_radius, add_radius, [&](const auto& np) {
-  with_optional(np, parameters.normal_filter_radius, add_filter_radius, [&](const auto& np) {
-  with_optional(np, normal_map, add_normals, [&](const auto& np) {
-    CGAL::l0_resample_point_set<Tag>(boost::irange(std::size_t(0), points.size), Result_inserter<FT>(result), np);
-  }); }); }); });
-}
+  friend void put(const Appending_map& map, std::size_t, T value) { map.values->push_back(value); }
+};
 
 template <typename FT>
-Result<FT> resample_with_tag(const Array_view& points, const Array_view* normals, const Parameters& parameters,
-                             const std::function<bool(double)>& callback, bool on_device)
+Result<FT> resample_with_tag(const Array_view& points, const Array_view* normals, const Array_view* orientation_hints,
+                             const Parameters& parameters, const std::function<bool(double)>& callback, bool on_device)
 {
   const Parameters defaults = default_parameters(parameters.resampling_method);
   Result<FT> result;
+  const auto if_wanted = [](bool is_wanted, const auto& map) { return is_wanted ? std::make_optional(map) : std::nullopt; };
+  const auto if_there = [](const Array_view* view) {
+    return view ? std::make_optional(Normal_map{*view}) : std::nullopt;
+  };
   const auto np = CGAL::parameters::resampling_method(parameters.resampling_method)
+                    .number_of_output_points(parameters.number_of_output_points)
                     .select_percentage(parameters.select_percentage)
+                    .neighbor_radius(parameters.neighbor_radius)
+                    .normal_filter_radius(parameters.normal_filter_radius)
                     .sharpness_angle(parameters.sharpness_angle)
                     .number_of_normal_filter_iterations(parameters.number_of_normal_filter_iterations)
                     .normal_weight(parameters.normal_weight)
@@ -109,6 +104,13 @@ Result<FT> resample_with_tag(const Array_view& points, const Array_view* normals
                     .initial_penalty(parameters.initial_penalty)
                     .maximum_penalty(parameters.maximum_penalty)
                     .penalty_growth(parameters.penalty_growth.value_or(*defaults.penalty_growth))
+                    .keep_density(parameters.keep_density)
+                    .viewpoint(parameters.viewpoint)
+                    .normal_map(if_there(normals))
+                    .orientation_hint_map(if_there(orientation_hints))
+                    .source_index_map(if_wanted(parameters.source_indices, Appending_map<std::int64_t>{&result.source_indices}))
+                    .feature_confidence_map(
+                      if_wanted(parameters.feature_confidences, Appending_map<FT>{&result.feature_confidences}))
                     .number_of_orientation_neighbors(parameters.number_of_orientation_neighbors)
                     .random_seed(parameters.random_seed)
                     .drop_non_finite(parameters.drop_non_finite)
@@ -118,14 +120,15 @@ Result<FT> resample_with_tag(const Array_view& points, const Array_view* normals
                     .resampling_report(&result.report)
                     .point_map(Point_map{points})
                     .geom_traits(CGAL::Simple_cartesian<FT>());
+  const auto range = boost::irange(std::size_t(0), points.size);
 #ifdef CGAL_L0_LINKED_WITH_CUDA
   if (on_device)
-    call<CGAL::CUDA_tag>(points, normals, parameters, np, result);
+    CGAL::l0_resample_point_set<CGAL::CUDA_tag>(range, Result_inserter<FT>(result), np);
   else
 #else
   static_cast<void>(on_device);
 #endif
-    call<CGAL::Parallel_if_available_tag>(points, normals, parameters, np, result);
+    CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(range, Result_inserter<FT>(result), np);
   return result;
 }
 
@@ -141,14 +144,16 @@ bool is_device_usable(std::string& reason)
 }
 
 template <typename FT>
-Result<FT> resample_on_any_device(const Array_view& points, const Array_view* normals, const Parameters& parameters,
-                                  const std::function<bool(double)>& callback)
+Result<FT> resample_on_any_device(const Array_view& points, const Array_view* normals, const Array_view* orientation_hints,
+                                  const Parameters& parameters, const std::function<bool(double)>& callback)
 {
   std::string reason = "asked for";
   if (parameters.device != Device::CPU)
   {
     std::string failure;
-    if (!is_device_usable(failure))
+    if (parameters.device == Device::AUTO && (parameters.keep_density || parameters.viewpoint || orientation_hints))
+      failure = "the device does not have keep_density, viewpoint and orientation_hints yet";
+    else if (!is_device_usable(failure))
     {
       if (parameters.device == Device::CUDA)
         throw CGAL::L0_resampling::Device_error("device='cuda': " + failure);
@@ -156,7 +161,7 @@ Result<FT> resample_on_any_device(const Array_view& points, const Array_view* no
     else
       try
       {
-        Result<FT> result = resample_with_tag<FT>(points, normals, parameters, callback, true);
+        Result<FT> result = resample_with_tag<FT>(points, normals, orientation_hints, parameters, callback, true);
         if (parameters.device == Device::AUTO)
           result.report.device_reason = "a device can be used";
         return result;
@@ -175,7 +180,7 @@ Result<FT> resample_on_any_device(const Array_view& points, const Array_view* no
       }
     reason = failure;
   }
-  Result<FT> result = resample_with_tag<FT>(points, normals, parameters, callback, false);
+  Result<FT> result = resample_with_tag<FT>(points, normals, orientation_hints, parameters, callback, false);
   result.report.device_reason = reason;
   return result;
 }
@@ -203,25 +208,29 @@ Parameters default_parameters(Method method)
 }
 
 template <typename FT>
-Result<FT> resample(const Array_view& points, const Array_view* normals, const Parameters& parameters,
-                    const std::function<bool(double)>& callback)
+Result<FT> resample(const Array_view& points, const Array_view* normals, const Array_view* orientation_hints,
+                    const Parameters& parameters, const std::function<bool(double)>& callback)
 {
   if (parameters.threads && (*parameters.threads < 1 || *parameters.threads > 4096))
     throw std::invalid_argument("l0_resample_point_set: threads is " + std::to_string(*parameters.threads)
                                 + ", expected 1 to 4096");
-  if (normals && normals->size != points.size)
-    throw std::invalid_argument("l0_resample_point_set: " + std::to_string(points.size) + " points with "
-                                + std::to_string(normals->size) + " normals");
+  const auto check_size = [&](const Array_view* view, const char* name) {
+    if (view && view->size != points.size)
+      throw std::invalid_argument("l0_resample_point_set: " + std::to_string(points.size) + " points with "
+                                  + std::to_string(view->size) + " " + name);
+  };
+  check_size(normals, "normals");
+  check_size(orientation_hints, "orientation_hints");
   // An arena limits this call alone, where tbb::global_control would limit every other one of the process too.
   tbb::task_arena arena(parameters.threads ? int(*parameters.threads) : int(tbb::task_arena::automatic));
   Result<FT> result;
-  arena.execute([&]() { result = resample_on_any_device<FT>(points, normals, parameters, callback); });
+  arena.execute([&]() { result = resample_on_any_device<FT>(points, normals, orientation_hints, parameters, callback); });
   return result;
 }
 
-template Result<float> resample(const Array_view&, const Array_view*, const Parameters&,
+template Result<float> resample(const Array_view&, const Array_view*, const Array_view*, const Parameters&,
                                 const std::function<bool(double)>&);
-template Result<double> resample(const Array_view&, const Array_view*, const Parameters&,
+template Result<double> resample(const Array_view&, const Array_view*, const Array_view*, const Parameters&,
                                  const std::function<bool(double)>&);
 
 } // namespace l0_python

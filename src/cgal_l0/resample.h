@@ -11,6 +11,7 @@
 #include <CGAL/L0_resampling/Report.h>
 #include <CGAL/L0_resampling/tags.h>
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -38,11 +39,17 @@ struct Parameters
   double initial_penalty = 0;
   double maximum_penalty = 0;
   std::optional<double> penalty_growth;
+  bool keep_density = false;
+  std::optional<std::array<double, 3>> viewpoint;
   std::int64_t number_of_orientation_neighbors = 0;
   std::uint64_t random_seed = 0;
   bool drop_non_finite = false;
   std::optional<bool> drop_outliers;
   std::uint64_t maximum_memory = (std::numeric_limits<std::uint64_t>::max)();   ///< in bytes
+
+  // whether the named parameters source_index_map and feature_confidence_map are wanted
+  bool source_indices = false;
+  bool feature_confidences = false;
 
   // of this call, not of the function
   std::optional<std::int64_t> threads;   ///< all, if not given
@@ -52,11 +59,13 @@ struct Parameters
 /// The parameters with the defaults of the function for a method, but for those that it takes from the points.
 Parameters default_parameters(CGAL::L0_resampling::Method method);
 
-/// Positions and normals, xyz interleaved.
+/// Positions and normals, xyz interleaved, and what is wanted beside them, one number a point.
 template <typename FT>
 struct Result
 {
   std::vector<FT> positions, normals;
+  std::vector<std::int64_t> source_indices;
+  std::vector<FT> feature_confidences;
   CGAL::L0_resampling::Report report;
 };
 
@@ -65,11 +74,12 @@ Calls `CGAL::l0_resample_point_set()`.
 
 \tparam FT `float` or `double`, the number type of the result
 \param normals of the points, or null
+\param orientation_hints of the points, or null
 \throws what the function throws
 */
 template <typename FT>
-Result<FT> resample(const Array_view& points, const Array_view* normals, const Parameters& parameters,
-                    const std::function<bool(double)>& callback);
+Result<FT> resample(const Array_view& points, const Array_view* normals, const Array_view* orientation_hints,
+                    const Parameters& parameters, const std::function<bool(double)>& callback);
 
 } // namespace l0_python
 

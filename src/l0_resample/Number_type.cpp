@@ -8,8 +8,11 @@
 #include "parse_numbers.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <limits>
+#include <type_traits>
 #include <optional>
 
 namespace l0_tool {
@@ -34,6 +37,20 @@ bool parse(std::string_view word, char* target)
   if (number)
     std::memcpy(target, &*number, sizeof(T));
   return number.has_value();
+}
+
+template <typename T>
+void write_as(double number, char* bytes)
+{
+  T value;
+  if constexpr (std::is_floating_point<T>::value)
+    value = T(number);
+  else {
+    using Limits = std::numeric_limits<T>;
+    const double rounded = std::isfinite(number) ? std::floor(number + 0.5) : 0;
+    value = T((std::min)((std::max)(rounded, double((Limits::min)())), double((Limits::max)())));
+  }
+  std::memcpy(bytes, &value, sizeof(T));
 }
 
 } // namespace
@@ -89,6 +106,21 @@ bool parse_number_of(Number_type type, std::string_view word, char* target)
 bool fits_single_precision(Number_type type)
 {
   return type == Number_type::FLOAT32 || size_of(type) <= 2;
+}
+
+void encode(double number, Number_type type, char* bytes)
+{
+  switch (type) {
+  case Number_type::INT8: return write_as<std::int8_t>(number, bytes);
+  case Number_type::UINT8: return write_as<std::uint8_t>(number, bytes);
+  case Number_type::INT16: return write_as<std::int16_t>(number, bytes);
+  case Number_type::UINT16: return write_as<std::uint16_t>(number, bytes);
+  case Number_type::INT32: return write_as<std::int32_t>(number, bytes);
+  case Number_type::UINT32: return write_as<std::uint32_t>(number, bytes);
+  case Number_type::FLOAT32: return write_as<float>(number, bytes);
+  case Number_type::FLOAT64: break;
+  }
+  write_as<double>(number, bytes);
 }
 
 bool is_little_endian_machine()

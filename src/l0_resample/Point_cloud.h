@@ -34,6 +34,14 @@ struct Point_cloud
   std::vector<std::string> warnings;         ///< one line each, with the name of the file
 };
 
+/// What is written.
+struct Resampled_points
+{
+  std::vector<Oriented_point> points;
+  Property_table properties;                 ///< one row for each point
+  std::vector<float> feature_confidences;    ///< for the snapshot, if asked for; they are among the properties too
+};
+
 } // namespace l0_tool
 
 #endif // L0_RESAMPLE_POINT_CLOUD_H

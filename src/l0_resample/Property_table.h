@@ -46,6 +46,11 @@ public:
   void reserve(std::size_t number_of_rows) { m_rows.reserve(number_of_rows * m_row_size); }
   void append(const std::vector<char>& row) { m_rows.insert(m_rows.end(), row.begin(), row.end()); }
   const char* row(std::size_t i) const { return m_rows.data() + i * m_row_size; }
+
+  double value(std::size_t row_index, const Property& property) const
+  {
+    return decode(row(row_index) + property.offset, property.type, false);
+  }
 };
 
 } // namespace l0_tool

@@ -91,21 +91,28 @@ constexpr std::uint64_t any_count = (std::numeric_limits<std::uint64_t>::max)();
   throw CLI::ValidationError(message, int(WRONG_USAGE));
 }
 
-std::array<double, 3> parse_view(const std::string& text)
+/// Three numbers separated by commas.
+std::array<double, 3> parse_coordinates(const std::string& option, const std::string& text)
 {
   std::string words = text;
   std::replace(words.begin(), words.end(), ',', ' ');
   std::string_view rest = words;
-  std::array<double, 3> view;
-  double largest = 0;
-  for (double& coordinate : view) {
-    coordinate = parse_number<double>(next_word(rest)).value_or(std::numeric_limits<double>::quiet_NaN());
-    if (!std::isfinite(coordinate))
-      refuse_usage("--view: " + text + " is not three numbers separated by commas");
-    largest = (std::max)(largest, std::abs(coordinate));
+  std::array<double, 3> numbers;
+  for (double& number : numbers) {
+    number = parse_number<double>(next_word(rest)).value_or(std::numeric_limits<double>::quiet_NaN());
+    if (!std::isfinite(number))
+      refuse_usage(option + ": " + text + " is not three numbers separated by commas");
   }
-  if (largest == 0 || !next_word(rest).empty())
-    refuse_usage("--view: " + text + " is not a direction of three numbers");
+  if (!next_word(rest).empty())
+    refuse_usage(option + ": " + text + " is more than three numbers");
+  return numbers;
+}
+
+std::array<double, 3> parse_view(const std::string& text)
+{
+  const std::array<double, 3> view = parse_coordinates("--view", text);
+  if (std::all_of(view.begin(), view.end(), [](double number) { return number == 0; }))
+    refuse_usage("--view: " + text + " is not a direction");
   return view;
 }
 
@@ -199,6 +206,14 @@ void add_options(CLI::App& app, Options& options, std::vector<std::string>& file
   app.add_option("--seed", options.seed, "chooses where the points start")
      ->check(count_within(0, any_count))->type_name("K")->capture_default_str();
   app.add_flag("--use-normals", options.use_normals, "start from the normals of INPUT instead of estimating them");
+  auto* by_normals = app.add_flag("--orient-by-normals", options.orient_by_normals,
+                                  "turn the result to the side of the normals of INPUT, instead of outwards");
+  const auto set_viewpoint = [&options](const std::string& text) {
+    options.viewpoint = parse_coordinates("--viewpoint", text);
+  };
+  app.add_option_function<std::string>("--viewpoint", set_viewpoint, "turn the result to this point, such as that of the scanner")
+     ->type_name("X,Y,Z")->excludes(by_normals);
+  app.add_flag("--keep-density", options.keep_density, "as dense here and there as INPUT is, instead of even");
   app.add_flag("--drop-non-finite", options.drop_non_finite, "leave out points with a NaN or infinite coordinate");
   app.add_flag("--keep-outliers", options.keep_outliers, "let points off the cloud take part, which the default method leaves out");
 
@@ -209,6 +224,10 @@ void add_options(CLI::App& app, Options& options, std::vector<std::string>& file
   app.add_option("--threads", options.threads, "most threads to use [all]")
      ->check(count_within(1, 4096))->type_name("N");
 
+  app.add_flag("--source-index", options.with_source_indices,
+               "a property source_index more: which point of INPUT is nearest, counted from 0");
+  app.add_flag("--feature-confidence", options.with_feature_confidences,
+               "a property feature_confidence more: from 0 on a smooth surface to 1 on an edge");
   app.add_option("--json", options.json, "write what was done, stage by stage")->type_name("FILE");
   app.add_option("--snapshot", options.snapshot, "draw input and result side by side, colored by normal direction")
      ->type_name("FILE.png");

@@ -39,6 +39,11 @@ struct Options
   double sharpness_angle = 15;
   std::uint64_t seed = 0;
   bool use_normals = false;
+  bool orient_by_normals = false;
+  std::optional<std::array<double, 3>> viewpoint;
+  bool keep_density = false;
+  bool with_source_indices = false;
+  bool with_feature_confidences = false;
   bool drop_non_finite = false;
   bool keep_outliers = false;
 

@@ -29,7 +29,15 @@ Color color_of(const Vector& n)
           to_linear(float(0.5 + 0.5 * n.z()))};
 }
 
-Image render_panel(const std::vector<Point>& points, const std::vector<Vector>& normals, const Camera& camera)
+/// Light gray to red.
+Color color_of_confidence(float confidence)
+{
+  const float gray = to_linear(0.8f), red = to_linear(0.85f);
+  return {gray + confidence * (red - gray), gray * (1 - confidence), gray * (1 - confidence)};
+}
+
+Image render_panel(const std::vector<Point>& points, const std::vector<Vector>& normals, const std::vector<float>& confidences,
+                   const Camera& camera)
 {
   const bool has_normals = !normals.empty();
   std::vector<Splat> splats;
@@ -42,7 +50,7 @@ Image render_panel(const std::vector<Point>& points, const std::vector<Vector>& 
       const Vector n = normals[i] / length;
       const Vector seen = camera.rotate(n);
       splat.normal = {float(seen.x()), float(seen.y()), float(seen.z())};
-      splat.color = color_of(n);
+      splat.color = confidences.empty() ? color_of(n) : color_of_confidence(confidences[i]);
     }
     splats.push_back(splat);
   }
@@ -53,7 +61,8 @@ Image render_panel(const std::vector<Point>& points, const std::vector<Vector>& 
 } // namespace
 
 Image render_snapshot(const Point_cloud& input, const std::vector<Oriented_point>& result,
-                      const std::optional<std::array<double, 3>>& towards_eye)
+                      const std::optional<std::array<double, 3>>& towards_eye,
+                      const std::vector<float>& feature_confidences)
 {
   std::vector<Point> result_points;
   std::vector<Vector> result_normals;
@@ -66,8 +75,8 @@ Image render_snapshot(const Point_cloud& input, const std::vector<Oriented_point
   Camera camera(Vector(eye[0], eye[1], eye[2]), panel_width, panel_height);
   camera.fit({&input.points, &result_points});
 
-  const Image left = render_panel(input.points, input.normals, camera);
-  const Image right = render_panel(result_points, result_normals, camera);
+  const Image left = render_panel(input.points, input.normals, {}, camera);
+  const Image right = render_panel(result_points, result_normals, feature_confidences, camera);
   Image image(2 * panel_width, panel_height, {1, 1, 1});
   for (int y = 0; y < panel_height; ++y) {
     std::copy_n(&left.at(0, y), panel_width, &image.at(0, y));

@@ -25,7 +25,10 @@ Json parameters_as_json(const Options& options)
                {"sharpness_angle", options.sharpness_angle},
                {"seed", options.seed},
                {"use_normals", options.use_normals},
-               {"keep_outliers", options.keep_outliers}};
+               {"keep_outliers", options.keep_outliers},
+               {"keep_density", options.keep_density},
+               {"orient_by_normals", options.orient_by_normals},
+               {"viewpoint", options.viewpoint ? Json(*options.viewpoint) : Json(nullptr)}};
   json["threads"] = options.threads ? Json(*options.threads) : Json("all");
   return json;
 }
@@ -53,6 +56,7 @@ Json report_as_json(const Report& report)
                {"lonely_samples", report.number_of_lonely_samples},
                {"self_neighbor_pairs", report.number_of_self_neighbor_pairs},
                {"oriented_share", report.oriented_share},
+               {"hinted_share", report.hinted_share},
                {"converged", report.converged},
                {"peak_bytes", report.peak_bytes},
                {"stages", Json::array()},

@@ -6,6 +6,7 @@
 #include "resample.h"
 
 #include "Failure.h"
+#include "carry_properties.h"
 
 #include <CGAL/L0_resampling/Block_conjugate_gradient_solver_traits.h>
 #include <CGAL/L0_resampling/Eigen_cholesky_solver_traits.h>
@@ -22,11 +23,12 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
+#include <cstdint>
 #include <new>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace l0_tool {
 namespace {
@@ -34,32 +36,32 @@ namespace {
 namespace parameters = CGAL::parameters;
 using Concurrency_tag = CGAL::Parallel_if_available_tag;
 
-// The names of a chain are known to the compiler, so what the user leaves open needs a chain of its own: a step each.
-
 template <typename Tag, typename NamedParameters>
-void call(const Point_cloud& cloud, const NamedParameters& np, std::vector<Oriented_point>& result)
+void call(const Point_cloud& cloud, const Options& options, const NamedParameters& np, Resampled_points& result)
 {
-  CGAL::l0_resample_point_set<Tag>(boost::irange(std::size_t(0), cloud.points.size()), std::back_inserter(result), np);
-}
+  namespace internal = CGAL::L0_resampling::internal;
+  using Normal_map = decltype(CGAL::make_property_map(cloud.normals.data()));
+  const Normal_map normals = CGAL::make_property_map(cloud.normals.data());
+  const auto if_asked_for = [&](bool is) { return is ? std::make_optional(normals) : std::nullopt; };
+  std::vector<std::uint32_t> sources(options.with_source_indices ? number_of_output_points(options, cloud.points.size()) : 0);
+  result.feature_confidences.resize(options.with_feature_confidences ? number_of_output_points(options, cloud.points.size()) : 0);
+  const auto source_map = CGAL::make_property_map(sources.data());
+  const auto confidence_map = CGAL::make_property_map(result.feature_confidences.data());
 
-template <typename Tag, typename NamedParameters>
-void call_with_normals(const Point_cloud& cloud, const Options& options, const NamedParameters& np,
-                       std::vector<Oriented_point>& result)
-{
-  if (options.use_normals)
-    call<Tag>(cloud, np.normal_map(CGAL::make_property_map(cloud.normals.data())), result);
-  else
-    call<Tag>(cloud, np, result);
-}
-
-template <typename Tag = Concurrency_tag, typename NamedParameters>
-void call_with_radius(const Point_cloud& cloud, const Options& options, const NamedParameters& np,
-                      std::vector<Oriented_point>& result)
-{
-  if (options.neighbor_radius)
-    call_with_normals<Tag>(cloud, options, np.neighbor_radius(*options.neighbor_radius), result);
-  else
-    call_with_normals<Tag>(cloud, options, np, result);
+  const auto whole_np = np.orientation_hint_map(if_asked_for(options.orient_by_normals))
+                          .source_index_map(options.with_source_indices ? std::make_optional(source_map) : std::nullopt)
+                          .feature_confidence_map(options.with_feature_confidences ? std::make_optional(confidence_map) : std::nullopt);
+  const auto write = [&](std::size_t size, const auto& pair_of, const internal::Point_data& data) {
+    internal::write_point_data(whole_np, data, size, [](std::size_t i) { return i; });
+    result.points.reserve(size);
+    for (std::size_t i = 0; i < size; ++i)
+      result.points.push_back(pair_of(i));
+    result.properties = carried_properties(cloud.properties, data.near_points, sources, result.feature_confidences, size);
+  };
+  internal::l0_resample_point_set<Tag, Kernel>(boost::irange(std::size_t(0), cloud.points.size()),
+                                               CGAL::make_property_map(cloud.points.data()), if_asked_for(options.use_normals),
+                                               cloud.properties.properties().empty() ? 0 : internal::number_of_averaged_points,
+                                               write, whole_np);
 }
 
 template <typename Solver_traits>
@@ -71,19 +73,18 @@ Solver_traits iterative_solver(const Options& options)
 }
 
 template <typename NamedParameters>
-void call_with_solver(const Point_cloud& cloud, const Options& options, const NamedParameters& np,
-                      std::vector<Oriented_point>& result)
+void call_with_solver(const Point_cloud& cloud, const Options& options, const NamedParameters& np, Resampled_points& result)
 {
   using namespace CGAL::L0_resampling;
   using Block_cg = Block_conjugate_gradient_solver_traits<float, Concurrency_tag>;   // the function's own default
   using Rows_cg = Eigen_least_squares_solver_traits<double>;
   switch (options.solver) {
   case Solver::BLOCK_CG:
-    return call_with_radius(cloud, options, np.sparse_linear_solver(iterative_solver<Block_cg>(options)), result);
+    return call<Concurrency_tag>(cloud, options, np.sparse_linear_solver(iterative_solver<Block_cg>(options)), result);
   case Solver::CHOLESKY:
-    return call_with_radius(cloud, options, np.sparse_linear_solver(Eigen_cholesky_solver_traits<double>()), result);
+    return call<Concurrency_tag>(cloud, options, np.sparse_linear_solver(Eigen_cholesky_solver_traits<double>()), result);
   case Solver::ROWS_CG:
-    return call_with_radius(cloud, options, np.sparse_linear_solver(iterative_solver<Rows_cg>(options)), result);
+    return call<Concurrency_tag>(cloud, options, np.sparse_linear_solver(iterative_solver<Rows_cg>(options)), result);
   }
 }
 
@@ -92,7 +93,9 @@ void call_with_solver(const Point_cloud& cloud, const Options& options, const Na
 bool is_device_usable(const Options& options, std::string& reason)
 {
 #ifdef CGAL_L0_LINKED_WITH_CUDA
-  if (options.solver != Solver::BLOCK_CG || options.solver_iterations)
+  if (options.keep_density || options.viewpoint || options.orient_by_normals)
+    reason = "the device does not have --keep-density, --viewpoint and --orient-by-normals yet";
+  else if (options.solver != Solver::BLOCK_CG || options.solver_iterations)
     reason = "the device has a solver of its own, and --solver or --solver-iterations asks for another";
   else
     return CGAL::L0_resampling::is_cuda_device_usable(&reason);
@@ -107,13 +110,13 @@ bool is_device_usable(const Options& options, std::string& reason)
 /// Runs on the device.
 /// \returns whether it did; if not, and the options leave the choice to the program, `reason` says why
 template <typename NamedParameters>
-bool call_on_device(const Point_cloud& cloud, const Options& options, const NamedParameters& np, std::vector<Oriented_point>& result,
+bool call_on_device(const Point_cloud& cloud, const Options& options, const NamedParameters& np, Resampled_points& result,
                     std::string& reason)
 {
   if (options.device == Device::CPU || (options.device == Device::AUTO && !is_device_usable(options, reason)))
     return false;
   try {
-    call_with_radius<CGAL::CUDA_tag>(cloud, options, np, result);
+    call<CGAL::CUDA_tag>(cloud, options, np, result);
     return true;
   } catch (const CGAL::L0_resampling::Device_error& error) {
     reason = error.what();
@@ -142,16 +145,18 @@ std::size_t number_of_output_points(const Options& options, std::size_t number_o
   return (std::max)(std::size_t(1), std::size_t(double(number_of_input_points) * options.percentage / 100));
 }
 
-std::vector<Oriented_point> resample(const Point_cloud& cloud, const Options& options,
-                                     const std::function<bool(double)>& callback, CGAL::L0_resampling::Report& report)
+Resampled_points resample(const Point_cloud& cloud, const Options& options, const std::function<bool(double)>& callback,
+                          CGAL::L0_resampling::Report& report)
 {
   std::optional<tbb::global_control> limit;
   if (options.threads)
     limit.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(*options.threads));
-  if (options.use_normals && cloud.normals.empty() && !cloud.points.empty())
-    throw Failure(INPUT_REFUSED, options.input + ": --use-normals is given, but the file has no normals");
+  const char* normals_wanted_by =
+    options.use_normals ? "--use-normals" : options.orient_by_normals ? "--orient-by-normals" : nullptr;
+  if (normals_wanted_by && cloud.normals.empty() && !cloud.points.empty())
+    throw Failure(INPUT_REFUSED, options.input + ": " + normals_wanted_by + " is given, but the file has no normals");
 
-  std::vector<Oriented_point> result;
+  Resampled_points result;
   std::string reason = "asked for";
   try {
     const auto np = parameters::resampling_method(options.method)
@@ -163,7 +168,9 @@ std::vector<Oriented_point> resample(const Point_cloud& cloud, const Options& op
                       .maximum_memory(options.max_memory)
                       .callback(callback)
                       .resampling_report(&report)
-                      .point_map(CGAL::make_property_map(cloud.points.data()));
+                      .neighbor_radius(options.neighbor_radius)
+                      .keep_density(options.keep_density)
+                      .viewpoint(options.viewpoint);
 #ifdef CGAL_L0_LINKED_WITH_CUDA
     const bool is_done = call_on_device(cloud, options, np, result, reason);
 #else

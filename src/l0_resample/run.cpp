@@ -8,6 +8,7 @@
 #include "Failure.h"
 #include "Output_file.h"
 #include "Progress_bar.h"
+#include "parse_numbers.h"
 #include "convert.h"
 #include "read_points.h"
 #include "render_snapshot.h"
@@ -41,7 +42,8 @@ Point_cloud read_input(const Options& options, Progress_bar& progress, Run_recor
   read_options.max_points = options.max_points;
   read_options.max_memory = options.max_memory;
   read_options.drop_non_finite = options.drop_non_finite;
-  read_options.with_normals = options.use_normals || !options.snapshot.empty();
+  read_options.with_normals = options.use_normals || options.orient_by_normals || !options.snapshot.empty();
+  read_options.with_properties = true;
   Point_cloud cloud = read_points(options.input, options.input_format, read_options,
                                   [&](double share) { progress.update("read", share); });
   record.warnings = cloud.warnings;
@@ -49,8 +51,8 @@ Point_cloud read_input(const Options& options, Progress_bar& progress, Run_recor
   return cloud;
 }
 
-std::vector<Oriented_point> resample_input(const Point_cloud& cloud, const Options& options, Progress_bar& progress,
-                                           Run_record& record)
+Resampled_points resample_input(const Point_cloud& cloud, const Options& options, Progress_bar& progress,
+                                Run_record& record)
 {
   const Stopwatch stopwatch;
   progress.restart();
@@ -58,7 +60,7 @@ std::vector<Oriented_point> resample_input(const Point_cloud& cloud, const Optio
     progress.update(record.report.stages.empty() ? "" : record.report.stages.back().name, share);
     return !is_interrupted();
   };
-  std::vector<Oriented_point> result = resample(cloud, options, callback, record.report);
+  Resampled_points result = resample(cloud, options, callback, record.report);
   throw_if_interrupted();
   record.report.number_of_dropped_points = cloud.number_of_dropped_points;   // the reader drops them, not the library
   record.seconds_to_resample = stopwatch.seconds();
@@ -76,17 +78,20 @@ void resample_file(const Options& options, Run_record& record)
   Progress_bar progress(options.quiet);
   const Point_cloud cloud = read_input(options, progress, record);
   check_writable(options.output,
-                 largest_file_size(options.output_format, number_of_output_points(options, cloud.points.size())));
+                 largest_file_size(options.output_format, number_of_output_points(options, cloud.points.size()),
+                                   cloud.properties));
 
-  const std::vector<Oriented_point> result = resample_input(cloud, options, progress, record);
+  const Resampled_points result = resample_input(cloud, options, progress, record);
   if (options.strict && !record.report.converged)
     throw Failure(NOT_CONVERGED, options.input + ": a solve did not converge, nothing is written");
 
   const Stopwatch stopwatch;
-  write_points(options.output, options.output_format, result);
+  const std::vector<std::string> left_out = write_points(options.output, options.output_format, result);
   record.seconds_to_write = stopwatch.seconds();
+  for (const std::string& name : left_out)
+    record.warnings.push_back(options.output + ": the format has no place for the property " + printable(name));
   if (!options.snapshot.empty())
-    write_png(options.snapshot, render_snapshot(cloud, result, options.view));
+    write_png(options.snapshot, render_snapshot(cloud, result.points, options.view, result.feature_confidences));
 }
 
 void print_summary(const Options& options, const Run_record& record)

@@ -37,14 +37,16 @@ struct Layout
 class Oriented_rows
 {
   const std::vector<Oriented_point>& m_points;
+  const Property_table& m_properties;
 
 public:
-  explicit Oriented_rows(const std::vector<Oriented_point>& points) : m_points(points) {}
+  Oriented_rows(const std::vector<Oriented_point>& points, const Property_table& properties)
+    : m_points(points), m_properties(properties) {}
 
   std::size_t size() const { return m_points.size(); }
   const Point& point(std::size_t i) const { return m_points[i].first; }
   const Vector& normal(std::size_t i) const { return m_points[i].second; }
-  const char* properties(std::size_t) const { return nullptr; }
+  const char* properties(std::size_t i) const { return m_properties.row(i); }
 };
 
 /// What a file held, as rows.
@@ -242,7 +244,14 @@ void write_rows(const std::string& path, File_format format, const Rows& rows, L
 
 void write_points(const std::string& path, File_format format, const std::vector<Oriented_point>& points)
 {
-  write_rows(path, format, Oriented_rows(points), {true, false, {}});
+  write_rows(path, format, Oriented_rows(points, {}), {true, false, {}});
+}
+
+std::vector<std::string> write_points(const std::string& path, File_format format, const Resampled_points& result)
+{
+  const Output_columns chosen = choose_columns(result.properties, format, true);
+  write_rows(path, format, Oriented_rows(result.points, result.properties), {true, false, chosen.columns});
+  return chosen.left_out;
 }
 
 std::vector<std::string> write_point_cloud(const std::string& path, File_format format, const Point_cloud& cloud)

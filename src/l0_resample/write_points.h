@@ -21,6 +21,10 @@ namespace l0_tool {
 /// The file is there as a whole or not at all, see `Output_file`.
 void write_points(const std::string& path, File_format format, const std::vector<Oriented_point>& points);
 
+/// As above, with the properties that the format can hold, see `choose_columns()`.
+/// \returns the names of those that it cannot hold
+std::vector<std::string> write_points(const std::string& path, File_format format, const Resampled_points& result);
+
 /// Writes what a file held: normals only if there are some, coordinates in the precision of that file, but for binary PCD
 /// as above, and the properties that the format can hold, see `choose_columns()`.
 /// \returns the names of those that it cannot hold

@@ -12,6 +12,7 @@
 #include <exception>
 #include <limits>
 #include <new>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -81,6 +82,15 @@ void test_lengths_and_angles()
     check_refused("normal_weight", value, params::normal_weight(bad));
     check_refused("regularization_weight", value, params::regularization_weight(bad));
   }
+  for (double bad : {nan, infinity, -infinity})
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      Vector v(1, 2, 3);
+      v[axis] = bad;
+      check_refused("viewpoint", std::isnan(bad) ? "nan" : "inf", params::viewpoint(Kernel::Point_3(v[0], v[1], v[2])));
+    }
+  check_refused("viewpoint", "given", params::viewpoint(Kernel::Point_3(0, 0, 9)).orientation_hint_map(
+    CGAL::Constant_property_map<Kernel::Point_3, Kernel::Vector_3>(Kernel::Vector_3(0, 0, 1))));
   check_refused("sharpness_angle", "90.5", params::sharpness_angle(90.5));
   check_refused("select_percentage", "100.5", params::select_percentage(100.5));
   check_refused("penalty_growth", "1", params::penalty_growth(1));
@@ -197,6 +207,22 @@ void test_empty_range()
   test::check_clean<Kernel>("empty", {}, test::resample<Kernel, CGAL::Parallel_if_available_tag>({}, params::number_of_output_points(9)), 0);
 }
 
+/// An empty optional is as good as a parameter that is not there, and one with a value as good as the value.
+void test_optional_values()
+{
+  const Points points = sphere(200);
+  const auto resampled = [&](const auto& np) { return test::resample<Kernel, CGAL::Sequential_tag>(points, np); };
+  const auto expected = resampled(params::default_values());
+  const auto empty = resampled(params::normal_weight(std::optional<double>()).number_of_output_points(std::optional<int>())
+                                 .neighbor_radius(std::optional<double>()).viewpoint(std::optional<Kernel::Point_3>())
+                                 .normal_map(std::optional<CGAL::Constant_property_map<Kernel::Point_3, Kernel::Vector_3>>()));
+  CHECK(test::are_identical<Kernel>(empty.pairs, expected.pairs));
+  const auto some = resampled(params::normal_weight(std::optional<double>(0.2)).number_of_output_points(std::optional<int>(30)));
+  CHECK(test::are_identical<Kernel>(some.pairs, resampled(params::normal_weight(0.2).number_of_output_points(30)).pairs));
+  CHECK(some.pairs.size() == 30);
+  check_refused("neighbor_radius", "-1", params::neighbor_radius(std::optional<double>(-1)));
+}
+
 /// What the report calls the peak is what the call needs: with less it ends in std::bad_alloc.
 void test_maximum_memory()
 {
@@ -235,6 +261,7 @@ int main()
   test_overflowing_weights();
   test_points_that_are_not_finite();
   test_empty_range();
+  test_optional_values();
   test_maximum_memory();
   return test::result();
 }

@@ -44,7 +44,7 @@ std::vector<double> numbers(const CGAL::L0_resampling::Report& report)
 {
   std::vector<double> result{double(report.number_of_distinct_points), double(report.number_of_degenerate_neighborhoods),
                              double(report.number_of_lonely_samples), double(report.number_of_self_neighbor_pairs),
-                             report.neighbor_radius, report.oriented_share};
+                             report.neighbor_radius, report.oriented_share, report.hinted_share};
   for (const CGAL::L0_resampling::Iteration_report& iteration : report.iterations)
     result.insert(result.end(), {iteration.fit_energy, iteration.regularization_energy, iteration.normal_energy,
                                  iteration.sparsity_energy, iteration.active_pair_share, double(iteration.solver.iterations),
@@ -115,6 +115,7 @@ int main()
   test_tags_and_threads("more than the input", points, params::number_of_output_points(2 * points.size()));
   test_tags_and_threads("LOR", points, params::resampling_method(Method::LOR));
   test_tags_and_threads("ALOR", points, params::resampling_method(Method::ALOR));
+  test_tags_and_threads("kept density, seen from a point", points, params::keep_density(true).viewpoint(Kernel::Point_3(0, 0, 3)));
   test_tags_and_threads("radius that reaches everybody", points, params::neighbor_radius(1e300).select_percentage(20));
   test_tags_and_threads("radius that reaches nobody", points, params::neighbor_radius(1e-300));
   const Points few = cloud(800);

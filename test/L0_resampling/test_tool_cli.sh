@@ -53,6 +53,39 @@ awk 'BEGIN { srand(1); for (f = 0; f < 6; ++f) for (i = 0; i < 40; ++i) for (j =
   p[0] = int(f / 2) == 0 ? c : a; p[1] = int(f / 2) == 1 ? c : (int(f / 2) == 0 ? a : b); p[2] = int(f / 2) == 2 ? c : b
   for (k = 0; k < 3; ++k) printf "%.6f%s", p[k] + .02 * (rand() - .5), k < 2 ? " " : "\n" } }' > cube.xyz
 
+# Properties of the points go along: of labels the nearest, of other numbers and of colors a mean
+{ printf 'ply\nformat ascii 1.0\nelement vertex 9600\n'
+  printf 'property %s\n' 'double x' 'double y' 'double z' 'uchar red' 'int label' 'float height'
+  printf 'end_header\n'; awk '{ print $0, ($1 > 0 ? 200 : 100), ($1 > 0 ? -70000 : 7), $3 }' cube.xyz; } > attributes.ply
+run attributes.ply carried.ply --source-index --feature-confidence --snapshot features.png
+check "a run with properties" test "$status" -eq 0
+check "all properties in order" test "$(sed -n '/^end_header/q; s/^property //p' carried.ply | tr '\n' ',')" = \
+  "double x,double y,double z,double nx,double ny,double nz,uchar red,int label,float height,uint source_index,float feature_confidence,"
+# red is byte 49 of a row of 65, and the label the four behind it
+check "labels of points, and colors between those of points" test "$(tail -c $((4800 * 65)) carried.ply | od -An -v -w65 -t u1 | awk '
+  { label = $50 " " $51 " " $52 " " $53; wrong += label != "7 0 0 0" && label != "144 238 254 255" || $49 < 100 || $49 > 200
+    mixed += $49 > 100 && $49 < 200 } END { print wrong + 0, (mixed > 10 && mixed < 480) }')" = "0 1"
+run cube.xyz plain.ply
+run carried.ply positions.xyz --convert-only
+run plain.ply plain.xyz --convert-only
+check "properties change no point" cmp -s positions.xyz plain.xyz
+run carried.ply carried.off --convert-only --quiet
+run attributes.ply attributes.xyz --quiet
+check "a format without room for properties" test "$status" -eq 0
+run attributes.ply attributes.xyz
+check "a warning of what is left out" grep -q "no place for the property 'label'" stderr
+
+# Where normals point to
+awk '{ print $1, $2, $3, -$1, -$2, -$3 }' cube.xyz > inward.xyz
+for options in "cube.xyz in.xyz --viewpoint 0,0,0.1" "inward.xyz in.xyz --orient-by-normals"; do
+  # shellcheck disable=SC2086
+  run $options --json in.json
+  check "all normals inwards: $options" test "$(awk '$1 * $4 + $2 * $5 + $3 * $6 > 0' in.xyz | wc -l)" -eq 0
+  check "the report says so" grep -q '"hinted_share": 1' in.json
+done
+run cube.xyz kept.xyz --keep-density
+check "an even result is another one" test "$(cmp -s kept.xyz plain.xyz; echo $?)" -eq 1
+
 # Good runs
 run cube.xyz out.ply
 check "a good run" test "$status" -eq 0
@@ -129,6 +162,9 @@ done
 for value in 0 100.5 0,5 nan -1; do check_failure 2 "--percentage" cube.xyz old.ply --percentage "$value"; done
 for value in 0 -1 inf 1,5; do check_failure 2 "--neighbor-radius" cube.xyz old.ply --neighbor-radius "$value"; done
 for value in -1 nan; do check_failure 2 "--normal-weight" cube.xyz old.ply --normal-weight "$value"; done
+check_failure 2 "--viewpoint" cube.xyz old.ply --viewpoint 1,2
+check_failure 2 "--viewpoint" cube.xyz old.ply --viewpoint 1,2,inf
+check_failure 2 "--orient-by-normals" cube.xyz old.ply --viewpoint 0,0,9 --orient-by-normals
 for value in 0 91; do check_failure 2 "--sharpness-angle" cube.xyz old.ply --sharpness-angle "$value"; done
 for value in 0 -1 two; do check_failure 2 "--threads" cube.xyz old.ply --threads "$value"; done
 check_failure 2 "--seed" cube.xyz old.ply --seed -1
@@ -153,6 +189,7 @@ printf '1 2 3\n1 0,5 3\n' > comma.xyz
 check_failure 3 "comma.xyz: line 2: '0,5' is not a number" comma.xyz old.ply
 check_failure 3 "--max-points" cube.xyz old.ply --max-points 9599
 check_failure 3 "has no normals" cube.xyz old.ply --use-normals
+check_failure 3 "has no normals" cube.xyz old.ply --orient-by-normals
 printf '%s\n' ply 'format binary_little_endian 1.0' 'element vertex 1000000000000000' 'property double x' \
   'property double y' 'property double z' end_header > huge.ply
 check_failure 3 "huge.ply: line 7: 1000000000000000 points are announced" huge.ply old.ply

@@ -120,11 +120,9 @@ inline void fill_report(const cuda::Call_report& call, Report& report)
 template <typename NamedParameters>
 void check_device_can(const NamedParameters& np, const Parameters& parameters)
 {
-  using CGAL::parameters::is_default_parameter;
   check_parameter(!parameters.keep_density, "keep_density", true, "false: a CUDA device cannot do that yet");
   check_parameter(!parameters.has_viewpoint, "viewpoint", "given", "none: a CUDA device cannot do that yet");
-  static_cast<void>(np);
-  check_parameter(is_default_parameter<NamedParameters, internal_np::orientation_hint_map_t>::value, "orientation_hint_map", "given",
+  check_parameter(!is_given(np, internal_np::orientation_hint_map), "orientation_hint_map", "given",
                   "none: a CUDA device cannot do that yet");
 }
 
@@ -134,8 +132,8 @@ inline void estimate_feature_confidences(const Buffer<Vector>& result, const std
 {
   Buffer<Vector> positions(result);
   Working_frame frame;
-  frame.enter(positions);
-  double spacing = robust_diagonal(positions) / std::sqrt(double(positions.size()));
+  frame.enter<Parallel_if_available_tag>(positions);
+  double spacing = robust_diagonal<Parallel_if_available_tag>(positions) / std::sqrt(double(positions.size()));
   spacing = sensible_radius(spacing, positions);
   spacing *= frame.scale_to(spacing, positions);
   Buffer<Local_vector> normals;
@@ -314,8 +312,7 @@ public:
     check_device_can(np, checked);
     Input input;
     read_points(points, point_map, drop_non_finite, report, input);
-    if constexpr (!std::is_same<NormalMap, bool>::value)
-      read_normals(points, normal_map, input);
+    read_normals_if_given(points, normal_map, input);
     m_number_of_dropped_points = report.number_of_dropped_points;
     m_box.low = input.low;
     m_box.high = input.high;

@@ -24,7 +24,7 @@ def test_the_stub_of_the_function_is_its_signature():
     actual = inspect.signature(cgal_l0.l0_resample_point_set).parameters
     stub = ast.parse((package / "__init__.pyi").read_text())
     overloads = [node for node in stub.body if isinstance(node, ast.FunctionDef)]
-    assert len(overloads) == 2
+    assert len(overloads) == 3
     for overload in overloads:
         arguments = overload.args
         assert [a.arg for a in arguments.args + arguments.kwonlyargs] == list(actual)

@@ -30,6 +30,8 @@ def same(result, other):
     (["--normal-weight", 0.1], {"normal_weight": 0.1}),
     (["--sharpness-angle", 40], {"sharpness_angle": 40}),
     (["--seed", 5], {"random_seed": 5}),
+    (["--keep-density"], {"keep_density": True}),
+    (["--viewpoint", "0.5,0.5,0.5"], {"viewpoint": (0.5, 0.5, 0.5)}),
 ])
 def test_equals_the_program_bitwise(cube, tool, options, named):
     positions, normals, _ = tool(cube, *options)
@@ -45,6 +47,37 @@ def test_equals_the_program_with_normals(cube, cube_normals, tool):
     assert same(result, (positions, normals))
     assert not same(result, l0_resample_point_set(cube))
     assert same(result, l0_resample_point_set(cube, cube_normals.astype(numpy.float32)))   # zeros and ones
+
+
+def test_orientation_hints(cube, cube_normals, tool):
+    outward = cube_normals * numpy.sign((cube_normals * cube).sum(axis=1, keepdims=True))
+    positions, normals, _ = tool(cube, "--orient-by-normals", normals=-outward)
+    result = l0_resample_point_set(cube, orientation_hints=-outward, report=True)
+    assert same(result[:2], (positions, normals))
+    assert result[2].hinted_share == 1
+    assert same(l0_resample_point_set(cube, orientation_hints=outward), (positions, -normals))
+    with pytest.raises(ValueError, match="viewpoint"):
+        l0_resample_point_set(cube, viewpoint=(0, 0, 0), orientation_hints=outward)
+    with pytest.raises(ValueError, match="viewpoint"):
+        l0_resample_point_set(cube, viewpoint=(0, 0))
+    with pytest.raises(ValueError, match="orientation_hints"):
+        l0_resample_point_set(cube, orientation_hints=outward[1:])
+
+
+@pytest.mark.parametrize("number_type", [numpy.float32, numpy.float64])
+def test_source_indices_and_feature_confidences(cube, number_type):
+    points = cube.astype(number_type)
+    plain = l0_resample_point_set(points)
+    positions, normals, sources, confidences, report = l0_resample_point_set(
+        points, source_indices=True, feature_confidences=True, report=True)
+    assert same(plain, (positions, normals)) and report.number_of_output_points == len(positions)
+    distances = numpy.linalg.norm(positions[:, None, :].astype(float) - points[None, :, :].astype(float), axis=2)
+    assert sources.dtype == numpy.int64 and sources.shape == (len(positions),)
+    assert numpy.array_equal(distances[numpy.arange(len(positions)), sources], distances.min(axis=1))
+    assert confidences.dtype == number_type and confidences.shape == (len(positions),)
+    assert confidences.min() >= 0 and confidences.max() <= 1
+    assert numpy.array_equal(l0_resample_point_set(points, source_indices=True)[2], sources)
+    assert numpy.array_equal(l0_resample_point_set(points, feature_confidences=True)[2], confidences)
 
 
 def test_single_precision(cube, tool):

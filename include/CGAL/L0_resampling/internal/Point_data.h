@@ -6,6 +6,7 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_POINT_DATA_H
 #define CGAL_L0_RESAMPLING_INTERNAL_POINT_DATA_H
 
+#include <CGAL/L0_resampling/internal/checked_parameters.h>
 #include <CGAL/L0_resampling/internal/find_near_points.h>
 #include <CGAL/L0_resampling/named_parameters.h>
 
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <type_traits>
 
 namespace CGAL {
 namespace L0_resampling {
@@ -27,10 +29,9 @@ struct Point_data
 
 /// How many near points a call with these named parameters has to find, of which `others` are asked for elsewhere.
 template <typename NamedParameters>
-std::size_t number_of_near_points(const NamedParameters&, std::size_t others)
+std::size_t number_of_near_points(const NamedParameters& np, std::size_t others)
 {
-  const bool has_map = !parameters::is_default_parameter<NamedParameters, internal_np::source_index_map_t>::value;
-  return (std::max)(others, std::size_t(has_map));
+  return (std::max)(others, std::size_t(is_given(np, internal_np::source_index_map)));
 }
 
 /// Writes the data to the maps among the named parameters.
@@ -39,20 +40,13 @@ template <typename NamedParameters, typename KeyOf>
 void write_point_data(const NamedParameters& np, const Point_data& data, std::size_t size, const KeyOf& key_of)
 {
   using boost::put;
-  if constexpr (!parameters::is_default_parameter<NamedParameters, internal_np::source_index_map_t>::value)
-  {
-    const auto map = parameters::get_parameter(np, internal_np::source_index_map);
+  const auto write = [&](const auto& map, const auto& value_of) {
     using Value = typename boost::property_traits<std::decay_t<decltype(map)>>::value_type;
     for (std::size_t i = 0; i < size; ++i)
-      put(map, key_of(i), Value(data.near_points.nearest(i)));
-  }
-  if constexpr (!parameters::is_default_parameter<NamedParameters, internal_np::feature_confidence_map_t>::value)
-  {
-    const auto map = parameters::get_parameter(np, internal_np::feature_confidence_map);
-    using Value = typename boost::property_traits<std::decay_t<decltype(map)>>::value_type;
-    for (std::size_t i = 0; i < size; ++i)
-      put(map, key_of(i), Value(data.feature_confidences[i]));
-  }
+      put(map, key_of(i), Value(value_of(i)));
+  };
+  if_given(np, internal_np::source_index_map, [&](const auto& map) { write(map, [&](std::size_t i) { return data.near_points.nearest(i); }); });
+  if_given(np, internal_np::feature_confidence_map, [&](const auto& map) { write(map, [&](std::size_t i) { return data.feature_confidences[i]; }); });
 }
 
 } // namespace internal

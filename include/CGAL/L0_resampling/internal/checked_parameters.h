@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -34,25 +35,55 @@ void check_parameter(bool is_good, const char* name, const T& value, const char*
   throw std::invalid_argument(message.str());
 }
 
-/// Copies the named parameter to `target` if the caller gave it. Never binds a reference: that would outlive its value.
+template <typename T>
+struct Is_optional : std::false_type {};
+template <typename T>
+struct Is_optional<std::optional<T>> : std::true_type {};
+
+/// Calls `use` with a copy of the named parameter if the caller gave it: as a value, or as a `std::optional` that has one. The latter is for programs that learn
+/// at run time what is given, where the names of a chain are known to the compiler. Never binds a reference: that would outlive its value.
+template <typename NamedParameters, typename Tag, typename F>
+void if_given(const NamedParameters& np, Tag tag, const F& use)
+{
+  if constexpr (!parameters::is_default_parameter<NamedParameters, Tag>::value)
+  {
+    const auto value = parameters::get_parameter(np, tag);
+    if constexpr (!Is_optional<std::decay_t<decltype(value)>>::value)
+      use(value);
+    else if (value)
+      use(*value);
+  }
+  else
+  {
+    static_cast<void>(np);
+    static_cast<void>(use);
+  }
+}
+
+template <typename NamedParameters, typename Tag>
+bool is_given(const NamedParameters& np, Tag tag)
+{
+  bool is = false;
+  if_given(np, tag, [&](const auto&) { is = true; });
+  return is;
+}
+
+/// Copies the named parameter to `target` if the caller gave it.
 template <typename NamedParameters, typename Tag, typename T>
 void read_parameter(const NamedParameters& np, Tag tag, T& target)
 {
-  if constexpr (!parameters::is_default_parameter<NamedParameters, Tag>::value)
-    target = static_cast<T>(parameters::get_parameter(np, tag));
+  if_given(np, tag, [&](const auto& value) { target = static_cast<T>(value); });
 }
 
 /// A count, which callers may pass as any number type; `target` stays as it is if they do not.
 template <typename NamedParameters, typename Tag>
 void read_count(const NamedParameters& np, Tag tag, const char* name, std::size_t& target)
 {
-  if constexpr (!parameters::is_default_parameter<NamedParameters, Tag>::value)
-  {
-    const auto value = parameters::get_parameter(np, tag);
+  if_given(np, tag, [&](const auto& value) {
     check_parameter(!(value < 0) && double(value) <= double((std::numeric_limits<std::size_t>::max)() / 2), name, value,
                     "a count that is not negative");
     target = std::size_t(value);
-  }
+  });
 }
 
 /// Reads and checks everything that does not depend on the types of the points.
@@ -69,10 +100,10 @@ Parameters checked_parameters(const NamedParameters& np, std::size_t n)
   check_parameter(p.method == Method::DEFAULT || p.method == Method::LOR || p.method == Method::ALOR, "resampling_method",
                   int(p.method), "a Method");
 
-  const bool has_radius = !parameters::is_default_parameter<NamedParameters, internal_np::neighbor_radius_t>::value;
+  const bool has_radius = is_given(np, internal_np::neighbor_radius);
   read_parameter(np, internal_np::neighbor_radius, p.neighbor_radius);
   check_parameter(!has_radius || is_positive(p.neighbor_radius), "neighbor_radius", p.neighbor_radius, "a finite length above 0");
-  const bool has_filter_radius = !parameters::is_default_parameter<NamedParameters, internal_np::normal_filter_radius_t>::value;
+  const bool has_filter_radius = is_given(np, internal_np::normal_filter_radius);
   read_parameter(np, internal_np::normal_filter_radius, p.normal_filter_radius);
   check_parameter(!has_filter_radius || is_positive(p.normal_filter_radius), "normal_filter_radius", p.normal_filter_radius,
                   "a finite length above 0");
@@ -108,19 +139,16 @@ Parameters checked_parameters(const NamedParameters& np, std::size_t n)
   read_parameter(np, internal_np::drop_outliers, p.drop_outliers);
 
   read_parameter(np, internal_np::keep_density, p.keep_density);
-  if constexpr (!parameters::is_default_parameter<NamedParameters, internal_np::viewpoint_t>::value)
-  {
-    const auto viewpoint = parameters::get_parameter(np, internal_np::viewpoint);
+  if_given(np, internal_np::viewpoint, [&](const auto& viewpoint) {
     p.has_viewpoint = true;
     for (int axis = 0; axis < 3; ++axis)
     {
       p.viewpoint[axis] = double(viewpoint[axis]);
       check_parameter(std::isfinite(p.viewpoint[axis]), "viewpoint", p.viewpoint[axis], "three finite coordinates");
     }
-    check_parameter(parameters::is_default_parameter<NamedParameters, internal_np::orientation_hint_map_t>::value, "viewpoint", "given",
-                    "no orientation_hint_map beside it");
-  }
-  p.with_feature_confidences = !parameters::is_default_parameter<NamedParameters, internal_np::feature_confidence_map_t>::value;
+    check_parameter(!is_given(np, internal_np::orientation_hint_map), "viewpoint", "given", "no orientation_hint_map beside it");
+  });
+  p.with_feature_confidences = is_given(np, internal_np::feature_confidence_map);
 
   read_count(np, internal_np::number_of_orientation_neighbors, "number_of_orientation_neighbors", p.number_of_orientation_neighbors);
   check_parameter(p.number_of_orientation_neighbors >= 3 && p.number_of_orientation_neighbors <= 1000,

@@ -6,6 +6,7 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_POINTS_OF_RANGE_H
 #define CGAL_L0_RESAMPLING_INTERNAL_POINTS_OF_RANGE_H
 
+#include <CGAL/L0_resampling/internal/checked_parameters.h>
 #include <CGAL/L0_resampling/internal/find_near_points.h>
 #include <CGAL/L0_resampling/internal/resample.h>
 #include <CGAL/L0_resampling/internal/separate_coincident_points.h>
@@ -91,6 +92,19 @@ void read_normals(const PointRange& range, NormalMap normal_map, Input& input)
   for (Local_vector& normal : input.normals)
     if (std::lexicographical_compare(normal.data(), normal.data() + 3, zero.data(), zero.data() + 3))
       normal = -normal;
+}
+
+/// \tparam NormalMap may be `bool`, for none, or an optional
+template <typename PointRange, typename NormalMap>
+void read_normals_if_given(const PointRange& range, const NormalMap& normal_map, Input& input)
+{
+  if constexpr (Is_optional<NormalMap>::value)
+  {
+    if (normal_map)
+      read_normals(range, *normal_map, input);
+  }
+  else if constexpr (!std::is_same<NormalMap, bool>::value)
+    read_normals(range, normal_map, input);
 }
 
 /// The finite points of the range, each with its place in it.
