@@ -174,6 +174,50 @@ void check_plane(Generator& generator)
   }
 }
 
+/// Six faces, each of one mind but of any sign. Few votes between them, all of them wrong, do not keep the field from turning each outwards; many do.
+void check_field(Generator& generator)
+{
+  const Oriented_points cube = cube_points(3000, 2, generator);
+  const auto face_of = [&](std::size_t i) {
+    int axis;
+    cube.normals[i].cwiseAbs().maxCoeff(&axis);
+    return std::size_t(axis + (cube.normals[i][axis] > 0 ? 3 : 0));
+  };
+  for (const bool are_many : {false, true})
+    for (std::size_t turned = 0; turned < 64; ++turned)
+    {
+      const auto own_sign = [&](std::size_t face) { return (turned >> face) & 1 ? -1 : 1; };
+      Buffer<Vector> normals;
+      Signed_union_find sets(cube.points.size(), {});
+      std::vector<Index> first(6, Index(cube.points.size()));
+      for (std::size_t i = 0; i < cube.points.size(); ++i)
+      {
+        normals.push_back(own_sign(face_of(i)) * cube.normals[i]);
+        Index& first_of_face = first[face_of(i)];
+        first_of_face = (std::min)(first_of_face, Index(i));
+        sets.join(first_of_face, Index(i), 1);
+      }
+      Buffer<Vote> votes;
+      for (std::size_t a = 0; a < 6; ++a)
+        for (std::size_t b = 0; b < a; ++b)
+          if (a != b + 3)   // neighbors, which the votes would turn against each other
+            votes.push_back({first[a], first[b], -own_sign(a) * own_sign(b) * (are_many ? 1000. : 1.), are_many ? 1000. : 1.});
+      pass_votes_on<CGAL::Sequential_tag>(sets, votes);
+      join_by_field<CGAL::Parallel_if_available_tag>(to_buffer(cube.points), normals, 0.09, votes, sets);
+
+      bool are_outward = true;
+      for (std::size_t face = 0; face < 6; ++face)
+      {
+        const auto [root, sign] = sets.find(first[face]);
+        const auto [root_of_others, sign_of_others] = sets.find(first[0]);
+        CHECK(root == root_of_others);
+        are_outward = are_outward && sign * own_sign(face) == sign_of_others * own_sign(0);
+      }
+      CHECK(are_outward == !are_many);
+      CHECK(votes.empty());   // all are one set
+    }
+}
+
 int main()
 {
   Generator generator(10);
@@ -192,6 +236,7 @@ int main()
   for (double factor : {0.5, 2.})   // the spacing need not be known well
     check_orientation(even_cube, factor * 0.14, generator);
   check_plane(generator);
+  check_field(generator);
   for (double spacing_guess : {1e-3, 0.1, 10.})
     check_nearest(even_cube, spacing_guess);
   return result();
