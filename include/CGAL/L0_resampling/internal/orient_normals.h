@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -24,6 +25,7 @@ namespace internal {
 
 /// Two samples near each other, and `orientation_agreement()` of them.
 struct Edge { float agreement; Index i, k; };
+constexpr std::size_t edges_per_block = 16384;
 
 /// The edges of the graph of nearest neighbors, each once.
 template <typename ConcurrencyTag, typename T>
@@ -45,38 +47,32 @@ Buffer<Edge> rated_edges(const Buffer<Vector>& positions, const Buffer<Eigen::Ma
       edges.push_back({float(agreement), i, k});
     }
   };
-  const std::size_t samples_per_block = 4096, m = positions.size();
-  const Counting_allocator<Edge> allocator = positions.get_allocator();
-  std::vector<Buffer<Edge>> blocks((m + samples_per_block - 1) / samples_per_block, Buffer<Edge>(allocator));
-  for_each_block<ConcurrencyTag>(m, samples_per_block, [&](std::size_t begin, std::size_t end) {
+  return append_by_blocks<ConcurrencyTag>(positions.size(), 4096, Counting_allocator<Edge>(positions.get_allocator()),
+                                          [&](std::size_t begin, std::size_t end, Buffer<Edge>& edges) {
     for (std::size_t i = begin; i < end; ++i)
-      append_edges_of(Index(i), blocks[begin / samples_per_block]);
+      append_edges_of(Index(i), edges);
   });
-  Buffer<Edge> edges(allocator);
-  edges.reserve(std::accumulate(blocks.begin(), blocks.end(), std::size_t(0), [](std::size_t n, const Buffer<Edge>& b) { return n + b.size(); }));
-  for (Buffer<Edge>& block : blocks)
-  {
-    edges.insert(edges.end(), block.begin(), block.end());
-    release(block);
-  }
-  return edges;
 }
 
 /// The edges beyond doubt, sorted by how sure they are, in steps of 1/1024, which is all that a spanning forest of noisy normals needs.
-inline Buffer<Edge> sure_edges(const Buffer<Edge>& edges)
+template <typename ConcurrencyTag>
+Buffer<Edge> sure_edges(const Buffer<Edge>& edges)
 {
+  Buffer<Edge> sure = append_by_blocks<ConcurrencyTag>(edges.size(), edges_per_block, edges.get_allocator(),
+                                                       [&](std::size_t begin, std::size_t end, Buffer<Edge>& sure_ones) {
+    for (std::size_t e = begin; e < end; ++e)
+      if (std::abs(edges[e].agreement) >= beyond_doubt)
+        sure_ones.push_back(edges[e]);
+  });
   const std::size_t number_of_steps = 1024;
-  const auto is_sure = [](const Edge& e) { return std::abs(e.agreement) >= beyond_doubt; };
   const auto step = [&](const Edge& e) { return std::size_t((1 - (std::min)(std::abs(e.agreement), 1.f)) * (number_of_steps - 1)); };
   std::vector<std::size_t> places(number_of_steps + 1, 0);
-  for (const Edge& e : edges)
-    if (is_sure(e))
-      ++places[step(e) + 1];
+  for (const Edge& e : sure)
+    ++places[step(e) + 1];
   std::partial_sum(places.begin(), places.end(), places.begin());
-  Buffer<Edge> sorted(places.back(), Edge(), edges.get_allocator());
-  for (const Edge& e : edges)
-    if (is_sure(e))
-      sorted[places[step(e)]++] = e;
+  Buffer<Edge> sorted(sure.size(), Edge(), edges.get_allocator());
+  for (const Edge& e : sure)
+    sorted[places[step(e)]++] = e;
   return sorted;
 }
 
@@ -97,7 +93,7 @@ public:
   }
 
   /// The set's representative, and the sign of `i` relative to it.
-  std::pair<Index, int> find(Index i)
+  std::pair<Index, int> find(Index i) const
   {
     Index root = i;
     int sign = 1;
@@ -106,7 +102,13 @@ public:
       sign *= m_signs[root];
       root = m_parents[root];
     }
-    // path compression: hang everything on the way below the root
+    return {root, sign};
+  }
+
+  /// Also hangs everything on the way below the root, so that the next way is short.
+  std::pair<Index, int> find_and_compress(Index i)
+  {
+    const auto [root, sign] = find(i);
     int remaining = sign;
     while (m_parents[i] != root && i != root)
     {
@@ -123,8 +125,8 @@ public:
   /// Joins the sets of `i` and `k` so that the two have the relative sign `sign`, if they are not in one set yet.
   void join(Index i, Index k, int sign)
   {
-    auto [root_i, sign_i] = find(i);
-    auto [root_k, sign_k] = find(k);
+    auto [root_i, sign_i] = find_and_compress(i);
+    auto [root_k, sign_k] = find_and_compress(k);
     if (root_i == root_k)
       return;
     if (m_sizes[root_i] < m_sizes[root_k])
@@ -132,6 +134,13 @@ public:
     m_parents[root_k] = root_i;
     m_signs[root_k] = static_cast<signed char>(sign * sign_i * sign_k);
     m_sizes[root_i] += m_sizes[root_k];
+  }
+
+  /// Makes each way as short as can be.
+  void compress()
+  {
+    for (std::size_t i = 0; i < m_parents.size(); ++i)
+      find_and_compress(Index(i));
   }
 
   std::size_t size() const { return m_parents.size(); }
@@ -143,21 +152,13 @@ public:
 /// The sum of the agreements of edges between two samples or, read for their representatives, between two sets.
 struct Vote { Index a, b; double agreement, total; };
 
-/// The votes between the sets as they are now: one for each pair that touches, in the order of the pairs.
-inline void add_up_votes(Buffer<Vote>& votes, Signed_union_find& sets)
+/// Adds up votes between the same two.
+template <typename ConcurrencyTag>
+void add_up_votes(Buffer<Vote>& votes)
 {
+  sort_by_key<ConcurrencyTag>(votes, [](const Vote& v) { return (std::uint64_t(v.a) << 32) | v.b; },
+                              [](const Vote& v, const Vote& w) { return v.agreement != w.agreement ? v.agreement < w.agreement : v.total < w.total; });
   std::size_t size = 0;
-  for (const Vote& v : votes)
-  {
-    const auto [root_a, sign_a] = sets.find(v.a);
-    const auto [root_b, sign_b] = sets.find(v.b);
-    if (root_a != root_b)
-      votes[size++] = {(std::min)(root_a, root_b), (std::max)(root_a, root_b), sign_a * sign_b * v.agreement, v.total};
-  }
-  votes.resize(size);
-  sort_by_key<Sequential_tag>(votes.begin(), votes.end(), [](const Vote& v) { return (std::uint64_t(v.a) << 32) | v.b; },
-                              [](const Vote& v, const Vote& w) { return v.agreement < w.agreement; });
-  size = 0;
   for (const Vote& v : votes)
     if (size > 0 && votes[size - 1].a == v.a && votes[size - 1].b == v.b)
     {
@@ -169,9 +170,36 @@ inline void add_up_votes(Buffer<Vote>& votes, Signed_union_find& sets)
   votes.resize(size);
 }
 
+/// The vote between the sets of two samples, or of two sets before they were joined to others; nothing if they are one set.
+inline std::optional<Vote> vote_between_sets(const Signed_union_find& sets, const Vote& vote)
+{
+  const auto [root_a, sign_a] = sets.find(vote.a);
+  const auto [root_b, sign_b] = sets.find(vote.b);
+  if (root_a == root_b)
+    return std::nullopt;
+  return Vote{(std::min)(root_a, root_b), (std::max)(root_a, root_b), sign_a * sign_b * vote.agreement, vote.total};
+}
+
+/// The votes of the edges between sets: one for each pair of sets that touch, in the order of the pairs.
+template <typename ConcurrencyTag>
+Buffer<Vote> votes_of_edges(const Buffer<Edge>& edges, const Signed_union_find& sets)
+{
+  Buffer<Vote> votes = append_by_blocks<ConcurrencyTag>(edges.size(), edges_per_block, Counting_allocator<Vote>(edges.get_allocator()),
+                                                        [&](std::size_t begin, std::size_t end, Buffer<Vote>& votes_of_block) {
+    for (std::size_t e = begin; e < end; ++e)
+      if (const auto vote = vote_between_sets(sets, {edges[e].i, edges[e].k, edges[e].agreement, std::abs(edges[e].agreement)}))
+        votes_of_block.push_back(*vote);
+    add_up_votes<Sequential_tag>(votes_of_block);
+  });
+  add_up_votes<ConcurrencyTag>(votes);
+  return votes;
+}
+
 /// Joins sets that touch by majority: round by round, each set with the neighbor that their votes are most of one mind about.
+/// \param votes of the sets as they are, added up; in the end those of the sets as they are then
 /// \param sure the share of the votes, in [0, 1], that the winning side has to be ahead by
-inline void join_by_votes(double sure, Buffer<Vote>& votes, Signed_union_find& sets)
+template <typename ConcurrencyTag>
+void join_by_votes(double sure, Buffer<Vote>& votes, Signed_union_find& sets)
 {
   const std::size_t none = (std::numeric_limits<std::size_t>::max)();
   Buffer<std::size_t> strongest(sets.size(), none, votes.get_allocator());   // the vote of each set that it joins by
@@ -182,7 +210,6 @@ inline void join_by_votes(double sure, Buffer<Vote>& votes, Signed_union_find& s
   for (bool is_joined = true; is_joined;)
   {
     is_joined = false;
-    add_up_votes(votes, sets);
     for (const Vote& v : votes)
       strongest[v.a] = strongest[v.b] = none;
     for (std::size_t n = 0; n < votes.size(); ++n)
@@ -196,6 +223,13 @@ inline void join_by_votes(double sure, Buffer<Vote>& votes, Signed_union_find& s
         sets.join(votes[n].a, votes[n].b, votes[n].agreement < 0 ? -1 : 1);
         is_joined = true;
       }
+    sets.compress();
+    std::size_t size = 0;
+    for (const Vote& v : votes)
+      if (const auto vote = vote_between_sets(sets, v))
+        votes[size++] = *vote;
+    votes.resize(size);
+    add_up_votes<ConcurrencyTag>(votes);
   }
 }
 
@@ -232,17 +266,16 @@ double orient_normals(const Buffer<Vector>& positions, std::size_t number_of_nei
   Buffer<Vote> votes(positions.get_allocator());
   {
     const Buffer<Edge> edges = rated_edges<ConcurrencyTag>(positions, normals, number_of_neighbors, spacing, progress);
-    for (const Edge& edge : sure_edges(edges))
+    for (const Edge& edge : sure_edges<ConcurrencyTag>(edges))
       sets.join(edge.i, edge.k, edge.agreement < 0 ? -1 : 1);
-    for (const Edge& edge : edges)
-      if (sets.find(edge.i).first != sets.find(edge.k).first)
-        votes.push_back({edge.i, edge.k, edge.agreement, std::abs(edge.agreement)});
+    sets.compress();
+    votes = votes_of_edges<ConcurrencyTag>(edges, sets);
   }
-  join_by_votes(clear_majority, votes, sets);
+  join_by_votes<ConcurrencyTag>(clear_majority, votes, sets);
   Buffer<Index> sure_set_sizes(m, 0, positions.get_allocator());
   for (Index i = 0; i < m; ++i)
     sure_set_sizes[i] = sets.size_of_set(sets.find(i).first);
-  join_by_votes(0, votes, sets);
+  join_by_votes<ConcurrencyTag>(0, votes, sets);
 
   struct Tree
   {

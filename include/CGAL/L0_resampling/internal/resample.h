@@ -148,7 +148,7 @@ template <typename ConcurrencyTag>
 Lengths choose_lengths(const Parameters& parameters, Buffer<Vector>& points, Working_frame& frame, Progress& progress, Report& report)
 {
   const double n = double(points.size()), m = double(parameters.number_of_output_points);
-  double diagonal = robust_diagonal(points);
+  double diagonal = robust_diagonal<ConcurrencyTag>(points);
   const double paper_radius = sensible_radius(diagonal / std::cbrt(n), points);
   diagonal *= frame.scale_to(paper_radius, points);
   const double scaled_paper_radius = std::ldexp(paper_radius, -std::ilogb(paper_radius));
@@ -209,7 +209,7 @@ Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buff
   // Lengths, and the frame in which r_p lies in [1, 2)
   progress.begin_stage("sort points", 0.05, 1);
   Working_frame frame;
-  frame.enter(points);
+  frame.enter<ConcurrencyTag>(points);
   Lengths lengths = choose_lengths<ConcurrencyTag>(parameters, points, frame, progress, report);
 
   if (parameters.drop_outliers)
