@@ -23,7 +23,7 @@ void check_orientation(const Oriented_points& truth, double spacing, Generator& 
       n = -n;
   const Buffer<Vector> positions = to_buffer(truth.points), unoriented = normals;
   Unwatched unwatched;
-  CHECK(orient_normals<CGAL::Parallel_if_available_tag>(positions, 12, spacing, unwatched.progress, normals) == 1);
+  CHECK(orient_normals<CGAL::Parallel_if_available_tag>(positions, 12, spacing, no_hint, unwatched.progress, normals).oriented_share == 1);
 
   CHECK(positions == to_buffer(truth.points));   // by index: nobody changed places
   bool are_only_turned = true;
@@ -168,7 +168,7 @@ void check_plane(Generator& generator)
       if (std::bernoulli_distribution()(generator))
         normal = -normal;
     Unwatched unwatched;
-    orient_normals<CGAL::Sequential_tag>(to_buffer(plane.points), 12, 0.05, unwatched.progress, results.back());
+    orient_normals<CGAL::Sequential_tag>(to_buffer(plane.points), 12, 0.05, no_hint, unwatched.progress, results.back());
     CHECK(std::count(results.back().begin(), results.back().end(), results.back().front()) == 500);
     CHECK(results.back() == results.front());
   }

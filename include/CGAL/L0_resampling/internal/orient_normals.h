@@ -6,6 +6,7 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_ORIENT_NORMALS_H
 #define CGAL_L0_RESAMPLING_INTERNAL_ORIENT_NORMALS_H
 
+#include <CGAL/L0_resampling/internal/Orientation_hints.h>
 #include <CGAL/L0_resampling/internal/nearest_samples.h>
 #include <CGAL/L0_resampling/internal/orientation_agreement.h>
 #include <CGAL/L0_resampling/internal/orientation_field.h>
@@ -70,6 +71,9 @@ Buffer<Edge> sure_edges(const Buffer<Edge>& edges)
   return sorted;
 }
 
+/// The hints of samples that have none.
+inline Vector no_hint(Index) { return Vector::Zero(); }
+
 /// Whether the normals of a tree point inwards as a whole. A flat tree has no inside: its normals shall point up its steepest axis.
 inline bool is_turned_inwards(double flux, double largest_flux, const Vector& normal_sum)
 {
@@ -81,21 +85,28 @@ inline bool is_turned_inwards(double flux, double largest_flux, const Vector& no
   return normal_sum[axis] < 0;
 }
 
+/// How sure the sides are that `orient_normals()` has chosen, as shares of the samples.
+struct Orientation
+{
+  double oriented_share;   ///< joined to the largest part of their tree by edges beyond doubt, by the field and by clear majorities only
+  double hinted_share;     ///< of trees whose side is that of the hints
+};
+
 /*!
 Turns the normals of the samples to one side. Over the edges of the graph of nearest neighbors where `orientation_agreement()` is beyond
 doubt, sets of samples grow as the maximum spanning forest of Hoppe et al. does. Where sets touch, across a sharp edge or through noise, one edge
 may well err, and would turn a whole face; there, all edges between two sets vote. Then the sets that hang together are turned
-outwards as a whole, in the sense of the divergence theorem: \f$ \sum n_i^T (p_i - \bar p) > 0 \f$. Works on indices; no sample changes its
+as a whole: to the side of the hints where these are clear, else outwards, in the sense of the divergence theorem: \f$ \sum n_i^T (p_i - \bar p) > 0 \f$. Works on indices; no sample changes its
 place.
 
 \param positions, normals unit vectors of any sign in, consistent out
 \param number_of_neighbors of the graph, at least 1
 \param spacing of the samples, roughly: more than a 1000th of it, and not so much that it spans the cloud
-\returns the share of the samples that are joined to the largest part of their tree by edges beyond doubt, by the field and by clear majorities only
+\param hint_of called with the index of a sample, gives a vector to the side its normal shall be on, of the length that it counts; may be zero
 */
-template <typename ConcurrencyTag, typename T>
-double orient_normals(const Buffer<Vector>& positions, std::size_t number_of_neighbors, double spacing, Progress& progress,
-                      Buffer<Eigen::Matrix<T, 3, 1>>& normals)
+template <typename ConcurrencyTag, typename T, typename HintOf>
+Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_of_neighbors, double spacing, const HintOf& hint_of,
+                           Progress& progress, Buffer<Eigen::Matrix<T, 3, 1>>& normals)
 {
   const auto normal = [&](Index i) -> Vector { return normals[i].template cast<double>(); };
   const std::size_t m = positions.size();
@@ -121,6 +132,7 @@ double orient_normals(const Buffer<Vector>& positions, std::size_t number_of_nei
     Vector center = Vector::Zero();
     Vector normal_sum = Vector::Zero();
     double flux = 0, largest_flux = 0;   // of the divergence theorem, and if all normals pointed away from the center
+    Hint_votes votes;
     Index largest_sure_set = 0;
   };
   Buffer<Tree> trees(m, Tree(), positions.get_allocator());   // that of a sample stands at its root
@@ -139,15 +151,21 @@ double orient_normals(const Buffer<Vector>& positions, std::size_t number_of_nei
     tree.flux += sign * normal(i).dot(from_center);
     tree.largest_flux += from_center.norm();
     tree.normal_sum += sign * normal(i);
+    tree.votes.add(sign * normal(i), hint_of(i));
     number_of_oriented += sets.size_of_set(root) > 1 && sure_set_sizes[i] == tree.largest_sure_set;
   }
+  std::size_t number_of_hinted = 0;
   for (Index i = 0; i < m; ++i)
   {
     const auto [root, sign] = sets.find(i);
-    if (is_turned_inwards(trees[root].flux, trees[root].largest_flux, trees[root].normal_sum) != (sign < 0))
+    const Tree& tree = trees[root];
+    const bool is_hinted = tree.votes.are_clear();
+    const bool is_turned = is_hinted ? tree.votes.say_turn() : is_turned_inwards(tree.flux, tree.largest_flux, tree.normal_sum);
+    number_of_hinted += is_hinted;
+    if (is_turned != (sign < 0))
       normals[i] = -normals[i];
   }
-  return double(number_of_oriented) / double(m);
+  return {double(number_of_oriented) / double(m), double(number_of_hinted) / double(m)};
 }
 
 } // namespace internal

@@ -75,6 +75,16 @@ public:
     return std::ldexp(1., exponent);
   }
 
+  /// A point in the coordinates of the input, in the frame; one that lies too far off for finite coordinates is brought nearer.
+  Vector point_in_frame(const Vector& point) const
+  {
+    const double largest = 1e100;   // whose square is finite
+    Vector p = scaled(scaled(point, m_first_exponent) - m_origin, m_second_exponent);
+    for (int axis = 0; axis < 3; ++axis)
+      p[axis] = (std::min)((std::max)(p[axis], -largest), largest);
+    return p;
+  }
+
   /// A length of the input, in the frame.
   double length_in_frame(double length) const { return std::ldexp(std::ldexp(length, m_first_exponent), m_second_exponent); }
 
