@@ -83,7 +83,8 @@ void write_values_of_points(const std::string& path, const std::vector<Point_3>&
   const double area = L0_benchmark::Area_sampler(truth.mesh()).area();
   const L0_benchmark::Search_tree tree(points.begin(), points.end());
   const std::vector<double> distances = distances_to_mesh(points, truth);
-  const std::vector<double> densities = local_densities(points, tree, L0_benchmark::density_radius(area, points.size()));
+  const std::vector<double> densities =
+    L0_benchmark::local_densities(points, tree, L0_benchmark::density_radius(area, points.size()));
   std::vector<float> values;
   for (std::size_t i = 0; i < points.size(); ++i) {
     values.push_back(float(distances[i] / truth.diagonal() * 100));

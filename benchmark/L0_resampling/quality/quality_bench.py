@@ -24,7 +24,7 @@ def parse_finite(text):
     def check(value, name):
         if isinstance(value, dict):
             for key, item in value.items():
-                if item is not None or key not in ("normals", "features"):  # null is what these have none of
+                if item is not None or key not in ("normals", "features", "mean_normal_error_degrees"):  # null: there is none
                     check(item, f"{name}.{key}" if name else key)
         elif not isinstance(value, (int, float)) or not math.isfinite(value):
             raise ValueError(f"{name} is {value}, not a finite number")
