@@ -134,8 +134,8 @@ inline void estimate_feature_confidences(const Buffer<Vector>& result, const std
 {
   Buffer<Vector> positions(result);
   Working_frame frame;
-  frame.enter(positions);
-  double spacing = robust_diagonal(positions) / std::sqrt(double(positions.size()));
+  frame.enter<Parallel_if_available_tag>(positions);
+  double spacing = robust_diagonal<Parallel_if_available_tag>(positions) / std::sqrt(double(positions.size()));
   spacing = sensible_radius(spacing, positions);
   spacing *= frame.scale_to(spacing, positions);
   Buffer<Local_vector> normals;
