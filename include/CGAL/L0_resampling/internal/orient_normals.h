@@ -110,22 +110,28 @@ Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_o
 {
   const auto normal = [&](Index i) -> Vector { return normals[i].template cast<double>(); };
   const std::size_t m = positions.size();
-  Signed_union_find sets(m, positions.get_allocator());
-  Buffer<Vote> votes(positions.get_allocator());
+  Voting faces{Signed_union_find(m, positions.get_allocator()), Buffer<Vote>(positions.get_allocator())};
   {
     const Buffer<Edge> edges = rated_edges<ConcurrencyTag>(positions, normals, number_of_neighbors, spacing, progress);
     for (const Edge& edge : sure_edges<ConcurrencyTag>(edges))
-      sets.join(edge.i, edge.k, edge.agreement < 0 ? -1 : 1);
-    sets.compress();
-    votes = votes_of_edges<ConcurrencyTag>(edges, sets);
+      faces.sets.join(edge.i, edge.k, edge.agreement < 0 ? -1 : 1);
+    faces.sets.compress();
+    faces.votes = votes_of_edges<ConcurrencyTag>(edges, faces.sets);
   }
-  join_by_field<ConcurrencyTag>(positions, normals, spacing, votes, sets);
-  join_by_votes<ConcurrencyTag>(clear_majority, votes, sets);
-  Buffer<Index> sure_set_sizes(m, 0, positions.get_allocator());
-  for (Index i = 0; i < m; ++i)
-    sure_set_sizes[i] = sets.size_of_set(sets.find(i).first);
-  join_by_field<ConcurrencyTag>(positions, normals, spacing, votes, sets);
-  join_by_votes<ConcurrencyTag>(0, votes, sets);
+  const auto joined_by_votes = [](double sure, Voting voting) {
+    join_by_votes<ConcurrencyTag>(sure, voting);
+    return voting;
+  };
+  Voting parts = joined_by_votes(clear_majority, faces), all = joined_by_votes(0, parts);
+  if (join_by_field<ConcurrencyTag>(all.sets, positions, normals, spacing, faces))
+  {
+    parts = joined_by_votes(clear_majority, faces);
+    all = joined_by_votes(0, parts);
+  }
+  if (join_by_field<ConcurrencyTag>(all.sets, positions, normals, spacing, parts))
+    all = joined_by_votes(0, parts);
+  const Signed_union_find& sets = all.sets;
+  const auto size_of_sure_set = [&](Index i) { return parts.sets.size_of_set(parts.sets.find(i).first); };
 
   struct Tree
   {
@@ -140,7 +146,7 @@ Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_o
   {
     const Index root = sets.find(i).first;
     trees[root].center += positions[i] / double(sets.size_of_set(root));
-    trees[root].largest_sure_set = (std::max)(trees[root].largest_sure_set, sure_set_sizes[i]);
+    trees[root].largest_sure_set = (std::max)(trees[root].largest_sure_set, size_of_sure_set(i));
   }
   std::size_t number_of_oriented = 0;
   for (Index i = 0; i < m; ++i)
@@ -152,7 +158,7 @@ Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_o
     tree.largest_flux += from_center.norm();
     tree.normal_sum += sign * normal(i);
     tree.votes.add(sign * normal(i), hint_of(i));
-    number_of_oriented += sets.size_of_set(root) > 1 && sure_set_sizes[i] == tree.largest_sure_set;
+    number_of_oriented += sets.size_of_set(root) > 1 && size_of_sure_set(i) == tree.largest_sure_set;
   }
   std::size_t number_of_hinted = 0;
   for (Index i = 0; i < m; ++i)

@@ -50,7 +50,8 @@ struct Field_of_sets
   }
 
   /// Turns the set that disagrees most, one after the other, until none does.
-  void turn_what_disagrees()
+  /// \returns whether there was one
+  bool turn_what_disagrees()
   {
     const std::size_t most_turns = 10 * roots.size();   // rounding might go round in circles
     for (std::size_t turn = 0; turn < most_turns; ++turn)
@@ -64,25 +65,28 @@ struct Field_of_sets
           set_of_least = a;
         }
       if (!(least < 0))
-        return;
+        return turn > 0;
       signs[set_of_least] = -signs[set_of_least];
     }
+    return true;
   }
 };
 
 /*!
-Joins the larger ones of the sets that hang together. At an edge between two faces few samples vote, all of them next to the edge, where noise and
-smoothing leave the least to see; the faces as a whole know better. Starts with the signs that the votes give, then turns sets as their field asks,
-that of dipoles along the normals (after Metzer et al., Orienting point clouds with dipole propagation, 2021).
+Joins the larger ones of the sets that hang together if their field asks to turn some of them against the others. At an edge between two faces few samples
+vote, all of them next to the edge, where noise and smoothing leave the least to see; the faces as a whole know better. Their field is that of dipoles along
+the normals (after Metzer et al., Orienting point clouds with dipole propagation, 2021).
 
+\param trees what the votes make of the sets
 \param spacing of the samples
-\param votes between the sets, added up; in the end those between the sets as they are then
+\returns whether any was turned; if not, nothing was joined
 */
 template <typename ConcurrencyTag, typename T>
-void join_by_field(const Buffer<Vector>& positions, const Buffer<Eigen::Matrix<T, 3, 1>>& normals, double spacing, Buffer<Vote>& votes,
-                   Signed_union_find& sets)
+bool join_by_field(const Signed_union_find& trees, const Buffer<Vector>& positions, const Buffer<Eigen::Matrix<T, 3, 1>>& normals, double spacing,
+                   Voting& voting)
 {
   const std::size_t maximum_number_of_dipoles = 2048, fewest_dipoles_of_a_set = 6;
+  Signed_union_find& sets = voting.sets;
   const double weight_of_votes = 3;   // of an edge, against the field of two faces of one spacing each
   const std::size_t m = positions.size(), number_of_dipoles = (std::min)(m, maximum_number_of_dipoles);
 
@@ -103,25 +107,20 @@ void join_by_field(const Buffer<Vector>& positions, const Buffer<Eigen::Matrix<T
   }
   const std::size_t number_of_sets = field.roots.size();
   if (number_of_sets < 2)
-    return;
+    return false;
   const auto place_of = [&](Index root) {
     return std::size_t(std::lower_bound(field.roots.begin(), field.roots.end(), root) - field.roots.begin());
   };
   const auto is_in_field = [&](Index root) { return std::binary_search(field.roots.begin(), field.roots.end(), root); };
 
-  // Sets that no votes connect, parts of a scene, do not know of each other.
+  for (Index root : field.roots)
   {
-    Signed_union_find trees(sets);
-    Buffer<Vote> votes_of_trees(votes);
-    join_by_votes<ConcurrencyTag>(0, votes_of_trees, trees);
-    for (Index root : field.roots)
-    {
-      const auto [tree, sign] = trees.find(root);
-      field.trees.push_back(tree);
-      field.signs.push_back(sign);
-    }
+    const auto [tree, sign] = trees.find(root);
+    field.trees.push_back(tree);
+    field.signs.push_back(sign);
   }
 
+  // Sets of different trees, parts of a scene, do not know of each other.
   std::vector<std::vector<Dipole>> dipoles(number_of_sets);
   for (Index i : samples)
     if (const auto [root, sign] = sets.find(i); is_in_field(root))
@@ -139,7 +138,7 @@ void join_by_field(const Buffer<Vector>& positions, const Buffer<Eigen::Matrix<T
         field.agreements[a * number_of_sets + b] = field.agreements[b * number_of_sets + a] = sum * area * area / spacing;
       }
   });
-  for (const Vote& v : votes)
+  for (const Vote& v : voting.votes)
     if (is_in_field(v.a) && is_in_field(v.b))
     {
       const std::size_t a = place_of(v.a), b = place_of(v.b);
@@ -147,13 +146,15 @@ void join_by_field(const Buffer<Vector>& positions, const Buffer<Eigen::Matrix<T
       field.agreements[b * number_of_sets + a] += weight_of_votes * v.agreement;
     }
 
-  field.turn_what_disagrees();
+  if (!field.turn_what_disagrees())
+    return false;
   for (std::size_t b = 0; b < number_of_sets; ++b)
   {
     const std::size_t a = std::size_t(std::find(field.trees.begin(), field.trees.end(), field.trees[b]) - field.trees.begin());
     sets.join(field.roots[a], field.roots[b], field.signs[a] * field.signs[b]);
   }
-  pass_votes_on<ConcurrencyTag>(sets, votes);
+  pass_votes_on<ConcurrencyTag>(voting);
+  return true;
 }
 
 

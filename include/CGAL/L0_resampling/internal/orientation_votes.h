@@ -73,27 +73,35 @@ Buffer<Vote> votes_of_edges(const Buffer<Edge>& edges, const Signed_union_find& 
   return votes;
 }
 
+/// Sets of samples, and the votes between them.
+struct Voting
+{
+  Signed_union_find sets;
+  Buffer<Vote> votes;   // added up
+};
+
 /// Replaces the votes between sets before they were joined by those between the sets as they are now.
 template <typename ConcurrencyTag>
-void pass_votes_on(Signed_union_find& sets, Buffer<Vote>& votes)
+void pass_votes_on(Voting& voting)
 {
-  sets.compress();
+  Buffer<Vote>& votes = voting.votes;
+  voting.sets.compress();
   std::size_t size = 0;
   for (const Vote& v : votes)
-    if (const auto vote = vote_between_sets(sets, v))
+    if (const auto vote = vote_between_sets(voting.sets, v))
       votes[size++] = *vote;
   votes.resize(size);
   add_up_votes<ConcurrencyTag>(votes);
 }
 
 /// Joins sets that touch by majority: round by round, each set with the neighbor that their votes are most of one mind about.
-/// \param votes of the sets as they are, added up; in the end those of the sets as they are then
 /// \param sure the share of the votes, in [0, 1], that the winning side has to be ahead by
 template <typename ConcurrencyTag>
-void join_by_votes(double sure, Buffer<Vote>& votes, Signed_union_find& sets)
+void join_by_votes(double sure, Voting& voting)
 {
+  const Buffer<Vote>& votes = voting.votes;
   const std::size_t none = (std::numeric_limits<std::size_t>::max)();
-  Buffer<std::size_t> strongest(sets.size(), none, votes.get_allocator());   // the vote of each set that it joins by
+  Buffer<std::size_t> strongest(voting.sets.size(), none, votes.get_allocator());   // the vote of each set that it joins by
   const auto is_stronger = [&](std::size_t v, std::size_t w) {
     const double a = std::abs(votes[v].agreement), b = std::abs(votes[w].agreement);
     return a != b ? a > b : v < w;
@@ -111,10 +119,10 @@ void join_by_votes(double sure, Buffer<Vote>& votes, Signed_union_find& sets)
     for (std::size_t n = 0; n < votes.size(); ++n)
       if (strongest[votes[n].a] == n || strongest[votes[n].b] == n)
       {
-        sets.join(votes[n].a, votes[n].b, votes[n].agreement < 0 ? -1 : 1);
+        voting.sets.join(votes[n].a, votes[n].b, votes[n].agreement < 0 ? -1 : 1);
         is_joined = true;
       }
-    pass_votes_on<ConcurrencyTag>(sets, votes);
+    pass_votes_on<ConcurrencyTag>(voting);
   }
 }
 
