@@ -20,7 +20,7 @@ double sensible_radius(double radius, const double (&low)[3], const double (&hig
   const double x = high[0] - low[0], y = high[1] - low[1], z = high[2] - low[2], diagonal = std::sqrt(x * x + y * y + z * z);
   if (!(diagonal > 0))
     return 1;
-  return (std::min)((std::max)(radius, std::ldexp(diagonal, -200)), diagonal);
+  return (std::min)((std::max)(radius, std::ldexp(diagonal, -100)), diagonal);
 }
 
 } // namespace

@@ -47,6 +47,7 @@ template <typename Value>
 std::vector<std::string> keys_of(const std::map<std::string, Value>& names)
 {
   std::vector<std::string> keys;
+  keys.reserve(names.size());
   for (const auto& [name, value] : names)
     keys.push_back(name);
   return keys;

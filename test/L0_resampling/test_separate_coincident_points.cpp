@@ -106,6 +106,57 @@ void check_small_boxes()
   check_separation(Points<float>(100, {0, 0, 0}), 1e-41f, 1e3);   // a margin of few digits
 }
 
+/// In a corner of the box all ways lead inwards, and there is room enough.
+template <typename FT>
+void check_corners()
+{
+  const std::array<FT, 3> corners[2] = {{-1, 2, -3}, {5, 4, 0}};
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const std::array<FT, 3> place{corners[corner % 2][0], corners[corner / 2 % 2][1], corners[corner / 4][2]};
+    Buffer<std::array<FT, 3>> points(3000, place);
+    separate_coincident_points(corners[0], corners[1], FT(1), points);
+    CHECK((std::set<std::array<FT, 3>>(points.begin(), points.end()).size() == points.size()));
+    CHECK(std::all_of(points.begin(), points.end(), [&](const std::array<FT, 3>& p) {
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        if (p[axis] < corners[0][axis] || p[axis] > corners[1][axis])
+          return false;
+      return true;
+    }));
+  }
+}
+
+/// More points than the box has numbers come to lie next to it, and not a million units away.
+void check_full_box()
+{
+  const double margin = 4 * std::numeric_limits<double>::epsilon();
+  Buffer<std::array<double, 3>> points(3000, std::array<double, 3>{1, 1, 1});
+  separate_coincident_points({1 - margin, 1 - margin, 1 - margin}, {1 + margin, 1 + margin, 1 + margin}, margin, points);
+  CHECK((std::set<std::array<double, 3>>(points.begin(), points.end()).size() == points.size()));
+  for (const std::array<double, 3>& p : points)
+    for (double x : p)
+      CHECK(std::abs(x - 1) <= 10 * margin);
+}
+
+/// At the largest number there is one way only, whether the box has room or not, and a radius may be no number any more.
+template <typename FT>
+void check_largest_numbers()
+{
+  const FT largest = (std::numeric_limits<FT>::max)();
+  const FT infinity = std::numeric_limits<FT>::infinity();
+  const auto check_box = [&](FT low, FT length) {
+    Buffer<std::array<FT, 3>> points(200, std::array<FT, 3>{largest, largest, -largest});
+    separate_coincident_points({low, low, -largest}, {largest, largest, -low}, length, points);
+    CHECK((std::set<std::array<FT, 3>>(points.begin(), points.end()).size() == points.size()));
+    for (const std::array<FT, 3>& p : points)
+      for (FT x : p)
+        CHECK(std::isfinite(x));
+  };
+  check_box(-largest, infinity);
+  check_box(-largest, largest);
+  check_box(largest, FT(1));
+}
+
 /// Where the points stand in the array does not matter to what comes out.
 void check_order(Generator& generator)
 {
@@ -134,5 +185,10 @@ int main()
   check<float>(generator);
   check_order(generator);
   check_small_boxes();
+  check_corners<double>();
+  check_corners<float>();
+  check_full_box();
+  check_largest_numbers<double>();
+  check_largest_numbers<float>();
   return result();
 }

@@ -367,6 +367,8 @@ check "input and output are one file" test "$status" -eq 0 -a "$(wc -l < both.xy
 run cube.xyz /dev/stdout --output-format xyz --points 30
 check "points alone on stdout" test "$status" -eq 0 -a "$(wc -l < stdout)" -eq 30
 check "then the summary is on stderr" grep -q '30 out' stderr
+"$program" cube.xyz /dev/stdout --output-format xyz --points 30 --quiet 2> stderr | cat > piped.xyz
+check "a pipe as output" cmp stdout piped.xyz
 run /dev/stdin out.ply --input-format xyz
 check "an empty standard input" test "$status" -eq 0
 "$program" /dev/stdin out.ply --input-format xyz --points 40 < <(cat cube.xyz) > /dev/null

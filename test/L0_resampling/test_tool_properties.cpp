@@ -36,7 +36,7 @@ std::string written(const std::string& extension, const Point_cloud& cloud)
 {
   const std::string path = scratch.file("written" + extension);
   write_point_cloud(path, *format_of(path), cloud);
-  const std::string bytes = read_bytes(path);
+  std::string bytes = read_bytes(path);
   CHECK(bytes.size() <= largest_file_size(*format_of(path), cloud.points.size(), cloud.properties));
   return bytes;
 }
@@ -152,8 +152,9 @@ void test_colors()
   // PCL packs them into the bytes of a float, or of an integer with alpha.
   const std::string rows = bytes_of(1.f, false) + bytes_of(2.f, false) + bytes_of(3.f, false);
   for (const std::string type : {"F", "U"}) {
-    const Point_cloud cloud = read(".pcd", pcd_header(" rgb", "4 4 4 4", "F F F " + type, "1", "binary") + rows
-                                             + bytes_of(std::uint32_t(0xff102030), false));
+    std::string file = pcd_header(" rgb", "4 4 4 4", "F F F " + type, "1", "binary");
+    file.append(rows).append(bytes_of(std::uint32_t(0xff102030), false));
+    const Point_cloud cloud = read(".pcd", file);
     CHECK(names_of(cloud) == "red green blue ");
     CHECK(value(cloud, 0, "red") == 0x10 && value(cloud, 0, "green") == 0x20 && value(cloud, 0, "blue") == 0x30);
   }

@@ -154,7 +154,9 @@ void check_sensible_radius(const std::vector<Vector>& cloud)
   const Buffer<Vector> points = to_buffer(cloud);
   CHECK(sensible_radius(0.3, points) == 0.3);
   CHECK(sensible_radius(1e300, points) == diagonal);
-  CHECK(sensible_radius(1e-300, points) > 0 && sensible_radius(1e-300, points) < 1e-50);
+  CHECK(sensible_radius(1e-300, points) > 0 && sensible_radius(1e-300, points) < 1e-20 * diagonal);
+  // a float has room for the whole cloud in units of the radius
+  CHECK(diagonal / sensible_radius(1e-300, points) < 1e-3 * double((std::numeric_limits<float>::max)()));
   CHECK(sensible_radius(5, to_buffer(std::vector<Vector>(3, Vector(1, 2, 3)))) == 1);
 }
 

@@ -9,24 +9,18 @@
 #include <CGAL/L0_resampling/internal/Orientation_hints.h>
 #include <CGAL/L0_resampling/internal/nearest_samples.h>
 #include <CGAL/L0_resampling/internal/orientation_agreement.h>
+#include <CGAL/L0_resampling/internal/orientation_field.h>
+#include <CGAL/L0_resampling/internal/orientation_votes.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <limits>
 #include <numeric>
-#include <optional>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace L0_resampling {
 namespace internal {
-
-/// Two samples near each other, and `orientation_agreement()` of them.
-struct Edge { float agreement; Index i, k; };
-constexpr std::size_t edges_per_block = 16384;
 
 /// The edges of the graph of nearest neighbors, each once.
 template <typename ConcurrencyTag, typename T>
@@ -77,163 +71,6 @@ Buffer<Edge> sure_edges(const Buffer<Edge>& edges)
   return sorted;
 }
 
-/// Sets of samples whose normals are fixed relative to each other: union-find, where each sample knows whether it is turned
-/// against its parent.
-class Signed_union_find
-{
-  Buffer<Index> m_parents;
-  Buffer<signed char> m_signs;   // of a sample relative to its parent
-  Buffer<Index> m_sizes;
-
-public:
-  Signed_union_find(std::size_t size, const Counting_allocator<Index>& allocator)
-    : m_parents(size, 0, allocator), m_signs(size, 1, allocator), m_sizes(size, 1, allocator)
-  {
-    for (std::size_t i = 0; i < size; ++i)
-      m_parents[i] = Index(i);
-  }
-
-  /// The set's representative, and the sign of `i` relative to it.
-  std::pair<Index, int> find(Index i) const
-  {
-    Index root = i;
-    int sign = 1;
-    while (m_parents[root] != root)
-    {
-      sign *= m_signs[root];
-      root = m_parents[root];
-    }
-    return {root, sign};
-  }
-
-  /// Also hangs everything on the way below the root, so that the next way is short.
-  std::pair<Index, int> find_and_compress(Index i)
-  {
-    const auto [root, sign] = find(i);
-    int remaining = sign;
-    while (m_parents[i] != root && i != root)
-    {
-      const Index next = m_parents[i];
-      const int own = m_signs[i];
-      m_parents[i] = root;
-      m_signs[i] = static_cast<signed char>(remaining);
-      remaining *= own;
-      i = next;
-    }
-    return {root, sign};
-  }
-
-  /// Joins the sets of `i` and `k` so that the two have the relative sign `sign`, if they are not in one set yet.
-  void join(Index i, Index k, int sign)
-  {
-    auto [root_i, sign_i] = find_and_compress(i);
-    auto [root_k, sign_k] = find_and_compress(k);
-    if (root_i == root_k)
-      return;
-    if (m_sizes[root_i] < m_sizes[root_k])
-      std::swap(root_i, root_k);
-    m_parents[root_k] = root_i;
-    m_signs[root_k] = static_cast<signed char>(sign * sign_i * sign_k);
-    m_sizes[root_i] += m_sizes[root_k];
-  }
-
-  /// Makes each way as short as can be.
-  void compress()
-  {
-    for (std::size_t i = 0; i < m_parents.size(); ++i)
-      find_and_compress(Index(i));
-  }
-
-  std::size_t size() const { return m_parents.size(); }
-
-  /// Number of samples in the set that `root` represents.
-  Index size_of_set(Index root) const { return m_sizes[root]; }
-};
-
-/// The sum of the agreements of edges between two samples or, read for their representatives, between two sets.
-struct Vote { Index a, b; double agreement, total; };
-
-/// Adds up votes between the same two.
-template <typename ConcurrencyTag>
-void add_up_votes(Buffer<Vote>& votes)
-{
-  sort_by_key<ConcurrencyTag>(votes, [](const Vote& v) { return (std::uint64_t(v.a) << 32) | v.b; },
-                              [](const Vote& v, const Vote& w) { return v.agreement != w.agreement ? v.agreement < w.agreement : v.total < w.total; });
-  std::size_t size = 0;
-  for (const Vote& v : votes)
-    if (size > 0 && votes[size - 1].a == v.a && votes[size - 1].b == v.b)
-    {
-      votes[size - 1].agreement += v.agreement;
-      votes[size - 1].total += v.total;
-    }
-    else
-      votes[size++] = v;
-  votes.resize(size);
-}
-
-/// The vote between the sets of two samples, or of two sets before they were joined to others; nothing if they are one set.
-inline std::optional<Vote> vote_between_sets(const Signed_union_find& sets, const Vote& vote)
-{
-  const auto [root_a, sign_a] = sets.find(vote.a);
-  const auto [root_b, sign_b] = sets.find(vote.b);
-  if (root_a == root_b)
-    return std::nullopt;
-  return Vote{(std::min)(root_a, root_b), (std::max)(root_a, root_b), sign_a * sign_b * vote.agreement, vote.total};
-}
-
-/// The votes of the edges between sets: one for each pair of sets that touch, in the order of the pairs.
-template <typename ConcurrencyTag>
-Buffer<Vote> votes_of_edges(const Buffer<Edge>& edges, const Signed_union_find& sets)
-{
-  Buffer<Vote> votes = append_by_blocks<ConcurrencyTag>(edges.size(), edges_per_block, Counting_allocator<Vote>(edges.get_allocator()),
-                                                        [&](std::size_t begin, std::size_t end, Buffer<Vote>& votes_of_block) {
-    for (std::size_t e = begin; e < end; ++e)
-      if (const auto vote = vote_between_sets(sets, {edges[e].i, edges[e].k, edges[e].agreement, std::abs(edges[e].agreement)}))
-        votes_of_block.push_back(*vote);
-    add_up_votes<Sequential_tag>(votes_of_block);
-  });
-  add_up_votes<ConcurrencyTag>(votes);
-  return votes;
-}
-
-/// Joins sets that touch by majority: round by round, each set with the neighbor that their votes are most of one mind about.
-/// \param votes of the sets as they are, added up; in the end those of the sets as they are then
-/// \param sure the share of the votes, in [0, 1], that the winning side has to be ahead by
-template <typename ConcurrencyTag>
-void join_by_votes(double sure, Buffer<Vote>& votes, Signed_union_find& sets)
-{
-  const std::size_t none = (std::numeric_limits<std::size_t>::max)();
-  Buffer<std::size_t> strongest(sets.size(), none, votes.get_allocator());   // the vote of each set that it joins by
-  const auto is_stronger = [&](std::size_t v, std::size_t w) {
-    const double a = std::abs(votes[v].agreement), b = std::abs(votes[w].agreement);
-    return a != b ? a > b : v < w;
-  };
-  for (bool is_joined = true; is_joined;)
-  {
-    is_joined = false;
-    for (const Vote& v : votes)
-      strongest[v.a] = strongest[v.b] = none;
-    for (std::size_t n = 0; n < votes.size(); ++n)
-      if (std::abs(votes[n].agreement) >= sure * votes[n].total)
-        for (const Index set : {votes[n].a, votes[n].b})
-          if (strongest[set] == none || is_stronger(n, strongest[set]))
-            strongest[set] = n;
-    for (std::size_t n = 0; n < votes.size(); ++n)
-      if (strongest[votes[n].a] == n || strongest[votes[n].b] == n)
-      {
-        sets.join(votes[n].a, votes[n].b, votes[n].agreement < 0 ? -1 : 1);
-        is_joined = true;
-      }
-    sets.compress();
-    std::size_t size = 0;
-    for (const Vote& v : votes)
-      if (const auto vote = vote_between_sets(sets, v))
-        votes[size++] = *vote;
-    votes.resize(size);
-    add_up_votes<ConcurrencyTag>(votes);
-  }
-}
-
 /// The hints of samples that have none.
 inline Vector no_hint(Index) { return Vector::Zero(); }
 
@@ -251,7 +88,7 @@ inline bool is_turned_inwards(double flux, double largest_flux, const Vector& no
 /// How sure the sides are that `orient_normals()` has chosen, as shares of the samples.
 struct Orientation
 {
-  double oriented_share;   ///< joined to the largest part of their tree by edges beyond doubt and clear majorities only
+  double oriented_share;   ///< joined to the largest part of their tree by edges beyond doubt, by the field and by clear majorities only
   double hinted_share;     ///< of trees whose side is that of the hints
 };
 
@@ -273,20 +110,28 @@ Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_o
 {
   const auto normal = [&](Index i) -> Vector { return normals[i].template cast<double>(); };
   const std::size_t m = positions.size();
-  Signed_union_find sets(m, positions.get_allocator());
-  Buffer<Vote> votes(positions.get_allocator());
+  Voting faces{Signed_union_find(m, positions.get_allocator()), Buffer<Vote>(positions.get_allocator())};
   {
     const Buffer<Edge> edges = rated_edges<ConcurrencyTag>(positions, normals, number_of_neighbors, spacing, progress);
     for (const Edge& edge : sure_edges<ConcurrencyTag>(edges))
-      sets.join(edge.i, edge.k, edge.agreement < 0 ? -1 : 1);
-    sets.compress();
-    votes = votes_of_edges<ConcurrencyTag>(edges, sets);
+      faces.sets.join(edge.i, edge.k, edge.agreement < 0 ? -1 : 1);
+    faces.sets.compress();
+    faces.votes = votes_of_edges<ConcurrencyTag>(edges, faces.sets);
   }
-  join_by_votes<ConcurrencyTag>(clear_majority, votes, sets);
-  Buffer<Index> sure_set_sizes(m, 0, positions.get_allocator());
-  for (Index i = 0; i < m; ++i)
-    sure_set_sizes[i] = sets.size_of_set(sets.find(i).first);
-  join_by_votes<ConcurrencyTag>(0, votes, sets);
+  const auto joined_by_votes = [](double sure, Voting voting) {
+    join_by_votes<ConcurrencyTag>(sure, voting);
+    return voting;
+  };
+  Voting parts = joined_by_votes(clear_majority, faces), all = joined_by_votes(0, parts);
+  if (join_by_field<ConcurrencyTag>(all.sets, positions, normals, spacing, faces))
+  {
+    parts = joined_by_votes(clear_majority, faces);
+    all = joined_by_votes(0, parts);
+  }
+  if (join_by_field<ConcurrencyTag>(all.sets, positions, normals, spacing, parts))
+    all = joined_by_votes(0, parts);
+  const Signed_union_find& sets = all.sets;
+  const auto size_of_sure_set = [&](Index i) { return parts.sets.size_of_set(parts.sets.find(i).first); };
 
   struct Tree
   {
@@ -301,7 +146,7 @@ Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_o
   {
     const Index root = sets.find(i).first;
     trees[root].center += positions[i] / double(sets.size_of_set(root));
-    trees[root].largest_sure_set = (std::max)(trees[root].largest_sure_set, sure_set_sizes[i]);
+    trees[root].largest_sure_set = (std::max)(trees[root].largest_sure_set, size_of_sure_set(i));
   }
   std::size_t number_of_oriented = 0;
   for (Index i = 0; i < m; ++i)
@@ -313,7 +158,7 @@ Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_o
     tree.largest_flux += from_center.norm();
     tree.normal_sum += sign * normal(i);
     tree.votes.add(sign * normal(i), hint_of(i));
-    number_of_oriented += sets.size_of_set(root) > 1 && sure_set_sizes[i] == tree.largest_sure_set;
+    number_of_oriented += sets.size_of_set(root) > 1 && size_of_sure_set(i) == tree.largest_sure_set;
   }
   std::size_t number_of_hinted = 0;
   for (Index i = 0; i < m; ++i)

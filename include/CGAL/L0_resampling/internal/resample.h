@@ -74,7 +74,7 @@ struct Lengths
 inline double square(double x) { return x * x; }
 
 /// \f$ (1 - \cos\sigma_n)^2 \f$ of Eq. (2), for an angle in degrees; never so small that its inverse is not finite.
-inline double normal_bandwidth(double angle) { return (std::max)(square(1 - std::cos(angle * EIGEN_PI / 180)), 1e-12); }
+inline double normal_bandwidth(double angle) { return (std::max)(square(double(1 - std::cos(angle * EIGEN_PI / 180))), 1e-12); }
 
 /// \f$ H^2 \f$: how far from a sheet points are of that sheet.
 inline double squared_sheet_height(const Lengths& lengths)

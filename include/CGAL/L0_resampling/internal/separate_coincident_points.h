@@ -39,7 +39,7 @@ bool may_have_equal_points(const Buffer<std::array<FT, 3>>& points)
 /// may be one. They fall together where a radius reaches the whole cloud, or where `float` is too coarse for UTM coordinates.
 /// \param points finite; those that coincide with an earlier one in lexicographic order of (coordinates, index) are moved
 /// \param low, high corners of the box that they have to stay in, where it has room
-/// \param length below which coordinates count as zero: its rounding is the least step
+/// \param length below which coordinates count as zero: its rounding is the least step; may be infinite
 template <typename FT>
 void separate_coincident_points(const std::array<FT, 3>& low, const std::array<FT, 3>& high, FT length, Buffer<std::array<FT, 3>>& points)
 {
@@ -62,7 +62,9 @@ void separate_coincident_points(const std::array<FT, 3>& low, const std::array<F
   if (to_move.empty())
     return;
 
-  // Each group takes the nodes of a lattice around its place, one after the other, and skips those that are taken.
+  // Each group takes the nodes of a lattice around its place, one after the other, and skips those that are taken, and those beyond the
+  // largest number.
+  const auto is_finite = [](const Point& p) { return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]); };
   std::set<Point> taken(points.begin(), points.end());
   Point place = points[to_move.front()];
   std::size_t node = 0;
@@ -74,31 +76,45 @@ void separate_coincident_points(const std::array<FT, 3>& low, const std::array<F
       node = 0;
     }
     Point step;
-    std::array<int, 3> bits;   // an axis has room for 2^bits nodes
+    std::array<int, 3> bits;            // an axis has room for 2^bits nodes
+    std::array<bool, 3> is_at_side;     // of the box, so that all nodes are on the other side
     for (std::size_t a = 0; a < 3; ++a)
     {
-      step[a] = 2 * std::numeric_limits<FT>::epsilon() * (std::max)({std::abs(place[a]), length, (std::numeric_limits<FT>::min)()});
-      const FT room = (std::min)(high[a] - place[a], place[a] - low[a]) / step[a];   // steps to the nearer side
+      const FT size = (std::max)({std::abs(place[a]), length, (std::numeric_limits<FT>::min)()});
+      step[a] = 2 * std::numeric_limits<FT>::epsilon() * (std::min)(size, (std::numeric_limits<FT>::max)());
+      const FT room_above = (high[a] - place[a]) / step[a], room_below = (place[a] - low[a]) / step[a];
+      const FT room = (std::min)(room_above, room_below);   // steps to the nearer side
       bits[a] = room >= 1 ? (std::min)(std::ilogb(room), 20) + 1 : 0;
+      is_at_side[a] = bits[a] == 0 && (std::max)(room_above, room_below) >= 1;
+      if (is_at_side[a])
+      {
+        bits[a] = (std::min)(std::ilogb((std::max)(room_above, room_below) + 1), 20);
+        step[a] = room_above >= room_below ? step[a] : -step[a];
+      }
     }
+    const int most_bits = *std::max_element(bits.begin(), bits.end());
     Point moved;
     do
     {
       ++node;
-      // nodes 0, 1, -1, 2, -2 ... of each axis; the counter's bits go round the axes that have room for one more, so that the lattice
-      // grows evenly
+      // nodes 0, 1, -1, 2, -2 ... of each axis, or 0, 1, 2 ... at a side of the box; the counter's bits go round the axes that have room
+      // for one more, so that the lattice grows evenly, and round all axes once the box is full
       std::array<std::size_t, 3> coordinates{};
       std::size_t rest = node;
       for (int bit = 0; rest > 0; ++bit)
         for (std::size_t a = 0; a < 3; ++a)
-          if (bit < bits[a] || bit >= 21)
+          if (bit < bits[a] || bit >= most_bits)
           {
             coordinates[a] |= (rest & 1) << bit;
             rest >>= 1;
           }
       for (std::size_t a = 0; a < 3; ++a)
-        moved[a] = place[a] + FT((coordinates[a] + 1) / 2) * (coordinates[a] % 2 ? FT(1) : FT(-1)) * step[a];
-    } while (!taken.insert(moved).second);
+      {
+        const FT node_of_axis = is_at_side[a] ? FT(coordinates[a])
+                                              : FT((coordinates[a] + 1) / 2) * (coordinates[a] % 2 ? FT(1) : FT(-1));
+        moved[a] = place[a] + node_of_axis * step[a];
+      }
+    } while (!is_finite(moved) || !taken.insert(moved).second);
     points[i] = moved;
   }
 }

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace CGAL {
 namespace L0_resampling {
@@ -88,8 +89,11 @@ public:
   /// A length of the input, in the frame.
   double length_in_frame(double length) const { return std::ldexp(std::ldexp(length, m_first_exponent), m_second_exponent); }
 
-  /// A length in the frame, in the unit of the input.
-  double length_of_input(double length) const { return std::ldexp(std::ldexp(length, -m_second_exponent), -m_first_exponent); }
+  /// A length in the frame, in the unit of the input; the largest number for longer ones.
+  double length_of_input(double length) const
+  {
+    return (std::min)(std::ldexp(std::ldexp(length, -m_second_exponent), -m_first_exponent), (std::numeric_limits<double>::max)());
+  }
 
   /// A point in the frame, in the coordinates of the input.
   Vector leave(const Vector& point) const
@@ -137,8 +141,8 @@ double robust_diagonal(const Buffer<Vector>& points)
   return (box_high - box_low).norm();
 }
 
-/// The radius itself, but no larger than the diagonal of the bounding box, which reaches everybody, and not so small that the cloud
-/// has no finite coordinates in units of it: such a radius reaches nobody but duplicates either way. 1 if all points are one.
+/// The radius itself, but no larger than the diagonal of the bounding box, which reaches everybody, and not so small that a `float` has
+/// no room for the cloud in units of it: such a radius reaches hardly anybody but duplicates either way. 1 if all points are one.
 inline double sensible_radius(double radius, const Buffer<Vector>& points)
 {
   Vector low = points.front(), high = points.front();
@@ -150,7 +154,7 @@ inline double sensible_radius(double radius, const Buffer<Vector>& points)
   const double diagonal = (high - low).norm();
   if (!(diagonal > 0))
     return 1;
-  return (std::min)((std::max)(radius, std::ldexp(diagonal, -200)), diagonal);
+  return (std::min)((std::max)(radius, std::ldexp(diagonal, -100)), diagonal);
 }
 
 } // namespace internal

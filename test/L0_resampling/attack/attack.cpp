@@ -1,0 +1,215 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Attacks the function, each time in a process of its own, so that a crash or an endless loop is a finding too.
+//
+//   attack named [--every K] ...     our point sets, each with our parameter sets; of all pairs every K-th
+//   attack random RUNS [--seed S] ...  the seeds S, S + 1, ... each make one of both
+//   attack replay FILE... ...        the attacks that once succeeded
+//   attack minimize FILE ...         writes FILE.minimal, with as few points and parameters as still break the same
+//
+// --save FOLDER      a file for each attack that succeeds
+// --memory MIB       of address space for one attack; 0 for no limit, as sanitizers need it
+// --json FILE        what was done
+//
+// Ends with 0 if no attack succeeded.
+
+#include "attack_file.h"
+#include "carry_out.h"
+#include "hostile_parameters.h"
+#include "hostile_points.h"
+#include "sandbox.h"
+
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace attack;
+
+struct Options
+{
+  std::vector<std::string> words;
+  std::size_t every = 1, seed = 1;
+  std::string folder, json;
+  Limits limits;
+};
+
+Options parsed(int argc, char** argv)
+{
+  Options options;
+  for (int i = 1; i < argc; ++i)
+  {
+    const std::string word = argv[i];
+    if (word.compare(0, 2, "--") != 0)
+    {
+      options.words.push_back(word);
+      continue;
+    }
+    const std::string value = i + 1 < argc ? argv[++i] : "";
+    if (word == "--save")
+      options.folder = value;
+    else if (word == "--json")
+      options.json = value;
+    else if (word == "--every")
+      options.every = std::stoul(value);
+    else if (word == "--seed")
+      options.seed = std::stoul(value);
+    else if (word == "--memory")
+      options.limits.bytes = std::stoul(value) << 20;
+    else
+      throw std::runtime_error(word + " is no option");
+  }
+  if (options.words.empty() || options.every == 0)
+    throw std::runtime_error("named, random, replay or minimize expected");
+  return options;
+}
+
+/// Carries attacks out and counts.
+class Campaign
+{
+  const Options& m_options;
+  std::size_t m_attacks = 0, m_successes = 0;
+  std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
+
+public:
+  explicit Campaign(const Options& options) : m_options(options) {}
+
+  void add(const Attack& attack)
+  {
+    ++m_attacks;
+    const std::string faults = in_sandbox([&]() { return carry_out(attack); }, m_options.limits);
+    if (faults.empty())
+      return;
+    ++m_successes;
+    std::cerr << "failed: " << attack.name << ": " << faults << std::endl;
+    if (!m_options.folder.empty())
+      write_attack(m_options.folder + "/attack_" + std::to_string(m_attacks) + ".txt", attack);
+  }
+
+  /// \returns the exit status
+  int end() const
+  {
+    std::cout << m_attacks << " attacks, " << m_successes << " succeeded" << std::endl;
+    if (!m_options.json.empty())
+    {
+      const std::chrono::duration<double> time = std::chrono::steady_clock::now() - m_start;
+      std::ofstream(m_options.json) << "{\"kind\": \"" << m_options.words.front() << "\", \"seed\": " << m_options.seed
+                                    << ", \"attacks\": " << m_attacks << ", \"succeeded\": " << m_successes << ", \"seconds\": " << time.count() << "}\n";
+    }
+    return m_attacks > 0 && m_successes == 0 ? 0 : 1;
+  }
+};
+
+Attack random_attack(std::size_t seed)
+{
+  Generator generator(seed);
+  Attack attack;
+  attack.name = "random " + std::to_string(seed);
+  attack.points = random_point_set(generator);
+  attack.normals = random_normals(attack.points.size(), generator);
+  attack.parameters = random_parameters(attack.points.size(), diagonal_of(attack.points), generator);
+  return attack;
+}
+
+int attack_with_named(const Options& options)
+{
+  Campaign campaign(options);
+  Generator generator(1);
+  std::size_t pair = 0;
+  for (const Named_points& points : hostile_point_sets())
+  {
+    const std::vector<Vector> normals = random_normals(points.points.size(), generator);
+    for (const Named_parameters& parameters : hostile_parameter_sets(points.points.size(), diagonal_of(points.points)))
+      if (pair++ % options.every == 0)
+        campaign.add({points.name + ", " + parameters.name, points.points, normals, parameters.parameters});
+  }
+  return campaign.end();
+}
+
+int attack_at_random(const Options& options)
+{
+  Campaign campaign(options);
+  const std::size_t runs = std::stoul(options.words.at(1));
+  std::cout << "seeds " << options.seed << " to " << options.seed + runs - 1 << std::endl;
+  for (std::size_t run = 0; run < runs; ++run)
+    campaign.add(random_attack(options.seed + run));
+  return campaign.end();
+}
+
+int replay(const Options& options)
+{
+  Campaign campaign(options);
+  for (std::size_t i = 1; i < options.words.size(); ++i)
+    campaign.add(read_attack(options.words[i]));
+  return campaign.end();
+}
+
+/// Leaves out points and parameters as long as the faults begin with the same words.
+int minimize(const Options& options)
+{
+  const std::string path = options.words.at(1);
+  Attack attack = read_attack(path);
+  const auto begin_of_faults = [&](const Attack& a) { return in_sandbox([&]() { return carry_out(a); }, options.limits).substr(0, 12); };
+  const std::string expected = begin_of_faults(attack);
+  if (expected.empty())
+  {
+    std::cerr << path << ": nothing is broken" << std::endl;
+    return 1;
+  }
+  const auto try_instead = [&](const Attack& other) {
+    if (begin_of_faults(other) != expected)
+      return false;
+    attack = other;
+    return true;
+  };
+  for (std::size_t block = attack.points.size() / 2; block > 0; block /= 2)
+    for (std::size_t begin = 0; begin + block <= attack.points.size(); )
+    {
+      Attack other = attack;
+      const auto without = [&](std::vector<Vector>& v) { v.erase(v.begin() + std::ptrdiff_t(begin), v.begin() + std::ptrdiff_t(begin + block)); };
+      without(other.points);
+      without(other.normals);
+      if (!try_instead(other))
+        begin += block;
+    }
+  for_each_parameter([&](const char*, auto member) {
+    Attack other = attack;
+    other.parameters.*member = Parameters().*member;
+    try_instead(other);
+  });
+  write_attack(path + ".minimal", attack);
+  std::cout << path << ".minimal has " << attack.points.size() << " points" << std::endl;
+  return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  try
+  {
+    const Options options = parsed(argc, argv);
+    const std::string kind = options.words.front();
+    if (kind == "named")
+      return attack_with_named(options);
+    if (kind == "random")
+      return attack_at_random(options);
+    if (kind == "replay")
+      return replay(options);
+    if (kind == "minimize")
+      return minimize(options);
+    throw std::runtime_error(kind + " is no kind of attack");
+  }
+  catch (const std::exception& e)
+  {
+    std::cerr << "attack: " << e.what() << std::endl;
+    return 2;
+  }
+}

@@ -1,0 +1,183 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "call.h"
+
+#include "oracle.h"
+
+#include <CGAL/L0_resampling/Eigen_cholesky_solver_traits.h>
+#include <CGAL/L0_resampling/Eigen_least_squares_solver_traits.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/l0_resample_point_set.h>
+
+#include <boost/iterator/function_output_iterator.hpp>
+
+#include <cstring>
+#include <functional>
+#include <numeric>
+#include <type_traits>
+#include <utility>
+
+namespace attack {
+namespace {
+
+namespace params = CGAL::parameters;
+
+struct Exception_of_caller {};
+
+/// The points or normals of a range of indices, in the caller's number type.
+template <typename Value>
+struct Map_of_indices
+{
+  using key_type = std::size_t;
+  using value_type = Value;
+  using reference = Value;
+  using category = boost::readable_property_map_tag;
+
+  const std::vector<Value>* values;
+  std::size_t* accesses_left;
+
+  friend Value get(const Map_of_indices& map, std::size_t i)
+  {
+    if ((*map.accesses_left)-- == 0)
+      throw Exception_of_caller();
+    return (*map.values)[i];
+  }
+};
+
+template <typename Value>
+std::vector<Value> converted(const std::vector<Vector>& vectors)
+{
+  std::vector<Value> result;
+  for (const Vector& v : vectors)
+    result.emplace_back(v[0], v[1], v[2]);
+  return result;
+}
+
+template <typename Value>
+bool are_same_bits(const std::vector<Value>& a, const std::vector<Value>& b)
+{
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Value)) == 0);
+}
+
+/// Adds what the attack passes. Each combination is one more instance of the whole function, so radii come with a count only.
+template <typename NamedParameters, typename F>
+void with_optional_parameters(const Attack& attack, const NamedParameters& np, const F& f)
+{
+  const Parameters& p = attack.parameters;
+  if (!p.number_of_output_points && !p.neighbor_radius && !p.normal_filter_radius)
+    return f(np);
+  const auto with_count = np.number_of_output_points(p.number_of_output_points.value_or(double(documented_size(attack))));
+  if (p.neighbor_radius && p.normal_filter_radius)
+    f(with_count.neighbor_radius(*p.neighbor_radius).normal_filter_radius(*p.normal_filter_radius));
+  else if (p.neighbor_radius)
+    f(with_count.neighbor_radius(*p.neighbor_radius));
+  else if (p.normal_filter_radius)
+    f(with_count.normal_filter_radius(*p.normal_filter_radius));
+  else
+    f(with_count);
+}
+
+template <typename ConcurrencyTag, typename Kernel, typename SolverTraits>
+void call_with(const Attack& attack, const SolverTraits& solver, Answer& answer)
+{
+  using Point = typename Kernel::Point_3;
+  using Normal = typename Kernel::Vector_3;
+  const Parameters& p = attack.parameters;
+  const bool is_default = p.method == 0;
+  const std::vector<Point> points = converted<Point>(attack.points), points_before = points;
+  const std::vector<Normal> normals = converted<Normal>(attack.normals), normals_before = normals;
+  std::vector<std::size_t> range(points.size());
+  std::iota(range.begin(), range.end(), std::size_t(0));
+  std::size_t accesses_left = p.throwing_access, normals_left = (std::numeric_limits<std::size_t>::max)();
+
+  double last_progress = 0;
+  const std::function<bool(double)> callback = [&](double progress) {
+    answer.progress_is_sound = answer.progress_is_sound && progress >= last_progress && progress <= 1;
+    last_progress = progress;
+    return true;
+  };
+  const auto write = boost::make_function_output_iterator([&](const std::pair<Point, Normal>& pair) {
+    if (answer.points.size() == p.throwing_write)
+      throw Exception_of_caller();
+    answer.points.emplace_back(pair.first.x(), pair.first.y(), pair.first.z());
+    answer.normals.emplace_back(pair.second.x(), pair.second.y(), pair.second.z());
+  });
+
+  const auto np = params::resampling_method(CGAL::L0_resampling::Method(p.method))
+    .point_map(Map_of_indices<Point>{&points, &accesses_left})
+    .geom_traits(Kernel())
+    .sparse_linear_solver(solver)
+    .select_percentage(p.select_percentage)
+    .sharpness_angle(p.sharpness_angle)
+    .number_of_normal_filter_iterations(p.number_of_normal_filter_iterations)
+    .normal_weight(p.normal_weight)
+    .regularization_weight(p.regularization_weight.value_or(is_default ? 0.05 : 0.15))
+    .initial_penalty(p.initial_penalty)
+    .maximum_penalty(p.maximum_penalty)
+    .penalty_growth(p.penalty_growth.value_or(is_default ? 2.3 : 1.5))
+    .number_of_orientation_neighbors(p.number_of_orientation_neighbors)
+    .random_seed(p.random_seed)
+    .drop_non_finite(p.drop_non_finite)
+    .drop_outliers(p.drop_outliers.value_or(is_default))
+    .maximum_memory(p.maximum_memory)
+    .callback(callback)
+    .resampling_report(&answer.report);
+  const auto resample = [&](const auto& all) { CGAL::l0_resample_point_set<ConcurrencyTag>(range, write, all); };
+  const auto resample_with_normals = [&]() {
+    // from a caller of doubles and the package's own solver only, again for the number of instances
+    if constexpr (std::is_same_v<typename Kernel::FT, double> && std::is_same_v<typename SolverTraits::FT, float>)
+      if (p.with_normals)
+        return with_optional_parameters(attack, np.normal_map(Map_of_indices<Normal>{&normals, &normals_left}), resample);
+    with_optional_parameters(attack, np, resample);
+  };
+  try
+  {
+    resample_with_normals();
+  }
+  catch (const std::invalid_argument& e) { answer.ending = Ending::INVALID_ARGUMENT; answer.message = e.what(); }
+  catch (const CGAL::L0_resampling::Solver_error& e) { answer.ending = Ending::SOLVER_ERROR; answer.message = e.what(); }
+  catch (const std::bad_alloc&) { answer.ending = Ending::BAD_ALLOC; }
+  catch (const Exception_of_caller&) { answer.ending = Ending::EXCEPTION_OF_CALLER; }
+  catch (const std::exception& e) { answer.ending = Ending::ANOTHER_EXCEPTION; answer.message = e.what(); }
+
+  answer.input_is_unchanged = are_same_bits(points, points_before) && are_same_bits(normals, normals_before);
+}
+
+template <typename ConcurrencyTag, typename SolverTraits>
+void call_with(const Attack& attack, const SolverTraits& solver, Answer& answer)
+{
+  if (attack.parameters.in_single_precision)
+    call_with<ConcurrencyTag, CGAL::Simple_cartesian<float>>(attack, solver, answer);
+  else
+    call_with<ConcurrencyTag, CGAL::Simple_cartesian<double>>(attack, solver, answer);
+}
+
+} // namespace
+
+Answer call(const Attack& attack, bool in_parallel)
+{
+  using namespace CGAL::L0_resampling;
+  Answer answer;
+  switch (attack.parameters.solver)
+  {
+  case Solver::CHOLESKY:
+    call_with<CGAL::Sequential_tag>(attack, Eigen_cholesky_solver_traits<double>(), answer);
+    break;
+  case Solver::LEAST_SQUARES:
+    call_with<CGAL::Sequential_tag>(attack, Eigen_least_squares_solver_traits<double>(), answer);
+    break;
+  default:
+    // as a call without a solver does
+    if (in_parallel)
+      call_with<CGAL::Parallel_if_available_tag>(attack, Block_conjugate_gradient_solver_traits<float, CGAL::Parallel_if_available_tag>(),
+                                                 answer);
+    else
+      call_with<CGAL::Sequential_tag>(attack, Block_conjugate_gradient_solver_traits<float, CGAL::Sequential_tag>(), answer);
+  }
+  return answer;
+}
+
+} // namespace attack
