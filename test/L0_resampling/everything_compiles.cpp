@@ -21,6 +21,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/l0_resample_point_set.h>
 
+#include <cstddef>
 #include <iterator>
 #include <type_traits>
 #include <utility>
@@ -49,6 +50,11 @@ void resample()
       points, std::back_inserter(result), parameters::sparse_linear_solver(Eigen_cholesky_solver_traits<>()));
     CGAL::l0_resample_point_set<ConcurrencyTag>(
       points, std::back_inserter(result), parameters::sparse_linear_solver(Eigen_least_squares_solver_traits<>()));
+    std::vector<std::size_t> sources;
+    std::vector<double> confidences;
+    CGAL::l0_resample_point_set<ConcurrencyTag>(points, std::back_inserter(result),
+      parameters::source_index_map(CGAL::make_property_map(sources)).viewpoint(typename Kernel::Point_3(0, 0, 1))
+        .feature_confidence_map(CGAL::make_property_map(confidences)).keep_density(true));
   }
 
   CGAL::Point_set_3<typename Kernel::Point_3> point_set, resampled;
