@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs from Debian 12 what building and testing needs and the machine lacks.
+# Installs from Debian 12 what building and testing needs and the machine lacks, and the packages that are named.
 set -euo pipefail
 
 packages=(g++ cmake make git python3 libcgal-dev libeigen3-dev libtbb-dev libboost-dev libgmp-dev libmpfr-dev
@@ -8,6 +8,7 @@ packages+=(pybind11-dev python3-dev python3-numpy python3-pytest mypy)   # for t
 packages+=(dpkg-dev file)                                           # for the Debian package
 packages+=(doxygen texlive-binaries)                                # for the manual
 packages+=(patch)                                                   # for the ablation
+packages+=("$@")
 missing=()
 for package in "${packages[@]}"; do
   [ "$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || missing+=("$package")

@@ -10,15 +10,7 @@ cmake -S . -B build -DCMAKE_BUILD_TYPE=Release -DPython_EXECUTABLE=/usr/bin/pyth
 cmake --build build -j "$(nproc)" --target l0_resample sample_mesh
 
 mkdir -p output
-demo_data=output/demo_data
-if [ ! -d "$demo_data/data" ]; then
-  # Unpacked rather than installed: minimal Debian systems leave out the folder that the package puts its data in.
-  mkdir -p "$demo_data"
-  (cd "$demo_data" && apt-get download -qq libcgal-demo && dpkg-deb -x libcgal-demo_*.deb unpacked)
-  tar -xzf "$demo_data/unpacked/usr/share/doc/libcgal-dev/data.tar.gz" -C "$demo_data"
-  rm -r "$demo_data/unpacked" "$demo_data"/libcgal-demo_*.deb
-fi
-data=$demo_data/data
+data=$(scripts/fetch_demo_data.sh)
 tool=build/bin/l0_resample
 
 # A real scan, taken from one side: uneven, with borders and holes that have to stay where they are. And another, of facades and roofs, with

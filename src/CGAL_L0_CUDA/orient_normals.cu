@@ -479,11 +479,6 @@ double orient_normals(const Workplace& workplace, const double (&low)[3], const 
       copy(faces, forest.roots);
       join_faces_and_parts();
     }
-    if (is_joined_by_field(parts))
-    {
-      copy(parts, forest.roots);
-      join_by_majority(0);
-    }
     {
       const Arena_scope sizes_scope(workplace.scratch);
       unsigned* const sizes = workplace.scratch.take<unsigned>(m);
@@ -492,6 +487,11 @@ double orient_normals(const Workplace& workplace, const double (&low)[3], const 
       check_launch("count_samples_of_sets");
       tell_sizes<<<blocks_for(m), threads_per_block, 0, stream>>>(parts, m, sizes, sure_sizes);
       check_launch("tell_sizes");
+    }
+    if (is_joined_by_field(parts))
+    {
+      copy(parts, forest.roots);
+      join_by_majority(0);
     }
   }
 

@@ -11,9 +11,9 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -66,7 +66,7 @@ inline Gaussian_mixture gaussians_of_points(const std::vector<Point_3>& points, 
   return mixture;
 }
 
-/// What a parent takes over of its children, weighted by its responsibility for them: their number, mean and covariance.
+/// What a parent takes over of its children, weighted by its responsibility for them: number, mean and covariance.
 class Merged_gaussian
 {
   double m_weight = 0;
@@ -126,8 +126,9 @@ inline Gaussian_mixture reduced_mixture(const Gaussian_mixture& mixture, double 
       if (divergence(mixture[c], parent, inverse) > reach * reach / 2)
         continue;
       const Eigen::Vector3d difference = mixture[c].mean - parent.mean;
-      const double of_one_point = -0.5 * (difference.dot(inverse * difference) + (inverse * mixture[c].covariance).trace()
-                                          + std::log(parent.covariance.determinant()));
+      const double of_one_point =
+        -0.5 * (difference.dot(inverse * difference) + (inverse * mixture[c].covariance).trace()
+                + std::log(parent.covariance.determinant()));
       candidates[c].push_back({p, mixture[c].weight * of_one_point + std::log(parent.weight)});
     }
   }

@@ -57,7 +57,9 @@ void run_filter(const std::string& filter, std::vector<Point>& points, std::size
         points, count, CGAL::compute_average_spacing<CGAL::Sequential_tag>(points, number_of_spacing_neighbors));
     });
   else if (filter == "jet")
-    measurement.phase(filter, [&] { CGAL::jet_smooth_point_set<CGAL::Sequential_tag>(points, number_of_jet_neighbors); });
+    measurement.phase(filter, [&] {
+      CGAL::jet_smooth_point_set<CGAL::Sequential_tag>(points, number_of_jet_neighbors);
+    });
 
   add_normals(points, measurement, result);
   if (filter == "bilateral")

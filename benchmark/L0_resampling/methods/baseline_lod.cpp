@@ -48,6 +48,7 @@ int main(int argc, char** argv)
 
     write_oriented_points(arguments.output, result);
     print_result("baseline_lod", arguments, points.size(), result.size(),
-                 {{"normal_weight", parameters.normal_weight}, {"position_weight", parameters.position_weight}}, measured);
+                 {{"normal_weight", parameters.normal_weight}, {"position_weight", parameters.position_weight}},
+                 measured);
   });
 }

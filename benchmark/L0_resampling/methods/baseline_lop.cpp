@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// LOP, then PCA normals oriented over a spanning tree. With --kernel-density-share, LOP on fewer points, as KLOP has them.
+// LOP, then PCA normals oriented over a spanning tree. With --kernel-density-share, LOP on fewer points, as in KLOP.
 
 #include "baseline_steps.h"
 #include "locally_optimal_projection.h"
@@ -22,7 +22,8 @@ int main(int argc, char** argv)
   arguments.add_to(app);
   app.add_option("--radius-in-spacings", radius_in_spacings, "h, the radius of the kernel")->check(CLI::PositiveNumber);
   app.add_option("--kernel-density-share", kernel_density_share,
-                 "% of the points, drawn from their kernel density estimate, that take part")->check(CLI::Range(1., 100.));
+                 "% of the points, drawn from their kernel density estimate, that take part")
+    ->check(CLI::Range(1., 100.));
 
   return run_program(app, argc, argv, [&] {
     std::vector<Point> points = read_positions(arguments.input);
@@ -48,6 +49,7 @@ int main(int argc, char** argv)
 
     write_oriented_points(arguments.output, result);
     print_result("baseline_lop", arguments, number_of_input_points, result.size(),
-                 {{"radius_in_spacings", radius_in_spacings}, {"kernel_density_share", kernel_density_share}}, measured);
+                 {{"radius_in_spacings", radius_in_spacings}, {"kernel_density_share", kernel_density_share}},
+                 measured);
   });
 }

@@ -20,9 +20,10 @@
 #include <utility>
 #include <vector>
 
-// LOD (Sun et al. 2015, "Denoising point sets via L0 minimization"): normals that are constant but for jumps, then points
-// whose tangent planes agree with their neighbors but for jumps, then points at jumps onto the edge. The upsampling
-// that follows there is left out, as in the paper that we compare with. Lengths are in units of the average spacing.
+// LOD (Sun et al. 2015, "Denoising point sets via L0 minimization"): normals that are constant but for jumps, then
+// points whose tangent planes agree with their neighbors but for jumps, then points at jumps onto the edge. The
+// upsampling that follows there is left out, as in the paper that we compare with. Lengths are in units of the average
+// spacing.
 
 namespace L0_benchmark {
 

@@ -20,7 +20,7 @@ struct Projection_parameters
 {
   double radius;                       ///< h, a length
   double repulsion = 0.45;             ///< mu, in [0, 1/2)
-  int repulsion_power = 4;             ///< |eta'(r)| = r^-power: 4 for LOP's eta = 1/(3 r^3), 0 for WLOP's and CLOP's eta = -r
+  int repulsion_power = 4;             ///< |eta'(r)| = r^-power: 4 for LOP's eta = 1/(3 r^3), 0 for CLOP's eta = -r
   unsigned number_of_iterations = 35;
 };
 

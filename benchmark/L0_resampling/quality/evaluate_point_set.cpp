@@ -78,7 +78,8 @@ Json to_json(const Evaluation& e, const L0_benchmark::Ground_truth& truth)
 
 /// For each point, as two `float`: distance to the mesh, % of the diagonal, and density of Eq. (5), with the radius of
 /// `measure_uniformity()`.
-void write_values_of_points(const std::string& path, const std::vector<Point_3>& points, const L0_benchmark::Ground_truth& truth)
+void write_values_of_points(const std::string& path, const std::vector<Point_3>& points,
+                             const L0_benchmark::Ground_truth& truth)
 {
   const double area = L0_benchmark::Area_sampler(truth.mesh()).area();
   const L0_benchmark::Search_tree tree(points.begin(), points.end());

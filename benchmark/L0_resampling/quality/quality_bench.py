@@ -135,13 +135,18 @@ def command_line(program, arguments):
     return shlex.join([program, *words])
 
 
+def write_json(output, result):
+    """OUTPUT.json, with the innermost objects and lists on a line each."""
+    text = json.dumps(result, indent=1, allow_nan=False)
+    text = re.sub(r"\{[^{}]*\}|\[[^][{}]*\]", lambda found: " ".join(found.group().split()), text)
+    output.parent.mkdir(parents=True, exist_ok=True)
+    output.with_suffix(".json").write_text(text + "\n", encoding="utf-8")
+
+
 def write_result(output, result, markdown):
-    """OUTPUT.json, with the innermost objects on a line each, and OUTPUT.md; prints that where `output` is None."""
+    """OUTPUT.json, and OUTPUT.md; prints that where `output` is None."""
     if output is None:
         print(markdown, end="")
         return
-    text = json.dumps(result, indent=1, allow_nan=False)
-    text = re.sub(r"\{[^{}]*\}", lambda found: " ".join(found.group().split()), text)
-    output.parent.mkdir(parents=True, exist_ok=True)
-    output.with_suffix(".json").write_text(text + "\n", encoding="utf-8")
+    write_json(output, result)
     output.with_suffix(".md").write_text(markdown, encoding="utf-8")

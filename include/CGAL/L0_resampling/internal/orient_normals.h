@@ -128,10 +128,12 @@ Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_o
     parts = joined_by_votes(clear_majority, faces);
     all = joined_by_votes(0, parts);
   }
+  Buffer<Index> sure_set_sizes(m, 0, positions.get_allocator());
+  for (Index i = 0; i < m; ++i)
+    sure_set_sizes[i] = parts.sets.size_of_set(parts.sets.find(i).first);
   if (join_by_field<ConcurrencyTag>(all.sets, positions, normals, spacing, parts))
     all = joined_by_votes(0, parts);
   const Signed_union_find& sets = all.sets;
-  const auto size_of_sure_set = [&](Index i) { return parts.sets.size_of_set(parts.sets.find(i).first); };
 
   struct Tree
   {
@@ -146,7 +148,7 @@ Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_o
   {
     const Index root = sets.find(i).first;
     trees[root].center += positions[i] / double(sets.size_of_set(root));
-    trees[root].largest_sure_set = (std::max)(trees[root].largest_sure_set, size_of_sure_set(i));
+    trees[root].largest_sure_set = (std::max)(trees[root].largest_sure_set, sure_set_sizes[i]);
   }
   std::size_t number_of_oriented = 0;
   for (Index i = 0; i < m; ++i)
@@ -158,7 +160,7 @@ Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_o
     tree.largest_flux += from_center.norm();
     tree.normal_sum += sign * normal(i);
     tree.votes.add(sign * normal(i), hint_of(i));
-    number_of_oriented += sets.size_of_set(root) > 1 && size_of_sure_set(i) == tree.largest_sure_set;
+    number_of_oriented += sets.size_of_set(root) > 1 && sure_set_sizes[i] == tree.largest_sure_set;
   }
   std::size_t number_of_hinted = 0;
   for (Index i = 0; i < m; ++i)
