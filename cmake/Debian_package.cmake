@@ -8,6 +8,10 @@ set(CPACK_PACKAGE_DESCRIPTION
 of an exact number that keep sharp features: the program l0_resample, the C++
 headers of CGAL::l0_resample_point_set() with their CMake package, and, where it
 was built, the Python package cgal_l0.")
+if(CGAL_L0_WITH_CUDA)
+  string(APPEND CPACK_PACKAGE_DESCRIPTION "\n\nThe program uses an NVIDIA device where a driver finds one; to link with the library for
+devices takes the CUDA toolkit, which Debian does not have in main.")
+endif()
 if(CGAL_L0_WITH_NATIVE_INSTRUCTIONS)
   # Other processors may not run it, and nobody shall find that out by a crash.
   string(APPEND CPACK_PACKAGE_VERSION +native)

@@ -5,7 +5,8 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 scripts/install_dependencies.sh
-cmake -S . -B build -DCMAKE_BUILD_TYPE=Release -DCGAL_L0_BUILD_TESTS=OFF -DCGAL_L0_BUILD_EXAMPLES=OFF -DCGAL_L0_WITH_PYTHON=OFF
+# The same build folder as that of scripts/test.sh; only two programs of it are built.
+cmake -S . -B build -DCMAKE_BUILD_TYPE=Release -DPython_EXECUTABLE=/usr/bin/python3
 cmake --build build -j "$(nproc)" --target l0_resample sample_mesh
 
 mkdir -p output

@@ -14,4 +14,10 @@ l0_resample "$data/bracket_noisy.ply" bracket.ply --percentage 50 --snapshot bra
 
 # The paper's method, a given number of points, and what was done, stage by stage
 l0_resample "$data/bracket_noisy.ply" bracket_lor.ply --method lor --points 4000 --json bracket_lor.json
+
+# Many files, or folders of them, at once; what failed is listed at the end
+l0_resample bracket.ply bracket_lor.ply --output-directory smaller --points 1000
+
+# The points as they are in another format, with all that the file tells of each
+l0_resample --convert-only bracket.ply bracket.pcd
 #! [tool]

@@ -8,6 +8,8 @@
 
 #include <CGAL/L0_resampling/Block_conjugate_gradient_solver_traits.h>
 #include <CGAL/L0_resampling/Report.h>
+#include <CGAL/L0_resampling/internal/Point_data.h>
+#include <CGAL/L0_resampling/internal/carry_properties.h>
 #include <CGAL/L0_resampling/internal/checked_parameters.h>
 #include <CGAL/L0_resampling/internal/points_of_range.h>
 #include <CGAL/L0_resampling/internal/resample.h>
@@ -59,10 +61,12 @@ template <typename Solver>
 Solver& unwrapped(std::reference_wrapper<Solver>& solver) { return solver.get(); }
 
 /// The whole function on the CPU, once the property maps are known. `NormalMap` may be `bool`, for none.
-template <typename ConcurrencyTag, typename Kernel, typename PointRange, typename PointMap, typename NormalMap,
-          typename OutputIterator, typename NamedParameters>
-OutputIterator resample_on_cpu(const PointRange& range, PointMap point_map, NormalMap normal_map, OutputIterator out,
-                               const NamedParameters& np)
+/// \param near_count how many near points of the input `write` wants to know of each point, if the maps among the parameters want fewer
+/// \param write called once if there is a result: with its size, a function that gives its i-th pair, and the `Point_data` asked for
+template <typename ConcurrencyTag, typename Kernel, typename PointRange, typename PointMap, typename NormalMap, typename Write,
+          typename NamedParameters>
+void resample_on_cpu(const PointRange& range, PointMap point_map, NormalMap normal_map, std::size_t near_count, const Write& write,
+                     const NamedParameters& np)
 {
   using FT = typename Kernel::FT;
   Report unwanted_report;
@@ -80,13 +84,15 @@ OutputIterator resample_on_cpu(const PointRange& range, PointMap point_map, Norm
   // Checked before any point is looked at, and read again below: a percentage is one of the points that are used.
   const std::size_t size = std::size_t(std::distance(range.begin(), range.end()));
   Memory_counter memory(checked_parameters(np, size).maximum_memory);
-  Input input{Buffer<Vector>(&memory), Buffer<Local_vector>(&memory), Buffer<unsigned char>(&memory)};
+  Input input(&memory);
   read_points(range, point_map, drop_non_finite, report, input);
   const Parameters checked = checked_parameters(np, input.points.size());
   if (checked.number_of_output_points == 0)
-    return out;
+    return;
   if constexpr (!std::is_same<NormalMap, bool>::value)
     read_normals(range, normal_map, input);
+  if constexpr (!parameters::is_default_parameter<NamedParameters, internal_np::orientation_hint_map_t>::value)
+    read_directions(range, parameters::get_parameter(np, internal_np::orientation_hint_map), input, input.hints);
   release(input.is_kept);
 
   Block_conjugate_gradient_solver_traits<Local, ConcurrencyTag> default_solver;
@@ -95,59 +101,81 @@ OutputIterator resample_on_cpu(const PointRange& range, PointMap point_map, Norm
   Progress progress(callback, report, memory);
   Buffer<std::array<FT, 3>> positions(&memory);
   Buffer<Eigen::Matrix<typename Solver::FT, 3, 1>> normals(&memory);
+  Point_data data{{number_of_near_points(np, near_count), Buffer<Index>(&memory), Buffer<float>(&memory)}, Buffer<float>(&memory)};
   try
   {
     std::size_t n = input.points.size();
     const std::size_t m = checked.number_of_output_points;
     Oriented_points<typename Solver::FT> result =
-      resample<ConcurrencyTag>(input.points, input.normals, checked, unwrapped(chosen_solver), progress, report);
+      resample<ConcurrencyTag>(input.points, input.normals, input.hints, checked, unwrapped(chosen_solver), progress, report);
     n -= report.number_of_outliers;
     if (report.number_of_distinct_points < (std::min)(n, m))
       report.number_of_distinct_points = number_of_distinct_points(range, point_map, memory);
     positions = rounded_positions<FT>(result.positions, input, report.neighbor_radius,
                                       report.number_of_distinct_points >= (std::min)(n, m));
     normals = std::move(result.normals);
+    data.feature_confidences = std::move(result.feature_confidences);
+    release(result.positions);
+    if (data.near_points.count > 0)
+    {
+      progress.begin_stage("near points", 0.05, positions.size());
+      find_near_points<ConcurrencyTag>(tree_of_range(range, point_map, memory), positions, progress, data.near_points);
+      progress.end_stage();
+    }
   }
   catch (const Interrupted&)
   {
     progress.rethrow_exception_of_callback();
     report.outcome = Outcome::CANCELLED;
-    return out;
+    return;
   }
 
   report.number_of_output_points = positions.size();
-  for (std::size_t i = 0; i < positions.size(); ++i)
-  {
+  const auto pair_of = [&](std::size_t i) {
     const Vector normal = normals[i].template cast<double>().normalized();
-    *out++ = std::make_pair(typename Kernel::Point_3(positions[i][0], positions[i][1], positions[i][2]),
-                            typename Kernel::Vector_3(FT(normal[0]), FT(normal[1]), FT(normal[2])));
-  }
-  return out;
+    return std::make_pair(typename Kernel::Point_3(positions[i][0], positions[i][1], positions[i][2]),
+                          typename Kernel::Vector_3(FT(normal[0]), FT(normal[1]), FT(normal[2])));
+  };
+  write(positions.size(), pair_of, data);
 }
 
 /// Chooses where the stages run.
-template <typename ConcurrencyTag, typename Kernel, typename PointRange, typename PointMap, typename NormalMap,
-          typename OutputIterator, typename NamedParameters>
-OutputIterator l0_resample_point_set(const PointRange& range, PointMap point_map, NormalMap normal_map, OutputIterator out,
-                                     const NamedParameters& np)
+template <typename ConcurrencyTag, typename Kernel, typename PointRange, typename PointMap, typename NormalMap, typename Write,
+          typename NamedParameters>
+void l0_resample_point_set(const PointRange& range, PointMap point_map, NormalMap normal_map, std::size_t near_count, const Write& write,
+                           const NamedParameters& np)
 {
   static_assert(std::is_floating_point<typename Kernel::FT>::value,
                 "l0_resample_point_set() computes in floating point: convert the points to a kernel such as "
                 "Exact_predicates_inexact_constructions_kernel or Simple_cartesian<double> first.");
   if constexpr (!std::is_same<ConcurrencyTag, CUDA_tag>::value)
-    return resample_on_cpu<ConcurrencyTag, Kernel>(range, point_map, normal_map, out, np);
+    resample_on_cpu<ConcurrencyTag, Kernel>(range, point_map, normal_map, near_count, write, np);
   else
   {
 #ifdef CGAL_L0_LINKED_WITH_CUDA
     CUDA_resampler<Kernel> resampler;
     resampler.upload(range, point_map, normal_map, np);
-    return resampler.resample(out, np);
+    resampler.resample(range, point_map, near_count, write, np);
 #else
     static_assert(!std::is_same<ConcurrencyTag, CUDA_tag>::value,
                   "CUDA_tag needs a compiled library: link with the CMake target CGAL::L0_CUDA_support.");
-    return out;
 #endif
   }
+}
+
+/// As above, to an output iterator.
+template <typename ConcurrencyTag, typename Kernel, typename PointRange, typename PointMap, typename NormalMap, typename OutputIterator,
+          typename NamedParameters>
+OutputIterator resample_to_iterator(const PointRange& range, PointMap point_map, NormalMap normal_map, OutputIterator out,
+                                    const NamedParameters& np)
+{
+  const auto write = [&](std::size_t size, const auto& pair_of, const Point_data& data) {
+    write_point_data(np, data, size, [](std::size_t i) { return i; });
+    for (std::size_t i = 0; i < size; ++i)
+      *out++ = pair_of(i);
+  };
+  l0_resample_point_set<ConcurrencyTag, Kernel>(range, point_map, normal_map, 0, write, np);
+  return out;
 }
 
 } // namespace internal
@@ -267,6 +295,28 @@ chain, or are joined to one by `|`, one at a time: `parameters::neighbor_radius(
     \cgalParamDefault{1.5; 2.3 for `Method::DEFAULT`}
     \cgalParamExtra{`std::invalid_argument` if not finite, not above 1, or if it asks for more than 10000 iterations}
   \cgalParamNEnd
+  \cgalParamNBegin{keep_density}
+    \cgalParamDescription{whether the result is as dense here and there as the input is, instead of even. `DEFAULT` starts where the points are and spreads the samples
+      relative to the spacing around them; `LOR` and `ALOR` do without the weights of Eq. (5) of the input.}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`false`}
+    \cgalParamExtra{with `CUDA_tag` `std::invalid_argument` if `true`: not there yet}
+  \cgalParamNEnd
+  \cgalParamNBegin{viewpoint}
+    \cgalParamDescription{a point that the normals shall face, as those of a scan face the scanner. Each part of the result that hangs together is turned as a whole, by
+      the solid angle that its two sides fill. A closed surface that is seen from outside is turned outwards, as it is without a viewpoint.}
+    \cgalParamType{`Point_3`}
+    \cgalParamDefault{none: normals point outwards, in the sense of the divergence theorem}
+    \cgalParamExtra{`std::invalid_argument` if not finite, if `orientation_hint_map` is there too, and with `CUDA_tag`}
+  \cgalParamNEnd
+  \cgalParamNBegin{orientation_hint_map}
+    \cgalParamDescription{a property map associating vectors to the elements of the range `points`, on whose side the normals shall be, such as the input's own normals.
+      Each part of the result that hangs together is turned as a whole to the side of the majority. Lengths do not matter; a zero or non-finite
+      vector says nothing.}
+    \cgalParamType{a model of `ReadablePropertyMap` with the iterator's value type as key type and `Vector_3` as value type}
+    \cgalParamDefault{none}
+    \cgalParamExtra{with `CUDA_tag` `std::invalid_argument`: not there yet}
+  \cgalParamNEnd
   \cgalParamNBegin{number_of_orientation_neighbors}
     \cgalParamDescription{the number of nearest samples over which the signs of the normals are propagated}
     \cgalParamType{any integral type}
@@ -294,6 +344,19 @@ chain, or are joined to one by `|`, one at a time: `parameters::neighbor_radius(
       points in their surroundings, and small clusters apart from the rest}
     \cgalParamType{`bool`}
     \cgalParamDefault{`false` for `LOR` and `ALOR`, `true` for `DEFAULT`}
+  \cgalParamNEnd
+  \cgalParamNBegin{source_index_map}
+    \cgalParamDescription{out: for each point of the result, the place in the range `points` of the input point nearest to it; of those at the same distance, the first}
+    \cgalParamType{a model of `WritablePropertyMap` with `std::size_t`, the place in the result, as key type and an integral value type}
+    \cgalParamDefault{none}
+    \cgalParamExtra{written before the first pair. `CUDA_resampler`, which holds no points on the host, does not have it.}
+  \cgalParamNEnd
+  \cgalParamNBegin{feature_confidence_map}
+    \cgalParamDescription{out: for each point of the result, how sure it is that it lies on an edge or a corner, in [0, 1]: twice the share of its neighbors that are on the
+      other side of a jump of the normals, as far as these differ by more than twice `sharpness_angle`}
+    \cgalParamType{a model of `WritablePropertyMap` with `std::size_t`, the place in the result, as key type and a floating-point value type}
+    \cgalParamDefault{none}
+    \cgalParamExtra{written before the first pair}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_memory}
     \cgalParamDescription{the most memory that the function's own arrays may take}
@@ -339,9 +402,9 @@ OutputIterator l0_resample_point_set(const PointRange& points, OutputIterator ou
 
   const Point_map point_map = parameters::choose_parameter<Point_map>(parameters::get_parameter(np, internal_np::point_map));
   if constexpr (parameters::is_default_parameter<NamedParameters, internal_np::normal_t>::value)
-    return L0_resampling::internal::l0_resample_point_set<ConcurrencyTag, Kernel>(points, point_map, false, out, np);
+    return L0_resampling::internal::resample_to_iterator<ConcurrencyTag, Kernel>(points, point_map, false, out, np);
   else
-    return L0_resampling::internal::l0_resample_point_set<ConcurrencyTag, Kernel>(
+    return L0_resampling::internal::resample_to_iterator<ConcurrencyTag, Kernel>(
       points, point_map, parameters::get_parameter(np, internal_np::normal_map), out, np);
 }
 
@@ -352,6 +415,10 @@ resamples a point set, as above, from `points` to the end of `result`, which get
 
 The input's own normals are used only if they are passed: `parameters::normal_map(points.normal_map())`.
 
+Each point gets the properties of the input point nearest to it, whatever their type; where that is `float`, `double` or `CGAL::IO::Color`, or where a `std::uint8_t` is
+named red, green, blue or alpha, the weighted mean of the eight nearest ones. The keys of `source_index_map` and `feature_confidence_map`
+are indices of `result`, whose property maps fit.
+
 \param points the input; its point map is the default of `point_map`
 \param result another point set than `points`
 \param np as above
@@ -361,7 +428,24 @@ void l0_resample_point_set(const Point_set_3<Point, Vector>& points, Point_set_3
                            const NamedParameters& np = parameters::default_values())
 {
   using Kernel = typename Kernel_traits<Point>::Kernel;
-  std::vector<std::pair<typename Kernel::Point_3, typename Kernel::Vector_3>> resampled;
+  const bool has_properties = L0_resampling::internal::has_other_properties(points);
+  const std::size_t near_count = has_properties ? L0_resampling::internal::number_of_averaged_points : 0;
+  const auto write = [&](std::size_t size, const auto& pair_of, const L0_resampling::internal::Point_data& data) {
+    const std::size_t size_before = result.size();
+    if (has_properties)
+      L0_resampling::internal::append_with_properties(points, data.near_points, size, pair_of, result);
+    else
+    {
+      result.reserve(size_before + size);
+      result.add_normal_map();
+      for (std::size_t i = 0; i < size; ++i)
+      {
+        const auto pair = pair_of(i);
+        result.insert(pair.first, pair.second);
+      }
+    }
+    L0_resampling::internal::write_point_data(np, data, size, [&](std::size_t i) { return *(result.begin() + std::ptrdiff_t(size_before + i)); });
+  };
   const auto point_map = [&]() {
     if constexpr (parameters::is_default_parameter<NamedParameters, internal_np::point_t>::value)
       return points.point_map();
@@ -369,15 +453,10 @@ void l0_resample_point_set(const Point_set_3<Point, Vector>& points, Point_set_3
       return parameters::get_parameter(np, internal_np::point_map);
   }();
   if constexpr (parameters::is_default_parameter<NamedParameters, internal_np::normal_t>::value)
-    L0_resampling::internal::l0_resample_point_set<ConcurrencyTag, Kernel>(points, point_map, false, std::back_inserter(resampled), np);
+    L0_resampling::internal::l0_resample_point_set<ConcurrencyTag, Kernel>(points, point_map, false, near_count, write, np);
   else
     L0_resampling::internal::l0_resample_point_set<ConcurrencyTag, Kernel>(
-      points, point_map, parameters::get_parameter(np, internal_np::normal_map), std::back_inserter(resampled), np);
-
-  result.reserve(result.size() + resampled.size());
-  result.add_normal_map();
-  for (const auto& [point, normal] : resampled)
-    result.insert(point, normal);
+      points, point_map, parameters::get_parameter(np, internal_np::normal_map), near_count, write, np);
 }
 
 } // namespace CGAL

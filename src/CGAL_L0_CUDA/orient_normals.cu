@@ -4,9 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "nearest_samples.cuh"
-#include "stages.cuh"
-
-#include <CGAL/L0_resampling/internal/orientation_agreement.h>
+#include "orientation.cuh"
 
 #include <cooperative_groups.h>
 
@@ -20,35 +18,12 @@ namespace cuda {
 
 namespace {
 
-using Wide = unsigned long long;
-
 // As on the CPU
 constexpr unsigned number_of_steps = 1024;   // of how sure edges are
 
 constexpr Wide no_edge = ~Wide(0);
 constexpr unsigned short doubtful = 0xffff;
 constexpr unsigned threads_of_voting_block = 512;
-
-/// What has to turn for `i` to fit `target`: the target's index, and whether the signs differ. One word, so that it is read and written at once.
-struct Link
-{
-  Wide word;
-
-  __device__ static Link to(unsigned target, bool is_turned) { return {Wide(target) << 1 | Wide(is_turned)}; }
-  __device__ unsigned target() const { return unsigned(word >> 1); }
-  __device__ bool is_turned() const { return word & 1; }
-};
-
-/// The graph of nearest neighbors: edge `i k + e` leads from sample i to its e-th neighbor.
-struct Graph
-{
-  unsigned size;
-  unsigned k;
-  const unsigned* nearest;
-  unsigned short* grades;   // step, 0 for the surest edges; lowest bit: whether the normals disagree; or `doubtful`
-  Samples samples;
-  float squared_spacing;
-};
 
 /// Sets of samples whose signs are fixed relative to each other.
 struct Forest
@@ -57,8 +32,7 @@ struct Forest
   Link* hooks;             // of each root: where it is hooked to in this round
   Wide* best;              // of each root: the edge or the vote that it joins another set by
   long long* best_votes;   // of each root: the largest absolute agreement with another set
-  unsigned* sure_sizes;    // of each sample: the size of its set once all that is beyond doubt was joined
-  unsigned* sizes;         // of each root
+  const unsigned* sure_sizes;   // of each sample: the size of its set once all that is sure was joined
   unsigned* is_changed;    // one for each round
 };
 
@@ -81,18 +55,6 @@ struct Votes
 };
 
 constexpr Wide no_pair = ~Wide(0);
-constexpr double units_per_vote = 4294967296.;
-
-/// `orientation_agreement()` of two samples.
-__device__ float agreement_of(const Graph& graph, Wide i, unsigned other)
-{
-  const double* const p = graph.samples.positions + 3 * i;
-  const double* const q = graph.samples.positions + 3 * Wide(other);
-  const float3 e = {float(q[0] - p[0]), float(q[1] - p[1]), float(q[2] - p[2])};
-  const float3 n = xyz(graph.samples.normals[i]), other_n = xyz(graph.samples.normals[other]);
-  return orientation_agreement(dot(n, other_n), dot(n, e), -dot(other_n, e), graph.squared_spacing);
-}
-
 __global__ void grade_edges(Graph graph)
 {
   const Wide t = thread_index();
@@ -276,16 +238,16 @@ __device__ Link link_by_vote(const Votes& votes, const Forest& forest, unsigned 
   return Link::to(first_of(pair) == root ? second_of(pair) : first_of(pair), __ldcg(&votes.slots[s].agreement) < 0);
 }
 
-/// Joins sets that touch by majority, as `join_by_votes()` on the CPU: over clear majorities first, then over any.
-__global__ void __launch_bounds__(threads_of_voting_block) join_by_votes(Graph graph, Forest forest, Votes votes)
+/// Joins sets that touch by majority, as `join_by_votes()` on the CPU.
+__global__ void __launch_bounds__(threads_of_voting_block) join_by_votes(Graph graph, Forest forest, Votes votes, double majority)
 {
   const cooperative_groups::grid_group grid = cooperative_groups::this_grid();
   for_each(graph.size, [&](Wide i) {
     forest.best_votes[i] = -1;
-    forest.sizes[i] = 0;
+    store(&forest.hooks[i], Link::to(unsigned(i), false));
+    __stcg(&forest.best[i], no_edge);
   });
-  double majority = clear_majority;
-  for (unsigned round = 0; round < 2 * maximum_number_of_rounds; ++round)
+  for (unsigned round = 0; round < maximum_number_of_rounds; ++round)
   {
     for_each(votes.number_of_slots, [&](Wide s) {
       __stcg(&votes.slots[s].pair, no_pair);
@@ -322,15 +284,7 @@ __global__ void __launch_bounds__(threads_of_voting_block) join_by_votes(Graph g
     });
     grid.sync();
     if (__ldcg(&forest.is_changed[round]) == 0)
-    {
-      if (majority == 0)
-        return;
-      majority = 0;
-      for_each(graph.size, [&](Wide i) { atomicAdd(&forest.sizes[load(&forest.roots[i]).target()], 1u); });
-      grid.sync();
-      for_each(graph.size, [&](Wide i) { forest.sure_sizes[i] = __ldcg(&forest.sizes[load(&forest.roots[i]).target()]); });
-      continue;
-    }
+      return;
     for_each_majority([&](Wide pair, long long size) {
       for (const unsigned root : {first_of(pair), second_of(pair)})
         if (size == __ldcg(&forest.best_votes[root]))
@@ -340,6 +294,23 @@ __global__ void __launch_bounds__(threads_of_voting_block) join_by_votes(Graph g
     for_each(graph.size, [&](Wide i) { __stcg(&forest.best_votes[i], -1ll); });
     join_sets(grid, forest, graph.size, [&](unsigned root) { return link_by_vote(votes, forest, root); });
   }
+}
+
+__global__ void count_samples_of_sets(const Link* sets, unsigned size, unsigned* sizes)
+{
+  const Wide i = thread_index();
+  if (i >= size)
+    return;
+  const unsigned root = sets[i].target(), peers = __match_any_sync(__activemask(), root);
+  if (is_leader_of(peers))
+    atomicAdd(&sizes[root], unsigned(__popc(peers)));
+}
+
+__global__ void tell_sizes(const Link* sets, unsigned size, const unsigned* sizes, unsigned* sizes_of_samples)
+{
+  const Wide i = thread_index();
+  if (i < size)
+    sizes_of_samples[i] = sizes[sets[i].target()];
 }
 
 /// Sums over a tree, in fixed point: integers may be added in any order.
@@ -460,30 +431,68 @@ double orient_normals(const Workplace& workplace, const double (&low)[3], const 
   grade_edges<<<blocks_for(Wide(m) * number_of_neighbors), threads_per_block, 0, stream>>>(graph);
   check_launch("grade_edges");
 
+  unsigned* const sure_sizes = workplace.arena.take<unsigned>(m);
   Forest forest = {workplace.arena.take<Link>(m), workplace.arena.take<Link>(m), workplace.arena.take<Wide>(m),
-                   workplace.arena.take<long long>(m), workplace.arena.take<unsigned>(m), workplace.arena.take<unsigned>(m),
-                   workplace.arena.take<unsigned>(2 * maximum_number_of_rounds)};
+                   workplace.arena.take<long long>(m), sure_sizes, workplace.arena.take<unsigned>(maximum_number_of_rounds)};
   const auto forget_changes = [&]() {
-    CGAL_L0_CUDA_CHECK(cudaMemsetAsync(forest.is_changed, 0, 2 * maximum_number_of_rounds * sizeof(unsigned), stream));
+    CGAL_L0_CUDA_CHECK(cudaMemsetAsync(forest.is_changed, 0, maximum_number_of_rounds * sizeof(unsigned), stream));
   };
-  Votes votes;
-  votes.edges = workplace.scratch.take<Wide>(Wide(m) * number_of_neighbors);   // at most so many; mostly few
   {
-    const Device_counter<unsigned> counter(workplace.scratch, stream);
-    unsigned* number_of_edges = counter.address();
-    forget_changes();
-    void* arguments[] = {&graph, &forest, &votes.edges, &number_of_edges};
-    launch_cooperatively(workplace, reinterpret_cast<void*>(grow_forest), m, threads_per_block, 4, arguments);
-    votes.number_of_edges = counter.read();
-  }
-  votes.number_of_slots = 64;
-  while (votes.number_of_slots < Wide(votes.number_of_edges) / 4 * 5 && votes.number_of_slots < 0x80000000u)
-    votes.number_of_slots *= 2;
-  votes.slots = workplace.arena.take<Vote>(votes.number_of_slots);
-  forget_changes();
-  {
-    void* arguments[] = {&graph, &forest, &votes};
-    launch_cooperatively(workplace, reinterpret_cast<void*>(join_by_votes), m, threads_of_voting_block, 1, arguments);
+    const Arena_scope voting_scope(workplace.scratch);
+    Votes votes;
+    votes.edges = workplace.scratch.take<Wide>(Wide(m) * number_of_neighbors);   // at most so many; mostly few
+    {
+      const Device_counter<unsigned> counter(workplace.scratch, stream);
+      unsigned* number_of_edges = counter.address();
+      forget_changes();
+      void* arguments[] = {&graph, &forest, &votes.edges, &number_of_edges};
+      launch_cooperatively(workplace, reinterpret_cast<void*>(grow_forest), m, threads_per_block, 4, arguments);
+      votes.number_of_edges = counter.read();
+    }
+    votes.number_of_slots = 64;
+    while (votes.number_of_slots < Wide(votes.number_of_edges) / 4 * 5 && votes.number_of_slots < 0x80000000u)
+      votes.number_of_slots *= 2;
+    votes.slots = workplace.arena.take<Vote>(votes.number_of_slots);
+
+    // As on the CPU: the votes join faces to parts and parts to trees, unless the fields of faces and parts know better.
+    Link *const faces = workplace.scratch.take<Link>(m), *const parts = workplace.scratch.take<Link>(m);
+    const auto copy = [&](const Link* from, Link* to) {
+      CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(to, from, m * sizeof(Link), cudaMemcpyDeviceToDevice, stream));
+    };
+    const auto join_by_majority = [&](double majority) {
+      forget_changes();
+      void* arguments[] = {&graph, &forest, &votes, &majority};
+      launch_cooperatively(workplace, reinterpret_cast<void*>(join_by_votes), m, threads_of_voting_block, 1, arguments);
+    };
+    const auto join_faces_and_parts = [&]() {
+      join_by_majority(clear_majority);
+      copy(forest.roots, parts);
+      join_by_majority(0);
+    };
+    const auto is_joined_by_field = [&](Link* sets) {
+      return join_by_field(workplace, graph, votes.edges, votes.number_of_edges, forest.roots, spacing, sets);
+    };
+    copy(forest.roots, faces);
+    join_faces_and_parts();
+    if (is_joined_by_field(faces))
+    {
+      copy(faces, forest.roots);
+      join_faces_and_parts();
+    }
+    if (is_joined_by_field(parts))
+    {
+      copy(parts, forest.roots);
+      join_by_majority(0);
+    }
+    {
+      const Arena_scope sizes_scope(workplace.scratch);
+      unsigned* const sizes = workplace.scratch.take<unsigned>(m);
+      CGAL_L0_CUDA_CHECK(cudaMemsetAsync(sizes, 0, m * sizeof(unsigned), stream));
+      count_samples_of_sets<<<blocks_for(m), threads_per_block, 0, stream>>>(parts, m, sizes);
+      check_launch("count_samples_of_sets");
+      tell_sizes<<<blocks_for(m), threads_per_block, 0, stream>>>(parts, m, sizes, sure_sizes);
+      check_launch("tell_sizes");
+    }
   }
 
   double extent = 0;

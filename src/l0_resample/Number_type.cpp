@@ -5,9 +5,12 @@
 
 #include "Number_type.h"
 
+#include "parse_numbers.h"
+
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 
 namespace l0_tool {
 namespace {
@@ -22,6 +25,15 @@ double to_double(const char* bytes, bool swap)
   T value;
   std::memcpy(&value, copy, sizeof(T));
   return double(value);
+}
+
+template <typename T>
+bool parse(std::string_view word, char* target)
+{
+  const std::optional<T> number = parse_number<T>(word);
+  if (number)
+    std::memcpy(target, &*number, sizeof(T));
+  return number.has_value();
 }
 
 } // namespace
@@ -50,6 +62,33 @@ double decode(const char* bytes, Number_type type, bool swap)
   case Number_type::FLOAT64: break;
   }
   return to_double<double>(bytes, swap);
+}
+
+void copy_number(const char* bytes, Number_type type, bool swap, char* target)
+{
+  std::copy_n(bytes, size_of(type), target);
+  if (swap)
+    std::reverse(target, target + size_of(type));
+}
+
+bool parse_number_of(Number_type type, std::string_view word, char* target)
+{
+  switch (type) {
+  case Number_type::INT8: return parse<std::int8_t>(word, target);
+  case Number_type::UINT8: return parse<std::uint8_t>(word, target);
+  case Number_type::INT16: return parse<std::int16_t>(word, target);
+  case Number_type::UINT16: return parse<std::uint16_t>(word, target);
+  case Number_type::INT32: return parse<std::int32_t>(word, target);
+  case Number_type::UINT32: return parse<std::uint32_t>(word, target);
+  case Number_type::FLOAT32: return parse<float>(word, target);
+  case Number_type::FLOAT64: break;
+  }
+  return parse<double>(word, target);
+}
+
+bool fits_single_precision(Number_type type)
+{
+  return type == Number_type::FLOAT32 || size_of(type) <= 2;
 }
 
 bool is_little_endian_machine()

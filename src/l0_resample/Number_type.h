@@ -7,6 +7,7 @@
 #define L0_RESAMPLE_NUMBER_TYPE_H
 
 #include <cstddef>
+#include <string_view>
 
 namespace l0_tool {
 
@@ -19,6 +20,17 @@ std::size_t size_of(Number_type type);
 /// The number whose `size_of(type)` bytes begin at `bytes`, wherever that is.
 /// \param swap whether the bytes are in the other order than this machine's
 double decode(const char* bytes, Number_type type, bool swap);
+
+/// Copies a number of `type`.
+/// \param swap whether to reverse its bytes
+void copy_number(const char* bytes, Number_type type, bool swap, char* target);
+
+/// Writes the number that `word` is to `target`, as one of `type`.
+/// \returns whether it is one of that type
+bool parse_number_of(Number_type type, std::string_view word, char* target);
+
+/// Whether `float` holds all numbers of `type`.
+bool fits_single_precision(Number_type type);
 
 bool is_little_endian_machine();
 

@@ -33,9 +33,17 @@ std::string message(int error)
   throw Failure(OUTPUT_NOT_WRITTEN, path + ": cannot be written: " + what);
 }
 
+bool is_special_file(const struct stat& status)
+{
+  return !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+}
+
 // Where the file really is, so that a symbolic link stays one.
 std::string resolve(const std::string& path)
 {
+  struct stat status;
+  if (stat(path.c_str(), &status) == 0 && is_special_file(status))
+    return path;   // /dev/stdout may lead to a pipe, which is at no place
   std::error_code error;
   std::filesystem::path resolved = std::filesystem::absolute(path, error);
   if (!error)
@@ -48,11 +56,6 @@ std::string resolve(const std::string& path)
 std::string directory_of(const std::string& target)
 {
   return std::filesystem::path(target).parent_path().string();
-}
-
-bool is_special_file(const struct stat& status)
-{
-  return !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
 }
 
 } // namespace

@@ -6,6 +6,9 @@
 #ifndef L0_RESAMPLE_POINT_CLOUD_H
 #define L0_RESAMPLE_POINT_CLOUD_H
 
+#include "Number_type.h"
+#include "Property_table.h"
+
 #include <CGAL/Simple_cartesian.h>
 
 #include <cstddef>
@@ -25,6 +28,8 @@ struct Point_cloud
 {
   std::vector<Point> points;                 ///< all finite
   std::vector<Vector> normals;               ///< as in the file, unchecked: one for each point, or none at all
+  Property_table properties;                 ///< all others, if asked for
+  Number_type coordinate_type = Number_type::FLOAT64;   ///< FLOAT32 if that held all coordinates and normals
   std::size_t number_of_dropped_points = 0;  ///< those with a coordinate that is not finite
   std::vector<std::string> warnings;         ///< one line each, with the name of the file
 };

@@ -17,10 +17,18 @@ void Point_collector::check_limits(std::uint64_t number_of_points) const
   if (number_of_points > m_options.max_points)
     throw Failure(INPUT_REFUSED, m_file.path() + ": more than the " + std::to_string(m_options.max_points)
                                  + " points that --max-points allows");
-  const std::uint64_t point_size = sizeof(Point) + (m_has_normals && m_options.with_normals ? sizeof(Vector) : 0);
+  const std::uint64_t point_size = sizeof(Point) + (m_has_normals && m_options.with_normals ? sizeof(Vector) : 0)
+                                   + m_cloud.properties.row_size();
   if (number_of_points > m_options.max_memory / point_size)
     throw Failure(RUN_TIME_FAILURE, m_file.path() + ": the points alone take more than the "
                                     + std::to_string(m_options.max_memory) + " bytes that --max-memory allows");
+}
+
+std::size_t Point_collector::add_property(const std::string& name, Number_type type)
+{
+  m_cloud.properties.add_property(name, type);
+  m_next_properties.resize(m_cloud.properties.row_size());
+  return number_of_properties() - 1;
 }
 
 void Point_collector::announce(std::uint64_t count, std::uint64_t row_size)
@@ -32,6 +40,7 @@ void Point_collector::announce(std::uint64_t count, std::uint64_t row_size)
   m_cloud.points.reserve(count);
   if (m_has_normals && m_options.with_normals)
     m_cloud.normals.reserve(count);
+  m_cloud.properties.reserve(count);
 }
 
 void Point_collector::add(const Point_row& row)
@@ -47,6 +56,7 @@ void Point_collector::add(const Point_row& row)
   m_cloud.points.emplace_back(row[0], row[1], row[2]);
   if (m_has_normals && m_options.with_normals)
     m_cloud.normals.emplace_back(row[3], row[4], row[5]);
+  m_cloud.properties.append(m_next_properties);
 }
 
 Point_cloud Point_collector::take()

@@ -13,6 +13,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace l0_tool {
 
@@ -26,6 +27,7 @@ class Point_collector
   Read_options m_options;
   bool m_has_normals = false;
   std::uint64_t m_number_of_rows = 0;
+  std::vector<char> m_next_properties;   // of the next row
   Point_cloud m_cloud;
 
   void check_limits(std::uint64_t number_of_points) const;
@@ -35,6 +37,23 @@ public:
 
   /// Says that from the first row on there are normals.
   void set_has_normals() { m_has_normals = true; }
+
+  /// Says that `float` holds all coordinates and normals.
+  void set_single_precision() { m_cloud.coordinate_type = Number_type::FLOAT32; }
+
+  bool wants_properties() const { return m_options.with_properties; }
+
+  /// Says that each row has this one too. Only if they are wanted, and before the first row.
+  /// \returns its index
+  std::size_t add_property(const std::string& name, Number_type type);
+
+  std::size_t number_of_properties() const { return m_cloud.properties.properties().size(); }
+
+  /// Where the next row's value of a property goes, before `add()`.
+  char* property(std::size_t index)
+  {
+    return m_next_properties.data() + m_cloud.properties.properties()[index].offset;
+  }
 
   /// Makes room for `count` points, each of at least `row_size` bytes in the file.
   /// \throws Failure if the file cannot hold them, or the limits forbid them

@@ -47,6 +47,7 @@ template <typename Value>
 std::vector<std::string> keys_of(const std::map<std::string, Value>& names)
 {
   std::vector<std::string> keys;
+  keys.reserve(names.size());
   for (const auto& [name, value] : names)
     keys.push_back(name);
   return keys;
@@ -142,12 +143,16 @@ const char* description =
   "Turns a noisy point set into clean, evenly spread, oriented points that keep sharp features, by L0 minimization.\n"
   "\n"
   "  l0_resample [OPTIONS] INPUT OUTPUT\n"
-  "  l0_resample [OPTIONS] INPUT... --output-directory FOLDER";
+  "  l0_resample [OPTIONS] INPUT... --output-directory FOLDER\n"
+  "  l0_resample --convert-only INPUT OUTPUT";
 
 const char* footer =
   "Files: PLY and PCD (ASCII and binary), OFF, XYZ and NPY are read; PLY and PCD (binary), OFF, XYZ and NPY are\n"
   "written with normals, as a whole or not at all. INPUT and OUTPUT may be the same. LAS is not read: convert it\n"
   "first. A name that begins with a dash goes behind --.\n"
+  "\n"
+  "--convert-only keeps the points as they are: PLY and PCD (binary) get all that INPUT tells of each, OFF normals and\n"
+  "colors, XYZ and NPY normals; warnings say what else INPUT had. It takes no option on resampling.\n"
   "\n"
   "Exit status: 0 good, 1 failed at run time (memory, time, solver, device), 2 wrong usage, 3 input refused,\n"
   "4 output not written, 5 not converged (with --strict), 130 and 143 cancelled by SIGINT and SIGTERM.\n"
@@ -157,6 +162,17 @@ const char* footer =
   "for each that failed and their number; the others are not harmed. The exit status is that of the failures if\n"
   "they all have the same, else 1. After SIGINT, SIGTERM or --timeout no other file is begun. A result never takes\n"
   "the place of an input, or of another result.\n";
+
+// What a conversion has no use for is refused with it.
+void exclude_resampling(CLI::App& app, CLI::Option& convert_only)
+{
+  static constexpr std::array<std::string_view, 12> allowed = {
+    "help", "version", "FILES", "output-directory", "input-format", "output-format", "drop-non-finite", "convert-only",
+    "quiet", "max-points", "max-memory", "timeout"};
+  for (CLI::Option* option : app.get_options())
+    if (std::find(allowed.begin(), allowed.end(), option->get_single_name()) == allowed.end())
+      convert_only.excludes(option);
+}
 
 void add_options(CLI::App& app, Options& options, std::vector<std::string>& files, std::string& output_directory)
 {
@@ -200,6 +216,8 @@ void add_options(CLI::App& app, Options& options, std::vector<std::string>& file
   const auto set_view = [&options](const std::string& text) { options.view = parse_view(text); };
   app.add_option_function<std::string>("--view", set_view, "where the eye of the snapshot is, such as 1,-2,0.5")
      ->type_name("X,Y,Z");
+  auto* convert_only = app.add_flag("--convert-only", options.convert_only,
+                                    "do not resample: write the points of INPUT in the format of OUTPUT");
   app.add_flag("--quiet", options.quiet, "no summary, no progress bar, no warnings");
   app.add_flag("--strict", options.strict, "write nothing if a solve did not converge");
 
@@ -211,6 +229,7 @@ void add_options(CLI::App& app, Options& options, std::vector<std::string>& file
      ->transform(CLI::AsSizeValue(false))->type_name("SIZE");
   app.add_option("--timeout", options.timeout, "fail after so many seconds")
      ->check(number_within(0, false, 1e8, "a number of seconds above 0"))->type_name("SECONDS");
+  exclude_resampling(app, *convert_only);
 }
 
 void set_files(const CLI::App& app, const std::vector<std::string>& files, Options& options)

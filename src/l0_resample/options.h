@@ -50,6 +50,7 @@ struct Options
   std::string json;                                ///< empty for none
   std::string snapshot;                            ///< empty for none
   std::optional<std::array<double, 3>> view;       ///< from the points towards the eye
+  bool convert_only = false;
   bool quiet = false;
   bool strict = false;
 

@@ -178,6 +178,8 @@ void read_npy(Input_file& file, Point_collector& collector)
   const std::size_t columns = std::size_t(shape[1]), number_size = size_of(number_type);
   if (columns == 6)
     collector.set_has_normals();
+  if (fits_single_precision(number_type))
+    collector.set_single_precision();
   collector.announce(shape[0], columns * number_size);
   Point_row row = {};
   for (std::uint64_t i = 0; i < shape[0]; ++i) {

@@ -11,6 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,9 +20,11 @@
 namespace l0_tool {
 namespace {
 
-// Where the value of a field goes: index 0 to 5 in Point_row, or `unused`.
-constexpr std::size_t unused = 6;
+// Where the values of a field go: index 0 to 5 in Point_row, `unused`, or from `first_property` on the properties.
+constexpr std::size_t unused = 6, first_property = 7;
 using Targets = std::vector<std::size_t>;
+
+constexpr std::size_t max_number_of_properties = 1000;
 
 Targets find_targets(const Input_file& file, const Pcd_header& header)
 {
@@ -49,19 +52,82 @@ Targets find_targets(const Input_file& file, const Pcd_header& header)
   return targets;
 }
 
-void read_binary_row(Input_file& file, const Pcd_header& header, const Targets& targets, Point_row& row)
+bool is_single_precision(const Pcd_header& header, const Targets& targets)
+{
+  for (std::size_t k = 0; k < targets.size(); ++k)
+    if (targets[k] < unused && !fits_single_precision(*header.fields[k].type))
+      return false;
+  return true;
+}
+
+/// PCL packs a color into the bytes of one number.
+bool is_packed_color(const Pcd_field& field)
+{
+  return (field.name == "rgb" || field.name == "rgba") && field.size == 4 && field.count == 1;
+}
+
+void keep_fields(const Pcd_header& header, Targets& targets, Point_collector& collector)
+{
+  for (std::size_t k = 0; k < targets.size(); ++k) {
+    const Pcd_field& field = header.fields[k];
+    if (targets[k] != unused || field.name == "_")   // the name of padding
+      continue;
+    if (!field.type || field.count > max_number_of_properties - collector.number_of_properties()) {
+      collector.warn("the field " + printable(field.name) + " is left out: "
+                     + (field.type ? std::to_string(field.count) + " values" : "integers of 64 bits"));
+      continue;
+    }
+    targets[k] = first_property + collector.number_of_properties();
+    if (is_packed_color(field)) {
+      for (const char* channel : {"red", "green", "blue"})
+        collector.add_property(channel, Number_type::UINT8);
+      if (field.name == "rgba")
+        collector.add_property("alpha", Number_type::UINT8);
+      continue;
+    }
+    for (std::uint64_t i = 0; i < field.count; ++i)
+      collector.add_property(field.count == 1 ? field.name : field.name + "_" + std::to_string(i), *field.type);
+  }
+}
+
+/// Value `i` of the field; its first property is the one of index `first`.
+void store(const Pcd_field& field, std::size_t i, const char* bytes, bool swap, std::size_t first,
+           Point_collector& collector)
+{
+  if (!is_packed_color(field)) {
+    copy_number(bytes, *field.type, swap, collector.property(first + i));
+    return;
+  }
+  char number[4];
+  copy_number(bytes, *field.type, swap, number);
+  std::uint32_t color;   // 0xAARRGGBB
+  std::memcpy(&color, number, sizeof color);
+  for (std::size_t k = 0; k < field.name.size(); ++k)
+    *collector.property(first + k) = char(static_cast<unsigned char>(color >> (k == 3 ? 24 : 16 - 8 * k)));
+}
+
+void read_binary_row(Input_file& file, const Pcd_header& header, const Targets& targets, Point_row& row,
+                     Point_collector& collector)
 {
   const bool swap = !is_little_endian_machine();
   for (std::size_t k = 0; k < targets.size(); ++k) {
     const Pcd_field& field = header.fields[k];
-    if (targets[k] == unused)
+    if (targets[k] == unused) {
       file.skip_bytes(field.count * field.size);
-    else
-      row[targets[k]] = decode(file.read_bytes(std::size_t(field.size)), *field.type, swap);
+      continue;
+    }
+    for (std::size_t i = 0; i < std::size_t(field.count); ++i) {
+      const char* bytes = file.read_bytes(std::size_t(field.size));
+      if (targets[k] < unused)
+        row[targets[k]] = decode(bytes, *field.type, swap);
+      else
+        store(field, i, bytes, swap, targets[k] - first_property, collector);
+    }
   }
 }
 
-void read_ascii_row(Input_file& file, const Pcd_header& header, const Targets& targets, Point_row& row)
+void read_ascii_row(Input_file& file, const Pcd_header& header, const Targets& targets, Point_row& row,
+                    Point_collector& collector)
 {
   std::string_view line;
   for (std::string_view rest; next_word(rest).empty(); rest = line) {
@@ -78,6 +144,13 @@ void read_ascii_row(Input_file& file, const Pcd_header& header, const Targets& t
         file.refuse("the row ends before its field " + printable(field.name));
       if (targets[k] == unused)
         continue;
+      if (targets[k] >= first_property) {
+        char number[8];
+        if (!parse_number_of(*field.type, word, number))
+          file.refuse(printable(word) + " is not a number of the type of " + printable(field.name));
+        store(field, std::size_t(i), number, false, targets[k] - first_property, collector);
+        continue;
+      }
       const std::optional<double> number = parse_number<double>(word);
       if (!number)
         file.refuse(printable(word) + " is not a number");
@@ -93,18 +166,22 @@ void read_ascii_row(Input_file& file, const Pcd_header& header, const Targets& t
 void read_pcd(Input_file& file, Point_collector& collector)
 {
   const Pcd_header header = read_pcd_header(file);
-  const Targets targets = find_targets(file, header);
+  Targets targets = find_targets(file, header);
   if (std::count(targets.begin(), targets.end(), std::size_t(3)) > 0)
     collector.set_has_normals();
+  if (is_single_precision(header, targets))
+    collector.set_single_precision();
+  if (collector.wants_properties())
+    keep_fields(header, targets, collector);
 
   // In text a digit and a blank for each value, but for the end of the last line
   collector.announce(header.number_of_points, header.is_binary ? header.row_size() : 2 * header.number_of_values() - 1);
   Point_row row = {};
   for (std::uint64_t i = 0; i < header.number_of_points; ++i) {
     if (header.is_binary)
-      read_binary_row(file, header, targets, row);
+      read_binary_row(file, header, targets, row, collector);
     else
-      read_ascii_row(file, header, targets, row);
+      read_ascii_row(file, header, targets, row, collector);
     collector.add(row);
   }
   if (file.bytes_left() > std::uint64_t(0))

@@ -20,9 +20,22 @@
 namespace l0_tool {
 namespace {
 
-// Where the values of a row go: index 0 to 5 in Point_row, or `unused`.
-constexpr std::size_t unused = 6;
+// Where the values of a row go: index 0 to 5 in Point_row, `unused`, or from `first_property` on the properties.
+constexpr std::size_t unused = 6, first_property = 7;
 using Targets = std::vector<std::size_t>;
+
+void keep_properties(const Ply_element& vertex, Targets& targets, Point_collector& collector)
+{
+  for (std::size_t k = 0; k < targets.size(); ++k) {
+    const Ply_property& property = vertex.properties[k];
+    if (targets[k] != unused)
+      continue;
+    if (property.is_list)
+      collector.warn("the lists " + printable(property.name) + " of the vertices are left out");
+    else
+      targets[k] = first_property + collector.add_property(property.name, property.type);
+  }
+}
 
 Targets find_targets(const Input_file& file, const Ply_element& vertex)
 {
@@ -48,6 +61,14 @@ Targets find_targets(const Input_file& file, const Ply_element& vertex)
   return targets;
 }
 
+bool is_single_precision(const Ply_element& vertex, const Targets& targets)
+{
+  for (std::size_t k = 0; k < targets.size(); ++k)
+    if (targets[k] < unused && !fits_single_precision(vertex.properties[k].type))
+      return false;
+  return true;
+}
+
 class Binary_rows
 {
   Input_file& m_file;
@@ -60,14 +81,20 @@ public:
   std::uint64_t least_row_size(const Ply_element& element) const { return element.least_binary_size(); }
 
   /// Entry k of `row` becomes the property whose target is k; `row` has one entry for `unused`.
-  void read(const Ply_element& element, const Targets& targets, std::array<double, unused + 1>& row)
+  void read(const Ply_element& element, const Targets& targets, std::array<double, unused + 1>& row,
+            Point_collector& collector)
   {
     for (std::size_t k = 0; k < element.properties.size(); ++k) {
       const Ply_property& property = element.properties[k];
-      if (property.is_list)
+      if (property.is_list) {
         skip_list(property);
+        continue;
+      }
+      const char* bytes = m_file.read_bytes(size_of(property.type));
+      if (targets[k] >= first_property)
+        copy_number(bytes, property.type, m_swap, collector.property(targets[k] - first_property));
       else
-        row[targets[k]] = decode(m_file.read_bytes(size_of(property.type)), property.type, m_swap);
+        row[targets[k]] = decode(bytes, property.type, m_swap);
     }
   }
 
@@ -133,7 +160,8 @@ public:
   // A digit and a blank for each value, but for the end of the last line.
   std::uint64_t least_row_size(const Ply_element& element) const { return 2 * element.properties.size() - 1; }
 
-  void read(const Ply_element& element, const Targets& targets, std::array<double, unused + 1>& row)
+  void read(const Ply_element& element, const Targets& targets, std::array<double, unused + 1>& row,
+            Point_collector& collector)
   {
     std::string_view line = read_line();
     for (std::size_t k = 0; k < element.properties.size(); ++k) {
@@ -145,6 +173,11 @@ public:
       const std::string_view word = read_word(line, property);
       if (targets[k] == unused)
         continue;
+      if (targets[k] >= first_property) {
+        if (!parse_number_of(property.type, word, collector.property(targets[k] - first_property)))
+          m_file.refuse(printable(word) + " is not a number of the type of " + printable(property.name));
+        continue;
+      }
       const std::optional<double> number = parse_number<double>(word);
       if (!number)
         m_file.refuse(printable(word) + " is not a number");
@@ -172,16 +205,24 @@ void read_elements(Input_file& file, const Ply_header& header, Rows rows, Point_
       rows.skip(element);
       continue;
     }
-    const Targets targets = find_targets(file, element);
+    Targets targets = find_targets(file, element);
     if (std::count(targets.begin(), targets.end(), unused) + 6 == std::ptrdiff_t(targets.size()))
       collector.set_has_normals();
+    if (is_single_precision(element, targets))
+      collector.set_single_precision();
+    if (collector.wants_properties())
+      keep_properties(element, targets, collector);
     collector.announce(element.count, rows.least_row_size(element));
     std::array<double, unused + 1> row = {};
     for (std::uint64_t i = 0; i < element.count; ++i) {
-      rows.read(element, targets, row);
+      rows.read(element, targets, row, collector);
       collector.add({row[0], row[1], row[2], row[3], row[4], row[5]});
     }
 
+    if (collector.wants_properties())
+      for (const Ply_element& other : header.elements)
+        if (&other != &element && other.count > 0)
+          collector.warn("what is no vertex is left out: " + std::to_string(other.count) + " of " + printable(other.name));
     const bool is_last = &element == &header.elements.back();
     if (is_last && file.bytes_left() > std::uint64_t(0))
       collector.warn(std::to_string(*file.bytes_left()) + " bytes after the last vertex are not looked at");

@@ -20,9 +20,10 @@ namespace l0_tool {
 struct Read_options
 {
   std::uint64_t max_points = (std::numeric_limits<std::uint64_t>::max)();
-  std::uint64_t max_memory = (std::numeric_limits<std::uint64_t>::max)();   ///< in bytes, for points and normals
+  std::uint64_t max_memory = (std::numeric_limits<std::uint64_t>::max)();   ///< in bytes, for all that is kept of points
   bool drop_non_finite = false;  ///< drop and count points with a non-finite coordinate instead of refusing the file
   bool with_normals = false;     ///< keep the normals, if the file has any
+  bool with_properties = false;  ///< keep all that the file tells of each point, and warn of what cannot be kept
 };
 
 /*!
@@ -30,13 +31,15 @@ Reads the points of a file that nobody vouches for: no header and no content mak
 than the file's size justifies.
 
 - PLY, ASCII or binary of either byte order: one element `vertex` with the scalar properties x, y, z and maybe nx, ny,
-  nz, of any type.
+  nz, of any type. Its other scalar properties can be kept.
   Elements before it are skipped, those after it are not looked at.
-- OFF with its optional prefixes ST, C, N: the vertices. Only N says that there are normals.
+- OFF with its optional prefixes ST, C, N: the vertices. Only N says that there are normals, and only C that there are
+  colors, which become the properties red, green, blue and maybe alpha.
 - XYZ: one point a line, the same number of columns in all of them, exactly six for points with normals. The first
   line may hold the number of points; empty lines and those that begin with # are skipped.
 - PCD, ASCII or binary, of version 0.5 to 0.7: the fields x, y, z and maybe normal_x, normal_y, normal_z, of any type
-  but integers of 64 bits. The viewpoint is not looked at.
+  but integers of 64 bits. The viewpoint is not looked at. Of the other fields that can be kept, one of several values
+  becomes as many properties, and the packed colors rgb and rgba become the properties red, green, blue and alpha.
 - NPY: an array of float32 or float64, of shape (n, 3), or (n, 6) for points with normals, in the order of C.
 
 \throws Failure with INPUT_REFUSED and the line or byte where the file is not what it should be, or holds more than

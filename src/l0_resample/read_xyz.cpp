@@ -53,6 +53,8 @@ void read_xyz(Input_file& file, Point_collector& collector)
       columns = n;
       if (columns == 6)
         collector.set_has_normals();
+      else if (columns > 3 && collector.wants_properties())
+        collector.warn("the columns behind the third have no names and are left out");
     }
     if (n != columns)
       file.refuse(std::to_string(columns) + " columns expected as in the lines before, found " + std::to_string(n));

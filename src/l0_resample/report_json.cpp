@@ -96,7 +96,10 @@ std::string summary_line(const Options& options, const Run_record& record)
     line += std::to_string(report.number_of_dropped_points) + " dropped, ";
   if (report.number_of_outliers > 0)
     line += std::to_string(report.number_of_outliers) + " outliers left out, ";
-  line += std::to_string(report.number_of_output_points) + " out, method " + name_of(options.method) + ", " + numbers;
+  line += std::to_string(report.number_of_output_points) + " out, ";
+  if (options.convert_only)
+    return line + "converted\n";
+  line += "method " + name_of(options.method) + ", " + numbers;
   if (!report.converged)
     line += ", not converged";
   return line + "\n";

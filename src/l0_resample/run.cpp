@@ -8,6 +8,7 @@
 #include "Failure.h"
 #include "Output_file.h"
 #include "Progress_bar.h"
+#include "convert.h"
 #include "read_points.h"
 #include "render_snapshot.h"
 #include "resample.h"
@@ -119,7 +120,12 @@ void guarded(Run_record& record, const std::function<void()>& function)
 Run_record run(const Options& options)
 {
   Run_record record;
-  guarded(record, [&]() { resample_file(options, record); });
+  guarded(record, [&]() {
+    if (!options.convert_only)
+      return resample_file(options, record);
+    Progress_bar progress(options.quiet);
+    convert_file(options, [&](double share) { progress.update("read", share); }, record);
+  });
   return record;
 }
 

@@ -17,7 +17,7 @@ namespace l0_tool {
 /// Runs the function and keeps in the record how it ended.
 void guarded(Run_record& record, const std::function<void()>& function);
 
-/// Reads, resamples and writes, and throws nothing: how it ended is in the record.
+/// Reads, resamples or converts, and writes, and throws nothing: how it ended is in the record.
 Run_record run(const Options& options);
 
 /// The summary of a run that went well, and warnings.

@@ -5,6 +5,7 @@
 
 #include "write_points.h"
 
+#include "Output_columns.h"
 #include "Output_file.h"
 
 #include <algorithm>
@@ -20,131 +21,247 @@ namespace {
 
 using Row = std::array<double, 6>;
 
-Row row_of(const Oriented_point& p)
-{
-  return {p.first.x(), p.first.y(), p.first.z(), p.second.x(), p.second.y(), p.second.z()};
-}
-
 constexpr std::size_t longest_number = 24;   // "-2.2250738585072014e-308"
 
-void write_text_row(Output_file& file, const Row& row)
+/// What stands in a row of a file.
+struct Layout
 {
-  std::array<char, 6 * (longest_number + 1)> text;
-  char* end = text.data();
-  for (const double number : row) {
+  bool has_normals;
+  bool is_single;                       ///< coordinates and normals, that is
+  std::vector<Output_column> others;
+
+  std::size_t number_of_coordinates() const { return has_normals ? 6 : 3; }
+};
+
+/// Oriented points, as rows.
+class Oriented_rows
+{
+  const std::vector<Oriented_point>& m_points;
+
+public:
+  explicit Oriented_rows(const std::vector<Oriented_point>& points) : m_points(points) {}
+
+  std::size_t size() const { return m_points.size(); }
+  const Point& point(std::size_t i) const { return m_points[i].first; }
+  const Vector& normal(std::size_t i) const { return m_points[i].second; }
+  const char* properties(std::size_t) const { return nullptr; }
+};
+
+/// What a file held, as rows.
+class Cloud_rows
+{
+  const Point_cloud& m_cloud;
+
+public:
+  explicit Cloud_rows(const Point_cloud& cloud) : m_cloud(cloud) {}
+
+  std::size_t size() const { return m_cloud.points.size(); }
+  const Point& point(std::size_t i) const { return m_cloud.points[i]; }
+  Vector normal(std::size_t i) const { return m_cloud.normals.empty() ? Vector(0, 0, 0) : m_cloud.normals[i]; }
+  const char* properties(std::size_t i) const { return m_cloud.properties.row(i); }
+};
+
+template <typename Rows>
+Row row_of(const Rows& rows, std::size_t i)
+{
+  const Point& point = rows.point(i);
+  const Vector normal = rows.normal(i);
+  return {point.x(), point.y(), point.z(), normal.x(), normal.y(), normal.z()};
+}
+
+/// Other columns are numbers of one byte, as OFF has them.
+void append_text(const Row& row, const char* properties, const Layout& layout, std::string& text)
+{
+  std::array<char, longest_number> digits;
+  const auto append = [&](auto number) {
     // The shortest text that reads as the same number
-    end = std::to_chars(end, text.data() + text.size(), number).ptr;
-    *end++ = ' ';
-  }
-  end[-1] = '\n';
-  file.write({text.data(), std::size_t(end - text.data())});
+    text.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr);
+    text += ' ';
+  };
+  for (std::size_t k = 0; k < layout.number_of_coordinates(); ++k)
+    if (layout.is_single)
+      append(float(row[k]));
+    else
+      append(row[k]);
+  for (const Output_column& column : layout.others)
+    append(unsigned(static_cast<unsigned char>(properties[column.bytes.front()])));
+  text.back() = '\n';
 }
 
 template <typename Bits, typename Number>
-void write_binary_row(Output_file& file, const Row& row)
+void append_bytes(Number number, std::string& bytes)
 {
-  std::array<char, 6 * sizeof(Bits)> bytes;
-  std::size_t k = 0;
-  for (const double number : row) {
-    const Number stored = Number(number);
-    Bits bits;
-    std::memcpy(&bits, &stored, sizeof(bits));
-    for (std::size_t byte = 0; byte < sizeof(Bits); ++byte)
-      bytes[k++] = char(static_cast<unsigned char>(bits >> (8 * byte)));
-  }
-  file.write({bytes.data(), bytes.size()});
+  Bits bits;
+  std::memcpy(&bits, &number, sizeof bits);
+  for (std::size_t byte = 0; byte < sizeof bits; ++byte)
+    bytes += char(static_cast<unsigned char>(bits >> (8 * byte)));
+}
+
+void append_binary(const Row& row, const char* properties, const Layout& layout, std::string& bytes)
+{
+  for (std::size_t k = 0; k < layout.number_of_coordinates(); ++k)
+    if (layout.is_single)
+      append_bytes<std::uint32_t>(float(row[k]), bytes);
+    else
+      append_bytes<std::uint64_t>(row[k], bytes);
+  for (const Output_column& column : layout.others)
+    for (const std::size_t byte : column.bytes)
+      bytes += byte == Output_column::zero ? '\0' : properties[byte];
 }
 
 /// Whether `float` holds the points to a millionth of their diagonal: not if they lie far from the origin, or beyond
 /// its range.
-bool is_single_precision_enough(const std::vector<Oriented_point>& points)
+template <typename Rows>
+bool is_single_precision_enough(const Rows& rows)
 {
   constexpr double share = 1e-6;
   double largest = 0, squared_diagonal = 0;
-  for (int axis = 0; axis < 3 && !points.empty(); ++axis) {
-    const auto less = [axis](const Oriented_point& a, const Oriented_point& b)
-    { return a.first[axis] < b.first[axis]; };
-    const auto [low, high] = std::minmax_element(points.begin(), points.end(), less);
-    largest = (std::max)({largest, std::abs(low->first[axis]), std::abs(high->first[axis])});
-    squared_diagonal += (high->first[axis] - low->first[axis]) * (high->first[axis] - low->first[axis]);
+  for (int axis = 0; axis < 3 && rows.size() > 0; ++axis) {
+    double low = rows.point(0)[axis], high = low;
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+      low = (std::min)(low, rows.point(i)[axis]);
+      high = (std::max)(high, rows.point(i)[axis]);
+    }
+    largest = (std::max)({largest, std::abs(low), std::abs(high)});
+    squared_diagonal += (high - low) * (high - low);
   }
   using Limits = std::numeric_limits<float>;
   const double rounding = (std::max)(largest * double(Limits::epsilon()) / 2, double(Limits::denorm_min()));
   return largest < double((Limits::max)()) && rounding <= share * std::sqrt(squared_diagonal);
 }
 
-std::string ply_header(std::size_t number_of_points)
+std::string ply_name(Number_type type)
+{
+  switch (type) {
+  case Number_type::INT8: return "char";
+  case Number_type::UINT8: return "uchar";
+  case Number_type::INT16: return "short";
+  case Number_type::UINT16: return "ushort";
+  case Number_type::INT32: return "int";
+  case Number_type::UINT32: return "uint";
+  case Number_type::FLOAT32: return "float";
+  case Number_type::FLOAT64: break;
+  }
+  return "double";
+}
+
+char pcd_letter(Number_type type)
+{
+  switch (type) {
+  case Number_type::INT8: case Number_type::INT16: case Number_type::INT32: return 'I';
+  case Number_type::UINT8: case Number_type::UINT16: case Number_type::UINT32: return 'U';
+  case Number_type::FLOAT32: case Number_type::FLOAT64: break;
+  }
+  return 'F';
+}
+
+/// Coordinates, normals and others, by the names that the format has for the first six.
+std::vector<Output_column> all_columns(const Layout& layout, const std::array<const char*, 6>& names)
+{
+  std::vector<Output_column> columns;
+  for (std::size_t k = 0; k < layout.number_of_coordinates(); ++k)
+    columns.push_back({names[k], layout.is_single ? Number_type::FLOAT32 : Number_type::FLOAT64, {}});
+  columns.insert(columns.end(), layout.others.begin(), layout.others.end());
+  return columns;
+}
+
+std::string ply_header(std::size_t number_of_points, const Layout& layout)
 {
   std::string text = "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(number_of_points) + "\n";
-  for (const char* name : {"x", "y", "z", "nx", "ny", "nz"})
-    text += std::string("property double ") + name + "\n";
+  for (const Output_column& column : all_columns(layout, {"x", "y", "z", "nx", "ny", "nz"}))
+    text += "property " + ply_name(column.type) + " " + column.name + "\n";
   return text + "end_header\n";
 }
 
-std::string pcd_header(std::size_t number_of_points, bool is_single)
+std::string pcd_header(std::size_t number_of_points, const Layout& layout)
 {
+  std::string fields = "FIELDS", sizes = "\nSIZE", types = "\nTYPE", counts = "\nCOUNT";
+  for (const Output_column& column : all_columns(layout, {"x", "y", "z", "normal_x", "normal_y", "normal_z"})) {
+    fields += " " + column.name;
+    sizes += " " + std::to_string(size_of(column.type));
+    types += std::string(" ") + pcd_letter(column.type);
+    counts += " 1";
+  }
   const std::string n = std::to_string(number_of_points);
-  return "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z normal_x normal_y normal_z\n"
-         + std::string(is_single ? "SIZE 4 4 4 4 4 4\n" : "SIZE 8 8 8 8 8 8\n")
-         + "TYPE F F F F F F\nCOUNT 1 1 1 1 1 1\nWIDTH " + n + "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + n
-         + "\nDATA binary\n";
+  return "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\n" + fields + sizes + types + counts + "\nWIDTH " + n
+         + "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + n + "\nDATA binary\n";
 }
 
-std::string npy_header(std::size_t number_of_points)
+std::string off_header(std::size_t number_of_points, const Layout& layout)
 {
-  std::string text =
-    "{'descr': '<f8', 'fortran_order': False, 'shape': (" + std::to_string(number_of_points) + ", 6), }";
+  return std::string(layout.others.empty() ? "" : "C") + (layout.has_normals ? "N" : "") + "OFF\n"
+         + std::to_string(number_of_points) + " 0 0\n";
+}
+
+std::string npy_header(std::size_t number_of_points, const Layout& layout)
+{
+  std::string text = std::string("{'descr': '") + (layout.is_single ? "<f4" : "<f8")
+                     + "', 'fortran_order': False, 'shape': (" + std::to_string(number_of_points) + ", "
+                     + std::to_string(layout.number_of_coordinates()) + "), }";
   // The data begins at a multiple of 64 bytes, behind ten bytes of magic and length, the text and a line end.
   text.append(63 - (10 + text.size()) % 64, ' ');
   text += '\n';
   return std::string("\x93NUMPY\x01\x00", 8) + char(text.size()) + '\0' + text;
 }
 
-void write_rows(Output_file& file, const std::vector<Oriented_point>& points,
-                void (*write_row)(Output_file&, const Row&))
+std::string header_of(File_format format, std::size_t number_of_points, const Layout& layout)
 {
-  for (const Oriented_point& point : points)
-    write_row(file, row_of(point));
+  switch (format) {
+  case File_format::PLY: return ply_header(number_of_points, layout);
+  case File_format::OFF: return off_header(number_of_points, layout);
+  case File_format::XYZ: return "";
+  case File_format::PCD: return pcd_header(number_of_points, layout);
+  case File_format::NPY: break;
+  }
+  return npy_header(number_of_points, layout);
+}
+
+bool is_text(File_format format)
+{
+  return format == File_format::OFF || format == File_format::XYZ;
+}
+
+template <typename Rows>
+void write_rows(const std::string& path, File_format format, const Rows& rows, Layout layout)
+{
+  if (format == File_format::PCD)
+    layout.is_single = layout.is_single || is_single_precision_enough(rows);
+  Output_file file(path);
+  file.write(header_of(format, rows.size(), layout));
+  const auto append_row = is_text(format) ? append_text : append_binary;
+  std::string bytes;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    bytes.clear();
+    append_row(row_of(rows, i), rows.properties(i), layout, bytes);
+    file.write(bytes);
+  }
+  file.commit();
 }
 
 } // namespace
 
 void write_points(const std::string& path, File_format format, const std::vector<Oriented_point>& points)
 {
-  const auto write_single_row = write_binary_row<std::uint32_t, float>;
-  const auto write_double_row = write_binary_row<std::uint64_t, double>;
-  Output_file file(path);
-  switch (format) {
-  case File_format::PLY:
-    file.write(ply_header(points.size()));
-    write_rows(file, points, write_double_row);
-    break;
-  case File_format::OFF:
-    file.write("NOFF\n" + std::to_string(points.size()) + " 0 0\n");
-    write_rows(file, points, write_text_row);
-    break;
-  case File_format::XYZ:
-    write_rows(file, points, write_text_row);
-    break;
-  case File_format::PCD: {
-    const bool is_single = is_single_precision_enough(points);
-    file.write(pcd_header(points.size(), is_single));
-    write_rows(file, points, is_single ? write_single_row : write_double_row);
-    break;
-  }
-  case File_format::NPY:
-    file.write(npy_header(points.size()));
-    write_rows(file, points, write_double_row);
-    break;
-  }
-  file.commit();
+  write_rows(path, format, Oriented_rows(points), {true, false, {}});
 }
 
-std::uint64_t largest_file_size(File_format format, std::uint64_t number_of_points)
+std::vector<std::string> write_point_cloud(const std::string& path, File_format format, const Point_cloud& cloud)
 {
-  constexpr std::uint64_t header_size = 1024;
-  const bool is_text = format == File_format::OFF || format == File_format::XYZ;
-  return header_size + number_of_points * (is_text ? 6 * (longest_number + 1) : sizeof(Row));
+  const bool has_normals = !cloud.normals.empty();
+  const Output_columns chosen = choose_columns(cloud.properties, format, has_normals);
+  write_rows(path, format, Cloud_rows(cloud),
+             {has_normals, cloud.coordinate_type == Number_type::FLOAT32, chosen.columns});
+  return chosen.left_out;
+}
+
+std::uint64_t largest_file_size(File_format format, std::uint64_t number_of_points, const Property_table& properties)
+{
+  std::uint64_t header_size = 1024;
+  for (const Property& property : properties.properties())
+    header_size += property.name.size() + 32;
+  // In text, of properties only four channels of a color, each of three digits and a blank
+  const std::uint64_t row_size = is_text(format) ? 6 * (longest_number + 1) + 4 * 4 : sizeof(Row) + properties.row_size();
+  return header_size + number_of_points * row_size;
 }
 
 } // namespace l0_tool

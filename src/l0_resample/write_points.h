@@ -21,8 +21,14 @@ namespace l0_tool {
 /// The file is there as a whole or not at all, see `Output_file`.
 void write_points(const std::string& path, File_format format, const std::vector<Oriented_point>& points);
 
-/// At least the number of bytes that `write_points()` will write.
-std::uint64_t largest_file_size(File_format format, std::uint64_t number_of_points);
+/// Writes what a file held: normals only if there are some, coordinates in the precision of that file, but for binary PCD
+/// as above, and the properties that the format can hold, see `choose_columns()`.
+/// \returns the names of those that it cannot hold
+std::vector<std::string> write_point_cloud(const std::string& path, File_format format, const Point_cloud& cloud);
+
+/// At least the number of bytes that the functions above will write.
+std::uint64_t largest_file_size(File_format format, std::uint64_t number_of_points,
+                                const Property_table& properties = {});
 
 } // namespace l0_tool
 

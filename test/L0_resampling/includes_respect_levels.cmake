@@ -9,24 +9,26 @@ cmake_minimum_required(VERSION 3.21)
 set(level_0   # words: types, formulas and tools that know nothing of point sets
   tags.h Solver_report.h Quadratic_problem.h
   internal/host_device.h internal/random_bits.h internal/weights.h internal/orientation_agreement.h internal/shrinkage.h internal/block_factorization.h internal/checked_count.h
-  internal/symmetric_eigen.h internal/Height_moments.h
-  internal/Buffer.h internal/lanes.h internal/parallel_for.h internal/parallel_sort.h)
+  internal/symmetric_eigen.h internal/Height_moments.h internal/attribute_kinds.h
+  internal/Buffer.h internal/lanes.h internal/parallel_for.h internal/parallel_sort.h internal/Signed_union_find.h)
 set(level_1   # what several stages share, and what works on the arrays of one neighborhood
   Report.h internal/Parameters.h internal/cuda_interface.h internal/cuda_answer.h internal/Progress.h internal/solver_settings.h
-  internal/Search_grid_3.h internal/ball_queries.h internal/Neighborhoods.h internal/nearest_samples.h
+  internal/Search_grid_3.h internal/orientation_votes.h internal/orientation_field.h internal/ball_queries.h internal/Neighborhoods.h internal/nearest_samples.h
+  internal/Point_tree_3.h internal/Orientation_hints.h
   internal/Samples.h internal/Local_normals.h internal/update_normals.h internal/Plane_moments.h internal/estimate_plane.h internal/half_sampling.h
   internal/normal_matrix.h internal/least_squares_rows.h)
 set(level_2   # stages and solvers
   internal/working_frame.h internal/estimate_scales.h internal/find_outliers.h internal/estimate_pca_normals.h internal/filter_normals.h internal/refit_normals.h
   internal/density_weights.h internal/initialize_samples.h internal/collapse_fit_term.h internal/Fit_rows.h
   internal/pair_terms.h internal/fit_compatible_points.h internal/tangential_repulsion.h internal/orient_normals.h
-  internal/separate_coincident_points.h
+  internal/separate_coincident_points.h internal/estimate_feature_confidences.h internal/find_near_points.h
   Block_conjugate_gradient_solver_traits.h Eigen_cholesky_solver_traits.h Eigen_least_squares_solver_traits.h
   CUDA_least_squares_solver_traits.h)
 set(level_3   # Algorithm 1, and the whole
   internal/alternating_minimization.h internal/refining_minimization.h internal/resample.h)
 set(level_4   # what users include, and how it reads what they pass
-  named_parameters_interface.h named_parameters.h internal/checked_parameters.h internal/points_of_range.h CUDA_resampler.h
+  named_parameters_interface.h named_parameters.h internal/checked_parameters.h internal/points_of_range.h internal/Point_data.h
+  internal/carry_properties.h CUDA_resampler.h
   ../l0_resample_point_set.h)
 
 set(kernel_free_headers CGAL/tags.h CGAL/assertions.h)   # all that levels 0 to 3 may have of CGAL

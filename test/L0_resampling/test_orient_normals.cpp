@@ -23,7 +23,7 @@ void check_orientation(const Oriented_points& truth, double spacing, Generator& 
       n = -n;
   const Buffer<Vector> positions = to_buffer(truth.points), unoriented = normals;
   Unwatched unwatched;
-  CHECK(orient_normals<CGAL::Parallel_if_available_tag>(positions, 12, spacing, unwatched.progress, normals) == 1);
+  CHECK(orient_normals<CGAL::Parallel_if_available_tag>(positions, 12, spacing, no_hint, unwatched.progress, normals).oriented_share == 1);
 
   CHECK(positions == to_buffer(truth.points));   // by index: nobody changed places
   bool are_only_turned = true;
@@ -168,10 +168,58 @@ void check_plane(Generator& generator)
       if (std::bernoulli_distribution()(generator))
         normal = -normal;
     Unwatched unwatched;
-    orient_normals<CGAL::Sequential_tag>(to_buffer(plane.points), 12, 0.05, unwatched.progress, results.back());
+    orient_normals<CGAL::Sequential_tag>(to_buffer(plane.points), 12, 0.05, no_hint, unwatched.progress, results.back());
     CHECK(std::count(results.back().begin(), results.back().end(), results.back().front()) == 500);
     CHECK(results.back() == results.front());
   }
+}
+
+/// Six faces, each of one mind but of any sign. Few votes between them, all of them wrong, do not keep the field from turning each outwards; many do.
+void check_field(Generator& generator)
+{
+  const Oriented_points cube = cube_points(3000, 2, generator);
+  const auto face_of = [&](std::size_t i) {
+    int axis;
+    cube.normals[i].cwiseAbs().maxCoeff(&axis);
+    return std::size_t(axis + (cube.normals[i][axis] > 0 ? 3 : 0));
+  };
+  for (const double number_of_votes : {0., 1., 1000.})
+    for (std::size_t turned = 0; turned < 64; ++turned)
+    {
+      const auto own_sign = [&](std::size_t face) { return (turned >> face) & 1 ? -1 : 1; };
+      Buffer<Vector> normals;
+      Voting voting{Signed_union_find(cube.points.size(), {}), {}};
+      std::vector<Index> first(6, Index(cube.points.size()));
+      for (std::size_t i = 0; i < cube.points.size(); ++i)
+      {
+        normals.push_back(own_sign(face_of(i)) * cube.normals[i]);
+        Index& first_of_face = first[face_of(i)];
+        first_of_face = (std::min)(first_of_face, Index(i));
+        voting.sets.join(first_of_face, Index(i), 1);
+      }
+      Signed_union_find trees = voting.sets;
+      for (std::size_t a = 0; a < 6; ++a)
+      {
+        trees.join(first[0], first[a], a == 4 ? -own_sign(0) * own_sign(a) : own_sign(0) * own_sign(a));   // one face is turned
+        for (std::size_t b = 0; b < a; ++b)
+          if (a != b + 3)   // neighbors: all votes are for that
+            voting.votes.push_back({first[a], first[b], number_of_votes * own_sign(a) * own_sign(b) * (a == 4 || b == 4 ? -1 : 1), number_of_votes});
+      }
+      pass_votes_on<CGAL::Sequential_tag>(voting);
+      const bool is_turned =
+        join_by_field<CGAL::Parallel_if_available_tag>(trees, to_buffer(cube.points), normals, 0.09, voting);
+      CHECK(is_turned == (number_of_votes < 1000));
+      if (!is_turned)
+        continue;
+      CHECK(voting.votes.empty());   // all are one set
+      for (std::size_t face = 0; face < 6; ++face)
+      {
+        const auto [root, sign] = voting.sets.find(first[face]);
+        const auto [root_of_others, sign_of_others] = voting.sets.find(first[0]);
+        CHECK(root == root_of_others);
+        CHECK(sign * own_sign(face) == sign_of_others * own_sign(0));
+      }
+    }
 }
 
 int main()
@@ -192,6 +240,7 @@ int main()
   for (double factor : {0.5, 2.})   // the spacing need not be known well
     check_orientation(even_cube, factor * 0.14, generator);
   check_plane(generator);
+  check_field(generator);
   for (double spacing_guess : {1e-3, 0.1, 10.})
     check_nearest(even_cube, spacing_guess);
   return result();

@@ -283,6 +283,41 @@ run long.xyz scans/b.npy --output-directory batch/slow --neighbor-radius 1 --tim
 check "the time of a batch is over" test "$status" -eq 1 -a ! -e batch/slow/b.npy
 check "where the time was over" grep -q '^l0_resample: long.xyz: the time given by --timeout is over$' stderr
 
+# Conversions: points as they are, with what the format can hold
+printf '%s\n' ply 'format ascii 1.0' 'element vertex 2' 'property float x' 'property float y' 'property float z' \
+  'property uchar red' 'property uchar green' 'property uchar blue' 'property double time' end_header \
+  '0.1 2 3 255 128 0 1e9' '4 5 6 1 2 3 0.3' > rich.ply
+run --convert-only rich.ply rich.pcd
+check "a conversion" test "$status" -eq 0 -a ! -s stderr
+check "the summary of a conversion" grep -qx 'rich.ply: 2 points in, 2 out, converted' stdout
+check "fields of a conversion" grep -qax 'FIELDS x y z rgb time' rich.pcd
+run --convert-only rich.pcd back.ply
+run --convert-only rich.ply again.ply
+check "there and back again" cmp back.ply again.ply
+run --convert-only rich.pcd rich.off
+check "what a format cannot hold is told" \
+  grep -qxF "l0_resample: warning: rich.off: the format has no place for the property 'time'" stderr
+check "colors of OFF" cmp rich.off <(printf 'COFF\n2 0 0\n0.1 2 3 255 128 0\n4 5 6 1 2 3\n')
+run --convert-only rich.off rich.xyz --quiet
+check "a quiet conversion" cmp rich.xyz <(printf '0.1 2 3\n4 5 6\n')
+check "quiet means quiet" test ! -s stdout -a ! -s stderr
+run --convert-only same.ply same_again.xyz
+check "normals of a conversion" cmp same.xyz same_again.xyz
+check_failure 3 "line 9601" --convert-only bad.xyz old.ply
+run --convert-only bad.xyz good.xyz --drop-non-finite
+check "points dropped by a conversion" grep -qx 'bad.xyz: 9600 points in, 2 dropped, 9600 out, converted' stdout
+check_failure 3 "--max-points" --convert-only cube.xyz old.ply --max-points 9599
+check_failure 1 "--max-memory" --convert-only cube.xyz old.ply --max-memory 10kb
+check_failure 4 "no/out.ply" --convert-only cube.xyz no/out.ply
+for option in "--points 5" "--percentage 5" "--method lor" "--json report.json" --strict --use-normals; do
+  # shellcheck disable=SC2086
+  check_failure 2 "--convert-only" --convert-only cube.xyz old.ply $option
+done
+check "a refused conversion writes nothing" is_old old.ply
+run --convert-only scans --output-directory batch/converted --output-format ply
+check "a batch of conversions" test "$status" -eq 3 -a "$(number_of_points batch/converted/a.ply)" -eq 9600 \
+  -a "$(ls batch/converted)" = "$(printf 'a.ply\nb.ply\nd.ply')"
+
 # Names and places
 run cube.xyz "a name with blanks é.ply"
 check "blanks and accents" test "$status" -eq 0 -a "$(number_of_points "a name with blanks é.ply")" -eq 4800
@@ -295,6 +330,8 @@ check "input and output are one file" test "$status" -eq 0 -a "$(wc -l < both.xy
 run cube.xyz /dev/stdout --output-format xyz --points 30
 check "points alone on stdout" test "$status" -eq 0 -a "$(wc -l < stdout)" -eq 30
 check "then the summary is on stderr" grep -q '30 out' stderr
+"$program" cube.xyz /dev/stdout --output-format xyz --points 30 --quiet 2> stderr | cat > piped.xyz
+check "a pipe as output" cmp stdout piped.xyz
 run /dev/stdin out.ply --input-format xyz
 check "an empty standard input" test "$status" -eq 0
 "$program" /dev/stdin out.ply --input-format xyz --points 40 < <(cat cube.xyz) > /dev/null

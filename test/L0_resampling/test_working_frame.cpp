@@ -34,7 +34,7 @@ struct Framed
   /// \param radius in the unit of the input
   Framed(const std::vector<Vector>& input, double radius) : points(to_buffer(input))
   {
-    frame.enter(points);
+    frame.enter<CGAL::Parallel_if_available_tag>(points);
     frame.scale_to(frame.length_in_frame(radius), points);
   }
 };
@@ -70,7 +70,7 @@ void check_frame(const std::vector<Vector>& cloud, double radius)
   CHECK(framed.frame.length_of_input(radius_in_frame) == radius);
 
   Buffer<Vector> first_step = to_buffer(cloud);
-  Working_frame().enter(first_step);
+  Working_frame().enter<CGAL::Parallel_if_available_tag>(first_step);
   double largest = 0, worst = 0, diagonal = 0;
   for (std::size_t i = 0; i < cloud.size(); ++i)
   {
@@ -137,13 +137,13 @@ double plain_diagonal(const std::vector<Vector>& points)
 void check_diagonal(const std::vector<Vector>& cloud)
 {
   const double diagonal = plain_diagonal(cloud);
-  CHECK(robust_diagonal(to_buffer(cloud)) == diagonal);
+  CHECK(robust_diagonal<CGAL::Parallel_if_available_tag>(to_buffer(cloud)) == diagonal);
   for (const Vector& outlier : {Vector(1e9, 0, 0), Vector(0, -1e9, 0), Vector(-1e9, 1e9, 1e9)})
   {
     std::vector<Vector> with_outlier = cloud;
     with_outlier.insert(with_outlier.begin() + 7, outlier);
-    CHECK(robust_diagonal(to_buffer(with_outlier)) <= diagonal * (1 + 1e-12));
-    CHECK(robust_diagonal(to_buffer(with_outlier)) >= diagonal * 0.999);
+    CHECK(robust_diagonal<CGAL::Parallel_if_available_tag>(to_buffer(with_outlier)) <= diagonal * (1 + 1e-12));
+    CHECK(robust_diagonal<CGAL::Parallel_if_available_tag>(to_buffer(with_outlier)) >= diagonal * 0.999);
   }
 }
 
@@ -177,9 +177,9 @@ int main()
   const std::vector<Vector> plane = plane_points(400, 3, generator).points;
   const std::vector<Vector> few = sphere_points(30, 1, generator).points;
   for (const auto& points : {cloud, plane, few, lattice_points(5, 0.5)})
-    CHECK(robust_diagonal(to_buffer(points)) == plain_diagonal(points));
-  CHECK(robust_diagonal(to_buffer(std::vector<Vector>{Vector(0, 0, 0), Vector(1, 2, 2)})) == 3);
-  CHECK(robust_diagonal(to_buffer(std::vector<Vector>(40, Vector(1, 2, 2)))) == 0);
+    CHECK(robust_diagonal<CGAL::Parallel_if_available_tag>(to_buffer(points)) == plain_diagonal(points));
+  CHECK(robust_diagonal<CGAL::Parallel_if_available_tag>(to_buffer(std::vector<Vector>{Vector(0, 0, 0), Vector(1, 2, 2)})) == 3);
+  CHECK(robust_diagonal<CGAL::Parallel_if_available_tag>(to_buffer(std::vector<Vector>(40, Vector(1, 2, 2)))) == 0);
   check_diagonal(cloud);
   check_sensible_radius(cloud);
   return result();

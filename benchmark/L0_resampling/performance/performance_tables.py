@@ -82,8 +82,14 @@ def comparison_ratios(comparison):
 
 
 def stage_table(columns):
-    """`columns` maps a heading to runs of run_l0. The longest list of stages has all; a cell without is empty."""
-    stages = max(([stage["name"] for stage in runs[0]["report"]["stages"]] for runs in columns.values()), key=len)
+    """`columns` maps a heading to runs of run_l0. A stage that a method has not leaves its cell empty."""
+    stages = []
+    for runs in columns.values():
+        place = 0
+        for stage in runs[0]["report"]["stages"]:
+            if stage["name"] not in stages:
+                stages.insert(place, stage["name"])   # behind the one before it
+            place = stages.index(stage["name"]) + 1
 
     def cell(runs, stage):
         times = [sum(s["seconds"] for s in line["report"]["stages"] if s["name"] == stage) for line in runs]

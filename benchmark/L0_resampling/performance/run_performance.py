@@ -27,9 +27,10 @@ from pathlib import Path
 
 import performance_tables
 
+sys.path.append(str(Path(__file__).resolve().parents[1] / "methods"))
+from methods import EAR_EXAMPLE
+
 METHODS = ("lor", "alor", "default")
-# The example of CGAL's manual for edge-aware upsampling; CGAL's defaults, 30 degrees and 1, take far longer to insert
-EAR_EXAMPLE = ("--sharpness-angle", 25, "--edge-sensitivity", 0)
 OUTPUT_SHARE = 0.55
 SCALING_COUNTS = (10_000, 30_000, 100_000, 300_000, 1_000_000, 3_000_000, 10_000_000)
 

@@ -208,11 +208,17 @@ inline std::vector<double> local_densities(const std::vector<Point_3>& points, c
   return densities;
 }
 
-/// \param area of the surface. It sets the radius of Eq. (5): three times the spacing of equally many points that
-///        share it evenly, so that results of equal size are measured with one radius, however clustered they are.
+/// The radius of Eq. (5): three times the spacing of so many points that share the area evenly, so that results of equal
+/// size are measured with one radius, however clustered they are.
+inline double density_radius(double area, std::size_t number_of_points)
+{
+  return 3 * std::sqrt(area / double(number_of_points));
+}
+
+/// \param area of the surface
 inline Uniformity measure_uniformity(const std::vector<Point_3>& points, const Search_tree& tree, double area)
 {
-  const double radius = 3 * std::sqrt(area / double(points.size()));
+  const double radius = density_radius(area, points.size());
   return {quantile(mean_neighbor_distances(points, tree, 1), 0.5),
           coefficient_of_variation(mean_neighbor_distances(points, tree, 6)),
           coefficient_of_variation(local_densities(points, tree, radius))};

@@ -11,34 +11,11 @@ import re
 import shlex
 import subprocess
 import sys
-from dataclasses import dataclass
 from pathlib import Path
 
 # In CGAL's demo data, and in ours
 CGAL_SHAPES = ("fandisk", "anchor_dense", "armadillo")
 OWN_SHAPES = ("dodecahedron", "staircase", "thin_plate")
-
-# The example of CGAL's manual for edge-aware upsampling
-EXAMPLE_EAR = ("--sharpness-angle", 25, "--edge-sensitivity", 0)
-
-
-@dataclass(frozen=True)
-class Method:
-    program: str
-    options: tuple
-    is_exact: bool = True    # edge-aware upsampling may stop before it has all points
-
-
-def ours(name):
-    return Method("run_l0", ("--method", name))
-
-
-def wlop(radius, *options):
-    return Method("baseline_wlop", ("--radius-in-spacings", radius, *options))
-
-
-def ear(program, radius, *options):
-    return Method(program, ("--radius-in-spacings", radius, *EXAMPLE_EAR, *options), False)
 
 
 def parse_finite(text):
@@ -47,7 +24,7 @@ def parse_finite(text):
     def check(value, name):
         if isinstance(value, dict):
             for key, item in value.items():
-                if item is not None or key not in ("normals", "features"):  # null is what these have none of
+                if item is not None or key not in ("normals", "features", "mean_normal_error_degrees"):  # null: there is none
                     check(item, f"{name}.{key}" if name else key)
         elif not isinstance(value, (int, float)) or not math.isfinite(value):
             raise ValueError(f"{name} is {value}, not a finite number")
@@ -84,8 +61,8 @@ class Bench:
         return subprocess.run([self.programs / program, *map(str, arguments)], check=True, stdout=subprocess.PIPE,
                               text=True).stdout
 
-    def sample(self, mesh, experiment):
-        path = self.scratch / "input.ply"
+    def sample(self, mesh, experiment, name="input.ply"):
+        path = self.scratch / name
         self.run("sample_mesh", mesh, path, "--points", experiment["input_points"],
                  "--noise", experiment["noise_percent"], "--seed", experiment["seed"],
                  "--outliers", experiment.get("outliers_percent", 0),
@@ -97,18 +74,25 @@ class Bench:
         self.run("remove_outliers", source, path, "--percent", percent)
         return path
 
-    def measure(self, mesh, source, method, points):
-        result = self.scratch / "result.ply"
-        line = json.loads(self.run(method.program, source, result, "--points", points,
-                                   "--threads", self.threads, *method.options))
-        evaluation = parse_finite(self.run("evaluate_point_set", result, mesh))
+    def resample(self, source, method, points, result):
+        """Runs the method, which writes `result`, and returns what it prints."""
+        return json.loads(self.run(method.program, source, result, "--points", points, "--threads", self.threads,
+                                   *method.options))
+
+    def evaluate(self, mesh, method, points, result, *options):
+        evaluation = parse_finite(self.run("evaluate_point_set", result, mesh, *options))
         count = evaluation["number_of_points"]
         if count != points and (method.is_exact or not 0 < count < points):
             raise ValueError(f"{count} points instead of {points}")
         if evaluation["normals"] is None:
             raise ValueError("the result has no normals")
+        return evaluation
+
+    def measure(self, mesh, source, method, points):
+        result = self.scratch / "result.ply"
+        line = self.resample(source, method, points, result)
         return {"program": line["program"], "cgal_version": line["cgal_version"], "parameters": line["parameters"],
-                "evaluation": evaluation}
+                "evaluation": self.evaluate(mesh, method, points, result)}
 
     def measure_all(self, mesh, experiment, methods, sources):
         """Adds a measurement for each of `methods` to the experiment, and replaces the one it has.

@@ -6,7 +6,7 @@
 // CGAL::remove_outliers() of a known share, so that baselines without a step of their own can be compared on points
 // with outliers.
 
-#include "../performance/performance_support.h"
+#include "../methods/method_program.h"
 
 #include <CGAL/remove_outliers.h>
 

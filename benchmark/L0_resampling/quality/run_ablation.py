@@ -18,7 +18,10 @@ import tempfile
 from pathlib import Path
 
 import ablation_tables
-from quality_bench import Bench, Method, command_line, mesh_of, write_result
+from quality_bench import Bench, command_line, mesh_of, write_result
+
+sys.path.append(str(Path(__file__).resolve().parents[1] / "methods"))
+from methods import Method
 
 # Shape, noise in %, share of outliers in %, density gradient: what each ingredient is for occurs once at least.
 INPUTS = (("fandisk", 0.5, 0, 1), ("fandisk", 1, 0, 1), ("fandisk", 1.5, 0, 1), ("anchor_dense", 0.5, 5, 1),

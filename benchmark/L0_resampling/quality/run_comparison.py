@@ -18,8 +18,10 @@ import tempfile
 from pathlib import Path
 
 import comparison_tables
-from quality_bench import (CGAL_SHAPES, OWN_SHAPES, Bench, command_line, ear, mesh_of, ours, reuse, wlop,
-                           write_result)
+from quality_bench import CGAL_SHAPES, OWN_SHAPES, Bench, command_line, mesh_of, reuse, write_result
+
+sys.path.append(str(Path(__file__).resolve().parents[1] / "methods"))
+from methods import ear, ours, wlop
 
 NOISE_PERCENT = (0, 0.25, 0.5, 1, 1.5)
 SPECIAL_NOISE_PERCENT = 0.5    # of the inputs with outliers, and with a density gradient

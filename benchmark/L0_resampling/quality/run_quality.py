@@ -19,7 +19,10 @@ import tempfile
 from pathlib import Path
 
 import quality_tables
-from quality_bench import Bench, command_line, ear, ours, reuse, wlop, write_result
+from quality_bench import Bench, command_line, reuse, write_result
+
+sys.path.append(str(Path(__file__).resolve().parents[1] / "methods"))
+from methods import ear, ours, wlop
 
 METHODS = {
     "lor": ours("lor"),

@@ -73,7 +73,7 @@ def typed_by_hand(name, page):
 
 def unknown_macros(name, page, macros):
     for formula in FORMULA.findall(page):
-        for macro in re.findall(r"\\((?:default|lor|alor|constant|quality|speed|solver|device)[A-Z_]\w*)", formula):
+        for macro in re.findall(r"\\((?:default|lor|alor|constant|quality|comparison|speed|solver|device)[A-Z_]\w*)", formula):
             if macro not in macros:
                 yield f"{name} has \\{macro} in a formula, which generate_text.py does not make"
 

@@ -121,21 +121,25 @@ def main():
     defaults, benchmark, output = load(sys.argv[1]), Path(sys.argv[2]), Path(sys.argv[3])
     sys.path += [str(benchmark / "quality"), str(benchmark / "performance")]
     sys.dont_write_bytecode = True   # the benchmarks lie in the source tree
+    import comparison_tables
     import performance_tables
     import quality_tables
     import run_cuda_performance
 
     quality = {name: load(benchmark / "quality" / "results" / f"{name}.json") for name in ("fandisk", "armadillo")}
+    comparison = load(benchmark / "quality" / "results" / "comparison.json")
     speed, scaling, device = (load(benchmark / "performance" / "results" / f"{name}.json")
                               for name in ("fandisk", "scaling", "cuda_h200"))
     texts = {**{f"quality_{name}": quality_tables.markdown(result) for name, result in quality.items()},
-             "speed": performance_tables.markdown(speed), "scaling": performance_tables.markdown(scaling),
+             "comparison": comparison_tables.markdown(comparison), "speed": performance_tables.markdown(speed), "scaling": performance_tables.markdown(scaling),
              "device": run_cuda_performance.markdown(device["results"], device["beside"], device["beside_machine"],
                                                      device["command"])}
 
     figures = dict(code_figures(defaults))
     for name, result in quality.items():
         figures.update(quality_figures(quality_tables, name, result))
+    figures["comparison_points_in"] = str(comparison["experiments"][0]["input_points"])
+    figures["comparison_points_out"] = str(comparison["experiments"][0]["output_points"])
     figures.update(speed_figures(performance_tables, speed["comparison"], scaling["scaling"]))
     figures.update(solver_figures(performance_tables, speed["solvers"]))
     figures.update(device_figures(device["results"]))

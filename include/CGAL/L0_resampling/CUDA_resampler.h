@@ -11,6 +11,7 @@
 #endif
 
 #include <CGAL/L0_resampling/Report.h>
+#include <CGAL/L0_resampling/internal/Point_data.h>
 #include <CGAL/L0_resampling/internal/checked_parameters.h>
 #include <CGAL/L0_resampling/internal/cuda_answer.h>
 #include <CGAL/L0_resampling/internal/cuda_interface.h>
@@ -115,6 +116,38 @@ inline void fill_report(const cuda::Call_report& call, Report& report)
   }
 }
 
+/// \throws std::invalid_argument for what the device cannot do yet
+template <typename NamedParameters>
+void check_device_can(const NamedParameters& np, const Parameters& parameters)
+{
+  using CGAL::parameters::is_default_parameter;
+  check_parameter(!parameters.keep_density, "keep_density", true, "false: a CUDA device cannot do that yet");
+  check_parameter(!parameters.has_viewpoint, "viewpoint", "given", "none: a CUDA device cannot do that yet");
+  static_cast<void>(np);
+  check_parameter(is_default_parameter<NamedParameters, internal_np::orientation_hint_map_t>::value, "orientation_hint_map", "given",
+                  "none: a CUDA device cannot do that yet");
+}
+
+/// The confidences of a result of the device, computed by all threads of the host.
+inline void estimate_feature_confidences(const Buffer<Vector>& result, const std::vector<float>& result_normals, double sharpness_angle,
+                                         Buffer<float>& confidences)
+{
+  Buffer<Vector> positions(result);
+  Working_frame frame;
+  frame.enter<Parallel_if_available_tag>(positions);
+  double spacing = robust_diagonal<Parallel_if_available_tag>(positions) / std::sqrt(double(positions.size()));
+  spacing = sensible_radius(spacing, positions);
+  spacing *= frame.scale_to(spacing, positions);
+  Buffer<Local_vector> normals;
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    normals.emplace_back(result_normals[3 * i], result_normals[3 * i + 1], result_normals[3 * i + 2]);
+  Report unwanted_report;
+  Memory_counter memory;
+  Progress progress(nullptr, unwanted_report, memory);
+  estimate_feature_confidences<Parallel_if_available_tag>(positions, normals, spacing, normal_bandwidth(fit_angle_factor * sharpness_angle),
+                                                          progress, confidences);
+}
+
 } // namespace internal
 
 /// \ingroup PkgL0ResamplingRef
@@ -147,7 +180,7 @@ class CUDA_resampler
   using Normal = typename Kernel::Vector_3;
 
   std::unique_ptr<internal::cuda::Session, internal::Destroy_session> m_session;
-  internal::Input m_box{internal::Buffer<internal::Vector>(), internal::Buffer<internal::Local_vector>(), internal::Buffer<unsigned char>()};
+  internal::Input m_box;   // without points
   std::size_t m_size = 0, m_number_of_dropped_points = 0;
 
 public:
@@ -179,11 +212,44 @@ public:
 
   /// Resamples the points. A named parameter that is not given has its default, whatever an earlier call had.
   /// \param out takes one `std::pair<Point_3, Vector_3>` for each point of the result
-  /// \param np as for `l0_resample_point_set()`, but those that `upload()` reads and `sparse_linear_solver`
+  /// \param np as for `l0_resample_point_set()`, but those that `upload()` reads, `sparse_linear_solver` and `source_index_map`
   /// \returns the output iterator behind the last pair written
   /// \throws what `l0_resample_point_set()` throws
   template <typename OutputIterator, typename NamedParameters = parameters::Default_named_parameters>
   OutputIterator resample(OutputIterator out, const NamedParameters& np = parameters::default_values())
+  {
+    static_assert(parameters::is_default_parameter<NamedParameters, internal_np::source_index_map_t>::value,
+                  "The points are on the device only: l0_resample_point_set<CUDA_tag>() can tell the indices.");
+    const auto write = [&](std::size_t size, const auto& pair_of, const internal::Point_data& data) {
+      internal::write_point_data(np, data, size, [](std::size_t i) { return i; });
+      for (std::size_t i = 0; i < size; ++i)
+        *out++ = pair_of(i);
+    };
+    resample_and_write([](const auto&, internal::Near_points&) {}, write, np);
+    return out;
+  }
+
+  /// \cond SKIP_IN_MANUAL
+  // For `l0_resample_point_set()`, which has the points at hand.
+  template <typename PointRange, typename PointMap, typename Write, typename NamedParameters>
+  void resample(const PointRange& points, PointMap point_map, std::size_t near_count, const Write& write, const NamedParameters& np)
+  {
+    using namespace internal;
+    const auto find_near = [&](const Buffer<std::array<FT, 3>>& positions, Near_points& near_points) {
+      near_points.count = number_of_near_points(np, near_count);
+      if (near_points.count == 0)
+        return;
+      Report unwanted_report;
+      Memory_counter memory;
+      Progress progress(nullptr, unwanted_report, memory);
+      find_near_points<Parallel_if_available_tag>(tree_of_range(points, point_map, memory), positions, progress, near_points);
+    };
+    resample_and_write(find_near, write, np);
+  }
+
+private:
+  template <typename FindNear, typename Write, typename NamedParameters>
+  void resample_and_write(const FindNear& find_near, const Write& write, const NamedParameters& np)
   {
     using namespace internal;
     static_assert(parameters::is_default_parameter<NamedParameters, internal_np::sparse_linear_solver_t>::value,
@@ -198,9 +264,10 @@ public:
     report.number_of_input_points = m_size;
     report.number_of_dropped_points = m_number_of_dropped_points;
     const Parameters parameters = checked_parameters(np, m_size);
+    check_device_can(np, parameters);
     const std::size_t m = parameters.number_of_output_points;
     if (m == 0)
-      return out;
+      return;
 
     std::function<bool(double)> callback;
     read_parameter(np, internal_np::callback, callback);
@@ -213,7 +280,7 @@ public:
     if (answer.status == cuda::Status::CANCELLED)
     {
       report.outcome = Outcome::CANCELLED;
-      return out;
+      return;
     }
 
     Buffer<Vector> positions(m, Vector::Zero());
@@ -221,14 +288,19 @@ public:
     throw_if_failed(cuda::download(*m_session, coordinates(positions), normals.data()));
     const bool separate = report.number_of_distinct_points >= (std::min)(m_size - report.number_of_outliers, m);
     const Buffer<std::array<FT, 3>> rounded = rounded_positions<FT>(positions, m_box, report.neighbor_radius, separate);
+    Point_data data;
+    find_near(rounded, data.near_points);
+    if (parameters.with_feature_confidences)
+      estimate_feature_confidences(positions, normals, parameters.sharpness_angle, data.feature_confidences);
     report.number_of_output_points = m;
-    for (std::size_t i = 0; i < m; ++i)
-      *out++ = std::make_pair(Point(rounded[i][0], rounded[i][1], rounded[i][2]),
-                              Normal(FT(normals[3 * i]), FT(normals[3 * i + 1]), FT(normals[3 * i + 2])));
-    return out;
+    const auto pair_of = [&](std::size_t i) {
+      return std::make_pair(Point(rounded[i][0], rounded[i][1], rounded[i][2]),
+                            Normal(FT(normals[3 * i]), FT(normals[3 * i + 1]), FT(normals[3 * i + 2])));
+    };
+    write(m, pair_of, data);
   }
 
-  /// \cond SKIP_IN_MANUAL
+public:
   template <typename PointRange, typename PointMap, typename NormalMap, typename NamedParameters>
   void upload(const PointRange& points, PointMap point_map, NormalMap normal_map, const NamedParameters& np)
   {
@@ -238,8 +310,9 @@ public:
     bool drop_non_finite = false;
     read_parameter(np, internal_np::drop_non_finite, drop_non_finite);
     // checked before any point is looked at
-    const std::size_t maximum_memory = checked_parameters(np, std::size_t(std::distance(points.begin(), points.end()))).maximum_memory;
-    Input input{Buffer<Vector>(), Buffer<Local_vector>(), Buffer<unsigned char>()};
+    const Parameters checked = checked_parameters(np, std::size_t(std::distance(points.begin(), points.end())));
+    check_device_can(np, checked);
+    Input input;
     read_points(points, point_map, drop_non_finite, report, input);
     if constexpr (!std::is_same<NormalMap, bool>::value)
       read_normals(points, normal_map, input);
@@ -249,7 +322,7 @@ public:
     if (input.points.empty())
       return;
     throw_if_failed(cuda::upload(*m_session, coordinates(input.points), input.points.size(),
-                                 input.normals.empty() ? nullptr : input.normals.front().data(), maximum_memory));
+                                 input.normals.empty() ? nullptr : input.normals.front().data(), checked.maximum_memory));
     m_size = input.points.size();
   }
   /// \endcond

@@ -11,9 +11,12 @@ import inspect
 import os
 import pathlib
 import runpy
+import subprocess
+import sys
 
 import cgal_l0
 import numpy
+import pytest
 from cgal_l0 import _core
 
 root = pathlib.Path(os.environ["L0_SOURCE"])
@@ -32,6 +35,23 @@ def test_the_stub_of_the_function_is_its_signature():
             if argument.arg != "report":
                 assert ast.literal_eval(default) == actual[argument.arg].default, argument.arg
     assert (package / "py.typed").exists()
+
+
+def test_a_strict_type_checker_is_content(tmp_path):
+    pytest.importorskip("mypy")
+
+    def checked(*lines):
+        script = tmp_path / "script.py"
+        script.write_text("import cgal_l0, numpy\n" + "\n".join(lines) + "\n")
+        run = subprocess.run([sys.executable, "-m", "mypy", "--strict", "--cache-dir", str(tmp_path / "cache"), str(script)],
+                             env={**os.environ, "MYPYPATH": str(package.parent)}, capture_output=True, text=True)
+        return run.stdout
+
+    assert checked("positions, normals, report = cgal_l0.l0_resample_point_set(numpy.zeros((9, 3)), report=True)",
+                   "print(positions.shape, normals.shape, report.neighbor_radius + 1, report.stages[0].name.upper())"
+                   ).startswith("Success")
+    assert "No overload" in checked("cgal_l0.l0_resample_point_set(numpy.zeros((9, 3)), method='best')")
+    assert 'has no attribute "speed"' in checked("cgal_l0.l0_resample_point_set([], report=True)[2].speed")
 
 
 def test_the_stub_of_the_core_has_its_names():

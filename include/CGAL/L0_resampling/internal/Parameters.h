@@ -35,7 +35,11 @@ struct Parameters
   double penalty_growth = 1.5;               ///< \f$ \mu \f$; the default method has its own
 
   bool drop_outliers = false;                ///< whether points off the cloud are left out; the default method has its own default
+  bool keep_density = false;                 ///< whether the density of the input is kept instead of evened out
   std::size_t number_of_orientation_neighbors = 12;
+  bool has_viewpoint = false;
+  double viewpoint[3] = {0, 0, 0};           ///< that the normals shall face, if there is one
+  bool with_feature_confidences = false;     ///< whether they are asked for
   std::size_t random_seed = 0;
   std::size_t maximum_memory = (std::numeric_limits<std::size_t>::max)();   ///< in bytes
 };

@@ -25,8 +25,12 @@ struct Samples
   Buffer<Vector> fit_centroids;             ///< \f$ c_i \f$
   Buffer<Local_vector> outward_directions;  ///< default method only: where an edge or a border is near, the unit vector towards it, else zero
 
+  Buffer<FT> spacings;                      ///< where the density of the input is kept: how far apart the samples around are to be; else none
+  Buffer<Local_vector> hints;               ///< unit or zero vectors on the side that the normals shall point to, if the caller has some; else none
+
   explicit Samples(const Counting_allocator<Vector>& allocator)
-    : positions(allocator), normals(allocator), fit_weights(allocator), fit_centroids(allocator), outward_directions(allocator) {}
+    : positions(allocator), normals(allocator), fit_weights(allocator), fit_centroids(allocator), outward_directions(allocator),
+      spacings(allocator), hints(allocator) {}
 };
 
 /// Puts sample `order[i]` in place `i`.
@@ -39,6 +43,10 @@ void apply_order(const Buffer<Index>& order, Samples<FT>& samples)
   apply_order(order, samples.fit_centroids);
   if (!samples.outward_directions.empty())
     apply_order(order, samples.outward_directions);
+  if (!samples.spacings.empty())
+    apply_order(order, samples.spacings);
+  if (!samples.hints.empty())
+    apply_order(order, samples.hints);
 }
 
 } // namespace internal

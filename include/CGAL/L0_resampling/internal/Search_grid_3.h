@@ -170,7 +170,7 @@ public:
       for (std::size_t i = begin; i < end; ++i)
         entries[i] = {cell_key(points[i], cell_size), Index(i)};
     });
-    sort_by_key<ConcurrencyTag>(entries.begin(), entries.end(), [](const Entry& e) { return e.key; }, [&](const Entry& a, const Entry& b) {
+    sort_by_key<ConcurrencyTag>(entries, [](const Entry& e) { return e.key; }, [&](const Entry& a, const Entry& b) {
       const Vector &p = points[a.index], &q = points[b.index];
       for (int axis = 0; axis < 3; ++axis)
         if (p[axis] != q[axis])

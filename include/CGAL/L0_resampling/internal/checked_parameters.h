@@ -107,6 +107,21 @@ Parameters checked_parameters(const NamedParameters& np, std::size_t n)
   p.drop_outliers = p.method == Method::DEFAULT;
   read_parameter(np, internal_np::drop_outliers, p.drop_outliers);
 
+  read_parameter(np, internal_np::keep_density, p.keep_density);
+  if constexpr (!parameters::is_default_parameter<NamedParameters, internal_np::viewpoint_t>::value)
+  {
+    const auto viewpoint = parameters::get_parameter(np, internal_np::viewpoint);
+    p.has_viewpoint = true;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      p.viewpoint[axis] = double(viewpoint[axis]);
+      check_parameter(std::isfinite(p.viewpoint[axis]), "viewpoint", p.viewpoint[axis], "three finite coordinates");
+    }
+    check_parameter(parameters::is_default_parameter<NamedParameters, internal_np::orientation_hint_map_t>::value, "viewpoint", "given",
+                    "no orientation_hint_map beside it");
+  }
+  p.with_feature_confidences = !parameters::is_default_parameter<NamedParameters, internal_np::feature_confidence_map_t>::value;
+
   read_count(np, internal_np::number_of_orientation_neighbors, "number_of_orientation_neighbors", p.number_of_orientation_neighbors);
   check_parameter(p.number_of_orientation_neighbors >= 3 && p.number_of_orientation_neighbors <= 1000,
                   "number_of_orientation_neighbors", p.number_of_orientation_neighbors, "3 to 1000");

@@ -67,7 +67,7 @@ double compute_input_density_weights(const Search_grid_3& grid, const Buffer<Vec
 template <typename T>
 Buffer<T> areas_of_points(const Search_grid_3& grid, const Buffer<T>& density_weights, double mean_number_of_neighbors, double radius, double squared_bandwidth)
 {
-  const double integral = EIGEN_PI * squared_bandwidth * (1 - std::exp(-radius * radius / squared_bandwidth));
+  const double integral = double(EIGEN_PI * squared_bandwidth * (1 - std::exp(-radius * radius / squared_bandwidth)));
   Buffer<T> areas(density_weights.get_allocator());
   areas.reserve(density_weights.size());
   for (T weight : density_weights)

@@ -92,7 +92,7 @@ Scales estimate_scales(const Buffer<Vector>& unsorted_points, double initial_rad
     const double count = quantile(counts, 0.5);
     if (count < double(fewest_points) && reach < 32)
       continue;
-    scales.spacing = radius * std::sqrt(EIGEN_PI / (std::max)(count, 1.));
+    scales.spacing = double(radius * std::sqrt(EIGEN_PI / (std::max)(count, 1.)));
     scales.noise = std::sqrt(quantile(variances, 0.3));
     if (scales.noise > surely_flat * radius && quantile(indices, 0.5) < two_sheets)
     {

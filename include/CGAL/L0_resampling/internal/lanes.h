@@ -27,6 +27,7 @@ fixed size would do the same, but compilers keep those in memory between operati
 template <typename T>
 struct Lanes
 {
+  using Scalar = T;
   using Packet = typename Eigen::internal::packet_traits<T>::type;
   static constexpr int size = Eigen::internal::unpacket_traits<Packet>::size;
 

@@ -6,24 +6,21 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_ORIENT_NORMALS_H
 #define CGAL_L0_RESAMPLING_INTERNAL_ORIENT_NORMALS_H
 
+#include <CGAL/L0_resampling/internal/Orientation_hints.h>
 #include <CGAL/L0_resampling/internal/nearest_samples.h>
 #include <CGAL/L0_resampling/internal/orientation_agreement.h>
+#include <CGAL/L0_resampling/internal/orientation_field.h>
+#include <CGAL/L0_resampling/internal/orientation_votes.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <limits>
 #include <numeric>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace L0_resampling {
 namespace internal {
-
-/// Two samples near each other, and `orientation_agreement()` of them.
-struct Edge { float agreement; Index i, k; };
 
 /// The edges of the graph of nearest neighbors, each once.
 template <typename ConcurrencyTag, typename T>
@@ -45,159 +42,37 @@ Buffer<Edge> rated_edges(const Buffer<Vector>& positions, const Buffer<Eigen::Ma
       edges.push_back({float(agreement), i, k});
     }
   };
-  const std::size_t samples_per_block = 4096, m = positions.size();
-  const Counting_allocator<Edge> allocator = positions.get_allocator();
-  std::vector<Buffer<Edge>> blocks((m + samples_per_block - 1) / samples_per_block, Buffer<Edge>(allocator));
-  for_each_block<ConcurrencyTag>(m, samples_per_block, [&](std::size_t begin, std::size_t end) {
+  return append_by_blocks<ConcurrencyTag>(positions.size(), 4096, Counting_allocator<Edge>(positions.get_allocator()),
+                                          [&](std::size_t begin, std::size_t end, Buffer<Edge>& edges) {
     for (std::size_t i = begin; i < end; ++i)
-      append_edges_of(Index(i), blocks[begin / samples_per_block]);
+      append_edges_of(Index(i), edges);
   });
-  Buffer<Edge> edges(allocator);
-  edges.reserve(std::accumulate(blocks.begin(), blocks.end(), std::size_t(0), [](std::size_t n, const Buffer<Edge>& b) { return n + b.size(); }));
-  for (Buffer<Edge>& block : blocks)
-  {
-    edges.insert(edges.end(), block.begin(), block.end());
-    release(block);
-  }
-  return edges;
 }
 
 /// The edges beyond doubt, sorted by how sure they are, in steps of 1/1024, which is all that a spanning forest of noisy normals needs.
-inline Buffer<Edge> sure_edges(const Buffer<Edge>& edges)
+template <typename ConcurrencyTag>
+Buffer<Edge> sure_edges(const Buffer<Edge>& edges)
 {
+  Buffer<Edge> sure = append_by_blocks<ConcurrencyTag>(edges.size(), edges_per_block, edges.get_allocator(),
+                                                       [&](std::size_t begin, std::size_t end, Buffer<Edge>& sure_ones) {
+    for (std::size_t e = begin; e < end; ++e)
+      if (std::abs(edges[e].agreement) >= beyond_doubt)
+        sure_ones.push_back(edges[e]);
+  });
   const std::size_t number_of_steps = 1024;
-  const auto is_sure = [](const Edge& e) { return std::abs(e.agreement) >= beyond_doubt; };
   const auto step = [&](const Edge& e) { return std::size_t((1 - (std::min)(std::abs(e.agreement), 1.f)) * (number_of_steps - 1)); };
   std::vector<std::size_t> places(number_of_steps + 1, 0);
-  for (const Edge& e : edges)
-    if (is_sure(e))
-      ++places[step(e) + 1];
+  for (const Edge& e : sure)
+    ++places[step(e) + 1];
   std::partial_sum(places.begin(), places.end(), places.begin());
-  Buffer<Edge> sorted(places.back(), Edge(), edges.get_allocator());
-  for (const Edge& e : edges)
-    if (is_sure(e))
-      sorted[places[step(e)]++] = e;
+  Buffer<Edge> sorted(sure.size(), Edge(), edges.get_allocator());
+  for (const Edge& e : sure)
+    sorted[places[step(e)]++] = e;
   return sorted;
 }
 
-/// Sets of samples whose normals are fixed relative to each other: union-find, where each sample knows whether it is turned
-/// against its parent.
-class Signed_union_find
-{
-  Buffer<Index> m_parents;
-  Buffer<signed char> m_signs;   // of a sample relative to its parent
-  Buffer<Index> m_sizes;
-
-public:
-  Signed_union_find(std::size_t size, const Counting_allocator<Index>& allocator)
-    : m_parents(size, 0, allocator), m_signs(size, 1, allocator), m_sizes(size, 1, allocator)
-  {
-    for (std::size_t i = 0; i < size; ++i)
-      m_parents[i] = Index(i);
-  }
-
-  /// The set's representative, and the sign of `i` relative to it.
-  std::pair<Index, int> find(Index i)
-  {
-    Index root = i;
-    int sign = 1;
-    while (m_parents[root] != root)
-    {
-      sign *= m_signs[root];
-      root = m_parents[root];
-    }
-    // path compression: hang everything on the way below the root
-    int remaining = sign;
-    while (m_parents[i] != root && i != root)
-    {
-      const Index next = m_parents[i];
-      const int own = m_signs[i];
-      m_parents[i] = root;
-      m_signs[i] = static_cast<signed char>(remaining);
-      remaining *= own;
-      i = next;
-    }
-    return {root, sign};
-  }
-
-  /// Joins the sets of `i` and `k` so that the two have the relative sign `sign`, if they are not in one set yet.
-  void join(Index i, Index k, int sign)
-  {
-    auto [root_i, sign_i] = find(i);
-    auto [root_k, sign_k] = find(k);
-    if (root_i == root_k)
-      return;
-    if (m_sizes[root_i] < m_sizes[root_k])
-      std::swap(root_i, root_k);
-    m_parents[root_k] = root_i;
-    m_signs[root_k] = static_cast<signed char>(sign * sign_i * sign_k);
-    m_sizes[root_i] += m_sizes[root_k];
-  }
-
-  std::size_t size() const { return m_parents.size(); }
-
-  /// Number of samples in the set that `root` represents.
-  Index size_of_set(Index root) const { return m_sizes[root]; }
-};
-
-/// The sum of the agreements of edges between two samples or, read for their representatives, between two sets.
-struct Vote { Index a, b; double agreement, total; };
-
-/// The votes between the sets as they are now: one for each pair that touches, in the order of the pairs.
-inline void add_up_votes(Buffer<Vote>& votes, Signed_union_find& sets)
-{
-  std::size_t size = 0;
-  for (const Vote& v : votes)
-  {
-    const auto [root_a, sign_a] = sets.find(v.a);
-    const auto [root_b, sign_b] = sets.find(v.b);
-    if (root_a != root_b)
-      votes[size++] = {(std::min)(root_a, root_b), (std::max)(root_a, root_b), sign_a * sign_b * v.agreement, v.total};
-  }
-  votes.resize(size);
-  sort_by_key<Sequential_tag>(votes.begin(), votes.end(), [](const Vote& v) { return (std::uint64_t(v.a) << 32) | v.b; },
-                              [](const Vote& v, const Vote& w) { return v.agreement < w.agreement; });
-  size = 0;
-  for (const Vote& v : votes)
-    if (size > 0 && votes[size - 1].a == v.a && votes[size - 1].b == v.b)
-    {
-      votes[size - 1].agreement += v.agreement;
-      votes[size - 1].total += v.total;
-    }
-    else
-      votes[size++] = v;
-  votes.resize(size);
-}
-
-/// Joins sets that touch by majority: round by round, each set with the neighbor that their votes are most of one mind about.
-/// \param sure the share of the votes, in [0, 1], that the winning side has to be ahead by
-inline void join_by_votes(double sure, Buffer<Vote>& votes, Signed_union_find& sets)
-{
-  const std::size_t none = (std::numeric_limits<std::size_t>::max)();
-  Buffer<std::size_t> strongest(sets.size(), none, votes.get_allocator());   // the vote of each set that it joins by
-  const auto is_stronger = [&](std::size_t v, std::size_t w) {
-    const double a = std::abs(votes[v].agreement), b = std::abs(votes[w].agreement);
-    return a != b ? a > b : v < w;
-  };
-  for (bool is_joined = true; is_joined;)
-  {
-    is_joined = false;
-    add_up_votes(votes, sets);
-    for (const Vote& v : votes)
-      strongest[v.a] = strongest[v.b] = none;
-    for (std::size_t n = 0; n < votes.size(); ++n)
-      if (std::abs(votes[n].agreement) >= sure * votes[n].total)
-        for (const Index set : {votes[n].a, votes[n].b})
-          if (strongest[set] == none || is_stronger(n, strongest[set]))
-            strongest[set] = n;
-    for (std::size_t n = 0; n < votes.size(); ++n)
-      if (strongest[votes[n].a] == n || strongest[votes[n].b] == n)
-      {
-        sets.join(votes[n].a, votes[n].b, votes[n].agreement < 0 ? -1 : 1);
-        is_joined = true;
-      }
-  }
-}
+/// The hints of samples that have none.
+inline Vector no_hint(Index) { return Vector::Zero(); }
 
 /// Whether the normals of a tree point inwards as a whole. A flat tree has no inside: its normals shall point up its steepest axis.
 inline bool is_turned_inwards(double flux, double largest_flux, const Vector& normal_sum)
@@ -210,45 +85,60 @@ inline bool is_turned_inwards(double flux, double largest_flux, const Vector& no
   return normal_sum[axis] < 0;
 }
 
+/// How sure the sides are that `orient_normals()` has chosen, as shares of the samples.
+struct Orientation
+{
+  double oriented_share;   ///< joined to the largest part of their tree by edges beyond doubt, by the field and by clear majorities only
+  double hinted_share;     ///< of trees whose side is that of the hints
+};
+
 /*!
 Turns the normals of the samples to one side. Over the edges of the graph of nearest neighbors where `orientation_agreement()` is beyond
 doubt, sets of samples grow as the maximum spanning forest of Hoppe et al. does. Where sets touch, across a sharp edge or through noise, one edge
 may well err, and would turn a whole face; there, all edges between two sets vote. Then the sets that hang together are turned
-outwards as a whole, in the sense of the divergence theorem: \f$ \sum n_i^T (p_i - \bar p) > 0 \f$. Works on indices; no sample changes its
+as a whole: to the side of the hints where these are clear, else outwards, in the sense of the divergence theorem: \f$ \sum n_i^T (p_i - \bar p) > 0 \f$. Works on indices; no sample changes its
 place.
 
 \param positions, normals unit vectors of any sign in, consistent out
 \param number_of_neighbors of the graph, at least 1
 \param spacing of the samples, roughly: more than a 1000th of it, and not so much that it spans the cloud
-\returns the share of the samples that are joined to the largest part of their tree by edges beyond doubt and clear majorities only
+\param hint_of called with the index of a sample, gives a vector to the side its normal shall be on, of the length that it counts; may be zero
 */
-template <typename ConcurrencyTag, typename T>
-double orient_normals(const Buffer<Vector>& positions, std::size_t number_of_neighbors, double spacing, Progress& progress,
-                      Buffer<Eigen::Matrix<T, 3, 1>>& normals)
+template <typename ConcurrencyTag, typename T, typename HintOf>
+Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_of_neighbors, double spacing, const HintOf& hint_of,
+                           Progress& progress, Buffer<Eigen::Matrix<T, 3, 1>>& normals)
 {
   const auto normal = [&](Index i) -> Vector { return normals[i].template cast<double>(); };
   const std::size_t m = positions.size();
-  Signed_union_find sets(m, positions.get_allocator());
-  Buffer<Vote> votes(positions.get_allocator());
+  Voting faces{Signed_union_find(m, positions.get_allocator()), Buffer<Vote>(positions.get_allocator())};
   {
     const Buffer<Edge> edges = rated_edges<ConcurrencyTag>(positions, normals, number_of_neighbors, spacing, progress);
-    for (const Edge& edge : sure_edges(edges))
-      sets.join(edge.i, edge.k, edge.agreement < 0 ? -1 : 1);
-    for (const Edge& edge : edges)
-      if (sets.find(edge.i).first != sets.find(edge.k).first)
-        votes.push_back({edge.i, edge.k, edge.agreement, std::abs(edge.agreement)});
+    for (const Edge& edge : sure_edges<ConcurrencyTag>(edges))
+      faces.sets.join(edge.i, edge.k, edge.agreement < 0 ? -1 : 1);
+    faces.sets.compress();
+    faces.votes = votes_of_edges<ConcurrencyTag>(edges, faces.sets);
   }
-  join_by_votes(clear_majority, votes, sets);
-  Buffer<Index> sure_set_sizes(m, 0, positions.get_allocator());
-  for (Index i = 0; i < m; ++i)
-    sure_set_sizes[i] = sets.size_of_set(sets.find(i).first);
-  join_by_votes(0, votes, sets);
+  const auto joined_by_votes = [](double sure, Voting voting) {
+    join_by_votes<ConcurrencyTag>(sure, voting);
+    return voting;
+  };
+  Voting parts = joined_by_votes(clear_majority, faces), all = joined_by_votes(0, parts);
+  if (join_by_field<ConcurrencyTag>(all.sets, positions, normals, spacing, faces))
+  {
+    parts = joined_by_votes(clear_majority, faces);
+    all = joined_by_votes(0, parts);
+  }
+  if (join_by_field<ConcurrencyTag>(all.sets, positions, normals, spacing, parts))
+    all = joined_by_votes(0, parts);
+  const Signed_union_find& sets = all.sets;
+  const auto size_of_sure_set = [&](Index i) { return parts.sets.size_of_set(parts.sets.find(i).first); };
 
   struct Tree
   {
     Vector center = Vector::Zero();
     Vector normal_sum = Vector::Zero();
     double flux = 0, largest_flux = 0;   // of the divergence theorem, and if all normals pointed away from the center
+    Hint_votes votes;
     Index largest_sure_set = 0;
   };
   Buffer<Tree> trees(m, Tree(), positions.get_allocator());   // that of a sample stands at its root
@@ -256,7 +146,7 @@ double orient_normals(const Buffer<Vector>& positions, std::size_t number_of_nei
   {
     const Index root = sets.find(i).first;
     trees[root].center += positions[i] / double(sets.size_of_set(root));
-    trees[root].largest_sure_set = (std::max)(trees[root].largest_sure_set, sure_set_sizes[i]);
+    trees[root].largest_sure_set = (std::max)(trees[root].largest_sure_set, size_of_sure_set(i));
   }
   std::size_t number_of_oriented = 0;
   for (Index i = 0; i < m; ++i)
@@ -267,15 +157,21 @@ double orient_normals(const Buffer<Vector>& positions, std::size_t number_of_nei
     tree.flux += sign * normal(i).dot(from_center);
     tree.largest_flux += from_center.norm();
     tree.normal_sum += sign * normal(i);
-    number_of_oriented += sets.size_of_set(root) > 1 && sure_set_sizes[i] == tree.largest_sure_set;
+    tree.votes.add(sign * normal(i), hint_of(i));
+    number_of_oriented += sets.size_of_set(root) > 1 && size_of_sure_set(i) == tree.largest_sure_set;
   }
+  std::size_t number_of_hinted = 0;
   for (Index i = 0; i < m; ++i)
   {
     const auto [root, sign] = sets.find(i);
-    if (is_turned_inwards(trees[root].flux, trees[root].largest_flux, trees[root].normal_sum) != (sign < 0))
+    const Tree& tree = trees[root];
+    const bool is_hinted = tree.votes.are_clear();
+    const bool is_turned = is_hinted ? tree.votes.say_turn() : is_turned_inwards(tree.flux, tree.largest_flux, tree.normal_sum);
+    number_of_hinted += is_hinted;
+    if (is_turned != (sign < 0))
       normals[i] = -normals[i];
   }
-  return double(number_of_oriented) / double(m);
+  return {double(number_of_oriented) / double(m), double(number_of_hinted) / double(m)};
 }
 
 } // namespace internal

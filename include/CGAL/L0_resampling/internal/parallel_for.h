@@ -6,6 +6,8 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_PARALLEL_FOR_H
 #define CGAL_L0_RESAMPLING_INTERNAL_PARALLEL_FOR_H
 
+#include <CGAL/L0_resampling/internal/Buffer.h>
+
 #include <CGAL/tags.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -72,6 +74,25 @@ auto block_sum(std::size_t n, std::size_t block_size, const F& f)
   else
     for_each_block<ConcurrencyTag>(n, block_size, [&](std::size_t begin, std::size_t end) { sum += f(begin, end); });
   return sum;
+}
+
+/// What `f(begin, end, values)` appends to `values` for the blocks of `for_each_block()`, in the order of the blocks.
+template <typename ConcurrencyTag, typename T, typename F>
+Buffer<T> append_by_blocks(std::size_t n, std::size_t block_size, const Counting_allocator<T>& allocator, const F& f)
+{
+  std::vector<Buffer<T>> parts(n / block_size + std::size_t(n % block_size != 0), Buffer<T>(allocator));
+  for_each_block<ConcurrencyTag>(n, block_size, [&](std::size_t begin, std::size_t end) { f(begin, end, parts[begin / block_size]); });
+  std::size_t size = 0;
+  for (const Buffer<T>& part : parts)
+    size += part.size();
+  Buffer<T> all(allocator);
+  all.reserve(size);
+  for (Buffer<T>& part : parts)
+  {
+    all.insert(all.end(), part.begin(), part.end());
+    release(part);
+  }
+  return all;
 }
 
 } // namespace internal

@@ -6,6 +6,7 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_POINTS_OF_RANGE_H
 #define CGAL_L0_RESAMPLING_INTERNAL_POINTS_OF_RANGE_H
 
+#include <CGAL/L0_resampling/internal/find_near_points.h>
 #include <CGAL/L0_resampling/internal/resample.h>
 #include <CGAL/L0_resampling/internal/separate_coincident_points.h>
 
@@ -27,8 +28,11 @@ struct Input
 {
   Buffer<Vector> points;
   Buffer<Local_vector> normals;        // empty, or unit vectors, zero where the caller's is of no use
+  Buffer<Local_vector> hints;          // likewise, of the side that normals shall point to
   Buffer<unsigned char> is_kept;       // one for each point of the range
   Vector low = Vector::Zero(), high = Vector::Zero();
+
+  explicit Input(Memory_counter* memory = nullptr) : points(memory), normals(memory), hints(memory), is_kept(memory) {}
 };
 
 /// Reads the points of the range, without the non-finite ones if they are to be dropped.
@@ -59,26 +63,53 @@ void read_points(const PointRange& range, PointMap point_map, bool drop_non_fini
   report.number_of_input_points = input.points.size();
 }
 
-template <typename PointRange, typename NormalMap>
-void read_normals(const PointRange& range, NormalMap normal_map, Input& input)
+/// Reads the vectors of the points that are kept: to unit length, or zero where they are zero or not finite.
+template <typename PointRange, typename VectorMap>
+void read_directions(const PointRange& range, VectorMap vector_map, const Input& input, Buffer<Local_vector>& directions)
 {
-  const Local_vector zero = Local_vector::Zero();
   std::size_t index = 0;
   for (auto it = range.begin(); it != range.end(); ++it)
   {
     if (!input.is_kept[index++])
       continue;
-    const auto& v = get(normal_map, *it);
+    const auto& v = get(vector_map, *it);
     const Vector n(double(v.x()), double(v.y()), double(v.z()));
     const double largest = n.cwiseAbs().maxCoeff();
-    Local_vector normal = Local_vector::Zero();
+    Local_vector direction = Local_vector::Zero();
     if (n.allFinite() && largest > 0)
-      normal = (n / largest).normalized().template cast<Local>();
-    // one of the two signs, so that neither the sign nor, among coincident points, the order of the input matters
+      direction = (n / largest).normalized().template cast<Local>();
+    directions.push_back(direction);
+  }
+}
+
+template <typename PointRange, typename NormalMap>
+void read_normals(const PointRange& range, NormalMap normal_map, Input& input)
+{
+  read_directions(range, normal_map, input, input.normals);
+  // one of the two signs, so that neither the sign nor, among coincident points, the order of the input matters
+  const Local_vector zero = Local_vector::Zero();
+  for (Local_vector& normal : input.normals)
     if (std::lexicographical_compare(normal.data(), normal.data() + 3, zero.data(), zero.data() + 3))
       normal = -normal;
-    input.normals.push_back(normal);
+}
+
+/// The finite points of the range, each with its place in it.
+template <typename PointRange, typename PointMap>
+Point_tree_3 tree_of_range(const PointRange& range, PointMap point_map, Memory_counter& memory)
+{
+  Buffer<Vector> points(&memory);
+  Buffer<Index> indices(&memory);
+  Index index = 0;
+  for (auto it = range.begin(); it != range.end(); ++it, ++index)
+  {
+    const auto& p = get(point_map, *it);
+    const Vector point(double(p.x()), double(p.y()), double(p.z()));
+    if (!point.allFinite())
+      continue;
+    points.push_back(point);
+    indices.push_back(index);
   }
+  return Point_tree_3(std::move(points), std::move(indices));
 }
 
 /// The number of distinct finite points of the range, counted before any scaling can make two of them one.

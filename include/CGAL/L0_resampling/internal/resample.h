@@ -11,6 +11,7 @@
 #include <CGAL/L0_resampling/internal/alternating_minimization.h>
 #include <CGAL/L0_resampling/internal/collapse_fit_term.h>
 #include <CGAL/L0_resampling/internal/density_weights.h>
+#include <CGAL/L0_resampling/internal/estimate_feature_confidences.h>
 #include <CGAL/L0_resampling/internal/estimate_pca_normals.h>
 #include <CGAL/L0_resampling/internal/estimate_scales.h>
 #include <CGAL/L0_resampling/internal/filter_normals.h>
@@ -41,9 +42,10 @@ struct Oriented_points
 {
   Buffer<Vector> positions;
   Buffer<Eigen::Matrix<FT, 3, 1>> normals;   ///< of unit length but for rounding in `FT`
+  Buffer<float> feature_confidences;         ///< in [0, 1], if they are asked for
 };
 
-/// Coincident points are in no order but that of the input, which must not matter: puts their normals in one.
+/// Coincident points are in no order but that of the input, which must not matter: puts their normals, or hints, in one.
 inline void sort_normals_of_coincident_points(const Buffer<Vector>& points, Buffer<Local_vector>& normals)
 {
   for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end)
@@ -72,7 +74,7 @@ struct Lengths
 inline double square(double x) { return x * x; }
 
 /// \f$ (1 - \cos\sigma_n)^2 \f$ of Eq. (2), for an angle in degrees; never so small that its inverse is not finite.
-inline double normal_bandwidth(double angle) { return (std::max)(square(1 - std::cos(angle * EIGEN_PI / 180)), 1e-12); }
+inline double normal_bandwidth(double angle) { return (std::max)(square(double(1 - std::cos(angle * EIGEN_PI / 180))), 1e-12); }
 
 /// \f$ H^2 \f$: how far from a sheet points are of that sheet.
 inline double squared_sheet_height(const Lengths& lengths)
@@ -90,7 +92,8 @@ inline double self_neighbor_radius_of_spacing(const Lengths& lengths)
 /// Takes the outliers out of the points and what belongs to them.
 /// \returns their number
 template <typename ConcurrencyTag>
-std::size_t drop_outliers(double radius, Buffer<Vector>& points, Buffer<Local_vector>& given_normals, Progress& progress)
+std::size_t drop_outliers(double radius, Buffer<Vector>& points, Buffer<Local_vector>& given_normals, Buffer<Local_vector>& hints,
+                          Progress& progress)
 {
   const Buffer<unsigned char> is_outlier = find_outliers<Local, ConcurrencyTag>(points, radius, progress);
   const auto drop_from = [&](auto& values) {
@@ -103,6 +106,7 @@ std::size_t drop_outliers(double radius, Buffer<Vector>& points, Buffer<Local_ve
   const std::size_t n = points.size();
   drop_from(points);
   drop_from(given_normals);
+  drop_from(hints);
   return n - points.size();
 }
 
@@ -148,7 +152,7 @@ template <typename ConcurrencyTag>
 Lengths choose_lengths(const Parameters& parameters, Buffer<Vector>& points, Working_frame& frame, Progress& progress, Report& report)
 {
   const double n = double(points.size()), m = double(parameters.number_of_output_points);
-  double diagonal = robust_diagonal(points);
+  double diagonal = robust_diagonal<ConcurrencyTag>(points);
   const double paper_radius = sensible_radius(diagonal / std::cbrt(n), points);
   diagonal *= frame.scale_to(paper_radius, points);
   const double scaled_paper_radius = std::ldexp(paper_radius, -std::ilogb(paper_radius));
@@ -193,29 +197,47 @@ Lengths choose_lengths(const Parameters& parameters, Buffer<Vector>& points, Wor
   return lengths;
 }
 
+/// Turns the normals to one side, as the hints say that the caller has given.
+template <typename ConcurrencyTag, typename FT>
+Orientation turn_normals(const Parameters& parameters, const Working_frame& frame, double spacing, Progress& progress, Samples<FT>& samples)
+{
+  const auto orient = [&](const auto& hint_of) {
+    return orient_normals<ConcurrencyTag>(samples.positions, parameters.number_of_orientation_neighbors, spacing, hint_of, progress,
+                                          samples.normals);
+  };
+  if (!samples.hints.empty())
+    return orient([&](Index i) -> Vector { return samples.hints[i].template cast<double>(); });
+  if (!parameters.has_viewpoint)
+    return orient(no_hint);
+  const Vector viewpoint = frame.point_in_frame(Vector(parameters.viewpoint[0], parameters.viewpoint[1], parameters.viewpoint[2]));
+  return orient([&](Index i) { return hint_of_viewpoint(viewpoint, samples.positions[i], square(spacing)); });
+}
+
 /*!
 Resamples: the stages of the paper, one after the other.
 
 \param points the input, finite, at least one point; used up
 \param given_normals unit or zero vectors, one a point, or none at all; used up
+\param hints unit or zero vectors on the side that normals shall point to, one a point, or none at all; used up
 \param parameters checked; radii in the unit of the input
 */
 template <typename ConcurrencyTag, typename SolverTraits>
-Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buffer<Local_vector>& given_normals, const Parameters& parameters,
-                         SolverTraits& solver, Progress& progress, Report& report)
+Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buffer<Local_vector>& given_normals,
+                                                    Buffer<Local_vector>& hints, const Parameters& parameters, SolverTraits& solver,
+                                                    Progress& progress, Report& report)
 {
   using FT = typename SolverTraits::FT;
   const auto allocator = points.get_allocator();
   // Lengths, and the frame in which r_p lies in [1, 2)
   progress.begin_stage("sort points", 0.05, 1);
   Working_frame frame;
-  frame.enter(points);
+  frame.enter<ConcurrencyTag>(points);
   Lengths lengths = choose_lengths<ConcurrencyTag>(parameters, points, frame, progress, report);
 
   if (parameters.drop_outliers)
   {
     progress.begin_stage("find outliers", 0.05, points.size());
-    report.number_of_outliers = drop_outliers<ConcurrencyTag>(lengths.radius, points, given_normals, progress);
+    report.number_of_outliers = drop_outliers<ConcurrencyTag>(lengths.radius, points, given_normals, hints, progress);
     progress.begin_stage("sort points", 0.05, 1);
   }
 
@@ -223,11 +245,12 @@ Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buff
   {
     const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(points, lengths.cell_size);
     apply_order(order, points);
-    if (!given_normals.empty())
-    {
-      apply_order(order, given_normals);
-      sort_normals_of_coincident_points(points, given_normals);
-    }
+    for (Buffer<Local_vector>* vectors : {&given_normals, &hints})
+      if (!vectors->empty())
+      {
+        apply_order(order, *vectors);
+        sort_normals_of_coincident_points(points, *vectors);
+      }
   }
   Search_grid_3 grid(points, lengths.cell_size);
 
@@ -252,15 +275,25 @@ Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buff
     lengths.sample_spacing = std::sqrt(std::accumulate(areas.begin(), areas.end(), 0.) / double(m));
     lengths.self_neighbor_radius = self_neighbor_radius_of_spacing(lengths);
   }
+  else if (parameters.keep_density)
+    input_density_weights.assign(points.size(), Local(1));   // sparse points shall not count more than dense ones
   Samples<FT> samples(allocator);
   {
-    Initial_samples start =
-      initialize_samples<ConcurrencyTag>(grid, points, normals, areas, m, lengths.radius, parameters.random_seed, progress);
+    const Buffer<Local> no_areas(allocator);
+    Initial_samples start = initialize_samples<ConcurrencyTag>(grid, points, normals, parameters.keep_density ? no_areas : areas, m,
+                                                               lengths.radius, parameters.random_seed, progress);
     report.number_of_distinct_points = start.number_of_distinct_points;
     samples.positions = std::move(start.positions);
     samples.normals.reserve(m);
     for (Index source : start.sources)
       samples.normals.push_back(normals[source].cast<FT>().normalized());
+    if (parameters.method == Method::DEFAULT && parameters.keep_density)
+      for (Index source : start.sources)
+        samples.spacings.push_back(FT(std::sqrt(double(areas[source]) * double(points.size()) / double(m))));
+    if (!hints.empty())
+      for (Index source : start.sources)
+        samples.hints.push_back(hints[source].template cast<FT>());
+    release(hints);
     samples.fit_weights.resize(m);
     samples.fit_centroids = samples.positions;
     release(areas);
@@ -326,13 +359,23 @@ Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buff
     report.converged = report.converged && iteration.solver.converged;
 
   progress.begin_stage("orient normals", 0.1, m);
-  report.oriented_share = orient_normals<ConcurrencyTag>(samples.positions, parameters.number_of_orientation_neighbors,
-                                                         lengths.sample_spacing, progress, samples.normals);
+  const Orientation orientation = turn_normals<ConcurrencyTag>(parameters, frame, lengths.sample_spacing, progress, samples);
+  report.oriented_share = orientation.oriented_share;
+  report.hinted_share = orientation.hinted_share;
+
+  Buffer<float> feature_confidences(allocator);
+  if (parameters.with_feature_confidences)
+  {
+    progress.begin_stage("feature confidences", 0.05, m);
+    estimate_feature_confidences<ConcurrencyTag>(samples.positions, samples.normals, lengths.sample_spacing,
+                                                 normal_bandwidth(fit_angle_factor * parameters.sharpness_angle), progress,
+                                                 feature_confidences);
+  }
   progress.end_stage();
 
   for (Vector& position : samples.positions)
     position = frame.leave(position);
-  return {std::move(samples.positions), std::move(samples.normals)};
+  return {std::move(samples.positions), std::move(samples.normals), std::move(feature_confidences)};
 }
 
 } // namespace internal

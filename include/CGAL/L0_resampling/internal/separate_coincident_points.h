@@ -8,6 +8,9 @@
 
 #include <CGAL/L0_resampling/internal/Buffer.h>
 
+#include <boost/functional/hash.hpp>
+#include <boost/sort/spreadsort/integer_sort.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,6 +22,19 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
+/// Whether two points are equal: true whenever they are, and next to never when they are not. Sorting one number a point is a tenth of the work of
+/// sorting the points.
+template <typename FT>
+bool may_have_equal_points(const Buffer<std::array<FT, 3>>& points)
+{
+  Buffer<std::size_t> hashes(points.get_allocator());
+  hashes.reserve(points.size());
+  for (const std::array<FT, 3>& p : points)
+    hashes.push_back(boost::hash_range(p.begin(), p.end()));
+  boost::sort::spreadsort::integer_sort(hashes.begin(), hashes.end());
+  return std::adjacent_find(hashes.begin(), hashes.end()) != hashes.end();
+}
+
 /// Makes points that are equal, after rounding to the caller's number type, differ by a few units in the last place: no two results
 /// may be one. They fall together where a radius reaches the whole cloud, or where `float` is too coarse for UTM coordinates.
 /// \param points finite; those that coincide with an earlier one in lexicographic order of (coordinates, index) are moved
@@ -27,6 +43,8 @@ namespace internal {
 template <typename FT>
 void separate_coincident_points(const std::array<FT, 3>& low, const std::array<FT, 3>& high, FT length, Buffer<std::array<FT, 3>>& points)
 {
+  if (!may_have_equal_points(points))
+    return;
   using Point = std::array<FT, 3>;
   const auto allocator = points.get_allocator();
   Buffer<std::size_t> order(points.size(), 0, allocator);

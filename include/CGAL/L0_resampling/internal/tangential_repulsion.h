@@ -23,6 +23,9 @@ Spreads the samples: each moves away from its self neighbors within its tangent 
 \f$ \Delta_i = \mu (I - n_i n_i^T) \sum_k \theta(d_{ik}) (p_i - p_k) \f$. On an even set the pushes cancel. Near an edge or a border nobody
 pushes back from outside, so that the part of a push that goes there is left out.
 
+Where the samples have spacings of their own, distances are read relative to the mean of a pair's two. Then the pushes cancel, to first order of the
+gradient, on a set whose density is the inverse square of those spacings.
+
 \param spacing of an even set of that many samples, a length
 \param radius of the fit: no sample is pushed out of its reach
 */
@@ -32,7 +35,8 @@ void repel_tangentially(const Neighborhoods& neighbors, double spacing, double r
   using Local_vector = Eigen::Matrix<FT, 3, 1>;
   using Array = Eigen::Array<FT, Eigen::Dynamic, 1>;
   const Repulsion repulsion(spacing, radius);
-  const FT squared_bandwidth = FT(repulsion.squared_bandwidth), strength = FT(repulsion.strength), maximum_step = FT(repulsion.maximum_step);
+  const FT squared_bandwidth = FT(repulsion.squared_bandwidth), strength = FT(repulsion.strength);
+  const bool is_even = samples.spacings.empty();
   const std::size_t samples_per_block = 1024;
   Buffer<Vector> moved(samples.positions);
   for (std::size_t step = 0; step < number_of_steps; ++step)
@@ -44,7 +48,13 @@ void repel_tangentially(const Neighborhoods& neighbors, double spacing, double r
         for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
           differences.col(Eigen::Index(e - first_pair)) =
             (samples.positions[i] - samples.positions[neighbors.indices[e]]).template cast<FT>();
-      const Array squared_distances = differences.colwise().squaredNorm().transpose();
+      Array squared_distances = differences.colwise().squaredNorm().transpose();
+      for (std::size_t i = begin; i < end && !is_even; ++i)
+        for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
+        {
+          const FT scale = 2 * FT(spacing) / (samples.spacings[i] + samples.spacings[neighbors.indices[e]]);
+          squared_distances[Eigen::Index(e - first_pair)] *= scale * scale;
+        }
       const Array strengths = strength * gaussian_weight(squared_distances, squared_bandwidth);
       for (std::size_t i = begin; i < end; ++i)
       {
@@ -54,7 +64,7 @@ void repel_tangentially(const Neighborhoods& neighbors, double spacing, double r
         push -= samples.normals[i].dot(push) * samples.normals[i];
         const Local_vector& outward = samples.outward_directions[i];
         push -= (std::max)(outward.dot(push), FT(0)) * outward;
-        const FT length = push.norm();
+        const FT length = push.norm(), maximum_step = FT(is_even ? repulsion.maximum_step : Repulsion(samples.spacings[i], radius).maximum_step);
         if (length > maximum_step)
           push *= maximum_step / length;
         moved[i] = samples.positions[i] + push.template cast<double>();

@@ -23,9 +23,9 @@ template <typename T, typename S>
 CGAL_L0_HOST_DEVICE inline T at_least(const T& x, S low)
 {
   if constexpr (std::is_arithmetic<T>::value)
-    return x < low ? low : x;
+    return x < T(low) ? T(low) : x;
   else
-    return x.max(low);
+    return x.max(typename T::Scalar(low));
 }
 
 /// \f$ \min(x, high) \f$, entry by entry.
@@ -33,9 +33,9 @@ template <typename T, typename S>
 CGAL_L0_HOST_DEVICE inline T at_most(const T& x, S high)
 {
   if constexpr (std::is_arithmetic<T>::value)
-    return x > high ? high : x;
+    return x > T(high) ? T(high) : x;
   else
-    return x.min(high);
+    return x.min(typename T::Scalar(high));
 }
 
 /// \f$ e^{-x} \f$ for x >= 0. Stops falling at e^-40, far below the rounding of any sum it enters: smaller values run

@@ -19,6 +19,19 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
+/// Calls `f(axis, coordinates)` for each of the three axes, with the coordinates of the points to do with as it likes.
+template <typename ConcurrencyTag, typename F>
+void for_each_axis_of(const Buffer<Vector>& points, const F& f)
+{
+  for_each_block<ConcurrencyTag>(3, 1, [&](std::size_t axis, std::size_t) {
+    Buffer<double> coordinates(points.get_allocator());
+    coordinates.reserve(points.size());
+    for (const Vector& p : points)
+      coordinates.push_back(p[Eigen::Index(axis)]);
+    f(int(axis), coordinates);
+  });
+}
+
 /*!
 The frame that all stages work in: moved by a point of the cloud, scaled by a power of two. Both steps are exact wherever the result
 needs no more digits than the coordinates had, so that a cloud and its double, or its copy at UTM coordinates, are one cloud in here.
@@ -31,6 +44,7 @@ class Working_frame
 
 public:
   /// Moves `points` into a frame in which the median of each coordinate is 0 and no coordinate exceeds 2.
+  template <typename ConcurrencyTag>
   void enter(Buffer<Vector>& points)
   {
     double largest = 0;
@@ -42,15 +56,11 @@ public:
     for (Vector& p : points)
       p = scaled(p, m_first_exponent);
     // a median is a coordinate of the cloud: differences to it are exact nearby, and outliers do not move it
-    Buffer<double> coordinates(points.size(), 0., points.get_allocator());
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      for (std::size_t i = 0; i < points.size(); ++i)
-        coordinates[i] = points[i][axis];
+    for_each_axis_of<ConcurrencyTag>(points, [&](int axis, Buffer<double>& coordinates) {
       const auto middle = coordinates.begin() + std::ptrdiff_t(coordinates.size() / 2);
       std::nth_element(coordinates.begin(), middle, coordinates.end());
       m_origin[axis] = *middle;
-    }
+    });
     for (Vector& p : points)
       p -= m_origin;
   }
@@ -64,6 +74,16 @@ public:
     for (Vector& p : points)
       p = scaled(p, exponent);
     return std::ldexp(1., exponent);
+  }
+
+  /// A point in the coordinates of the input, in the frame; one that lies too far off for finite coordinates is brought nearer.
+  Vector point_in_frame(const Vector& point) const
+  {
+    const double largest = 1e100;   // whose square is finite
+    Vector p = scaled(scaled(point, m_first_exponent) - m_origin, m_second_exponent);
+    for (int axis = 0; axis < 3; ++axis)
+      p[axis] = (std::min)((std::max)(p[axis], -largest), largest);
+    return p;
   }
 
   /// A length of the input, in the frame.
@@ -95,14 +115,11 @@ private:
 The diagonal of the bounding box of the points, outliers left out: on each axis, what lies further from the middle nine tenths of the
 points than those are wide, on the widest axis, does not count. A cloud without such points has its plain diagonal.
 */
-inline double robust_diagonal(const Buffer<Vector>& points)
+template <typename ConcurrencyTag>
+double robust_diagonal(const Buffer<Vector>& points)
 {
-  Buffer<double> coordinates(points.size(), 0., points.get_allocator());
   Vector low, high;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    for (std::size_t i = 0; i < points.size(); ++i)
-      coordinates[i] = points[i][axis];
+  for_each_axis_of<ConcurrencyTag>(points, [&](int axis, Buffer<double>& coordinates) {
     const std::size_t margin = points.size() / 20;
     const auto first = coordinates.begin() + std::ptrdiff_t(margin);
     const auto last = coordinates.end() - 1 - std::ptrdiff_t(margin);
@@ -110,7 +127,7 @@ inline double robust_diagonal(const Buffer<Vector>& points)
     low[axis] = *first;
     std::nth_element(first, last, coordinates.end());
     high[axis] = *last;
-  }
+  });
 
   const double reach = (high - low).maxCoeff();
   Vector box_low = low, box_high = high;

@@ -6,7 +6,7 @@
 #ifndef CGAL_L0_RESAMPLING_BENCHMARK_BASELINE_STEPS_H
 #define CGAL_L0_RESAMPLING_BENCHMARK_BASELINE_STEPS_H
 
-#include "performance_support.h"
+#include "method_program.h"
 
 #include <CGAL/compute_average_spacing.h>
 #include <CGAL/mst_orient_normals.h>
@@ -61,6 +61,16 @@ void estimate_normals(Oriented_points& points)
 inline void orient_normals(Oriented_points& points)
 {
   CGAL::mst_orient_normals(points, number_of_normal_neighbors, point_and_normal_maps());
+}
+
+/// What a method without normals gets: PCA normals oriented over a spanning tree. Timed apart, as phases of their own.
+inline void add_normals(const std::vector<Point>& points, Measurement& measurement, Oriented_points& result)
+{
+  result.clear();
+  for (const Point& point : points)
+    result.emplace_back(point, CGAL::NULL_VECTOR);
+  measurement.phase("estimate normals", [&] { estimate_normals<CGAL::Sequential_tag>(result); });
+  measurement.phase("orient normals", [&] { orient_normals(result); });
 }
 
 } // namespace L0_benchmark

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_L0_RESAMPLING_BENCHMARK_PERFORMANCE_SUPPORT_H
-#define CGAL_L0_RESAMPLING_BENCHMARK_PERFORMANCE_SUPPORT_H
+#ifndef CGAL_L0_RESAMPLING_BENCHMARK_METHOD_PROGRAM_H
+#define CGAL_L0_RESAMPLING_BENCHMARK_METHOD_PROGRAM_H
 
 #include <CGAL/IO/read_ply_points.h>
 #include <CGAL/IO/write_ply_points.h>
@@ -178,4 +178,4 @@ int run_program(CLI::App& app, int argc, char** argv, const Body& body)
 
 } // namespace L0_benchmark
 
-#endif // CGAL_L0_RESAMPLING_BENCHMARK_PERFORMANCE_SUPPORT_H
+#endif // CGAL_L0_RESAMPLING_BENCHMARK_METHOD_PROGRAM_H

@@ -5,7 +5,7 @@
 
 // CGAL::l0_resample_point_set(), with its report.
 
-#include "performance_support.h"
+#include "method_program.h"
 
 #include <CGAL/L0_resampling/Eigen_cholesky_solver_traits.h>
 #include <CGAL/L0_resampling/Eigen_least_squares_solver_traits.h>
@@ -35,12 +35,13 @@ const std::map<std::string, Method> methods =
 /// Resamples with the solver that the command line names; "block" is the function's own default.
 template <typename ConcurrencyTag>
 void resample(const std::vector<Point>& points, std::size_t number_of_output_points, Method method,
-              const std::string& solver, Report& report, Oriented_points& result)
+              const std::string& solver, double normal_weight, Report& report, Oriented_points& result)
 {
   namespace solvers = CGAL::L0_resampling;
   const auto out = std::back_inserter(result);
   const auto parameters = CGAL::parameters::number_of_output_points(number_of_output_points)
-                        | CGAL::parameters::resampling_method(method) | CGAL::parameters::resampling_report(&report);
+                        | CGAL::parameters::resampling_method(method) | CGAL::parameters::normal_weight(normal_weight)
+                        | CGAL::parameters::resampling_report(&report);
   if (solver == "block")
     CGAL::l0_resample_point_set<ConcurrencyTag>(points, out, parameters);
   else if (solver == "cholesky")
@@ -78,12 +79,14 @@ int main(int argc, char** argv)
 {
   Arguments arguments;
   std::string method = "default", solver = "block";
+  double normal_weight = 0.9;   // the function's own default
   CLI::App app("CGAL::l0_resample_point_set()");
   arguments.add_to(app);
   app.add_option("--method", method)->check(CLI::IsMember(methods));
   app.add_option("--solver", solver, "block: conjugate gradients on 3x3 blocks; cholesky: of the normal equations; "
                  "rows: least-squares conjugate gradients on the paper's rows; cuda_rows: the same on a CUDA device, where built with CUDA")
     ->check(CLI::IsMember(solver_names));
+  app.add_option("--normal-weight", normal_weight, "lambda")->check(CLI::NonNegativeNumber);
 
   return run_program(app, argc, argv, [&] {
     const std::vector<Point> points = read_positions(arguments.input);
@@ -93,19 +96,22 @@ int main(int argc, char** argv)
     result.clear();
     if (solver == "cuda_rows")   // the first call starts the device
     {
-      resample<CGAL::Parallel_tag>(points, arguments.number_of_output_points, methods.at(method), solver, report, result);
+      resample<CGAL::Parallel_tag>(points, arguments.number_of_output_points, methods.at(method), solver, normal_weight,
+                                   report, result);
       result.clear();
     }
     Measurement measurement;
     with_concurrency_tag(arguments.number_of_threads, [&](auto tag) {
       measurement.phase("l0_resample", [&] {
-        resample<decltype(tag)>(points, arguments.number_of_output_points, methods.at(method), solver, report, result);
+        resample<decltype(tag)>(points, arguments.number_of_output_points, methods.at(method), solver, normal_weight,
+                                report, result);
       });
     });
     Json measured = measurement.result();
     measured["report"] = to_json(report);
 
     write_oriented_points(arguments.output, result);
-    print_result("run_l0", arguments, points.size(), result.size(), {{"method", method}, {"solver", solver}}, measured);
+    print_result("run_l0", arguments, points.size(), result.size(),
+                 {{"method", method}, {"solver", solver}, {"normal_weight", normal_weight}}, measured);
   });
 }

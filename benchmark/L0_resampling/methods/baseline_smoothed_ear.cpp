@@ -6,7 +6,7 @@
 // What EAR of CGAL can do at its best on noisy points: unlike in baseline_ear, the whole input gets normals and is
 // smoothed, before WLOP with uniform sampling makes it two thirds of the output. Then normals again and upsampling.
 
-#include "../performance/baseline_steps.h"
+#include "baseline_steps.h"
 
 #include <CGAL/bilateral_smooth_point_set.h>
 #include <CGAL/edge_aware_upsample_point_set.h>

@@ -1,0 +1,88 @@
+# Copyright (c) 2026  The CGAL::L0_resampling authors.
+# All rights reserved.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The table of methods. All programs have one interface:
+
+    PROGRAM INPUT.ply OUTPUT.ply --points COUNT [options]
+
+which writes oriented points and prints one line of JSON with times and memory (method_program.h).
+"""
+
+from dataclasses import dataclass
+
+# The example of CGAL's manual for edge-aware upsampling; its defaults, 30 degrees and 1, take far longer to insert
+EAR_EXAMPLE = ("--sharpness-angle", 25, "--edge-sensitivity", 0)
+
+
+@dataclass(frozen=True)
+class Method:
+    program: str
+    options: tuple
+    is_exact: bool = True    # edge-aware upsampling may stop before it has all points
+
+
+def ours(name):
+    return Method("run_l0", ("--method", name))
+
+
+def wlop(radius, *options):
+    return Method("baseline_wlop", ("--radius-in-spacings", radius, *options))
+
+
+def ear(program, radius, *options):
+    return Method(program, ("--radius-in-spacings", radius, *EAR_EXAMPLE, *options), False)
+
+
+def projection(program, radius, *options):
+    """LOP's kernel is as wide as that of CGAL's WLOP at half the radius."""
+    return Method(program, ("--radius-in-spacings", 2 * radius, *options))
+
+
+def simple_filter(name):
+    return Method("baseline_filter", ("--filter", name))
+
+
+@dataclass(frozen=True)
+class Row:
+    """A method of the paper, or one of CGAL's, by its name in tables. Of its variants the best one counts.
+
+    Without variants it cannot be run, and `remark` says why.
+    """
+    name: str
+    variants: dict
+    remark: str = ""
+
+
+RADII = (4, 6)    # in spacings of the input, as CGAL counts them
+
+
+def at_each_radius(make, radii=RADII):
+    return {f"radius {radius}": make(radius) for radius in radii}
+
+
+def projections(program, *options):
+    """At CGAL's default radius too, since without density weights less holds the samples down."""
+    return at_each_radius(lambda radius: projection(program, radius, *options), (*RADII, 8))
+
+
+ROWS = (
+    Row("LOR", {"": ours("lor")}),
+    Row("ALOR", {"": ours("alor")}),
+    Row("default", {"": ours("default")}),
+    Row("LOP", projections("baseline_lop"), "Lipman 2007, our implementation"),
+    Row("KLOP", projections("baseline_lop", "--kernel-density-share", 30),
+        "LOP on 30 % of the points, drawn from their kernel density estimate as in Liao 2013, our implementation"),
+    Row("WLOP", at_each_radius(wlop) | {f"radius {radius}, uniform": wlop(radius, "--require-uniform-sampling")
+                                        for radius in RADII}, "CGAL's"),
+    Row("CLOP", projections("baseline_clop"),
+        "Preiner 2014, our implementation"),
+    Row("PPU", {}, "trained network, weights cannot be had"),
+    Row("EAR", at_each_radius(lambda radius: ear("baseline_ear", radius)),
+        "CGAL's functions in the paper's protocol: WLOP to two thirds of the points, then upsampling"),
+    Row("LOD", {"": Method("baseline_lod", ())}, "Sun 2015 without its upsampling, our implementation"),
+    Row("jet smoothing", {"": simple_filter("jet")}, "CGAL's, on all points; then a random subset"),
+    Row("bilateral smoothing", {"": simple_filter("bilateral")}, "CGAL's, on all points; then a random subset"),
+    Row("random subset", {"": simple_filter("random")}),
+    Row("grid simplification", {"": simple_filter("grid")}, "CGAL's"),
+)

@@ -1,0 +1,130 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026  The CGAL::L0_resampling authors.
+# All rights reserved.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Writes the measured parts of README.md anew, from the results beside this file: readme_figures.py README.md [--check]
+
+A part stands between the lines <!-- measured: NAME --> and <!-- end -->. With --check, nothing is written, and the exit
+status tells whether the parts are what the results say.
+"""
+
+import argparse
+import json
+import re
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+sys.path += [str(HERE / "quality"), str(HERE / "performance")]
+sys.dont_write_bytecode = True
+
+import performance_tables  # noqa: E402
+import quality_tables  # noqa: E402
+
+METHODS = {"lor": "LOR", "alor": "ALOR", "default": "default"}
+QUALITY_METHODS = {**METHODS, "wlop_6_uniform": "WLOP, radius 6, uniform", "ear_4": "EAR, radius 4",
+                   "smoothed_ear_6_again": "EAR, radius 6, input smoothed first and after WLOP"}
+QUALITY_HEADINGS = ("mean distance, %", "normal error, degrees", "edge recall", "NN6 cv")
+
+
+def load(path):
+    return json.loads((HERE / path).read_text(encoding="utf-8"))
+
+
+def duration(seconds):
+    return f"{seconds:.3g} s" if seconds >= 1 else f"{1000 * seconds:.3g} ms"
+
+
+def quality():
+    experiments = load("quality/results/fandisk.json")["experiments"]
+    columns = [next(column for column in quality_tables.COLUMNS if column.heading == heading)
+               for heading in QUALITY_HEADINGS]
+    rows = []
+    for experiment in experiments:
+        for method, name in QUALITY_METHODS.items():
+            evaluation = experiment["measurements"][method]["evaluation"]
+            rows.append([f"{experiment['noise_percent']:g} %", name,
+                         *(f"{column.value([evaluation]):.{column.digits}f}" for column in columns)])
+    header = ["noise", "method", *(heading.replace(", %", "") for heading in QUALITY_HEADINGS)]
+    lines = quality_tables.table(header, rows).splitlines()
+    lines[1] = "| --- | --- |" + " ---: |" * len(columns)
+    first = experiments[0]
+    return (f"On {first['input_points']} points of the fandisk mesh with Gaussian noise, {first['output_points']} points out. "
+            "Lengths and noise are in %\nof the diagonal; smaller is better but for recall.\n\n" + "\n".join(lines) + "\n")
+
+
+def speed():
+    result, scaling = load("performance/results/fandisk.json"), load("performance/results/scaling.json")["scaling"]
+    comparison, machine = result["comparison"], result["machine"]
+    median, cpu_seconds = performance_tables.median, performance_tables.cpu_seconds
+
+    def times_faster(slow, method):
+        return f"{median(comparison[slow], cpu_seconds) / median(comparison[method], cpu_seconds):.0f}"
+
+    rows = []
+    for method, name in METHODS.items():
+        gain = median(comparison[method]) / median(comparison[f"{method}, 2 threads"])
+        rows.append([name, times_faster("wlop", method),
+                     f"{times_faster('ear defaults', method)} / {times_faster('ear', method)}", f"{gain:.2f}",
+                     performance_tables.memory_cells(comparison[method])[1]])
+    table = performance_tables.table(
+        ["method", "times faster than CGAL's WLOP (default radius)",
+         "than the EAR pipeline on it, CGAL's defaults / parameters of its example", "two threads against one",
+         "own arrays, bytes an input point"], rows)
+    points = {method: [(line["number_of_input_points"], line["cpu_seconds"]) for line in scaling
+                       if line["parameters"]["method"] == method] for method in METHODS}
+    growth = [f"n^{performance_tables.fitted_exponent(points[method]):.2f}" for method in METHODS]
+    counts = [n for n, _ in points["default"]]
+    lor = comparison["lor"][0]
+    return (f"Fandisk, {lor['number_of_input_points']} points in, {lor['number_of_output_points']} out, noise "
+            f"{result['noise_percent']:g} %, one thread of a machine with {machine['cores']} cores, all methods in one run:\n\n"
+            f"{table}\nFrom {min(counts)} to {max(counts)} points, with noise of {result['noise_percent']:g} % of the diagonal "
+            f"throughout, the time of LOR, ALOR and the\ndefault method grows as {', '.join(growth[:2])} and {growth[2]}.\n")
+
+
+def device():
+    result = load("performance/results/cuda_h200.json")
+    seconds = {(line["points_in"], line["points_out"], line["method"]): line["device_resident_seconds"]["median"]
+               for line in result["results"]}
+    rows = [[f"{points_in} to {points_out}", *(duration(seconds[points_in, points_out, method])
+                                             for method in ("lor", "default"))]
+            for points_in, points_out, method in seconds if method == "default"]
+    table = performance_tables.table(["points", "LOR", "default"], rows)
+
+    def beside(solver, threads):
+        line = next(line for line in result["beside"] if line["threads"] == threads
+                    and line["parameters"] == {"method": "lor", "solver": solver})
+        return duration(line["wall_seconds"])
+
+    most = max(line["threads"] for line in result["beside"])
+    name = result["results"][0]["device"]
+    return (f"On one {name}, with points and result on the device:\n\n{table}\n"
+            f"On the processor of that machine LOR takes {beside('block', 1)} on one core for the first row and "
+            f"{beside('block', most)} on {most}. With the\npaper's explicit rows it takes {beside('rows', most)} "
+            f"there, or {beside('cuda_rows', most)} with those rows solved on the device.\n")
+
+
+PARTS = {"quality": quality, "speed": speed, "device": device}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("readme", type=Path)
+    parser.add_argument("--check", action="store_true")
+    arguments = parser.parse_args()
+
+    old = text = arguments.readme.read_text(encoding="utf-8")
+    for name, part in PARTS.items():
+        text, found = re.subn(rf"(<!-- measured: {name} -->\n).*?(<!-- end -->)",
+                              lambda match, part=part: match[1] + part() + match[2], text, flags=re.DOTALL)
+        if found != 1:
+            sys.exit(f"readme_figures: {arguments.readme} has {found} parts {name}")
+    if arguments.check and text != old:
+        sys.exit(f"readme_figures: {arguments.readme} is not what the results say; readme_figures.py {arguments.readme} writes it anew")
+    if not arguments.check:
+        arguments.readme.write_text(text, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,62 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_POINT_DATA_H
+#define CGAL_L0_RESAMPLING_INTERNAL_POINT_DATA_H
+
+#include <CGAL/L0_resampling/internal/find_near_points.h>
+#include <CGAL/L0_resampling/named_parameters.h>
+
+#include <CGAL/property_map.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/// What callers may want to know of each point of the result beside its position and its normal.
+struct Point_data
+{
+  Near_points near_points;             ///< if some are asked for
+  Buffer<float> feature_confidences;   ///< if they are asked for
+};
+
+/// How many near points a call with these named parameters has to find, of which `others` are asked for elsewhere.
+template <typename NamedParameters>
+std::size_t number_of_near_points(const NamedParameters&, std::size_t others)
+{
+  const bool has_map = !parameters::is_default_parameter<NamedParameters, internal_np::source_index_map_t>::value;
+  return (std::max)(others, std::size_t(has_map));
+}
+
+/// Writes the data to the maps among the named parameters.
+/// \param key_of called with the place of a point in the result
+template <typename NamedParameters, typename KeyOf>
+void write_point_data(const NamedParameters& np, const Point_data& data, std::size_t size, const KeyOf& key_of)
+{
+  using boost::put;
+  if constexpr (!parameters::is_default_parameter<NamedParameters, internal_np::source_index_map_t>::value)
+  {
+    const auto map = parameters::get_parameter(np, internal_np::source_index_map);
+    using Value = typename boost::property_traits<std::decay_t<decltype(map)>>::value_type;
+    for (std::size_t i = 0; i < size; ++i)
+      put(map, key_of(i), Value(data.near_points.nearest(i)));
+  }
+  if constexpr (!parameters::is_default_parameter<NamedParameters, internal_np::feature_confidence_map_t>::value)
+  {
+    const auto map = parameters::get_parameter(np, internal_np::feature_confidence_map);
+    using Value = typename boost::property_traits<std::decay_t<decltype(map)>>::value_type;
+    for (std::size_t i = 0; i < size; ++i)
+      put(map, key_of(i), Value(data.feature_confidences[i]));
+  }
+}
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_POINT_DATA_H

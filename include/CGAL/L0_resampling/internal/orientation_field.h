@@ -1,0 +1,165 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_ORIENTATION_FIELD_H
+#define CGAL_L0_RESAMPLING_INTERNAL_ORIENTATION_FIELD_H
+
+#include <CGAL/L0_resampling/internal/Search_grid_3.h>
+#include <CGAL/L0_resampling/internal/orientation_votes.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/// A sample that stands for those around it.
+struct Dipole { Vector position, normal; };
+
+/// How far two dipoles agree, as those do whose field has the least energy. On a flat or bent sheet, across an edge and from one side of a solid to the
+/// other, that is when both point outwards.
+/// \param squared_spacing of the dipoles: what is nearer than that counts as if it were not
+inline double dipole_agreement(const Dipole& a, const Dipole& b, double squared_spacing)
+{
+  const Vector d = b.position - a.position;
+  const double squared_distance = d.squaredNorm() + squared_spacing;
+  return (a.normal.dot(b.normal) - 3 * a.normal.dot(d) * b.normal.dot(d) / squared_distance) / (squared_distance * std::sqrt(squared_distance));
+}
+
+/// The larger sets of samples, and how far they agree two by two.
+struct Field_of_sets
+{
+  std::vector<Index> roots;         // of the sets, ascending
+  std::vector<Index> trees;         // that they belong to
+  std::vector<int> signs;           // relative to the tree
+  std::vector<double> agreements;   // a row for each set
+
+  /// Of a set with all others, in the sense of its own sign.
+  double agreement_with_others(std::size_t a) const
+  {
+    double sum = 0;
+    for (std::size_t b = 0; b < roots.size(); ++b)
+      sum += signs[b] * agreements[a * roots.size() + b];
+    return signs[a] * sum;
+  }
+
+  /// Turns the set that disagrees most, one after the other, until none does.
+  /// \returns whether there was one
+  bool turn_what_disagrees()
+  {
+    const std::size_t most_turns = 10 * roots.size();   // rounding might go round in circles
+    for (std::size_t turn = 0; turn < most_turns; ++turn)
+    {
+      double least = 0;
+      std::size_t set_of_least = 0;
+      for (std::size_t a = 0; a < roots.size(); ++a)
+        if (const double agreement = agreement_with_others(a); agreement < least)
+        {
+          least = agreement;
+          set_of_least = a;
+        }
+      if (!(least < 0))
+        return turn > 0;
+      signs[set_of_least] = -signs[set_of_least];
+    }
+    return true;
+  }
+};
+
+/*!
+Joins the larger ones of the sets that hang together if their field asks to turn some of them against the others. At an edge between two faces few samples
+vote, all of them next to the edge, where noise and smoothing leave the least to see; the faces as a whole know better. Their field is that of dipoles along
+the normals (after Metzer et al., Orienting point clouds with dipole propagation, 2021).
+
+\param trees what the votes make of the sets
+\param spacing of the samples
+\returns whether any was turned; if not, nothing was joined
+*/
+template <typename ConcurrencyTag, typename T>
+bool join_by_field(const Signed_union_find& trees, const Buffer<Vector>& positions, const Buffer<Eigen::Matrix<T, 3, 1>>& normals, double spacing,
+                   Voting& voting)
+{
+  const std::size_t maximum_number_of_dipoles = 2048, fewest_dipoles_of_a_set = 6;
+  Signed_union_find& sets = voting.sets;
+  const double weight_of_votes = 3;   // of an edge, against the field of two faces of one spacing each
+  const std::size_t m = positions.size(), number_of_dipoles = (std::min)(m, maximum_number_of_dipoles);
+
+  // Samples are sorted by place: every so-maniest of them are spread evenly.
+  std::vector<Index> samples, roots;
+  for (std::uint64_t k = 0; k < number_of_dipoles; ++k)
+  {
+    samples.push_back(Index((2 * k + 1) * m / (2 * number_of_dipoles)));
+    roots.push_back(sets.find(samples.back()).first);
+  }
+  std::sort(roots.begin(), roots.end());
+  Field_of_sets field;
+  for (auto first = roots.begin(), last = first; first != roots.end(); first = last)
+  {
+    last = std::upper_bound(first, roots.end(), *first);
+    if (std::size_t(last - first) >= fewest_dipoles_of_a_set)
+      field.roots.push_back(*first);
+  }
+  const std::size_t number_of_sets = field.roots.size();
+  if (number_of_sets < 2)
+    return false;
+  const auto place_of = [&](Index root) {
+    return std::size_t(std::lower_bound(field.roots.begin(), field.roots.end(), root) - field.roots.begin());
+  };
+  const auto is_in_field = [&](Index root) { return std::binary_search(field.roots.begin(), field.roots.end(), root); };
+
+  for (Index root : field.roots)
+  {
+    const auto [tree, sign] = trees.find(root);
+    field.trees.push_back(tree);
+    field.signs.push_back(sign);
+  }
+
+  // Sets of different trees, parts of a scene, do not know of each other.
+  std::vector<std::vector<Dipole>> dipoles(number_of_sets);
+  for (Index i : samples)
+    if (const auto [root, sign] = sets.find(i); is_in_field(root))
+      dipoles[place_of(root)].push_back({positions[i], double(sign) * normals[i].template cast<double>()});
+  const double area = spacing * spacing * double(m) / double(number_of_dipoles);
+  field.agreements.assign(number_of_sets * number_of_sets, 0);
+  for_each_block<ConcurrencyTag>(number_of_sets, 1, [&](std::size_t a, std::size_t) {
+    for (std::size_t b = 0; b < a; ++b)
+      if (field.trees[a] == field.trees[b])
+      {
+        double sum = 0;
+        for (const Dipole& dipole : dipoles[a])
+          for (const Dipole& other : dipoles[b])
+            sum += dipole_agreement(dipole, other, area);
+        field.agreements[a * number_of_sets + b] = field.agreements[b * number_of_sets + a] = sum * area * area / spacing;
+      }
+  });
+  for (const Vote& v : voting.votes)
+    if (is_in_field(v.a) && is_in_field(v.b))
+    {
+      const std::size_t a = place_of(v.a), b = place_of(v.b);
+      field.agreements[a * number_of_sets + b] += weight_of_votes * v.agreement;
+      field.agreements[b * number_of_sets + a] += weight_of_votes * v.agreement;
+    }
+
+  if (!field.turn_what_disagrees())
+    return false;
+  for (std::size_t b = 0; b < number_of_sets; ++b)
+  {
+    const std::size_t a = std::size_t(std::find(field.trees.begin(), field.trees.end(), field.trees[b]) - field.trees.begin());
+    sets.join(field.roots[a], field.roots[b], field.signs[a] * field.signs[b]);
+  }
+  pass_votes_on<ConcurrencyTag>(voting);
+  return true;
+}
+
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_ORIENTATION_FIELD_H

@@ -1,0 +1,134 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_ORIENTATION_VOTES_H
+#define CGAL_L0_RESAMPLING_INTERNAL_ORIENTATION_VOTES_H
+
+#include <CGAL/L0_resampling/internal/Signed_union_find.h>
+#include <CGAL/L0_resampling/internal/parallel_for.h>
+#include <CGAL/L0_resampling/internal/parallel_sort.h>
+
+#include <CGAL/tags.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/// Two samples near each other, and `orientation_agreement()` of them.
+struct Edge { float agreement; Index i, k; };
+constexpr std::size_t edges_per_block = 16384;
+
+/// The sum of the agreements of edges between two samples or, read for their representatives, between two sets.
+struct Vote { Index a, b; double agreement, total; };
+
+/// Adds up votes between the same two.
+template <typename ConcurrencyTag>
+void add_up_votes(Buffer<Vote>& votes)
+{
+  sort_by_key<ConcurrencyTag>(votes, [](const Vote& v) { return (std::uint64_t(v.a) << 32) | v.b; },
+                              [](const Vote& v, const Vote& w) { return v.agreement != w.agreement ? v.agreement < w.agreement : v.total < w.total; });
+  std::size_t size = 0;
+  for (const Vote& v : votes)
+    if (size > 0 && votes[size - 1].a == v.a && votes[size - 1].b == v.b)
+    {
+      votes[size - 1].agreement += v.agreement;
+      votes[size - 1].total += v.total;
+    }
+    else
+      votes[size++] = v;
+  votes.resize(size);
+}
+
+/// The vote between the sets of two samples, or of two sets before they were joined to others; nothing if they are one set.
+inline std::optional<Vote> vote_between_sets(const Signed_union_find& sets, const Vote& vote)
+{
+  const auto [root_a, sign_a] = sets.find(vote.a);
+  const auto [root_b, sign_b] = sets.find(vote.b);
+  if (root_a == root_b)
+    return std::nullopt;
+  return Vote{(std::min)(root_a, root_b), (std::max)(root_a, root_b), sign_a * sign_b * vote.agreement, vote.total};
+}
+
+/// The votes of the edges between sets: one for each pair of sets that touch, in the order of the pairs.
+template <typename ConcurrencyTag>
+Buffer<Vote> votes_of_edges(const Buffer<Edge>& edges, const Signed_union_find& sets)
+{
+  Buffer<Vote> votes = append_by_blocks<ConcurrencyTag>(edges.size(), edges_per_block, Counting_allocator<Vote>(edges.get_allocator()),
+                                                        [&](std::size_t begin, std::size_t end, Buffer<Vote>& votes_of_block) {
+    for (std::size_t e = begin; e < end; ++e)
+      if (const auto vote = vote_between_sets(sets, {edges[e].i, edges[e].k, edges[e].agreement, std::abs(edges[e].agreement)}))
+        votes_of_block.push_back(*vote);
+    add_up_votes<Sequential_tag>(votes_of_block);
+  });
+  add_up_votes<ConcurrencyTag>(votes);
+  return votes;
+}
+
+/// Sets of samples, and the votes between them.
+struct Voting
+{
+  Signed_union_find sets;
+  Buffer<Vote> votes;   // added up
+};
+
+/// Replaces the votes between sets before they were joined by those between the sets as they are now.
+template <typename ConcurrencyTag>
+void pass_votes_on(Voting& voting)
+{
+  Buffer<Vote>& votes = voting.votes;
+  voting.sets.compress();
+  std::size_t size = 0;
+  for (const Vote& v : votes)
+    if (const auto vote = vote_between_sets(voting.sets, v))
+      votes[size++] = *vote;
+  votes.resize(size);
+  add_up_votes<ConcurrencyTag>(votes);
+}
+
+/// Joins sets that touch by majority: round by round, each set with the neighbor that their votes are most of one mind about.
+/// \param sure the share of the votes, in [0, 1], that the winning side has to be ahead by
+template <typename ConcurrencyTag>
+void join_by_votes(double sure, Voting& voting)
+{
+  const Buffer<Vote>& votes = voting.votes;
+  const std::size_t none = (std::numeric_limits<std::size_t>::max)();
+  Buffer<std::size_t> strongest(voting.sets.size(), none, votes.get_allocator());   // the vote of each set that it joins by
+  const auto is_stronger = [&](std::size_t v, std::size_t w) {
+    const double a = std::abs(votes[v].agreement), b = std::abs(votes[w].agreement);
+    return a != b ? a > b : v < w;
+  };
+  for (bool is_joined = true; is_joined;)
+  {
+    is_joined = false;
+    for (const Vote& v : votes)
+      strongest[v.a] = strongest[v.b] = none;
+    for (std::size_t n = 0; n < votes.size(); ++n)
+      if (std::abs(votes[n].agreement) >= sure * votes[n].total)
+        for (const Index set : {votes[n].a, votes[n].b})
+          if (strongest[set] == none || is_stronger(n, strongest[set]))
+            strongest[set] = n;
+    for (std::size_t n = 0; n < votes.size(); ++n)
+      if (strongest[votes[n].a] == n || strongest[votes[n].b] == n)
+      {
+        voting.sets.join(votes[n].a, votes[n].b, votes[n].agreement < 0 ? -1 : 1);
+        is_joined = true;
+      }
+    pass_votes_on<ConcurrencyTag>(voting);
+  }
+}
+
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_ORIENTATION_VOTES_H

@@ -1,0 +1,41 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "convert.h"
+
+#include "Output_file.h"
+#include "parse_numbers.h"
+#include "read_points.h"
+#include "write_points.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace l0_tool {
+
+void convert_file(const Options& options, Input_file::On_progress on_progress, Run_record& record)
+{
+  check_writable(options.output, 0);
+  Read_options read_options;
+  read_options.max_points = options.max_points;
+  read_options.max_memory = options.max_memory;
+  read_options.drop_non_finite = options.drop_non_finite;
+  read_options.with_normals = true;
+  read_options.with_properties = true;
+  const Point_cloud cloud = read_points(options.input, options.input_format, read_options, std::move(on_progress));
+  record.warnings = cloud.warnings;
+  record.report.number_of_input_points = cloud.points.size();
+  record.report.number_of_dropped_points = cloud.number_of_dropped_points;
+
+  check_writable(options.output,
+                 largest_file_size(options.output_format, cloud.points.size(), cloud.properties));
+  const std::vector<std::string> left_out = write_point_cloud(options.output, options.output_format, cloud);
+  record.report.number_of_output_points = cloud.points.size();
+  for (const std::string& name : left_out)
+    record.warnings.push_back(options.output + ": the format has no place for the property " + printable(name));
+}
+
+} // namespace l0_tool

@@ -1,0 +1,67 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Never linked nor run: all public headers, and the function for every tag, solver, and kind of range that it knows, for
+// compilers to look at.
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/L0_resampling/Block_conjugate_gradient_solver_traits.h>
+#include <CGAL/L0_resampling/CUDA_least_squares_solver_traits.h>
+#include <CGAL/L0_resampling/CUDA_resampler.h>
+#include <CGAL/L0_resampling/Eigen_cholesky_solver_traits.h>
+#include <CGAL/L0_resampling/Eigen_least_squares_solver_traits.h>
+#include <CGAL/L0_resampling/Quadratic_problem.h>
+#include <CGAL/L0_resampling/Report.h>
+#include <CGAL/L0_resampling/Solver_report.h>
+#include <CGAL/L0_resampling/named_parameters.h>
+#include <CGAL/L0_resampling/tags.h>
+#include <CGAL/Point_set_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/l0_resample_point_set.h>
+
+#include <iterator>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace {
+
+template <typename Kernel, typename ConcurrencyTag>
+void resample()
+{
+  using Pair = std::pair<typename Kernel::Point_3, typename Kernel::Vector_3>;
+  using namespace CGAL::L0_resampling;
+  namespace parameters = CGAL::parameters;
+
+  const std::vector<typename Kernel::Point_3> points;
+  const std::vector<Pair> pairs;
+  std::vector<Pair> result;
+  CGAL::l0_resample_point_set<ConcurrencyTag>(points, std::back_inserter(result));
+  CGAL::l0_resample_point_set<ConcurrencyTag>(pairs, std::back_inserter(result),
+    parameters::point_map(CGAL::First_of_pair_property_map<Pair>())
+      .normal_map(CGAL::Second_of_pair_property_map<Pair>())
+      .callback([](double) { return true; }) | parameters::resampling_method(Method::LOR));
+  if constexpr (!std::is_same_v<ConcurrencyTag, CGAL::CUDA_tag>)   // which has its own solver
+  {
+    CGAL::l0_resample_point_set<ConcurrencyTag>(
+      points, std::back_inserter(result), parameters::sparse_linear_solver(Eigen_cholesky_solver_traits<>()));
+    CGAL::l0_resample_point_set<ConcurrencyTag>(
+      points, std::back_inserter(result), parameters::sparse_linear_solver(Eigen_least_squares_solver_traits<>()));
+  }
+
+  CGAL::Point_set_3<typename Kernel::Point_3> point_set, resampled;
+  CGAL::l0_resample_point_set<ConcurrencyTag>(point_set, resampled);
+}
+
+} // namespace
+
+int main()
+{
+  using Exact_predicates = CGAL::Exact_predicates_inexact_constructions_kernel;
+  resample<Exact_predicates, CGAL::Sequential_tag>();
+  resample<Exact_predicates, CGAL::Parallel_tag>();
+  resample<Exact_predicates, CGAL::CUDA_tag>();
+  resample<CGAL::Simple_cartesian<float>, CGAL::Sequential_tag>();
+}
