@@ -30,7 +30,7 @@ std::string last_error()
 
 Input_file::Input_file(const std::string& path, On_progress on_progress)
   : m_path(path), m_on_progress(std::move(on_progress)), m_descriptor(open(path.c_str(), O_RDONLY | O_CLOEXEC)),
-    m_buffer(256 * 1024)
+    m_buffer(new char[buffer_size])
 {
   if (m_descriptor < 0) {
     const std::string error = last_error();
@@ -56,11 +56,11 @@ bool Input_file::fill()
   if (m_size && m_on_progress)
     m_on_progress((std::min)(1., double(m_position) / double(*m_size)));
 
-  std::memmove(m_buffer.data(), m_buffer.data() + m_begin, m_end - m_begin);
+  std::memmove(m_buffer.get(), m_buffer.get() + m_begin, m_end - m_begin);
   m_end -= m_begin;
   m_begin = 0;
   for (;;) {
-    const ssize_t n = read(m_descriptor, m_buffer.data() + m_end, m_buffer.size() - m_end);
+    const ssize_t n = read(m_descriptor, m_buffer.get() + m_end, buffer_size - m_end);
     if (n >= 0) {
       m_end += std::size_t(n);
       return n > 0;
@@ -77,7 +77,7 @@ std::optional<std::string_view> Input_file::read_line()
   ++m_line;
   std::size_t searched = 0;
   for (;;) {
-    const char* begin = m_buffer.data() + m_begin;
+    const char* begin = m_buffer.get() + m_begin;
     const std::size_t available = m_end - m_begin;
     const void* newline = std::memchr(begin + searched, '\n', available - searched);
     const std::size_t length = newline ? std::size_t(static_cast<const char*>(newline) - begin) : available;
@@ -91,7 +91,7 @@ std::optional<std::string_view> Input_file::read_line()
       if (available == 0)
         return std::nullopt;
     }
-    begin = m_buffer.data() + m_begin;
+    begin = m_buffer.get() + m_begin;
     const std::size_t consumed = length + (newline ? 1 : 0);
     m_begin += consumed;
     m_position += consumed;
@@ -108,7 +108,7 @@ const char* Input_file::read_bytes(std::size_t n)
   while (m_end - m_begin < n)
     if (!fill())
       refuse("the file ends here, where " + std::to_string(n - (m_end - m_begin)) + " more bytes are expected");
-  const char* bytes = m_buffer.data() + m_begin;
+  const char* bytes = m_buffer.get() + m_begin;
   m_begin += n;
   m_position += n;
   return bytes;

@@ -9,10 +9,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace l0_tool {
 
@@ -55,13 +55,15 @@ public:
   const std::string& path() const { return m_path; }
 
 private:
+  static constexpr std::size_t buffer_size = 2 * max_line_length;
+
   bool fill();
 
   std::string m_path;
   On_progress m_on_progress;
   int m_descriptor;
   std::optional<std::uint64_t> m_size;
-  std::vector<char> m_buffer;
+  std::unique_ptr<char[]> m_buffer;     // not initialized: a small file touches little of it
   std::size_t m_begin = 0, m_end = 0;   // the unread part of the buffer
   std::uint64_t m_position = 0;         // in the file, of m_begin
   std::uint64_t m_line = 0;

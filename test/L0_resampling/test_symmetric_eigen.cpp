@@ -10,6 +10,7 @@
 #include <Eigen/Eigenvalues>
 
 #include <cmath>
+#include <limits>
 
 using namespace CGAL::L0_resampling::internal;
 using namespace test;
@@ -36,6 +37,19 @@ void check(double smallest, double middle, double largest, Generator& generator)
   CHECK((a * v - smallest * v).norm() <= 1e-7 * scale);
 }
 
+/// Values that differ by rounding only: any vector will do, but it has to be one.
+void check_nearly_equal_values()
+{
+  for (double value : {1e-20, 1., 86.2, 3e9})
+    for (int i = 0; i < 64; ++i)
+    {
+      const double unit = value * std::numeric_limits<double>::epsilon();
+      const Eigen_decomposition found = decompose({value + i % 4 * unit, 0, 0, value + i / 4 % 4 * unit, 0, value + i / 16 * unit});
+      CHECK(is_close(dot(found.smallest_vector, found.smallest_vector), 1, 1e-12));
+      CHECK(is_close(found.values[0], value, 1e-12) && is_close(found.values[2], value, 1e-12));
+    }
+}
+
 int main()
 {
   Generator generator(5);
@@ -52,6 +66,7 @@ int main()
     check(scale * c, scale * c, scale * c, generator);
     check(-scale * c, scale * a, scale * b, generator);
   }
+  check_nearly_equal_values();
   const Eigen_decomposition of_zero = decompose({0, 0, 0, 0, 0, 0});
   CHECK(of_zero.values[0] == 0 && of_zero.values[2] == 0 && of_zero.smallest_vector.z == 1);
   return result();

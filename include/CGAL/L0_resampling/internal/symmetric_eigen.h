@@ -79,7 +79,8 @@ CGAL_L0_HOST_DEVICE inline Eigen_decomposition decompose(const Symmetric_matrix&
   Symmetric_matrix a = {matrix.xx - shift, matrix.xy, matrix.xz, matrix.yy - shift, matrix.yz, matrix.zz - shift};
   const double scale = larger(larger(larger(std::abs(a.xx), std::abs(a.yy)), std::abs(a.zz)),
                               larger(larger(std::abs(a.xy), std::abs(a.xz)), std::abs(a.yz)));
-  if (!(scale > 0))
+  // What follows takes the trace for zero, which the rounding of the shift is not, beside nearly equal values
+  if (!(scale > 1e-14 * std::abs(shift)))
   {
     result.values[0] = result.values[1] = result.values[2] = shift;
     return result;

@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# Attacks one reader with libFuzzer, under AddressSanitizer and UndefinedBehaviorSanitizer, and packs what reached new paths.
+#
+#   run.sh CORPUS [EXECUTIONS]     CORPUS is npy, off, pcd, ply_ascii, ply_binary or xyz; 100000 executions if none are given
+#
+# Needs clang with its run-time library for fuzzing (Debian: clang, libclang-rt-dev). Ends with 0 if no file was found that breaks a reader;
+# such a file is left in the folder that is named.
+set -euo pipefail
+
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+tool=$here/../../../src/l0_resample
+corpus=$1 executions=${2:-100000}
+format=${corpus%_*}
+scratch=$here/../../../build-fuzz
+mkdir -p "$scratch/objects" "$scratch/$corpus"
+
+flags=(-std=c++17 -O2 -g1 -fsanitize=address,undefined,float-cast-overflow -fno-sanitize=vptr -fno-sanitize-recover=all
+       -I "$tool" -I "$here/../../../include")
+objects=()
+for source in "$tool"/{Input_file,Number_type,Pcd_header,Ply_header,Point_collector,file_formats,signals}.cpp "$tool"/read_*.cpp \
+              "$here/fuzz_readers.cpp"; do
+  object=$scratch/objects/$(basename "$source" .cpp).o
+  clang++ "${flags[@]}" -fsanitize=fuzzer-no-link -c "$source" -o "$object"
+  objects+=("$object")
+done
+clang++ "${flags[@]}" -fsanitize=fuzzer "${objects[@]}" -o "$scratch/fuzz_readers"
+
+[ ! -f "$here/corpora/$corpus.tar.gz" ] || tar -C "$scratch" -xzf "$here/corpora/$corpus.tar.gz"
+# short stacks and no quarantine, as allocations are what most of the time would go to; leaks are looked for when all is replayed
+ASAN_OPTIONS=malloc_context_size=0:quarantine_size_mb=1 "$scratch/fuzz_readers" "$scratch/$corpus" --format="$format" \
+  -dict="$here/dictionaries/$format.dict" -max_len=1024 -detect_leaks=0 -runs="$executions" -artifact_prefix="$scratch/" -print_final_stats=1
+
+mkdir -p "$scratch/merged/$corpus" "$here/corpora"
+"$scratch/fuzz_readers" -merge=1 --format="$format" -max_len=1024 "$scratch/merged/$corpus" "$scratch/$corpus"
+tar -C "$scratch/merged" --sort=name --owner=0 --group=0 --mtime=@0 -c "$corpus" | gzip -n9 > "$here/corpora/$corpus.tar.gz"
