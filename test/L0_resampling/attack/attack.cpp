@@ -7,6 +7,7 @@
 //
 //   attack named [--every K] ...     our point sets, each with our parameter sets; of all pairs every K-th
 //   attack random RUNS [--seed S] ...  the seeds S, S + 1, ... each make one of both
+//   attack large N ...               a noisy cube of N points by each method: enough for many threads
 //   attack replay FILE... ...        the attacks that once succeeded
 //   attack minimize FILE ...         writes FILE.minimal, with as few points and parameters as still break the same
 //
@@ -67,7 +68,7 @@ Options parsed(int argc, char** argv)
       throw std::runtime_error(word + " is no option");
   }
   if (options.words.empty() || options.every == 0)
-    throw std::runtime_error("named, random, replay or minimize expected");
+    throw std::runtime_error("named, random, large, replay or minimize expected");
   return options;
 }
 
@@ -85,6 +86,8 @@ public:
   {
     ++m_attacks;
     const std::string faults = in_sandbox([&]() { return carry_out(attack); }, m_options.limits);
+    if (m_attacks % 100 == 0)
+      write_json();   // long campaigns may be ended at any time
     if (faults.empty())
       return;
     ++m_successes;
@@ -97,13 +100,19 @@ public:
   int end() const
   {
     std::cout << m_attacks << " attacks, " << m_successes << " succeeded" << std::endl;
-    if (!m_options.json.empty())
-    {
-      const std::chrono::duration<double> time = std::chrono::steady_clock::now() - m_start;
-      std::ofstream(m_options.json) << "{\"kind\": \"" << m_options.words.front() << "\", \"seed\": " << m_options.seed
-                                    << ", \"attacks\": " << m_attacks << ", \"succeeded\": " << m_successes << ", \"seconds\": " << time.count() << "}\n";
-    }
+    write_json();
     return m_attacks > 0 && m_successes == 0 ? 0 : 1;
+  }
+
+private:
+  void write_json() const
+  {
+    if (m_options.json.empty())
+      return;
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - m_start;
+    std::ofstream(m_options.json) << "{\"kind\": \"" << m_options.words.front() << "\", \"seed\": " << m_options.seed
+                                  << ", \"attacks\": " << m_attacks << ", \"succeeded\": " << m_successes
+                                  << ", \"seconds\": " << time.count() << "}\n";
   }
 };
 
@@ -140,6 +149,21 @@ int attack_at_random(const Options& options)
   std::cout << "seeds " << options.seed << " to " << options.seed + runs - 1 << std::endl;
   for (std::size_t run = 0; run < runs; ++run)
     campaign.add(random_attack(options.seed + run));
+  return campaign.end();
+}
+
+int attack_with_many(const Options& options)
+{
+  Campaign campaign(options);
+  Generator generator(1);
+  test::Oriented_points cube = test::cube_points(std::stoul(options.words.at(1)), 1, generator);
+  test::add_gaussian_noise(cube.points, 0.01, generator);
+  for (int method : {0, 1, 2})
+  {
+    Parameters parameters;
+    parameters.method = method;
+    campaign.add({"large, method " + std::to_string(method), cube.points, cube.normals, parameters});
+  }
   return campaign.end();
 }
 
@@ -201,6 +225,8 @@ int main(int argc, char** argv)
       return attack_with_named(options);
     if (kind == "random")
       return attack_at_random(options);
+    if (kind == "large")
+      return attack_with_many(options);
     if (kind == "replay")
       return replay(options);
     if (kind == "minimize")
