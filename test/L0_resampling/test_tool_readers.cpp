@@ -237,7 +237,7 @@ void test_precision_of_pcd()
       CHECK(std::sqrt((cloud.normals[i] - moved[i].second).squared_length()) <= 1e-6);
     }
   }
-  write_points(path, File_format::PCD, {});
+  write_points(path, File_format::PCD, std::vector<Oriented_point>());
   CHECK(read_points(path, File_format::PCD, {}).points.empty());
 }
 
