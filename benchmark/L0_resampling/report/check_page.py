@@ -71,8 +71,9 @@ class Page:
         canvases = figure.find_elements(By.TAG_NAME, "canvas")
         assert canvases, f"{name} has no pictures"
         first = [self.look(canvas) for canvas in canvases]
-        for drawn, _ in first:
-            assert drawn > 500, f"{name}: a picture is empty"
+        for canvas, (drawn, _) in zip(canvases, first):
+            pixels = int(canvas.get_attribute("width")) * int(canvas.get_attribute("height"))
+            assert 500 < drawn < 0.9 * pixels, f"{name}: a picture is empty"
 
         def all_changed(before):
             return lambda: all(self.look(canvas) != seen for canvas, seen in zip(canvases, before))
