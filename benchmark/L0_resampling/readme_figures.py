@@ -94,7 +94,7 @@ def device():
 
     def beside(solver, threads):
         line = next(line for line in result["beside"] if line["threads"] == threads
-                    and line["parameters"] == {"method": "lor", "solver": solver})
+                    and line["parameters"]["method"] == "lor" and line["parameters"]["solver"] == solver)
         return duration(line["wall_seconds"])
 
     most = max(line["threads"] for line in result["beside"])
