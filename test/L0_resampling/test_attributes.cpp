@@ -23,17 +23,10 @@ using Kernel = CGAL::Simple_cartesian<double>;
 using Point_set = CGAL::Point_set_3<Kernel::Point_3>;
 using CGAL::L0_resampling::Method;
 using test::Vector;
+using test::noisy_cube;
 namespace params = CGAL::parameters;
 
 namespace {
-
-std::vector<Vector> noisy_cube(std::size_t n)
-{
-  test::Generator generator(1);
-  std::vector<Vector> points = test::cube_points(n, 1, generator).points;
-  test::add_gaussian_noise(points, 0.01, generator);
-  return points;
-}
 
 /// The index of the nearest point, the smallest of those at one distance; those that are not finite are none.
 std::size_t nearest_index(const std::vector<Vector>& points, const Vector& query)

@@ -26,9 +26,7 @@ namespace {
 
 std::vector<Vector> noisy_cube(std::size_t n)
 {
-  test::Generator generator(1);
-  std::vector<Vector> points = test::cube_points(n, 1, generator).points;
-  test::add_gaussian_noise(points, 0.01, generator);
+  std::vector<Vector> points = test::noisy_cube(n);
   for (Vector& p : points)   // to what a float holds: the same cloud in every kernel
     p = test::as_vector(CGAL::Simple_cartesian<float>::Point_3(float(p[0]), float(p[1]), float(p[2])));
   return points;

@@ -16,17 +16,10 @@ using CGAL::L0_resampling::Method;
 using CGAL::L0_resampling::Report;
 using CGAL::Sequential_tag;
 using test::Vector;
+using test::noisy_cube;
 namespace params = CGAL::parameters;
 
 namespace {
-
-std::vector<Vector> noisy_cube(std::size_t n)
-{
-  test::Generator generator(1);
-  std::vector<Vector> points = test::cube_points(n, 1, generator).points;
-  test::add_gaussian_noise(points, 0.01, generator);
-  return points;
-}
 
 void test_completed_call()
 {

@@ -48,10 +48,7 @@ struct Failing_solver_traits
 
 std::vector<Kernel::Point_3> noisy_cube(std::size_t n)
 {
-  test::Generator generator(1);
-  std::vector<Vector> points = test::cube_points(n, 1, generator).points;
-  test::add_gaussian_noise(points, 0.01, generator);
-  return test::kernel_points<Kernel>(points);
+  return test::kernel_points<Kernel>(test::noisy_cube(n));
 }
 
 template <typename Solver>

@@ -156,6 +156,15 @@ inline void add_gaussian_noise(std::vector<Vector>& points, double deviation, Ge
     p += Vector(noise(generator), noise(generator), noise(generator));
 }
 
+/// On the surface of the unit cube, with Gaussian noise of a hundredth of its side.
+inline std::vector<Vector> noisy_cube(std::size_t n)
+{
+  Generator generator(1);
+  std::vector<Vector> points = cube_points(n, 1, generator).points;
+  add_gaussian_noise(points, 0.01, generator);
+  return points;
+}
+
 /// For each query the points strictly closer than `radius`, by increasing index, in time O(queries * points).
 inline std::vector<std::vector<std::uint32_t>> brute_force_neighbors(const std::vector<Vector>& queries,
                                                                      const std::vector<Vector>& points, double radius)

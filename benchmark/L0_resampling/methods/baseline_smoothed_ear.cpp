@@ -9,7 +9,6 @@
 #include "baseline_steps.h"
 
 #include <CGAL/bilateral_smooth_point_set.h>
-#include <CGAL/edge_aware_upsample_point_set.h>
 
 namespace {
 
@@ -54,12 +53,7 @@ void run_pipeline(std::vector<Point>& points, std::size_t number_of_output_point
     smooth_with_normals<ConcurrencyTag>(result, parameters, parameters.smooth_again);
   });
   measurement.phase("upsample", [&] {
-    // reserved for all, so that CGAL may append to the range it reads
-    CGAL::edge_aware_upsample_point_set<ConcurrencyTag>(
-      result, std::back_inserter(result),
-      point_and_normal_maps().sharpness_angle(parameters.sharpness_angle)
-                             .edge_sensitivity(parameters.edge_sensitivity)
-                             .number_of_output_points(number_of_output_points));
+    upsample<ConcurrencyTag>(number_of_output_points, parameters.sharpness_angle, parameters.edge_sensitivity, result);
   });
 }
 

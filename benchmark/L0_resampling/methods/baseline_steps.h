@@ -9,11 +9,14 @@
 #include "method_program.h"
 
 #include <CGAL/compute_average_spacing.h>
+#include <CGAL/edge_aware_upsample_point_set.h>
 #include <CGAL/mst_orient_normals.h>
 #include <CGAL/pca_estimate_normals.h>
 #include <CGAL/wlop_simplify_and_regularize_point_set.h>
 
 #include <boost/iterator/function_output_iterator.hpp>
+
+#include <iterator>
 
 namespace L0_benchmark {
 
@@ -61,6 +64,18 @@ void estimate_normals(Oriented_points& points)
 inline void orient_normals(Oriented_points& points)
 {
   CGAL::mst_orient_normals(points, number_of_normal_neighbors, point_and_normal_maps());
+}
+
+/// EAR's last step: points are added up to `number_of_output_points`, for which `result` has reserved the room, so that CGAL may append to the
+/// range it reads.
+/// \param sharpness_angle in degrees
+template <typename ConcurrencyTag>
+void upsample(std::size_t number_of_output_points, double sharpness_angle, double edge_sensitivity, Oriented_points& result)
+{
+  CGAL::edge_aware_upsample_point_set<ConcurrencyTag>(
+    result, std::back_inserter(result),
+    point_and_normal_maps().sharpness_angle(sharpness_angle).edge_sensitivity(edge_sensitivity)
+                           .number_of_output_points(number_of_output_points));
 }
 
 /// What a method without normals gets: PCA normals oriented over a spanning tree. Timed apart, as phases of their own.

@@ -89,7 +89,6 @@ public:
   Index size_of_set(Index root) const { return m_sizes[root]; }
 };
 
-
 } // namespace internal
 } // namespace L0_resampling
 } // namespace CGAL
