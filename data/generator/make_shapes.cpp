@@ -36,8 +36,8 @@ using Polygon = std::vector<Point_2>;
 
 using Vertex_base = CGAL::Triangulation_vertex_base_with_info_2<std::size_t, Plane_kernel>;
 using Face_base = CGAL::Constrained_triangulation_face_base_2<Plane_kernel>;
-using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
-  Plane_kernel, CGAL::Triangulation_data_structure_2<Vertex_base, Face_base>>;
+using Triangulation =
+  CGAL::Constrained_Delaunay_triangulation_2<Plane_kernel, CGAL::Triangulation_data_structure_2<Vertex_base, Face_base>>;
 
 constexpr double pi = 3.14159265358979323846;
 
@@ -103,9 +103,9 @@ Triangle_mesh make_staircase()
 /// Sharp edges that are straight and curved, one of them concave and acute.
 Triangle_mesh make_bracket()
 {
-  const Polygon outline = {Point_2(0, 0), Point_2(1.2, 0), Point_2(1.2, 0.8), Point_2(1, 0.8),
+  const Polygon outline = {Point_2(0, 0),      Point_2(1.2, 0),   Point_2(1.2, 0.8), Point_2(1, 0.8),
                            Point_2(0.85, 0.5), Point_2(0.7, 0.8), Point_2(0, 0.8)};
-  const int number_of_sides = 64;  // 5.6 degrees from one to the next: smooth
+  const int number_of_sides = 64; // 5.6 degrees from one to the next: smooth
   Polygon hole;
   for (int i = 0; i < number_of_sides; ++i)
     hole.emplace_back(0.35 + 0.2 * std::cos(2 * pi * i / number_of_sides),
@@ -114,10 +114,7 @@ Triangle_mesh make_bracket()
 }
 
 /// Two sides with opposite normals, 2 % of the diagonal apart.
-Triangle_mesh make_thin_plate()
-{
-  return extrude({rectangle(1, 0.7)}, 0.025);
-}
+Triangle_mesh make_thin_plate() { return extrude({rectangle(1, 0.7)}, 0.025); }
 
 /// Regular, with circumscribed radius sqrt(3).
 Triangle_mesh make_dodecahedron()
@@ -140,12 +137,12 @@ Triangle_mesh make_dodecahedron()
       }
     }
   for (const Vector_3& normal : face_normals) {
-    std::vector<std::pair<double, std::size_t>> corners;  // angle around the normal, vertex
+    std::vector<std::pair<double, std::size_t>> corners; // angle around the normal, vertex
     const Vector_3 x_axis = CGAL::cross_product(normal, Vector_3(1, 2, 3));
     const Vector_3 y_axis = CGAL::cross_product(normal, x_axis) / std::sqrt(normal.squared_length());
     for (std::size_t v = 0; v < solid.vertices.size(); ++v) {
       const Vector_3 position = solid.vertices[v] - CGAL::ORIGIN;
-      if (position * normal > phi)  // phi^2 on the face, 1 / phi or less elsewhere
+      if (position * normal > phi) // phi^2 on the face, 1 / phi or less elsewhere
         corners.emplace_back(std::atan2(position * y_axis, position * x_axis), v);
     }
     std::sort(corners.begin(), corners.end());
@@ -165,9 +162,7 @@ Triangle_mesh make_torus()
       const double u = 2 * pi * double(i) / around, v = 2 * pi * double(j) / across;
       const double radius = 1 + 0.4 * std::cos(v);
       torus.vertices.emplace_back(radius * std::cos(u), radius * std::sin(u), 0.4 * std::sin(v));
-      const auto vertex = [&](std::size_t di, std::size_t dj) {
-        return (i + di) % around * across + (j + dj) % across;
-      };
+      const auto vertex = [&](std::size_t di, std::size_t dj) { return (i + di) % around * across + (j + dj) % across; };
       torus.triangles.push_back({vertex(0, 0), vertex(1, 0), vertex(1, 1)});
       torus.triangles.push_back({vertex(0, 0), vertex(1, 1), vertex(0, 1)});
     }
@@ -185,7 +180,7 @@ struct Shape
 /// between platforms.
 Triangle_mesh rounded(Triangle_mesh mesh)
 {
-  const auto round = [](double x) { return std::round(x * 1e9) / 1e9 + 0.; };  // + 0 makes -0 positive
+  const auto round = [](double x) { return std::round(x * 1e9) / 1e9 + 0.; }; // + 0 makes -0 positive
   for (Point_3& p : mesh.vertices)
     p = Point_3(round(p.x()), round(p.y()), round(p.z()));
   return mesh;
@@ -214,11 +209,10 @@ int main(int argc, char* argv[])
     return 2;
   }
   try {
-    for (const Shape& shape : {Shape{"dodecahedron", rounded(make_dodecahedron()), 8000},
-                               Shape{"staircase", rounded(make_staircase()), 10000},
-                               Shape{"bracket", rounded(make_bracket()), 10000},
-                               Shape{"thin_plate", rounded(make_thin_plate()), 8000},
-                               Shape{"torus", rounded(make_torus()), 8000}})
+    for (const Shape& shape :
+         {Shape{"dodecahedron", rounded(make_dodecahedron()), 8000},
+          Shape{"staircase", rounded(make_staircase()), 10000}, Shape{"bracket", rounded(make_bracket()), 10000},
+          Shape{"thin_plate", rounded(make_thin_plate()), 8000}, Shape{"torus", rounded(make_torus()), 8000}})
       write(shape, argv[1]);
   } catch (const std::exception& error) {
     std::cerr << "make_shapes: " << error.what() << "\n";

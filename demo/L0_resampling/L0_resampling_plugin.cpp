@@ -47,7 +47,7 @@ struct Options
 {
   CGAL::L0_resampling::Method method = CGAL::L0_resampling::Method::DEFAULT;
   std::size_t number_of_output_points = 0;
-  std::optional<double> neighbor_radius;   ///< none: from spacing and noise, or as in the paper
+  std::optional<double> neighbor_radius; ///< none: from spacing and noise, or as in the paper
   std::size_t number_of_threads = 1;
 };
 
@@ -95,8 +95,8 @@ Oriented_points resample(const Point_set& points, const Options& options, const 
 #endif
   Oriented_points result;
   const auto call = [&](const auto& np) {
-    CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(
-      points.all_or_selection_if_not_empty(), std::back_inserter(result), np);
+    CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(points.all_or_selection_if_not_empty(),
+                                                                 std::back_inserter(result), np);
   };
   const auto np = parameters::resampling_method(options.method)
                     .number_of_output_points(options.number_of_output_points)
@@ -125,10 +125,11 @@ std::optional<Oriented_points> resample_with_progress_dialog(const Point_set& po
     percent = int(100 * share);
     return !is_canceled;
   };
-  std::future<Oriented_points> result =
-    std::async(std::launch::async, [&]() { return resample(points, options, callback); });
-  while (result.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready) {
-    dialog.setValue((std::min)(percent.load(), 99));   // the last one closes the dialog
+  std::future<Oriented_points> result = std::async(std::launch::async,
+                                                   [&]() { return resample(points, options, callback); });
+  while (result.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready)
+  {
+    dialog.setValue((std::min)(percent.load(), 99)); // the last one closes the dialog
     QApplication::processEvents();
     is_canceled = dialog.wasCanceled();
   }
@@ -155,7 +156,7 @@ public:
     scene = scene_interface;
     actionL0Resampling = new QAction(tr("L0 Resampling"), window);
     actionL0Resampling->setProperty("subMenuName", "Point Set Processing");
-    actionL0Resampling->setObjectName("actionL0Resampling");   // names the slot that is connected
+    actionL0Resampling->setObjectName("actionL0Resampling"); // names the slot that is connected
     autoConnectActions();
   }
 
@@ -175,10 +176,13 @@ public Q_SLOTS:
     L0_resampling_dialog dialog(mw, number_of_points, radius_of_the_paper);
     if (dialog.exec() != QDialog::Accepted)
       return;
-    try {
+    try
+    {
       if (const std::optional<Oriented_points> result = resample_with_progress_dialog(points, dialog.options(), mw))
         add_item(*item, *result);
-    } catch (const std::exception& error) {
+    }
+    catch (const std::exception& error)
+    {
       CGAL::Three::Three::error(tr("L0 Resampling"), QString::fromStdString(error.what()));
     }
   }
@@ -191,7 +195,7 @@ private:
 
   void add_item(Scene_points_with_normal_item& item, const Oriented_points& points)
   {
-    Scene_points_with_normal_item* new_item = new Scene_points_with_normal_item();   // the scene owns it
+    Scene_points_with_normal_item* new_item = new Scene_points_with_normal_item(); // the scene owns it
     new_item->setName(tr("%1 (L0 resampled)").arg(item.name()));
     new_item->point_set()->add_normal_map();
     for (const auto& [point, normal] : points)

@@ -10,7 +10,7 @@ using Kernel = CGAL::Simple_cartesian<double>;
 using namespace CGAL::L0_resampling;
 
 //! [solver]
-struct My_solver_traits  // a model of L0ResamplingSolverTraits
+struct My_solver_traits // a model of L0ResamplingSolverTraits
 {
   using FT = double;
   static constexpr bool needs_explicit_rows = false;

@@ -29,7 +29,8 @@ int main(int argc, char* argv[])
 
   //! [features]
   const auto confidence = result.add_property_map<float>("feature_confidence", 0).first;
-  CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(points, result, CGAL::parameters::feature_confidence_map(confidence));
+  CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(points, result,
+                                                               CGAL::parameters::feature_confidence_map(confidence));
 
   result.add_property_map<std::uint8_t>("red", 200);
   const auto green = result.add_property_map<std::uint8_t>("green", 200).first;

@@ -36,13 +36,15 @@ int main(int argc, char* argv[])
 
   // A chain that a name of CGAL has started goes on with ours behind a bar.
   std::vector<std::pair<Kernel::Point_3, Kernel::Vector_3>> smoother;
-  CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(
-    points, std::back_inserter(smoother), parameters::neighbor_radius(2 * report.neighbor_radius) | parameters::normal_weight(2));
+  CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(points, std::back_inserter(smoother),
+                                                               parameters::neighbor_radius(2 * report.neighbor_radius)
+                                                                 | parameters::normal_weight(2));
   //! [chain]
 
   //! [report]
-  std::cout << "radius " << report.neighbor_radius << ", noise " << report.estimated_noise << ", spacing " << report.estimated_spacing
-            << "\n" << report.number_of_degenerate_neighborhoods << " points with too few neighbors for a plane, "
+  std::cout << "radius " << report.neighbor_radius << ", noise " << report.estimated_noise << ", spacing "
+            << report.estimated_spacing << "\n"
+            << report.number_of_degenerate_neighborhoods << " points with too few neighbors for a plane, "
             << 100 * report.oriented_share << " % of the normals oriented beyond doubt\n"
             << (report.converged ? "every solve converged" : "a solve ran out of iterations") << "\n";
   for (const CGAL::L0_resampling::Stage_report& stage : report.stages)
@@ -52,11 +54,12 @@ int main(int argc, char* argv[])
   //! [refusal]
   try
   {
-    CGAL::l0_resample_point_set<CGAL::Sequential_tag>(points, std::back_inserter(result), parameters::neighbor_radius(-1.));
+    CGAL::l0_resample_point_set<CGAL::Sequential_tag>(points, std::back_inserter(result),
+                                                      parameters::neighbor_radius(-1.));
   }
   catch (const std::invalid_argument& error)
   {
-    std::cout << error.what() << std::endl;   // names the parameter, its value and what was expected
+    std::cout << error.what() << std::endl; // names the parameter, its value and what was expected
   }
   //! [refusal]
   return result.empty() || smoother.empty() ? EXIT_FAILURE : EXIT_SUCCESS;

@@ -25,7 +25,7 @@ int main()
     for (int j = 0; j < 60; ++j)
     {
       const double x = i / 30. - 1, y = j / 30. - 1;
-      scan.emplace_back(Kernel::Point_3(x, y, (x * x + y * y) / 2), Kernel::Vector_3(0, 0, 1));   // a rough normal
+      scan.emplace_back(Kernel::Point_3(x, y, (x * x + y * y) / 2), Kernel::Vector_3(0, 0, 1)); // a rough normal
     }
 
   //! [hints]

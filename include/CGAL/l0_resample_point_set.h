@@ -52,21 +52,27 @@ decltype(auto) choose_solver(const NamedParameters& np, DefaultSolver& default_s
   if constexpr (parameters::is_default_parameter<NamedParameters, internal_np::sparse_linear_solver_t>::value)
     return (default_solver);
   else
-    return parameters::get_parameter(np, internal_np::sparse_linear_solver);   // a copy
+    return parameters::get_parameter(np, internal_np::sparse_linear_solver); // a copy
 }
 
 template <typename Solver>
-Solver& unwrapped(Solver& solver) { return solver; }
+Solver& unwrapped(Solver& solver)
+{
+  return solver;
+}
 template <typename Solver>
-Solver& unwrapped(std::reference_wrapper<Solver>& solver) { return solver.get(); }
+Solver& unwrapped(std::reference_wrapper<Solver>& solver)
+{
+  return solver.get();
+}
 
 /// The whole function on the CPU, once the property maps are known. `NormalMap` may be `bool`, for none, or an optional.
 /// \param near_count how many near points of the input `write` wants to know of each point, if the maps among the parameters want fewer
 /// \param write called once if there is a result: with its size, a function that gives its i-th pair, and the `Point_data` asked for
-template <typename ConcurrencyTag, typename Kernel, typename PointRange, typename PointMap, typename NormalMap, typename Write,
-          typename NamedParameters>
-void resample_on_cpu(const PointRange& range, PointMap point_map, NormalMap normal_map, std::size_t near_count, const Write& write,
-                     const NamedParameters& np)
+template <typename ConcurrencyTag, typename Kernel, typename PointRange, typename PointMap, typename NormalMap,
+          typename Write, typename NamedParameters>
+void resample_on_cpu(const PointRange& range, PointMap point_map, NormalMap normal_map, std::size_t near_count,
+                     const Write& write, const NamedParameters& np)
 {
   using FT = typename Kernel::FT;
   Report unwanted_report;
@@ -90,7 +96,8 @@ void resample_on_cpu(const PointRange& range, PointMap point_map, NormalMap norm
   if (checked.number_of_output_points == 0)
     return;
   read_normals_if_given(range, normal_map, input);
-  if_given(np, internal_np::orientation_hint_map, [&](const auto& map) { read_directions(range, map, input, input.hints); });
+  if_given(np, internal_np::orientation_hint_map,
+           [&](const auto& map) { read_directions(range, map, input, input.hints); });
   release(input.is_kept);
 
   Block_conjugate_gradient_solver_traits<Local, ConcurrencyTag> default_solver;
@@ -99,13 +106,14 @@ void resample_on_cpu(const PointRange& range, PointMap point_map, NormalMap norm
   Progress progress(callback, report, memory);
   Buffer<std::array<FT, 3>> positions(&memory);
   Buffer<Eigen::Matrix<typename Solver::FT, 3, 1>> normals(&memory);
-  Point_data data{{number_of_near_points(np, near_count), Buffer<Index>(&memory), Buffer<float>(&memory)}, Buffer<float>(&memory)};
+  Point_data data{{number_of_near_points(np, near_count), Buffer<Index>(&memory), Buffer<float>(&memory)},
+                  Buffer<float>(&memory)};
   try
   {
     std::size_t n = input.points.size();
     const std::size_t m = checked.number_of_output_points;
-    Oriented_points<typename Solver::FT> result =
-      resample<ConcurrencyTag>(input.points, input.normals, input.hints, checked, unwrapped(chosen_solver), progress, report);
+    Oriented_points<typename Solver::FT> result = resample<ConcurrencyTag>(
+      input.points, input.normals, input.hints, checked, unwrapped(chosen_solver), progress, report);
     n -= report.number_of_outliers;
     if (report.number_of_distinct_points < (std::min)(n, m))
       report.number_of_distinct_points = number_of_distinct_points(range, point_map, memory);
@@ -138,10 +146,10 @@ void resample_on_cpu(const PointRange& range, PointMap point_map, NormalMap norm
 }
 
 /// Chooses where the stages run.
-template <typename ConcurrencyTag, typename Kernel, typename PointRange, typename PointMap, typename NormalMap, typename Write,
-          typename NamedParameters>
-void l0_resample_point_set(const PointRange& range, PointMap point_map, NormalMap normal_map, std::size_t near_count, const Write& write,
-                           const NamedParameters& np)
+template <typename ConcurrencyTag, typename Kernel, typename PointRange, typename PointMap, typename NormalMap,
+          typename Write, typename NamedParameters>
+void l0_resample_point_set(const PointRange& range, PointMap point_map, NormalMap normal_map, std::size_t near_count,
+                           const Write& write, const NamedParameters& np)
 {
   static_assert(std::is_floating_point<typename Kernel::FT>::value,
                 "l0_resample_point_set() computes in floating point: convert the points to a kernel such as "
@@ -162,10 +170,10 @@ void l0_resample_point_set(const PointRange& range, PointMap point_map, NormalMa
 }
 
 /// As above, to an output iterator.
-template <typename ConcurrencyTag, typename Kernel, typename PointRange, typename PointMap, typename NormalMap, typename OutputIterator,
-          typename NamedParameters>
-OutputIterator resample_to_iterator(const PointRange& range, PointMap point_map, NormalMap normal_map, OutputIterator out,
-                                    const NamedParameters& np)
+template <typename ConcurrencyTag, typename Kernel, typename PointRange, typename PointMap, typename NormalMap,
+          typename OutputIterator, typename NamedParameters>
+OutputIterator resample_to_iterator(const PointRange& range, PointMap point_map, NormalMap normal_map,
+                                    OutputIterator out, const NamedParameters& np)
 {
   const auto write = [&](std::size_t size, const auto& pair_of, const Point_data& data) {
     write_point_data(np, data, size, [](std::size_t i) { return i; });
@@ -395,11 +403,13 @@ OutputIterator l0_resample_point_set(const PointRange& points, OutputIterator ou
   using Value = typename std::iterator_traits<decltype(points.begin())>::value_type;
   using Point_map = typename internal_np::Lookup_named_param_def<internal_np::point_t, NamedParameters,
                                                                  Identity_property_map<const Value>>::type;
-  using Default_kernel = typename Kernel_traits<
-    std::remove_cv_t<typename boost::property_traits<Point_map>::value_type>>::Kernel;
-  using Kernel = typename internal_np::Lookup_named_param_def<internal_np::geom_traits_t, NamedParameters, Default_kernel>::type;
+  using Default_kernel =
+    typename Kernel_traits<std::remove_cv_t<typename boost::property_traits<Point_map>::value_type>>::Kernel;
+  using Kernel =
+    typename internal_np::Lookup_named_param_def<internal_np::geom_traits_t, NamedParameters, Default_kernel>::type;
 
-  const Point_map point_map = parameters::choose_parameter<Point_map>(parameters::get_parameter(np, internal_np::point_map));
+  const Point_map point_map = parameters::choose_parameter<Point_map>(
+    parameters::get_parameter(np, internal_np::point_map));
   if constexpr (parameters::is_default_parameter<NamedParameters, internal_np::normal_t>::value)
     return L0_resampling::internal::resample_to_iterator<ConcurrencyTag, Kernel>(points, point_map, false, out, np);
   else
@@ -443,7 +453,9 @@ void l0_resample_point_set(const Point_set_3<Point, Vector>& points, Point_set_3
         result.insert(pair.first, pair.second);
       }
     }
-    L0_resampling::internal::write_point_data(np, data, size, [&](std::size_t i) { return *(result.begin() + std::ptrdiff_t(size_before + i)); });
+    L0_resampling::internal::write_point_data(np, data, size, [&](std::size_t i) {
+      return *(result.begin() + std::ptrdiff_t(size_before + i));
+    });
   };
   const auto point_map = [&]() {
     if constexpr (parameters::is_default_parameter<NamedParameters, internal_np::point_t>::value)
@@ -452,7 +464,8 @@ void l0_resample_point_set(const Point_set_3<Point, Vector>& points, Point_set_3
       return parameters::get_parameter(np, internal_np::point_map);
   }();
   if constexpr (parameters::is_default_parameter<NamedParameters, internal_np::normal_t>::value)
-    L0_resampling::internal::l0_resample_point_set<ConcurrencyTag, Kernel>(points, point_map, false, near_count, write, np);
+    L0_resampling::internal::l0_resample_point_set<ConcurrencyTag, Kernel>(points, point_map, false, near_count, write,
+                                                                           np);
   else
     L0_resampling::internal::l0_resample_point_set<ConcurrencyTag, Kernel>(
       points, point_map, parameters::get_parameter(np, internal_np::normal_map), near_count, write, np);

@@ -43,8 +43,8 @@ void with_scratch(Device_arena& scratch, const char* name, const F& f)
   check(f(memory, bytes), name);
 }
 
-void sort_pairs(Key*& keys, Key*& other_keys, unsigned*& values, unsigned*& other_values, unsigned size, int bits, Device_arena& scratch,
-                cudaStream_t stream)
+void sort_pairs(Key*& keys, Key*& other_keys, unsigned*& values, unsigned*& other_values, unsigned size, int bits,
+                Device_arena& scratch, cudaStream_t stream)
 {
   cub::DoubleBuffer<Key> key_buffer(keys, other_keys);
   cub::DoubleBuffer<unsigned> value_buffer(values, other_values);
@@ -111,8 +111,9 @@ __device__ int compare(const float* normals, unsigned i, unsigned k)
 }
 
 /// Puts each point of a cell behind those that come before it by coordinates, normals and index.
-__global__ void rank_points(Cell_frame frame, const double3* positions, const unsigned* indices, const unsigned* numbers,
-                            const unsigned* begins, const float* normals, unsigned size, Cell_grid grid, Grid_counts* counts)
+__global__ void rank_points(Cell_frame frame, const double3* positions, const unsigned* indices,
+                            const unsigned* numbers, const unsigned* begins, const float* normals, unsigned size,
+                            Cell_grid grid, Grid_counts* counts)
 {
   const unsigned long long i = thread_index();
   if (i >= size)
@@ -159,12 +160,13 @@ __global__ void rank_points(Cell_frame frame, const double3* positions, const un
 /// Bits that ascend with the number.
 __device__ Key ascending_bits(double value)
 {
-  const long long bits = __double_as_longlong(value + 0.);   // -0 becomes 0
+  const long long bits = __double_as_longlong(value + 0.); // -0 becomes 0
   return Key(bits) ^ (bits < 0 ? ~Key(0) : Key(1) << 63);
 }
 
 /// Keys of one pass of the sort axis by axis: coordinates for `axis` 0 to 2, normals for 3 to 5, cells for 6.
-__global__ void compute_axis_keys(Positions positions, Cell_frame frame, const float* normals, int axis, const unsigned* order, Key* keys)
+__global__ void compute_axis_keys(Positions positions, Cell_frame frame, const float* normals, int axis,
+                                  const unsigned* order, Key* keys)
 {
   const unsigned long long i = thread_index();
   if (i >= positions.size)
@@ -178,8 +180,8 @@ __global__ void compute_axis_keys(Positions positions, Cell_frame frame, const f
   keys[i] = axis == 6 ? frame.key(p) : ascending_bits(axis == 0 ? p.x : axis == 1 ? p.y : p.z);
 }
 
-__global__ void take_sorted_points(Cell_frame frame, const double3* positions, const unsigned* indices, const unsigned* numbers, unsigned size,
-                                   Cell_grid grid, Grid_counts* counts)
+__global__ void take_sorted_points(Cell_frame frame, const double3* positions, const unsigned* indices,
+                                   const unsigned* numbers, unsigned size, Cell_grid grid, Grid_counts* counts)
 {
   const unsigned long long i = thread_index();
   if (i >= size)
@@ -210,7 +212,8 @@ __global__ void find_ranges(Cell_grid queries, Cell_grid grid, int reach, Cell_b
   const unsigned long long cell = t / unsigned(blocks.number_of_rows);
   if (cell >= queries.number_of_cells)
     return;
-  blocks.ranges[t] = range_of_row(grid, queries.frame.cell_of_key(queries.keys[cell]), reach, int(t % unsigned(blocks.number_of_rows)));
+  blocks.ranges[t] = range_of_row(grid, queries.frame.cell_of_key(queries.keys[cell]), reach,
+                                  int(t % unsigned(blocks.number_of_rows)));
 }
 
 __global__ void find_centers(Cell_grid queries, unsigned limit, Cell_blocks blocks)
@@ -237,7 +240,8 @@ __global__ void find_centers(Cell_grid queries, unsigned limit, Cell_blocks bloc
   center.begin_z = fixed.z;
   const unsigned reach = unsigned(blocks.reach);
   const auto is_inside = [reach](unsigned place, unsigned size) { return place > reach && place + reach + 1 < size; };
-  center.is_inside = is_inside(cell.x, frame.count[0]) && is_inside(cell.y, frame.count[1]) && is_inside(cell.z, frame.count[2]);
+  center.is_inside = is_inside(cell.x, frame.count[0]) && is_inside(cell.y, frame.count[1])
+                     && is_inside(cell.z, frame.count[2]);
   blocks.centers[c] = center;
 }
 
@@ -253,7 +257,7 @@ int bits_for(unsigned count)
 
 Cell_frame Cell_frame::around(const double (&low)[3], const double (&high)[3], double cell_size, double longest_query)
 {
-  const double margin = 8, half_range = std::ldexp(1., 20);   // cells; the latter as in Search_grid_3
+  const double margin = 8, half_range = std::ldexp(1., 20); // cells; the latter as in Search_grid_3
   Cell_frame frame;
   frame.cell_size = cell_size;
   // Points that a query sees are at most four cells and a ball apart, on an axis.
@@ -270,8 +274,8 @@ Cell_frame Cell_frame::around(const double (&low)[3], const double (&high)[3], d
 
 int cells_in_reach(double radius, double cell_size) { return int(std::ceil(radius / cell_size)); }
 
-Cell_grid build_grid(const Positions& positions, const float* normals, const Cell_frame& frame, Device_arena& arena, Device_arena& scratch,
-                     cudaStream_t stream)
+Cell_grid build_grid(const Positions& positions, const float* normals, const Cell_frame& frame, Device_arena& arena,
+                     Device_arena& scratch, cudaStream_t stream)
 {
   const unsigned n = positions.size, blocks = blocks_for(n);
   Cell_grid grid;
@@ -310,7 +314,8 @@ Cell_grid build_grid(const Positions& positions, const float* normals, const Cel
   check_launch("compute_keys");
   sort_pairs(keys, other_keys, indices, other_indices, n, frame.total_bits(), scratch, stream);
   number_cells();
-  rank_points<<<blocks, threads_per_block, 0, stream>>>(frame, gathered, indices, other_indices, begins, normals, n, grid, device_counts);
+  rank_points<<<blocks, threads_per_block, 0, stream>>>(frame, gathered, indices, other_indices, begins, normals, n,
+                                                        grid, device_counts);
   check_launch("rank_points");
   read_counts();
 
@@ -329,7 +334,8 @@ Cell_grid build_grid(const Positions& positions, const float* normals, const Cel
       sort_pairs(keys, other_keys, indices, other_indices, n, axis == 6 ? frame.total_bits() : 64, scratch, stream);
     }
     number_cells();
-    take_sorted_points<<<blocks, threads_per_block, 0, stream>>>(frame, gathered, indices, other_indices, n, grid, device_counts);
+    take_sorted_points<<<blocks, threads_per_block, 0, stream>>>(frame, gathered, indices, other_indices, n, grid,
+                                                                 device_counts);
     check_launch("take_sorted_points");
     const unsigned number_of_cells = counts.number_of_cells;
     read_counts();
@@ -345,8 +351,8 @@ Cell_grid build_grid(const Positions& positions, const float* normals, const Cel
   return grid;
 }
 
-Cell_blocks find_blocks(const Cell_grid& query_grid, const Cell_grid& grid, int reach, unsigned maximum_number_of_candidates, Device_arena& arena,
-                        cudaStream_t stream)
+Cell_blocks find_blocks(const Cell_grid& query_grid, const Cell_grid& grid, int reach,
+                        unsigned maximum_number_of_candidates, Device_arena& arena, cudaStream_t stream)
 {
   Cell_blocks blocks;
   blocks.reach = reach;
@@ -356,17 +362,20 @@ Cell_blocks find_blocks(const Cell_grid& query_grid, const Cell_grid& grid, int 
   blocks.centers = arena.take<Block_center>(query_grid.number_of_cells);
   find_ranges<<<blocks_for(count), threads_per_block, 0, stream>>>(query_grid, grid, reach, blocks);
   check_launch("find_ranges");
-  find_centers<<<blocks_for(query_grid.number_of_cells), threads_per_block, 0, stream>>>(query_grid, maximum_number_of_candidates, blocks);
+  find_centers<<<blocks_for(query_grid.number_of_cells), threads_per_block, 0, stream>>>(
+    query_grid, maximum_number_of_candidates, blocks);
   check_launch("find_centers");
   return blocks;
 }
 
-unsigned list_flagged(const unsigned char* flags, unsigned size, unsigned* indices, Device_arena& scratch, cudaStream_t stream)
+unsigned list_flagged(const unsigned char* flags, unsigned size, unsigned* indices, Device_arena& scratch,
+                      cudaStream_t stream)
 {
   const Arena_scope scope(scratch);
   unsigned* const count = scratch.take<unsigned>(1);
   with_scratch(scratch, "DeviceSelect::Flagged", [&](void* memory, std::size_t& bytes) {
-    return cub::DeviceSelect::Flagged(memory, bytes, thrust::counting_iterator<unsigned>(0), flags, indices, count, size, stream);
+    return cub::DeviceSelect::Flagged(memory, bytes, thrust::counting_iterator<unsigned>(0), flags, indices, count,
+                                      size, stream);
   });
   unsigned result = 0;
   CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(&result, count, sizeof(result), cudaMemcpyDeviceToHost, stream));

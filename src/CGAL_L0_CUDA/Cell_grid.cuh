@@ -31,8 +31,8 @@ struct Cell_frame
 {
   double cell_size;
   double units_per_length;
-  double first[3];        // cell on each axis
-  unsigned count[3];      // of cells on each axis
+  double first[3];   // cell on each axis
+  unsigned count[3]; // of cells on each axis
   int bits[3];
 
   /// \param low, high corners of the box of the points
@@ -86,47 +86,48 @@ struct Cell_grid
   unsigned size = 0;
   unsigned number_of_cells = 0;
   unsigned number_of_distinct = 0;
-  int4* points = nullptr;              // fixed-point coordinates, and the cell
-  unsigned* order = nullptr;           // where each stood before
-  unsigned char* is_first = nullptr;   // of the points that are equal to it
-  Key* keys = nullptr;                 // of the cells, ascending
-  unsigned* begins = nullptr;          // the first point of each cell, and the number of points
+  int4* points = nullptr;            // fixed-point coordinates, and the cell
+  unsigned* order = nullptr;         // where each stood before
+  unsigned char* is_first = nullptr; // of the points that are equal to it
+  Key* keys = nullptr;               // of the cells, ascending
+  unsigned* begins = nullptr;        // the first point of each cell, and the number of points
 };
 
 /// Of the cell in the middle of a block: where it begins, in fixed-point numbers.
 struct Block_center
 {
   int begin_y, begin_z;
-  unsigned stride;     // where a block holds too many points, every so manieth of them is looked at
-  int is_inside;       // whether no cell of the block is an outermost one, whose points may be further away than fixed-point numbers tell
+  unsigned stride; // where a block holds too many points, every so manieth of them is looked at
+  int is_inside; // whether no cell of the block is an outermost one, whose points may be further away than fixed-point numbers tell
 };
 
 /// The runs of points in the block of cells around each cell of another grid, or of the same.
 struct Cell_blocks
 {
   int reach = 0;
-  int number_of_rows = 0;        // (2 reach + 1)^2
-  uint2* ranges = nullptr;       // number_of_rows for each cell; `[x, y)`
-  Block_center* centers = nullptr;   // one for each cell
+  int number_of_rows = 0;          // (2 reach + 1)^2
+  uint2* ranges = nullptr;         // number_of_rows for each cell; `[x, y)`
+  Block_center* centers = nullptr; // one for each cell
 };
 
 /// Sorts points into cells.
 /// \param normals of the points, xyz interleaved, or null: the order of points that are equal
 /// \param arena takes the arrays of the grid
-Cell_grid build_grid(const Positions& positions, const float* normals, const Cell_frame& frame, Device_arena& arena, Device_arena& scratch,
-                     cudaStream_t stream);
+Cell_grid build_grid(const Positions& positions, const float* normals, const Cell_frame& frame, Device_arena& arena,
+                     Device_arena& scratch, cudaStream_t stream);
 
 /// \param reach cells to each side
 /// \param maximum_number_of_candidates to look at in a block
-Cell_blocks find_blocks(const Cell_grid& query_grid, const Cell_grid& grid, int reach, unsigned maximum_number_of_candidates, Device_arena& arena,
-                        cudaStream_t stream);
+Cell_blocks find_blocks(const Cell_grid& query_grid, const Cell_grid& grid, int reach,
+                        unsigned maximum_number_of_candidates, Device_arena& arena, cudaStream_t stream);
 
 /// The cells to each side that a ball can touch.
 int cells_in_reach(double radius, double cell_size);
 
 /// Lists the indices of the values that are not 0, ascending.
 /// \returns their number; waits for the device
-unsigned list_flagged(const unsigned char* flags, unsigned size, unsigned* indices, Device_arena& scratch, cudaStream_t stream);
+unsigned list_flagged(const unsigned char* flags, unsigned size, unsigned* indices, Device_arena& scratch,
+                      cudaStream_t stream);
 
 /// offsets[i] = counts[0] + ... + counts[i - 1], for i up to `size`; counts[size] is read and has no part in it.
 /// The two arrays may be one.
@@ -192,7 +193,7 @@ __device__ inline uint2 range_of_row(const Cell_grid& grid, uint3 center, int re
 __device__ inline float distance_to_cell(float offset, float cell_size, int step)
 {
   const float distance = step < 0 ? offset - float(step + 1) * cell_size : float(step) * cell_size - offset;
-  return step == 0 ? 0 : fmaxf(0, distance - 1e-5f * cell_size);   // rounding
+  return step == 0 ? 0 : fmaxf(0, distance - 1e-5f * cell_size); // rounding
 }
 
 /*!
@@ -205,8 +206,8 @@ searches find. Each thread of a group searches in another row.
 \param center fixed-point coordinates, and its cell in `blocks`
 */
 template <typename F>
-__device__ inline void for_each_candidate(const Cell_grid& grid, const Cell_blocks& blocks, int4 center, unsigned lane, float radius,
-                                          const F& f)
+__device__ inline void for_each_candidate(const Cell_grid& grid, const Cell_blocks& blocks, int4 center, unsigned lane,
+                                          float radius, const F& f)
 {
   const unsigned group_mask = ((1u << lanes) - 1) << (threadIdx.x % 32 / lanes * lanes);
   const Block_center block = blocks.centers[center.w];

@@ -32,16 +32,23 @@ class Device_arena
 {
   static constexpr std::size_t alignment = 256;
 
-  struct Chunk { char* data; std::size_t size; };
+  struct Chunk
+  {
+    char* data;
+    std::size_t size;
+  };
 
   Memory_limit& m_limit;
   std::vector<Chunk> m_chunks;
-  std::size_t m_chunk = 0, m_offset = 0;   // the next array starts there
+  std::size_t m_chunk = 0, m_offset = 0; // the next array starts there
   std::size_t m_in_use = 0;
 
 public:
   /// A height of the stack.
-  struct Mark { std::size_t chunk, offset, in_use; };
+  struct Mark
+  {
+    std::size_t chunk, offset, in_use;
+  };
 
   explicit Device_arena(Memory_limit& limit) : m_limit(limit) {}
   Device_arena(const Device_arena&) = delete;

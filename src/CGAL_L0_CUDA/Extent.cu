@@ -16,7 +16,7 @@ namespace cuda {
 namespace {
 
 // All that is wanted are order statistics of the coordinates, and entering the frame keeps their order: one sort an axis gives them all.
-constexpr int number_of_ranks = 5;   // least, 5 %, median, 95 %, greatest
+constexpr int number_of_ranks = 5; // least, 5 %, median, 95 %, greatest
 
 __global__ void take_axis(const double* points, unsigned size, int axis, double* coordinates)
 {
@@ -25,7 +25,10 @@ __global__ void take_axis(const double* points, unsigned size, int axis, double*
     coordinates[i] = points[3 * i + unsigned(axis)];
 }
 
-struct Ranks { unsigned places[number_of_ranks]; };
+struct Ranks
+{
+  unsigned places[number_of_ranks];
+};
 
 __global__ void take_ranks(const double* sorted, Ranks ranks, double* values)
 {
@@ -34,7 +37,8 @@ __global__ void take_ranks(const double* sorted, Ranks ranks, double* values)
 }
 
 /// The outermost of the sorted coordinates that lie in [low, high] once they are in the frame.
-__global__ void find_innermost_box(const double* sorted, unsigned size, Frame frame, int axis, double low, double high, double* box)
+__global__ void find_innermost_box(const double* sorted, unsigned size, Frame frame, int axis, double low, double high,
+                                   double* box)
 {
   if (threadIdx.x > 1)
     return;
@@ -105,16 +109,16 @@ Extent find_extent(const Workplace& workplace, const double* points, unsigned si
   double box[3][2];
   for (int axis = 0; axis < 3; ++axis)
   {
-    find_innermost_box<<<1, 32, 0, stream>>>(sorted[axis], size, extent.frame, axis, ranked[axis][1] - reach, ranked[axis][3] + reach,
-                                           values + 2 * axis);
+    find_innermost_box<<<1, 32, 0, stream>>>(sorted[axis], size, extent.frame, axis, ranked[axis][1] - reach,
+                                             ranked[axis][3] + reach, values + 2 * axis);
     check_launch("find_innermost_box");
   }
   CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(box, values, sizeof(box), cudaMemcpyDeviceToHost, stream));
   CGAL_L0_CUDA_CHECK(cudaStreamSynchronize(stream));
   const auto length = [](double x, double y, double z) { return std::sqrt(x * x + y * y + z * z); };
-  extent.robust_diagonal = reach == 0
-    ? length(extent.high[0] - extent.low[0], extent.high[1] - extent.low[1], extent.high[2] - extent.low[2])
-    : length(box[0][1] - box[0][0], box[1][1] - box[1][0], box[2][1] - box[2][0]);
+  extent.robust_diagonal = reach == 0 ? length(extent.high[0] - extent.low[0], extent.high[1] - extent.low[1],
+                                               extent.high[2] - extent.low[2])
+                                      : length(box[0][1] - box[0][0], box[1][1] - box[1][0], box[2][1] - box[2][0]);
   return extent;
 }
 

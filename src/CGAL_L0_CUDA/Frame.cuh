@@ -19,7 +19,7 @@ namespace cuda {
 struct Frame
 {
   int first_exponent = 0;
-  double origin[3] = {0, 0, 0};   // after the first scaling
+  double origin[3] = {0, 0, 0}; // after the first scaling
   int second_exponent = 0;
 
   __host__ __device__ double enter(double coordinate, int axis) const
@@ -27,7 +27,10 @@ struct Frame
     return scalbn(scalbn(coordinate, first_exponent) - origin[axis], second_exponent);
   }
 
-  __host__ __device__ double3 enter(const double* xyz) const { return {enter(xyz[0], 0), enter(xyz[1], 1), enter(xyz[2], 2)}; }
+  __host__ __device__ double3 enter(const double* xyz) const
+  {
+    return {enter(xyz[0], 0), enter(xyz[1], 1), enter(xyz[2], 2)};
+  }
 
   __host__ __device__ double leave(double coordinate, int axis) const
   {
@@ -43,8 +46,14 @@ struct Frame
     return std::ldexp(1., exponent);
   }
 
-  double length_in_frame(double length) const { return std::ldexp(std::ldexp(length, first_exponent), second_exponent); }
-  double length_of_input(double length) const { return std::ldexp(std::ldexp(length, -second_exponent), -first_exponent); }
+  double length_in_frame(double length) const
+  {
+    return std::ldexp(std::ldexp(length, first_exponent), second_exponent);
+  }
+  double length_of_input(double length) const
+  {
+    return std::ldexp(std::ldexp(length, -second_exponent), -first_exponent);
+  }
 };
 
 /// Points of the input, all or some, in a frame; or of that frame itself.
@@ -53,8 +62,8 @@ struct Positions
   const double* xyz;
   unsigned size;
   Frame frame;
-  bool in_frame;                    // whether they are there already
-  const unsigned* list = nullptr;   // which of the points they are; null for the first `size`
+  bool in_frame;                  // whether they are there already
+  const unsigned* list = nullptr; // which of the points they are; null for the first `size`
 
   __device__ double3 operator()(unsigned i) const
   {

@@ -22,8 +22,8 @@ in a fixed order. One object serves one kernel; it alternates between two arrays
 template <int count>
 class Grid_sum
 {
-  double* m_partial_sums;   // 2 x number of blocks x count
-  double* m_shared;         // warps of a block x count
+  double* m_partial_sums; // 2 x number of blocks x count
+  double* m_shared;       // warps of a block x count
   bool m_is_odd = false;
 
 public:
@@ -55,7 +55,7 @@ private:
     const unsigned warp = threadIdx.x / 32, number_of_warps = blockDim.x / 32;
     for (int c = 0; c < count; ++c)
       values[c] = group_sum<32>(values[c]);
-    __syncthreads();   // the last sum has been read
+    __syncthreads(); // the last sum has been read
     if (threadIdx.x % 32 == 0)
       for (int c = 0; c < count; ++c)
         m_shared[warp * count + c] = values[c];

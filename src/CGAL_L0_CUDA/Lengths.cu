@@ -17,7 +17,8 @@ namespace {
 /// As `sensible_radius()` on the CPU, for a bounding box.
 double sensible_radius(double radius, const double (&low)[3], const double (&high)[3])
 {
-  const double x = high[0] - low[0], y = high[1] - low[1], z = high[2] - low[2], diagonal = std::sqrt(x * x + y * y + z * z);
+  const double x = high[0] - low[0], y = high[1] - low[1], z = high[2] - low[2],
+               diagonal = std::sqrt(x * x + y * y + z * z);
   if (!(diagonal > 0))
     return 1;
   return (std::min)((std::max)(radius, std::ldexp(diagonal, -100)), diagonal);
@@ -25,8 +26,8 @@ double sensible_radius(double radius, const double (&low)[3], const double (&hig
 
 } // namespace
 
-Lengths choose_lengths(const Extent& extent, unsigned n, const Parameters& parameters, const std::function<Scales(const Lengths&)>& scales_in,
-                       Call_report& report)
+Lengths choose_lengths(const Extent& extent, unsigned n, const Parameters& parameters,
+                       const std::function<Scales(const Lengths&)>& scales_in, Call_report& report)
 {
   const bool is_default = parameters.method == Method::DEFAULT;
   const double m = double(parameters.number_of_output_points);
@@ -57,8 +58,9 @@ Lengths choose_lengths(const Extent& extent, unsigned n, const Parameters& param
   lengths.noise *= scale;
   lengths.sample_spacing *= scale;
   lengths.filter_radius = parameters.normal_filter_radius > 0
-    ? sensible_radius(lengths.frame.length_in_frame(parameters.normal_filter_radius), lengths.low, lengths.high)
-    : (is_default ? default_filter_radius_factor : 1.) * lengths.radius;
+                            ? sensible_radius(lengths.frame.length_in_frame(parameters.normal_filter_radius),
+                                              lengths.low, lengths.high)
+                            : (is_default ? default_filter_radius_factor : 1.) * lengths.radius;
   lengths.self_neighbor_radius = self_neighbor_radius_factor * lengths.radius;
   if (is_default)
     lengths.set_sample_spacing(lengths.sample_spacing);

@@ -23,9 +23,9 @@ namespace cuda {
 struct Lengths
 {
   Frame frame;
-  double low[3], high[3];    // bounding box of the points
+  double low[3], high[3]; // bounding box of the points
   double radius, filter_radius, self_neighbor_radius;
-  double noise;              // standard deviation across the surface; default method only
+  double noise; // standard deviation across the surface; default method only
   double sample_spacing, cell_size, smallest_cell_size;
 
   /// Scales frame and box so that `r`, a length in the frame, comes to lie in [1, 2).
@@ -56,8 +56,8 @@ struct Lengths
 
 /// Chooses the lengths that the caller left open, as the CPU does.
 /// \param scales_in called with the frame of the paper's radius, and that radius there, if spacing and noise of the points are wanted
-Lengths choose_lengths(const Extent& extent, unsigned n, const Parameters& parameters, const std::function<Scales(const Lengths&)>& scales_in,
-                       Call_report& report);
+Lengths choose_lengths(const Extent& extent, unsigned n, const Parameters& parameters,
+                       const std::function<Scales(const Lengths&)>& scales_in, Call_report& report);
 
 } // namespace cuda
 } // namespace internal

@@ -21,8 +21,8 @@ struct Plane_fit
 {
   float3 normal;
   unsigned number_of_points;
-  double variance;             // of the points across it
-  bool spans_plane;            // whether the points determine it
+  double variance;  // of the points across it
+  bool spans_plane; // whether the points determine it
 };
 
 __device__ inline float3 to_float(const Triple& v) { return {float(v.x), float(v.y), float(v.z)}; }
@@ -31,12 +31,13 @@ __device__ inline float3 to_float(const Triple& v) { return {float(v.x), float(v
 struct Moments
 {
   static constexpr int size = 10;
-  float values[size] = {};   // sum of the weights, x, y, z, xx, xy, xz, yy, yz, zz
+  float values[size] = {}; // sum of the weights, x, y, z, xx, xy, xz, yy, yz, zz
 
   __device__ void add(float3 d, float weight = 1)
   {
     const float3 w = weight * d;
-    const float products[size] = {weight, w.x, w.y, w.z, w.x * d.x, w.x * d.y, w.x * d.z, w.y * d.y, w.y * d.z, w.z * d.z};
+    const float products[size] = {weight,    w.x,       w.y,       w.z,       w.x * d.x,
+                                  w.x * d.y, w.x * d.z, w.y * d.y, w.y * d.z, w.z * d.z};
     for (int i = 0; i < size; ++i)
       values[i] += products[i];
   }
@@ -50,7 +51,8 @@ struct Moments
 
   __device__ Plane_moments<double> all() const
   {
-    return {values[0], values[1], values[2], values[3], values[4], values[5], values[6], values[7], values[8], values[9]};
+    return {values[0], values[1], values[2], values[3], values[4],
+            values[5], values[6], values[7], values[8], values[9]};
   }
 
   /// The plane of `fit_plane()` on the CPU, of points of equal weight.

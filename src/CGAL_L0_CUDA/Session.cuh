@@ -22,13 +22,14 @@ namespace internal {
 namespace cuda {
 
 /// Thrown once the caller wants no more; never leaves the library.
-struct Cancelled {};
+struct Cancelled
+{};
 
 struct Session
 {
   std::mutex mutex;
   int device;
-  bool is_broken = false;            // after an error of a kernel no call of this process will work
+  bool is_broken = false; // after an error of a kernel no call of this process will work
   cudaStream_t stream = nullptr;
   int number_of_multiprocessors = 0;
   Memory_limit memory_limit{(std::numeric_limits<std::size_t>::max)()};
@@ -36,14 +37,14 @@ struct Session
 
   unsigned size = 0;
   const double* points = nullptr;
-  const float* normals = nullptr;    // null if none were given
+  const float* normals = nullptr; // null if none were given
   bool all_normals_given = false;
   Extent extent;
   bool has_scales = false;
-  Scales scales;                     // of the points, in the frame of the paper's radius; found when first wanted
+  Scales scales; // of the points, in the frame of the paper's radius; found when first wanted
 
   unsigned number_of_samples = 0;
-  double* positions = nullptr;       // the result, at the bottom of the arena
+  double* positions = nullptr; // the result, at the bottom of the arena
   float* sample_normals = nullptr;
   std::vector<Iteration> iterations;
   std::vector<cudaEvent_t> events;
@@ -86,7 +87,9 @@ class Stages
   double m_done = 0, m_share = 0;
 
 public:
-  Stages(Session& session, Progress_callback progress, Call_report& report) : m_session(session), m_progress(progress), m_report(report) {}
+  Stages(Session& session, Progress_callback progress, Call_report& report)
+    : m_session(session), m_progress(progress), m_report(report)
+  {}
 
   /// \param share of the whole call
   void begin(const char* name, double share)

@@ -33,8 +33,7 @@ inline Status status_of(cudaError_t error)
 {
   switch (error)
   {
-  case cudaErrorMemoryAllocation:
-    return Status::OUT_OF_MEMORY;
+  case cudaErrorMemoryAllocation: return Status::OUT_OF_MEMORY;
   case cudaErrorNoDevice:
   case cudaErrorInsufficientDriver:
   case cudaErrorNoKernelImageForDevice:
@@ -43,10 +42,8 @@ inline Status status_of(cudaError_t error)
   case cudaErrorInitializationError:
   case cudaErrorDevicesUnavailable:
   case cudaErrorStubLibrary:
-  case cudaErrorSystemDriverMismatch:
-    return Status::NO_DEVICE;
-  default:
-    return Status::DEVICE_FAILED;
+  case cudaErrorSystemDriverMismatch: return Status::NO_DEVICE;
+  default: return Status::DEVICE_FAILED;
   }
 }
 

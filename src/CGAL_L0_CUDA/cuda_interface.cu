@@ -94,10 +94,22 @@ Answer guarded(Session* session, const F& f)
     }
     return Answer();
   }
-  catch (const Cancelled&) { return answer(Status::CANCELLED, ""); }
-  catch (const Failure& failure) { return answer(failure.status(), failure.what()); }
-  catch (const std::bad_alloc&) { return answer(Status::OUT_OF_MEMORY, "the host has no memory"); }
-  catch (const std::exception& error) { return answer(Status::DEVICE_FAILED, error.what()); }
+  catch (const Cancelled&)
+  {
+    return answer(Status::CANCELLED, "");
+  }
+  catch (const Failure& failure)
+  {
+    return answer(failure.status(), failure.what());
+  }
+  catch (const std::bad_alloc&)
+  {
+    return answer(Status::OUT_OF_MEMORY, "the host has no memory");
+  }
+  catch (const std::exception& error)
+  {
+    return answer(Status::DEVICE_FAILED, error.what());
+  }
 }
 
 } // namespace
@@ -133,7 +145,8 @@ Answer upload(Session& session, const double* points, std::size_t size, const fl
     session.has_scales = false;
     session.number_of_samples = 0;
     session.memory_limit.limit = maximum_memory;
-    const std::size_t bytes_of_points = 3 * sizeof(double) * size, bytes_of_normals = normals ? 3 * sizeof(float) * size : 0;
+    const std::size_t bytes_of_points = 3 * sizeof(double) * size,
+                      bytes_of_normals = normals ? 3 * sizeof(float) * size : 0;
     session.input.reserve(bytes_of_points + bytes_of_normals + 1024);
     double* const device_points = session.input.take<double>(3 * size);
     CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(device_points, points, bytes_of_points, cudaMemcpyHostToDevice, session.stream));
@@ -144,7 +157,8 @@ Answer upload(Session& session, const double* points, std::size_t size, const fl
     if (normals)
     {
       float* const device_normals = session.input.take<float>(3 * size);
-      CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(device_normals, normals, bytes_of_normals, cudaMemcpyHostToDevice, session.stream));
+      CGAL_L0_CUDA_CHECK(
+        cudaMemcpyAsync(device_normals, normals, bytes_of_normals, cudaMemcpyHostToDevice, session.stream));
       session.normals = device_normals;
       session.all_normals_given = !has_zero(session.workplace(), device_normals, unsigned(size));
     }
@@ -169,8 +183,10 @@ Answer download(Session& session, double* positions, float* normals)
 {
   return guarded(&session, [&]() {
     const std::size_t m = session.number_of_samples;
-    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(positions, session.positions, 3 * m * sizeof(double), cudaMemcpyDeviceToHost, session.stream));
-    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(normals, session.sample_normals, 3 * m * sizeof(float), cudaMemcpyDeviceToHost, session.stream));
+    CGAL_L0_CUDA_CHECK(
+      cudaMemcpyAsync(positions, session.positions, 3 * m * sizeof(double), cudaMemcpyDeviceToHost, session.stream));
+    CGAL_L0_CUDA_CHECK(
+      cudaMemcpyAsync(normals, session.sample_normals, 3 * m * sizeof(float), cudaMemcpyDeviceToHost, session.stream));
     CGAL_L0_CUDA_CHECK(cudaStreamSynchronize(session.stream));
   });
 }

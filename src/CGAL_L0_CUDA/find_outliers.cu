@@ -19,8 +19,8 @@ using Wide = unsigned long long;
 
 /// Of the points in the ball of each point, itself included.
 /// \param wide_counts out: the same numbers
-__global__ void count_points_in_balls(Cell_grid grid, Cell_blocks blocks, float radius, float squared_radius, unsigned* counts,
-                                      Wide* wide_counts)
+__global__ void count_points_in_balls(Cell_grid grid, Cell_blocks blocks, float radius, float squared_radius,
+                                      unsigned* counts, Wide* wide_counts)
 {
   const Query query(grid.size);
   const int4 center = grid.points[query.index];
@@ -40,7 +40,8 @@ __global__ void count_points_in_balls(Cell_grid grid, Cell_blocks blocks, float 
 /// For each cell, how many points the balls of its points have to hold: a share of the mean ball in the block of cells around, and of the
 /// median ball.
 /// \param sums of the counts of all points before each point
-__global__ void find_least_counts(Cell_blocks blocks, unsigned number_of_cells, const Wide* sums, const unsigned* median, double* least_counts)
+__global__ void find_least_counts(Cell_blocks blocks, unsigned number_of_cells, const Wide* sums,
+                                  const unsigned* median, double* least_counts)
 {
   const Wide cell = thread_index();
   if (cell >= number_of_cells)
@@ -52,7 +53,8 @@ __global__ void find_least_counts(Cell_blocks blocks, unsigned number_of_cells, 
     sum += sums[range.y] - sums[range.x];
     count += range.y - range.x;
   }
-  least_counts[cell] = fmax(outlier_share_of_surroundings * (double(sum) / double(count)), outlier_share_of_median * double(*median));
+  least_counts[cell] = fmax(outlier_share_of_surroundings * (double(sum) / double(count)),
+                            outlier_share_of_median * double(*median));
 }
 
 /// \param is_kept out: in the order of the positions that the grid was built of
@@ -100,7 +102,8 @@ __device__ void join_parts(unsigned* parents, unsigned a, unsigned b)
   }
 }
 
-constexpr int number_of_rows_before = 5;   // of the nine rows of cells around a cell: four whose cells all come before it, and its own
+// Of the nine rows of cells around a cell: four whose cells all come before it, and its own.
+constexpr int number_of_rows_before = 5;
 
 /// Joins each cell with those before it that it touches.
 __global__ void join_touching_cells(Cell_grid grid, unsigned* parents)
@@ -129,8 +132,8 @@ __global__ void count_points_of_parts(Cell_grid grid, unsigned* parents, unsigne
 }
 
 /// \param grid of the points in the list
-__global__ void keep_large_parts(Cell_grid grid, unsigned* parents, const unsigned* sizes, const unsigned* median, const unsigned* list,
-                                 unsigned char* is_kept)
+__global__ void keep_large_parts(Cell_grid grid, unsigned* parents, const unsigned* sizes, const unsigned* median,
+                                 const unsigned* list, unsigned char* is_kept)
 {
   const Wide i = thread_index();
   if (i < grid.size)
@@ -139,20 +142,20 @@ __global__ void keep_large_parts(Cell_grid grid, unsigned* parents, const unsign
 
 /// Keeps the points with enough others around.
 /// \param median out: of the counts of all balls
-void find_dense_points(const Workplace& workplace, const Positions& positions, const double (&low)[3], const double (&high)[3], double radius,
-                       unsigned char* is_kept, unsigned* median)
+void find_dense_points(const Workplace& workplace, const Positions& positions, const double (&low)[3],
+                       const double (&high)[3], double radius, unsigned char* is_kept, unsigned* median)
 {
   const unsigned n = positions.size;
   const cudaStream_t stream = workplace.stream;
   const Arena_scope arena_scope(workplace.arena), scratch_scope(workplace.scratch);
-  const Cell_grid grid =
-    build_grid(positions, nullptr, Cell_frame::around(low, high, radius, radius), workplace.arena, workplace.scratch, stream);
+  const Cell_grid grid = build_grid(positions, nullptr, Cell_frame::around(low, high, radius, radius), workplace.arena,
+                                    workplace.scratch, stream);
   const Cell_blocks blocks = find_blocks(grid, grid, 1, maximum_number_of_candidates, workplace.arena, stream);
   unsigned* const counts = workplace.arena.take<unsigned>(n);
   Wide* const sums = workplace.scratch.take<Wide>(Wide(n) + 1);
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(sums + n, 0, sizeof(Wide), stream));
-  count_points_in_balls<<<blocks_for_queries(n), threads_per_block, 0, stream>>>(grid, blocks, float(radius), float(radius * radius), counts,
-                                                                               sums);
+  count_points_in_balls<<<blocks_for_queries(n), threads_per_block, 0, stream>>>(grid, blocks, float(radius),
+                                                                                 float(radius * radius), counts, sums);
   check_launch("count_points_in_balls");
   sum_up(sums, n, sums, workplace.scratch, stream);
   {
@@ -163,16 +166,16 @@ void find_dense_points(const Workplace& workplace, const Positions& positions, c
     CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(median, sorted + n / 2, sizeof(unsigned), cudaMemcpyDeviceToDevice, stream));
   }
   double* const least_counts = workplace.scratch.take<double>(grid.number_of_cells);
-  find_least_counts<<<blocks_for(grid.number_of_cells), threads_per_block, 0, stream>>>(blocks, grid.number_of_cells, sums, median,
-                                                                                      least_counts);
+  find_least_counts<<<blocks_for(grid.number_of_cells), threads_per_block, 0, stream>>>(blocks, grid.number_of_cells,
+                                                                                        sums, median, least_counts);
   check_launch("find_least_counts");
   keep_dense<<<blocks_for(n), threads_per_block, 0, stream>>>(grid, counts, least_counts, is_kept);
   check_launch("keep_dense");
 }
 
 /// Of the points that are kept, keeps those whose part of the cloud, where cells that touch hang together, has half as many points as the median ball.
-void find_large_parts(const Workplace& workplace, const Positions& positions, const double (&low)[3], const double (&high)[3],
-                      double cell_size, const unsigned* median, unsigned char* is_kept)
+void find_large_parts(const Workplace& workplace, const Positions& positions, const double (&low)[3],
+                      const double (&high)[3], double cell_size, const unsigned* median, unsigned char* is_kept)
 {
   const cudaStream_t stream = workplace.stream;
   const Arena_scope arena_scope(workplace.arena), scratch_scope(workplace.scratch);
@@ -182,8 +185,8 @@ void find_large_parts(const Workplace& workplace, const Positions& positions, co
   rest.list = list;
   if (rest.size == 0)
     return;
-  const Cell_grid grid =
-    build_grid(rest, nullptr, Cell_frame::around(low, high, cell_size, cell_size), workplace.arena, workplace.scratch, stream);
+  const Cell_grid grid = build_grid(rest, nullptr, Cell_frame::around(low, high, cell_size, cell_size), workplace.arena,
+                                    workplace.scratch, stream);
   const unsigned cells = grid.number_of_cells, blocks_for_cells = blocks_for(cells);
   unsigned *const parents = workplace.scratch.take<unsigned>(cells), *const sizes = workplace.scratch.take<unsigned>(cells);
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(sizes, 0, cells * sizeof(unsigned), stream));
@@ -199,8 +202,8 @@ void find_large_parts(const Workplace& workplace, const Positions& positions, co
 
 } // namespace
 
-unsigned find_outliers(const Workplace& workplace, const Positions& positions, const double (&low)[3], const double (&high)[3], double radius,
-                       unsigned* kept)
+unsigned find_outliers(const Workplace& workplace, const Positions& positions, const double (&low)[3],
+                       const double (&high)[3], double radius, unsigned* kept)
 {
   const Arena_scope scope(workplace.scratch);
   unsigned char* const is_kept = workplace.scratch.take<unsigned char>(positions.size);

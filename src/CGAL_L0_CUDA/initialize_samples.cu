@@ -65,8 +65,8 @@ Sources sources_by_points(const Workplace& workplace, unsigned number_of_distinc
   }
   sources.on_points.size = number_of_distinct;
   sources.between_points = {list, m - number_of_distinct};
-  spread_evenly<<<blocks_for(sources.between_points.size), threads_per_block, 0, workplace.stream>>>(number_of_distinct,
-                                                                                                   sources.between_points.size, list);
+  spread_evenly<<<blocks_for(sources.between_points.size), threads_per_block, 0, workplace.stream>>>(
+    number_of_distinct, sources.between_points.size, list);
   check_launch("spread_evenly");
   return sources;
 }
@@ -82,7 +82,8 @@ __global__ void take_areas(Cell_grid grid, Some distinct, Areas areas, Wide* uni
 
 /// The point in whose area the threshold of each sample lies; the last takes what rounding leaves.
 /// \param sums of the areas before each point, and of all
-__global__ void find_thresholds(const Wide* sums, unsigned number_of_distinct, unsigned number_of_samples, Wide seed, unsigned* sources)
+__global__ void find_thresholds(const Wide* sums, unsigned number_of_distinct, unsigned number_of_samples, Wide seed,
+                                unsigned* sources)
 {
   const Wide k = thread_index();
   if (k >= number_of_samples)
@@ -112,8 +113,8 @@ __global__ void mark_first_of_points(const unsigned* sources, unsigned number_of
 }
 
 /// \param places how many samples before each are the first of their points
-__global__ void part_first_from_others(const unsigned* sources, const unsigned* places, unsigned number_of_samples, unsigned* first,
-                                       unsigned* others)
+__global__ void part_first_from_others(const unsigned* sources, const unsigned* places, unsigned number_of_samples,
+                                       unsigned* first, unsigned* others)
 {
   const Wide k = thread_index();
   if (k >= number_of_samples)
@@ -126,12 +127,14 @@ __global__ void part_first_from_others(const unsigned* sources, const unsigned* 
 }
 
 /// As `sources_by_area()` on the CPU.
-Sources sources_by_area(const Workplace& workplace, const Cell_grid& grid, const Some& distinct, const Areas& areas, unsigned m, Wide seed)
+Sources sources_by_area(const Workplace& workplace, const Cell_grid& grid, const Some& distinct, const Areas& areas,
+                        unsigned m, Wide seed)
 {
   const cudaStream_t stream = workplace.stream;
   unsigned *const first = workplace.scratch.take<unsigned>(m), *const others = workplace.scratch.take<unsigned>(m);
   const Arena_scope scope(workplace.scratch);
-  unsigned *const sources = workplace.scratch.take<unsigned>(m), *const places = workplace.scratch.take<unsigned>(Wide(m) + 1);
+  unsigned *const sources = workplace.scratch.take<unsigned>(m), *const places = workplace.scratch.take<unsigned>(
+                                                                   Wide(m) + 1);
   Wide* const sums = workplace.scratch.take<Wide>(Wide(distinct.size) + 1);
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(sums + distinct.size, 0, sizeof(Wide), stream));
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(places + m, 0, sizeof(unsigned), stream));
@@ -170,14 +173,14 @@ __device__ void start_on_point(const Samples& samples, Wide i, double3 position,
 
 /// The partner of each new sample, as `move_between_points()` on the CPU: of the points of its ball the one of the highest rank.
 /// \param sources numbers of distinct points
-__global__ void place_between_points(Positions positions, Cell_grid grid, Cell_blocks blocks, Some distinct, Some sources, float radius,
-                                     Wide seed, const float4* normals, Samples samples)
+__global__ void place_between_points(Positions positions, Cell_grid grid, Cell_blocks blocks, Some distinct,
+                                     Some sources, float radius, Wide seed, const float4* normals, Samples samples)
 {
   const Query query(sources.size);
   const Wide e = query.index;
   const Wide number = sources[e];
   const unsigned source = distinct[number];
-  Wide first = 0;   // of the samples of this source
+  Wide first = 0; // of the samples of this source
   for (Wide size = e; size > 0;)
   {
     const Wide half = size / 2;
@@ -188,7 +191,7 @@ __global__ void place_between_points(Positions positions, Cell_grid grid, Cell_b
   const Wide number_before = e - first;
   const int4 center = grid.points[source];
   const float3 normal = xyz(normals[source]);
-  const float unit = grid.frame.unit(), squared_radius = radius * radius, similar_cosine = 0.87f;   // as on the CPU
+  const float unit = grid.frame.unit(), squared_radius = radius * radius, similar_cosine = 0.87f; // as on the CPU
 
   Wide best = 0;
   unsigned partner = source;
@@ -223,7 +226,8 @@ __global__ void place_between_points(Positions positions, Cell_grid grid, Cell_b
     partner = number + 1 < distinct.size ? distinct[number + 1] : distinct[distinct.size - 2];
   const double3 start = positions(grid.order[source]);
   // never the middle, where the way back from the partner would put another one
-  const double share = 0.2 + 0.25 * scalbn(double(random_bits(seed + source, (number_before << 32) | 0xffffffff) >> 11), -53);
+  const double share = 0.2
+                       + 0.25 * scalbn(double(random_bits(seed + source, (number_before << 32) | 0xffffffff) >> 11), -53);
   start_on_point(samples, e, start + share * (positions(grid.order[partner]) - start), normals[source]);
 }
 
@@ -240,8 +244,8 @@ __global__ void place_on_points(Positions positions, const unsigned* order, Some
 
 } // namespace
 
-void initialize_samples(const Workplace& workplace, const Positions& positions, const Cell_grid& grid, const float4* normals,
-                        const Areas* areas, double radius, std::size_t seed, const Samples& samples)
+void initialize_samples(const Workplace& workplace, const Positions& positions, const Cell_grid& grid,
+                        const float4* normals, const Areas* areas, double radius, std::size_t seed, const Samples& samples)
 {
   const cudaStream_t stream = workplace.stream;
   const Arena_scope scope(workplace.scratch);
@@ -259,14 +263,14 @@ void initialize_samples(const Workplace& workplace, const Positions& positions, 
   if (number_of_new > 0)
   {
     const Arena_scope blocks_scope(workplace.arena);
-    const Cell_blocks blocks =
-      find_blocks(grid, grid, cells_in_reach(radius, grid.frame.cell_size), maximum_number_of_candidates, workplace.arena, stream);
+    const Cell_blocks blocks = find_blocks(grid, grid, cells_in_reach(radius, grid.frame.cell_size),
+                                           maximum_number_of_candidates, workplace.arena, stream);
     place_between_points<<<blocks_for_queries(number_of_new), threads_per_block, 0, stream>>>(
       positions, grid, blocks, distinct, sources.between_points, float(radius), seed, normals, samples);
     check_launch("place_between_points");
   }
-  place_on_points<<<blocks_for(sources.on_points.size), threads_per_block, 0, stream>>>(positions, grid.order, distinct, sources.on_points,
-                                                                                      number_of_new, normals, samples);
+  place_on_points<<<blocks_for(sources.on_points.size), threads_per_block, 0, stream>>>(
+    positions, grid.order, distinct, sources.on_points, number_of_new, normals, samples);
   check_launch("place_on_points");
 }
 

@@ -28,8 +28,9 @@ using cuda::check;
 void check(cusparseStatus_t status, const char* call)
 {
   if (status != CUSPARSE_STATUS_SUCCESS)
-    throw Failure(status == CUSPARSE_STATUS_ALLOC_FAILED || status == CUSPARSE_STATUS_INSUFFICIENT_RESOURCES ? Status::OUT_OF_MEMORY
-                                                                                                            : Status::DEVICE_FAILED,
+    throw Failure(status == CUSPARSE_STATUS_ALLOC_FAILED || status == CUSPARSE_STATUS_INSUFFICIENT_RESOURCES
+                    ? Status::OUT_OF_MEMORY
+                    : Status::DEVICE_FAILED,
                   std::string(call) + ": " + cusparseGetErrorString(status));
 }
 
@@ -87,9 +88,18 @@ template <typename FT>
 constexpr cudaDataType data_type = sizeof(FT) == sizeof(double) ? CUDA_R_64F : CUDA_R_32F;
 
 // BLAS for both number types
-void axpy(cublasHandle_t h, std::int64_t n, double a, const double* x, double* y) { check(cublasDaxpy_64(h, n, &a, x, 1, y, 1), "cublasDaxpy"); }
-void axpy(cublasHandle_t h, std::int64_t n, float a, const float* x, float* y) { check(cublasSaxpy_64(h, n, &a, x, 1, y, 1), "cublasSaxpy"); }
-void scal(cublasHandle_t h, std::int64_t n, double a, double* x) { check(cublasDscal_64(h, n, &a, x, 1), "cublasDscal"); }
+void axpy(cublasHandle_t h, std::int64_t n, double a, const double* x, double* y)
+{
+  check(cublasDaxpy_64(h, n, &a, x, 1, y, 1), "cublasDaxpy");
+}
+void axpy(cublasHandle_t h, std::int64_t n, float a, const float* x, float* y)
+{
+  check(cublasSaxpy_64(h, n, &a, x, 1, y, 1), "cublasSaxpy");
+}
+void scal(cublasHandle_t h, std::int64_t n, double a, double* x)
+{
+  check(cublasDscal_64(h, n, &a, x, 1), "cublasDscal");
+}
 void scal(cublasHandle_t h, std::int64_t n, float a, float* x) { check(cublasSscal_64(h, n, &a, x, 1), "cublasSscal"); }
 double norm(cublasHandle_t h, std::int64_t n, const double* x)
 {
@@ -132,24 +142,26 @@ class Matrix
 
 public:
   /// \param x, y vectors of the sizes of those that will be multiplied
-  Matrix(const Sparse_matrix<FT>& matrix, cusparseHandle_t handle, const Vector<FT>& x, const Vector<FT>& y, cudaStream_t stream)
+  Matrix(const Sparse_matrix<FT>& matrix, cusparseHandle_t handle, const Vector<FT>& x, const Vector<FT>& y,
+         cudaStream_t stream)
     : m_handle(handle), m_offsets(matrix.offsets, std::size_t(matrix.number_of_rows) + 1, stream),
       m_columns(matrix.columns, std::size_t(matrix.offsets[matrix.number_of_rows]), stream),
       m_values(matrix.values, std::size_t(matrix.offsets[matrix.number_of_rows]), stream)
   {
     check(cusparseCreateConstCsr(m_descriptor.address(), matrix.number_of_rows, matrix.number_of_columns,
-                                 matrix.offsets[matrix.number_of_rows], m_offsets.data(), m_columns.data(), m_values.data(),
-                                 CUSPARSE_INDEX_64I, CUSPARSE_INDEX_64I, CUSPARSE_INDEX_BASE_ZERO, data_type<FT>),
+                                 matrix.offsets[matrix.number_of_rows], m_offsets.data(), m_columns.data(),
+                                 m_values.data(), CUSPARSE_INDEX_64I, CUSPARSE_INDEX_64I, CUSPARSE_INDEX_BASE_ZERO,
+                                 data_type<FT>),
           "cusparseCreateConstCsr");
     const FT one = 1, zero = 0;
     std::size_t bytes = 0;
-    check(cusparseSpMV_bufferSize(m_handle, CUSPARSE_OPERATION_NON_TRANSPOSE, &one, m_descriptor, x.descriptor, &zero, y.descriptor,
-                                  data_type<FT>, algorithm, &bytes),
+    check(cusparseSpMV_bufferSize(m_handle, CUSPARSE_OPERATION_NON_TRANSPOSE, &one, m_descriptor, x.descriptor, &zero,
+                                  y.descriptor, data_type<FT>, algorithm, &bytes),
           "cusparseSpMV_bufferSize");
     if (bytes > 0)
       check(cudaMalloc(m_scratch.address(), bytes), "cudaMalloc");
-    check(cusparseSpMV_preprocess(m_handle, CUSPARSE_OPERATION_NON_TRANSPOSE, &one, m_descriptor, x.descriptor, &zero, y.descriptor,
-                                  data_type<FT>, algorithm, m_scratch),
+    check(cusparseSpMV_preprocess(m_handle, CUSPARSE_OPERATION_NON_TRANSPOSE, &one, m_descriptor, x.descriptor, &zero,
+                                  y.descriptor, data_type<FT>, algorithm, m_scratch),
           "cusparseSpMV_preprocess");
   }
 
@@ -157,8 +169,8 @@ public:
   void multiply(const Vector<FT>& x, Vector<FT>& y) const
   {
     const FT one = 1, zero = 0;
-    check(cusparseSpMV(m_handle, CUSPARSE_OPERATION_NON_TRANSPOSE, &one, m_descriptor, x.descriptor, &zero, y.descriptor, data_type<FT>,
-                       algorithm, m_scratch),
+    check(cusparseSpMV(m_handle, CUSPARSE_OPERATION_NON_TRANSPOSE, &one, m_descriptor, x.descriptor, &zero,
+                       y.descriptor, data_type<FT>, algorithm, m_scratch),
           "cusparseSpMV");
   }
 
@@ -168,8 +180,8 @@ private:
 };
 
 template <typename FT>
-void solve(const Sparse_matrix<FT>& host_matrix, const Sparse_matrix<FT>& host_transposed, const FT* rhs, double tolerance,
-           std::size_t maximum_number_of_iterations, FT* solution, Least_squares_report& report)
+void solve(const Sparse_matrix<FT>& host_matrix, const Sparse_matrix<FT>& host_transposed, const FT* rhs,
+           double tolerance, std::size_t maximum_number_of_iterations, FT* solution, Least_squares_report& report)
 {
   Stream stream;
   Sparse_handle sparse;
@@ -186,32 +198,35 @@ void solve(const Sparse_matrix<FT>& host_matrix, const Sparse_matrix<FT>& host_t
   const std::int64_t rows = host_matrix.number_of_rows, columns = host_matrix.number_of_columns;
   Vector<FT> x(columns), p(columns), s(columns), r(rows), q(rows);
   const Matrix<FT> matrix(host_matrix, sparse, p, q, stream), transposed(host_transposed, sparse, r, s, stream);
-  check(cudaMemcpyAsync(x.data(), solution, std::size_t(columns) * sizeof(FT), cudaMemcpyHostToDevice, stream), "cudaMemcpyAsync");
-  check(cudaMemcpyAsync(r.data(), rhs, std::size_t(rows) * sizeof(FT), cudaMemcpyHostToDevice, stream), "cudaMemcpyAsync");
+  check(cudaMemcpyAsync(x.data(), solution, std::size_t(columns) * sizeof(FT), cudaMemcpyHostToDevice, stream),
+        "cudaMemcpyAsync");
+  check(cudaMemcpyAsync(r.data(), rhs, std::size_t(rows) * sizeof(FT), cudaMemcpyHostToDevice, stream),
+        "cudaMemcpyAsync");
 
   check(cudaEventRecord(start, stream), "cudaEventRecord");
-  transposed.multiply(r, s);                              // A^T b
+  transposed.multiply(r, s); // A^T b
   const double norm_of_rhs = norm(dense, columns, s.data());
   matrix.multiply(x, q);
-  axpy(dense, rows, FT(-1), q.data(), r.data());          // r = b - A x
-  transposed.multiply(r, s);                              // s = A^T r
-  check(cudaMemcpyAsync(p.data(), s.data(), std::size_t(columns) * sizeof(FT), cudaMemcpyDeviceToDevice, stream), "cudaMemcpyAsync");
+  axpy(dense, rows, FT(-1), q.data(), r.data()); // r = b - A x
+  transposed.multiply(r, s);                     // s = A^T r
+  check(cudaMemcpyAsync(p.data(), s.data(), std::size_t(columns) * sizeof(FT), cudaMemcpyDeviceToDevice, stream),
+        "cudaMemcpyAsync");
   double norm_of_s = norm(dense, columns, s.data());
   report.iterations = 0;
   while (norm_of_s > tolerance * norm_of_rhs && report.iterations < maximum_number_of_iterations)
   {
-    matrix.multiply(p, q);                                // q = A p
+    matrix.multiply(p, q); // q = A p
     const double norm_of_q = norm(dense, rows, q.data());
     if (!(norm_of_q > 0))
       break;
     const double step = norm_of_s / norm_of_q * (norm_of_s / norm_of_q);
-    axpy(dense, columns, FT(step), p.data(), x.data());   // x += |s|^2 / |q|^2 p
-    axpy(dense, rows, FT(-step), q.data(), r.data());     // r -= |s|^2 / |q|^2 q
-    transposed.multiply(r, s);                            // s = A^T r
+    axpy(dense, columns, FT(step), p.data(), x.data()); // x += |s|^2 / |q|^2 p
+    axpy(dense, rows, FT(-step), q.data(), r.data());   // r -= |s|^2 / |q|^2 q
+    transposed.multiply(r, s);                          // s = A^T r
     const double last_norm_of_s = std::exchange(norm_of_s, norm(dense, columns, s.data()));
     const double ratio = norm_of_s / last_norm_of_s;
     scal(dense, columns, FT(ratio * ratio), p.data());
-    axpy(dense, columns, FT(1), s.data(), p.data());      // p = s + |s|^2 / |last s|^2 p
+    axpy(dense, columns, FT(1), s.data(), p.data()); // p = s + |s|^2 / |last s|^2 p
     ++report.iterations;
   }
   check(cudaEventRecord(stop, stream), "cudaEventRecord");
@@ -219,7 +234,8 @@ void solve(const Sparse_matrix<FT>& host_matrix, const Sparse_matrix<FT>& host_t
     throw Failure(Status::NOT_FINITE, "The quadratic problem or its initial guess has values that are not finite.");
   if (norm_of_rhs == 0)
     check(cudaMemsetAsync(x.data(), 0, std::size_t(columns) * sizeof(FT), stream), "cudaMemsetAsync");
-  check(cudaMemcpyAsync(solution, x.data(), std::size_t(columns) * sizeof(FT), cudaMemcpyDeviceToHost, stream), "cudaMemcpyAsync");
+  check(cudaMemcpyAsync(solution, x.data(), std::size_t(columns) * sizeof(FT), cudaMemcpyDeviceToHost, stream),
+        "cudaMemcpyAsync");
   check(cudaStreamSynchronize(stream), "cudaStreamSynchronize");
   report.relative_residual = norm_of_rhs > 0 ? norm_of_s / norm_of_rhs : 0;
   float milliseconds = 0;
@@ -228,8 +244,8 @@ void solve(const Sparse_matrix<FT>& host_matrix, const Sparse_matrix<FT>& host_t
 }
 
 template <typename FT>
-Answer guarded_solve(const Sparse_matrix<FT>& matrix, const Sparse_matrix<FT>& transposed, const FT* rhs, double tolerance,
-                     std::size_t maximum_number_of_iterations, FT* x, Least_squares_report& report)
+Answer guarded_solve(const Sparse_matrix<FT>& matrix, const Sparse_matrix<FT>& transposed, const FT* rhs,
+                     double tolerance, std::size_t maximum_number_of_iterations, FT* x, Least_squares_report& report)
 {
   Answer answer = find_device();
   if (answer.status != Status::DONE)
@@ -253,14 +269,16 @@ Answer guarded_solve(const Sparse_matrix<FT>& matrix, const Sparse_matrix<FT>& t
 
 } // namespace
 
-Answer solve_least_squares(const Sparse_matrix<float>& matrix, const Sparse_matrix<float>& transposed, const float* rhs, double tolerance,
-                           std::size_t maximum_number_of_iterations, float* x, Least_squares_report& report)
+Answer solve_least_squares(const Sparse_matrix<float>& matrix, const Sparse_matrix<float>& transposed, const float* rhs,
+                           double tolerance, std::size_t maximum_number_of_iterations, float* x,
+                           Least_squares_report& report)
 {
   return guarded_solve(matrix, transposed, rhs, tolerance, maximum_number_of_iterations, x, report);
 }
 
-Answer solve_least_squares(const Sparse_matrix<double>& matrix, const Sparse_matrix<double>& transposed, const double* rhs, double tolerance,
-                           std::size_t maximum_number_of_iterations, double* x, Least_squares_report& report)
+Answer solve_least_squares(const Sparse_matrix<double>& matrix, const Sparse_matrix<double>& transposed,
+                           const double* rhs, double tolerance, std::size_t maximum_number_of_iterations, double* x,
+                           Least_squares_report& report)
 {
   return guarded_solve(matrix, transposed, rhs, tolerance, maximum_number_of_iterations, x, report);
 }

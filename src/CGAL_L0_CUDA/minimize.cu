@@ -158,7 +158,8 @@ __device__ void linearize(const Turn& turn, Energy_sums& energy, double (&sums)[
       const float4 other = turn.samples.normals[k];
       const float3 nk = xyz(other);
       const float squared_distance = dot(d, d);
-      const float a = turn.regularize ? alpha * stretch_weight(squared_distance, squared_radius) * (own.w + other.w) : 0.f;
+      const float a = turn.regularize ? alpha * stretch_weight(squared_distance, squared_radius) * (own.w + other.w)
+                                      : 0.f;
       if (is_sample)
         turn.arrays.pair_weights[e] = a;
       const float distance_i = dot(n, d), distance_k = dot(nk, d);
@@ -166,16 +167,24 @@ __device__ void linearize(const Turn& turn, Energy_sums& energy, double (&sums)[
       const float misfit_i = distance_i - offset_i, misfit_k = distance_k - shrink(distance_k, turn.threshold);
       g -= a * d + (penalty * misfit_i) * n + (penalty * misfit_k) * nk;
       weight += a;
-      xx += nk.x * nk.x;  xy += nk.x * nk.y;  xz += nk.x * nk.z;
-      yy += nk.y * nk.y;  yz += nk.y * nk.z;  zz += nk.z * nk.z;
-      regularization += 0.5f * a * squared_distance;   // each unordered pair comes twice
+      xx += nk.x * nk.x;
+      xy += nk.x * nk.y;
+      xz += nk.x * nk.z;
+      yy += nk.y * nk.y;
+      yz += nk.y * nk.z;
+      zz += nk.z * nk.z;
+      regularization += 0.5f * a * squared_distance; // each unordered pair comes twice
       squared_misfit += misfit_i * misfit_i;
       number_of_active_pairs += offset_i != 0;
     }
     g = group_sum<lanes_per_sample>(g);
     weight = group_sum<lanes_per_sample>(weight);
-    xx = group_sum<lanes_per_sample>(xx);  xy = group_sum<lanes_per_sample>(xy);  xz = group_sum<lanes_per_sample>(xz);
-    yy = group_sum<lanes_per_sample>(yy);  yz = group_sum<lanes_per_sample>(yz);  zz = group_sum<lanes_per_sample>(zz);
+    xx = group_sum<lanes_per_sample>(xx);
+    xy = group_sum<lanes_per_sample>(xy);
+    xz = group_sum<lanes_per_sample>(xz);
+    yy = group_sum<lanes_per_sample>(yy);
+    yz = group_sum<lanes_per_sample>(yz);
+    zz = group_sum<lanes_per_sample>(zz);
     if (!is_sample)
       return;
     energy.regularization += regularization;
@@ -188,9 +197,9 @@ __device__ void linearize(const Turn& turn, Energy_sums& energy, double (&sums)[
     g += fit.w * to_centroid;
     weight += fit.w;
     const float count = float(last - first);
-    const float upper[6] = {weight + penalty * (xx + count * n.x * n.x), penalty * (xy + count * n.x * n.y), penalty * (xz + count * n.x * n.z),
-                            weight + penalty * (yy + count * n.y * n.y), penalty * (yz + count * n.y * n.z),
-                            weight + penalty * (zz + count * n.z * n.z)};
+    const float upper[6] = {weight + penalty * (xx + count * n.x * n.x), penalty * (xy + count * n.x * n.y),
+                            penalty * (xz + count * n.x * n.z),          weight + penalty * (yy + count * n.y * n.y),
+                            penalty * (yz + count * n.y * n.z),          weight + penalty * (zz + count * n.z * n.z)};
     const Block_factorization<float> block = factorize_block(upper);
     store_block(block, size, i, turn.arrays.blocks);
     const float3 z = solve(block, g);
@@ -318,18 +327,26 @@ __global__ void __launch_bounds__(threads_per_large_block) run_turn(Turn turn)
   if (is_finite)
     move_samples(turn);
 
-  double energies[2] = {energy.fit, energy.regularization}, misfits[2] = {energy.squared_normal_misfit, double(energy.number_of_active_pairs)};
+  double energies[2] = {energy.fit, energy.regularization},
+         misfits[2] = {energy.squared_normal_misfit, double(energy.number_of_active_pairs)};
   grid_sum(energies);
   grid_sum(misfits);
   if (thread_index() == 0)
-    *turn.result = {energies[0], energies[1], misfits[0], Wide(misfits[1]), squared_rhs > 0 ? sqrt(squared_residual / squared_rhs) : 0,
-                    iterations, unsigned(squared_residual <= squared_limit), Wide(is_finite)};
+    *turn.result = {energies[0],
+                    energies[1],
+                    misfits[0],
+                    Wide(misfits[1]),
+                    squared_rhs > 0 ? sqrt(squared_residual / squared_rhs) : 0,
+                    iterations,
+                    unsigned(squared_residual <= squared_limit),
+                    Wide(is_finite)};
 }
 
 unsigned number_of_cooperative_blocks(const Workplace& workplace)
 {
   int blocks_per_multiprocessor = 0;
-  CGAL_L0_CUDA_CHECK(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&blocks_per_multiprocessor, run_turn, int(threads_per_large_block), 0));
+  CGAL_L0_CUDA_CHECK(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&blocks_per_multiprocessor, run_turn,
+                                                                   int(threads_per_large_block), 0));
   return unsigned(blocks_per_multiprocessor * workplace.number_of_multiprocessors);
 }
 
@@ -348,17 +365,20 @@ Turn_arrays take_turn_arrays(const Workplace& workplace, unsigned number_of_samp
   return arrays;
 }
 
-void minimize_once(const Workplace& workplace, const Minimization& parameters, double penalty, bool regularize, const Neighbor_lists& neighbors,
-                   const Cell_grid& grid, const Samples& samples, const Turn_arrays& arrays, Turn_result* result)
+void minimize_once(const Workplace& workplace, const Minimization& parameters, double penalty, bool regularize,
+                   const Neighbor_lists& neighbors, const Cell_grid& grid, const Samples& samples,
+                   const Turn_arrays& arrays, Turn_result* result)
 {
   const double threshold = parameters.sparsity_unit * std::sqrt(parameters.normal_weight / penalty);
-  Turn turn = {parameters, float(penalty), float(threshold), regularize, grid.frame.unit(), grid.frame.units_per_length,
-               neighbors, samples, grid.points, arrays, result};
+  Turn turn = {
+    parameters, float(penalty), float(threshold), regularize, grid.frame.unit(), grid.frame.units_per_length, neighbors,
+    samples,    grid.points,    arrays,           result};
   void* arguments[] = {&turn};
-  const unsigned useful_blocks = unsigned((Wide(samples.size) * lanes_per_sample + threads_per_large_block - 1) / threads_per_large_block);
+  const unsigned useful_blocks = unsigned((Wide(samples.size) * lanes_per_sample + threads_per_large_block - 1)
+                                          / threads_per_large_block);
   const unsigned blocks = (std::min)(number_of_cooperative_blocks(workplace), useful_blocks);
-  CGAL_L0_CUDA_CHECK(cudaLaunchCooperativeKernel(reinterpret_cast<void*>(run_turn), dim3(blocks), dim3(threads_per_large_block), arguments, 0,
-                                                 workplace.stream));
+  CGAL_L0_CUDA_CHECK(cudaLaunchCooperativeKernel(reinterpret_cast<void*>(run_turn), dim3(blocks),
+                                                 dim3(threads_per_large_block), arguments, 0, workplace.stream));
 }
 
 } // namespace cuda

@@ -15,7 +15,7 @@ namespace {
 using Wide = unsigned long long;
 
 constexpr unsigned warps_per_block = 4;
-constexpr unsigned cache_size = 256;   // candidates of a query that shared memory holds
+constexpr unsigned cache_size = 256; // candidates of a query that shared memory holds
 
 struct Candidate
 {
@@ -30,8 +30,8 @@ struct Candidate
 
 /// Calls `f(is_inside, candidate)` in all threads of the warp at once, for the points of the block around a cell.
 template <typename F>
-__device__ void for_each_in_ball(const Cell_grid& grid, const Cell_blocks& blocks, int4 center, unsigned self, float squared_radius,
-                                 const F& f)
+__device__ void for_each_in_ball(const Cell_grid& grid, const Cell_blocks& blocks, int4 center, unsigned self,
+                                 float squared_radius, const F& f)
 {
   const unsigned lane = threadIdx.x % 32, stride = blocks.centers[center.w].stride;
   const float unit = grid.frame.unit();
@@ -55,13 +55,14 @@ __device__ void for_each_in_ball(const Cell_grid& grid, const Cell_blocks& block
 
 /// One warp for each sample that is open: it stays so if its ball holds fewer than k others.
 /// \param places of the samples in the grid
-__global__ void find_nearest(Cell_grid grid, Cell_blocks blocks, const unsigned* places, const unsigned* open, unsigned number_of_open,
-                             float squared_radius, bool take_what_is_there, unsigned k, unsigned* nearest, unsigned char* is_open)
+__global__ void find_nearest(Cell_grid grid, Cell_blocks blocks, const unsigned* places, const unsigned* open,
+                             unsigned number_of_open, float squared_radius, bool take_what_is_there, unsigned k,
+                             unsigned* nearest, unsigned char* is_open)
 {
   __shared__ Candidate caches[warps_per_block][cache_size];
   Candidate* const cache = caches[threadIdx.x / 32];
   const Wide q = thread_index() / 32;
-  if (q >= number_of_open)   // whole warps leave
+  if (q >= number_of_open) // whole warps leave
     return;
   const unsigned lane = threadIdx.x % 32;
   const unsigned sample = open ? open[q] : unsigned(q);
@@ -104,7 +105,8 @@ __global__ void find_nearest(Cell_grid grid, Cell_blocks blocks, const unsigned*
     const unsigned middle = low + (high - low) / 2;
     unsigned number_below = 0;
     for_each_in_ball(grid, blocks, center, self, squared_radius, [&](bool is_inside, const Candidate& candidate) {
-      number_below += unsigned(__popc(__ballot_sync(0xffffffffu, is_inside && __float_as_uint(candidate.squared_distance) <= middle)));
+      number_below += unsigned(
+        __popc(__ballot_sync(0xffffffffu, is_inside && __float_as_uint(candidate.squared_distance) <= middle)));
     });
     if (number_below >= k)
       high = middle;
@@ -115,7 +117,8 @@ __global__ void find_nearest(Cell_grid grid, Cell_blocks blocks, const unsigned*
   unsigned size = 0;
   for (const bool is_tie : {false, true})
     for_each_in_ball(grid, blocks, center, self, squared_radius, [&](bool is_inside, const Candidate& candidate) {
-      const bool is_taken = is_inside && (is_tie ? candidate.squared_distance == limit : candidate.squared_distance < limit);
+      const bool is_taken = is_inside
+                            && (is_tie ? candidate.squared_distance == limit : candidate.squared_distance < limit);
       const unsigned found = __ballot_sync(0xffffffffu, is_taken);
       const unsigned place = size + unsigned(__popc(found & ((1u << lane) - 1)));
       if (is_taken && place < k)
@@ -133,8 +136,8 @@ __global__ void invert_order(const unsigned* order, unsigned size, unsigned* pla
 
 } // namespace
 
-unsigned* find_nearest_samples(const Workplace& workplace, const double (&low)[3], const double (&high)[3], unsigned k, double spacing_guess,
-                               const Samples& samples)
+unsigned* find_nearest_samples(const Workplace& workplace, const double (&low)[3], const double (&high)[3], unsigned k,
+                               double spacing_guess, const Samples& samples)
 {
   const int number_of_doublings = 10;
   const unsigned m = samples.size;
@@ -154,8 +157,8 @@ unsigned* find_nearest_samples(const Workplace& workplace, const double (&low)[3
     const double radius = std::ldexp(spacing_guess, doubling);
     const Arena_scope grid_scope(workplace.arena);
     const Positions positions = {samples.positions, m, Frame(), true};
-    const Cell_grid grid = build_grid(positions, nullptr, Cell_frame::around(low, high, radius, 2 * radius), workplace.arena,
-                                      workplace.scratch, stream);
+    const Cell_grid grid = build_grid(positions, nullptr, Cell_frame::around(low, high, radius, 2 * radius),
+                                      workplace.arena, workplace.scratch, stream);
     invert_order<<<blocks_for(m), threads_per_block, 0, stream>>>(grid.order, m, places);
     check_launch("invert_order");
     for (int reach = 1; reach <= 2 && doubling + reach - 1 <= number_of_doublings && number_of_open > 0; ++reach)
@@ -163,9 +166,9 @@ unsigned* find_nearest_samples(const Workplace& workplace, const double (&low)[3
       const Cell_blocks blocks = find_blocks(grid, grid, reach, maximum_number_of_candidates, workplace.arena, stream);
       const float squared_radius = float(radius * reach * radius * reach);
       const unsigned thread_blocks = (number_of_open + warps_per_block - 1) / warps_per_block;
-      find_nearest<<<thread_blocks, 32 * warps_per_block, 0, stream>>>(grid, blocks, places, number_of_open < m ? open : nullptr, number_of_open,
-                                                                     squared_radius, doubling + reach - 1 == number_of_doublings, k, nearest,
-                                                                     is_open);
+      find_nearest<<<thread_blocks, 32 * warps_per_block, 0, stream>>>(
+        grid, blocks, places, number_of_open < m ? open : nullptr, number_of_open, squared_radius,
+        doubling + reach - 1 == number_of_doublings, k, nearest, is_open);
       check_launch("find_nearest");
       number_of_open = list_flagged(is_open, m, open, workplace.scratch, stream);
     }

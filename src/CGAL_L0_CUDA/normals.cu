@@ -32,8 +32,8 @@ __device__ Plane_fit fit_plane(int4 center, const Cell_grid& grid, const Cell_bl
   return moments.plane(squared_radius);
 }
 
-__global__ void fit_planes(Cell_grid grid, Cell_blocks blocks, float radius, float4* normals, unsigned char* is_degenerate,
-                           unsigned* number_of_degenerate)
+__global__ void fit_planes(Cell_grid grid, Cell_blocks blocks, float radius, float4* normals,
+                           unsigned char* is_degenerate, unsigned* number_of_degenerate)
 {
   const Query query(grid.size);
   const int4 center = grid.points[query.index];
@@ -48,8 +48,8 @@ __global__ void fit_planes(Cell_grid grid, Cell_blocks blocks, float radius, flo
 
 /// \param open points without a plane so far, in the order of the fine grid
 /// \param places of the points of the fine grid in the coarse one
-__global__ void refit_planes(Cell_grid coarse_grid, Cell_blocks blocks, const unsigned* places, float radius, const unsigned* open,
-                             unsigned number_of_open, float4* normals, unsigned char* is_degenerate)
+__global__ void refit_planes(Cell_grid coarse_grid, Cell_blocks blocks, const unsigned* places, float radius,
+                             const unsigned* open, unsigned number_of_open, float4* normals, unsigned char* is_degenerate)
 {
   const Query query(number_of_open);
   const unsigned i = open[query.index];
@@ -102,8 +102,8 @@ __global__ void count_zeros(const float* vectors, unsigned size, unsigned* count
 }
 
 /// Eq. (1): the mean of the normals in the ball, each turned to the side of the point's own first.
-__global__ void filter_normals_kernel(Cell_grid grid, Cell_blocks blocks, float radius, float squared_bandwidth, float normal_bandwidth,
-                                      const float4* normals, float4* filtered)
+__global__ void filter_normals_kernel(Cell_grid grid, Cell_blocks blocks, float radius, float squared_bandwidth,
+                                      float normal_bandwidth, const float4* normals, float4* filtered)
 {
   const Query query(grid.size);
   const int4 center = grid.points[query.index];
@@ -129,8 +129,9 @@ __global__ void filter_normals_kernel(Cell_grid grid, Cell_blocks blocks, float 
 }
 
 /// As `refitted_normal()` on the CPU.
-__global__ void refit_normals_kernel(Cell_grid grid, Cell_blocks blocks, float radius, float squared_bandwidth, float normal_bandwidth,
-                                     float squared_sheet_height, const float4* normals, float4* refitted)
+__global__ void refit_normals_kernel(Cell_grid grid, Cell_blocks blocks, float radius, float squared_bandwidth,
+                                     float normal_bandwidth, float squared_sheet_height, const float4* normals,
+                                     float4* refitted)
 {
   const Query query(grid.size);
   const int4 center = grid.points[query.index];
@@ -145,7 +146,8 @@ __global__ void refit_normals_kernel(Cell_grid grid, Cell_blocks blocks, float r
     const float3 other = xyz(normals[j]);
     const float cosine = dot(normal, other);
     const float height = symmetric_height(dot(d, normal), copysignf(1, cosine) * dot(d, other));
-    moments.add(d, sheet_weight(squared_distance, squared_bandwidth, cosine, normal_bandwidth, height, squared_sheet_height));
+    moments.add(d, sheet_weight(squared_distance, squared_bandwidth, cosine, normal_bandwidth, height,
+                                squared_sheet_height));
   });
   moments.sum_over_group<lanes>();
   if (!query.writes)
@@ -155,8 +157,8 @@ __global__ void refit_normals_kernel(Cell_grid grid, Cell_blocks blocks, float r
 }
 
 /// The sum of Eq. (5) without the point itself, to the fourth number of its normal; the counts of the neighbors add up.
-__global__ void sum_up_density(Cell_grid grid, Cell_blocks blocks, float radius, float squared_bandwidth, float4* normals,
-                               unsigned long long* total_count)
+__global__ void sum_up_density(Cell_grid grid, Cell_blocks blocks, float radius, float squared_bandwidth,
+                               float4* normals, unsigned long long* total_count)
 {
   const Query query(grid.size);
   const int4 center = grid.points[query.index];
@@ -191,16 +193,16 @@ __global__ void sum_up_density(Cell_grid grid, Cell_blocks blocks, float radius,
 }
 
 /// One warp for each cell: the mean area of its points, and the sum of all.
-__global__ void average_areas(Cell_grid grid, const float4* normals, double mean_number_of_neighbors, Areas areas, float* areas_of_cells,
-                              unsigned long long* total_units)
+__global__ void average_areas(Cell_grid grid, const float4* normals, double mean_number_of_neighbors, Areas areas,
+                              float* areas_of_cells, unsigned long long* total_units)
 {
   const unsigned long long cell = thread_index() / 32;
-  if (cell >= grid.number_of_cells)   // whole warps leave
+  if (cell >= grid.number_of_cells) // whole warps leave
     return;
   const unsigned begin = grid.begins[cell], end = grid.begins[cell + 1];
   double sum = 0;
   for (unsigned long long i = begin + threadIdx.x % 32; i < end; i += 32)
-    sum += areas.largest / (1 + (1 / double(normals[i].w) - 1) * mean_number_of_neighbors);   // the point itself counts
+    sum += areas.largest / (1 + (1 / double(normals[i].w) - 1) * mean_number_of_neighbors); // the point itself counts
   sum = group_sum<32>(sum);
   if (threadIdx.x % 32 != 0)
     return;
@@ -218,8 +220,8 @@ __global__ void invert_density(unsigned size, float mean_number_of_neighbors, fl
 
 } // namespace
 
-std::size_t estimate_pca_normals(const Workplace& workplace, const Positions& positions, const Cell_grid& grid, const Cell_blocks& blocks,
-                                 double radius, float4* normals)
+std::size_t estimate_pca_normals(const Workplace& workplace, const Positions& positions, const Cell_grid& grid,
+                                 const Cell_blocks& blocks, double radius, float4* normals)
 {
   const int number_of_doublings = 10;
   // For so few points, and as long as there are not too many cells to look into, a coarser grid of all points would cost more.
@@ -230,8 +232,8 @@ std::size_t estimate_pca_normals(const Workplace& workplace, const Positions& po
   const Arena_scope scope(workplace.scratch);
   unsigned char* const is_degenerate = workplace.scratch.take<unsigned char>(n);
   const Device_counter<unsigned> counter(workplace.scratch, stream);
-  fit_planes<<<blocks_for_queries(n), threads_per_block, 0, stream>>>(grid, blocks, float(radius), normals, is_degenerate,
-                                                                                         counter.address());
+  fit_planes<<<blocks_for_queries(n), threads_per_block, 0, stream>>>(grid, blocks, float(radius), normals,
+                                                                      is_degenerate, counter.address());
   check_launch("fit_planes");
   const unsigned number_of_degenerate = counter.read();
   if (number_of_degenerate == 0)
@@ -247,7 +249,8 @@ std::size_t estimate_pca_normals(const Workplace& workplace, const Positions& po
     if (number_of_open == 0)
       break;
     const double coarse_radius = std::ldexp(radius, doubling);
-    if (number_of_open <= largest_number_of_single_queries && cells_in_reach(coarse_radius, grid.frame.cell_size) <= largest_reach)
+    if (number_of_open <= largest_number_of_single_queries
+        && cells_in_reach(coarse_radius, grid.frame.cell_size) <= largest_reach)
     {
       refit_planes_of(workplace, grid, open, number_of_open, coarse_radius, normals, is_degenerate);
       continue;
@@ -259,9 +262,11 @@ std::size_t estimate_pca_normals(const Workplace& workplace, const Positions& po
       low[axis] = (grid.frame.first[axis] + 8) * grid.frame.cell_size;
       high[axis] = (grid.frame.first[axis] + grid.frame.count[axis] - 8) * grid.frame.cell_size;
     }
-    const Cell_grid coarse_grid = build_grid(positions, nullptr, Cell_frame::around(low, high, coarse_radius, coarse_radius), workplace.arena,
-                                             workplace.scratch, stream);
-    const Cell_blocks coarse_blocks = find_blocks(coarse_grid, coarse_grid, 1, maximum_number_of_candidates, workplace.arena, stream);
+    const Cell_grid coarse_grid = build_grid(positions, nullptr,
+                                             Cell_frame::around(low, high, coarse_radius, coarse_radius),
+                                             workplace.arena, workplace.scratch, stream);
+    const Cell_blocks coarse_blocks = find_blocks(coarse_grid, coarse_grid, 1, maximum_number_of_candidates,
+                                                  workplace.arena, stream);
     invert_order<<<blocks_for(n), threads_per_block, 0, stream>>>(coarse_grid.order, n, places);
     check_launch("invert_order");
     compose<<<blocks_for(n), threads_per_block, 0, stream>>>(places, grid.order, n, coarse_places);
@@ -290,28 +295,30 @@ bool has_zero(const Workplace& workplace, const float* vectors, unsigned size)
 
 void take_given_normals(const Workplace& workplace, const Cell_grid& grid, const float* given_normals, float4* normals)
 {
-  gather_given_normals<<<blocks_for(grid.size), threads_per_block, 0, workplace.stream>>>(given_normals, grid.order, grid.size, normals);
+  gather_given_normals<<<blocks_for(grid.size), threads_per_block, 0, workplace.stream>>>(given_normals, grid.order,
+                                                                                          grid.size, normals);
   check_launch("gather_given_normals");
 }
 
-void filter_normals(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks, double radius, float squared_bandwidth,
-                    float normal_bandwidth, const float4* normals, float4* filtered)
+void filter_normals(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks, double radius,
+                    float squared_bandwidth, float normal_bandwidth, const float4* normals, float4* filtered)
 {
   filter_normals_kernel<<<blocks_for_queries(grid.size), threads_per_block, 0, workplace.stream>>>(
     grid, blocks, float(radius), squared_bandwidth, normal_bandwidth, normals, filtered);
   check_launch("filter_normals_kernel");
 }
 
-void refit_normals(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks, double radius, float squared_bandwidth,
-                   float normal_bandwidth, float squared_sheet_height, const float4* normals, float4* refitted)
+void refit_normals(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks, double radius,
+                   float squared_bandwidth, float normal_bandwidth, float squared_sheet_height, const float4* normals,
+                   float4* refitted)
 {
   refit_normals_kernel<<<blocks_for_queries(grid.size), threads_per_block, 0, workplace.stream>>>(
     grid, blocks, float(radius), squared_bandwidth, normal_bandwidth, squared_sheet_height, normals, refitted);
   check_launch("refit_normals_kernel");
 }
 
-double compute_input_density_weights(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks, double radius,
-                                     float squared_bandwidth, float4* normals)
+double compute_input_density_weights(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks,
+                                     double radius, float squared_bandwidth, float4* normals)
 {
   const Arena_scope scope(workplace.scratch);
   const Device_counter<unsigned long long> total_count(workplace.scratch, workplace.stream);
@@ -319,13 +326,14 @@ double compute_input_density_weights(const Workplace& workplace, const Cell_grid
     grid, blocks, float(radius), squared_bandwidth, normals, total_count.address());
   check_launch("sum_up_density");
   const double mean_number_of_neighbors = double(total_count.read()) / double(grid.size);
-  invert_density<<<blocks_for(grid.size), threads_per_block, 0, workplace.stream>>>(grid.size, float(mean_number_of_neighbors), normals);
+  invert_density<<<blocks_for(grid.size), threads_per_block, 0, workplace.stream>>>(
+    grid.size, float(mean_number_of_neighbors), normals);
   check_launch("invert_density");
   return mean_number_of_neighbors;
 }
 
-Areas find_areas(const Workplace& workplace, const Cell_grid& grid, const float4* normals, double mean_number_of_neighbors, double radius,
-                 double squared_bandwidth)
+Areas find_areas(const Workplace& workplace, const Cell_grid& grid, const float4* normals,
+                 double mean_number_of_neighbors, double radius, double squared_bandwidth)
 {
   const double pi = 3.141592653589793;
   float* const areas_of_cells = workplace.arena.take<float>(grid.number_of_cells);

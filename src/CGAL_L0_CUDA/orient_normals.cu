@@ -19,7 +19,7 @@ namespace cuda {
 namespace {
 
 // As on the CPU
-constexpr unsigned number_of_steps = 1024;   // of how sure edges are
+constexpr unsigned number_of_steps = 1024; // of how sure edges are
 
 constexpr Wide no_edge = ~Wide(0);
 constexpr unsigned short doubtful = 0xffff;
@@ -28,30 +28,30 @@ constexpr unsigned threads_of_voting_block = 512;
 /// Sets of samples whose signs are fixed relative to each other.
 struct Forest
 {
-  Link* roots;             // of each sample: the root of its set, and whether it is turned against it
-  Link* hooks;             // of each root: where it is hooked to in this round
-  Wide* best;              // of each root: the edge or the vote that it joins another set by
-  long long* best_votes;   // of each root: the largest absolute agreement with another set
-  const unsigned* sure_sizes;   // of each sample: the size of its set once all that is sure was joined
-  unsigned* is_changed;    // one for each round
+  Link* roots;                // of each sample: the root of its set, and whether it is turned against it
+  Link* hooks;                // of each root: where it is hooked to in this round
+  Wide* best;                 // of each root: the edge or the vote that it joins another set by
+  long long* best_votes;      // of each root: the largest absolute agreement with another set
+  const unsigned* sure_sizes; // of each sample: the size of its set once all that is sure was joined
+  unsigned* is_changed;       // one for each round
 };
 
-constexpr unsigned maximum_number_of_rounds = 80;   // a round halves the sets that can be joined, at least
+constexpr unsigned maximum_number_of_rounds = 80; // a round halves the sets that can be joined, at least
 
 /// All edges between two sets, added up in fixed point: integers may be added in any order.
 struct Vote
 {
-  Wide pair;               // the roots, the higher one in the lower bits
+  Wide pair; // the roots, the higher one in the lower bits
   long long agreement, total;
 };
 
 /// The votes of a round, in a hash table.
 struct Votes
 {
-  Wide* edges;             // between different sets, at the beginning
+  Wide* edges; // between different sets, at the beginning
   unsigned number_of_edges;
   Vote* slots;
-  unsigned number_of_slots;   // a power of two
+  unsigned number_of_slots; // a power of two
 };
 
 constexpr Wide no_pair = ~Wide(0);
@@ -104,7 +104,8 @@ __device__ Link link_by_edge(const Graph& graph, const Forest& forest, unsigned 
 /// Ends a round: each root with a best edge or vote is hooked to where that leads, and all samples find their new roots.
 /// \param link_of the way of a root by its best edge or vote
 template <typename Link_of>
-__device__ void join_sets(const cooperative_groups::grid_group& grid, const Forest& forest, unsigned size, const Link_of& link_of)
+__device__ void join_sets(const cooperative_groups::grid_group& grid, const Forest& forest, unsigned size,
+                          const Link_of& link_of)
 {
   for_each(size, [&](Wide i) {
     const unsigned root = unsigned(i);
@@ -146,7 +147,8 @@ all at once. The order of the edges is total, so that the forest is the one that
 
 \param edges out: those between different trees in the end, each in one direction, in no order
 */
-__global__ void __launch_bounds__(threads_per_block) grow_forest(Graph graph, Forest forest, Wide* edges, unsigned* number_of_edges)
+__global__ void __launch_bounds__(threads_per_block)
+  grow_forest(Graph graph, Forest forest, Wide* edges, unsigned* number_of_edges)
 {
   const cooperative_groups::grid_group grid = cooperative_groups::this_grid();
   for_each(graph.size, [&](Wide i) {
@@ -196,7 +198,7 @@ __global__ void __launch_bounds__(threads_per_block) grow_forest(Graph graph, Fo
         break;
       if (load(&forest.roots[other]).target() == root)
         continue;
-      bool is_other_way_round = false;   // in the list of the other sample too: the lower one has it
+      bool is_other_way_round = false; // in the list of the other sample too: the lower one has it
       for (unsigned e = 0; e < graph.k && other < i; ++e)
         is_other_way_round = is_other_way_round || graph.nearest[Wide(other) * graph.k + e] == i;
       if (!is_other_way_round)
@@ -239,7 +241,8 @@ __device__ Link link_by_vote(const Votes& votes, const Forest& forest, unsigned 
 }
 
 /// Joins sets that touch by majority, as `join_by_votes()` on the CPU.
-__global__ void __launch_bounds__(threads_of_voting_block) join_by_votes(Graph graph, Forest forest, Votes votes, double majority)
+__global__ void __launch_bounds__(threads_of_voting_block)
+  join_by_votes(Graph graph, Forest forest, Votes votes, double majority)
 {
   const cooperative_groups::grid_group grid = cooperative_groups::this_grid();
   for_each(graph.size, [&](Wide i) {
@@ -354,7 +357,8 @@ __global__ void find_centers(Forest forest, Samples samples, Tree_scale scale, T
     atomicAdd(&tree.size, unsigned(__popc(peers)));
 }
 
-__global__ void find_fluxes(Forest forest, Samples samples, Tree_scale scale, Tree_sums* trees, unsigned* number_of_oriented)
+__global__ void find_fluxes(Forest forest, Samples samples, Tree_scale scale, Tree_sums* trees,
+                            unsigned* number_of_oriented)
 {
   const Wide i = thread_index();
   if (i >= samples.size)
@@ -407,7 +411,8 @@ __global__ void turn_normals(Forest forest, const Tree_sums* trees, Samples samp
 
 /// Launches a kernel that waits for all its threads.
 /// \param most_blocks on a multiprocessor: barriers take the longer the more blocks there are
-void launch_cooperatively(const Workplace& workplace, void* kernel, unsigned size, unsigned threads, int most_blocks, void** arguments)
+void launch_cooperatively(const Workplace& workplace, void* kernel, unsigned size, unsigned threads, int most_blocks,
+                          void** arguments)
 {
   int blocks_per_multiprocessor = 0;
   CGAL_L0_CUDA_CHECK(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&blocks_per_multiprocessor, kernel, int(threads), 0));
@@ -418,29 +423,34 @@ void launch_cooperatively(const Workplace& workplace, void* kernel, unsigned siz
 
 } // namespace
 
-double orient_normals(const Workplace& workplace, const double (&low)[3], const double (&high)[3], unsigned number_of_neighbors, double spacing,
-                      const Samples& samples)
+double orient_normals(const Workplace& workplace, const double (&low)[3], const double (&high)[3],
+                      unsigned number_of_neighbors, double spacing, const Samples& samples)
 {
   const unsigned m = samples.size;
   const cudaStream_t stream = workplace.stream;
   const Arena_scope arena_scope(workplace.arena), scratch_scope(workplace.scratch);
   const unsigned* const nearest = find_nearest_samples(workplace, low, high, number_of_neighbors,
                                                        spacing * std::sqrt(double(number_of_neighbors) / 2), samples);
-  Graph graph = {m, number_of_neighbors, nearest, workplace.arena.take<unsigned short>(Wide(m) * number_of_neighbors), samples,
-                 float(spacing * spacing)};
+  Graph graph = {m,       number_of_neighbors,
+                 nearest, workplace.arena.take<unsigned short>(Wide(m) * number_of_neighbors),
+                 samples, float(spacing * spacing)};
   grade_edges<<<blocks_for(Wide(m) * number_of_neighbors), threads_per_block, 0, stream>>>(graph);
   check_launch("grade_edges");
 
   unsigned* const sure_sizes = workplace.arena.take<unsigned>(m);
-  Forest forest = {workplace.arena.take<Link>(m), workplace.arena.take<Link>(m), workplace.arena.take<Wide>(m),
-                   workplace.arena.take<long long>(m), sure_sizes, workplace.arena.take<unsigned>(maximum_number_of_rounds)};
+  Forest forest = {workplace.arena.take<Link>(m),
+                   workplace.arena.take<Link>(m),
+                   workplace.arena.take<Wide>(m),
+                   workplace.arena.take<long long>(m),
+                   sure_sizes,
+                   workplace.arena.take<unsigned>(maximum_number_of_rounds)};
   const auto forget_changes = [&]() {
     CGAL_L0_CUDA_CHECK(cudaMemsetAsync(forest.is_changed, 0, maximum_number_of_rounds * sizeof(unsigned), stream));
   };
   {
     const Arena_scope voting_scope(workplace.scratch);
     Votes votes;
-    votes.edges = workplace.scratch.take<Wide>(Wide(m) * number_of_neighbors);   // at most so many; mostly few
+    votes.edges = workplace.scratch.take<Wide>(Wide(m) * number_of_neighbors); // at most so many; mostly few
     {
       const Device_counter<unsigned> counter(workplace.scratch, stream);
       unsigned* number_of_edges = counter.address();
@@ -505,7 +515,8 @@ double orient_normals(const Workplace& workplace, const double (&low)[3], const 
   const Device_counter<unsigned> number_of_oriented(workplace.scratch, stream);
   find_centers<<<blocks_for(m), threads_per_block, 0, stream>>>(forest, samples, scale, trees);
   check_launch("find_centers");
-  find_fluxes<<<blocks_for(m), threads_per_block, 0, stream>>>(forest, samples, scale, trees, number_of_oriented.address());
+  find_fluxes<<<blocks_for(m), threads_per_block, 0, stream>>>(forest, samples, scale, trees,
+                                                               number_of_oriented.address());
   check_launch("find_fluxes");
   turn_normals<<<blocks_for(m), threads_per_block, 0, stream>>>(forest, trees, samples);
   check_launch("turn_normals");

@@ -33,7 +33,7 @@ struct Graph
   unsigned size;
   unsigned k;
   const unsigned* nearest;
-  unsigned short* grades;   // step, 0 for the surest edges; lowest bit: whether the normals disagree; or `doubtful`
+  unsigned short* grades; // step, 0 for the surest edges; lowest bit: whether the normals disagree; or `doubtful`
   Samples samples;
   float squared_spacing;
 };
@@ -56,8 +56,8 @@ __device__ inline float agreement_of(const Graph& graph, Wide i, unsigned other)
 /// \param trees what the votes make of the sets
 /// \param sets in and out: the root of each sample
 /// \returns whether any was turned; if not, nothing was joined. Waits for the device
-bool join_by_field(const Workplace& workplace, const Graph& graph, const Wide* edges, unsigned number_of_edges, const Link* trees,
-                   double spacing, Link* sets);
+bool join_by_field(const Workplace& workplace, const Graph& graph, const Wide* edges, unsigned number_of_edges,
+                   const Link* trees, double spacing, Link* sets);
 
 } // namespace cuda
 } // namespace internal

@@ -26,9 +26,9 @@ constexpr unsigned threads_of_single_block = 1024;
 /// A sample that stands for those around it.
 struct Dipole
 {
-  double3 position, normal;   // that in the sense of its set
+  double3 position, normal; // that in the sense of its set
   unsigned root;
-  unsigned set;               // or `no_set`
+  unsigned set; // or `no_set`
 };
 
 /// The larger sets of samples, and how far they agree two by two, in fixed point.
@@ -36,17 +36,20 @@ struct Field
 {
   Dipole* dipoles;
   unsigned number_of_dipoles;
-  double area;              // that a dipole stands for
-  double spacing;           // of the samples
-  unsigned* set_of_root;    // of each sample that is a root: its number among the larger sets, or `no_set`
+  double area;           // that a dipole stands for
+  double spacing;        // of the samples
+  unsigned* set_of_root; // of each sample that is a root: its number among the larger sets, or `no_set`
   unsigned* number_of_sets;
-  unsigned* roots;          // of the sets
-  unsigned* trees;          // that they belong to
-  int* signs;               // relative to the tree
-  long long* agreements;    // a row of `maximum_number_of_sets` for each set
+  unsigned* roots;       // of the sets
+  unsigned* trees;       // that they belong to
+  int* signs;            // relative to the tree
+  long long* agreements; // a row of `maximum_number_of_sets` for each set
 
   __device__ long long* row(unsigned set) const { return agreements + Wide(set) * maximum_number_of_sets; }
-  __device__ bool are_of_one_tree(unsigned a, unsigned b) const { return a != no_set && b != no_set && a != b && trees[a] == trees[b]; }
+  __device__ bool are_of_one_tree(unsigned a, unsigned b) const
+  {
+    return a != no_set && b != no_set && a != b && trees[a] == trees[b];
+  }
 };
 
 __device__ void add_to(long long* sum, long long value) { atomicAdd(reinterpret_cast<Wide*>(sum), Wide(value)); }
@@ -59,14 +62,15 @@ __global__ void place_dipoles(Field field, Samples samples, const Link* sets)
   const unsigned i = unsigned((2 * k + 1) * samples.size / (2 * field.number_of_dipoles));
   const Link link = sets[i];
   const double* const p = samples.positions + 3 * Wide(i);
-  field.dipoles[k] = {{p[0], p[1], p[2]}, (link.is_turned() ? -1. : 1.) * to_double(xyz(samples.normals[i])), link.target(), no_set};
+  field.dipoles[k] = {
+    {p[0], p[1], p[2]}, (link.is_turned() ? -1. : 1.) * to_double(xyz(samples.normals[i])), link.target(), no_set};
 }
 
 /// Numbers the sets with enough dipoles by their roots. Run by one block.
 __global__ void number_sets(Field field, const Link* trees)
 {
   __shared__ unsigned roots[maximum_number_of_dipoles];
-  __shared__ bool stands_for_set[maximum_number_of_dipoles];   // the first dipole of a large set
+  __shared__ bool stands_for_set[maximum_number_of_dipoles]; // the first dipole of a large set
   const unsigned size = field.number_of_dipoles;
   for (unsigned k = threadIdx.x; k < size; k += blockDim.x)
     roots[k] = field.dipoles[k].root;
@@ -143,7 +147,8 @@ __global__ void add_votes_of_edges(Field field, Graph graph, const Wide* edges, 
   if (!field.are_of_one_tree(set_a, set_b))
     return;
   const double agreement = agreement_of(graph, i, other);
-  const long long units = __double2ll_rn((a.is_turned() == b.is_turned() ? 1 : -1) * weight_of_votes * agreement * units_per_vote);
+  const long long units = __double2ll_rn((a.is_turned() == b.is_turned() ? 1 : -1) * weight_of_votes * agreement
+                                         * units_per_vote);
   add_to(&field.row(set_a)[set_b], units);
   add_to(&field.row(set_b)[set_a], units);
 }
@@ -154,7 +159,7 @@ __global__ void turn_sets(Field field, unsigned* number_of_turns)
   __shared__ long long least;
   __shared__ unsigned set_of_least;
   const unsigned size = *field.number_of_sets;
-  for (unsigned turn = 0; turn < 10 * size; ++turn)   // rounding might go round in circles
+  for (unsigned turn = 0; turn < 10 * size; ++turn) // rounding might go round in circles
   {
     if (threadIdx.x == 0)
     {
@@ -202,20 +207,26 @@ __global__ void join_field(Field field, unsigned size, Link* sets)
 
 } // namespace
 
-bool join_by_field(const Workplace& workplace, const Graph& graph, const Wide* edges, unsigned number_of_edges, const Link* trees,
-                   double spacing, Link* sets)
+bool join_by_field(const Workplace& workplace, const Graph& graph, const Wide* edges, unsigned number_of_edges,
+                   const Link* trees, double spacing, Link* sets)
 {
   const cudaStream_t stream = workplace.stream;
   const Arena_scope scope(workplace.scratch);
   const unsigned m = graph.size, number_of_dipoles = (std::min)(m, maximum_number_of_dipoles);
   const Device_counter<unsigned> number_of_sets(workplace.scratch, stream), number_of_turns(workplace.scratch, stream);
-  const Field field = {workplace.scratch.take<Dipole>(number_of_dipoles), number_of_dipoles,
-                       spacing * spacing * double(m) / double(number_of_dipoles), spacing, workplace.scratch.take<unsigned>(m),
-                       number_of_sets.address(), workplace.scratch.take<unsigned>(maximum_number_of_sets),
-                       workplace.scratch.take<unsigned>(maximum_number_of_sets), workplace.scratch.take<int>(maximum_number_of_sets),
+  const Field field = {workplace.scratch.take<Dipole>(number_of_dipoles),
+                       number_of_dipoles,
+                       spacing * spacing * double(m) / double(number_of_dipoles),
+                       spacing,
+                       workplace.scratch.take<unsigned>(m),
+                       number_of_sets.address(),
+                       workplace.scratch.take<unsigned>(maximum_number_of_sets),
+                       workplace.scratch.take<unsigned>(maximum_number_of_sets),
+                       workplace.scratch.take<int>(maximum_number_of_sets),
                        workplace.scratch.take<long long>(Wide(maximum_number_of_sets) * maximum_number_of_sets)};
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(field.set_of_root, 0xff, m * sizeof(unsigned), stream));
-  CGAL_L0_CUDA_CHECK(cudaMemsetAsync(field.agreements, 0, Wide(maximum_number_of_sets) * maximum_number_of_sets * sizeof(long long), stream));
+  CGAL_L0_CUDA_CHECK(cudaMemsetAsync(field.agreements, 0,
+                                     Wide(maximum_number_of_sets) * maximum_number_of_sets * sizeof(long long), stream));
   place_dipoles<<<blocks_for(number_of_dipoles), threads_per_block, 0, stream>>>(field, graph.samples, sets);
   check_launch("place_dipoles");
   number_sets<<<1, threads_of_single_block, 0, stream>>>(field, trees);
@@ -224,7 +235,8 @@ bool join_by_field(const Workplace& workplace, const Graph& graph, const Wide* e
   check_launch("add_dipoles");
   if (number_of_edges > 0)
   {
-    add_votes_of_edges<<<blocks_for(number_of_edges), threads_per_block, 0, stream>>>(field, graph, edges, number_of_edges, sets);
+    add_votes_of_edges<<<blocks_for(number_of_edges), threads_per_block, 0, stream>>>(field, graph, edges,
+                                                                                      number_of_edges, sets);
     check_launch("add_votes_of_edges");
   }
   turn_sets<<<1, threads_of_single_block, 0, stream>>>(field, number_of_turns.address());

@@ -47,7 +47,7 @@ class Surroundings
   int4 m_center;
   uint3 m_cell;
   int m_reach;
-  Wide m_stride;   // where there are too many points, every so manieth of them is looked at
+  Wide m_stride; // where there are too many points, every so manieth of them is looked at
 
 public:
   __device__ Surroundings(const Cell_grid& grid, unsigned query, int reach)
@@ -104,7 +104,8 @@ private:
 };
 
 /// One block of threads for each point of the list.
-__global__ void fit_planes_around(Cell_grid grid, const unsigned* list, int reach, float radius, float4* normals, unsigned char* is_degenerate)
+__global__ void fit_planes_around(Cell_grid grid, const unsigned* list, int reach, float radius, float4* normals,
+                                  unsigned char* is_degenerate)
 {
   const unsigned i = list[blockIdx.x];
   const Plane_fit fit = Surroundings(grid, i, reach).fit_plane(radius);
@@ -117,8 +118,8 @@ __global__ void fit_planes_around(Cell_grid grid, const unsigned* list, int reac
 /// What a ball tells of the scales.
 struct Ball
 {
-  double count;               // of points
-  double variance;            // across their plane
+  double count;    // of points
+  double variance; // across their plane
   double single_sheet_index;
 };
 
@@ -136,7 +137,9 @@ __global__ void look_at_balls(Cell_grid grid, unsigned stride_of_queries, int re
   }
   __syncthreads();
   Height_moments<float> heights;
-  surroundings.for_each_in_ball(radius, [&](float3 d) { heights.add(dot(d, float3{normal[0], normal[1], normal[2]}), 1); });
+  surroundings.for_each_in_ball(radius, [&](float3 d) {
+    heights.add(dot(d, float3{normal[0], normal[1], normal[2]}), 1);
+  });
   float sums[4] = {heights.first, heights.second, heights.third, heights.fourth};
   sum_over_block(sums);
   if (threadIdx.x != 0)
@@ -144,7 +147,7 @@ __global__ void look_at_balls(Cell_grid grid, unsigned stride_of_queries, int re
   const double n = fit.number_of_points;
   Ball& ball = balls[blockIdx.x];
   ball.count = n * surroundings.stride();
-  ball.variance = n > 3 ? fit.variance * n / (n - 3) : fit.variance;   // the plane took three degrees of freedom
+  ball.variance = n > 3 ? fit.variance * n / (n - 3) : fit.variance; // the plane took three degrees of freedom
   ball.single_sheet_index = Height_moments<double>{sums[0], sums[1], sums[2], sums[3]}.single_sheet_index(n);
 }
 
@@ -162,25 +165,25 @@ double quantile(const std::vector<Ball>& balls, double share, const Value& value
 
 } // namespace
 
-void refit_planes_of(const Workplace& workplace, const Cell_grid& grid, const unsigned* open, unsigned number_of_open, double radius,
-                     float4* normals, unsigned char* is_degenerate)
+void refit_planes_of(const Workplace& workplace, const Cell_grid& grid, const unsigned* open, unsigned number_of_open,
+                     double radius, float4* normals, unsigned char* is_degenerate)
 {
-  fit_planes_around<<<number_of_open, threads_per_query, 0, workplace.stream>>>(grid, open, cells_in_reach(radius, grid.frame.cell_size),
-                                                                              float(radius), normals, is_degenerate);
+  fit_planes_around<<<number_of_open, threads_per_query, 0, workplace.stream>>>(
+    grid, open, cells_in_reach(radius, grid.frame.cell_size), float(radius), normals, is_degenerate);
   check_launch("fit_planes_around");
 }
 
-Scales estimate_scales(const Workplace& workplace, const Positions& positions, const double (&low)[3], const double (&high)[3],
-                       double initial_radius)
+Scales estimate_scales(const Workplace& workplace, const Positions& positions, const double (&low)[3],
+                       const double (&high)[3], double initial_radius)
 {
-  const unsigned number_of_queries = 1000;   // as on the CPU, and so are the next five
+  const unsigned number_of_queries = 1000; // as on the CPU, and so are the next five
   const double fewest_points = 30, flat = 0.25, surely_flat = 0.15, two_sheets = 2;
   const int reaches[] = {1, 2, 3, 4, 6, 8, 12, 16, 24, 32};
   const double cell_size = initial_radius / 4, pi = 3.141592653589793;
 
   const Arena_scope arena_scope(workplace.arena), scratch_scope(workplace.scratch);
-  const Cell_grid grid = build_grid(positions, nullptr, Cell_frame::around(low, high, cell_size, 32 * cell_size), workplace.arena,
-                                    workplace.scratch, workplace.stream);
+  const Cell_grid grid = build_grid(positions, nullptr, Cell_frame::around(low, high, cell_size, 32 * cell_size),
+                                    workplace.arena, workplace.scratch, workplace.stream);
   const unsigned stride = (std::max)(positions.size / number_of_queries, 1u);
   const unsigned size = (positions.size + stride - 1) / stride;
   Ball* const device_balls = workplace.scratch.take<Ball>(size);
@@ -192,14 +195,16 @@ Scales estimate_scales(const Workplace& workplace, const Positions& positions, c
     const double radius = reach * cell_size;
     look_at_balls<<<size, threads_per_query, 0, workplace.stream>>>(grid, stride, reach, float(radius), device_balls);
     check_launch("look_at_balls");
-    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(balls.data(), device_balls, size * sizeof(Ball), cudaMemcpyDeviceToHost, workplace.stream));
+    CGAL_L0_CUDA_CHECK(
+      cudaMemcpyAsync(balls.data(), device_balls, size * sizeof(Ball), cudaMemcpyDeviceToHost, workplace.stream));
     CGAL_L0_CUDA_CHECK(cudaStreamSynchronize(workplace.stream));
     const double count = quantile(balls, 0.5, [](const Ball& ball) { return ball.count; });
     if (count < fewest_points && reach < 32)
       continue;
     scales.spacing = radius * std::sqrt(pi / (std::max)(count, 1.));
     scales.noise = noise();
-    if (scales.noise > surely_flat * radius && quantile(balls, 0.5, [](const Ball& ball) { return ball.single_sheet_index; }) < two_sheets)
+    if (scales.noise > surely_flat * radius
+        && quantile(balls, 0.5, [](const Ball& ball) { return ball.single_sheet_index; }) < two_sheets)
     {
       for (Ball& ball : balls)
         ball.variance *= share_of_noise(ball.single_sheet_index);

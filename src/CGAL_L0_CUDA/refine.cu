@@ -25,12 +25,12 @@ using Wide = unsigned long long;
 struct Fit
 {
   float radius, squared_bandwidth, normal_bandwidth, squared_sheet_height;
-  double largest_offset;   // of the mean of the points, before the sample is drawn back from a border
+  double largest_offset; // of the mean of the points, before the sample is drawn back from a border
 };
 
 /// The fit of the default method, as `fit_compatible_points()` on the CPU, which says why.
-__global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_blocks blocks, Cell_grid grid, const float4* normals,
-                            Fit fit, Samples samples)
+__global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_blocks blocks, Cell_grid grid,
+                            const float4* normals, Fit fit, Samples samples)
 {
   const Query query(samples.size);
   const int4 center = sample_grid.points[query.index];
@@ -48,8 +48,9 @@ __global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_b
     const float cosine = dot(xyz(other), normal);
     const float sign = copysignf(1, cosine);
     const float h = symmetric_height(dot(d, normal), sign * dot(d, xyz(other)));
-    const float weight =
-      other.w * sheet_weight(squared_distance, fit.squared_bandwidth, cosine, fit.normal_bandwidth, h, fit.squared_sheet_height);
+    const float weight = other.w
+                         * sheet_weight(squared_distance, fit.squared_bandwidth, cosine, fit.normal_bandwidth, h,
+                                        fit.squared_sheet_height);
     sum += weight;
     height += weight * h;
     offset_sum += weight * d;
@@ -64,7 +65,7 @@ __global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_b
 
   const double pi = 3.141592653589793, total = sum, largest_offset = fit.largest_offset;
   samples.outward[i] = make_float4(0, 0, 0, 0);
-  if (!(total > 1e-3))   // nobody agrees: the sample is drawn to where it was last fitted, and keeps its normal
+  if (!(total > 1e-3)) // nobody agrees: the sample is drawn to where it was last fitted, and keeps its normal
   {
     samples.fit[i].w = 1;
     return;
@@ -85,11 +86,14 @@ __global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_b
 }
 
 /// `Repulsion` in `float`.
-struct Push { float squared_bandwidth, strength, maximum_step; };
+struct Push
+{
+  float squared_bandwidth, strength, maximum_step;
+};
 
 /// One step of `repel_tangentially()` on the CPU.
-__global__ void repel(Cell_frame frame, Neighbor_lists neighbors, Push push_rule, const int4* points,
-                      Samples samples, int4* moved_points)
+__global__ void repel(Cell_frame frame, Neighbor_lists neighbors, Push push_rule, const int4* points, Samples samples,
+                      int4* moved_points)
 {
   const Query query(samples.size);
   const unsigned i = query.index;
@@ -116,7 +120,7 @@ __global__ void repel(Cell_frame frame, Neighbor_lists neighbors, Push push_rule
   position[1] = p.y;
   position[2] = p.z;
   const float4 fit = samples.fit[i];
-  samples.fit[i] = with_w(xyz(fit) - push, fit.w);   // c_i stays where it is
+  samples.fit[i] = with_w(xyz(fit) - push, fit.w); // c_i stays where it is
   const int3 fixed = frame.fixed_point(p);
   moved_points[i] = make_int4(fixed.x, fixed.y, fixed.z, center.w);
 }
@@ -134,9 +138,9 @@ __global__ void move_onto_fit(Samples samples)
 
 } // namespace
 
-void fit_compatible_points(const Workplace& workplace, const Cell_grid& sample_grid, bool is_in_order, const Cell_blocks& blocks,
-                           const Cell_grid& grid, const float4* normals, double radius, double squared_sheet_height, double normal_bandwidth,
-                           const Samples& samples)
+void fit_compatible_points(const Workplace& workplace, const Cell_grid& sample_grid, bool is_in_order,
+                           const Cell_blocks& blocks, const Cell_grid& grid, const float4* normals, double radius,
+                           double squared_sheet_height, double normal_bandwidth, const Samples& samples)
 {
   const double bandwidth = fit_bandwidth_factor * radius;
   const Fit fit = {float(radius), float(bandwidth * bandwidth), float(normal_bandwidth), float(squared_sheet_height),
@@ -146,8 +150,8 @@ void fit_compatible_points(const Workplace& workplace, const Cell_grid& sample_g
   check_launch("fit_samples");
 }
 
-void repel_tangentially(const Workplace& workplace, const Cell_grid& sample_grid, const Neighbor_lists& neighbors, double spacing,
-                        double radius, std::size_t number_of_steps, const Samples& samples)
+void repel_tangentially(const Workplace& workplace, const Cell_grid& sample_grid, const Neighbor_lists& neighbors,
+                        double spacing, double radius, std::size_t number_of_steps, const Samples& samples)
 {
   const Repulsion repulsion(spacing, radius);
   const Push push = {float(repulsion.squared_bandwidth), float(repulsion.strength), float(repulsion.maximum_step)};
@@ -155,8 +159,8 @@ void repel_tangentially(const Workplace& workplace, const Cell_grid& sample_grid
   int4 *points = sample_grid.points, *moved = workplace.scratch.take<int4>(samples.size);
   for (std::size_t step = 0; step < number_of_steps; ++step)
   {
-    repel<<<blocks_for_queries(samples.size), threads_per_block, 0, workplace.stream>>>(sample_grid.frame, neighbors, push, points, samples,
-                                                                                       moved);
+    repel<<<blocks_for_queries(samples.size), threads_per_block, 0, workplace.stream>>>(sample_grid.frame, neighbors,
+                                                                                        push, points, samples, moved);
     check_launch("repel");
     std::swap(points, moved);
   }

@@ -23,14 +23,20 @@ double normal_bandwidth(double angle)
   return (std::max)(square(1 - std::cos(angle * pi / 180)), 1e-12);
 }
 
-Iteration iteration_report(const Parameters& parameters, const Minimization& minimization, double penalty, bool regularized,
-                           std::size_t number_of_pairs, const Turn_result& result)
+Iteration iteration_report(const Parameters& parameters, const Minimization& minimization, double penalty,
+                           bool regularized, std::size_t number_of_pairs, const Turn_result& result)
 {
   const double unit = 1 / minimization.squared_radius;
-  return {penalty, result.fit_energy * unit, result.regularization_energy * unit, penalty * result.squared_normal_misfit * unit,
+  return {penalty,
+          result.fit_energy * unit,
+          result.regularization_energy * unit,
+          penalty * result.squared_normal_misfit * unit,
           parameters.normal_weight * square(minimization.sparsity_unit) * double(result.number_of_active_pairs) * unit,
           number_of_pairs ? double(result.number_of_active_pairs) / double(number_of_pairs) : 0,
-          result.relative_residual, result.solver_iterations, regularized, bool(result.converged)};
+          result.relative_residual,
+          result.solver_iterations,
+          regularized,
+          bool(result.converged)};
 }
 
 std::vector<double> penalties(const Parameters& parameters)
@@ -46,13 +52,18 @@ std::vector<double> penalties(const Parameters& parameters)
 }
 
 /// Bytes of the two stacks for n points and m samples with as many neighbors as is usual; what is missing is added on the way, once.
-struct Memory_estimate { std::size_t arena, scratch; };
+struct Memory_estimate
+{
+  std::size_t arena, scratch;
+};
 Memory_estimate estimate_memory(std::size_t n, std::size_t m, bool is_default, bool drops_outliers)
 {
   const std::size_t slack = std::size_t(1) << 20;
-  const std::size_t of_points = (drops_outliers ? 46 : 42) * n, of_sample_grid = 36 * m, of_neighbors = is_default ? 96 * m : 64 * m, of_graph = 120 * m;
-  const std::size_t arena = is_default ? 72 * m + (std::max)(of_points + of_sample_grid + of_neighbors, of_graph)
-                                       : 56 * m + (std::max)({of_points + of_sample_grid, of_sample_grid + of_neighbors, of_graph});
+  const std::size_t of_points = (drops_outliers ? 46 : 42) * n, of_sample_grid = 36 * m,
+                    of_neighbors = is_default ? 96 * m : 64 * m, of_graph = 120 * m;
+  const std::size_t arena = is_default
+                              ? 72 * m + (std::max)(of_points + of_sample_grid + of_neighbors, of_graph)
+                              : 56 * m + (std::max)({of_points + of_sample_grid, of_sample_grid + of_neighbors, of_graph});
   return {arena + slack, (std::max)(50 * n, is_default ? 190 * m : 164 * m) + slack};
 }
 
@@ -66,8 +77,8 @@ struct Call
   Lengths lengths;
   Minimization minimization;
   std::vector<double> penalties;
-  Turn_result* turn_results;                  // on the device, one for each penalty
-  std::vector<std::size_t> numbers_of_pairs;  // of self neighbors, one for each penalty
+  Turn_result* turn_results;                 // on the device, one for each penalty
+  std::vector<std::size_t> numbers_of_pairs; // of self neighbors, one for each penalty
   Samples samples;
 
   Positions sample_positions() const { return {samples.positions, samples.size, Frame(), true}; }
@@ -75,7 +86,8 @@ struct Call
   /// Sorts the samples into cells, and puts them in that order.
   Cell_grid sort_samples(const Cell_frame& frame)
   {
-    const Cell_grid grid = build_grid(sample_positions(), nullptr, frame, workplace.arena, workplace.scratch, workplace.stream);
+    const Cell_grid grid = build_grid(sample_positions(), nullptr, frame, workplace.arena, workplace.scratch,
+                                      workplace.stream);
     reorder(workplace, grid.order, samples);
     return grid;
   }
@@ -90,7 +102,7 @@ struct Call
 struct Input
 {
   Positions positions;
-  const float* normals;        // of them; null if none were given
+  const float* normals; // of them; null if none were given
   bool all_normals_given;
 };
 
@@ -104,7 +116,8 @@ Input take_input(Session& session, Call& call)
     return input;
   call.stages.begin("find outliers", 0.05);
   unsigned* const kept = workplace.arena.take<unsigned>(session.size);
-  const unsigned number_of_outliers = find_outliers(workplace, input.positions, lengths.low, lengths.high, lengths.radius, kept);
+  const unsigned number_of_outliers = find_outliers(workplace, input.positions, lengths.low, lengths.high,
+                                                    lengths.radius, kept);
   call.report.number_of_outliers = number_of_outliers;
   if (number_of_outliers > 0)
   {
@@ -126,8 +139,8 @@ Input take_input(Session& session, Call& call)
 struct Prepared_points
 {
   Cell_grid grid;
-  float4* normals;                    // filtered, and 1/v_j
-  double mean_number_of_neighbors;    // within r_q
+  float4* normals;                 // filtered, and 1/v_j
+  double mean_number_of_neighbors; // within r_q
 };
 
 /// Section 3.1 and Eq. (5): normals and density weights of the input.
@@ -138,7 +151,8 @@ Prepared_points prepare_points(Call& call, const Input& input)
   const Parameters& parameters = call.parameters;
   const double longest_query = (std::max)(lengths.radius, lengths.filter_radius);
   Prepared_points points;
-  points.grid = build_grid(input.positions, input.normals, Cell_frame::around(lengths.low, lengths.high, lengths.cell_size, longest_query),
+  points.grid = build_grid(input.positions, input.normals,
+                           Cell_frame::around(lengths.low, lengths.high, lengths.cell_size, longest_query),
                            workplace.arena, workplace.scratch, workplace.stream);
   call.report.number_of_distinct_points = points.grid.number_of_distinct;
   points.normals = workplace.arena.take<float4>(points.grid.size);
@@ -146,18 +160,19 @@ Prepared_points prepare_points(Call& call, const Input& input)
   const Arena_scope scope(workplace.scratch);
   float4 *normals = points.normals, *filtered = workplace.scratch.take<float4>(points.grid.size);
   const auto blocks_for_radius = [&](double radius) {
-    return find_blocks(points.grid, points.grid, cells_in_reach(radius, lengths.cell_size), maximum_number_of_candidates, workplace.scratch,
-                       workplace.stream);
+    return find_blocks(points.grid, points.grid, cells_in_reach(radius, lengths.cell_size),
+                       maximum_number_of_candidates, workplace.scratch, workplace.stream);
   };
   const Cell_blocks filter_blocks = blocks_for_radius(lengths.filter_radius);
   if (!input.all_normals_given)
   {
     call.stages.begin("PCA normals", 0.1);
     const double pca_radius = pca_radius_factor * lengths.radius;
-    const bool shares_blocks = cells_in_reach(pca_radius, lengths.cell_size) == cells_in_reach(lengths.filter_radius, lengths.cell_size);
+    const bool shares_blocks = cells_in_reach(pca_radius, lengths.cell_size)
+                               == cells_in_reach(lengths.filter_radius, lengths.cell_size);
     call.report.number_of_degenerate_neighborhoods =
-      estimate_pca_normals(workplace, input.positions, points.grid, shares_blocks ? filter_blocks : blocks_for_radius(pca_radius), pca_radius,
-                           normals);
+      estimate_pca_normals(workplace, input.positions, points.grid,
+                           shares_blocks ? filter_blocks : blocks_for_radius(pca_radius), pca_radius, normals);
   }
   if (input.normals)
     take_given_normals(workplace, points.grid, input.normals, normals);
@@ -166,26 +181,29 @@ Prepared_points prepare_points(Call& call, const Input& input)
   const float squared_bandwidth = float(call.minimization.squared_bandwidth);
   const auto bandwidth = [&](double factor) { return float(normal_bandwidth(factor * parameters.sharpness_angle)); };
   const std::size_t number_of_passes = parameters.number_of_normal_filter_iterations;
-  const std::size_t number_of_refits = parameters.method == Method::DEFAULT ? (std::min)(number_of_normal_refits, number_of_passes) : 0;
+  const std::size_t number_of_refits = parameters.method == Method::DEFAULT
+                                         ? (std::min)(number_of_normal_refits, number_of_passes)
+                                         : 0;
   for (std::size_t i = 0; i < number_of_passes; ++i)
   {
     if (i + number_of_refits >= number_of_passes)
     {
-      refit_normals(workplace, points.grid, filter_blocks, lengths.filter_radius, squared_bandwidth, bandwidth(fit_angle_factor),
-                    float(lengths.squared_sheet_height()), normals, filtered);
+      refit_normals(workplace, points.grid, filter_blocks, lengths.filter_radius, squared_bandwidth,
+                    bandwidth(fit_angle_factor), float(lengths.squared_sheet_height()), normals, filtered);
       std::swap(normals, filtered);
     }
-    filter_normals(workplace, points.grid, filter_blocks, lengths.filter_radius, squared_bandwidth, bandwidth(1), normals, filtered);
+    filter_normals(workplace, points.grid, filter_blocks, lengths.filter_radius, squared_bandwidth, bandwidth(1),
+                   normals, filtered);
     std::swap(normals, filtered);
     call.stages.ask(double(i + 1) / double(number_of_passes));
   }
   if (normals != points.normals)
-    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(points.normals, normals, points.grid.size * sizeof(float4), cudaMemcpyDeviceToDevice,
-                                       workplace.stream));
+    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(points.normals, normals, points.grid.size * sizeof(float4),
+                                       cudaMemcpyDeviceToDevice, workplace.stream));
 
   call.stages.begin("density weights", 0.08);
-  points.mean_number_of_neighbors =
-    compute_input_density_weights(workplace, points.grid, filter_blocks, lengths.filter_radius, squared_bandwidth, points.normals);
+  points.mean_number_of_neighbors = compute_input_density_weights(
+    workplace, points.grid, filter_blocks, lengths.filter_radius, squared_bandwidth, points.normals);
   return points;
 }
 
@@ -214,12 +232,13 @@ void fit_to_all_points(Call& call, const Prepared_points& points)
   const Workplace& workplace = call.workplace;
   call.stages.begin("original neighbors", 0.1);
   const Arena_scope scope(workplace.arena);
-  const Cell_grid sample_grid =
-    build_grid(call.sample_positions(), nullptr, points.grid.frame, workplace.arena, workplace.scratch, workplace.stream);
-  const Cell_blocks blocks = find_blocks(sample_grid, points.grid, cells_in_reach(call.lengths.radius, call.lengths.cell_size),
+  const Cell_grid sample_grid = build_grid(call.sample_positions(), nullptr, points.grid.frame, workplace.arena,
+                                           workplace.scratch, workplace.stream);
+  const Cell_blocks blocks = find_blocks(sample_grid, points.grid,
+                                         cells_in_reach(call.lengths.radius, call.lengths.cell_size),
                                          maximum_number_of_candidates, workplace.arena, workplace.stream);
-  call.report.number_of_lonely_samples =
-    collapse_fit_term(workplace, sample_grid, blocks, points.grid, points.normals, call.lengths.radius, call.samples);
+  call.report.number_of_lonely_samples = collapse_fit_term(workplace, sample_grid, blocks, points.grid, points.normals,
+                                                           call.lengths.radius, call.samples);
 }
 
 /// Section 3.3: Algorithm 1, with the self neighbors of the start.
@@ -227,7 +246,8 @@ void minimize_alternatingly(Call& call)
 {
   const Workplace& workplace = call.workplace;
   call.stages.begin("self neighbors", 0.03);
-  const Cell_grid grid = call.sort_samples(call.self_frame((std::max)(call.lengths.self_neighbor_radius, call.lengths.smallest_cell_size)));
+  const Cell_grid grid = call.sort_samples(
+    call.self_frame((std::max)(call.lengths.self_neighbor_radius, call.lengths.smallest_cell_size)));
   const Neighbor_lists neighbors = find_self_neighbors(workplace, grid, call.lengths.self_neighbor_radius);
   call.report.number_of_self_neighbor_pairs = neighbors.number_of_pairs;
   call.numbers_of_pairs.assign(call.penalties.size(), neighbors.number_of_pairs);
@@ -238,7 +258,8 @@ void minimize_alternatingly(Call& call)
   for (std::size_t i = 0; i < call.penalties.size(); ++i)
   {
     const bool regularize = call.parameters.method != Method::ALOR || i % 2 == 0;
-    minimize_once(workplace, call.minimization, call.penalties[i], regularize, neighbors, grid, call.samples, arrays, call.turn_results + i);
+    minimize_once(workplace, call.minimization, call.penalties[i], regularize, neighbors, grid, call.samples, arrays,
+                  call.turn_results + i);
     call.stages.ask(double(i + 1) / double(call.penalties.size()));
   }
 }
@@ -253,13 +274,16 @@ void minimize_with_refinement(Call& call, const Prepared_points& points)
   const bool one_grid_is_enough = lengths.self_neighbor_radius <= lengths.cell_size;
   const Cell_frame self_frame = one_grid_is_enough ? points.grid.frame : call.self_frame(lengths.self_neighbor_radius);
   const auto fit = [&](const Cell_grid& sample_grid, bool is_in_order) {
-    const Cell_blocks blocks = find_blocks(sample_grid, points.grid, reach, maximum_number_of_candidates, workplace.arena, workplace.stream);
+    const Cell_blocks blocks = find_blocks(sample_grid, points.grid, reach, maximum_number_of_candidates,
+                                           workplace.arena, workplace.stream);
     fit_compatible_points(workplace, sample_grid, is_in_order, blocks, points.grid, points.normals, lengths.radius,
                           lengths.squared_sheet_height(), bandwidth, call.samples);
   };
   const auto fit_in_cells_of_points = [&]() {
     const Arena_scope scope(workplace.arena);
-    fit(build_grid(call.sample_positions(), nullptr, points.grid.frame, workplace.arena, workplace.scratch, workplace.stream), false);
+    fit(build_grid(call.sample_positions(), nullptr, points.grid.frame, workplace.arena, workplace.scratch,
+                   workplace.stream),
+        false);
   };
 
   call.stages.begin("L0 minimization", 0.35);
@@ -277,9 +301,11 @@ void minimize_with_refinement(Call& call, const Prepared_points& points)
     {
       const Arena_scope turn_scope(workplace.scratch);
       const Turn_arrays arrays = take_turn_arrays(workplace, call.samples.size, neighbors.number_of_pairs);
-      minimize_once(workplace, call.minimization, call.penalties[i], true, neighbors, grid, call.samples, arrays, call.turn_results + i);
+      minimize_once(workplace, call.minimization, call.penalties[i], true, neighbors, grid, call.samples, arrays,
+                    call.turn_results + i);
     }
-    repel_tangentially(workplace, grid, neighbors, lengths.sample_spacing, lengths.radius, number_of_repulsion_steps, call.samples);
+    repel_tangentially(workplace, grid, neighbors, lengths.sample_spacing, lengths.radius, number_of_repulsion_steps,
+                       call.samples);
     call.stages.ask(double(i + 1) / double(call.penalties.size()));
   }
   fit_in_cells_of_points();
@@ -301,15 +327,23 @@ void run(Session& session, const Parameters& parameters, Stages& stages, Call_re
   stages.begin("sort points", 0.05);
   const auto scales_in = [&](const Lengths& lengths) {
     if (!session.has_scales)
-      session.scales = estimate_scales(workplace, {session.points, n, lengths.frame, false}, lengths.low, lengths.high, lengths.radius);
+      session.scales = estimate_scales(workplace, {session.points, n, lengths.frame, false}, lengths.low, lengths.high,
+                                       lengths.radius);
     session.has_scales = true;
     return session.scales;
   };
   const Lengths lengths = choose_lengths(session.extent, n, parameters, scales_in, report);
-  Call call = {parameters, workplace, stages, report, lengths,
-               {square(lengths.radius), square(spatial_bandwidth_factor * lengths.filter_radius), sparsity_unit_factor * lengths.radius,
-                parameters.normal_weight, parameters.regularization_weight},
-               penalties(parameters), nullptr, {}, Samples()};
+  Call call = {parameters,
+               workplace,
+               stages,
+               report,
+               lengths,
+               {square(lengths.radius), square(spatial_bandwidth_factor * lengths.filter_radius),
+                sparsity_unit_factor * lengths.radius, parameters.normal_weight, parameters.regularization_weight},
+               penalties(parameters),
+               nullptr,
+               {},
+               Samples()};
   std::vector<Turn_result> results(call.penalties.size());
   call.turn_results = session.arena.take<Turn_result>(results.size());
   call.samples = take_samples(session.arena, m, is_default);
@@ -325,11 +359,12 @@ void run(Session& session, const Parameters& parameters, Stages& stages, Call_re
   }
   if (!is_default)
     minimize_alternatingly(call);
-  CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(results.data(), call.turn_results, results.size() * sizeof(Turn_result), cudaMemcpyDeviceToHost,
-                                     session.stream));
+  CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(results.data(), call.turn_results, results.size() * sizeof(Turn_result),
+                                     cudaMemcpyDeviceToHost, session.stream));
 
   stages.begin("orient normals", 0.1);
-  report.oriented_share = orient_normals(workplace, lengths.low, lengths.high, unsigned(parameters.number_of_orientation_neighbors),
+  report.oriented_share = orient_normals(workplace, lengths.low, lengths.high,
+                                         unsigned(parameters.number_of_orientation_neighbors),
                                          call.lengths.sample_spacing, call.samples);
   leave_frame(workplace, lengths.frame, call.samples);
   stages.end();

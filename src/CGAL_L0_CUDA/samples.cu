@@ -15,8 +15,8 @@ namespace {
 
 using Wide = unsigned long long;
 
-__global__ void collapse(Cell_grid sample_grid, Cell_blocks blocks, Cell_grid grid, const float4* normals, float radius, Samples samples,
-                         unsigned* number_of_lonely_samples)
+__global__ void collapse(Cell_grid sample_grid, Cell_blocks blocks, Cell_grid grid, const float4* normals, float radius,
+                         Samples samples, unsigned* number_of_lonely_samples)
 {
   const Query query(samples.size);
   const int4 center = sample_grid.points[query.index];
@@ -58,8 +58,8 @@ __global__ void reorder_samples(const unsigned* order, Samples from, Samples to)
 /// each thread whose is; k ascends.
 /// Where blocks are thinned, a pair counts if both samples' strides say so, which keeps the lists symmetric.
 template <typename F>
-__device__ void for_each_self_neighbor(const Cell_grid& grid, const Cell_blocks& blocks, float squared_radius, unsigned i, unsigned lane,
-                                       const F& f)
+__device__ void for_each_self_neighbor(const Cell_grid& grid, const Cell_blocks& blocks, float squared_radius,
+                                       unsigned i, unsigned lane, const F& f)
 {
   const int4 center = grid.points[i];
   const unsigned cell = unsigned(center.w), stride = blocks.centers[cell].stride;
@@ -85,7 +85,8 @@ __device__ void for_each_self_neighbor(const Cell_grid& grid, const Cell_blocks&
   }
 }
 
-__global__ void count_self_neighbors(Cell_grid grid, Cell_blocks blocks, float squared_radius, unsigned* counts, Wide* total_count)
+__global__ void count_self_neighbors(Cell_grid grid, Cell_blocks blocks, float squared_radius, unsigned* counts,
+                                     Wide* total_count)
 {
   const Query query(grid.size);
   unsigned count = 0;
@@ -105,18 +106,20 @@ __global__ void count_self_neighbors(Cell_grid grid, Cell_blocks blocks, float s
     atomicAdd(total_count, block_count);
 }
 
-__global__ void list_self_neighbors(Cell_grid grid, Cell_blocks blocks, float squared_radius, const unsigned* offsets, unsigned* indices)
+__global__ void list_self_neighbors(Cell_grid grid, Cell_blocks blocks, float squared_radius, const unsigned* offsets,
+                                    unsigned* indices)
 {
   const Wide q = thread_index() / lanes;
-  if (q >= grid.size)   // whole groups leave
+  if (q >= grid.size) // whole groups leave
     return;
   const unsigned lane = threadIdx.x % lanes;
   unsigned next = offsets[q];
-  for_each_self_neighbor(grid, blocks, squared_radius, unsigned(q), lane, [&](unsigned k, bool is_neighbor, unsigned found) {
-    if (is_neighbor)
-      indices[next + unsigned(__popc(found & ((1u << lane) - 1)))] = k;
-    next += unsigned(__popc(found));
-  });
+  for_each_self_neighbor(grid, blocks, squared_radius, unsigned(q), lane,
+                         [&](unsigned k, bool is_neighbor, unsigned found) {
+                           if (is_neighbor)
+                             indices[next + unsigned(__popc(found & ((1u << lane) - 1)))] = k;
+                           next += unsigned(__popc(found));
+                         });
 }
 
 __global__ void take_result(Frame frame, Samples samples, float* normals)
@@ -164,20 +167,20 @@ void reorder(const Workplace& workplace, const unsigned* order, const Samples& s
   check_launch("reorder_samples");
 }
 
-std::size_t collapse_fit_term(const Workplace& workplace, const Cell_grid& sample_grid, const Cell_blocks& blocks, const Cell_grid& grid,
-                              const float4* normals, double radius, const Samples& samples)
+std::size_t collapse_fit_term(const Workplace& workplace, const Cell_grid& sample_grid, const Cell_blocks& blocks,
+                              const Cell_grid& grid, const float4* normals, double radius, const Samples& samples)
 {
   const Arena_scope scope(workplace.scratch);
   const Device_counter<unsigned> counter(workplace.scratch, workplace.stream);
-  collapse<<<blocks_for_queries(samples.size), threads_per_block, 0, workplace.stream>>>(sample_grid, blocks, grid, normals,
-                                                                                       float(radius), samples, counter.address());
+  collapse<<<blocks_for_queries(samples.size), threads_per_block, 0, workplace.stream>>>(
+    sample_grid, blocks, grid, normals, float(radius), samples, counter.address());
   check_launch("collapse");
   return counter.read();
 }
 
 Neighbor_lists find_self_neighbors(const Workplace& workplace, const Cell_grid& grid, double radius)
 {
-  const unsigned limit = 1024;   // as on the CPU
+  const unsigned limit = 1024; // as on the CPU
   const cudaStream_t stream = workplace.stream;
   const unsigned m = grid.size, thread_blocks = blocks_for_queries(m);
   const float squared_radius = float(radius * radius);
@@ -189,7 +192,8 @@ Neighbor_lists find_self_neighbors(const Workplace& workplace, const Cell_grid& 
   unsigned* const counts = workplace.scratch.take<unsigned>(std::size_t(m) + 1);
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(counts + m, 0, sizeof(unsigned), stream));
   const Device_counter<Wide> total_count(workplace.scratch, stream);
-  count_self_neighbors<<<thread_blocks, threads_per_block, 0, stream>>>(grid, blocks, squared_radius, counts, total_count.address());
+  count_self_neighbors<<<thread_blocks, threads_per_block, 0, stream>>>(grid, blocks, squared_radius, counts,
+                                                                        total_count.address());
   check_launch("count_self_neighbors");
   sum_up(counts, m, lists.offsets, workplace.scratch, stream);
   lists.number_of_pairs = total_count.read();
@@ -197,14 +201,16 @@ Neighbor_lists find_self_neighbors(const Workplace& workplace, const Cell_grid& 
     throw Failure(Status::OUT_OF_MEMORY, "more than 2^32 - 1 pairs of self neighbors");
 
   lists.indices = workplace.arena.take<unsigned>(lists.number_of_pairs);
-  list_self_neighbors<<<thread_blocks, threads_per_block, 0, stream>>>(grid, blocks, squared_radius, lists.offsets, lists.indices);
+  list_self_neighbors<<<thread_blocks, threads_per_block, 0, stream>>>(grid, blocks, squared_radius, lists.offsets,
+                                                                       lists.indices);
   check_launch("list_self_neighbors");
   return lists;
 }
 
 void leave_frame(const Workplace& workplace, const Frame& frame, const Samples& samples)
 {
-  take_result<<<blocks_for(samples.size), threads_per_block, 0, workplace.stream>>>(frame, samples, reinterpret_cast<float*>(samples.fit));
+  take_result<<<blocks_for(samples.size), threads_per_block, 0, workplace.stream>>>(
+    frame, samples, reinterpret_cast<float*>(samples.fit));
   check_launch("take_result");
 }
 

@@ -57,16 +57,16 @@ public:
 /// \param radius of the ball
 /// \param kept out, as many as there are positions: the indices of the others, ascending
 /// \returns the number of outliers; if it is 0, `kept` means nothing. Waits for the device
-unsigned find_outliers(const Workplace& workplace, const Positions& positions, const double (&low)[3], const double (&high)[3], double radius,
-                       unsigned* kept);
+unsigned find_outliers(const Workplace& workplace, const Positions& positions, const double (&low)[3],
+                       const double (&high)[3], double radius, unsigned* kept);
 
 // The normals of the input, Section 3.1. They are float4; the fourth number is the density weight 1/v_j in the end.
 
 /// Fits planes to the points in balls of `radius`, and in larger ones where that determines none.
 /// \param positions those that `grid` was built of
 /// \returns the number of points whose first ball spans no plane
-std::size_t estimate_pca_normals(const Workplace& workplace, const Positions& positions, const Cell_grid& grid, const Cell_blocks& blocks,
-                                 double radius, float4* normals);
+std::size_t estimate_pca_normals(const Workplace& workplace, const Positions& positions, const Cell_grid& grid,
+                                 const Cell_blocks& blocks, double radius, float4* normals);
 
 /// Puts given normals in the order of the grid, in place of those of `normals`, where they are not zero.
 /// \param normals in and out
@@ -80,41 +80,45 @@ void take_listed(const Workplace& workplace, const float* vectors, const unsigne
 bool has_zero(const Workplace& workplace, const float* vectors, unsigned size);
 
 /// Eq. (1), (2) for all points, once.
-void filter_normals(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks, double radius, float squared_bandwidth,
-                    float normal_bandwidth, const float4* normals, float4* filtered);
+void filter_normals(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks, double radius,
+                    float squared_bandwidth, float normal_bandwidth, const float4* normals, float4* filtered);
 
 /// Corrects filtered normals by the positions, as `refit_normals()` on the CPU.
-void refit_normals(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks, double radius, float squared_bandwidth,
-                   float normal_bandwidth, float squared_sheet_height, const float4* normals, float4* refitted);
+void refit_normals(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks, double radius,
+                   float squared_bandwidth, float normal_bandwidth, float squared_sheet_height, const float4* normals,
+                   float4* refitted);
 
 /// Eq. (5) for the input: writes 1/v_j to the fourth number of each normal.
 /// \returns the mean number of neighbors; waits for the device
-double compute_input_density_weights(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks, double radius,
-                                     float squared_bandwidth, float4* normals);
+double compute_input_density_weights(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks,
+                                     double radius, float squared_bandwidth, float4* normals);
 
 /// The areas of the surface that points stand for, as `areas_of_points()` on the CPU.
 struct Areas
 {
-  const float* of_cells;   // what each point of a cell stands for
-  double largest;          // that can be
-  double total;            // of all points
+  const float* of_cells; // what each point of a cell stands for
+  double largest;        // that can be
+  double total;          // of all points
 
   /// Sums are taken in fixed point, so that the order of the additions does not matter: of this many points at most.
-  __host__ __device__ double units_per_area(unsigned number_of_points) const { return 4611686018427387904. / (largest * number_of_points); }
+  __host__ __device__ double units_per_area(unsigned number_of_points) const
+  {
+    return 4611686018427387904. / (largest * number_of_points);
+  }
 };
 
 /// From the density weights; waits for the device. The areas are taken from the arena.
-Areas find_areas(const Workplace& workplace, const Cell_grid& grid, const float4* normals, double mean_number_of_neighbors, double radius,
-                 double squared_bandwidth);
+Areas find_areas(const Workplace& workplace, const Cell_grid& grid, const float4* normals,
+                 double mean_number_of_neighbors, double radius, double squared_bandwidth);
 
 /// S, and what the fit term of Eq. (6) ties it to.
 struct Samples
 {
   unsigned size = 0;
-  double* positions = nullptr;   // xyz interleaved, in the frame
-  float4* normals = nullptr;     // and a number that a stage may use
-  float4* fit = nullptr;         // from the sample to c_i, and W_i
-  float4* outward = nullptr;     // default method only
+  double* positions = nullptr; // xyz interleaved, in the frame
+  float4* normals = nullptr;   // and a number that a stage may use
+  float4* fit = nullptr;       // from the sample to c_i, and W_i
+  float4* outward = nullptr;   // default method only
 };
 
 Samples take_samples(Device_arena& arena, unsigned size, bool with_outward_directions);
@@ -124,14 +128,15 @@ void reorder(const Workplace& workplace, const unsigned* order, const Samples& s
 
 /// The first S, chosen as the CPU chooses it.
 /// \param areas null for none
-void initialize_samples(const Workplace& workplace, const Positions& positions, const Cell_grid& grid, const float4* normals,
-                        const Areas* areas, double radius, std::size_t seed, const Samples& samples);
+void initialize_samples(const Workplace& workplace, const Positions& positions, const Cell_grid& grid,
+                        const float4* normals, const Areas* areas, double radius, std::size_t seed,
+                        const Samples& samples);
 
 /// The fit term of LOR and ALOR: weight and centroid of the original neighbors.
 /// \param blocks of `grid` around the cells of `sample_grid`
 /// \returns the number of samples without an original neighbor; waits for the device
-std::size_t collapse_fit_term(const Workplace& workplace, const Cell_grid& sample_grid, const Cell_blocks& blocks, const Cell_grid& grid,
-                              const float4* normals, double radius, const Samples& samples);
+std::size_t collapse_fit_term(const Workplace& workplace, const Cell_grid& sample_grid, const Cell_blocks& blocks,
+                              const Cell_grid& grid, const float4* normals, double radius, const Samples& samples);
 
 /// The self neighbors in compressed rows.
 struct Neighbor_lists
@@ -158,7 +163,7 @@ struct Turn_result
   unsigned long long number_of_active_pairs;
   double relative_residual;
   unsigned solver_iterations, converged;
-  unsigned long long is_finite;   // as long, so that there is no gap in what is copied
+  unsigned long long is_finite; // as long, so that there is no gap in what is copied
 };
 
 /// One vector a sample, each coordinate by itself, so that neighboring threads read neighboring numbers.
@@ -168,7 +173,10 @@ struct Vectors
   unsigned size;
 
 #ifdef __CUDACC__
-  __device__ float3 get(unsigned i) const { return {values[i], values[std::size_t(size) + i], values[2 * std::size_t(size) + i]}; }
+  __device__ float3 get(unsigned i) const
+  {
+    return {values[i], values[std::size_t(size) + i], values[2 * std::size_t(size) + i]};
+  }
   __device__ void set(unsigned i, float3 v) const
   {
     values[i] = v.x;
@@ -193,21 +201,22 @@ Turn_arrays take_turn_arrays(const Workplace& workplace, unsigned number_of_samp
 
 /// One turn of Algorithm 1: moves the samples, in `samples` and in the points of `grid`, to the minimum of Eq. (10).
 /// \param samples in the order of `grid`
-void minimize_once(const Workplace& workplace, const Minimization& parameters, double penalty, bool regularize, const Neighbor_lists& neighbors,
-                   const Cell_grid& grid, const Samples& samples, const Turn_arrays& arrays, Turn_result* result);
+void minimize_once(const Workplace& workplace, const Minimization& parameters, double penalty, bool regularize,
+                   const Neighbor_lists& neighbors, const Cell_grid& grid, const Samples& samples,
+                   const Turn_arrays& arrays, Turn_result* result);
 
 // The default method
 
 /// The fit to compatible points; normals of the samples change.
 /// \param sample_grid of the same cells as `grid`
 /// \param is_in_order whether the samples are in the order of their grid
-void fit_compatible_points(const Workplace& workplace, const Cell_grid& sample_grid, bool is_in_order, const Cell_blocks& blocks,
-                           const Cell_grid& grid, const float4* normals, double radius, double squared_sheet_height, double normal_bandwidth,
-                           const Samples& samples);
+void fit_compatible_points(const Workplace& workplace, const Cell_grid& sample_grid, bool is_in_order,
+                           const Cell_blocks& blocks, const Cell_grid& grid, const float4* normals, double radius,
+                           double squared_sheet_height, double normal_bandwidth, const Samples& samples);
 
 /// Spreads the samples within the surface, by steps that the radius of the fit limits. The points of the grid are used up.
-void repel_tangentially(const Workplace& workplace, const Cell_grid& sample_grid, const Neighbor_lists& neighbors, double spacing,
-                        double radius, std::size_t number_of_steps, const Samples& samples);
+void repel_tangentially(const Workplace& workplace, const Cell_grid& sample_grid, const Neighbor_lists& neighbors,
+                        double spacing, double radius, std::size_t number_of_steps, const Samples& samples);
 
 /// Moves the samples to what they were fitted to.
 void take_fitted_positions(const Workplace& workplace, const Samples& samples);
@@ -215,8 +224,8 @@ void take_fitted_positions(const Workplace& workplace, const Samples& samples);
 /// Turns the normals of the samples to one side, outwards.
 /// \param low, high corners of a box that holds the samples, but for a few
 /// \returns the share of the samples that were oriented surely; waits for the device
-double orient_normals(const Workplace& workplace, const double (&low)[3], const double (&high)[3], unsigned number_of_neighbors, double spacing,
-                      const Samples& samples);
+double orient_normals(const Workplace& workplace, const double (&low)[3], const double (&high)[3],
+                      unsigned number_of_neighbors, double spacing, const Samples& samples);
 
 /// Takes the positions of the samples out of the frame, and puts their normals, xyz interleaved, in the place of the fit.
 void leave_frame(const Workplace& workplace, const Frame& frame, const Samples& samples);

@@ -32,7 +32,10 @@ __host__ __device__ inline float3 to_float(double3 a) { return {float(a.x), floa
 #ifdef __CUDACC__
 
 /// The index of the thread in the launch.
-__device__ inline unsigned long long thread_index() { return (unsigned long long)(blockIdx.x) * blockDim.x + threadIdx.x; }
+__device__ inline unsigned long long thread_index()
+{
+  return (unsigned long long)(blockIdx.x) * blockDim.x + threadIdx.x;
+}
 
 /// The sum over a group of `lanes` neighboring threads, the same bits in each of them. Whole warps have to call it.
 template <int lanes, typename T>

@@ -19,8 +19,8 @@ namespace l0_python {
 struct Array_view
 {
   const char* data = nullptr;
-  std::ptrdiff_t row_stride = 0, column_stride = 0;   // in bytes, of either sign
-  std::size_t size = 0;                               // number of rows
+  std::ptrdiff_t row_stride = 0, column_stride = 0; // in bytes, of either sign
+  std::size_t size = 0;                             // number of rows
   bool is_double = true;
 
   double at(std::size_t row, std::ptrdiff_t column) const

@@ -61,28 +61,28 @@ py::dict dictionary_of(const Report& report)
   using namespace py::literals;
   py::list iterations, stages;
   for (const CGAL::L0_resampling::Iteration_report& i : report.iterations)
-    iterations.append(py::dict(
-      "penalty"_a = i.penalty, "regularized"_a = i.regularized, "fit_energy"_a = i.fit_energy,
-      "regularization_energy"_a = i.regularization_energy, "normal_energy"_a = i.normal_energy,
-      "sparsity_energy"_a = i.sparsity_energy, "active_pair_share"_a = i.active_pair_share,
-      "solver"_a = py::dict("iterations"_a = i.solver.iterations, "relative_residual"_a = i.solver.relative_residual,
-                            "converged"_a = i.solver.converged)));
+    iterations.append(py::dict("penalty"_a = i.penalty, "regularized"_a = i.regularized, "fit_energy"_a = i.fit_energy,
+                               "regularization_energy"_a = i.regularization_energy, "normal_energy"_a = i.normal_energy,
+                               "sparsity_energy"_a = i.sparsity_energy, "active_pair_share"_a = i.active_pair_share,
+                               "solver"_a = py::dict("iterations"_a = i.solver.iterations,
+                                                     "relative_residual"_a = i.solver.relative_residual,
+                                                     "converged"_a = i.solver.converged)));
   for (const CGAL::L0_resampling::Stage_report& s : report.stages)
     stages.append(py::dict("name"_a = s.name, "seconds"_a = s.seconds, "peak_bytes"_a = s.peak_bytes));
-  return py::dict(
-    "number_of_input_points"_a = report.number_of_input_points,
-    "number_of_dropped_points"_a = report.number_of_dropped_points,
-    "number_of_outliers"_a = report.number_of_outliers,
-    "number_of_distinct_points"_a = report.number_of_distinct_points,
-    "number_of_output_points"_a = report.number_of_output_points,
-    "number_of_degenerate_neighborhoods"_a = report.number_of_degenerate_neighborhoods,
-    "number_of_lonely_samples"_a = report.number_of_lonely_samples,
-    "number_of_self_neighbor_pairs"_a = report.number_of_self_neighbor_pairs,
-    "neighbor_radius"_a = report.neighbor_radius, "normal_filter_radius"_a = report.normal_filter_radius,
-    "estimated_spacing"_a = report.estimated_spacing, "estimated_noise"_a = report.estimated_noise,
-    "oriented_share"_a = report.oriented_share, "hinted_share"_a = report.hinted_share, "iterations"_a = iterations, "converged"_a = report.converged,
-    "stages"_a = stages, "peak_bytes"_a = report.peak_bytes,
-    "device"_a = report.device, "device_reason"_a = report.device_reason);
+  return py::dict("number_of_input_points"_a = report.number_of_input_points,
+                  "number_of_dropped_points"_a = report.number_of_dropped_points,
+                  "number_of_outliers"_a = report.number_of_outliers,
+                  "number_of_distinct_points"_a = report.number_of_distinct_points,
+                  "number_of_output_points"_a = report.number_of_output_points,
+                  "number_of_degenerate_neighborhoods"_a = report.number_of_degenerate_neighborhoods,
+                  "number_of_lonely_samples"_a = report.number_of_lonely_samples,
+                  "number_of_self_neighbor_pairs"_a = report.number_of_self_neighbor_pairs,
+                  "neighbor_radius"_a = report.neighbor_radius, "normal_filter_radius"_a = report.normal_filter_radius,
+                  "estimated_spacing"_a = report.estimated_spacing, "estimated_noise"_a = report.estimated_noise,
+                  "oriented_share"_a = report.oriented_share, "hinted_share"_a = report.hinted_share,
+                  "iterations"_a = iterations, "converged"_a = report.converged, "stages"_a = stages,
+                  "peak_bytes"_a = report.peak_bytes, "device"_a = report.device,
+                  "device_reason"_a = report.device_reason);
 }
 
 /// \returns positions, normals, source indices, feature confidences and the report; or None, if the callback cancelled. What is not
@@ -99,8 +99,8 @@ py::object resample_as(const Array_view& points, const Array_view* normals, cons
     return py::none();
   const py::dict report = dictionary_of(result.report);
   return py::make_tuple(array_of(std::move(result.positions), 3), array_of(std::move(result.normals), 3),
-                        array_of(std::move(result.source_indices), 1), array_of(std::move(result.feature_confidences), 1),
-                        report);
+                        array_of(std::move(result.source_indices), 1),
+                        array_of(std::move(result.feature_confidences), 1), report);
 }
 
 py::object resample_arrays(const py::array& points, const std::optional<py::array>& normals,
@@ -128,14 +128,8 @@ PYBIND11_MODULE(_core, module)
   module.doc() = "What cgal_l0 is made of. Use cgal_l0.l0_resample_point_set().";
   module.attr("__version__") = CGAL_L0_VERSION;
 
-  py::enum_<Method>(module, "Method")
-    .value("default", Method::DEFAULT)
-    .value("lor", Method::LOR)
-    .value("alor", Method::ALOR);
-  py::enum_<Device>(module, "Device")
-    .value("cpu", Device::CPU)
-    .value("cuda", Device::CUDA)
-    .value("auto", Device::AUTO);
+  py::enum_<Method>(module, "Method").value("default", Method::DEFAULT).value("lor", Method::LOR).value("alor", Method::ALOR);
+  py::enum_<Device>(module, "Device").value("cpu", Device::CPU).value("cuda", Device::CUDA).value("auto", Device::AUTO);
 
   py::class_<Parameters>(module, "Parameters")
     .def(py::init(&default_parameters), py::arg("resampling_method") = Method::DEFAULT)
@@ -163,6 +157,6 @@ PYBIND11_MODULE(_core, module)
     .def_readwrite("threads", &Parameters::threads)
     .def_readwrite("device", &Parameters::device);
 
-  module.def("resample", &resample_arrays, py::arg("points"), py::arg("normals"),
-             py::arg("orientation_hints"), py::arg("parameters"), py::arg("callback"));
+  module.def("resample", &resample_arrays, py::arg("points"), py::arg("normals"), py::arg("orientation_hints"),
+             py::arg("parameters"), py::arg("callback"));
 }

@@ -88,38 +88,40 @@ Result<FT> resample_with_tag(const Array_view& points, const Array_view* normals
 {
   const Parameters defaults = default_parameters(parameters.resampling_method);
   Result<FT> result;
-  const auto if_wanted = [](bool is_wanted, const auto& map) { return is_wanted ? std::make_optional(map) : std::nullopt; };
+  const auto if_wanted = [](bool is_wanted, const auto& map) {
+    return is_wanted ? std::make_optional(map) : std::nullopt;
+  };
   const auto if_there = [](const Array_view* view) {
     return view ? std::make_optional(Normal_map{*view}) : std::nullopt;
   };
-  const auto np = CGAL::parameters::resampling_method(parameters.resampling_method)
-                    .number_of_output_points(parameters.number_of_output_points)
-                    .select_percentage(parameters.select_percentage)
-                    .neighbor_radius(parameters.neighbor_radius)
-                    .normal_filter_radius(parameters.normal_filter_radius)
-                    .sharpness_angle(parameters.sharpness_angle)
-                    .number_of_normal_filter_iterations(parameters.number_of_normal_filter_iterations)
-                    .normal_weight(parameters.normal_weight)
-                    .regularization_weight(parameters.regularization_weight.value_or(*defaults.regularization_weight))
-                    .initial_penalty(parameters.initial_penalty)
-                    .maximum_penalty(parameters.maximum_penalty)
-                    .penalty_growth(parameters.penalty_growth.value_or(*defaults.penalty_growth))
-                    .keep_density(parameters.keep_density)
-                    .viewpoint(parameters.viewpoint)
-                    .normal_map(if_there(normals))
-                    .orientation_hint_map(if_there(orientation_hints))
-                    .source_index_map(if_wanted(parameters.source_indices, Appending_map<std::int64_t>{&result.source_indices}))
-                    .feature_confidence_map(
-                      if_wanted(parameters.feature_confidences, Appending_map<FT>{&result.feature_confidences}))
-                    .number_of_orientation_neighbors(parameters.number_of_orientation_neighbors)
-                    .random_seed(parameters.random_seed)
-                    .drop_non_finite(parameters.drop_non_finite)
-                    .drop_outliers(parameters.drop_outliers.value_or(*defaults.drop_outliers))
-                    .maximum_memory(parameters.maximum_memory)
-                    .callback(callback)
-                    .resampling_report(&result.report)
-                    .point_map(Point_map{points})
-                    .geom_traits(CGAL::Simple_cartesian<FT>());
+  const auto np =
+    CGAL::parameters::resampling_method(parameters.resampling_method)
+      .number_of_output_points(parameters.number_of_output_points)
+      .select_percentage(parameters.select_percentage)
+      .neighbor_radius(parameters.neighbor_radius)
+      .normal_filter_radius(parameters.normal_filter_radius)
+      .sharpness_angle(parameters.sharpness_angle)
+      .number_of_normal_filter_iterations(parameters.number_of_normal_filter_iterations)
+      .normal_weight(parameters.normal_weight)
+      .regularization_weight(parameters.regularization_weight.value_or(*defaults.regularization_weight))
+      .initial_penalty(parameters.initial_penalty)
+      .maximum_penalty(parameters.maximum_penalty)
+      .penalty_growth(parameters.penalty_growth.value_or(*defaults.penalty_growth))
+      .keep_density(parameters.keep_density)
+      .viewpoint(parameters.viewpoint)
+      .normal_map(if_there(normals))
+      .orientation_hint_map(if_there(orientation_hints))
+      .source_index_map(if_wanted(parameters.source_indices, Appending_map<std::int64_t>{&result.source_indices}))
+      .feature_confidence_map(if_wanted(parameters.feature_confidences, Appending_map<FT>{&result.feature_confidences}))
+      .number_of_orientation_neighbors(parameters.number_of_orientation_neighbors)
+      .random_seed(parameters.random_seed)
+      .drop_non_finite(parameters.drop_non_finite)
+      .drop_outliers(parameters.drop_outliers.value_or(*defaults.drop_outliers))
+      .maximum_memory(parameters.maximum_memory)
+      .callback(callback)
+      .resampling_report(&result.report)
+      .point_map(Point_map{points})
+      .geom_traits(CGAL::Simple_cartesian<FT>());
   const auto range = boost::irange(std::size_t(0), points.size);
 #ifdef CGAL_L0_LINKED_WITH_CUDA
   if (on_device)
@@ -193,7 +195,7 @@ Parameters default_parameters(Method method)
     CGAL::L0_resampling::internal::checked_parameters(CGAL::parameters::resampling_method(method), 100);
   Parameters parameters;
   parameters.resampling_method = method;
-  parameters.select_percentage = double(defaults.number_of_output_points);   // of a hundred points
+  parameters.select_percentage = double(defaults.number_of_output_points); // of a hundred points
   parameters.sharpness_angle = defaults.sharpness_angle;
   parameters.number_of_normal_filter_iterations = std::int64_t(defaults.number_of_normal_filter_iterations);
   parameters.normal_weight = defaults.normal_weight;

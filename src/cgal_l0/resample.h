@@ -21,7 +21,12 @@
 
 namespace l0_python {
 
-enum class Device { CPU, CUDA, AUTO };
+enum class Device
+{
+  CPU,
+  CUDA,
+  AUTO
+};
 
 /// The named parameters of `CGAL::l0_resample_point_set()`, by their names. What is not there keeps the function's
 /// default. Counts have a sign, so that it is the function that refuses the negative ones.
@@ -45,14 +50,14 @@ struct Parameters
   std::uint64_t random_seed = 0;
   bool drop_non_finite = false;
   std::optional<bool> drop_outliers;
-  std::uint64_t maximum_memory = (std::numeric_limits<std::uint64_t>::max)();   ///< in bytes
+  std::uint64_t maximum_memory = (std::numeric_limits<std::uint64_t>::max)(); ///< in bytes
 
   // whether the named parameters source_index_map and feature_confidence_map are wanted
   bool source_indices = false;
   bool feature_confidences = false;
 
   // of this call, not of the function
-  std::optional<std::int64_t> threads;   ///< all, if not given
+  std::optional<std::int64_t> threads; ///< all, if not given
   Device device = Device::CPU;
 };
 

@@ -13,12 +13,9 @@
 namespace l0_tool {
 namespace {
 
-constexpr double margin = 0.05;   // share of the picture left free on each side
+constexpr double margin = 0.05; // share of the picture left free on each side
 
-Vector normalized(const Vector& v)
-{
-  return v / std::sqrt(v.squared_length());
-}
+Vector normalized(const Vector& v) { return v / std::sqrt(v.squared_length()); }
 
 // The range of all values, unless a few of them stretch it far beyond that of the others.
 std::pair<double, double> sensible_range(std::vector<double>& values)
@@ -79,9 +76,6 @@ Projected_point Camera::project(const Point& point) const
   return {float(m_middle_x + m_scale * v.x()), float(m_middle_y + m_scale * v.y()), float(m_scale * v.z())};
 }
 
-Vector Camera::rotate(const Vector& v) const
-{
-  return {v * m_right, -(v * m_up), v * m_towards_eye};
-}
+Vector Camera::rotate(const Vector& v) const { return {v * m_right, -(v * m_up), v * m_towards_eye}; }
 
 } // namespace l0_tool

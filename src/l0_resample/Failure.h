@@ -15,13 +15,13 @@ namespace l0_tool {
 enum Exit_status
 {
   SUCCESS = 0,
-  RUN_TIME_FAILURE = 1,    ///< out of memory or of time, a solver or a device failed
+  RUN_TIME_FAILURE = 1, ///< out of memory or of time, a solver or a device failed
   WRONG_USAGE = 2,
-  INPUT_REFUSED = 3,       ///< the input cannot be read, or is not what it says
-  OUTPUT_NOT_WRITTEN = 4,  ///< an older file of that name is still what it was
-  NOT_CONVERGED = 5,       ///< only with `--strict`
-  INTERRUPTED = 130,       ///< SIGINT
-  TERMINATED = 143         ///< SIGTERM
+  INPUT_REFUSED = 3,      ///< the input cannot be read, or is not what it says
+  OUTPUT_NOT_WRITTEN = 4, ///< an older file of that name is still what it was
+  NOT_CONVERGED = 5,      ///< only with `--strict`
+  INTERRUPTED = 130,      ///< SIGINT
+  TERMINATED = 143        ///< SIGTERM
 };
 
 /// Ends the program with `status`; the message is one line, "file: what" where a file is to blame.

@@ -22,7 +22,8 @@ struct Image
   std::vector<Color> pixels;
 
   Image(int w, int h, const Color& background)
-    : width(w), height(h), pixels(std::size_t(w) * std::size_t(h), background) {}
+    : width(w), height(h), pixels(std::size_t(w) * std::size_t(h), background)
+  {}
 
   Color& at(int x, int y) { return pixels[std::size_t(y) * std::size_t(width) + std::size_t(x)]; }
   const Color& at(int x, int y) const { return pixels[std::size_t(y) * std::size_t(width) + std::size_t(x)]; }

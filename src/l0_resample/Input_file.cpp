@@ -21,10 +21,7 @@
 namespace l0_tool {
 namespace {
 
-std::string last_error()
-{
-  return std::generic_category().message(errno);
-}
+std::string last_error() { return std::generic_category().message(errno); }
 
 } // namespace
 
@@ -34,7 +31,7 @@ Input_file::Input_file(const std::string& path, On_progress on_progress)
 {
   if (m_descriptor < 0) {
     const std::string error = last_error();
-    throw_if_interrupted();   // while the other end of a pipe was waited for
+    throw_if_interrupted(); // while the other end of a pipe was waited for
     throw Failure(INPUT_REFUSED, path + ": cannot be opened: " + error);
   }
   struct stat status;
@@ -135,8 +132,7 @@ void Input_file::check_count(std::uint64_t count, std::uint64_t row_size, const 
 {
   const std::optional<std::uint64_t> left = bytes_left();
   if (left && count > *left / row_size)
-    refuse(std::to_string(count) + " " + what + " are announced, but only " + std::to_string(*left)
-           + " bytes are left");
+    refuse(std::to_string(count) + " " + what + " are announced, but only " + std::to_string(*left) + " bytes are left");
 }
 
 std::string Input_file::where() const
@@ -144,9 +140,6 @@ std::string Input_file::where() const
   return m_path + (m_in_text ? ": line " + std::to_string(m_line) : ": byte " + std::to_string(m_position));
 }
 
-void Input_file::refuse(const std::string& what) const
-{
-  throw Failure(INPUT_REFUSED, where() + ": " + what);
-}
+void Input_file::refuse(const std::string& what) const { throw Failure(INPUT_REFUSED, where() + ": " + what); }
 
 } // namespace l0_tool

@@ -63,9 +63,9 @@ private:
   On_progress m_on_progress;
   int m_descriptor;
   std::optional<std::uint64_t> m_size;
-  std::unique_ptr<char[]> m_buffer;     // not initialized: a small file touches little of it
-  std::size_t m_begin = 0, m_end = 0;   // the unread part of the buffer
-  std::uint64_t m_position = 0;         // in the file, of m_begin
+  std::unique_ptr<char[]> m_buffer;   // not initialized: a small file touches little of it
+  std::size_t m_begin = 0, m_end = 0; // the unread part of the buffer
+  std::uint64_t m_position = 0;       // in the file, of m_begin
   std::uint64_t m_line = 0;
   bool m_in_text = true;
 };

@@ -58,9 +58,13 @@ void write_as(double number, char* bytes)
 std::size_t size_of(Number_type type)
 {
   switch (type) {
-  case Number_type::INT8: case Number_type::UINT8: return 1;
-  case Number_type::INT16: case Number_type::UINT16: return 2;
-  case Number_type::INT32: case Number_type::UINT32: case Number_type::FLOAT32: return 4;
+  case Number_type::INT8:
+  case Number_type::UINT8: return 1;
+  case Number_type::INT16:
+  case Number_type::UINT16: return 2;
+  case Number_type::INT32:
+  case Number_type::UINT32:
+  case Number_type::FLOAT32: return 4;
   case Number_type::FLOAT64: break;
   }
   return 8;
@@ -103,10 +107,7 @@ bool parse_number_of(Number_type type, std::string_view word, char* target)
   return parse<double>(word, target);
 }
 
-bool fits_single_precision(Number_type type)
-{
-  return type == Number_type::FLOAT32 || size_of(type) <= 2;
-}
+bool fits_single_precision(Number_type type) { return type == Number_type::FLOAT32 || size_of(type) <= 2; }
 
 void encode(double number, Number_type type, char* bytes)
 {

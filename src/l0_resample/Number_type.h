@@ -12,7 +12,17 @@
 namespace l0_tool {
 
 /// The types of numbers in binary files.
-enum class Number_type { INT8, UINT8, INT16, UINT16, INT32, UINT32, FLOAT32, FLOAT64 };
+enum class Number_type
+{
+  INT8,
+  UINT8,
+  INT16,
+  UINT16,
+  INT32,
+  UINT32,
+  FLOAT32,
+  FLOAT64
+};
 
 /// In bytes.
 std::size_t size_of(Number_type type);

@@ -22,14 +22,14 @@ struct Output_column
 
   std::string name;
   Number_type type;
-  std::vector<std::size_t> bytes;   ///< of a number, the lowest first: where each lies in a row of properties, or `zero`
+  std::vector<std::size_t> bytes; ///< of a number, the lowest first: where each lies in a row of properties, or `zero`
 };
 
 /// What of the properties a format can hold.
 struct Output_columns
 {
   std::vector<Output_column> columns;
-  std::vector<std::string> left_out;   ///< names of properties
+  std::vector<std::string> left_out; ///< names of properties
 };
 
 /*!

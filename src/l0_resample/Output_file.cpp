@@ -23,27 +23,21 @@ namespace {
 
 constexpr std::size_t buffer_size = 256 * 1024;
 
-std::string message(int error)
-{
-  return std::generic_category().message(error);
-}
+std::string message(int error) { return std::generic_category().message(error); }
 
 [[noreturn]] void fail_to_write(const std::string& path, const std::string& what)
 {
   throw Failure(OUTPUT_NOT_WRITTEN, path + ": cannot be written: " + what);
 }
 
-bool is_special_file(const struct stat& status)
-{
-  return !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
-}
+bool is_special_file(const struct stat& status) { return !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode); }
 
 // Where the file really is, so that a symbolic link stays one.
 std::string resolve(const std::string& path)
 {
   struct stat status;
   if (stat(path.c_str(), &status) == 0 && is_special_file(status))
-    return path;   // /dev/stdout may lead to a pipe, which is at no place
+    return path; // /dev/stdout may lead to a pipe, which is at no place
   std::error_code error;
   std::filesystem::path resolved = std::filesystem::absolute(path, error);
   if (!error)
@@ -53,10 +47,7 @@ std::string resolve(const std::string& path)
   return resolved.string();
 }
 
-std::string directory_of(const std::string& target)
-{
-  return std::filesystem::path(target).parent_path().string();
-}
+std::string directory_of(const std::string& target) { return std::filesystem::path(target).parent_path().string(); }
 
 } // namespace
 
@@ -69,7 +60,7 @@ Output_file::Output_file(const std::string& path) : m_path(path), m_target(resol
     m_descriptor = open(path.c_str(), O_WRONLY | O_CLOEXEC);
     if (m_descriptor < 0) {
       const int error = errno;
-      throw_if_interrupted();         // while the other end of a pipe was waited for
+      throw_if_interrupted(); // while the other end of a pipe was waited for
       fail(message(error));
     }
     return;
@@ -77,8 +68,8 @@ Output_file::Output_file(const std::string& path) : m_path(path), m_target(resol
 
   // The process number tells programs apart, the counter what an earlier, killed one of that number has left.
   for (int attempt = 0; m_descriptor < 0; ++attempt) {
-    m_temporary =
-      directory_of(m_target) + "/.l0_resample-" + std::to_string(getpid()) + "-" + std::to_string(attempt) + ".tmp";
+    m_temporary = directory_of(m_target) + "/.l0_resample-" + std::to_string(getpid()) + "-" + std::to_string(attempt)
+                  + ".tmp";
     m_descriptor = open(m_temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (m_descriptor < 0 && (errno != EEXIST || attempt == 1000)) {
       const int error = errno;
@@ -150,10 +141,7 @@ void Output_file::commit()
   }
 }
 
-void Output_file::fail(const std::string& what) const
-{
-  fail_to_write(m_path, what);
-}
+void Output_file::fail(const std::string& what) const { fail_to_write(m_path, what); }
 
 void check_writable(const std::string& path, std::uint64_t size)
 {
@@ -161,7 +149,7 @@ void check_writable(const std::string& path, std::uint64_t size)
   const bool exists = stat(path.c_str(), &old) == 0;
   if (exists && S_ISDIR(old.st_mode))
     fail_to_write(path, "it is a directory");
-  if (exists && access(path.c_str(), W_OK) != 0)   // rename() would replace even a file that is write-protected
+  if (exists && access(path.c_str(), W_OK) != 0) // rename() would replace even a file that is write-protected
     fail_to_write(path, message(errno));
   if (exists && is_special_file(old))
     return;
@@ -173,7 +161,7 @@ void check_writable(const std::string& path, std::uint64_t size)
   if (statvfs(directory.c_str(), &disk) == 0 && disk.f_blocks > 0 && disk.f_frsize > 0
       && size / disk.f_frsize >= disk.f_bavail)
     fail_to_write(path, "about " + std::to_string(size) + " bytes are needed, the disk has room for "
-                        + std::to_string(std::uint64_t(disk.f_bavail) * disk.f_frsize));
+                          + std::to_string(std::uint64_t(disk.f_bavail) * disk.f_frsize));
 }
 
 bool is_standard_output(const std::string& path)

@@ -36,9 +36,9 @@ private:
   void flush();
   [[noreturn]] void fail(const std::string& what) const;
 
-  std::string m_path;             // as the user gave it, for messages
-  std::string m_target;           // without symbolic links
-  std::string m_temporary;        // empty where m_target is written directly
+  std::string m_path;      // as the user gave it, for messages
+  std::string m_target;    // without symbolic links
+  std::string m_temporary; // empty where m_target is written directly
   int m_descriptor = -1;
   std::string m_buffer;
 };

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t max_header_length = 1024 * 1024;
 constexpr std::size_t max_number_of_fields = 1000;
-constexpr std::uint64_t max_count = 0xffffffff;   // keeps the size of a row far from the end of 64 bits
+constexpr std::uint64_t max_count = 0xffffffff; // keeps the size of a row far from the end of 64 bits
 
 std::uint64_t parse_count(const Input_file& file, std::string_view word, std::uint64_t least, std::uint64_t most,
                           const std::string& what)
@@ -39,9 +39,9 @@ public:
   /// Reads to the line DATA.
   explicit Pcd_lines(Input_file& file)
   {
-    static constexpr std::string_view keywords[] = {"VERSION", "FIELDS", "SIZE", "TYPE", "COUNT", "WIDTH", "HEIGHT",
-                                                    "VIEWPOINT", "POINTS", "DATA"};
-    for (std::size_t length = 0; length <= max_header_length; ) {
+    static constexpr std::string_view keywords[] = {"VERSION", "FIELDS", "SIZE",      "TYPE",   "COUNT",
+                                                    "WIDTH",   "HEIGHT", "VIEWPOINT", "POINTS", "DATA"};
+    for (std::size_t length = 0; length <= max_header_length;) {
       const std::optional<std::string_view> line = file.read_line();
       if (!line)
         file.refuse("the file ends within its header");

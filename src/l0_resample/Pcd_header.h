@@ -19,9 +19,9 @@ namespace l0_tool {
 struct Pcd_field
 {
   std::string name;
-  std::uint64_t size = 0;            ///< of each value, in bytes
-  std::uint64_t count = 1;           ///< of values in a row
-  std::optional<Number_type> type;   ///< not for integers of 64 bits
+  std::uint64_t size = 0;          ///< of each value, in bytes
+  std::uint64_t count = 1;         ///< of values in a row
+  std::optional<Number_type> type; ///< not for integers of 64 bits
 };
 
 struct Pcd_header

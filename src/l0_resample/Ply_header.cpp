@@ -22,14 +22,12 @@ constexpr std::size_t max_number_of_elements = 100;
 Number_type parse_type(const Input_file& file, std::string_view word)
 {
   static constexpr std::pair<std::string_view, Number_type> types[] = {
-    {"char", Number_type::INT8}, {"int8", Number_type::INT8},
-    {"uchar", Number_type::UINT8}, {"uint8", Number_type::UINT8},
-    {"short", Number_type::INT16}, {"int16", Number_type::INT16},
-    {"ushort", Number_type::UINT16}, {"uint16", Number_type::UINT16},
-    {"int", Number_type::INT32}, {"int32", Number_type::INT32},
-    {"uint", Number_type::UINT32}, {"uint32", Number_type::UINT32},
-    {"float", Number_type::FLOAT32}, {"float32", Number_type::FLOAT32},
-    {"double", Number_type::FLOAT64}, {"float64", Number_type::FLOAT64}};
+    {"char", Number_type::INT8},      {"int8", Number_type::INT8},       {"uchar", Number_type::UINT8},
+    {"uint8", Number_type::UINT8},    {"short", Number_type::INT16},     {"int16", Number_type::INT16},
+    {"ushort", Number_type::UINT16},  {"uint16", Number_type::UINT16},   {"int", Number_type::INT32},
+    {"int32", Number_type::INT32},    {"uint", Number_type::UINT32},     {"uint32", Number_type::UINT32},
+    {"float", Number_type::FLOAT32},  {"float32", Number_type::FLOAT32}, {"double", Number_type::FLOAT64},
+    {"float64", Number_type::FLOAT64}};
   for (const auto& [name, type] : types)
     if (name == word)
       return type;
@@ -103,7 +101,7 @@ Ply_header read_ply_header(Input_file& file)
   Ply_header header;
   std::optional<Ply_header::Encoding> encoding;
   std::size_t number_of_properties = 0;
-  for (std::size_t length = 0; length <= max_header_length; ) {
+  for (std::size_t length = 0; length <= max_header_length;) {
     line = file.read_line();
     if (!line)
       file.refuse("the file ends within its header");
@@ -123,15 +121,13 @@ Ply_header read_ply_header(Input_file& file)
       if (header.elements.size() == max_number_of_elements)
         file.refuse("more than " + std::to_string(max_number_of_elements) + " elements");
       header.elements.push_back(parse_element(file, words));
-    }
-    else if (keyword == "property") {
+    } else if (keyword == "property") {
       if (header.elements.empty())
         file.refuse("a property before the first element");
       if (++number_of_properties > max_number_of_properties)
         file.refuse("more than " + std::to_string(max_number_of_properties) + " properties");
       header.elements.back().properties.push_back(parse_property(file, words));
-    }
-    else if (!keyword.empty() && keyword != "comment" && keyword != "obj_info")
+    } else if (!keyword.empty() && keyword != "comment" && keyword != "obj_info")
       file.refuse(printable(keyword) + " is not a keyword of a PLY header");
   }
   file.refuse("the header is longer than " + std::to_string(max_header_length) + " bytes");

@@ -19,9 +19,9 @@ namespace l0_tool {
 struct Ply_property
 {
   std::string name;
-  Number_type type;                             ///< of the value, or of each entry of a list
+  Number_type type; ///< of the value, or of each entry of a list
   bool is_list = false;
-  Number_type length_type = Number_type::UINT8;    ///< only of a list; no floating-point type
+  Number_type length_type = Number_type::UINT8; ///< only of a list; no floating-point type
 };
 
 struct Ply_element
@@ -38,7 +38,12 @@ struct Ply_element
 
 struct Ply_header
 {
-  enum class Encoding { ASCII, LITTLE_ENDIAN_BINARY, BIG_ENDIAN_BINARY };
+  enum class Encoding
+  {
+    ASCII,
+    LITTLE_ENDIAN_BINARY,
+    BIG_ENDIAN_BINARY
+  };
 
   Encoding encoding;
   std::vector<Ply_element> elements;

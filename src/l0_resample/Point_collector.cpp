@@ -16,12 +16,12 @@ void Point_collector::check_limits(std::uint64_t number_of_points) const
 {
   if (number_of_points > m_options.max_points)
     throw Failure(INPUT_REFUSED, m_file.path() + ": more than the " + std::to_string(m_options.max_points)
-                                 + " points that --max-points allows");
+                                   + " points that --max-points allows");
   const std::uint64_t point_size = sizeof(Point) + (m_has_normals && m_options.with_normals ? sizeof(Vector) : 0)
                                    + m_cloud.properties.row_size();
   if (number_of_points > m_options.max_memory / point_size)
     throw Failure(RUN_TIME_FAILURE, m_file.path() + ": the points alone take more than the "
-                                    + std::to_string(m_options.max_memory) + " bytes that --max-memory allows");
+                                      + std::to_string(m_options.max_memory) + " bytes that --max-memory allows");
 }
 
 std::size_t Point_collector::add_property(const std::string& name, Number_type type)
@@ -36,7 +36,7 @@ void Point_collector::announce(std::uint64_t count, std::uint64_t row_size)
   m_file.check_count(count, row_size, "points");
   check_limits(count);
   if (!m_file.bytes_left())
-    return;                     // a pipe: nothing backs the count
+    return; // a pipe: nothing backs the count
   m_cloud.points.reserve(count);
   if (m_has_normals && m_options.with_normals)
     m_cloud.normals.reserve(count);
@@ -59,9 +59,6 @@ void Point_collector::add(const Point_row& row)
   m_cloud.properties.append(m_next_properties);
 }
 
-Point_cloud Point_collector::take()
-{
-  return std::move(m_cloud);
-}
+Point_cloud Point_collector::take() { return std::move(m_cloud); }
 
 } // namespace l0_tool

@@ -27,7 +27,7 @@ class Point_collector
   Read_options m_options;
   bool m_has_normals = false;
   std::uint64_t m_number_of_rows = 0;
-  std::vector<char> m_next_properties;   // of the next row
+  std::vector<char> m_next_properties; // of the next row
   Point_cloud m_cloud;
 
   void check_limits(std::uint64_t number_of_points) const;
@@ -50,10 +50,7 @@ public:
   std::size_t number_of_properties() const { return m_cloud.properties.properties().size(); }
 
   /// Where the next row's value of a property goes, before `add()`.
-  char* property(std::size_t index)
-  {
-    return m_next_properties.data() + m_cloud.properties.properties()[index].offset;
-  }
+  char* property(std::size_t index) { return m_next_properties.data() + m_cloud.properties.properties()[index].offset; }
 
   /// Makes room for `count` points, each of at least `row_size` bytes in the file.
   /// \throws Failure if the file cannot hold them, or the limits forbid them

@@ -19,7 +19,7 @@ struct Property
 {
   std::string name;
   Number_type type;
-  std::size_t offset;   ///< of its value in a row, in bytes
+  std::size_t offset; ///< of its value in a row, in bytes
 };
 
 /// The values of all further properties, one row for each point, in the types of the file and the byte order of this

@@ -30,7 +30,7 @@ std::vector<std::string> files_of(const std::string& folder)
   std::vector<std::string> files;
   std::error_code error;
   for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
-    std::error_code unknown;   // what cannot be looked at is no regular file
+    std::error_code unknown; // what cannot be looked at is no regular file
     if (it->is_regular_file(unknown) && format_of(it->path().string()))
       files.push_back(it->path().string());
   }
@@ -59,7 +59,7 @@ std::vector<std::string> without_folders(const std::vector<std::string>& inputs)
 
 void check_nothing_is_overwritten(const std::vector<Batch_item>& items)
 {
-  std::map<std::string, std::string> inputs, outputs;   // by canonical name, what the user calls the input
+  std::map<std::string, std::string> inputs, outputs; // by canonical name, what the user calls the input
   for (const Batch_item& item : items)
     inputs.emplace(canonical_name(item.input), item.input);
   for (const Batch_item& item : items) {

@@ -29,7 +29,7 @@ Property_table carried_properties(const Property_table& properties, const Near_p
 {
   const std::string source_name = "source_index", confidence_name = "feature_confidence";
   Property_table result;
-  std::vector<Property> origins;   // of the first columns of the result
+  std::vector<Property> origins; // of the first columns of the result
   for (const Property& property : properties.properties())
     if ((property.name != source_name || source_indices.empty())
         && (property.name != confidence_name || feature_confidences.empty())) {

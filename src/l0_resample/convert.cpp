@@ -30,8 +30,7 @@ void convert_file(const Options& options, Input_file::On_progress on_progress, R
   record.report.number_of_input_points = cloud.points.size();
   record.report.number_of_dropped_points = cloud.number_of_dropped_points;
 
-  check_writable(options.output,
-                 largest_file_size(options.output_format, cloud.points.size(), cloud.properties));
+  check_writable(options.output, largest_file_size(options.output_format, cloud.points.size(), cloud.properties));
   const std::vector<std::string> left_out = write_point_cloud(options.output, options.output_format, cloud);
   record.report.number_of_output_points = cloud.points.size();
   for (const std::string& name : left_out)

@@ -11,7 +11,14 @@
 
 namespace l0_tool {
 
-enum class File_format { PLY, OFF, XYZ, PCD, NPY };
+enum class File_format
+{
+  PLY,
+  OFF,
+  XYZ,
+  PCD,
+  NPY
+};
 
 /// By the extension of `path`, in lower or upper case: .ply, .off, .xyz, .xyzn, .pwn, .pcd or .npy.
 std::optional<File_format> format_of(const std::string& path);

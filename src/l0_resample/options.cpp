@@ -25,14 +25,15 @@ namespace {
 
 using CGAL::L0_resampling::Method;
 
-const std::map<std::string, Method> methods = {
-  {"default", Method::DEFAULT}, {"lor", Method::LOR}, {"alor", Method::ALOR}};
+const std::map<std::string, Method> methods = {{"default", Method::DEFAULT}, {"lor", Method::LOR}, {"alor", Method::ALOR}};
 const std::map<std::string, Solver> solvers = {
   {"block-cg", Solver::BLOCK_CG}, {"cholesky", Solver::CHOLESKY}, {"rows-cg", Solver::ROWS_CG}};
 const std::map<std::string, Device> devices = {{"cpu", Device::CPU}, {"cuda", Device::CUDA}, {"auto", Device::AUTO}};
-const std::map<std::string, File_format> formats = {
-  {"ply", File_format::PLY}, {"off", File_format::OFF}, {"xyz", File_format::XYZ}, {"pcd", File_format::PCD},
-  {"npy", File_format::NPY}};
+const std::map<std::string, File_format> formats = {{"ply", File_format::PLY},
+                                                    {"off", File_format::OFF},
+                                                    {"xyz", File_format::XYZ},
+                                                    {"pcd", File_format::PCD},
+                                                    {"npy", File_format::NPY}};
 
 template <typename Value>
 std::string key_of(const std::map<std::string, Value>& names, Value value)
@@ -60,37 +61,39 @@ CLI::Option* add_choice(CLI::App& app, const std::string& option, const std::map
 {
   const auto choose = [&names, &value](const std::string& name) { value = names.at(name); };
   return app.add_option_function<std::string>(option, choose, description)
-            ->check(CLI::IsMember(keys_of(names)))->default_str(key_of(names, value));
+    ->check(CLI::IsMember(keys_of(names)))
+    ->default_str(key_of(names, value));
 }
 
 /// Numbers are read as those in files are, so that a decimal comma or a "nan" is refused.
 CLI::Validator number_within(double low, bool low_allowed, double high, const std::string& description)
 {
-  return CLI::Validator([=](std::string& text) {
-    const std::optional<double> number = parse_number<double>(text);
-    const bool is_good = number && std::isfinite(*number)
-                         && (low_allowed ? *number >= low : *number > low) && *number <= high;
-    return is_good ? std::string() : text + " is not " + description;
-  }, "");
+  return CLI::Validator(
+    [=](std::string& text) {
+      const std::optional<double> number = parse_number<double>(text);
+      const bool is_good = number && std::isfinite(*number) && (low_allowed ? *number >= low : *number > low)
+                           && *number <= high;
+      return is_good ? std::string() : text + " is not " + description;
+    },
+    "");
 }
 
 CLI::Validator count_within(std::uint64_t low, std::uint64_t high)
 {
-  return CLI::Validator([=](std::string& text) {
-    const std::optional<std::uint64_t> number = parse_number<std::uint64_t>(text);
-    const bool is_good = number && *number >= low && *number <= high;
-    if (is_good)
-      return std::string();
-    return text + " is not a whole number from " + std::to_string(low) + " to " + std::to_string(high);
-  }, "");
+  return CLI::Validator(
+    [=](std::string& text) {
+      const std::optional<std::uint64_t> number = parse_number<std::uint64_t>(text);
+      const bool is_good = number && *number >= low && *number <= high;
+      if (is_good)
+        return std::string();
+      return text + " is not a whole number from " + std::to_string(low) + " to " + std::to_string(high);
+    },
+    "");
 }
 
 constexpr std::uint64_t any_count = (std::numeric_limits<std::uint64_t>::max)();
 
-[[noreturn]] void refuse_usage(const std::string& message)
-{
-  throw CLI::ValidationError(message, int(WRONG_USAGE));
-}
+[[noreturn]] void refuse_usage(const std::string& message) { throw CLI::ValidationError(message, int(WRONG_USAGE)); }
 
 /// Three numbers separated by commas.
 std::array<double, 3> parse_coordinates(const std::string& option, const std::string& text)
@@ -158,7 +161,8 @@ const char* footer =
   "written with normals, as a whole or not at all. INPUT and OUTPUT may be the same. LAS is not read: convert it\n"
   "first. A name that begins with a dash goes behind --.\n"
   "\n"
-  "--convert-only keeps the points as they are: PLY and PCD (binary) get all that INPUT tells of each, OFF normals and\n"
+  "--convert-only keeps the points as they are: PLY and PCD (binary) get all that INPUT tells of each, OFF normals "
+  "and\n"
   "colors, XYZ and NPY normals; warnings say what else INPUT had. It takes no option on resampling.\n"
   "\n"
   "Exit status: 0 good, 1 failed at run time (memory, time, solver, device), 2 wrong usage, 3 input refused,\n"
@@ -174,8 +178,8 @@ const char* footer =
 void exclude_resampling(CLI::App& app, CLI::Option& convert_only)
 {
   static constexpr std::array<std::string_view, 12> allowed = {
-    "help", "version", "FILES", "output-directory", "input-format", "output-format", "drop-non-finite", "convert-only",
-    "quiet", "max-points", "max-memory", "timeout"};
+    "help",         "version", "FILES",      "output-directory", "input-format", "output-format", "drop-non-finite",
+    "convert-only", "quiet",   "max-points", "max-memory",       "timeout"};
   for (CLI::Option* option : app.get_options())
     if (std::find(allowed.begin(), allowed.end(), option->get_single_name()) == allowed.end())
       convert_only.excludes(option);
@@ -184,46 +188,63 @@ void exclude_resampling(CLI::App& app, CLI::Option& convert_only)
 void add_options(CLI::App& app, Options& options, std::vector<std::string>& files, std::string& output_directory)
 {
   app.add_option("FILES", files, "INPUT, points to read, and OUTPUT, points with normals to write")->type_name("FILE");
-  app.add_option("--output-directory", output_directory,
-                 "a batch: all FILES are read, and those of folders; results go here, under the same names")
-     ->type_name("FOLDER");
+  app
+    .add_option("--output-directory", output_directory,
+                "a batch: all FILES are read, and those of folders; results go here, under the same names")
+    ->type_name("FOLDER");
 
   auto* points = app.add_option("--points", options.number_of_points, "how many points to write")
-                   ->check(count_within(1, 4294967294))->type_name("M");
+                   ->check(count_within(1, 4294967294))
+                   ->type_name("M");
   app.add_option("--percentage", options.percentage, "how many points to write, in percent of those read")
-     ->check(number_within(0, false, 100, "a percentage in (0, 100]"))
-     ->type_name("P")->capture_default_str()->excludes(points);
+    ->check(number_within(0, false, 100, "a percentage in (0, 100]"))
+    ->type_name("P")
+    ->capture_default_str()
+    ->excludes(points);
   add_choice(app, "--method", methods, options.method, "the paper's LOR or ALOR, or what is recommended");
-  app.add_option("--neighbor-radius", options.neighbor_radius,
-                 "radius of a neighborhood, a length [diagonal / cube root of points]")
-     ->check(number_within(0, false, (std::numeric_limits<double>::max)(), "a length above 0"))->type_name("R");
-  app.add_option("--normal-weight", options.normal_weight,
-                 "larger: sharper edges, flatter faces; smaller: closer to the input")
-     ->check(number_within(0, true, (std::numeric_limits<double>::max)(), "a number, 0 or above"))
-     ->type_name("L")->capture_default_str();
-  app.add_option("--sharpness-angle", options.sharpness_angle,
-                 "normals that differ by much more, in degrees, are of two faces")
-     ->check(number_within(0, false, 90, "an angle in (0, 90] degrees"))->type_name("A")->capture_default_str();
+  app
+    .add_option("--neighbor-radius", options.neighbor_radius,
+                "radius of a neighborhood, a length [diagonal / cube root of points]")
+    ->check(number_within(0, false, (std::numeric_limits<double>::max)(), "a length above 0"))
+    ->type_name("R");
+  app
+    .add_option("--normal-weight", options.normal_weight,
+                "larger: sharper edges, flatter faces; smaller: closer to the input")
+    ->check(number_within(0, true, (std::numeric_limits<double>::max)(), "a number, 0 or above"))
+    ->type_name("L")
+    ->capture_default_str();
+  app
+    .add_option("--sharpness-angle", options.sharpness_angle,
+                "normals that differ by much more, in degrees, are of two faces")
+    ->check(number_within(0, false, 90, "an angle in (0, 90] degrees"))
+    ->type_name("A")
+    ->capture_default_str();
   app.add_option("--seed", options.seed, "chooses where the points start")
-     ->check(count_within(0, any_count))->type_name("K")->capture_default_str();
+    ->check(count_within(0, any_count))
+    ->type_name("K")
+    ->capture_default_str();
   app.add_flag("--use-normals", options.use_normals, "start from the normals of INPUT instead of estimating them");
   auto* by_normals = app.add_flag("--orient-by-normals", options.orient_by_normals,
                                   "turn the result to the side of the normals of INPUT, instead of outwards");
   const auto set_viewpoint = [&options](const std::string& text) {
     options.viewpoint = parse_coordinates("--viewpoint", text);
   };
-  app.add_option_function<std::string>("--viewpoint", set_viewpoint, "turn the result to this point, such as that of the scanner")
-     ->type_name("X,Y,Z")->excludes(by_normals);
+  app
+    .add_option_function<std::string>("--viewpoint", set_viewpoint,
+                                      "turn the result to this point, such as that of the scanner")
+    ->type_name("X,Y,Z")
+    ->excludes(by_normals);
   app.add_flag("--keep-density", options.keep_density, "as dense here and there as INPUT is, instead of even");
   app.add_flag("--drop-non-finite", options.drop_non_finite, "leave out points with a NaN or infinite coordinate");
-  app.add_flag("--keep-outliers", options.keep_outliers, "let points off the cloud take part, which the default method leaves out");
+  app.add_flag("--keep-outliers", options.keep_outliers,
+               "let points off the cloud take part, which the default method leaves out");
 
   add_choice(app, "--device", devices, options.device, "where to compute");
   add_choice(app, "--solver", solvers, options.solver, "how to solve the linear systems");
   app.add_option("--solver-iterations", options.solver_iterations, "most iterations of a solve by block-cg or rows-cg")
-     ->check(count_within(1, any_count))->type_name("N");
-  app.add_option("--threads", options.threads, "most threads to use [all]")
-     ->check(count_within(1, 4096))->type_name("N");
+    ->check(count_within(1, any_count))
+    ->type_name("N");
+  app.add_option("--threads", options.threads, "most threads to use [all]")->check(count_within(1, 4096))->type_name("N");
 
   app.add_flag("--source-index", options.with_source_indices,
                "a property source_index more: which point of INPUT is nearest, counted from 0");
@@ -231,10 +252,10 @@ void add_options(CLI::App& app, Options& options, std::vector<std::string>& file
                "a property feature_confidence more: from 0 on a smooth surface to 1 on an edge");
   app.add_option("--json", options.json, "write what was done, stage by stage")->type_name("FILE");
   app.add_option("--snapshot", options.snapshot, "draw input and result side by side, colored by normal direction")
-     ->type_name("FILE.png");
+    ->type_name("FILE.png");
   const auto set_view = [&options](const std::string& text) { options.view = parse_view(text); };
   app.add_option_function<std::string>("--view", set_view, "where the eye of the snapshot is, such as 1,-2,0.5")
-     ->type_name("X,Y,Z");
+    ->type_name("X,Y,Z");
   auto* convert_only = app.add_flag("--convert-only", options.convert_only,
                                     "do not resample: write the points of INPUT in the format of OUTPUT");
   app.add_flag("--quiet", options.quiet, "no summary, no progress bar, no warnings");
@@ -243,11 +264,14 @@ void add_options(CLI::App& app, Options& options, std::vector<std::string>& file
   add_choice(app, "--input-format", formats, options.input_format, "what INPUT is")->default_str("by extension");
   add_choice(app, "--output-format", formats, options.output_format, "what OUTPUT is")->default_str("by extension");
   app.add_option("--max-points", options.max_points, "refuse an INPUT of more points")
-     ->check(count_within(0, any_count))->type_name("N");
+    ->check(count_within(0, any_count))
+    ->type_name("N");
   app.add_option("--max-memory", options.max_memory, "fail rather than take more, in bytes or as in 4GB")
-     ->transform(CLI::AsSizeValue(false))->type_name("SIZE");
+    ->transform(CLI::AsSizeValue(false))
+    ->type_name("SIZE");
   app.add_option("--timeout", options.timeout, "fail after so many seconds")
-     ->check(number_within(0, false, 1e8, "a number of seconds above 0"))->type_name("SECONDS");
+    ->check(number_within(0, false, 1e8, "a number of seconds above 0"))
+    ->type_name("SECONDS");
   exclude_resampling(app, *convert_only);
 }
 
@@ -317,7 +341,7 @@ std::optional<int> parse_command_line(int argc, char** argv, Command& command)
     return failure.status();
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == int(CLI::ExitCodes::Success)) {
-      app.exit(error);             // --help, --version
+      app.exit(error); // --help, --version
       return SUCCESS;
     }
     std::cerr << "l0_resample: " << error.what() << " (see --help)" << std::endl;
@@ -325,14 +349,8 @@ std::optional<int> parse_command_line(int argc, char** argv, Command& command)
   }
 }
 
-std::string name_of(Method method)
-{
-  return key_of(methods, method);
-}
+std::string name_of(Method method) { return key_of(methods, method); }
 
-std::string name_of(Solver solver)
-{
-  return key_of(solvers, solver);
-}
+std::string name_of(Solver solver) { return key_of(solvers, solver); }
 
 } // namespace l0_tool

@@ -20,8 +20,18 @@
 
 namespace l0_tool {
 
-enum class Device { CPU, CUDA, AUTO };
-enum class Solver { BLOCK_CG, CHOLESKY, ROWS_CG };
+enum class Device
+{
+  CPU,
+  CUDA,
+  AUTO
+};
+enum class Solver
+{
+  BLOCK_CG,
+  CHOLESKY,
+  ROWS_CG
+};
 
 /// What is asked for one input.
 struct Options
@@ -31,7 +41,7 @@ struct Options
   File_format input_format = File_format::PLY;
   File_format output_format = File_format::PLY;
 
-  std::optional<std::uint64_t> number_of_points;   ///< goes before `percentage`
+  std::optional<std::uint64_t> number_of_points; ///< goes before `percentage`
   double percentage = 50;
   CGAL::L0_resampling::Method method = CGAL::L0_resampling::Method::DEFAULT;
   std::optional<double> neighbor_radius;
@@ -49,26 +59,26 @@ struct Options
 
   Device device = Device::AUTO;
   Solver solver = Solver::BLOCK_CG;
-  std::optional<std::uint64_t> solver_iterations;  ///< the most of one solve
+  std::optional<std::uint64_t> solver_iterations; ///< the most of one solve
   std::optional<int> threads;
 
-  std::string json;                                ///< empty for none
-  std::string snapshot;                            ///< empty for none
-  std::optional<std::array<double, 3>> view;       ///< from the points towards the eye
+  std::string json;                          ///< empty for none
+  std::string snapshot;                      ///< empty for none
+  std::optional<std::array<double, 3>> view; ///< from the points towards the eye
   bool convert_only = false;
   bool quiet = false;
   bool strict = false;
 
   std::uint64_t max_points = (std::numeric_limits<std::uint64_t>::max)();
-  std::uint64_t max_memory = (std::numeric_limits<std::uint64_t>::max)();   ///< in bytes
-  double timeout = 0;                              ///< in seconds, 0 for none
+  std::uint64_t max_memory = (std::numeric_limits<std::uint64_t>::max)(); ///< in bytes
+  double timeout = 0;                                                     ///< in seconds, 0 for none
 };
 
 /// The command line, checked.
 struct Command
 {
-  std::vector<Options> runs;      ///< one for each input; all options but the files are the same
-  std::string output_directory;   ///< empty unless it is a batch
+  std::vector<Options> runs;    ///< one for each input; all options but the files are the same
+  std::string output_directory; ///< empty unless it is a batch
 
   bool is_batch() const { return !output_directory.empty(); }
 };

@@ -39,7 +39,7 @@ double point_spacing(const std::vector<Point>& points)
   Search::Tree tree(sample.begin(), sample.end());
   std::vector<double> distances;
   for (const Point& query : every_nth(sample, (sample.size() + queries - 1) / queries)) {
-    Search search(tree, query, neighbors + 1);   // the query itself is found first
+    Search search(tree, query, neighbors + 1); // the query itself is found first
     double sum = 0;
     for (const auto& [point, squared_distance] : search)
       sum += std::sqrt(squared_distance);

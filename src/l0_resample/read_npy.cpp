@@ -151,7 +151,7 @@ Npy_header read_npy_header(Input_file& file)
   const std::uint64_t version = read_little_endian(file, 1);
   if (version < 1 || version > 3)
     file.refuse("version 1, 2 or 3 of NPY expected, found " + std::to_string(version));
-  read_little_endian(file, 1);   // the minor version
+  read_little_endian(file, 1); // the minor version
   const std::uint64_t length = read_little_endian(file, version == 1 ? 2 : 4);
   if (length > Input_file::max_block_length)
     file.refuse("the header is longer than " + std::to_string(Input_file::max_block_length) + " bytes");

@@ -43,7 +43,7 @@ class Colors
 {
   Input_file& m_file;
   Point_collector& m_collector;
-  std::vector<Number_type> m_types;   // of the channels
+  std::vector<Number_type> m_types; // of the channels
   bool m_is_first_row = true;
 
 public:
@@ -113,7 +113,7 @@ void read_off(Input_file& file, Point_collector& collector)
   if (!number_of_vertices)
     file.refuse(printable(word) + " is not a number of vertices");
 
-  const std::uint64_t least_row_size = has_normals ? 11 : 5;   // digits and blanks; the last line may lack its end
+  const std::uint64_t least_row_size = has_normals ? 11 : 5; // digits and blanks; the last line may lack its end
   collector.announce(*number_of_vertices, least_row_size);
   Colors colors(file, collector);
   for (std::uint64_t i = 0; i < *number_of_vertices; ++i) {

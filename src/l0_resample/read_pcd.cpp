@@ -48,7 +48,8 @@ Targets find_targets(const Input_file& file, const Pcd_header& header)
     if (!found[k])
       file.refuse("there is no field " + std::string(names[k]));
   if (!found[3] || !found[4] || !found[5])
-    std::replace_if(targets.begin(), targets.end(), [](std::size_t target) { return target >= 3; }, unused);
+    std::replace_if(
+      targets.begin(), targets.end(), [](std::size_t target) { return target >= 3; }, unused);
   return targets;
 }
 
@@ -70,7 +71,7 @@ void keep_fields(const Pcd_header& header, Targets& targets, Point_collector& co
 {
   for (std::size_t k = 0; k < targets.size(); ++k) {
     const Pcd_field& field = header.fields[k];
-    if (targets[k] != unused || field.name == "_")   // the name of padding
+    if (targets[k] != unused || field.name == "_") // the name of padding
       continue;
     if (!field.type || field.count > max_number_of_properties - collector.number_of_properties()) {
       collector.warn("the field " + printable(field.name) + " is left out: "
@@ -100,7 +101,7 @@ void store(const Pcd_field& field, std::size_t i, const char* bytes, bool swap, 
   }
   char number[4];
   copy_number(bytes, *field.type, swap, number);
-  std::uint32_t color;   // 0xAARRGGBB
+  std::uint32_t color; // 0xAARRGGBB
   std::memcpy(&color, number, sizeof color);
   for (std::size_t k = 0; k < field.name.size(); ++k)
     *collector.property(first + k) = char(static_cast<unsigned char>(color >> (k == 3 ? 24 : 16 - 8 * k)));

@@ -57,7 +57,8 @@ Targets find_targets(const Input_file& file, const Ply_element& vertex)
     if (!found[k])
       file.refuse("the vertices have no property " + std::string(names[k]));
   if (!found[3] || !found[4] || !found[5])
-    std::replace_if(targets.begin(), targets.end(), [](std::size_t target) { return target >= 3; }, unused);
+    std::replace_if(
+      targets.begin(), targets.end(), [](std::size_t target) { return target >= 3; }, unused);
   return targets;
 }
 
@@ -76,7 +77,8 @@ class Binary_rows
 
 public:
   Binary_rows(Input_file& file, Ply_header::Encoding encoding)
-    : m_file(file), m_swap((encoding == Ply_header::Encoding::LITTLE_ENDIAN_BINARY) != is_little_endian_machine()) {}
+    : m_file(file), m_swap((encoding == Ply_header::Encoding::LITTLE_ENDIAN_BINARY) != is_little_endian_machine())
+  {}
 
   std::uint64_t least_row_size(const Ply_element& element) const { return element.least_binary_size(); }
 
@@ -118,7 +120,7 @@ private:
     const double length = decode(m_file.read_bytes(size_of(property.length_type)), property.length_type, m_swap);
     if (length < 0)
       m_file.refuse("a list of negative length");
-    m_file.skip_bytes(std::uint64_t(length) * size_of(property.type));   // below 2^32 times 8
+    m_file.skip_bytes(std::uint64_t(length) * size_of(property.type)); // below 2^32 times 8
   }
 };
 

@@ -20,10 +20,10 @@ namespace l0_tool {
 struct Read_options
 {
   std::uint64_t max_points = (std::numeric_limits<std::uint64_t>::max)();
-  std::uint64_t max_memory = (std::numeric_limits<std::uint64_t>::max)();   ///< in bytes, for all that is kept of points
-  bool drop_non_finite = false;  ///< drop and count points with a non-finite coordinate instead of refusing the file
-  bool with_normals = false;     ///< keep the normals, if the file has any
-  bool with_properties = false;  ///< keep all that the file tells of each point, and warn of what cannot be kept
+  std::uint64_t max_memory = (std::numeric_limits<std::uint64_t>::max)(); ///< in bytes, for all that is kept of points
+  bool drop_non_finite = false; ///< drop and count points with a non-finite coordinate instead of refusing the file
+  bool with_normals = false;    ///< keep the normals, if the file has any
+  bool with_properties = false; ///< keep all that the file tells of each point, and warn of what cannot be kept
 };
 
 /*!

@@ -34,7 +34,7 @@ bool is_empty_or_comment(std::string_view line)
 void read_xyz(Input_file& file, Point_collector& collector)
 {
   std::optional<std::uint64_t> announced;
-  std::size_t columns = 0;             // as in the first row
+  std::size_t columns = 0; // as in the first row
   while (std::optional<std::string_view> line = file.read_line()) {
     if (is_empty_or_comment(*line))
       continue;
@@ -44,7 +44,7 @@ void read_xyz(Input_file& file, Point_collector& collector)
       if (n == 1 && !announced) {
         announced = parse_number<std::uint64_t>(next_word(*line));
         if (announced) {
-          collector.announce(*announced, 6);   // three digits, two blanks, a line end
+          collector.announce(*announced, 6); // three digits, two blanks, a line end
           continue;
         }
       }
@@ -65,8 +65,7 @@ void read_xyz(Input_file& file, Point_collector& collector)
     file.refuse("the file ends after " + std::to_string(collector.number_of_rows())
                 + " points, its first line announced " + std::to_string(*announced));
   if (announced && collector.number_of_rows() > *announced)
-    collector.warn("more points than the " + std::to_string(*announced)
-                   + " that the first line announced; all are used");
+    collector.warn("more points than the " + std::to_string(*announced) + " that the first line announced; all are used");
 }
 
 } // namespace l0_tool

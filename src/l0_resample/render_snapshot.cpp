@@ -18,15 +18,11 @@ namespace {
 
 constexpr int panel_width = 800, panel_height = 800;
 
-float to_linear(float srgb)
-{
-  return std::pow(srgb, 2.2f);
-}
+float to_linear(float srgb) { return std::pow(srgb, 2.2f); }
 
 Color color_of(const Vector& n)
 {
-  return {to_linear(float(0.5 + 0.5 * n.x())), to_linear(float(0.5 + 0.5 * n.y())),
-          to_linear(float(0.5 + 0.5 * n.z()))};
+  return {to_linear(float(0.5 + 0.5 * n.x())), to_linear(float(0.5 + 0.5 * n.y())), to_linear(float(0.5 + 0.5 * n.z()))};
 }
 
 /// Light gray to red.
@@ -36,8 +32,8 @@ Color color_of_confidence(float confidence)
   return {gray + confidence * (red - gray), gray * (1 - confidence), gray * (1 - confidence)};
 }
 
-Image render_panel(const std::vector<Point>& points, const std::vector<Vector>& normals, const std::vector<float>& confidences,
-                   const Camera& camera)
+Image render_panel(const std::vector<Point>& points, const std::vector<Vector>& normals,
+                   const std::vector<float>& confidences, const Camera& camera)
 {
   const bool has_normals = !normals.empty();
   std::vector<Splat> splats;

@@ -77,13 +77,14 @@ std::string report_as_json(const Options& options, const Run_record& record)
   if (!record.error.empty())
     json["error"] = record.error;
   json["warnings"] = record.warnings;
-  json["input"] = {{"file", options.input}, {"points", report.number_of_input_points},
+  json["input"] = {{"file", options.input},
+                   {"points", report.number_of_input_points},
                    {"dropped_points", report.number_of_dropped_points}};
   json["output"] = {{"file", options.output}, {"points", report.number_of_output_points}};
   json["parameters"] = parameters_as_json(options);
   json["device"] = {{"used", report.device}, {"reason", report.device_reason}};
-  json["seconds"] = {{"read", record.seconds_to_read}, {"resample", record.seconds_to_resample},
-                     {"write", record.seconds_to_write}};
+  json["seconds"] = {
+    {"read", record.seconds_to_read}, {"resample", record.seconds_to_resample}, {"write", record.seconds_to_write}};
   json["resampling"] = report_as_json(report);
   // File names are bytes, JSON is UTF-8: what is not becomes U+FFFD
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -21,11 +21,11 @@ namespace l0_tool {
 struct Run_record
 {
   Exit_status status = SUCCESS;
-  std::string error;                       ///< the line on standard error, empty if all went well
+  std::string error; ///< the line on standard error, empty if all went well
   std::vector<std::string> warnings;
   double seconds_to_read = 0;
   double seconds_to_resample = 0;
-  double seconds_to_write = 0;             ///< the result, without snapshot and report
+  double seconds_to_write = 0; ///< the result, without snapshot and report
   CGAL::L0_resampling::Report report;
 };
 

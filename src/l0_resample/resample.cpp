@@ -43,14 +43,17 @@ void call(const Point_cloud& cloud, const Options& options, const NamedParameter
   using Normal_map = decltype(CGAL::make_property_map(cloud.normals.data()));
   const Normal_map normals = CGAL::make_property_map(cloud.normals.data());
   const auto if_asked_for = [&](bool is) { return is ? std::make_optional(normals) : std::nullopt; };
-  std::vector<std::uint32_t> sources(options.with_source_indices ? number_of_output_points(options, cloud.points.size()) : 0);
-  result.feature_confidences.resize(options.with_feature_confidences ? number_of_output_points(options, cloud.points.size()) : 0);
+  std::vector<std::uint32_t> sources(options.with_source_indices ? number_of_output_points(options, cloud.points.size())
+                                                                 : 0);
+  result.feature_confidences.resize(
+    options.with_feature_confidences ? number_of_output_points(options, cloud.points.size()) : 0);
   const auto source_map = CGAL::make_property_map(sources.data());
   const auto confidence_map = CGAL::make_property_map(result.feature_confidences.data());
 
   const auto whole_np = np.orientation_hint_map(if_asked_for(options.orient_by_normals))
                           .source_index_map(options.with_source_indices ? std::make_optional(source_map) : std::nullopt)
-                          .feature_confidence_map(options.with_feature_confidences ? std::make_optional(confidence_map) : std::nullopt);
+                          .feature_confidence_map(options.with_feature_confidences ? std::make_optional(confidence_map)
+                                                                                   : std::nullopt);
   const auto write = [&](std::size_t size, const auto& pair_of, const internal::Point_data& data) {
     internal::write_point_data(whole_np, data, size, [](std::size_t i) { return i; });
     result.points.reserve(size);
@@ -58,25 +61,24 @@ void call(const Point_cloud& cloud, const Options& options, const NamedParameter
       result.points.push_back(pair_of(i));
     result.properties = carried_properties(cloud.properties, data.near_points, sources, result.feature_confidences, size);
   };
-  internal::l0_resample_point_set<Tag, Kernel>(boost::irange(std::size_t(0), cloud.points.size()),
-                                               CGAL::make_property_map(cloud.points.data()), if_asked_for(options.use_normals),
-                                               cloud.properties.properties().empty() ? 0 : internal::number_of_averaged_points,
-                                               write, whole_np);
+  internal::l0_resample_point_set<Tag, Kernel>(
+    boost::irange(std::size_t(0), cloud.points.size()), CGAL::make_property_map(cloud.points.data()),
+    if_asked_for(options.use_normals), cloud.properties.properties().empty() ? 0 : internal::number_of_averaged_points,
+    write, whole_np);
 }
 
 template <typename Solver_traits>
 Solver_traits iterative_solver(const Options& options)
 {
-  constexpr double tolerance = 1e-5;    // as by default
-  return options.solver_iterations ? Solver_traits(tolerance, std::size_t(*options.solver_iterations))
-                                   : Solver_traits();
+  constexpr double tolerance = 1e-5; // as by default
+  return options.solver_iterations ? Solver_traits(tolerance, std::size_t(*options.solver_iterations)) : Solver_traits();
 }
 
 template <typename NamedParameters>
 void call_with_solver(const Point_cloud& cloud, const Options& options, const NamedParameters& np, Resampled_points& result)
 {
   using namespace CGAL::L0_resampling;
-  using Block_cg = Block_conjugate_gradient_solver_traits<float, Concurrency_tag>;   // the function's own default
+  using Block_cg = Block_conjugate_gradient_solver_traits<float, Concurrency_tag>; // the function's own default
   using Rows_cg = Eigen_least_squares_solver_traits<double>;
   switch (options.solver) {
   case Solver::BLOCK_CG:
@@ -110,8 +112,8 @@ bool is_device_usable(const Options& options, std::string& reason)
 /// Runs on the device.
 /// \returns whether it did; if not, and the options leave the choice to the program, `reason` says why
 template <typename NamedParameters>
-bool call_on_device(const Point_cloud& cloud, const Options& options, const NamedParameters& np, Resampled_points& result,
-                    std::string& reason)
+bool call_on_device(const Point_cloud& cloud, const Options& options, const NamedParameters& np,
+                    Resampled_points& result, std::string& reason)
 {
   if (options.device == Device::CPU || (options.device == Device::AUTO && !is_device_usable(options, reason)))
     return false;
@@ -151,8 +153,9 @@ Resampled_points resample(const Point_cloud& cloud, const Options& options, cons
   std::optional<tbb::global_control> limit;
   if (options.threads)
     limit.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(*options.threads));
-  const char* normals_wanted_by =
-    options.use_normals ? "--use-normals" : options.orient_by_normals ? "--orient-by-normals" : nullptr;
+  const char* normals_wanted_by = options.use_normals         ? "--use-normals"
+                                  : options.orient_by_normals ? "--orient-by-normals"
+                                                              : nullptr;
   if (normals_wanted_by && cloud.normals.empty() && !cloud.points.empty())
     throw Failure(INPUT_REFUSED, options.input + ": " + normals_wanted_by + " is given, but the file has no normals");
 

@@ -62,7 +62,7 @@ Resampled_points resample_input(const Point_cloud& cloud, const Options& options
   };
   Resampled_points result = resample(cloud, options, callback, record.report);
   throw_if_interrupted();
-  record.report.number_of_dropped_points = cloud.number_of_dropped_points;   // the reader drops them, not the library
+  record.report.number_of_dropped_points = cloud.number_of_dropped_points; // the reader drops them, not the library
   record.seconds_to_resample = stopwatch.seconds();
   return result;
 }
@@ -96,8 +96,7 @@ void resample_file(const Options& options, Run_record& record)
 
 void print_summary(const Options& options, const Run_record& record)
 {
-  const bool is_taken =
-    is_standard_output(options.output) || (!options.json.empty() && is_standard_output(options.json));
+  const bool is_taken = is_standard_output(options.output) || (!options.json.empty() && is_standard_output(options.json));
   std::ostream& stream = is_taken ? std::cerr : std::cout;
   stream << summary_line(options, record) << std::flush;
   if (!stream)
@@ -129,7 +128,8 @@ Run_record run(const Options& options)
     if (!options.convert_only)
       return resample_file(options, record);
     Progress_bar progress(options.quiet);
-    convert_file(options, [&](double share) { progress.update("read", share); }, record);
+    convert_file(
+      options, [&](double share) { progress.update("read", share); }, record);
   });
   return record;
 }

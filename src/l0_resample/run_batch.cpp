@@ -62,7 +62,7 @@ Exit_status common_status(const std::vector<Exit_status>& statuses)
 
 Exit_status run_batch(const Command& command)
 {
-  Run_record batch;   // what concerns no single file
+  Run_record batch; // what concerns no single file
   guarded(batch, [&]() { prepare(command); });
   if (batch.status != SUCCESS) {
     print_error(batch.error);

@@ -19,19 +19,16 @@ namespace {
 std::atomic<int> noted_signal{0};
 static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may touch lock-free atomics only");
 
-void note_signal(int signal)
-{
-  noted_signal = signal;
-}
+void note_signal(int signal) { noted_signal = signal; }
 
 void handle(int signal, int flags)
 {
   struct sigaction action = {};
   if (sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN)
-    return;   // started by nohup or in the background of a script: whoever did that wants it ignored
+    return; // started by nohup or in the background of a script: whoever did that wants it ignored
   action = {};
   action.sa_handler = note_signal;
-  action.sa_flags = flags;           // without SA_RESTART, so that a blocked read() or write() returns
+  action.sa_flags = flags; // without SA_RESTART, so that a blocked read() or write() returns
   sigemptyset(&action.sa_mask);
   sigaction(signal, &action, nullptr);
 }
@@ -51,16 +48,13 @@ void catch_signals(double timeout)
     const double seconds = std::floor(timeout);
     itimerval timer = {};
     timer.it_value.tv_sec = time_t(seconds);
-    timer.it_value.tv_usec = suseconds_t((timeout - seconds) * 999999) + 1;  // 0 would switch the timer off
-    timer.it_interval.tv_usec = 100000;   // again and again, for a read() that began just after the first
+    timer.it_value.tv_usec = suseconds_t((timeout - seconds) * 999999) + 1; // 0 would switch the timer off
+    timer.it_interval.tv_usec = 100000; // again and again, for a read() that began just after the first
     setitimer(ITIMER_REAL, &timer, nullptr);
   }
 }
 
-bool is_interrupted()
-{
-  return noted_signal != 0;
-}
+bool is_interrupted() { return noted_signal != 0; }
 
 void throw_if_interrupted()
 {

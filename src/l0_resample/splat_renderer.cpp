@@ -13,7 +13,7 @@
 namespace l0_tool {
 namespace {
 
-constexpr int samples_per_side = 4;   // of a pixel, squared for the whole of it
+constexpr int samples_per_side = 4; // of a pixel, squared for the whole of it
 constexpr float rim_darkness = 0.35f;
 constexpr float nothing = std::numeric_limits<float>::lowest();
 
@@ -41,9 +41,9 @@ template <typename Visitor>
 void for_each_cell(const Splat& splat, float radius, int cells, const Rectangle& region, const Visitor& visit)
 {
   const float cx = splat.center.x * float(cells), cy = splat.center.y * float(cells), r = radius * float(cells);
-  if (!(cx + r > float(region.x_begin) && cx - r < float(region.x_end)
-        && cy + r > float(region.y_begin) && cy - r < float(region.y_end)))
-    return;                           // also what is too far away for an int
+  if (!(cx + r > float(region.x_begin) && cx - r < float(region.x_end) && cy + r > float(region.y_begin)
+        && cy - r < float(region.y_end)))
+    return; // also what is too far away for an int
   // A disc seen from its edge would be a line: it stays 2.4 pixels wide, and a third of its height
   const float least_nz = (std::clamp)(1.2f / radius, 0.33f, 1.f);
   const float nz = std::copysign((std::max)(std::abs(splat.normal[2]), least_nz), splat.normal[2]);
@@ -66,27 +66,35 @@ Depth_map closed_surface(const std::vector<Splat>& splats, float radius, int wid
 {
   Depth_map surface(width, height);
   for (const Splat& splat : splats)
-    for_each_cell(splat, radius, 1, Rectangle{0, 0, width, height}, [&](int x, int y, float depth, float) {
-      surface.at(x, y) = (std::max)(surface.at(x, y), depth);
-    });
+    for_each_cell(splat, radius, 1, Rectangle{0, 0, width, height},
+                  [&](int x, int y, float depth, float) { surface.at(x, y) = (std::max)(surface.at(x, y), depth); });
   return surface;
 }
 
 /// The normal of the plane that fits the depths around a pixel best.
-std::array<float, 3> normal_of_surface(const Depth_map& surface, const Projected_point& center, int reach,
-                                       float tolerance)
+std::array<float, 3> normal_of_surface(const Depth_map& surface, const Projected_point& center, int reach, float tolerance)
 {
   float n = 0, x_sum = 0, y_sum = 0, z_sum = 0, xx = 0, xy = 0, yy = 0, xz = 0, yz = 0;
   for (int y = (std::max)(0, int(center.y) - reach); y <= (std::min)(surface.height - 1, int(center.y) + reach); ++y)
     for (int x = (std::max)(0, int(center.x) - reach); x <= (std::min)(surface.width - 1, int(center.x) + reach); ++x) {
       const float dx = float(x) - center.x, dy = float(y) - center.y, dz = surface.at(x, y) - center.depth;
       if (std::abs(dz) > tolerance)
-        continue;                    // background, or another part of the object
-      n += 1; x_sum += dx; y_sum += dy; z_sum += dz;
-      xx += dx * dx; xy += dx * dy; yy += dy * dy; xz += dx * dz; yz += dy * dz;
+        continue; // background, or another part of the object
+      n += 1;
+      x_sum += dx;
+      y_sum += dy;
+      z_sum += dz;
+      xx += dx * dx;
+      xy += dx * dy;
+      yy += dy * dy;
+      xz += dx * dz;
+      yz += dy * dz;
     }
-  xx -= x_sum * x_sum / n; xy -= x_sum * y_sum / n; yy -= y_sum * y_sum / n;
-  xz -= x_sum * z_sum / n; yz -= y_sum * z_sum / n;
+  xx -= x_sum * x_sum / n;
+  xy -= x_sum * y_sum / n;
+  yy -= y_sum * y_sum / n;
+  xz -= x_sum * z_sum / n;
+  yz -= y_sum * z_sum / n;
   const float determinant = xx * yy - xy * xy;
   if (!(n >= 3 && determinant > 0))
     return {0, 0, 1};
@@ -105,8 +113,7 @@ float brightness(std::array<float, 3> normal, float lamp_share)
 }
 
 /// The splats on the surface that is seen, lit.
-std::vector<Splat> visible_splats(const std::vector<Splat>& splats, float spacing, bool has_normals, int width,
-                                  int height)
+std::vector<Splat> visible_splats(const std::vector<Splat>& splats, float spacing, bool has_normals, int width, int height)
 {
   const float closing_radius = (std::max)((has_normals ? 1.4f : 1.1f) * spacing, 1.5f);
   // Discs without a normal face the eye, and so miss slopes
@@ -125,7 +132,7 @@ std::vector<Splat> visible_splats(const std::vector<Splat>& splats, float spacin
       const int reach = (std::clamp)(int(3 * spacing), 3, 24);
       splat.normal = normal_of_surface(surface, center, reach, 4 * float(reach));
     }
-    const float light = brightness(splat.normal, has_normals ? 0.25f : 0.8f);   // colors show the shape already
+    const float light = brightness(splat.normal, has_normals ? 0.25f : 0.8f); // colors show the shape already
     for (float& channel : splat.color)
       channel *= light;
     visible.push_back(splat);
@@ -146,7 +153,7 @@ void draw_band(const std::vector<Splat>& splats, float radius, int begin, int en
       if (depth <= depths[i])
         return;
       depths[i] = depth;
-      const float shade = 1 - rim_darkness * squared_share * squared_share;   // tells discs apart that touch
+      const float shade = 1 - rim_darkness * squared_share * squared_share; // tells discs apart that touch
       for (std::size_t k = 0; k < 3; ++k)
         colors[i][k] = shade * splat.color[k];
     });
@@ -173,7 +180,7 @@ Image render_splats(const std::vector<Splat>& splats, float spacing, bool has_no
   const std::vector<Splat> visible = visible_splats(splats, spacing, has_normals, width, height);
   const float disc_radius = (std::clamp)(0.5f * spacing + 0.25f, 0.7f, 0.02f * float(width));
 
-  constexpr int rows_per_band = 50;   // bounds the memory of the fine samples
+  constexpr int rows_per_band = 50; // bounds the memory of the fine samples
   Image image(width, height, {1, 1, 1});
   for (int begin = 0; begin < height; begin += rows_per_band)
     draw_band(visible, disc_radius, begin, (std::min)(begin + rows_per_band, height), image);

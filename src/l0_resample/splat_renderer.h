@@ -18,7 +18,7 @@ namespace l0_tool {
 struct Splat
 {
   Projected_point center;
-  std::array<float, 3> normal;   ///< in the directions of `Projected_point`, unit length; (0, 0, 1) faces the eye
+  std::array<float, 3> normal; ///< in the directions of `Projected_point`, unit length; (0, 0, 1) faces the eye
   Color color;
 };
 

@@ -21,13 +21,13 @@ namespace {
 
 using Row = std::array<double, 6>;
 
-constexpr std::size_t longest_number = 24;   // "-2.2250738585072014e-308"
+constexpr std::size_t longest_number = 24; // "-2.2250738585072014e-308"
 
 /// What stands in a row of a file.
 struct Layout
 {
   bool has_normals;
-  bool is_single;                       ///< coordinates and normals, that is
+  bool is_single; ///< coordinates and normals, that is
   std::vector<Output_column> others;
 
   std::size_t number_of_coordinates() const { return has_normals ? 6 : 3; }
@@ -41,7 +41,8 @@ class Oriented_rows
 
 public:
   Oriented_rows(const std::vector<Oriented_point>& points, const Property_table& properties)
-    : m_points(points), m_properties(properties) {}
+    : m_points(points), m_properties(properties)
+  {}
 
   std::size_t size() const { return m_points.size(); }
   const Point& point(std::size_t i) const { return m_points[i].first; }
@@ -150,9 +151,14 @@ std::string ply_name(Number_type type)
 char pcd_letter(Number_type type)
 {
   switch (type) {
-  case Number_type::INT8: case Number_type::INT16: case Number_type::INT32: return 'I';
-  case Number_type::UINT8: case Number_type::UINT16: case Number_type::UINT32: return 'U';
-  case Number_type::FLOAT32: case Number_type::FLOAT64: break;
+  case Number_type::INT8:
+  case Number_type::INT16:
+  case Number_type::INT32: return 'I';
+  case Number_type::UINT8:
+  case Number_type::UINT16:
+  case Number_type::UINT32: return 'U';
+  case Number_type::FLOAT32:
+  case Number_type::FLOAT64: break;
   }
   return 'F';
 }
@@ -218,10 +224,7 @@ std::string header_of(File_format format, std::size_t number_of_points, const La
   return npy_header(number_of_points, layout);
 }
 
-bool is_text(File_format format)
-{
-  return format == File_format::OFF || format == File_format::XYZ;
-}
+bool is_text(File_format format) { return format == File_format::OFF || format == File_format::XYZ; }
 
 template <typename Rows>
 void write_rows(const std::string& path, File_format format, const Rows& rows, Layout layout)

@@ -31,8 +31,7 @@ std::vector<std::string> write_points(const std::string& path, File_format forma
 std::vector<std::string> write_point_cloud(const std::string& path, File_format format, const Point_cloud& cloud);
 
 /// At least the number of bytes that the functions above will write.
-std::uint64_t largest_file_size(File_format format, std::uint64_t number_of_points,
-                                const Property_table& properties = {});
+std::uint64_t largest_file_size(File_format format, std::uint64_t number_of_points, const Property_table& properties = {});
 
 } // namespace l0_tool
 

@@ -70,25 +70,22 @@ Eigen::VectorXd test::solve_with_ceres(const Paper_problem& paper)
   std::vector<Vector> p = paper.samples;
   ceres::Problem problem;
   for (const auto& t : paper.fit)
-    problem.AddResidualBlock(
-      new ceres::AutoDiffCostFunction<Fit_residual, 3, 3>(new Fit_residual{std::sqrt(1 / t.v), t.q}),
-      nullptr, p[t.i].data());
+    problem.AddResidualBlock(new ceres::AutoDiffCostFunction<Fit_residual, 3, 3>(new Fit_residual{std::sqrt(1 / t.v), t.q}),
+                             nullptr, p[t.i].data());
   for (const auto& t : paper.pairs)
   {
     if (paper.alpha > 0)
-      problem.AddResidualBlock(
-        new ceres::AutoDiffCostFunction<Regularization_residual, 3, 3, 3>(
-          new Regularization_residual{std::sqrt(paper.alpha * t.stretch / paper.densities[t.i])}),
-        nullptr, p[t.i].data(), p[t.k].data());
-    problem.AddResidualBlock(
-      new ceres::AutoDiffCostFunction<Normal_residual, 1, 3, 3>(
-        new Normal_residual{std::sqrt(paper.beta), paper.normals[t.i], t.offset}),
-      nullptr, p[t.i].data(), p[t.k].data());
+      problem.AddResidualBlock(new ceres::AutoDiffCostFunction<Regularization_residual, 3, 3, 3>(
+                                 new Regularization_residual{std::sqrt(paper.alpha * t.stretch / paper.densities[t.i])}),
+                               nullptr, p[t.i].data(), p[t.k].data());
+    problem.AddResidualBlock(new ceres::AutoDiffCostFunction<Normal_residual, 1, 3, 3>(
+                               new Normal_residual{std::sqrt(paper.beta), paper.normals[t.i], t.offset}),
+                             nullptr, p[t.i].data(), p[t.k].data());
   }
 
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
-  options.initial_trust_region_radius = 1e16;  // no damping: the problem is quadratic
+  options.initial_trust_region_radius = 1e16; // no damping: the problem is quadratic
   options.max_trust_region_radius = 1e32;
   options.function_tolerance = options.gradient_tolerance = options.parameter_tolerance = 1e-16;
   options.logging_type = ceres::SILENT;

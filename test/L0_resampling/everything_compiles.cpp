@@ -41,20 +41,23 @@ void resample()
   std::vector<Pair> result;
   CGAL::l0_resample_point_set<ConcurrencyTag>(points, std::back_inserter(result));
   CGAL::l0_resample_point_set<ConcurrencyTag>(pairs, std::back_inserter(result),
-    parameters::point_map(CGAL::First_of_pair_property_map<Pair>())
-      .normal_map(CGAL::Second_of_pair_property_map<Pair>())
-      .callback([](double) { return true; }) | parameters::resampling_method(Method::LOR));
-  if constexpr (!std::is_same_v<ConcurrencyTag, CGAL::CUDA_tag>)   // which has its own solver
+                                              parameters::point_map(CGAL::First_of_pair_property_map<Pair>())
+                                                  .normal_map(CGAL::Second_of_pair_property_map<Pair>())
+                                                  .callback([](double) { return true; })
+                                                | parameters::resampling_method(Method::LOR));
+  if constexpr (!std::is_same_v<ConcurrencyTag, CGAL::CUDA_tag>) // which has its own solver
   {
-    CGAL::l0_resample_point_set<ConcurrencyTag>(
-      points, std::back_inserter(result), parameters::sparse_linear_solver(Eigen_cholesky_solver_traits<>()));
-    CGAL::l0_resample_point_set<ConcurrencyTag>(
-      points, std::back_inserter(result), parameters::sparse_linear_solver(Eigen_least_squares_solver_traits<>()));
+    CGAL::l0_resample_point_set<ConcurrencyTag>(points, std::back_inserter(result),
+                                                parameters::sparse_linear_solver(Eigen_cholesky_solver_traits<>()));
+    CGAL::l0_resample_point_set<ConcurrencyTag>(points, std::back_inserter(result),
+                                                parameters::sparse_linear_solver(Eigen_least_squares_solver_traits<>()));
     std::vector<std::size_t> sources;
     std::vector<double> confidences;
     CGAL::l0_resample_point_set<ConcurrencyTag>(points, std::back_inserter(result),
-      parameters::source_index_map(CGAL::make_property_map(sources)).viewpoint(typename Kernel::Point_3(0, 0, 1))
-        .feature_confidence_map(CGAL::make_property_map(confidences)).keep_density(true));
+                                                parameters::source_index_map(CGAL::make_property_map(sources))
+                                                  .viewpoint(typename Kernel::Point_3(0, 0, 1))
+                                                  .feature_confidence_map(CGAL::make_property_map(confidences))
+                                                  .keep_density(true));
   }
 
   CGAL::Point_set_3<typename Kernel::Point_3> point_set, resampled;

@@ -20,8 +20,8 @@ namespace test {
 struct Scene
 {
   static constexpr double radius = 0.8;
-  Minimization_parameters parameters{std::pow(radius, 2), std::pow(0.4 * radius, 2), 0.25 * radius,
-                                     0.9, 0.15, 0.1, 2, 1.5, false};
+  Minimization_parameters parameters{
+    std::pow(radius, 2), std::pow(0.4 * radius, 2), 0.25 * radius, 0.9, 0.15, 0.1, 2, 1.5, false};
   Samples<double> samples{Counting_allocator<Vector>()};
   Neighborhoods neighbors;
   Fit_rows rows;
@@ -53,7 +53,6 @@ struct Scene
       samples.fit_centroids[i] = sum / samples.fit_weights[i];
     }
   }
-
 };
 
 /// What the solver of Algorithm 1 sees in one iteration.

@@ -94,7 +94,8 @@ points grown by one radius, up to the rounding of the kernel's numbers; normals 
 two of them equal unless the input had fewer distinct points.
 */
 template <typename Kernel>
-std::string fault_of(const std::vector<typename Kernel::Point_3>& points, const Resampled<Kernel>& result, std::size_t expected_size)
+std::string fault_of(const std::vector<typename Kernel::Point_3>& points, const Resampled<Kernel>& result,
+                     std::size_t expected_size)
 {
   std::ostringstream fault;
   if (result.pairs.size() != expected_size)
@@ -111,8 +112,8 @@ std::string fault_of(const std::vector<typename Kernel::Point_3>& points, const 
       high = high.cwiseMax(as_vector(point));
     }
   const Vector radius = Vector::Constant(result.report.neighbor_radius);
-  const Vector rounding =
-    double(std::numeric_limits<typename Kernel::FT>::epsilon()) * (low.cwiseAbs().cwiseMax(high.cwiseAbs()) + radius);
+  const Vector rounding = double(std::numeric_limits<typename Kernel::FT>::epsilon())
+                          * (low.cwiseAbs().cwiseMax(high.cwiseAbs()) + radius);
   const Vector margin = radius + rounding;
 
   std::size_t not_finite = 0, outside = 0, not_unit = 0;
@@ -126,7 +127,8 @@ std::string fault_of(const std::vector<typename Kernel::Point_3>& points, const 
     not_unit += !(std::abs(n.norm() - 1) <= 1e-6);
   }
   if (not_finite + outside + not_unit > 0)
-    fault << "; " << not_finite << " not finite, " << outside << " outside of the box, " << not_unit << " normals not of length 1";
+    fault << "; " << not_finite << " not finite, " << outside << " outside of the box, " << not_unit
+          << " normals not of length 1";
 
   const std::size_t distinct_inputs = number_of_distinct<Kernel>(points);
   const bool may_repeat = distinct_inputs < points.size() && distinct_inputs < expected_size;
@@ -138,8 +140,8 @@ std::string fault_of(const std::vector<typename Kernel::Point_3>& points, const 
 
 /// Checks that the result is clean, and says which case it is if not.
 template <typename Kernel>
-void check_clean(const std::string& name, const std::vector<typename Kernel::Point_3>& points, const Resampled<Kernel>& result,
-                 std::size_t expected_size)
+void check_clean(const std::string& name, const std::vector<typename Kernel::Point_3>& points,
+                 const Resampled<Kernel>& result, std::size_t expected_size)
 {
   const std::string fault = fault_of<Kernel>(points, result, expected_size);
   if (!CHECK(fault.empty()))

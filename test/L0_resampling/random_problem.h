@@ -22,8 +22,18 @@ namespace test {
 /// The symbols of Eq. (10) as the paper has them, nothing collapsed and nothing multiplied out.
 struct Paper_problem
 {
-  struct Fit_term { std::size_t i; Vector q; double v; };                               // |p_i - q_j|^2 / v_j
-  struct Pair_term { std::size_t i, k; double stretch; double offset; };                // ordered: theta_ik, delta_ik
+  struct Fit_term
+  {
+    std::size_t i;
+    Vector q;
+    double v;
+  }; // |p_i - q_j|^2 / v_j
+  struct Pair_term
+  {
+    std::size_t i, k;
+    double stretch;
+    double offset;
+  }; // ordered: theta_ik, delta_ik
 
   std::vector<Vector> samples;   // current positions o_i
   std::vector<Vector> normals;   // n_i
@@ -48,8 +58,7 @@ struct Paper_problem
 
 /// A noisy cube of side 3; self neighbors are closer than half of the radius 1.5. The last three samples are isolated:
 /// one input point and no self neighbor. The offsets are random: Eq. (10) does not ask that delta_ik be -delta_ki.
-inline Paper_problem random_paper_problem(std::size_t number_of_samples, double alpha, double beta,
-                                          Generator& generator)
+inline Paper_problem random_paper_problem(std::size_t number_of_samples, double alpha, double beta, Generator& generator)
 {
   const double radius = 1.5;
   Oriented_points input = cube_points(5 * number_of_samples, 3, generator);
@@ -132,7 +141,7 @@ public:
       origins(flat(paper.samples))
   {
     const std::vector<Vector>& o = paper.samples;
-    std::vector<Vector> pulls(o.size(), Vector::Zero());  // minus half of the gradient of Eq. (10) at o
+    std::vector<Vector> pulls(o.size(), Vector::Zero()); // minus half of the gradient of Eq. (10) at o
     std::vector<Vector> fit_points;
     for (const auto& t : paper.fit)
     {

@@ -64,14 +64,15 @@ inline std::vector<Vector> permuted(const Buffer<Index>& order, const std::vecto
 /// Points in the order that a grid wants, and the grid.
 struct Gridded_points
 {
-  Buffer<Index> order;          ///< where each point was
-  std::vector<Vector> vector;   ///< the points, for naive implementations
-  Buffer<Vector> points;        ///< the same, for stages
+  Buffer<Index> order;        ///< where each point was
+  std::vector<Vector> vector; ///< the points, for naive implementations
+  Buffer<Vector> points;      ///< the same, for stages
   Search_grid_3 grid;
 
   Gridded_points(const std::vector<Vector>& unsorted, double cell_size)
     : order(Search_grid_3::sorted_order<CGAL::Sequential_tag>(to_buffer(unsorted), cell_size)),
-      vector(permuted(order, unsorted)), points(to_buffer(vector)), grid(points, cell_size) {}
+      vector(permuted(order, unsorted)), points(to_buffer(vector)), grid(points, cell_size)
+  {}
 };
 
 /// The angle between two lines in degrees, in [0, 90].
@@ -100,9 +101,8 @@ inline std::vector<Vector> far_points(Generator& generator)
 {
   const double end = 1 << 20;
   std::vector<Vector> points;
-  for (const Vector& center :
-       {Vector(0, 0, 0), Vector(end, 0, 0), Vector(end + 40, -end, 3), Vector(-end - 40, 0, 5), Vector(1e9, 0, 0),
-        Vector(1e9, 1e9, -1e9), Vector(-1e9, 0, 2e9), Vector(3e13, 7, 5e12)})
+  for (const Vector& center : {Vector(0, 0, 0), Vector(end, 0, 0), Vector(end + 40, -end, 3), Vector(-end - 40, 0, 5),
+                               Vector(1e9, 0, 0), Vector(1e9, 1e9, -1e9), Vector(-1e9, 0, 2e9), Vector(3e13, 7, 5e12)})
     for (int n = 0; n < 40; ++n)
       points.push_back(center + 2 * random_unit_vector(generator));
   return points;

@@ -50,7 +50,8 @@ struct Maps
 };
 
 template <typename Tag, typename K, typename NamedParameters>
-test::Pairs<K> resample_with_maps(const std::vector<typename K::Point_3>& points, std::size_t size, const NamedParameters& np, Maps& maps)
+test::Pairs<K> resample_with_maps(const std::vector<typename K::Point_3>& points, std::size_t size,
+                                  const NamedParameters& np, Maps& maps)
 {
   test::Pairs<K> result;
   maps.sources.assign(size, std::numeric_limits<std::size_t>::max());
@@ -75,7 +76,7 @@ void check_maps(const std::string& name, const std::vector<Vector>& input, std::
   CHECK(maps.sources == parallel_maps.sources && maps.confidences == parallel_maps.confidences);
   test::Pairs<K> without;
   CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(points, std::back_inserter(without), np);
-  CHECK(test::are_identical<K>(result, without));   // to be asked changes nothing
+  CHECK(test::are_identical<K>(result, without)); // to be asked changes nothing
 
   bool are_nearest = result.size() == size, are_confidences = true;
   for (std::size_t i = 0; i < result.size(); ++i)
@@ -95,18 +96,18 @@ void test_source_indices()
   check_maps<Kernel>("more than the input", points, 3000, params::number_of_output_points(3000));
   check_maps<CGAL::Simple_cartesian<float>>("float", points, 750, params::select_percentage(50));
 
-  for (std::size_t i = 0; i < 300; ++i)   // the same points again: the first of each pair is meant
+  for (std::size_t i = 0; i < 300; ++i) // the same points again: the first of each pair is meant
     points.push_back(points[2 * i]);
   points.emplace_back(1e9, 0, 0);
   check_maps<Kernel>("duplicates and an outlier", points, 900, params::number_of_output_points(900));
-  for (std::size_t i : {0, 7, 500})       // the places in the range are meant, not those among the finite points
+  for (std::size_t i : {0, 7, 500}) // the places in the range are meant, not those among the finite points
     points[i][1] = std::numeric_limits<double>::quiet_NaN();
   check_maps<Kernel>("dropped points", points, 900, params::number_of_output_points(900) | params::drop_non_finite(true));
   check_maps<Kernel>("one place", std::vector<Vector>(40, Vector(1, 2, 3)), 20, params::select_percentage(50));
   check_maps<Kernel>("one point", {Vector(1, 2, 3)}, 1, params::select_percentage(50));
   check_maps<Kernel>("no point", {}, 0, params::select_percentage(50));
 
-  std::vector<Vector> lattice;            // where the result is as far from two points or more
+  std::vector<Vector> lattice; // where the result is as far from two points or more
   for (int x = 0; x < 20; ++x)
     for (int y = 0; y < 20; ++y)
       lattice.emplace_back(x, y, 0);
@@ -139,9 +140,17 @@ void test_throwing_map()
 
 // CGAL 5 answers with a pair, CGAL 6 with an optional.
 template <typename Map>
-Map map_of(const std::pair<Map, bool>& found) { CHECK(found.second); return found.first; }
+Map map_of(const std::pair<Map, bool>& found)
+{
+  CHECK(found.second);
+  return found.first;
+}
 template <typename Optional, typename = typename Optional::value_type>
-typename Optional::value_type map_of(const Optional& found) { CHECK(found.has_value()); return *found; }
+typename Optional::value_type map_of(const Optional& found)
+{
+  CHECK(found.has_value());
+  return *found;
+}
 
 template <typename T>
 Point_set::Property_map<T> add_map(Point_set& points, const std::string& name, T value)
@@ -176,15 +185,15 @@ void test_properties()
     word[i] = p.x() > 0 ? "right" : "left";
     flag[i] = p.x() > 0;
   }
-  points.remove(points.begin() + 5);   // the last one takes its place in the range, and not among the indices
+  points.remove(points.begin() + 5); // the last one takes its place in the range, and not among the indices
 
   Point_set result, plain;
   result.insert(Kernel::Point_3(9, 9, 9));
   const auto own = add_map(result, "own", 5);
   auto source = add_map<std::size_t>(result, "source", 12345);
   const auto confidence = add_map(result, "confidence", -1.f);
-  CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(points, result,
-                                                               params::source_index_map(source).feature_confidence_map(confidence));
+  CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(
+    points, result, params::source_index_map(source).feature_confidence_map(confidence));
   Point_set bare;
   for (const Point_set::Index& i : points)
     bare.insert(points.point(i));
@@ -207,7 +216,8 @@ void test_properties()
   for (std::size_t k = 1; k < result.size(); ++k)
   {
     const Point_set::Index i = *(result.begin() + std::ptrdiff_t(k)), j = *(points.begin() + std::ptrdiff_t(source[i]));
-    are_same = are_same && result.point(i) == plain.point(k - 1) && result.normal(i) == plain.normal(k - 1) && confidence[i] >= 0;
+    are_same = are_same && result.point(i) == plain.point(k - 1) && result.normal(i) == plain.normal(k - 1)
+               && confidence[i] >= 0;
     are_nearest = are_nearest && result_label[i] == label[j] && result_byte[i] == byte[j] && result_word[i] == word[j]
                   && result_flag[i] == flag[j];
     are_constant = are_constant && result_weight[i] == 0.1f && result_green[i] == 77 && result_color[i].g() == 20;
@@ -216,8 +226,8 @@ void test_properties()
     largest_error = (std::max)(largest_error, std::abs(result_height[i] - result.point(i).z()));
   }
   CHECK(are_same && are_nearest && are_constant && are_alike);
-  CHECK(number_of_mixed > 10 && number_of_mixed < result.size() / 5);   // where left meets right, and nowhere else
-  CHECK(largest_error < 0.05);                                          // a few spacings
+  CHECK(number_of_mixed > 10 && number_of_mixed < result.size() / 5); // where left meets right, and nowhere else
+  CHECK(largest_error < 0.05);                                        // a few spacings
   CHECK(!map_of(result.property_map<bool>("flag"))[0] && result_height[0] == 0);
 }
 

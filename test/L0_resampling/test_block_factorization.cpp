@@ -23,8 +23,8 @@ namespace internal = CGAL::L0_resampling::internal;
 template <typename FT>
 internal::Block_factorization<FT> factorize(const Eigen::Matrix3d& block)
 {
-  return internal::factorize_block({FT(block(0, 0)), FT(block(0, 1)), FT(block(0, 2)), FT(block(1, 1)), FT(block(1, 2)),
-                                    FT(block(2, 2))});
+  return internal::factorize_block(
+    {FT(block(0, 0)), FT(block(0, 1)), FT(block(0, 2)), FT(block(1, 1)), FT(block(1, 2)), FT(block(2, 2))});
 }
 
 /// weight * I plus a few normals, as in `Quadratic_problem`; `scale` takes it to where a determinant would underflow.

@@ -57,9 +57,10 @@ Collapsed collapse(const Scene& scene)
   Unwatched unwatched;
   const Buffer<T> density_weights(scene.density_weights.begin(), scene.density_weights.end());
   Collapsed c{Buffer<double>(scene.samples.points.size()), Buffer<Vector>(scene.samples.points.size()), 0};
-  c.number_of_lonely = collapse_fit_term<CGAL::Parallel_if_available_tag>(
-    scene.samples.grid, scene.samples.points, scene.input.grid, scene.input.points, density_weights, scene.radius,
-    unwatched.progress, c.weights, c.centroids);
+  c.number_of_lonely = collapse_fit_term<CGAL::Parallel_if_available_tag>(scene.samples.grid, scene.samples.points,
+                                                                          scene.input.grid, scene.input.points,
+                                                                          density_weights, scene.radius,
+                                                                          unwatched.progress, c.weights, c.centroids);
   return c;
 }
 
@@ -81,8 +82,8 @@ void check_identity(const Scene& scene, double tolerance, Generator& generator)
     {
       const Vector start = scene.samples.vector[i], p = start + scene.radius * random_unit_vector(generator);
       const double change = fit_energy(i, p) - fit_energy(i, start);
-      const double collapsed_change =
-        c.weights[i] * ((p - c.centroids[i]).squaredNorm() - (start - c.centroids[i]).squaredNorm());
+      const double collapsed_change = c.weights[i]
+                                      * ((p - c.centroids[i]).squaredNorm() - (start - c.centroids[i]).squaredNorm());
       worst = (std::max)(worst, std::abs(collapsed_change - change) / (c.weights[i] * scene.radius * scene.radius));
     }
   CHECK(worst < tolerance);
@@ -111,9 +112,10 @@ void check_fit_rows(const Scene& scene, std::size_t number_of_passes)
 {
   Unwatched unwatched;
   const Buffer<double> density_weights(scene.density_weights.begin(), scene.density_weights.end());
-  const Fit_rows rows = gather_fit_rows<CGAL::Parallel_if_available_tag>(
-    scene.samples.grid, scene.samples.points, scene.input.grid, scene.input.points, density_weights, scene.radius,
-    number_of_passes, unwatched.progress);
+  const Fit_rows rows = gather_fit_rows<CGAL::Parallel_if_available_tag>(scene.samples.grid, scene.samples.points,
+                                                                         scene.input.grid, scene.input.points,
+                                                                         density_weights, scene.radius,
+                                                                         number_of_passes, unwatched.progress);
   const Collapsed c = collapse<double>(scene);
   const auto neighbors = brute_force_neighbors(scene.samples.vector, scene.input.vector, scene.radius);
   CHECK(rows.offsets.size() == neighbors.size() + 1 && rows.offsets.front() == 0);

@@ -34,8 +34,8 @@ double one_sided_hausdorff_distance(const Result& a, const Result& b, double rad
 
 struct Comparison
 {
-  double median, largest_but_a_thousandth, hausdorff;   // distance, in radii
-  double largest_angle_share;                         // share of the normals that differ by more than 5 degrees, sign included
+  double median, largest_but_a_thousandth, hausdorff; // distance, in radii
+  double largest_angle_share; // share of the normals that differ by more than 5 degrees, sign included
 };
 
 Comparison compare(const Result& a, const Result& b, double radius)
@@ -49,7 +49,8 @@ Comparison compare(const Result& a, const Result& b, double radius)
   }
   std::sort(distances.begin(), distances.end());
   const std::size_t n = distances.size();
-  const double hausdorff = (std::max)(one_sided_hausdorff_distance(a, b, radius), one_sided_hausdorff_distance(b, a, radius)) / radius;
+  const double hausdorff =
+    (std::max)(one_sided_hausdorff_distance(a, b, radius), one_sided_hausdorff_distance(b, a, radius)) / radius;
   return {distances[n / 2], distances[n - 1 - n / 1000], hausdorff, double(number_of_other_normals) / double(n)};
 }
 
@@ -60,8 +61,10 @@ std::size_t check_agreement(const std::string& name, const PointRange& points, c
   Result on_cpu, on_device;
   Report cpu_report, device_report;
   using CGAL::parameters::resampling_report;
-  CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(points, std::back_inserter(on_cpu), np | resampling_report(&cpu_report));
-  CGAL::l0_resample_point_set<CGAL::CUDA_tag>(points, std::back_inserter(on_device), np | resampling_report(&device_report));
+  CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(points, std::back_inserter(on_cpu),
+                                                               np | resampling_report(&cpu_report));
+  CGAL::l0_resample_point_set<CGAL::CUDA_tag>(points, std::back_inserter(on_device),
+                                              np | resampling_report(&device_report));
   if (!CHECK(on_cpu.size() == on_device.size()))
     return 0;
   CHECK(device_report.device == "cuda");
@@ -79,11 +82,13 @@ std::size_t check_agreement(const std::string& name, const PointRange& points, c
   CHECK(std::abs(cpu_report.oriented_share - device_report.oriented_share) <= 1e-2);
 
   const Comparison comparison = compare(on_cpu, on_device, cpu_report.neighbor_radius);
-  std::cout << name << ": " << points.size() << " -> " << on_cpu.size() << ", radii median " << comparison.median << ", 99.9 % "
-            << comparison.largest_but_a_thousandth << ", Hausdorff " << comparison.hausdorff << ", other normals "
-            << comparison.largest_angle_share << ", flipped " << flipped_share << ", pairs " << pairs << " / "
-            << device_report.number_of_self_neighbor_pairs << ", oriented " << cpu_report.oriented_share << " / " << device_report.oriented_share
-            << ", outliers " << cpu_report.number_of_outliers << " / " << device_report.number_of_outliers << ", degenerate " << cpu_report.number_of_degenerate_neighborhoods << " / " << device_report.number_of_degenerate_neighborhoods
+  std::cout << name << ": " << points.size() << " -> " << on_cpu.size() << ", radii median " << comparison.median
+            << ", 99.9 % " << comparison.largest_but_a_thousandth << ", Hausdorff " << comparison.hausdorff
+            << ", other normals " << comparison.largest_angle_share << ", flipped " << flipped_share << ", pairs "
+            << pairs << " / " << device_report.number_of_self_neighbor_pairs << ", oriented "
+            << cpu_report.oriented_share << " / " << device_report.oriented_share << ", outliers "
+            << cpu_report.number_of_outliers << " / " << device_report.number_of_outliers << ", degenerate "
+            << cpu_report.number_of_degenerate_neighborhoods << " / " << device_report.number_of_degenerate_neighborhoods
             << ", iterations " << cpu_report.iterations.back().solver.iterations << " / "
             << device_report.iterations.back().solver.iterations << std::endl;
   CHECK(comparison.median <= 1e-4);
@@ -103,7 +108,9 @@ void check_given_normals()
     with_normals.emplace_back(points[i], i < sphere.size() ? points[i] - CGAL::ORIGIN : CGAL::NULL_VECTOR);
   CHECK(check_agreement("default given normals", with_normals,
                         parameters::point_map(CGAL::First_of_pair_property_map<Result::value_type>())
-                          .normal_map(CGAL::Second_of_pair_property_map<Result::value_type>()).select_percentage(50)) > 0);
+                          .normal_map(CGAL::Second_of_pair_property_map<Result::value_type>())
+                          .select_percentage(50))
+        > 0);
 }
 
 } // namespace
@@ -121,9 +128,11 @@ int main()
     check_agreement(name + "cube", noisy_cube(20000, 0.01, 1), np.select_percentage(60));
     check_agreement(name + "sphere", noisy_sphere(30000, 0.02, 2), np.number_of_output_points(10000));
     check_agreement(name + "upsampled cube", noisy_cube(5000, 0.005, 3), np.number_of_output_points(9000));
-    check_agreement(name + "far from the origin", moved(noisy_cube(20000, 0.01, 4), {256075.1, 3935300.5, 120.}), np.select_percentage(60));
+    check_agreement(name + "far from the origin", moved(noisy_cube(20000, 0.01, 4), {256075.1, 3935300.5, 120.}),
+                    np.select_percentage(60));
     check_agreement(name + "large radius", noisy_cube(4000, 0.01, 5), np.neighbor_radius(0.3).select_percentage(60));
-    check_agreement(name + "large filter radius", noisy_cube(20000, 0.01, 6), np.normal_filter_radius(0.2).select_percentage(60));
+    check_agreement(name + "large filter radius", noisy_cube(20000, 0.01, 6),
+                    np.normal_filter_radius(0.2).select_percentage(60));
     check_agreement(name + "few samples", noisy_cube(20000, 0.01, 9), np.number_of_output_points(700));
     check_agreement(name + "strong noise", noisy_sphere(20000, 0.05, 10), np.select_percentage(60));
     check_agreement(name + "many orientation neighbors", noisy_sphere(3000, 0.01, 11),
@@ -137,15 +146,17 @@ int main()
     {
       const std::string kind = name + (noise > 0 ? "noisy " : "clean ");
       CHECK(check_agreement(kind + "cube with outliers", with_outliers(noisy_cube(20000, noise, 12), 13),
-                            np.drop_outliers(true).select_percentage(60)) > 500);
+                            np.drop_outliers(true).select_percentage(60))
+            > 500);
       check_agreement(kind + "density gradient", graded_sphere(20000, noise, 14), np.select_percentage(60));
     }
   }
   for (const double noise : {0., 0.005})
-    check_agreement(noise > 0 ? "default noisy thin plate" : "default clean thin plate", noisy_plate(20000, 0.05, noise, 17),
-                    parameters::select_percentage(60));
+    check_agreement(noise > 0 ? "default noisy thin plate" : "default clean thin plate",
+                    noisy_plate(20000, 0.05, noise, 17), parameters::select_percentage(60));
   // more points in a block of cells than are looked at
-  check_agreement("default huge radius", noisy_cube(20000, 0.01, 18), parameters::neighbor_radius(0.5).select_percentage(20));
+  check_agreement("default huge radius", noisy_cube(20000, 0.01, 18),
+                  parameters::neighbor_radius(0.5).select_percentage(20));
   check_given_normals();
   return test::result();
 }

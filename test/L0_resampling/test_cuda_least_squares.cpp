@@ -26,9 +26,10 @@ template <typename Solver>
 Result resample(const Points& points, Method method, const Solver& solver, Report& report)
 {
   Result result;
-  CGAL::l0_resample_point_set<CGAL::Sequential_tag>(points, std::back_inserter(result),
-                                                    parameters::resampling_method(method).resampling_report(&report)
-                                                      .number_of_output_points(2000).sparse_linear_solver(solver));
+  CGAL::l0_resample_point_set<CGAL::Sequential_tag>(
+    points, std::back_inserter(result),
+    parameters::resampling_method(method).resampling_report(&report).number_of_output_points(2000).sparse_linear_solver(
+      solver));
   return result;
 }
 
@@ -46,13 +47,15 @@ void check_agreement(Method method)
   // Algorithm 1 is not continuous: the last digits of a solve may decide a jump, and move a few samples.
   std::size_t number_of_others = 0;
   for (std::size_t i = 0; i < result.size(); ++i)
-    number_of_others += CGAL::squared_distance(result[i].first, expected[i].first) > std::pow(1e-4 * report.neighbor_radius, 2);
+    number_of_others += CGAL::squared_distance(result[i].first, expected[i].first)
+                        > std::pow(1e-4 * report.neighbor_radius, 2);
   std::cout << "method " << int(method) << ": " << number_of_others << " other samples, "
             << device_report.iterations.front().solver.iterations << " iterations" << std::endl;
   CHECK(number_of_others <= result.size() / 100);
 
   Report again_report;
-  CHECK(resample(points, method, CUDA_least_squares_solver_traits<double>(tolerance, 1000), again_report) == result);   // to the bit
+  CHECK(resample(points, method, CUDA_least_squares_solver_traits<double>(tolerance, 1000), again_report)
+        == result); // to the bit
 }
 
 void check_reports()

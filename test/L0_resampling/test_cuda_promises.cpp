@@ -61,9 +61,10 @@ void check_refusals()
   CUDA_resampler<Kernel> resampler;
   Result result;
   resampler.resample(std::back_inserter(result), parameters::number_of_output_points(10));
-  CHECK(result.empty());   // no points yet
+  CHECK(result.empty()); // no points yet
   resampler.upload(points);
-  CHECK_THROWS(resampler.resample(std::back_inserter(result), parameters::neighbor_radius(std::nan(""))), std::invalid_argument);
+  CHECK_THROWS(resampler.resample(std::back_inserter(result), parameters::neighbor_radius(std::nan(""))),
+               std::invalid_argument);
   CHECK_THROWS(resampler.resample(std::back_inserter(result), parameters::penalty_growth(1.)), std::invalid_argument);
   CHECK(result.empty());
   resampler.resample(std::back_inserter(result), parameters::number_of_output_points(500));
@@ -74,10 +75,11 @@ void check_refusals()
   CHECK_THROWS(resampler.upload(points), std::invalid_argument);
   result.clear();
   resampler.resample(std::back_inserter(result), parameters::number_of_output_points(500));
-  CHECK(result.empty());   // the old points are gone
+  CHECK(result.empty()); // the old points are gone
   Report report;
   resampler.upload(points, parameters::drop_non_finite(true));
-  resampler.resample(std::back_inserter(result), parameters::number_of_output_points(500) | parameters::resampling_report(&report));
+  resampler.resample(std::back_inserter(result),
+                     parameters::number_of_output_points(500) | parameters::resampling_report(&report));
   CHECK(result.size() == 500 && report.number_of_dropped_points == 1 && report.number_of_input_points == good.size() - 1);
 }
 
@@ -98,7 +100,7 @@ void check_memory()
 /// P9: progress, cancellation, exceptions of the callback.
 void check_callback()
 {
-  const Points points = noisy_cube(3000000, 0.003, 4);   // long enough to be asked in
+  const Points points = noisy_cube(3000000, 0.003, 4); // long enough to be asked in
   const auto np = parameters::select_percentage(60);
   double last = 0;
   bool falls = false;
@@ -116,7 +118,8 @@ void check_callback()
   Report report;
   CHECK(resample(points, np.callback([](double) { return false; }) | parameters::resampling_report(&report)).empty());
   CHECK(report.outcome == CGAL::L0_resampling::Outcome::CANCELLED);
-  struct Own {};
+  struct Own
+  {};
   CHECK_THROWS(resample(points, np.callback([](double) -> bool { throw Own(); })), Own);
   CHECK(resample(points, np) == all);
 }
@@ -128,8 +131,14 @@ void check_threads()
   const auto np = parameters::select_percentage(60);
   const Result of_cube = resample(cube, np), of_sphere = resample(sphere, np);
   Result other_of_cube, other_of_sphere;
-  std::thread first([&]() { for (int i = 0; i < 5; ++i) other_of_cube = resample(cube, np); });
-  std::thread second([&]() { for (int i = 0; i < 5; ++i) other_of_sphere = resample(sphere, np); });
+  std::thread first([&]() {
+    for (int i = 0; i < 5; ++i)
+      other_of_cube = resample(cube, np);
+  });
+  std::thread second([&]() {
+    for (int i = 0; i < 5; ++i)
+      other_of_sphere = resample(sphere, np);
+  });
   first.join();
   second.join();
   CHECK(other_of_cube == of_cube);
@@ -148,7 +157,8 @@ void check_given_normals()
     with_other_signs.emplace_back(points[i], i % 50 == 0 ? CGAL::NULL_VECTOR : i % 2 ? -2 * n : n);
   }
   const auto np = parameters::point_map(CGAL::First_of_pair_property_map<Result::value_type>())
-                    .normal_map(CGAL::Second_of_pair_property_map<Result::value_type>()).select_percentage(50);
+                    .normal_map(CGAL::Second_of_pair_property_map<Result::value_type>())
+                    .select_percentage(50);
   CGAL::l0_resample_point_set<CGAL::CUDA_tag>(with_normals, std::back_inserter(result), np);
   CGAL::l0_resample_point_set<CGAL::CUDA_tag>(with_other_signs, std::back_inserter(other_result), np);
   CHECK(result.size() == 2500 && result == other_result);

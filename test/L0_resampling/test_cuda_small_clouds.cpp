@@ -37,7 +37,7 @@ bool is_clean(const Result& result, const Points& points, double margin)
     if (!(std::abs(n.squared_length() - 1) < 1e-6))
       return false;
     for (int axis = 0; axis < 3; ++axis)
-      if (!(p[axis] >= (box.min)(axis) - margin && p[axis] <= (box.max)(axis) + margin))
+      if (!(p[axis] >= (box.min)(axis)-margin && p[axis] <= (box.max)(axis) + margin))
         return false;
   }
   return true;
@@ -56,8 +56,12 @@ void check_small_clouds()
       lattice.emplace_back(double(i % 10), double(i / 10 % 10), double(i / 100));
       clusters.emplace_back(i % 2 ? 1e9 : 0., 0.001 * double(i), 0.001 * double(i % 3));
     }
-    const std::pair<const char*, Points> shapes[] = {{"cube", noisy_cube(n, 0.01, unsigned(n))}, {"line", line}, {"plane", plane},
-                                                     {"lattice", lattice}, {"one place", one_place}, {"clusters", clusters}};
+    const std::pair<const char*, Points> shapes[] = {{"cube", noisy_cube(n, 0.01, unsigned(n))},
+                                                     {"line", line},
+                                                     {"plane", plane},
+                                                     {"lattice", lattice},
+                                                     {"one place", one_place},
+                                                     {"clusters", clusters}};
     for (const auto& [name, points] : shapes)
       for (const Method method : methods)
       {
@@ -79,9 +83,11 @@ void check_small_clouds()
         CHECK(is_clean(more, points, report.neighbor_radius));
         if (test::number_of_failures() > failures_before)
           for (const auto& [p, normal] : more)
-            std::cout << std::setprecision(17) << p << " | " << normal << " | " << CGAL::bbox_3(points.begin(), points.end()) << std::endl;
+            std::cout << std::setprecision(17) << p << " | " << normal << " | "
+                      << CGAL::bbox_3(points.begin(), points.end()) << std::endl;
         if (test::number_of_failures() > failures_before)
-          std::cout << name << " of " << n << " points, method " << int(method) << ", radius " << report.neighbor_radius << std::endl;
+          std::cout << name << " of " << n << " points, method " << int(method) << ", radius " << report.neighbor_radius
+                    << std::endl;
       }
   }
 }

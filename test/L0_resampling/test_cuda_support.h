@@ -47,7 +47,8 @@ inline Points noisy_cube(std::size_t n, double noise, unsigned seed)
   Points points;
   for (std::size_t i = 0; i < n; ++i)
   {
-    double p[3] = {test::random_number(-1, 1, generator), test::random_number(-1, 1, generator), test::random_number(-1, 1, generator)};
+    double p[3] = {test::random_number(-1, 1, generator), test::random_number(-1, 1, generator),
+                   test::random_number(-1, 1, generator)};
     p[i % 3] = i % 2 ? 1 : -1;
     points.emplace_back(p[0] + gauss(generator), p[1] + gauss(generator), p[2] + gauss(generator));
   }

@@ -18,10 +18,12 @@ int main()
   const Points points = noisy_cube(100, 0.01, 1);
   Result result;
   for (int attempt = 0; attempt < 2; ++attempt)
-    CHECK_THROWS(CGAL::l0_resample_point_set<CGAL::CUDA_tag>(points, std::back_inserter(result)), CGAL::L0_resampling::Device_error);
+    CHECK_THROWS(CGAL::l0_resample_point_set<CGAL::CUDA_tag>(points, std::back_inserter(result)),
+                 CGAL::L0_resampling::Device_error);
   CHECK(result.empty());
   // what the caller asked for is wrong on any machine
-  CHECK_THROWS(CGAL::l0_resample_point_set<CGAL::CUDA_tag>(points, std::back_inserter(result), CGAL::parameters::neighbor_radius(-1.)),
+  CHECK_THROWS(CGAL::l0_resample_point_set<CGAL::CUDA_tag>(points, std::back_inserter(result),
+                                                           CGAL::parameters::neighbor_radius(-1.)),
                std::exception);
   return test::result();
 }

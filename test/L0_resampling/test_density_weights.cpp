@@ -23,8 +23,8 @@ std::vector<double> naive_density_weights(const std::vector<Vector>& points, dou
   for (std::size_t j = 0; j < points.size(); ++j)
     for (std::size_t k : neighbors[j])
       if (k != j)
-        weights[j] +=
-          std::exp(-(points[j] - points[k]).squaredNorm() / (bandwidth * bandwidth)) / mean_number_of_neighbors;
+        weights[j] += std::exp(-(points[j] - points[k]).squaredNorm() / (bandwidth * bandwidth))
+                      / mean_number_of_neighbors;
   return weights;
 }
 
@@ -64,8 +64,8 @@ void check_samples(const std::vector<Vector>& points, double radius, double band
   const double regularization_weight = 0.15;
   const Gridded_points sorted(points, radius);
   Unwatched unwatched;
-  const Neighborhoods neighbors =
-    find_self_neighbors<CGAL::Sequential_tag>(sorted.grid, sorted.points, radius / 2, unwatched.progress);
+  const Neighborhoods neighbors = find_self_neighbors<CGAL::Sequential_tag>(sorted.grid, sorted.points, radius / 2,
+                                                                            unwatched.progress);
   Buffer<double> weights(points.size()), pair_weights(neighbors.indices.size());
   update_weights<CGAL::Parallel_if_available_tag>(sorted.points, neighbors, bandwidth * bandwidth, radius * radius,
                                                   regularization_weight, weights, pair_weights);
@@ -95,15 +95,15 @@ void check_areas(Generator& generator)
   const Gridded_points sorted(points, 0.2);
   Unwatched unwatched;
   Buffer<float> weights(points.size());
-  const double mean = compute_input_density_weights<CGAL::Sequential_tag>(sorted.grid, sorted.points, radius, radius * radius / 4,
-                                                                          unwatched.progress, weights);
+  const double mean = compute_input_density_weights<CGAL::Sequential_tag>(
+    sorted.grid, sorted.points, radius, radius * radius / 4, unwatched.progress, weights);
   const Buffer<float> areas = areas_of_points(sorted.grid, weights, mean, radius, radius * radius / 4);
   double inside[2] = {0, 0}, true_area[2] = {0, 0};
   for (std::size_t i = 0; i < points.size(); ++i)
   {
     const bool is_sparse = sorted.vector[i][0] > 2.5;
     const double x = sorted.vector[i][0] - (is_sparse ? 5 : 0), y = sorted.vector[i][1];
-    if (std::abs(x) < 0.6 && std::abs(y) < 0.6)   // away from the border
+    if (std::abs(x) < 0.6 && std::abs(y) < 0.6) // away from the border
     {
       inside[is_sparse] += areas[i];
       true_area[is_sparse] += 4 / (is_sparse ? 600. : 6000.);
@@ -131,10 +131,10 @@ int main()
   Generator generator(6);
   std::vector<Vector> points = cube_points(1200, 2, generator).points;
   add_gaussian_noise(points, 0.02, generator);
-  for (int n = 0; n < 300; ++n)                                 // a denser spot
+  for (int n = 0; n < 300; ++n) // a denser spot
     points.push_back(Vector(1, 0, 0) + 0.2 * random_unit_vector(generator));
-  points.insert(points.end(), 20, Vector(0.5, 0.5, 1));         // duplicates
-  points.emplace_back(9, 9, 9);                                 // a point alone
+  points.insert(points.end(), 20, Vector(0.5, 0.5, 1)); // duplicates
+  points.emplace_back(9, 9, 9);                         // a point alone
   check_input(points, 0.3);
   check_samples(points, 0.6, 0.3);
   check_areas(generator);

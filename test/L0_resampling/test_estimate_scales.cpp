@@ -51,7 +51,7 @@ void check_plate(double thickness, double noise, Generator& generator)
   add_gaussian_noise(points, noise * spacing, generator);
   const Scales scales = scales_of(points);
   CHECK(is_close(scales.spacing, spacing, 0.25));
-  CHECK(scales.noise < (noise + 0.4) * spacing);   // and not half the thickness
+  CHECK(scales.noise < (noise + 0.4) * spacing); // and not half the thickness
   CHECK(scales.noise > 0.6 * noise * spacing);
 }
 

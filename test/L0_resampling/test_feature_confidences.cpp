@@ -44,20 +44,26 @@ std::vector<Segment> sharp_edges(const std::string& name)
   std::vector<Vector> vertices(number_of_vertices);
   for (Vector& v : vertices)
     file >> v[0] >> v[1] >> v[2];
-  struct Half_edge { std::size_t low, high; Vector normal; };
+  struct Half_edge
+  {
+    std::size_t low, high;
+    Vector normal;
+  };
   std::vector<Half_edge> half_edges;
   for (std::size_t f = 0; f < number_of_faces; ++f)
   {
     std::size_t v[3];
     file >> ignored >> v[0] >> v[1] >> v[2];
     const Vector a = vertices[v[1]] - vertices[v[0]], b = vertices[v[2]] - vertices[v[0]];
-    const Vector normal = Vector(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]).normalized();
+    const Vector normal =
+      Vector(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]).normalized();
     for (int k = 0; k < 3; ++k)
       half_edges.push_back({(std::min)(v[k], v[(k + 1) % 3]), (std::max)(v[k], v[(k + 1) % 3]), normal});
   }
   CHECK(!file.fail() && !half_edges.empty());
-  std::sort(half_edges.begin(), half_edges.end(),
-            [](const Half_edge& a, const Half_edge& b) { return std::make_pair(a.low, a.high) < std::make_pair(b.low, b.high); });
+  std::sort(half_edges.begin(), half_edges.end(), [](const Half_edge& a, const Half_edge& b) {
+    return std::make_pair(a.low, a.high) < std::make_pair(b.low, b.high);
+  });
   std::vector<Segment> edges;
   for (std::size_t k = 0; k + 1 < half_edges.size(); k += 2)
     if (half_edges[k].normal.dot(half_edges[k + 1].normal) < std::cos(EIGEN_PI / 6))
@@ -68,8 +74,8 @@ std::vector<Segment> sharp_edges(const std::string& name)
 /// What shares of the points are found to be what they are.
 struct Rates
 {
-  double near_and_high;   ///< of those within a spacing of an edge: of at least 0.5
-  double far_and_low;     ///< of those further than four spacings from all: of at most 0.2
+  double near_and_high; ///< of those within a spacing of an edge: of at least 0.5
+  double far_and_low;   ///< of those further than four spacings from all: of at most 0.2
 };
 
 Rates measure(const Points& points, const std::vector<Segment>& edges)
@@ -83,7 +89,7 @@ Rates measure(const Points& points, const std::vector<Segment>& edges)
   std::vector<Vector> positions;
   for (const auto& pair : result)
     positions.push_back(test::as_vector(pair.first));
-  double spacing = 0;   // mean distance to the third of the nearest, of a sample
+  double spacing = 0; // mean distance to the third of the nearest, of a sample
   const std::size_t step = 20;
   for (std::size_t i = 0; i < positions.size(); i += step)
   {
@@ -106,13 +112,15 @@ Rates measure(const Points& points, const std::vector<Segment>& edges)
     number_far += distance > 4;
     number_low += distance > 4 && confidences[i] <= 0.2;
   }
-  return {number_near > 0 ? double(number_high) / double(number_near) : 1, number_far > 0 ? double(number_low) / double(number_far) : 1};
+  return {number_near > 0 ? double(number_high) / double(number_near) : 1,
+          number_far > 0 ? double(number_low) / double(number_far) : 1};
 }
 
 void check(const std::string& name, const Points& points, const std::vector<Segment>& edges, const Rates& least)
 {
   const Rates rates = measure(points, edges);
-  std::cout << name << ": near and at least 0.5 " << rates.near_and_high << ", far and at most 0.2 " << rates.far_and_low << std::endl;
+  std::cout << name << ": near and at least 0.5 " << rates.near_and_high << ", far and at most 0.2 "
+            << rates.far_and_low << std::endl;
   if (!CHECK(rates.near_and_high >= least.near_and_high && rates.far_and_low >= least.far_and_low))
     std::cerr << "  " << name << std::endl;
 }
@@ -120,7 +128,7 @@ void check(const std::string& name, const Points& points, const std::vector<Segm
 void check_data(const std::string& name, const Rates& least)
 {
   const std::vector<Segment> edges = sharp_edges(name);
-  for (const char* kind : {"_clean", "_noisy"})   // the noise is 0.5 % of the diagonal
+  for (const char* kind : {"_clean", "_noisy"}) // the noise is 0.5 % of the diagonal
   {
     Points points;
     CHECK(CGAL::IO::read_points(L0_TEST_DATA "/" + name + kind + ".ply", std::back_inserter(points)));
@@ -156,6 +164,7 @@ int main()
   check_data("dodecahedron", {0.85, 0.99});
   check_data("staircase", {0.9, 0.99});
   check_data("bracket", {0.9, 0.9});
-  check_data("torus", {1, 0.7});   // smooth, but a handful of points around: at this number of points it bends by 20 degrees in a neighborhood
+  check_data("torus",
+             {1, 0.7}); // smooth, but a handful of points around: at this number of points it bends by 20 degrees in a neighborhood
   return test::result();
 }

@@ -15,12 +15,16 @@ using namespace test;
 std::vector<bool> outliers_of(const std::vector<Vector>& points, double radius)
 {
   Unwatched unwatched;
-  const auto parallel = find_outliers<float, CGAL::Parallel_if_available_tag>(to_buffer(points), radius, unwatched.progress);
+  const auto parallel = find_outliers<float, CGAL::Parallel_if_available_tag>(to_buffer(points), radius,
+                                                                              unwatched.progress);
   CHECK((parallel == find_outliers<float, CGAL::Sequential_tag>(to_buffer(points), radius, unwatched.progress)));
   return std::vector<bool>(parallel.begin(), parallel.end());
 }
 
-std::size_t number_of(const std::vector<bool>& outliers) { return std::size_t(std::count(outliers.begin(), outliers.end(), true)); }
+std::size_t number_of(const std::vector<bool>& outliers)
+{
+  return std::size_t(std::count(outliers.begin(), outliers.end(), true));
+}
 
 /// Points of a surface stay: at borders and corners, through noise, and where it is ten times sparser than elsewhere.
 void check_surfaces(Generator& generator)
@@ -32,7 +36,7 @@ void check_surfaces(Generator& generator)
   CHECK(number_of(outliers_of(noisy, 0.3)) <= 5);
 
   std::vector<Vector> plane = plane_points(8000, 2, generator).points, graded;
-  CHECK(number_of(outliers_of(plane, 0.12)) <= 8);   // the four corners
+  CHECK(number_of(outliers_of(plane, 0.12)) <= 8); // the four corners
   for (const Vector& p : plane)
     if (random_number(0, 1, generator) < std::pow(10, -(p[0] + 1) / 2))
       graded.push_back(p);
@@ -46,7 +50,8 @@ void check_outliers(Generator& generator)
   std::vector<Vector> points = sphere_points(8000, 1, generator).points;
   const std::size_t size = points.size();
   for (int n = 0; n < 800; ++n)
-    points.emplace_back(random_number(-1.5, 1.5, generator), random_number(-1.5, 1.5, generator), random_number(-1.5, 1.5, generator));
+    points.emplace_back(random_number(-1.5, 1.5, generator), random_number(-1.5, 1.5, generator),
+                        random_number(-1.5, 1.5, generator));
   const std::size_t size_with_singles = points.size();
   for (const Vector& center : {Vector(0, 0, 0), Vector(1.6, 1.6, 0), Vector(-2, 0, 0)})
     for (int n = 0; n < 20; ++n)
@@ -87,7 +92,7 @@ void check_no_cloud(Generator& generator)
     for (int part = 0; part < 3; ++part)
       parts.push_back(p + Vector(10 * part, 0, 0));
   CHECK(number_of(outliers_of(parts, 0.3)) == 0);
-  parts.emplace_back(1e9, 0, 0);   // beyond what a grid numbers
+  parts.emplace_back(1e9, 0, 0); // beyond what a grid numbers
   CHECK(number_of(outliers_of(parts, 0.3)) == 1);
 }
 

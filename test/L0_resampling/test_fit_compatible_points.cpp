@@ -40,12 +40,15 @@ Fitted fit(const Oriented_points& input, const std::vector<double>& densities, c
   samples.fit_centroids = to_buffer(last_centroids);
   samples.outward_directions.resize(start.points.size());
   Unwatched unwatched;
-  fit_compatible_points<CGAL::Parallel_if_available_tag>(
-    Fit_input<T>{sorted.grid, sorted.points, normals, density_weights, radius, squared_sheet_height, normal_bandwidth(25)},
-    unwatched.progress, samples);
+  fit_compatible_points<CGAL::Parallel_if_available_tag>(Fit_input<T>{sorted.grid, sorted.points, normals,
+                                                                      density_weights, radius, squared_sheet_height,
+                                                                      normal_bandwidth(25)},
+                                                         unwatched.progress, samples);
   CHECK(samples.positions == to_buffer(start.points));
   const auto vector = [](const Buffer<Vector>& b) { return std::vector<Vector>(b.begin(), b.end()); };
-  return {vector(samples.normals), vector(samples.fit_centroids), vector(samples.outward_directions),
+  return {vector(samples.normals),
+          vector(samples.fit_centroids),
+          vector(samples.outward_directions),
           {samples.fit_weights.begin(), samples.fit_weights.end()}};
 }
 
@@ -123,7 +126,7 @@ void check_formulas(double tolerance, Generator& generator)
   }
   Oriented_points start{std::vector<Vector>(input.points.begin(), input.points.begin() + 300),
                         std::vector<Vector>(input.normals.begin(), input.normals.begin() + 300)};
-  start.points.push_back(Vector(9, 9, 9));   // sees nobody
+  start.points.push_back(Vector(9, 9, 9)); // sees nobody
   start.normals.push_back(Vector::UnitX());
 
   std::vector<Vector> last_centroids = start.points;

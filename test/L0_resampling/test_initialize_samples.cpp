@@ -23,17 +23,18 @@ struct Start
 {
   Gridded_points input;
   std::vector<Vector> positions;
-  std::vector<Vector> sources;   ///< the input point of each sample
+  std::vector<Vector> sources; ///< the input point of each sample
   std::size_t number_of_distinct_points;
 
   /// \param areas what each point of the cloud stands for; none, for all alike
-  Start(const Oriented_points& cloud, std::size_t number_of_samples, std::uint64_t seed, const std::vector<double>& areas = {})
+  Start(const Oriented_points& cloud, std::size_t number_of_samples, std::uint64_t seed,
+        const std::vector<double>& areas = {})
     : input(cloud.points, radius / 2)
   {
     Unwatched unwatched;
     const Initial_samples samples = initialize_samples<CGAL::Parallel_if_available_tag>(
-      input.grid, input.points, to_local_vectors<float>(permuted(input.order, cloud.normals)), areas_in_order(areas), number_of_samples,
-      radius, seed, unwatched.progress);
+      input.grid, input.points, to_local_vectors<float>(permuted(input.order, cloud.normals)), areas_in_order(areas),
+      number_of_samples, radius, seed, unwatched.progress);
     positions.assign(samples.positions.begin(), samples.positions.end());
     for (Index j : samples.sources)
       sources.push_back(input.vector[j]);
@@ -66,9 +67,8 @@ std::set<Key> distinct(const std::vector<Vector>& points)
 void check_counts(const Oriented_points& cloud)
 {
   const std::set<Key> places = distinct(cloud.points);
-  for (std::size_t n :
-       {std::size_t(1), std::size_t(2), std::size_t(37), places.size() / 2, places.size() - 1, places.size(),
-        places.size() + 1, cloud.points.size(), 2 * places.size(), 5 * places.size() + 3})
+  for (std::size_t n : {std::size_t(1), std::size_t(2), std::size_t(37), places.size() / 2, places.size() - 1,
+                        places.size(), places.size() + 1, cloud.points.size(), 2 * places.size(), 5 * places.size() + 3})
   {
     const Start start(cloud, n, 0);
     CHECK(start.positions.size() == n && start.sources.size() == n);
@@ -187,10 +187,10 @@ void check_areas(Generator& generator)
     for (std::size_t i = 0; i < input.vector.size(); ++i)
     {
       const double share = double(n) * areas[input.order[i]] / total, count = counts[key(input.vector[i])];
-      are_fair = are_fair && std::abs(count - share) < 2;   // the ends of its part may lie inside two more thresholds' parts
+      are_fair = are_fair && std::abs(count - share) < 2; // the ends of its part may lie inside two more thresholds' parts
       sum += share;
       counted += count;
-      worst = (std::max)(worst, std::abs(counted - sum));   // nor do the differences add up
+      worst = (std::max)(worst, std::abs(counted - sum)); // nor do the differences add up
     }
     CHECK(are_fair);
     CHECK(worst < 1.001);
@@ -220,7 +220,7 @@ int main()
 {
   Generator generator(9);
   Oriented_points cloud = sphere_points(500, 1, generator);
-  for (int n = 0; n < 100; ++n)   // duplicates
+  for (int n = 0; n < 100; ++n) // duplicates
   {
     cloud.points.push_back(cloud.points[std::size_t(n % 10)]);
     cloud.normals.push_back(cloud.normals[std::size_t(n % 10)]);

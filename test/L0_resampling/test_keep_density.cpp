@@ -26,7 +26,7 @@ struct Shape
 {
   std::string name;
   Eigen::Index axis;
-  std::function<Vector(test::Generator&)> random_point;   // evenly over the surface; the coordinate lies in [-1, 1]
+  std::function<Vector(test::Generator&)> random_point; // evenly over the surface; the coordinate lies in [-1, 1]
 };
 
 /// Ten times as dense at one end as at the other.
@@ -52,7 +52,7 @@ double measured_fold(const Points& points, Eigen::Index axis)
   for (const auto& p : points)
     counts[std::size_t((std::min)((std::max)(int((p[axis] + 1) / 2 * number_of_bands), 0), number_of_bands - 1))] += 1;
   double slope = 0, weight = 0;
-  for (int band = 1; band + 1 < number_of_bands; ++band)   // not the ends, into which noise and borders bring points
+  for (int band = 1; band + 1 < number_of_bands; ++band) // not the ends, into which noise and borders bring points
   {
     const double x = (2. * band + 1) / number_of_bands - 1;
     slope += x * std::log(counts[std::size_t(band)]);
@@ -71,7 +71,7 @@ double unevenness(const std::vector<Vector>& points, Eigen::Index axis)
     for (const Vector& q : points)
       if (&q != &p)
         nearest = (std::min)(nearest, (p - q).squaredNorm());
-    const double distance = std::sqrt(nearest) * std::pow(fold, p[axis] / 4);   // the spacing falls as the root of the density
+    const double distance = std::sqrt(nearest) * std::pow(fold, p[axis] / 4); // the spacing falls as the root of the density
     sum += distance;
     sum_of_squares += distance * distance;
   }
@@ -105,8 +105,8 @@ int main()
   test::Generator generator(1);
   const Shape sphere{"sphere", 2, test::random_unit_vector};
   const Shape strip{"strip", 0, [](test::Generator& g) {
-    return Vector(test::random_number(-1, 1, g), test::random_number(-0.5, 0.5, g), 0);
-  }};
+                      return Vector(test::random_number(-1, 1, g), test::random_number(-0.5, 0.5, g), 0);
+                    }};
   for (const Shape& shape : {sphere, strip})
     for (double noise : {0., 0.01})
     {
@@ -122,7 +122,7 @@ int main()
 
       const std::vector<Vector> fewer = resampled(points, params::select_percentage(30) | params::keep_density(true));
       check_within(name + ", kept by fewer points", measured_fold(fewer, shape.axis), 0.7 * fold, 1.3 * fold);
-      check_within(name + ", unevenness", unevenness(fewer, shape.axis), 0, 0.19);   // 0.52 for points by chance
+      check_within(name + ", unevenness", unevenness(fewer, shape.axis), 0, 0.19); // 0.52 for points by chance
     }
   return test::result();
 }

@@ -18,7 +18,7 @@ namespace {
 using namespace L0_benchmark;
 
 constexpr std::size_t n = 3000;
-const double side = std::sqrt(double(n) / 6);   // so that the spacing is about 1
+const double side = std::sqrt(double(n) / 6); // so that the spacing is about 1
 
 struct Scene
 {
@@ -37,7 +37,8 @@ Scene cube_scene(double normal_noise, double position_noise)
   test::add_gaussian_noise(points, position_noise, generator);
   test::add_gaussian_noise(normals, normal_noise, generator);
   std::vector<Point_3> for_pairs;
-  for (std::size_t i = 0; i < n; ++i) {
+  for (std::size_t i = 0; i < n; ++i)
+  {
     scene.positions.row(Eigen::Index(i)) = points[i].transpose();
     scene.normals.row(Eigen::Index(i)) = normals[i].normalized().transpose();
     for_pairs.push_back(to_cgal(points[i]));
@@ -74,7 +75,8 @@ void every_point_has_enough_neighbors()
 {
   const Scene scene = cube_scene(0, 0);
   std::vector<std::size_t> degrees(n, 0);
-  for (const auto& [i, j] : scene.pairs) {
+  for (const auto& [i, j] : scene.pairs)
+  {
     CHECK(i < j);
     ++degrees[i];
     ++degrees[j];
@@ -114,9 +116,10 @@ void points_at_edges_move_onto_them()
     return side / 2 - sizes[1];
   };
   std::size_t number_moved = 0;
-  for (Eigen::Index i = 0; i < moved.rows(); ++i) {
+  for (Eigen::Index i = 0; i < moved.rows(); ++i)
+  {
     const double before = distance_to_edge(scene.positions.row(i)), after = distance_to_edge(moved.row(i));
-    if (before > 5)   // spacings, beyond all neighbors
+    if (before > 5) // spacings, beyond all neighbors
       CHECK(moved.row(i) == scene.positions.row(i));
     number_moved += before > 0.2 && before < 0.8 && after < before / 2;
   }

@@ -27,7 +27,7 @@ namespace {
 std::vector<Vector> noisy_cube(std::size_t n)
 {
   std::vector<Vector> points = test::noisy_cube(n);
-  for (Vector& p : points)   // to what a float holds: the same cloud in every kernel
+  for (Vector& p : points) // to what a float holds: the same cloud in every kernel
     p = test::as_vector(CGAL::Simple_cartesian<float>::Point_3(float(p[0]), float(p[1]), float(p[2])));
   return points;
 }
@@ -46,9 +46,8 @@ double distance(const A& a, const B& b)
 template <typename Kernel>
 void test_kernel(double rounding)
 {
-  const auto expected =
-    test::resample<CGAL::Simple_cartesian<double>, Sequential_tag>(test::kernel_points<CGAL::Simple_cartesian<double>>(noisy_cube(2000)),
-                                                                   params::default_values());
+  const auto expected = test::resample<CGAL::Simple_cartesian<double>, Sequential_tag>(
+    test::kernel_points<CGAL::Simple_cartesian<double>>(noisy_cube(2000)), params::default_values());
   const auto points = test::kernel_points<Kernel>(noisy_cube(2000));
   const auto result = test::resample<Kernel, Sequential_tag>(points, params::default_values());
   test::check_clean<Kernel>("kernel", points, result, 1000);
@@ -110,7 +109,8 @@ void test_containers_and_maps()
   Report report;
   CGAL::l0_resample_point_set<Sequential_tag>(point_set, without, params::resampling_report(&report));
   CGAL::l0_resample_point_set<Sequential_tag>(point_set, with, params::normal_map(point_set.normal_map()));
-  CHECK(report.number_of_output_points == expected.size() && without.size() == expected.size() && with.size() == expected.size());
+  CHECK(report.number_of_output_points == expected.size() && without.size() == expected.size()
+        && with.size() == expected.size());
   CHECK(without.point(0) == expected[0].first);
   bool differ = false;
   for (std::size_t i = 0; i < with.size() && i < without.size(); ++i)
@@ -127,12 +127,15 @@ void test_named_parameter_chains()
     CGAL::l0_resample_point_set<Sequential_tag>(points, std::back_inserter(pairs), np);
     return pairs;
   };
-  const auto a = result(params::normal_weight(0.5).neighbor_radius(0.2).resampling_method(Method::LOR).select_percentage(30));
+  const auto a = result(
+    params::normal_weight(0.5).neighbor_radius(0.2).resampling_method(Method::LOR).select_percentage(30));
   CHECK(a.size() == 300);
-  CHECK(test::are_identical<Kernel>(a, result(params::neighbor_radius(0.2).select_percentage(30) | params::normal_weight(0.5)
-                                              | params::resampling_method(Method::LOR))));
-  CHECK(test::are_identical<Kernel>(a, result((params::select_percentage(30) | params::normal_weight(0.5))
-                                                .neighbor_radius(0.2).resampling_method(Method::LOR))));
+  CHECK(test::are_identical<Kernel>(a, result(params::neighbor_radius(0.2).select_percentage(30)
+                                              | params::normal_weight(0.5) | params::resampling_method(Method::LOR))));
+  CHECK(test::are_identical<Kernel>(
+    a,
+    result(
+      (params::select_percentage(30) | params::normal_weight(0.5)).neighbor_radius(0.2).resampling_method(Method::LOR))));
   // each one matters: a name that were read from the wrong place would not be seen
   const auto plain = params::resampling_method(Method::LOR);
   const auto b = result(plain);
@@ -152,8 +155,15 @@ void test_named_parameter_chains()
   CHECK(differs(params::resampling_method(Method::ALOR)));
   CHECK(differs(params::resampling_method(Method::DEFAULT)));
   // defaults are what the documentation says
-  CHECK(!differs(plain.sharpness_angle(15).number_of_normal_filter_iterations(5).normal_weight(0.9).regularization_weight(0.15)
-                   .initial_penalty(0.1).maximum_penalty(2).penalty_growth(1.5).random_seed(0).select_percentage(50)
+  CHECK(!differs(plain.sharpness_angle(15)
+                   .number_of_normal_filter_iterations(5)
+                   .normal_weight(0.9)
+                   .regularization_weight(0.15)
+                   .initial_penalty(0.1)
+                   .maximum_penalty(2)
+                   .penalty_growth(1.5)
+                   .random_seed(0)
+                   .select_percentage(50)
                    .number_of_orientation_neighbors(12)));
 }
 

@@ -45,9 +45,12 @@ void check_close(double value, double expected, double tolerance, int line = __b
 template <class Exception = std::invalid_argument, class Function>
 void check_throws(Function function, int line = __builtin_LINE())
 {
-  try {
+  try
+  {
     function();
-  } catch (const Exception&) {
+  }
+  catch (const Exception&)
+  {
     return;
   }
   check(false, "nothing was thrown", line);
@@ -168,12 +171,13 @@ void test_normals()
   const Ground_truth truth(rectangle(1, 1));
   const std::vector<Point_3> points = grid(20, 0.01);
   const auto measured = [&](double degrees, double sign) {
-    const double length = 3;  // must not matter
+    const double length = 3; // must not matter
     const Vector_3 normal = sign * length * Vector_3(std::sin(degrees * pi / 180), 0, std::cos(degrees * pi / 180));
     return summarize(normal_deviations(points, std::vector<Vector_3>(points.size(), normal), truth));
   };
   for (double sign : {1., -1.})
-    for (double degrees : {0., 1e-6, 14.9, 15.1, 80.}) {
+    for (double degrees : {0., 1e-6, 14.9, 15.1, 80.})
+    {
       const Normal_statistics statistics = measured(degrees, sign);
       check_close(statistics.mean_error, degrees, 1e-9);
       check_close(statistics.share_above_15_degrees, degrees > 15, 0);
@@ -337,7 +341,8 @@ void test_portable_random()
 
   const int n = 200000;
   double sum = 0, squares = 0, fourth_powers = 0;
-  for (int i = 0; i < n; ++i) {
+  for (int i = 0; i < n; ++i)
+  {
     const double x = random.normal();
     sum += x;
     squares += x * x;
@@ -356,7 +361,8 @@ void test_area_uniform_sampling()
   check(points.size() == 60000, "the count is exact");
   double sums[3] = {0, 0, 0};
   std::size_t number_on_top = 0;
-  for (const Point_3& p : points) {
+  for (const Point_3& p : points)
+  {
     check_close(truth.distance(p), 0, 1e-15);
     number_on_top += p.z() > 1 - 1e-12;
     for (int i = 0; i < 3; ++i)
@@ -367,13 +373,13 @@ void test_area_uniform_sampling()
     check_close(sum / 60000, 0.5, 0.008);
 
   // A large and a small triangle: 9 to 1. Within the triangle the mean is the centroid.
-  const Triangle_mesh two = {
-    {Point_3(0, 0, 0), Point_3(3, 0, 0), Point_3(0, 3, 0), Point_3(-1, 0, 0), Point_3(0, -1, 0)},
-    {{0, 1, 2}, {0, 3, 4}}};
+  const Triangle_mesh two = {{Point_3(0, 0, 0), Point_3(3, 0, 0), Point_3(0, 3, 0), Point_3(-1, 0, 0), Point_3(0, -1, 0)},
+                             {{0, 1, 2}, {0, 3, 4}}};
   std::size_t number_in_large = 0;
   double sum = 0;
   for (const Point_3& p : sample_mesh(two, {50000, 0, 0, 1, 4}))
-    if (p.x() >= 0) {
+    if (p.x() >= 0)
+    {
       ++number_in_large;
       sum += p.x();
     }
@@ -389,9 +395,11 @@ void test_noise()
 {
   const double expected = 10 * std::sqrt(2.);
   const std::vector<Point_3> points = sample_mesh(rectangle(1, 1), {20000, 1000, 0, 1, 7});
-  for (int axis = 0; axis < 3; ++axis) {
+  for (int axis = 0; axis < 3; ++axis)
+  {
     double sum = 0, squares = 0;
-    for (const Point_3& p : points) {
+    for (const Point_3& p : points)
+    {
       sum += p[axis];
       squares += p[axis] * p[axis];
     }
@@ -410,7 +418,8 @@ void test_outliers()
   for (std::size_t i = 0; i < 70000; ++i)
     check(points[i].z() == 0, "the points of the surface come first");
   const double lower[] = {-0.25, -0.25, -0.25}, upper[] = {4.25, 3.25, 0.25};
-  for (int axis = 0; axis < 3; ++axis) {
+  for (int axis = 0; axis < 3; ++axis)
+  {
     std::vector<double> positions;
     for (const Point_3& p : outliers)
       positions.push_back((p[axis] - lower[axis]) / (upper[axis] - lower[axis]));
@@ -426,7 +435,8 @@ void test_density_gradient()
 {
   const double ratio = 8;
   std::vector<double> heights, widths;
-  for (const Point_3& p : sample_mesh(rectangle(2, 5), {100000, 0, 0, ratio, 9})) {
+  for (const Point_3& p : sample_mesh(rectangle(2, 5), {100000, 0, 0, ratio, 9}))
+  {
     heights.push_back(p.y() / 5);
     widths.push_back(p.x() / 2);
   }

@@ -18,13 +18,12 @@ using Lists = std::vector<std::vector<std::uint32_t>>;
 Lists self_neighbors(const Gridded_points& samples, double radius)
 {
   Unwatched unwatched;
-  const Neighborhoods n =
-    find_self_neighbors<CGAL::Sequential_tag>(samples.grid, samples.points, radius, unwatched.progress);
-  const Neighborhoods parallel =
-    find_self_neighbors<CGAL::Parallel_if_available_tag>(samples.grid, samples.points, radius, unwatched.progress);
+  const Neighborhoods n = find_self_neighbors<CGAL::Sequential_tag>(samples.grid, samples.points, radius,
+                                                                    unwatched.progress);
+  const Neighborhoods parallel = find_self_neighbors<CGAL::Parallel_if_available_tag>(samples.grid, samples.points,
+                                                                                      radius, unwatched.progress);
   CHECK(n.offsets == parallel.offsets && n.indices == parallel.indices);
-  CHECK(n.offsets.size() == samples.points.size() + 1 && n.offsets.front() == 0
-        && n.offsets.back() == n.indices.size());
+  CHECK(n.offsets.size() == samples.points.size() + 1 && n.offsets.front() == 0 && n.offsets.back() == n.indices.size());
   CHECK(n.view().size == samples.points.size());
   Lists lists;
   for (std::size_t i = 0; i < samples.points.size(); ++i)
@@ -55,9 +54,9 @@ void check_thinning(Generator& generator)
       points.push_back(in_cell + x * Vector::UnitX());
     }
   };
-  fill_cell(0, 5000);   // crowded
-  fill_cell(1, 300);    // beside the crowd
-  fill_cell(2, 300);    // beside that, and undisturbed
+  fill_cell(0, 5000); // crowded
+  fill_cell(1, 300);  // beside the crowd
+  fill_cell(2, 300);  // beside that, and undisturbed
   const Gridded_points samples(points, 1);
   const Lists lists = self_neighbors(samples, 0.9);
   const Lists all = brute_force_neighbors(samples.vector, samples.vector, 0.9);
@@ -66,8 +65,8 @@ void check_thinning(Generator& generator)
   for (std::uint32_t i = 0; i < lists.size(); ++i)
   {
     are_true = are_true && std::includes(all[i].begin(), all[i].end(), lists[i].begin(), lists[i].end());
-    are_ascending =
-      are_ascending && std::adjacent_find(lists[i].begin(), lists[i].end(), std::greater_equal<>()) == lists[i].end();
+    are_ascending = are_ascending
+                    && std::adjacent_find(lists[i].begin(), lists[i].end(), std::greater_equal<>()) == lists[i].end();
     for (std::uint32_t k : lists[i])
       are_symmetric = are_symmetric && k != i && std::binary_search(lists[k].begin(), lists[k].end(), i);
     if (samples.vector[i][0] >= 2)
@@ -80,7 +79,7 @@ void check_thinning(Generator& generator)
   CHECK(are_ascending);
   CHECK(are_symmetric);
   CHECK(are_complete);
-  CHECK(longest > 300 && longest <= 1024 + 10);   // one more at most for each run of cells, and one for rounding
+  CHECK(longest > 300 && longest <= 1024 + 10); // one more at most for each run of cells, and one for rounding
 }
 
 int main()
@@ -91,7 +90,7 @@ int main()
   check_self_neighbors(cloud, 0.5, 0.5);
   check_self_neighbors(cloud, 0.7, 0.5);
 
-  const std::vector<Vector> lattice = lattice_points(8, 0.25);   // distances equal to the radius, exactly: outside
+  const std::vector<Vector> lattice = lattice_points(8, 0.25); // distances equal to the radius, exactly: outside
   for (double radius : {0.25, 0.5, 0.75})
     check_self_neighbors(lattice, radius, radius);
   for (double cell_size : {0.25, 0.1})

@@ -23,9 +23,10 @@ void check_orientation(const Oriented_points& truth, double spacing, Generator& 
       n = -n;
   const Buffer<Vector> positions = to_buffer(truth.points), unoriented = normals;
   Unwatched unwatched;
-  CHECK(orient_normals<CGAL::Parallel_if_available_tag>(positions, 12, spacing, no_hint, unwatched.progress, normals).oriented_share == 1);
+  CHECK(orient_normals<CGAL::Parallel_if_available_tag>(positions, 12, spacing, no_hint, unwatched.progress, normals).oriented_share
+        == 1);
 
-  CHECK(positions == to_buffer(truth.points));   // by index: nobody changed places
+  CHECK(positions == to_buffer(truth.points)); // by index: nobody changed places
   bool are_only_turned = true;
   std::size_t number_outward = 0;
   for (std::size_t i = 0; i < normals.size(); ++i)
@@ -91,7 +92,12 @@ Oriented_points evenly(std::size_t n, const std::function<Oriented_points(std::s
 Oriented_points box_points(std::size_t n, const Vector& size, bool is_step, Generator& generator)
 {
   // faces: axis, coordinate on it, outward sign, low and high corner
-  struct Face { int axis; double sign; Vector low, high; };
+  struct Face
+  {
+    int axis;
+    double sign;
+    Vector low, high;
+  };
   std::vector<Face> faces;
   const auto add = [&](int axis, double sign, const Vector& low, const Vector& high) {
     faces.push_back({axis, sign, low, high});
@@ -200,18 +206,20 @@ void check_field(Generator& generator)
       Signed_union_find trees = voting.sets;
       for (std::size_t a = 0; a < 6; ++a)
       {
-        trees.join(first[0], first[a], a == 4 ? -own_sign(0) * own_sign(a) : own_sign(0) * own_sign(a));   // one face is turned
+        trees.join(first[0], first[a], a == 4 ? -own_sign(0) * own_sign(a) : own_sign(0) * own_sign(a)); // one face is turned
         for (std::size_t b = 0; b < a; ++b)
-          if (a != b + 3)   // neighbors: all votes are for that
-            voting.votes.push_back({first[a], first[b], number_of_votes * own_sign(a) * own_sign(b) * (a == 4 || b == 4 ? -1 : 1), number_of_votes});
+          if (a != b + 3) // neighbors: all votes are for that
+            voting.votes.push_back({first[a], first[b],
+                                    number_of_votes * own_sign(a) * own_sign(b) * (a == 4 || b == 4 ? -1 : 1),
+                                    number_of_votes});
       }
       pass_votes_on<CGAL::Sequential_tag>(voting);
-      const bool is_turned =
-        join_by_field<CGAL::Parallel_if_available_tag>(trees, to_buffer(cube.points), normals, 0.09, voting);
+      const bool is_turned = join_by_field<CGAL::Parallel_if_available_tag>(trees, to_buffer(cube.points), normals,
+                                                                            0.09, voting);
       CHECK(is_turned == (number_of_votes < 1000));
       if (!is_turned)
         continue;
-      CHECK(voting.votes.empty());   // all are one set
+      CHECK(voting.votes.empty()); // all are one set
       for (std::size_t face = 0; face < 6; ++face)
       {
         const auto [root, sign] = voting.sets.find(first[face]);
@@ -235,9 +243,9 @@ int main()
   check_orientation(even_sphere, 0.12, generator);
   check_orientation(evenly(1000, torus), 0.12, generator);
   check_orientation(evenly(1500, step), 0.08, generator);
-  check_orientation(evenly(1500, plate), 0.08, generator);   // twice as thick as the samples are apart
+  check_orientation(evenly(1500, plate), 0.08, generator); // twice as thick as the samples are apart
   check_orientation(together(even_sphere, even_cube, Vector(5, 1, 0)), 0.13, generator);
-  for (double factor : {0.5, 2.})   // the spacing need not be known well
+  for (double factor : {0.5, 2.}) // the spacing need not be known well
     check_orientation(even_cube, factor * 0.14, generator);
   check_plane(generator);
   check_field(generator);

@@ -69,7 +69,8 @@ void check_side(const std::string& name, const std::vector<Vector>& input, const
     number_right += test::as_vector(n).dot(side_of(test::as_vector(p))) > 0;
   const double share = double(number_right) / double(result.pairs.size());
   if (!CHECK(share >= 0.995 && result.report.hinted_share == hinted_share))
-    std::cerr << "  " << name << ": " << share << " on the right side, " << result.report.hinted_share << " hinted" << std::endl;
+    std::cerr << "  " << name << ": " << share << " on the right side, " << result.report.hinted_share << " hinted"
+              << std::endl;
 }
 
 void test_open_scans(test::Generator& generator)
@@ -80,14 +81,16 @@ void test_open_scans(test::Generator& generator)
   for (double distance : {0.5, 4., 1e6, 1e300})
   {
     check_side("bowl from above", bowl, params::viewpoint(Kernel::Point_3(0, 0, distance)), inwards, 1);
-    check_side("bump from above", bump, params::viewpoint(Kernel::Point_3(0.3 * distance, 0, distance)),
-               [](const Vector&) -> Vector { return Vector::UnitZ(); }, 1);
+    check_side(
+      "bump from above", bump, params::viewpoint(Kernel::Point_3(0.3 * distance, 0, distance)),
+      [](const Vector&) -> Vector { return Vector::UnitZ(); }, 1);
   }
   for (double distance : {4., 1e6, 1e300})
   {
     check_side("bowl from below", bowl, params::viewpoint(Kernel::Point_3(0, 0, -distance)), outwards, 1);
-    check_side("bump from below", bump, params::viewpoint(Kernel::Point_3(0, 0, -distance)),
-               [](const Vector&) -> Vector { return -Vector::UnitZ(); }, 1);
+    check_side(
+      "bump from below", bump, params::viewpoint(Kernel::Point_3(0, 0, -distance)),
+      [](const Vector&) -> Vector { return -Vector::UnitZ(); }, 1);
   }
   // without a hint a bowl is turned like a part of a sphere
   check_side("bowl", bowl, params::default_values(), outwards, 0);
@@ -101,7 +104,8 @@ void test_closed_shapes(test::Generator& generator)
   for (const auto& shape : {sphere, cube})
   {
     for (const Kernel::Point_3& inside : {Kernel::Point_3(0, 0, 0), Kernel::Point_3(0.3, -0.4, 0.2)})
-      check_side("from inside", shape, params::viewpoint(inside), [](const Vector& p) -> Vector { return -p; }, 1);
+      check_side(
+        "from inside", shape, params::viewpoint(inside), [](const Vector& p) -> Vector { return -p; }, 1);
     for (const Kernel::Point_3& outside : {Kernel::Point_3(2, 1, 1), Kernel::Point_3(0, 0, 3), Kernel::Point_3(-40, 7, 0)})
       check_side("from outside", shape, params::viewpoint(outside), outwards, 0);
   }
@@ -110,7 +114,8 @@ void test_closed_shapes(test::Generator& generator)
 /// Given normals, a third of them with the wrong sign and any length; and none for one of two parts.
 void test_hint_map(test::Generator& generator)
 {
-  const test::Oriented_points sphere = test::sphere_points(3000, 1, generator), cube = test::cube_points(3000, 2, generator);
+  const test::Oriented_points sphere = test::sphere_points(3000, 1, generator),
+                              cube = test::cube_points(3000, 2, generator);
   std::vector<Vector> points = noisy(sphere.points, generator);
   Normals inward;
   std::bernoulli_distribution is_wrong(1. / 3);
@@ -136,7 +141,8 @@ void test_hint_map(test::Generator& generator)
       number_right += test::as_vector(n).dot(side_of(test::as_vector(p))) > 0;
     const double share = double(number_right) / double(result.pairs.size());
     if (!CHECK(share >= 0.995 && std::abs(result.report.hinted_share - hinted_share) < 0.1 * hinted_share + 1e-9))
-      std::cerr << "  " << name << ": " << share << " on the right side, " << result.report.hinted_share << " hinted" << std::endl;
+      std::cerr << "  " << name << ": " << share << " on the right side, " << result.report.hinted_share << " hinted"
+                << std::endl;
   };
   const auto inwards = [](const Vector& p) -> Vector { return -p; };
   const auto outwards = [](const Vector& p) { return p; };
@@ -152,8 +158,10 @@ void test_hint_map(test::Generator& generator)
     points.push_back(p + shift);
     inward.emplace_back(0, 0, 0);
   }
-  check_hints("cube without hints beside a sphere with", points, inward,
-              [&](const Vector& p) -> Vector { return p[0] < 5 ? -p : Vector(p - shift); }, 0.5 * 4 * EIGEN_PI / (2 * EIGEN_PI + 12));
+  check_hints(
+    "cube without hints beside a sphere with", points, inward,
+    [&](const Vector& p) -> Vector { return p[0] < 5 ? -p : Vector(p - shift); },
+    0.5 * 4 * EIGEN_PI / (2 * EIGEN_PI + 12));
 }
 
 /// A viewpoint moves and scales with the points.
@@ -182,8 +190,9 @@ void test_invariance(test::Generator& generator)
   const Vector far(500000, 5000000, 100);
   for (Vector& p : at_a_map)
     p += far;
-  check_side("bowl on a map", at_a_map, params::viewpoint(Kernel::Point_3(far[0], far[1], far[2] + 2)),
-             [&](const Vector& p) -> Vector { return far - p; }, 1);
+  check_side(
+    "bowl on a map", at_a_map, params::viewpoint(Kernel::Point_3(far[0], far[1], far[2] + 2)),
+    [&](const Vector& p) -> Vector { return far - p; }, 1);
 }
 
 } // namespace

@@ -15,19 +15,19 @@ using namespace test;
 
 struct Normals
 {
-  std::vector<Vector> vectors;      ///< in the order of the points asked for
+  std::vector<Vector> vectors; ///< in the order of the points asked for
   std::size_t number_of_degenerate;
 };
 
 template <typename T>
 Normals pca_normals(const std::vector<Vector>& points, double radius)
 {
-  const Gridded_points sorted(points, radius / 1.4);   // the cells of the package are not those of this radius
+  const Gridded_points sorted(points, radius / 1.4); // the cells of the package are not those of this radius
   Unwatched unwatched;
   Buffer<Eigen::Matrix<T, 3, 1>> normals(points.size());
   Normals result{std::vector<Vector>(points.size()), 0};
-  result.number_of_degenerate = estimate_pca_normals<CGAL::Parallel_if_available_tag>(
-    sorted.grid, sorted.points, radius, unwatched.progress, normals);
+  result.number_of_degenerate = estimate_pca_normals<CGAL::Parallel_if_available_tag>(sorted.grid, sorted.points, radius,
+                                                                                      unwatched.progress, normals);
   for (std::size_t i = 0; i < points.size(); ++i)
     result.vectors[sorted.order[i]] = normals[i].template cast<double>();
   bool are_unit = true;
@@ -86,7 +86,7 @@ void check_noise(double tolerance, Generator& generator)
   for (std::size_t i = 0; i < points.size(); i += 7)
   {
     const auto naive = covariance_of_ball(points, points[i], 0.4);
-    if (naive.eigenvalues()[1] > 1.5 * naive.eigenvalues()[0])   // else no direction is the least one
+    if (naive.eigenvalues()[1] > 1.5 * naive.eigenvalues()[0]) // else no direction is the least one
       worst = (std::max)(worst, angle_of_lines(normals.vectors[i], naive.eigenvectors().col(0)));
   }
   CHECK(worst < tolerance);
@@ -131,9 +131,9 @@ void check_larger_balls(Generator& generator)
 {
   const Eigen::Matrix3d rotation = random_rotation(generator);
   std::vector<Vector> points = plane_points(500, 2, generator).points;
-  points.emplace_back(1.2, 0, 0.3);                         // sees the patch in the ball of 2 radii
-  points.emplace_back(-5, 1, 0);                            // of 16
-  points.insert(points.end(), 50, Vector(0.3, 1.7, 0.6));   // duplicates, of 4
+  points.emplace_back(1.2, 0, 0.3);                       // sees the patch in the ball of 2 radii
+  points.emplace_back(-5, 1, 0);                          // of 16
+  points.insert(points.end(), 50, Vector(0.3, 1.7, 0.6)); // duplicates, of 4
   for (Vector& p : points)
     p = rotation * p;
   const double radius = 0.3;

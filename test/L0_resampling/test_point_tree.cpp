@@ -76,7 +76,7 @@ void test_crowd(Generator& generator)
   const Point_tree_3 tree = tree_of(points);
   std::vector<Candidate> found(3);
   bool is_first = true;
-  for (std::size_t query = 0; query < n; ++query)   // one by one in the crowd this would take hours
+  for (std::size_t query = 0; query < n; ++query) // one by one in the crowd this would take hours
   {
     tree.find_nearest(Vector(2, 0, 0), 3, found.data());
     is_first = is_first && found[0] == Candidate(0, Index(first));
@@ -91,24 +91,24 @@ void test_means()
   const Point_tree_3 tree = tree_of(points);
   Unwatched unwatched;
   Near_points near;
-  near.count = 4;   // more than there are
-  find_near_points<CGAL::Sequential_tag, double>(tree, Buffer<std::array<double, 3>>{{0.5, 0, 0}, {0.1, 0, 0}, {0, 2.9, 0}},
-                                                 unwatched.progress, near);
+  near.count = 4; // more than there are
+  find_near_points<CGAL::Sequential_tag, double>(
+    tree, Buffer<std::array<double, 3>>{{0.5, 0, 0}, {0.1, 0, 0}, {0, 2.9, 0}}, unwatched.progress, near);
   CHECK(near.nearest(0) == 0 && near.nearest(1) == 0 && near.nearest(2) == 2);
   const auto mean = [&](std::size_t i, float a, float b, float c) {
     const std::array<float, 3> values = {a, b, c};
     return near.mean(i, [&](Index j) { return double(values[j]); });
   };
-  CHECK(mean(0, 0, 1, 0.5f) == 0.5);            // as far from the first as from the second, and the third is in the middle
+  CHECK(mean(0, 0, 1, 0.5f) == 0.5); // as far from the first as from the second, and the third is in the middle
   CHECK(mean(1, 0, 1, 0) > 0 && mean(1, 0, 1, 0) < 0.5);
   CHECK(mean(1, 0.1f, 0.1f, 0.1f) == double(0.1f));
-  CHECK(mean(1, infinity, 7, infinity) == 7);   // what is not finite does not count
+  CHECK(mean(1, infinity, 7, infinity) == 7); // what is not finite does not count
   CHECK(mean(1, infinity, infinity, infinity) == double(infinity));
 
   Near_points parallel;
   parallel.count = 4;
-  find_near_points<CGAL::Parallel_if_available_tag, double>(tree, Buffer<std::array<double, 3>>{{0.5, 0, 0}, {0.1, 0, 0}, {0, 2.9, 0}},
-                                                            unwatched.progress, parallel);
+  find_near_points<CGAL::Parallel_if_available_tag, double>(
+    tree, Buffer<std::array<double, 3>>{{0.5, 0, 0}, {0.1, 0, 0}, {0, 2.9, 0}}, unwatched.progress, parallel);
   CHECK(parallel.indices == near.indices && parallel.weights == near.weights);
 }
 
@@ -133,7 +133,7 @@ int main()
   std::vector<Vector> twice = cloud;
   twice.insert(twice.end(), cloud.rbegin(), cloud.rend());
   check_nearest(twice, queries, 1);
-  for (double scale : {1e-300, 1e300})   // whose squares are not numbers
+  for (double scale : {1e-300, 1e300}) // whose squares are not numbers
   {
     std::vector<Vector> scaled = cloud;
     for (Vector& p : scaled)

@@ -50,7 +50,8 @@ double mean_distance_to_nearest(const std::vector<Point_3>& points)
 {
   const Point_tree tree(points);
   double sum = 0;
-  for (const Point_3& p : points) {
+  for (const Point_3& p : points)
+  {
     const std::vector<std::size_t> two = tree.nearest(p, 2);
     sum += std::sqrt((std::max)(CGAL::squared_distance(p, points[two[0]]), CGAL::squared_distance(p, points[two[1]])));
   }
@@ -135,7 +136,8 @@ void clop_is_lop_for_narrow_gaussians()
     mixture.push_back({1, to_eigen(point), 1e-12 * Eigen::Matrix3d::Identity()});
   const Point_tree tree(points);
   const Continuous_attraction attract(mixture, radius);
-  for (int i = -4; i <= 4; ++i) {
+  for (int i = -4; i <= 4; ++i)
+  {
     const Point_3 sample(0.1 * i, -0.05 * i, 0.2 * radius);
     const Point_3 discrete = local_mean(sample, points, tree, radius, 1);
     CHECK(CGAL::squared_distance(attract(sample), discrete) < 1e-3 * CGAL::squared_distance(sample, discrete));
@@ -158,7 +160,7 @@ void clop_projects_a_noisy_plane_onto_the_plane()
 void kernel_density_draws_keep_the_density()
 {
   std::vector<Point_3> points = noisy_plane(40000);
-  for (Point_3& p : points)   // denser to the left
+  for (Point_3& p : points) // denser to the left
     p = Point_3(p.x() < 0 ? 2 * (p.x() + 0.5) * (p.x() + 0.5) - 0.5 : p.x(), p.y(), p.z());
   const std::vector<Point_3> drawn = draw_from_kernel_density(points, 4000, 0.01, 1);
   CHECK(drawn.size() == 4000);
@@ -168,14 +170,15 @@ void kernel_density_draws_keep_the_density()
       sum += projection_kernel(CGAL::squared_distance(p, at), 0.4);
     return sum / double(of.size());
   };
-  for (double x : {-0.4, -0.3, -0.1, 0.1, 0.3}) {
+  for (double x : {-0.4, -0.3, -0.1, 0.1, 0.3})
+  {
     const Point_3 at(x, 0.1, 0);
     CHECK(test::is_close(density(drawn, at), density(points, at), 0.1));
   }
   const bool is_subset = std::all_of(drawn.begin(), drawn.begin() + 20, [&](const Point_3& p) {
     return std::find(points.begin(), points.end(), p) != points.end();
   });
-  CHECK(!is_subset);   // it is drawn from the estimate, which is smooth
+  CHECK(!is_subset); // it is drawn from the estimate, which is smooth
 }
 
 } // namespace

@@ -47,7 +47,11 @@ std::vector<Vector> joined(std::vector<Vector> a, const std::vector<Vector>& b)
   return a;
 }
 
-struct Case { std::string name; std::vector<Vector> points; };
+struct Case
+{
+  std::string name;
+  std::vector<Vector> points;
+};
 
 std::vector<Case> cases()
 {
@@ -74,7 +78,8 @@ std::vector<Case> cases()
     {"lattice", test::lattice_points(7, 0.1)},
     {"each point three times", joined(sphere, joined(sphere, sphere))},
     {"two clusters", joined(sphere, moved(sphere, Vector(1e4, 0, 0)))},
-    {"two clusters of duplicates", joined(std::vector<Vector>(50, Vector(0, 0, 0)), std::vector<Vector>(50, Vector(1, 1, 1)))},
+    {"two clusters of duplicates",
+     joined(std::vector<Vector>(50, Vector(0, 0, 0)), std::vector<Vector>(50, Vector(1, 1, 1)))},
     {"UTM", moved(sphere, Vector(256075.1, 3935300.5, 120))},
     {"1e7", moved(sphere, Vector(1e7, -1e7, 1e7))},
     {"scale 1e-12", scaled(sphere, 1e-12)},
@@ -96,13 +101,16 @@ void test_counts()
   {
     const Points points = test::kernel_points<Kernel>(c.points);
     const std::size_t n = points.size();
-    test::check_clean<Kernel>(c.name, points, resample(points, params::default_values()), (std::max)(n / 2, std::size_t(1)));
+    test::check_clean<Kernel>(c.name, points, resample(points, params::default_values()),
+                              (std::max)(n / 2, std::size_t(1)));
     for (std::size_t m : {std::size_t(0), std::size_t(1), n, n + 1, 2 * n, 10 * n})
-      test::check_clean<Kernel>(c.name + ", " + std::to_string(m), points, resample(points, params::number_of_output_points(m)), m);
+      test::check_clean<Kernel>(c.name + ", " + std::to_string(m), points,
+                                resample(points, params::number_of_output_points(m)), m);
     for (Method method : {Method::LOR, Method::ALOR})
       for (std::size_t m : {(n + 1) / 2, 3 * n})
         test::check_clean<Kernel>(c.name + ", the paper's method, " + std::to_string(m), points,
-                                  resample(points, params::number_of_output_points(m) | params::resampling_method(method)), m);
+                                  resample(points, params::number_of_output_points(m) | params::resampling_method(method)),
+                                  m);
   }
 }
 
@@ -137,9 +145,12 @@ void test_radii()
       for (std::size_t m : {(n + 1) / 2, 2 * n})
         for (Method method : {Method::DEFAULT, Method::LOR})
         {
-          const std::string name = c.name + (radius < 1 ? ", radius of nobody, " : ", radius of everybody, ") + std::to_string(m);
-          test::check_clean<Kernel>(name, points, resample(points, params::neighbor_radius(radius).number_of_output_points(m)
-                                                                   | params::resampling_method(method)), m);
+          const std::string name = c.name + (radius < 1 ? ", radius of nobody, " : ", radius of everybody, ")
+                                   + std::to_string(m);
+          test::check_clean<Kernel>(name, points,
+                                    resample(points, params::neighbor_radius(radius).number_of_output_points(m)
+                                                       | params::resampling_method(method)),
+                                    m);
         }
   }
 }
@@ -155,13 +166,15 @@ void test_radius_that_reaches_nobody()
       for (Method method : {Method::DEFAULT, Method::LOR})
       {
         std::size_t on_input = 0;
-        const test::Resampled<Kernel> result = resample(points, params::neighbor_radius(radius) | params::resampling_method(method));
+        const test::Resampled<Kernel> result = resample(points, params::neighbor_radius(radius)
+                                                                  | params::resampling_method(method));
         for (const auto& [p, n] : result.pairs)
           on_input += std::any_of(points.begin(), points.end(), [&, &point = p](const Kernel::Point_3& q) {
             return (test::as_vector(point) / scale - test::as_vector(q) / scale).norm() < 1e-12;
           });
         if (!CHECK(on_input == 150))
-          std::cerr << "  scale " << scale << ", radius " << radius << ", method " << int(method) << ": " << on_input << std::endl;
+          std::cerr << "  scale " << scale << ", radius " << radius << ", method " << int(method) << ": " << on_input
+                    << std::endl;
       }
   }
 }
@@ -173,7 +186,8 @@ void test_filter_radius_far_above_neighbor_radius()
   const Points points = test::kernel_points<Kernel>(test::sphere_points(300, 1, generator).points);
   for (double radius : {1e-300, 1e-12, 1e-6, 1e-3})
     test::check_clean<Kernel>("filter radius 1e300", points,
-                              resample(points, params::neighbor_radius(radius) | params::normal_filter_radius(1e300)), 150);
+                              resample(points, params::neighbor_radius(radius) | params::normal_filter_radius(1e300)),
+                              150);
   test::check_clean<Kernel>("filter radius 1e-300", points, resample(points, params::normal_filter_radius(1e-300)), 150);
 }
 

@@ -95,9 +95,10 @@ int main()
   test_every_limit<CGAL::Sequential_tag>(30, params::sparse_linear_solver(std::ref(solver)));
   test_every_limit<CGAL::Parallel_if_available_tag>(120, params::number_of_output_points(120));
   test_every_allocation<CGAL::Sequential_tag>(30, params::default_values());
-  test_every_allocation<CGAL::Sequential_tag>(120, params::number_of_output_points(120) | params::normal_filter_radius(1e-3));
+  test_every_allocation<CGAL::Sequential_tag>(120, params::number_of_output_points(120)
+                                                     | params::normal_filter_radius(1e-3));
   test_every_allocation<CGAL::Sequential_tag>(30, params::sparse_linear_solver(
-    CGAL::L0_resampling::Eigen_least_squares_solver_traits<double>()));
+                                                    CGAL::L0_resampling::Eigen_least_squares_solver_traits<double>()));
   test_every_allocation<CGAL::Parallel_if_available_tag>(30, params::default_values());
   return test::result();
 }

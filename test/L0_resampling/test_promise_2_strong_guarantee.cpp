@@ -25,7 +25,10 @@ namespace params = CGAL::parameters;
 namespace {
 
 /// Of no standard type, so that nothing in between can catch it as one.
-struct Callers_exception { int number; };
+struct Callers_exception
+{
+  int number;
+};
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -108,10 +111,12 @@ void test_input_is_unchanged()
   const std::vector<double> before = numbers(pairs);
   std::vector<Pair> result;
   for (std::size_t m : {500, 5000})
-    CGAL::l0_resample_point_set<ConcurrencyTag>(pairs, std::back_inserter(result), params::point_map(Point_map())
-      .normal_map(Normal_map()).number_of_output_points(m) | params::drop_non_finite(true));
+    CGAL::l0_resample_point_set<ConcurrencyTag>(
+      pairs, std::back_inserter(result),
+      params::point_map(Point_map()).normal_map(Normal_map()).number_of_output_points(m) | params::drop_non_finite(true));
   CHECK(result.size() == 5500);
-  CHECK_THROWS(CGAL::l0_resample_point_set<ConcurrencyTag>(pairs, std::back_inserter(result), params::point_map(Point_map())),
+  CHECK_THROWS(CGAL::l0_resample_point_set<ConcurrencyTag>(pairs, std::back_inserter(result),
+                                                           params::point_map(Point_map())),
                std::invalid_argument);
   CHECK(are_same_bits(before, numbers(pairs)));
 }
@@ -129,8 +134,8 @@ void test_property_maps_that_throw()
     });
     left = accesses;
     check_passes_through([&](auto out) {
-      CGAL::l0_resample_point_set<ConcurrencyTag>(pairs, out, params::point_map(Point_map()).normal_map(
-        Throwing_map<Kernel::Vector_3, &Pair::second>{&left}));
+      CGAL::l0_resample_point_set<ConcurrencyTag>(
+        pairs, out, params::point_map(Point_map()).normal_map(Throwing_map<Kernel::Vector_3, &Pair::second>{&left}));
     });
   }
 }
@@ -144,12 +149,11 @@ void test_callback_that_throws()
   {
     std::atomic<int> calls{0};
     check_passes_through([&](auto out) {
-      CGAL::l0_resample_point_set<ConcurrencyTag>(pairs, out, params::point_map(Point_map()).callback(
-        [&](double) -> bool {
-          if (++calls >= throwing_call)
-            throw Callers_exception{42};
-          return true;
-        }));
+      CGAL::l0_resample_point_set<ConcurrencyTag>(pairs, out, params::point_map(Point_map()).callback([&](double) -> bool {
+        if (++calls >= throwing_call)
+          throw Callers_exception{42};
+        return true;
+      }));
     });
     CHECK(calls == throwing_call);
   }
@@ -166,7 +170,8 @@ void test_output_iterator_that_throws()
     ++written;
   };
   check_passes_through([&](auto) {
-    CGAL::l0_resample_point_set<ConcurrencyTag>(pairs, boost::make_function_output_iterator(write), params::point_map(Point_map()));
+    CGAL::l0_resample_point_set<ConcurrencyTag>(pairs, boost::make_function_output_iterator(write),
+                                                params::point_map(Point_map()));
   });
   CHECK(written == 100);
 }
@@ -180,7 +185,8 @@ void test_returned_iterator()
   const auto end = CGAL::l0_resample_point_set<ConcurrencyTag>(pairs, result.begin(), params::point_map(Point_map()));
   CHECK(end == result.end());
   const std::vector<Pair> nothing;
-  CHECK(CGAL::l0_resample_point_set<ConcurrencyTag>(nothing, result.begin(), params::point_map(Point_map())) == result.begin());
+  CHECK(CGAL::l0_resample_point_set<ConcurrencyTag>(nothing, result.begin(), params::point_map(Point_map()))
+        == result.begin());
 }
 
 /// Normals of no use are replaced by PCA's, for those points alone; the length of the others does not matter.
@@ -195,7 +201,8 @@ void test_given_normals_of_no_use()
   };
   const auto with_normals = params::point_map(Point_map()).normal_map(Normal_map());
   const test::Pairs<Kernel> by_pca = resampled(pairs, params::point_map(Point_map()));
-  for (const Vector& useless : {Vector(0, 0, 0), Vector(-0., 0, 0), Vector(nan, 0, 0), Vector(0, infinity, 0), Vector(1, 1, -infinity)})
+  for (const Vector& useless :
+       {Vector(0, 0, 0), Vector(-0., 0, 0), Vector(nan, 0, 0), Vector(0, infinity, 0), Vector(1, 1, -infinity)})
   {
     std::vector<Pair> input = pairs;
     for (Pair& pair : input)

@@ -59,7 +59,8 @@ void check_refused(const std::string& name, const std::string& value, const Name
   {
     const std::string message = refusal(points, np);
     if (!CHECK(contains(message, name) && contains(message, value)))
-      std::cerr << "  " << name << " = " << value << ", " << points.size() << " points: \"" << message << '"' << std::endl;
+      std::cerr << "  " << name << " = " << value << ", " << points.size() << " points: \"" << message << '"'
+                << std::endl;
   }
 }
 
@@ -89,12 +90,14 @@ void test_lengths_and_angles()
       v[axis] = bad;
       check_refused("viewpoint", std::isnan(bad) ? "nan" : "inf", params::viewpoint(Kernel::Point_3(v[0], v[1], v[2])));
     }
-  check_refused("viewpoint", "given", params::viewpoint(Kernel::Point_3(0, 0, 9)).orientation_hint_map(
-    CGAL::Constant_property_map<Kernel::Point_3, Kernel::Vector_3>(Kernel::Vector_3(0, 0, 1))));
+  check_refused("viewpoint", "given",
+                params::viewpoint(Kernel::Point_3(0, 0, 9))
+                  .orientation_hint_map(
+                    CGAL::Constant_property_map<Kernel::Point_3, Kernel::Vector_3>(Kernel::Vector_3(0, 0, 1))));
   check_refused("sharpness_angle", "90.5", params::sharpness_angle(90.5));
   check_refused("select_percentage", "100.5", params::select_percentage(100.5));
   check_refused("penalty_growth", "1", params::penalty_growth(1));
-  check_refused("penalty_growth", "1.0001", params::penalty_growth(1.0001));   // 30 thousand solves
+  check_refused("penalty_growth", "1.0001", params::penalty_growth(1.0001)); // 30 thousand solves
 }
 
 void test_counts()
@@ -197,14 +200,16 @@ void test_points_that_are_not_finite()
     }
   const Points all_bad(5, Kernel::Point_3(nan, 0, 0));
   for (std::size_t m : {0, 1, 7})
-    test::check_clean<Kernel>("nothing left", all_bad, test::resample<Kernel, CGAL::Sequential_tag>(
-      all_bad, params::drop_non_finite(true).number_of_output_points(m)), 0);
+    test::check_clean<Kernel>(
+      "nothing left", all_bad,
+      test::resample<Kernel, CGAL::Sequential_tag>(all_bad, params::drop_non_finite(true).number_of_output_points(m)), 0);
 }
 
 void test_empty_range()
 {
   test::check_clean<Kernel>("empty", {}, test::resample<Kernel, CGAL::Sequential_tag>({}, params::default_values()), 0);
-  test::check_clean<Kernel>("empty", {}, test::resample<Kernel, CGAL::Parallel_if_available_tag>({}, params::number_of_output_points(9)), 0);
+  test::check_clean<Kernel>(
+    "empty", {}, test::resample<Kernel, CGAL::Parallel_if_available_tag>({}, params::number_of_output_points(9)), 0);
 }
 
 /// An empty optional is as good as a parameter that is not there, and one with a value as good as the value.
@@ -213,11 +218,15 @@ void test_optional_values()
   const Points points = sphere(200);
   const auto resampled = [&](const auto& np) { return test::resample<Kernel, CGAL::Sequential_tag>(points, np); };
   const auto expected = resampled(params::default_values());
-  const auto empty = resampled(params::normal_weight(std::optional<double>()).number_of_output_points(std::optional<int>())
-                                 .neighbor_radius(std::optional<double>()).viewpoint(std::optional<Kernel::Point_3>())
-                                 .normal_map(std::optional<CGAL::Constant_property_map<Kernel::Point_3, Kernel::Vector_3>>()));
+  const auto empty = resampled(
+    params::normal_weight(std::optional<double>())
+      .number_of_output_points(std::optional<int>())
+      .neighbor_radius(std::optional<double>())
+      .viewpoint(std::optional<Kernel::Point_3>())
+      .normal_map(std::optional<CGAL::Constant_property_map<Kernel::Point_3, Kernel::Vector_3>>()));
   CHECK(test::are_identical<Kernel>(empty.pairs, expected.pairs));
-  const auto some = resampled(params::normal_weight(std::optional<double>(0.2)).number_of_output_points(std::optional<int>(30)));
+  const auto some = resampled(
+    params::normal_weight(std::optional<double>(0.2)).number_of_output_points(std::optional<int>(30)));
   CHECK(test::are_identical<Kernel>(some.pairs, resampled(params::normal_weight(0.2).number_of_output_points(30)).pairs));
   CHECK(some.pairs.size() == 30);
   check_refused("neighbor_radius", "-1", params::neighbor_radius(std::optional<double>(-1)));
@@ -238,17 +247,20 @@ void test_maximum_memory()
     CHECK(test::are_identical<Kernel>(limited.pairs, free.pairs));
     test::Pairs<Kernel> result;
     for (std::size_t limit = peak - 1; limit > 0; limit /= 2)
-      CHECK_THROWS(CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(
-                     points, std::back_inserter(result), params::number_of_output_points(m) | params::maximum_memory(limit)),
+      CHECK_THROWS(CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(points, std::back_inserter(result),
+                                                                                params::number_of_output_points(m)
+                                                                                  | params::maximum_memory(limit)),
                    std::bad_alloc);
-    CHECK_THROWS(CGAL::l0_resample_point_set<CGAL::Sequential_tag>(points, std::back_inserter(result), params::maximum_memory(0)),
+    CHECK_THROWS(CGAL::l0_resample_point_set<CGAL::Sequential_tag>(points, std::back_inserter(result),
+                                                                   params::maximum_memory(0)),
                  std::bad_alloc);
     CHECK(result.empty());
   }
   // as many as may be asked for: 100 GB
-  CHECK_THROWS((test::resample<Kernel, CGAL::Sequential_tag>(points, params::number_of_output_points((std::size_t(1) << 32) - 2)
-                                                                      | params::maximum_memory(std::size_t(1) << 30))),
-               std::bad_alloc);
+  CHECK_THROWS(
+    (test::resample<Kernel, CGAL::Sequential_tag>(points, params::number_of_output_points((std::size_t(1) << 32) - 2)
+                                                            | params::maximum_memory(std::size_t(1) << 30))),
+    std::bad_alloc);
 }
 
 } // namespace

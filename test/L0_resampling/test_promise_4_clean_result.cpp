@@ -18,7 +18,11 @@ namespace params = CGAL::parameters;
 namespace {
 
 /// Clouds on which the samples come together, or have little room.
-struct Cloud { std::string name; std::vector<Vector> points; };
+struct Cloud
+{
+  std::string name;
+  std::vector<Vector> points;
+};
 
 std::vector<Cloud> clouds()
 {
@@ -93,13 +97,14 @@ void test_largest_coordinates(const std::string& kernel_name)
     p *= double((std::numeric_limits<typename Kernel::FT>::max)());
   const auto points = test::kernel_points<Kernel>(sphere);
   for (std::size_t m : {150, 600})
-    test::check_clean<Kernel>(kernel_name + ", largest coordinates", points, test::resample<Kernel, CGAL::Sequential_tag>(
-      points, params::number_of_output_points(m)), m);
+    test::check_clean<Kernel>(kernel_name + ", largest coordinates", points,
+                              test::resample<Kernel, CGAL::Sequential_tag>(points, params::number_of_output_points(m)),
+                              m);
   for (Vector& p : sphere)
     p *= double(std::numeric_limits<typename Kernel::FT>::epsilon()) * 1e-38;
   const auto small_points = test::kernel_points<Kernel>(sphere);
-  test::check_clean<Kernel>(kernel_name + ", small coordinates", small_points, test::resample<Kernel, CGAL::Sequential_tag>(
-    small_points, params::default_values()), 150);
+  test::check_clean<Kernel>(kernel_name + ", small coordinates", small_points,
+                            test::resample<Kernel, CGAL::Sequential_tag>(small_points, params::default_values()), 150);
 }
 
 /// `max(1, floor(n * percentage / 100))`, also for the percentages that binary numbers have not.
@@ -113,10 +118,12 @@ void test_counts()
     for (std::size_t percentage : {1, 7, 29, 50, 57, 58, 99, 100})
     {
       const std::size_t expected = (std::max)(std::size_t(1), n * percentage / 100);
-      test::check_clean<Kernel>(std::to_string(percentage) + " % of " + std::to_string(n), points,
-                                test::resample<Kernel, CGAL::Sequential_tag>(points, params::select_percentage(percentage)), expected);
+      test::check_clean<Kernel>(
+        std::to_string(percentage) + " % of " + std::to_string(n), points,
+        test::resample<Kernel, CGAL::Sequential_tag>(points, params::select_percentage(percentage)), expected);
     }
-    CHECK((test::resample<Kernel, CGAL::Sequential_tag>(points, params::select_percentage(10).number_of_output_points(5)).pairs.size()
+    CHECK((test::resample<Kernel, CGAL::Sequential_tag>(points, params::select_percentage(10).number_of_output_points(5))
+             .pairs.size()
            == 5));
   }
 }

@@ -23,7 +23,12 @@ namespace params = CGAL::parameters;
 namespace {
 
 /// Points on a 2^-20 grid, which adding a number of millions does not round, with normals.
-struct Cloud { std::string name; test::Oriented_points points; double length; };
+struct Cloud
+{
+  std::string name;
+  test::Oriented_points points;
+  double length;
+};
 
 Cloud on_grid(const std::string& name, test::Oriented_points points, double length)
 {
@@ -70,17 +75,19 @@ std::vector<Cloud> clouds()
   test::Oriented_points lattice{test::lattice_points(9, 0.125), {}};
   for (std::size_t i = 0; i < lattice.points.size(); ++i)
     lattice.normals.push_back(test::random_unit_vector(generator));
-  return {on_grid("noisy cube", noisy_cube, 1), on_grid("duplicates", duplicates, 1),
+  return {on_grid("noisy cube", noisy_cube, 1),
+          on_grid("duplicates", duplicates, 1),
           on_grid("cube without noise", test::cube_points(1500, 1, generator), 1),
           on_grid("plane", test::plane_points(800, 1, generator), 1),
-          on_grid("sphere", test::sphere_points(800, 10, generator), 20), {"lattice", lattice, 1},
+          on_grid("sphere", test::sphere_points(800, 10, generator), 20),
+          {"lattice", lattice, 1},
           on_grid("cube of face corners", cube_of_face_corners(generator), 1)};
 }
 
 /// The point `scale * p + translation` for each point p; normals are used if `with_normals`.
 template <typename NamedParameters>
-test::Pairs<Kernel> resample(const test::Oriented_points& points, double scale, const Vector& translation, bool with_normals,
-                             const NamedParameters& np)
+test::Pairs<Kernel> resample(const test::Oriented_points& points, double scale, const Vector& translation,
+                             bool with_normals, const NamedParameters& np)
 {
   std::vector<Pair> input;
   for (std::size_t i = 0; i < points.points.size(); ++i)
@@ -136,11 +143,12 @@ void test_scale(const Cloud& cloud, const std::vector<test::Pairs<Kernel>>& expe
   for (int exponent : {-40, 40, 900})
   {
     const double scale = std::ldexp(1., exponent);
-    compare("scale", cloud, expected, results(cloud, scale, Vector::Zero()), [&](test::Pairs<Kernel> a, const test::Pairs<Kernel>& b) {
-      for (Pair& pair : a)
-        pair.first = Kernel::Point_3(scale * pair.first.x(), scale * pair.first.y(), scale * pair.first.z());
-      return test::are_identical<Kernel>(a, b);
-    });
+    compare("scale", cloud, expected, results(cloud, scale, Vector::Zero()),
+            [&](test::Pairs<Kernel> a, const test::Pairs<Kernel>& b) {
+              for (Pair& pair : a)
+                pair.first = Kernel::Point_3(scale * pair.first.x(), scale * pair.first.y(), scale * pair.first.z());
+              return test::are_identical<Kernel>(a, b);
+            });
   }
 }
 
@@ -149,10 +157,12 @@ void test_translation(const Cloud& cloud, const std::vector<test::Pairs<Kernel>>
 {
   for (const Vector& translation : {Vector(456075, 5935300.5, 120.25), Vector(-1e7, 0.5, 1e7)})
     compare("translation", cloud, expected, results(cloud, 1, translation), [&](const auto& a, const auto& b) {
-      const double rounding = 8 * std::numeric_limits<double>::epsilon() * (translation.cwiseAbs().maxCoeff() + 2 * cloud.length);
+      const double rounding = 8 * std::numeric_limits<double>::epsilon()
+                              * (translation.cwiseAbs().maxCoeff() + 2 * cloud.length);
       for (std::size_t i = 0; i < a.size(); ++i)
         if (a[i].second != b[i].second
-            || !((test::as_vector(a[i].first) + translation - test::as_vector(b[i].first)).cwiseAbs().maxCoeff() <= rounding))
+            || !((test::as_vector(a[i].first) + translation - test::as_vector(b[i].first)).cwiseAbs().maxCoeff()
+                 <= rounding))
           return false;
       return true;
     });

@@ -42,13 +42,17 @@ Points cloud(std::size_t n)
 /// All that the report says and that is no time, memory or text.
 std::vector<double> numbers(const CGAL::L0_resampling::Report& report)
 {
-  std::vector<double> result{double(report.number_of_distinct_points), double(report.number_of_degenerate_neighborhoods),
-                             double(report.number_of_lonely_samples), double(report.number_of_self_neighbor_pairs),
-                             report.neighbor_radius, report.oriented_share, report.hinted_share};
+  std::vector<double> result{double(report.number_of_distinct_points),
+                             double(report.number_of_degenerate_neighborhoods),
+                             double(report.number_of_lonely_samples),
+                             double(report.number_of_self_neighbor_pairs),
+                             report.neighbor_radius,
+                             report.oriented_share,
+                             report.hinted_share};
   for (const CGAL::L0_resampling::Iteration_report& iteration : report.iterations)
     result.insert(result.end(), {iteration.fit_energy, iteration.regularization_energy, iteration.normal_energy,
-                                 iteration.sparsity_energy, iteration.active_pair_share, double(iteration.solver.iterations),
-                                 iteration.solver.relative_residual});
+                                 iteration.sparsity_energy, iteration.active_pair_share,
+                                 double(iteration.solver.iterations), iteration.solver.relative_residual});
   return result;
 }
 
@@ -99,7 +103,9 @@ void test_calls_at_once()
 void test_seed()
 {
   const Points points = cloud(1500);
-  const auto with_seed = [&](auto seed) { return test::resample<Kernel, CGAL::Sequential_tag>(points, params::random_seed(seed)); };
+  const auto with_seed = [&](auto seed) {
+    return test::resample<Kernel, CGAL::Sequential_tag>(points, params::random_seed(seed));
+  };
   const test::Resampled<Kernel> without = test::resample<Kernel, CGAL::Sequential_tag>(points, params::default_values());
   CHECK(are_identical(without, with_seed(0)));
   CHECK(are_identical(with_seed(7), with_seed(7u)));
@@ -115,13 +121,16 @@ int main()
   test_tags_and_threads("more than the input", points, params::number_of_output_points(2 * points.size()));
   test_tags_and_threads("LOR", points, params::resampling_method(Method::LOR));
   test_tags_and_threads("ALOR", points, params::resampling_method(Method::ALOR));
-  test_tags_and_threads("kept density, seen from a point", points, params::keep_density(true).viewpoint(Kernel::Point_3(0, 0, 3)));
+  test_tags_and_threads("kept density, seen from a point", points,
+                        params::keep_density(true).viewpoint(Kernel::Point_3(0, 0, 3)));
   test_tags_and_threads("radius that reaches everybody", points, params::neighbor_radius(1e300).select_percentage(20));
   test_tags_and_threads("radius that reaches nobody", points, params::neighbor_radius(1e-300));
   const Points few = cloud(800);
-  test_tags_and_threads("Cholesky", few, params::sparse_linear_solver(CGAL::L0_resampling::Eigen_cholesky_solver_traits<double>()));
-  test_tags_and_threads("least squares", few, params::sparse_linear_solver(
-    CGAL::L0_resampling::Eigen_least_squares_solver_traits<double>()).neighbor_radius(0.2));
+  test_tags_and_threads("Cholesky", few,
+                        params::sparse_linear_solver(CGAL::L0_resampling::Eigen_cholesky_solver_traits<double>()));
+  test_tags_and_threads(
+    "least squares", few,
+    params::sparse_linear_solver(CGAL::L0_resampling::Eigen_least_squares_solver_traits<double>()).neighbor_radius(0.2));
   test_calls_at_once();
   test_seed();
   return test::result();

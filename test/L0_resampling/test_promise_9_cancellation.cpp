@@ -25,7 +25,7 @@ namespace {
 /// Says no at one call, and keeps what must not happen.
 struct Observer
 {
-  int refused_call;   // 0 for none
+  int refused_call; // 0 for none
   std::atomic<int> calls{0};
   double last_value = 0;
   bool stays_in_range = true, never_falls = true, call_is_running = true;
@@ -80,7 +80,7 @@ void test_cancellation(const Points& points, const NamedParameters& np)
 
   for (int refused : {1, 2, 3, 5, 8, 13, 21, 34})
   {
-    if (2 * refused > patient.calls)   // the next run may be twice as fast
+    if (2 * refused > patient.calls) // the next run may be twice as fast
       break;
     Observer observer(refused);
     const auto result = observe<ConcurrencyTag>(points, observer, np);
@@ -101,7 +101,7 @@ void test_slow_callback()
   Observer observer(0);
   const std::function<bool(double)> callback = [&](double value) {
     ++observer.inside;
-    std::this_thread::sleep_for(std::chrono::milliseconds(60));   // three times what lies between two calls
+    std::this_thread::sleep_for(std::chrono::milliseconds(60)); // three times what lies between two calls
     observer.is_alone = observer.is_alone && observer.inside == 1;
     --observer.inside;
     ++observer.calls;
@@ -115,7 +115,8 @@ void test_slow_callback()
 /// An empty function is none.
 void test_empty_callback()
 {
-  const auto result = test::resample<Kernel, CGAL::Sequential_tag>(cloud(500), params::callback(std::function<bool(double)>()));
+  const auto result = test::resample<Kernel, CGAL::Sequential_tag>(cloud(500),
+                                                                   params::callback(std::function<bool(double)>()));
   CHECK(result.report.outcome == Outcome::COMPLETED);
   CHECK(result.pairs.size() == 250);
 }
@@ -129,8 +130,8 @@ int main()
   test_cancellation<CGAL::Sequential_tag>(points, params::resampling_method(Method::LOR));
   test_cancellation<CGAL::Parallel_if_available_tag>(points, params::resampling_method(Method::ALOR));
   test_cancellation<CGAL::Parallel_if_available_tag>(points, params::number_of_output_points(80000).neighbor_radius(0.03));
-  test_cancellation<CGAL::Sequential_tag>(cloud(4000), params::sparse_linear_solver(
-    CGAL::L0_resampling::Eigen_least_squares_solver_traits<double>()));
+  test_cancellation<CGAL::Sequential_tag>(
+    cloud(4000), params::sparse_linear_solver(CGAL::L0_resampling::Eigen_least_squares_solver_traits<double>()));
   test_slow_callback();
   test_empty_callback();
   return test::result();

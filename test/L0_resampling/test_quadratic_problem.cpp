@@ -83,7 +83,7 @@ void test_collapsed_fit_term_differs_by_a_constant(const Paper_problem& paper, c
   std::vector<Vector> centroids(paper.samples.size(), Vector::Zero());
   for (const auto& t : paper.fit)
     centroids[t.i] += t.q / t.v / problem.fit_weights[Eigen::Index(t.i)];
-  double constant = 0;  // the spread of each neighborhood around its centroid
+  double constant = 0; // the spread of each neighborhood around its centroid
   for (const auto& t : paper.fit)
     constant += (t.q - centroids[t.i]).squaredNorm() / t.v;
   for (int trial = 0; trial < 5; ++trial)
@@ -99,7 +99,7 @@ void test_normal_equations_are_those_of_the_rows(const Quadratic_problem<double>
   const internal::Normal_matrix<double> expected = system.matrix.transpose() * system.matrix;
   const internal::Normal_matrix<double> matrix = internal::assemble_normal_matrix(problem);
   CHECK(internal::Normal_matrix<double>(matrix - expected).norm() < 1e-14 * expected.norm());
-  for (Eigen::Index column = 0; column < matrix.cols(); ++column)  // as Eigen demands it
+  for (Eigen::Index column = 0; column < matrix.cols(); ++column) // as Eigen demands it
     for (auto e = matrix.outerIndexPtr()[column] + 1; e < matrix.outerIndexPtr()[column + 1]; ++e)
       CHECK(matrix.innerIndexPtr()[e - 1] < matrix.innerIndexPtr()[e]);
 

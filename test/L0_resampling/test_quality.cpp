@@ -45,8 +45,10 @@ Triangle_mesh sphere_mesh()
   for (std::size_t i = 0; i <= parallels; ++i)
     for (std::size_t j = 0; j < meridians; ++j)
     {
-      const double polar = EIGEN_PI * double(i) / double(parallels), azimuth = 2 * EIGEN_PI * double(j) / double(meridians);
-      mesh.vertices.emplace_back(std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth), std::cos(polar));
+      const double polar = EIGEN_PI * double(i) / double(parallels),
+                   azimuth = 2 * EIGEN_PI * double(j) / double(meridians);
+      mesh.vertices.emplace_back(std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth),
+                                 std::cos(polar));
     }
   for (std::size_t i = 0; i < parallels; ++i)
     for (std::size_t j = 0; j < meridians; ++j)
@@ -78,23 +80,24 @@ struct Surface
   }
 
   explicit Surface(const std::string& surface_name)
-    : Surface(surface_name, read_triangle_mesh(L0_TEST_DATA "/" + surface_name + ".off")) {}
+    : Surface(surface_name, read_triangle_mesh(L0_TEST_DATA "/" + surface_name + ".off"))
+  {}
 };
 
 struct Measures
 {
   std::string name;
-  Distance_statistics distance;   ///< to the surface, % of the diagonal
-  Distance_statistics gap;        ///< from the surface to the nearest point, in spacings of as many points spread evenly
-  double spacing_variation;       ///< of the mean distance to 6 neighbors
+  Distance_statistics distance; ///< to the surface, % of the diagonal
+  Distance_statistics gap;      ///< from the surface to the nearest point, in spacings of as many points spread evenly
+  double spacing_variation;     ///< of the mean distance to 6 neighbors
   Normal_statistics normals;
 };
 
 std::ostream& operator<<(std::ostream& out, const Measures& m)
 {
-  return out << "  " << m.name << ": distance " << m.distance.mean << ", 95 % " << m.distance.p95 << ", max " << m.distance.max
-             << "; gap " << m.gap.max << "; variation " << m.spacing_variation << "; normals " << m.normals.mean_error
-             << " degrees, inwards " << m.normals.share_inwards;
+  return out << "  " << m.name << ": distance " << m.distance.mean << ", 95 % " << m.distance.p95 << ", max "
+             << m.distance.max << "; gap " << m.gap.max << "; variation " << m.spacing_variation << "; normals "
+             << m.normals.mean_error << " degrees, inwards " << m.normals.share_inwards;
 }
 
 Measures measure(const std::string& name, const Surface& surface, const std::vector<Point_3>& points,
@@ -125,7 +128,8 @@ Measures resample_and_measure(const Surface& surface, const std::vector<Point_3>
     points.push_back(point);
     normals.push_back(normal);
   }
-  const std::string name = surface.name + ", " + name_of(method) + ", " + std::to_string(m) + " of " + std::to_string(input.size());
+  const std::string name = surface.name + ", " + name_of(method) + ", " + std::to_string(m) + " of "
+                           + std::to_string(input.size());
   return measure(name, surface, points, normals);
 }
 
@@ -145,13 +149,14 @@ std::size_t share(const std::vector<Point_3>& input, double percent)
 /// What holds for each method, however few or many points are asked for. Noise of the input, if any, is 0.5 %.
 void check_any_method(const Measures& m, double percent)
 {
-  report({CHECK(m.distance.max < 2.5),                          // 1.74, LOR, staircase at 300 %
-          CHECK(m.normals.mean_error < (percent < 20 ? 13 :     // 10.9, DEFAULT, staircase without noise at 3 %
-                                        9.5)),                  // 8.35, LOR, staircase at 50 %
+  report({CHECK(m.distance.max < 2.5),                      // 1.74, LOR, staircase at 300 %
+          CHECK(m.normals.mean_error < (percent < 20 ? 13 : // 10.9, DEFAULT, staircase without noise at 3 %
+                                          9.5)),            // 8.35, LOR, staircase at 50 %
           CHECK(m.normals.share_inwards < (percent < 10 ? 0.1 : // 0.063, DEFAULT, bracket at 3 %: a face of twenty samples may turn
-                                           0.01)),              // 0.0033, LOR, bracket at 10 %
-          CHECK(m.gap.max < (percent < 20 ? 1.8 :               // 1.48, LOR, bracket at 10 %
-                             percent <= 100 ? 3 : 4.8))},       // 2.37, LOR, bracket at 100 %; 4.00, DEFAULT, torus at 300 %
+                                             0.01)), // 0.0033, LOR, bracket at 10 %
+          CHECK(m.gap.max < (percent < 20 ? 1.8 :    // 1.48, LOR, bracket at 10 %
+                               percent <= 100 ? 3
+                                              : 4.8))}, // 2.37, LOR, bracket at 100 %; 4.00, DEFAULT, torus at 300 %
          {m});
 }
 
@@ -168,18 +173,18 @@ void test_noisy_data(const Surface& surface)
     const Measures lor = run(Method::LOR), ours = run(Method::DEFAULT);
     check_any_method(lor, percent);
     check_any_method(ours, percent);
-    report({CHECK(lor.distance.mean < 0.95 * input.distance.mean),           // 0.84, torus at 300 %
-            CHECK(ours.distance.mean < 0.55 * input.distance.mean),          // 0.40, torus at 3 %
-            CHECK(ours.distance.mean < 0.7 * lor.distance.mean),             // 0.53, torus at 3 %
-            CHECK(ours.distance.p95 < lor.distance.p95),                     // 0.93, torus at 3 %
-            CHECK(ours.spacing_variation                                     // 0.76, bracket at 3 %; 0.45, torus at 10 %
+    report({CHECK(lor.distance.mean < 0.95 * input.distance.mean),  // 0.84, torus at 300 %
+            CHECK(ours.distance.mean < 0.55 * input.distance.mean), // 0.40, torus at 3 %
+            CHECK(ours.distance.mean < 0.7 * lor.distance.mean),    // 0.53, torus at 3 %
+            CHECK(ours.distance.p95 < lor.distance.p95),            // 0.93, torus at 3 %
+            CHECK(ours.spacing_variation                            // 0.76, bracket at 3 %; 0.45, torus at 10 %
                   < (percent < 10 ? 0.9 : 0.6) * lor.spacing_variation)},
            {input, lor, ours});
     if (percent == 3 || percent == 50)
     {
       const Measures alor = run(Method::ALOR);
       check_any_method(alor, percent);
-      report({CHECK(alor.distance.mean < 1.05 * lor.distance.mean)}, {lor, alor});   // 1.000
+      report({CHECK(alor.distance.mean < 1.05 * lor.distance.mean)}, {lor, alor}); // 1.000
     }
   }
 }
@@ -189,7 +194,8 @@ void test_clean_data(const Surface& surface, const std::vector<Point_3>& points)
 {
   for (double percent : {3, 50, 100})
   {
-    const Measures ours = resample_and_measure(surface, points, Method::DEFAULT, share(points, percent), params::random_seed(0));
+    const Measures ours = resample_and_measure(surface, points, Method::DEFAULT, share(points, percent),
+                                               params::random_seed(0));
     check_any_method(ours, percent);
     report({CHECK(ours.distance.mean < 0.11),      // 0.075, staircase at 3 %
             CHECK(ours.distance.p95 < 0.4),        // 0.276, bracket at 3 %
@@ -207,10 +213,10 @@ void test_few_points_of_a_sphere(const Surface& sphere)
   for (std::size_t m : {30, 90, 300})
   {
     const Measures ours = resample_and_measure(sphere, points, Method::DEFAULT, m, params::random_seed(0));
-    report({CHECK(ours.distance.mean < 0.12),          // 0.071, 90 points
-            CHECK(ours.distance.max < 0.6),            // 0.386, 300 points
-            CHECK(ours.gap.max < 1.6),                 // 1.38, 30 points
-            CHECK(ours.spacing_variation < 0.17),      // 0.128, 30 points
+    report({CHECK(ours.distance.mean < 0.12),     // 0.071, 90 points
+            CHECK(ours.distance.max < 0.6),       // 0.386, 300 points
+            CHECK(ours.gap.max < 1.6),            // 1.38, 30 points
+            CHECK(ours.spacing_variation < 0.17), // 0.128, 30 points
             CHECK(ours.normals.share_inwards == 0)},
            {ours});
   }
@@ -244,11 +250,11 @@ void test_uneven_density(const Surface& torus)
       return resample_and_measure(torus, points, method, share(points, percent), params::random_seed(0));
     };
     const Measures lor = run(Method::LOR), ours = run(Method::DEFAULT);
-    report({CHECK(ours.distance.mean < 0.6 * input.distance.mean),                     // 0.45 at 3 %
-            CHECK(ours.distance.mean < 0.65 * lor.distance.mean),                      // 0.45 at 3 %
-            CHECK(ours.distance.max < 2.5),                                            // 1.72 at 100 %
-            CHECK(ours.gap.max < (std::max)(1.4 * input.gap.max, 2.)),                 // 1.25 of 2.64 at 100 %
-            CHECK(ours.normals.share_inwards < 0.005 && lor.normals.share_inwards < 0.005)},   // 0
+    report({CHECK(ours.distance.mean < 0.6 * input.distance.mean),                           // 0.45 at 3 %
+            CHECK(ours.distance.mean < 0.65 * lor.distance.mean),                            // 0.45 at 3 %
+            CHECK(ours.distance.max < 2.5),                                                  // 1.72 at 100 %
+            CHECK(ours.gap.max < (std::max)(1.4 * input.gap.max, 2.)),                       // 1.25 of 2.64 at 100 %
+            CHECK(ours.normals.share_inwards < 0.005 && lor.normals.share_inwards < 0.005)}, // 0
            {input, lor, ours});
   }
 }
@@ -259,9 +265,10 @@ void test_thin_plate()
 {
   const Surface plate("thin_plate");
   const std::vector<Point_3> points = read_data("thin_plate_clean");
-  const Measures ours = resample_and_measure(plate, points, Method::DEFAULT, share(points, 50), params::neighbor_radius(0.015));
-  report({CHECK(ours.distance.mean < 0.02),              // 0.007
-          CHECK(ours.normals.mean_error < 6)},           // 3.02
+  const Measures ours = resample_and_measure(plate, points, Method::DEFAULT, share(points, 50),
+                                             params::neighbor_radius(0.015));
+  report({CHECK(ours.distance.mean < 0.02),    // 0.007
+          CHECK(ours.normals.mean_error < 6)}, // 3.02
          {ours});
 }
 

@@ -29,8 +29,10 @@ struct Refitted
     auto normals = to_local_vectors<double>(before), sequential = normals;
     const Normal_filter<double> filter{radius, bandwidth * bandwidth, normal_bandwidth(angle)};
     Unwatched unwatched;
-    refit_normals<CGAL::Parallel_if_available_tag>(sorted.grid, sorted.points, filter, squared_sheet_height, unwatched.progress, normals);
-    refit_normals<CGAL::Sequential_tag>(sorted.grid, sorted.points, filter, squared_sheet_height, unwatched.progress, sequential);
+    refit_normals<CGAL::Parallel_if_available_tag>(sorted.grid, sorted.points, filter, squared_sheet_height,
+                                                   unwatched.progress, normals);
+    refit_normals<CGAL::Sequential_tag>(sorted.grid, sorted.points, filter, squared_sheet_height, unwatched.progress,
+                                        sequential);
     CHECK(normals == sequential);
     after.assign(normals.begin(), normals.end());
   }
@@ -58,7 +60,8 @@ void check_formula(Generator& generator)
         continue;
       const double cosine = n.dot(refitted.before[j]);
       const double height = 0.5 * (n + (cosine < 0 ? -1 : 1) * refitted.before[j]).dot(q - p);
-      const double similarity = std::exp(-std::pow(1 - std::abs(cosine), 2) / normal_bandwidth(angle) - height * height / squared_sheet_height);
+      const double similarity = std::exp(-std::pow(1 - std::abs(cosine), 2) / normal_bandwidth(angle)
+                                         - height * height / squared_sheet_height);
       weights.push_back(std::exp(-(q - p).squaredNorm() / (bandwidth * bandwidth)) * similarity);
       points.push_back(q);
       mean += weights.back() * q;
@@ -69,10 +72,12 @@ void check_formula(Generator& generator)
     Eigen::MatrixXd rows(points.size(), 3);
     for (std::size_t k = 0; k < points.size(); ++k)
       rows.row(Eigen::Index(k)) = std::sqrt(weights[k]) * (points[k] - mean / total).transpose();
-    const Vector plane = Eigen::JacobiSVD<Eigen::MatrixXd>(rows, Eigen::ComputeThinU | Eigen::ComputeThinV).matrixV().col(2);
+    const Vector plane =
+      Eigen::JacobiSVD<Eigen::MatrixXd>(rows, Eigen::ComputeThinU | Eigen::ComputeThinV).matrixV().col(2);
     if (std::abs(std::abs(plane.dot(n)) - 0.5) < 1e-6)
       continue;
-    const Vector expected = std::abs(plane.dot(n)) > 0.5 ? Vector((n + (plane.dot(n) < 0 ? -1 : 1) * plane).normalized()) : n;
+    const Vector expected = std::abs(plane.dot(n)) > 0.5 ? Vector((n + (plane.dot(n) < 0 ? -1 : 1) * plane).normalized())
+                                                         : n;
     worst = (std::max)(worst, (refitted.after[i] - expected).norm());
   }
   CHECK(worst < 1e-7);
@@ -97,7 +102,7 @@ void check_leaning_normals(Generator& generator)
     before += angle_of_lines(refitted.before[i], sorted_truth[i]);
     after += angle_of_lines(refitted.after[i], sorted_truth[i]);
   }
-  CHECK(after < 0.6 * before);   // 0.51: half, and a little for points of the other side
+  CHECK(after < 0.6 * before); // 0.51: half, and a little for points of the other side
 }
 
 /// Points on a line determine no plane, and a lonely point even less: their normals stay, up to what rounding makes of a line.

@@ -28,7 +28,8 @@ void test_completed_call()
   const auto points = test::kernel_points<Kernel>(cube);
   for (Method method : {Method::LOR, Method::ALOR, Method::DEFAULT})
   {
-    const Report report = test::resample<Kernel, Sequential_tag>(points, params::neighbor_radius(0.25) | params::resampling_method(method)).report;
+    const Report report =
+      test::resample<Kernel, Sequential_tag>(points, params::neighbor_radius(0.25) | params::resampling_method(method)).report;
     CHECK(report.outcome == CGAL::L0_resampling::Outcome::COMPLETED);
     CHECK(report.number_of_input_points == 1001 && report.number_of_distinct_points == 1000);
     CHECK(report.number_of_output_points == 500 && report.number_of_dropped_points == 0);
@@ -37,7 +38,7 @@ void test_completed_call()
     CHECK(report.oriented_share > 0.9 && report.oriented_share <= 1);
     CHECK(report.converged && report.device == "cpu" && !report.device_reason.empty());
     const double growth = method == Method::DEFAULT ? 2.3 : 1.5;
-    CHECK(report.iterations.size() == (method == Method::DEFAULT ? 4u : 8u));   // 0.1 * 2.3^3 = 1.22, 0.1 * 1.5^7 = 1.71
+    CHECK(report.iterations.size() == (method == Method::DEFAULT ? 4u : 8u)); // 0.1 * 2.3^3 = 1.22, 0.1 * 1.5^7 = 1.71
     double penalty = 0.1;
     for (std::size_t k = 0; k < report.iterations.size(); ++k, penalty *= growth)
     {
@@ -58,8 +59,10 @@ void test_completed_call()
     }
     CHECK(report.peak_bytes == largest && largest > 1001 * sizeof(Vector));
   }
-  CHECK((test::resample<Kernel, Sequential_tag>(points, params::neighbor_radius(1e-9) | params::resampling_method(Method::LOR))
-           .report.number_of_degenerate_neighborhoods == 1001));
+  CHECK((test::resample<Kernel, Sequential_tag>(points,
+                                                params::neighbor_radius(1e-9) | params::resampling_method(Method::LOR))
+           .report.number_of_degenerate_neighborhoods
+         == 1001));
 }
 
 /// It is reset on entry, and filled as far as the call came.
@@ -69,7 +72,8 @@ void test_failed_call()
   Report report = test::resample<Kernel, Sequential_tag>(points, params::default_values()).report;
   const auto call = [&](const auto& np) {
     test::Pairs<Kernel> result;
-    CGAL::l0_resample_point_set<Sequential_tag>(points, std::back_inserter(result), np | params::resampling_report(&report));
+    CGAL::l0_resample_point_set<Sequential_tag>(points, std::back_inserter(result),
+                                                np | params::resampling_report(&report));
   };
   CHECK_THROWS(call(params::maximum_memory(100000)), std::bad_alloc);
   CHECK(report.number_of_input_points == 1000 && report.number_of_output_points == 0);
@@ -119,8 +123,9 @@ void test_turn_that_does_not_converge()
   {
     const auto run = [&](int call) {
       Solver_that_fails_once solver(call);
-      return test::resample<Kernel, Sequential_tag>(
-        points, params::resampling_method(method).sparse_linear_solver(std::ref(solver))).report;
+      return test::resample<Kernel, Sequential_tag>(points, params::resampling_method(method).sparse_linear_solver(
+                                                              std::ref(solver)))
+        .report;
     };
     const int number_of_turns = int(run(-1).iterations.size());
     CHECK(number_of_turns > 2 && run(-1).converged);
@@ -135,7 +140,9 @@ void test_outliers()
   std::vector<Vector> cube = noisy_cube(3000);
   test::Generator generator(3);
   for (int i = 0; i < 150; ++i)
-    cube.push_back(3 * Vector(test::random_number(-1, 1, generator), test::random_number(-1, 1, generator), test::random_number(-1, 1, generator)));
+    cube.push_back(3
+                   * Vector(test::random_number(-1, 1, generator), test::random_number(-1, 1, generator),
+                            test::random_number(-1, 1, generator)));
   const auto points = test::kernel_points<Kernel>(cube);
   for (const Method method : {Method::DEFAULT, Method::LOR, Method::ALOR})
     for (const bool drops : {true, false})
@@ -143,7 +150,8 @@ void test_outliers()
       const auto run = test::resample<Kernel, Sequential_tag>(
         points, params::resampling_method(method).number_of_output_points(1000).drop_outliers(drops));
       CHECK(run.report.number_of_output_points == 1000 && run.report.number_of_input_points == 3150);
-      CHECK(drops ? run.report.number_of_outliers > 120 && run.report.number_of_outliers <= 150 : run.report.number_of_outliers == 0);
+      CHECK(drops ? run.report.number_of_outliers > 120 && run.report.number_of_outliers <= 150
+                  : run.report.number_of_outliers == 0);
       const Report by_default =
         test::resample<Kernel, Sequential_tag>(points, params::resampling_method(method).number_of_output_points(1000)).report;
       if (drops == (method == Method::DEFAULT))
@@ -158,22 +166,30 @@ void test_exceptional_points()
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t i : {0, 17, 999})
     cube[i][1] = nan;
-  const Report dropped = test::resample<Kernel, Sequential_tag>(test::kernel_points<Kernel>(cube), params::drop_non_finite(true)).report;
-  CHECK(dropped.number_of_dropped_points == 3 && dropped.number_of_input_points == 997 && dropped.number_of_output_points == 498);
+  const Report dropped =
+    test::resample<Kernel, Sequential_tag>(test::kernel_points<Kernel>(cube), params::drop_non_finite(true)).report;
+  CHECK(dropped.number_of_dropped_points == 3 && dropped.number_of_input_points == 997
+        && dropped.number_of_output_points == 498);
 
   // half of the samples start between two points, which nobody reaches with such a radius
   const auto points = test::kernel_points<Kernel>(noisy_cube(1000));
-  const Report lonely = test::resample<Kernel, Sequential_tag>(
-    points, params::neighbor_radius(1e-6).number_of_output_points(2000) | params::resampling_method(Method::LOR)).report;
+  const Report lonely =
+    test::resample<Kernel, Sequential_tag>(points, params::neighbor_radius(1e-6).number_of_output_points(2000)
+                                                     | params::resampling_method(Method::LOR))
+      .report;
   CHECK(lonely.number_of_lonely_samples == 1000 && lonely.number_of_output_points == 2000);
 
   // no surface at all
   test::Generator generator(2);
   std::vector<Vector> fog;
   for (int i = 0; i < 1000; ++i)
-    fog.push_back(Vector(test::random_number(0, 1, generator), test::random_number(0, 1, generator), test::random_number(0, 1, generator)));
+    fog.push_back(Vector(test::random_number(0, 1, generator), test::random_number(0, 1, generator),
+                         test::random_number(0, 1, generator)));
   const Report unsure = test::resample<Kernel, Sequential_tag>(test::kernel_points<Kernel>(fog),
-    params::neighbor_radius(0.1) | params::number_of_normal_filter_iterations(0) | params::resampling_method(Method::LOR)).report;
+                                                               params::neighbor_radius(0.1)
+                                                                 | params::number_of_normal_filter_iterations(0)
+                                                                 | params::resampling_method(Method::LOR))
+                          .report;
   CHECK(unsure.oriented_share > 0 && unsure.oriented_share < 1);
 }
 

@@ -46,7 +46,7 @@ Lists balls_by_grid(const Gridded_points& queries, const Gridded_points& points,
                                          cells_in_reach(radius, points.grid.cell_size()), unwatched.progress,
                                          make_visitor);
   CHECK(is_padding_outside);
-  CHECK(is_origin_near);   // else `float` would not resolve the local coordinates
+  CHECK(is_origin_near); // else `float` would not resolve the local coordinates
   CHECK(std::all_of(number_of_visits.begin(), number_of_visits.end(), [](int n) { return n == 1; }));
   return balls;
 }
@@ -91,19 +91,19 @@ int main()
   std::vector<Vector> cloud = cube_points(1500, 3, generator).points;
   add_gaussian_noise(cloud, 0.1, generator);
   const std::vector<Vector> queries = sphere_points(200, 1.7, generator).points;
-  for (double cell_size : {1., 0.5, 0.4, 0.3})   // balls that reach 1, 2, 3 and 4 cells
+  for (double cell_size : {1., 0.5, 0.4, 0.3}) // balls that reach 1, 2, 3 and 4 cells
   {
     check_balls(cloud, cloud, cell_size, 1);
     check_balls(queries, cloud, cell_size, 1);
   }
 
-  const std::vector<Vector> lattice = lattice_points(8, 0.25);   // distances equal to the radius, exactly: outside
+  const std::vector<Vector> lattice = lattice_points(8, 0.25); // distances equal to the radius, exactly: outside
   for (double radius : {0.25, 0.5, 0.75})
     check_balls(lattice, lattice, 0.25, radius);
   for (double cell_size : {0.25, 0.1})
   {
     const std::vector<Vector> border = border_points(cell_size, generator);
-    check_balls(border, border, cell_size, cell_size * (1 - 1e-12));   // local coordinates round the last bits
+    check_balls(border, border, cell_size, cell_size * (1 - 1e-12)); // local coordinates round the last bits
   }
 
   const std::vector<Vector> far = far_points(generator);

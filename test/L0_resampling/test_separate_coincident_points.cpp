@@ -23,7 +23,7 @@ template <typename FT>
 struct Box
 {
   std::array<FT, 3> low, high;
-  FT length;   // below which coordinates count as zero
+  FT length; // below which coordinates count as zero
 
   /// The bounding box, grown on all sides.
   Box(const Points<FT>& points, FT margin) : low(points.front()), high(points.front()), length(margin)
@@ -87,7 +87,7 @@ void check(Generator& generator)
 
   const Points<FT> places{{0, 0, 0}, {1, 0, 0}, {448262, 5411932, 35}, {FT(0.999999999), -2, FT(1e-20)}};
   for (const std::array<FT, 3>& place : places)
-    check_separation(Points<FT>(3000, place), FT(100), 40);   // 15 nodes of the lattice for an axis
+    check_separation(Points<FT>(3000, place), FT(100), 40); // 15 nodes of the lattice for an axis
   check_separation(Points<FT>(3000, {FT(1e-30), FT(-1e-30), 0}), FT(1e-30), 40);
   check_separation(Points<FT>(3000, {FT(1e30), FT(1e30), FT(-1e30)}), FT(1e30), 40);
 
@@ -103,7 +103,7 @@ void check_small_boxes()
 {
   for (std::size_t n : {3, 10, 3000})
     check_separation(Points<float>(n, {456075, 5935300, 120}), 0.28f, 1e5);
-  check_separation(Points<float>(100, {0, 0, 0}), 1e-41f, 1e3);   // a margin of few digits
+  check_separation(Points<float>(100, {0, 0, 0}), 1e-41f, 1e3); // a margin of few digits
 }
 
 /// In a corner of the box all ways lead inwards, and there is room enough.

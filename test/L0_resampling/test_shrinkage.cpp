@@ -40,7 +40,7 @@ void check_minimum(double normal_weight, double penalty, Generator& generator)
 int main()
 {
   Generator generator(3);
-  for (double penalty : {0.1, 0.5, 2.})   // where Algorithm 1 starts, passes and ends
+  for (double penalty : {0.1, 0.5, 2.}) // where Algorithm 1 starts, passes and ends
     for (double normal_weight : {0.01, 0.9, 30.})
       check_minimum(normal_weight, penalty, generator);
 

@@ -213,8 +213,7 @@ void test_refuses_values_that_are_not_finite(Solver solver)
   Eigen::VectorXd x = start;
   for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
   {
-    const auto planted = [&](double& in_the_problem, double& in_the_rows)
-    {
+    const auto planted = [&](double& in_the_problem, double& in_the_rows) {
       const double good = in_the_problem, good_row = in_the_rows;
       in_the_problem = in_the_rows = bad;
       x = start;
@@ -225,7 +224,7 @@ void test_refuses_values_that_are_not_finite(Solver solver)
     planted(collapsed.right_hand_side[20], collapsed.normal_offsets[3]);
     planted(collapsed.pair_weights[5], collapsed.normal_offsets[3]);
     planted(collapsed.fit_weights[4], collapsed.row_weights[4]);
-    if (!std::is_same<Solver, Cholesky>::value)  // which does not read the initial guess
+    if (!std::is_same<Solver, Cholesky>::value) // which does not read the initial guess
     {
       x = start;
       x[11] = bad;
@@ -240,14 +239,14 @@ void test_refuses_values_that_are_not_finite(Solver solver)
     CHECK_THROWS(solver.solve(huge.view(), x), Solver_error);
   }
   x = start;
-  CHECK(solver.solve(collapsed.view(), x).converged);  // and an object that has thrown goes on to work
+  CHECK(solver.solve(collapsed.view(), x).converged); // and an object that has thrown goes on to work
 }
 
 template <typename Solver>
 void test_refuses_tolerances()
 {
-  for (const double tolerance : {0., 1., -1e-6, 2., std::numeric_limits<double>::quiet_NaN(),
-                                 std::numeric_limits<double>::infinity()})
+  for (const double tolerance :
+       {0., 1., -1e-6, 2., std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
     CHECK_THROWS(Solver(tolerance), std::invalid_argument);
   CHECK(!test::throws<std::exception>([]() { Solver(1e-12); }));
   std::string message;

@@ -43,13 +43,13 @@ struct Failing_solver_traits
   using FT = double;
   static constexpr bool needs_explicit_rows = false;
 
-  Solver_report solve(const Quadratic_problem<double>&, Eigen::Ref<Eigen::VectorXd>) const { throw Solver_error("no answer"); }
+  Solver_report solve(const Quadratic_problem<double>&, Eigen::Ref<Eigen::VectorXd>) const
+  {
+    throw Solver_error("no answer");
+  }
 };
 
-std::vector<Kernel::Point_3> noisy_cube(std::size_t n)
-{
-  return test::kernel_points<Kernel>(test::noisy_cube(n));
-}
+std::vector<Kernel::Point_3> noisy_cube(std::size_t n) { return test::kernel_points<Kernel>(test::noisy_cube(n)); }
 
 template <typename Solver>
 test::Resampled<Kernel> resample(Method method, const Solver& solver)
@@ -84,7 +84,7 @@ void test_models_agree(Method method)
       std::cerr << "  " << name << ", method " << int(method) << ": " << share << std::endl;
   };
   check("parallel", Block_conjugate_gradient_solver_traits<double, CGAL::Parallel_if_available_tag>(tolerance, many));
-  if (method != Method::DEFAULT)   // which looks for neighbors anew in every turn: that amplifies what a solve leaves
+  if (method != Method::DEFAULT) // which looks for neighbors anew in every turn: that amplifies what a solve leaves
     check("default tolerance", Block_conjugate_gradient_solver_traits<double>());
   check("Cholesky", Eigen_cholesky_solver_traits<double>());
   check("least squares", Eigen_least_squares_solver_traits<double>(tolerance, many));

@@ -21,8 +21,8 @@
 #define CHECK(expression) ::test::check(static_cast<bool>(expression), #expression, __FILE__, __LINE__)
 
 /// Checks that the expression throws an `Exception`, or a type derived from it.
-#define CHECK_THROWS(expression, Exception)                                                          \
-  ::test::check(::test::throws<Exception>([&]() { static_cast<void>(expression); }),                 \
+#define CHECK_THROWS(expression, Exception)                                                                            \
+  ::test::check(::test::throws<Exception>([&]() { static_cast<void>(expression); }),                                   \
                 #expression " throws " #Exception, __FILE__, __LINE__)
 
 namespace test {

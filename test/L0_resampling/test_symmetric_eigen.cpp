@@ -17,8 +17,10 @@ using namespace test;
 
 Eigen::Matrix3d random_rotation(Generator& generator)
 {
-  return Eigen::Quaterniond(random_number(-1, 1, generator), random_number(-1, 1, generator), random_number(-1, 1, generator),
-                            random_number(-1, 1, generator)).normalized().toRotationMatrix();
+  return Eigen::Quaterniond(random_number(-1, 1, generator), random_number(-1, 1, generator),
+                            random_number(-1, 1, generator), random_number(-1, 1, generator))
+    .normalized()
+    .toRotationMatrix();
 }
 
 /// The values are those the matrix was made of, and the vector is one of the smallest: A v = value v, of length 1.
@@ -44,7 +46,8 @@ void check_nearly_equal_values()
     for (int i = 0; i < 64; ++i)
     {
       const double unit = value * std::numeric_limits<double>::epsilon();
-      const Eigen_decomposition found = decompose({value + i % 4 * unit, 0, 0, value + i / 4 % 4 * unit, 0, value + i / 16 * unit});
+      const Eigen_decomposition found = decompose(
+        {value + i % 4 * unit, 0, 0, value + i / 4 % 4 * unit, 0, value + i / 16 * unit});
       CHECK(is_close(dot(found.smallest_vector, found.smallest_vector), 1, 1e-12));
       CHECK(is_close(found.values[0], value, 1e-12) && is_close(found.values[2], value, 1e-12));
     }
@@ -56,12 +59,13 @@ int main()
   for (int round = 0; round < 200; ++round)
   {
     const double scale = std::pow(10., random_number(-30, 30, generator));
-    const double a = random_number(0, 1, generator), b = a + random_number(0, 1, generator), c = b + random_number(0, 1, generator);
+    const double a = random_number(0, 1, generator), b = a + random_number(0, 1, generator),
+                 c = b + random_number(0, 1, generator);
     check(scale * a, scale * b, scale * c, generator);
-    check(0, scale * b, scale * c, generator);              // a plane
+    check(0, scale * b, scale * c, generator); // a plane
     check(scale * 1e-9, scale, scale * (1 + c), generator);
-    check(0, 0, scale * c, generator);                      // a line
-    check(scale * a, scale * b, scale * b, generator);      // round
+    check(0, 0, scale * c, generator);                 // a line
+    check(scale * a, scale * b, scale * b, generator); // round
     check(scale * a, scale * a, scale * c, generator);
     check(scale * c, scale * c, scale * c, generator);
     check(-scale * c, scale * a, scale * b, generator);

@@ -14,7 +14,7 @@ using namespace test;
 
 struct Repelled
 {
-  std::vector<Vector> before, after;   ///< in the same order
+  std::vector<Vector> before, after; ///< in the same order
   std::vector<Vector> normals, outward;
 };
 
@@ -29,13 +29,15 @@ Repelled repel(const Oriented_points& cloud, std::vector<Vector> outward, double
   samples.normals = to_buffer(permuted(sorted.order, cloud.normals));
   samples.outward_directions = to_buffer(permuted(sorted.order, outward));
   Unwatched unwatched;
-  const Neighborhoods neighbors =
-    find_self_neighbors<CGAL::Sequential_tag>(sorted.grid, sorted.points, self_neighbor_radius, unwatched.progress);
+  const Neighborhoods neighbors = find_self_neighbors<CGAL::Sequential_tag>(sorted.grid, sorted.points,
+                                                                            self_neighbor_radius, unwatched.progress);
   Samples<double> sequential = samples;
   repel_tangentially<CGAL::Parallel_if_available_tag>(neighbors, spacing, spacing, number_of_steps, samples);
   repel_tangentially<CGAL::Sequential_tag>(neighbors, spacing, spacing, number_of_steps, sequential);
   CHECK(sequential.positions == samples.positions);
-  return {sorted.vector, {samples.positions.begin(), samples.positions.end()}, permuted(sorted.order, cloud.normals),
+  return {sorted.vector,
+          {samples.positions.begin(), samples.positions.end()},
+          permuted(sorted.order, cloud.normals),
           permuted(sorted.order, outward)};
 }
 
@@ -82,7 +84,7 @@ void check_lattice()
     inward.push_back(-border_direction(p));
   }
   const Repelled free = repel(lattice, {}, 1, 1), bound = repel(lattice, outward, 1, 1);
-  CHECK(repel(lattice, inward, 1, 1).after == free.after);   // only what points to the border is left out
+  CHECK(repel(lattice, inward, 1, 1).after == free.after); // only what points to the border is left out
   double inner = 0, off_border = 0, off_free_border = 0;
   for (std::size_t i = 0; i < lattice.points.size(); ++i)
   {
@@ -127,7 +129,7 @@ void check_evenness(Generator& generator)
   Oriented_points sphere = sphere_points(1500, 1, generator);
   const double spacing = std::sqrt(4 * EIGEN_PI / 1500);
   const double before = unevenness(sphere.points);
-  for (int round = 0; round < 8; ++round)   // neighbors anew, as after each turn of Algorithm 1
+  for (int round = 0; round < 8; ++round) // neighbors anew, as after each turn of Algorithm 1
   {
     sphere.points = repel(sphere, {}, spacing, 4).after;
     for (std::size_t i = 0; i < sphere.points.size(); ++i)

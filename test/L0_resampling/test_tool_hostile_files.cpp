@@ -31,15 +31,9 @@ std::size_t largest_allocation = 0;
   throw std::bad_alloc();
 }
 
-[[gnu::noinline]] void operator delete(void* memory) noexcept
-{
-  std::free(memory);
-}
+[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
 
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept
-{
-  std::free(memory);
-}
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace {
 
@@ -62,7 +56,7 @@ struct Hostile_file
 {
   const char* extension;
   std::string bytes;
-  const char* expected;   // a part of the message
+  const char* expected; // a part of the message
 };
 
 // Each of them is refused with its own reason, and with no more memory than the reader's fixed buffer and what a
@@ -146,8 +140,7 @@ void test_hostile_files()
     {".ply", ply_header("ascii", "element vertex 1\n") + "1 2 3\n", "no property x"},
     {".ply", "ply\nformat ascii 1.0\ncomment " + std::string(70000, 'c') + "\n", "longer than 65536 bytes"},
     // rows of PLY
-    {".ply", ply_header("ascii", "element vertex 1000000000\n" + float_xyz) + "1 2 3\n",
-     "1000000000 points are announced"},
+    {".ply", ply_header("ascii", "element vertex 1000000000\n" + float_xyz) + "1 2 3\n", "1000000000 points are announced"},
     {".ply", ply_header("ascii", "element vertex 2\n" + float_xyz) + "1 2 3.0000000\n", "another row is expected"},
     {".ply", ply_header("ascii", ascii_vertex) + "1 2    \n", "ends before its property 'z'"},
     {".ply", ply_header("ascii", ascii_vertex) + "1 2 3 4\n", "more values than its 3 properties"},
@@ -159,24 +152,21 @@ void test_hostile_files()
      "'-1' is not the length of a list"},
     {".ply", ply_header("ascii", "element a 1000000000\nproperty int i\n" + ascii_vertex) + "1\n1 2 3\n",
      "rows of 'a' are announced"},
-    {".ply", binary("element vertex 2\n" + float_xyz, three_floats),
-     "2 points are announced, but only 12 bytes are left"},
+    {".ply", binary("element vertex 2\n" + float_xyz, three_floats), "2 points are announced, but only 12 bytes are left"},
     {".ply", binary("element vertex 18446744073709551615\n" + float_xyz, three_floats), "are announced"},
     // times 12 is 8 in 64 bits
-    {".ply", binary("element vertex 1537228672809129302\n" + float_xyz, three_floats),
-     "are announced"},
+    {".ply", binary("element vertex 1537228672809129302\n" + float_xyz, three_floats), "are announced"},
     {".ply", binary(ascii_vertex, bytes_of(1.f, false) + bytes_of(2.f, false) + bytes_of(std::nanf(""), false)),
      "not finite"},
-    {".ply",
-     binary("element vertex 1\n" + float_xyz + "property list uint double v\n", three_floats + "\xff\xff\xff\xff"),
+    {".ply", binary("element vertex 1\n" + float_xyz + "property list uint double v\n", three_floats + "\xff\xff\xff\xff"),
      "34359738360 bytes are announced"},
     {".ply", binary("element vertex 1\nproperty list int uchar v\n" + float_xyz, "\xff\xff\xff\xff" + three_floats),
      "negative length"},
-    {".ply", binary("element vertex 2\nproperty list uchar uchar v\n" + float_xyz,
-                    std::string(1, '\0') + three_floats + "\x0c" + three_floats),
+    {".ply",
+     binary("element vertex 2\nproperty list uchar uchar v\n" + float_xyz,
+            std::string(1, '\0') + three_floats + "\x0c" + three_floats),
      "the file ends here, where 4 more bytes"},
-    {".ply", binary("element face 4000000000\nproperty list uchar int v\n" + ascii_vertex, three_floats),
-     "rows of 'face'"},
+    {".ply", binary("element face 4000000000\nproperty list uchar int v\n" + ascii_vertex, three_floats), "rows of 'face'"},
     // PCD
     {".pcd", "", "ends within its header"},
     {".pcd", "# nothing\n", "ends within its header"},
@@ -229,8 +219,10 @@ void test_hostile_files()
     {".pcd", pcd("DATA binary", bytes_of(std::nanf(""), false) + three_floats), "not finite"},
     {".pcd", pcd_header("", "8 4 4", "U F F", "1", "binary") + three_floats + three_floats,
      "the field x is an integer of 64 bits"},
-    {".pcd", "VERSION 0.7\nFIELDS x y z _\nSIZE 4 4 4 1\nTYPE F F F U\nCOUNT 1 1 1 100\nWIDTH 2\nHEIGHT 1\nPOINTS 2\n"
-             "DATA binary\n" + three_floats + std::string(150, 'p'),
+    {".pcd",
+     "VERSION 0.7\nFIELDS x y z _\nSIZE 4 4 4 1\nTYPE F F F U\nCOUNT 1 1 1 100\nWIDTH 2\nHEIGHT 1\nPOINTS 2\n"
+     "DATA binary\n"
+       + three_floats + std::string(150, 'p'),
      "2 points are announced, but only 162 bytes are left"},
     {".pcd", "VERSION 0.7\n# " + std::string(70000, 'c') + "\n", "longer than 65536 bytes"},
     // NPY
@@ -275,7 +267,8 @@ void test_hostile_files()
   Read_options everything;
   everything.with_normals = true;
   everything.with_properties = true;
-  for (std::size_t i = 0; i < 2 * files.size(); ++i) {
+  for (std::size_t i = 0; i < 2 * files.size(); ++i)
+  {
     const Hostile_file& file = files[i / 2];
     const std::string path = scratch.file(std::string("hostile") + file.extension);
     write_bytes(path, file.bytes);
@@ -320,8 +313,8 @@ void test_hostile_files()
 // A file that announces its number of points is refused wherever it is cut.
 void test_truncated_files()
 {
-  std::string binary =
-    ply_header("binary_little_endian", "element vertex 3\n" + float_xyz + "property list uchar int v\n");
+  std::string binary = ply_header("binary_little_endian",
+                                  "element vertex 3\n" + float_xyz + "property list uchar int v\n");
   for (int i = 0; i < 3; ++i)
     binary += bytes_of(float(i), false) + bytes_of(1.f, false) + bytes_of(2.f, false) + "\x01"
               + bytes_of(std::int32_t(i), false);
@@ -334,18 +327,19 @@ void test_truncated_files()
     floats += bytes_of(float(i), false);
   for (const auto& [extension, bytes] :
        {std::pair<const char*, std::string>{".pcd", pcd_header("", "4 4 4", "F F F", "3", "binary") + floats},
-        {".npy", npy_file(npy_header("<f4", "(3, 3)"), floats)}}) {
+        {".npy", npy_file(npy_header("<f4", "(3, 3)"), floats)}})
+  {
     CHECK(read(extension, bytes).points.size() == 3);
     for (std::size_t length = 0; length < bytes.size(); ++length)
       CHECK(refusal(extension, bytes.substr(0, length)).status == INPUT_REFUSED);
   }
 
   const std::string rows = "0 1 2\n3 4 5\n6 7 8\n";
-  for (const auto& [extension, text] :
-       {std::pair<const char*, std::string>{".off", "OFF\n3 0 0\n" + rows}, {".xyz", "3\n" + rows},
-        {".ply", ply_header("ascii", "element vertex 3\n" + float_xyz) + rows},
-        {".pcd", pcd_header("", "4 4 4", "F F F", "3", "ascii") + rows}})
-    for (std::size_t length = 1; length < text.size() - 1; ++length)   // without the last line end it is still whole
+  for (const auto& [extension, text] : {std::pair<const char*, std::string>{".off", "OFF\n3 0 0\n" + rows},
+                                        {".xyz", "3\n" + rows},
+                                        {".ply", ply_header("ascii", "element vertex 3\n" + float_xyz) + rows},
+                                        {".pcd", pcd_header("", "4 4 4", "F F F", "3", "ascii") + rows}})
+    for (std::size_t length = 1; length < text.size() - 1; ++length) // without the last line end it is still whole
       CHECK(refusal(extension, text.substr(0, length)).status == INPUT_REFUSED);
 }
 
@@ -356,14 +350,13 @@ void test_changed_bytes()
   const std::vector<std::pair<std::string, std::string>> files = {
     {".xyz", "0.5 1 2 0 0 1\n3 -4e2 5 0 1 0\n6 7 8 1 0 0\n"},
     {".off", "NOFF\n3 1 0\n0.5 1 2 0 0 1\n3 -4e2 5 0 1 0\n6 7 8 1 0 0\n3 0 1 2\n"},
-    {".ply", ply_header("ascii",
-     "element vertex 2\n" + float_xyz + "property list uchar int v\n") + "0.5 1 2 1 7\n3 -4e2 5 0\n"},
+    {".ply", ply_header("ascii", "element vertex 2\n" + float_xyz + "property list uchar int v\n")
+               + "0.5 1 2 1 7\n3 -4e2 5 0\n"},
     {".ply", ply_header("binary_big_endian", "element vertex 2\n" + float_xyz + "property list uchar int v\n")
-             + bytes_of(1.f, true) + bytes_of(2.f, true) + bytes_of(3.f, true) + std::string(1, '\0')
-             + bytes_of(1.f, true) + bytes_of(2.f, true) + bytes_of(3.f, true) + "\x01"
-             + bytes_of(std::int32_t(5), true)},
+               + bytes_of(1.f, true) + bytes_of(2.f, true) + bytes_of(3.f, true) + std::string(1, '\0') + bytes_of(1.f, true)
+               + bytes_of(2.f, true) + bytes_of(3.f, true) + "\x01" + bytes_of(std::int32_t(5), true)},
     {".pcd", pcd_header(" normal_x normal_y normal_z", "4 4 4 4 4 4", "F F F F F F", "2", "ascii")
-             + "0.5 1 2 0 0 1\n3 -4e2 5 0 1 0\n"},
+               + "0.5 1 2 0 0 1\n3 -4e2 5 0 1 0\n"},
     {".pcd", pcd_header(" i", "4 4 4 2", "F F F I", "2", "binary") + three_floats + "ab" + three_floats + "cd"},
     {".npy", npy_file(npy_header("<f4", "(2, 3)"), three_floats + three_floats)}};
   const std::size_t number_of_reads = 2000 * files.size();
@@ -371,11 +364,11 @@ void test_changed_bytes()
   largest_allocation = 0;
   std::size_t wrong = 0, read_well = 0;
   for (int round = 0; round < 2000; ++round)
-    for (const auto& [extension, bytes] : files) {
+    for (const auto& [extension, bytes] : files)
+    {
       std::string changed = bytes;
       for (unsigned k = 0; k < 1 + random() % 3; ++k)
-        changed[random() % changed.size()] =
-          random() % 2 ? char(random() % 256) : "0123456789+-.eE \n\r"[random() % 18];
+        changed[random() % changed.size()] = random() % 2 ? char(random() % 256) : "0123456789+-.eE \n\r"[random() % 18];
       const Failure_seen seen = failure_of([&, extension = extension]() {
         const Point_cloud cloud = read(extension, changed, with_normals());
         ++read_well;

@@ -20,7 +20,7 @@ namespace {
 using namespace l0_tool;
 using namespace tool_test;
 
-const std::string old_content = "old", new_content(1000000, 'n');   // longer than any buffer
+const std::string old_content = "old", new_content(1000000, 'n'); // longer than any buffer
 
 void write_all(const std::string& path)
 {
@@ -66,7 +66,7 @@ void test_no_commit()
   {
     Output_file file(path);
     file.write(new_content);
-    CHECK(folder.number_of_files() == 1);   // the temporary is in the target's own folder, where it can be renamed
+    CHECK(folder.number_of_files() == 1); // the temporary is in the target's own folder, where it can be renamed
   }
   CHECK(folder.number_of_files() == 0);
 

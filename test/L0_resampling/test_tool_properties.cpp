@@ -128,7 +128,7 @@ void test_nobody_asks()
   const std::string bytes = ply_header("binary_little_endian", all_types) + binary_rows(false);
   CHECK(tool_test::read(scratch, ".ply", bytes).properties.properties().empty());
   Read_options options = everything();
-  options.max_memory = 2 * (sizeof(Point) + 26) - 1;   // 26: the properties of a row
+  options.max_memory = 2 * (sizeof(Point) + 26) - 1; // 26: the properties of a row
   const Failure_seen seen = failure_of([&]() { tool_test::read(scratch, ".ply", bytes, options); });
   CHECK(seen.status == RUN_TIME_FAILURE);
   ++options.max_memory;
@@ -139,11 +139,10 @@ void test_dropped_points()
 {
   Read_options options = everything();
   options.drop_non_finite = true;
-  const Point_cloud cloud =
-    tool_test::read(scratch, ".ply",
-                    ply_header("ascii", "element vertex 3\n" + float_xyz + "property int id\n")
-                      + "1 2 3 10\nnan 2 3 20\n4 5 6 30\n",
-                    options);
+  const Point_cloud cloud = tool_test::read(scratch, ".ply",
+                                            ply_header("ascii", "element vertex 3\n" + float_xyz + "property int id\n")
+                                              + "1 2 3 10\nnan 2 3 20\n4 5 6 30\n",
+                                            options);
   CHECK(cloud.points.size() == 2 && value(cloud, 0, "id") == 10 && value(cloud, 1, "id") == 30);
 }
 
@@ -151,15 +150,16 @@ void test_colors()
 {
   // PCL packs them into the bytes of a float, or of an integer with alpha.
   const std::string rows = bytes_of(1.f, false) + bytes_of(2.f, false) + bytes_of(3.f, false);
-  for (const std::string type : {"F", "U"}) {
+  for (const std::string type : {"F", "U"})
+  {
     std::string file = pcd_header(" rgb", "4 4 4 4", "F F F " + type, "1", "binary");
     file.append(rows).append(bytes_of(std::uint32_t(0xff102030), false));
     const Point_cloud cloud = read(".pcd", file);
     CHECK(names_of(cloud) == "red green blue ");
     CHECK(value(cloud, 0, "red") == 0x10 && value(cloud, 0, "green") == 0x20 && value(cloud, 0, "blue") == 0x30);
   }
-  const Point_cloud alpha =
-    read(".pcd", pcd_header(" rgba", "4 4 4 4", "F F F U", "1", "ascii") + "1 2 3 4279246896\n");   // 0xff102030
+  const Point_cloud alpha = read(".pcd", pcd_header(" rgba", "4 4 4 4", "F F F U", "1", "ascii")
+                                           + "1 2 3 4279246896\n"); // 0xff102030
   CHECK(value(alpha, 0, "blue") == 0x30 && value(alpha, 0, "alpha") == 0xff);
   CHECK(written(".pcd", alpha).find("FIELDS x y z rgba\nSIZE 4 4 4 4\nTYPE F F F U\n") != std::string::npos);
   CHECK(written(".pcd", alpha).substr(written(".pcd", alpha).size() - 4) == bytes_of(0xff102030u, false));
@@ -167,10 +167,11 @@ void test_colors()
   CHECK(written(".ply", read(".off", written(".off", alpha))).find("property double x") != std::string::npos);
 
   // Behind the normals; in another order, and with other properties around
-  const Point_cloud cloud = read(".ply",
-    ply_header("ascii", "element vertex 1\n" + float_xyz
-                          + "property uchar blue\nproperty short i\nproperty uchar green\nproperty uchar red\n"
-                            "property float nx\nproperty float ny\nproperty float nz\n") + "1 2 3 4 5 6 7 0 0 1\n");
+  const Point_cloud cloud = read(
+    ".ply", ply_header("ascii", "element vertex 1\n" + float_xyz
+                                  + "property uchar blue\nproperty short i\nproperty uchar green\nproperty uchar red\n"
+                                    "property float nx\nproperty float ny\nproperty float nz\n")
+              + "1 2 3 4 5 6 7 0 0 1\n");
   CHECK(written(".off", cloud) == "CNOFF\n1 0 0\n1 2 3 0 0 1 7 6 4\n");
   CHECK(left_out(".off", cloud) == std::vector<std::string>{"i"});
   CHECK(written(".pcd", cloud).find("FIELDS x y z normal_x normal_y normal_z i rgb\n") != std::string::npos);
@@ -214,13 +215,15 @@ void test_what_is_left_out()
   CHECK(lists.warnings[0].find("the lists 'id'") != std::string::npos);
   CHECK(lists.warnings[1].find("3 of 'face'") != std::string::npos);
 
-  const Point_cloud wide = read(".pcd",
+  const Point_cloud wide = read(
+    ".pcd",
     "VERSION .7\nFIELDS x y z _ t h many\nSIZE 4 4 4 1 8 2 1\nTYPE F F F U U I U\nCOUNT 1 1 1 4 1 2 1001\nWIDTH 1\n"
-    "HEIGHT 1\nPOINTS 1\nDATA binary\n" + std::string(12 + 4 + 8, '\0') + bytes_of(std::int16_t(7), false)
-    + bytes_of(std::int16_t(8), false) + std::string(1001, 'm'));
+    "HEIGHT 1\nPOINTS 1\nDATA binary\n"
+      + std::string(12 + 4 + 8, '\0') + bytes_of(std::int16_t(7), false) + bytes_of(std::int16_t(8), false)
+      + std::string(1001, 'm'));
   CHECK(names_of(wide) == "h_0 h_1 ");
   CHECK(value(wide, 0, "h_0") == 7 && value(wide, 0, "h_1") == 8);
-  CHECK(wide.warnings.size() == 2);   // t and many, and not the padding
+  CHECK(wide.warnings.size() == 2); // t and many, and not the padding
 
   CHECK(read(".xyz", "1 2 3 4\n").warnings.size() == 1);
   CHECK(read(".xyz", "1 2 3 4 5 6\n").warnings.empty());

@@ -36,14 +36,14 @@ Failure_seen refusal(const std::string& extension, const std::string& bytes, con
 void test_round_trip(File_format format, const std::string& extension)
 {
   std::mt19937_64 random(7);
-  std::vector<Oriented_point> points = {
-    {Point(0.1, -0.0, 1. / 3), Vector(1, 0, 0)},
-    {Point(256075.1, 3935300.5, 1e-300), Vector(0, 0, -1)},
-    {Point((std::numeric_limits<double>::max)(), (std::numeric_limits<double>::lowest)(),
-           (std::numeric_limits<double>::min)()),
-     Vector(std::sqrt(.5), std::sqrt(.5), 0)}};
+  std::vector<Oriented_point> points = {{Point(0.1, -0.0, 1. / 3), Vector(1, 0, 0)},
+                                        {Point(256075.1, 3935300.5, 1e-300), Vector(0, 0, -1)},
+                                        {Point((std::numeric_limits<double>::max)(),
+                                               (std::numeric_limits<double>::lowest)(),
+                                               (std::numeric_limits<double>::min)()),
+                                         Vector(std::sqrt(.5), std::sqrt(.5), 0)}};
   std::normal_distribution<double> gauss;
-  for (int i = 0; i < 20000; ++i)   // more than the buffers of reader and writer hold
+  for (int i = 0; i < 20000; ++i) // more than the buffers of reader and writer hold
     points.push_back(
       {Point(gauss(random), gauss(random), gauss(random)), Vector(gauss(random), gauss(random), gauss(random))});
 
@@ -66,14 +66,16 @@ void test_round_trip(File_format format, const std::string& extension)
 template <typename T>
 void test_ply_type(const std::string& name)
 {
-  for (const bool big : {false, true}) {
+  for (const bool big : {false, true})
+  {
     const std::string header = ply_header(big ? "binary_big_endian" : "binary_little_endian",
                                           "element vertex 2\nproperty uchar flag\nproperty " + name + " x\nproperty "
                                             + name + " y\nproperty list ushort int id\nproperty " + name + " z\n");
     std::string body;
-    for (int k = 0; k < 2; ++k) {
+    for (int k = 0; k < 2; ++k)
+    {
       body += bytes_of(std::uint8_t(9), big) + bytes_of(T(k + 1), big) + bytes_of(T(100), big);
-      body += bytes_of(std::uint16_t(k), big);                        // an empty list and one of length 1
+      body += bytes_of(std::uint16_t(k), big); // an empty list and one of length 1
       for (int i = 0; i < k; ++i)
         body += bytes_of(std::int32_t(-1), big);
       body += bytes_of(T(-7), big);
@@ -110,8 +112,9 @@ void test_ply()
   CHECK(cloud.normals == (std::vector<Vector>{Vector(4, 5, 6), Vector(-4, -5, -6)}));
 
   // The same before binary vertices
-  const std::string bytes = ply_header("binary_little_endian",
-    "element strip 2\nproperty list uint short v\nproperty char c\nelement vertex 1\n" + float_xyz)
+  const std::string bytes =
+    ply_header("binary_little_endian",
+               "element strip 2\nproperty list uint short v\nproperty char c\nelement vertex 1\n" + float_xyz)
     + bytes_of(std::uint32_t(3), false) + "aabbcc" + "c" + bytes_of(std::uint32_t(0), false) + "c"
     + bytes_of(1.f, false) + bytes_of(2.f, false) + bytes_of(3.f, false);
   CHECK(read(".ply", bytes).points == std::vector<Point>{Point(1, 2, 3)});
@@ -120,8 +123,7 @@ void test_ply()
   CHECK(read(".ply", ply_header("ascii", "element vertex 0\n" + float_xyz)).points.empty());
   // two of three normal coordinates are no normals
   CHECK(read(".ply",
-             ply_header("ascii", "element vertex 1\n" + float_xyz + "property float nx\nproperty float ny\n")
-               + "1 2 3 4 5\n",
+             ply_header("ascii", "element vertex 1\n" + float_xyz + "property float nx\nproperty float ny\n") + "1 2 3 4 5\n",
              with_normals())
           .normals.empty());
 }
@@ -154,7 +156,8 @@ void test_pcd()
                                   "F F F U U F F F F", "2", "binary");
   header.insert(header.find("WIDTH"), "COUNT 1 1 1 4 1 1 1 1 1\n");
   std::string body;
-  for (int k = 0; k < 2; ++k) {
+  for (int k = 0; k < 2; ++k)
+  {
     for (const float number : {1.f, 2.f, 3.f + float(k)})
       body += bytes_of(number, false);
     body += "pad." + bytes_of(std::uint32_t(0xff00ff), false);
@@ -192,10 +195,12 @@ void test_pcd()
 
 void test_npy()
 {
-  for (const bool big : {false, true}) {
+  for (const bool big : {false, true})
+  {
     const std::string order = big ? ">" : "<";
     std::string singles, doubles;
-    for (int k = 0; k < 6; ++k) {
+    for (int k = 0; k < 6; ++k)
+    {
       singles += bytes_of(float(k) / 3, big);
       doubles += bytes_of(double(k) / 3, big);
     }
@@ -211,8 +216,8 @@ void test_npy()
   // another order of the names, no comma at the end, a long header of version 2
   const std::string header = "{'shape':(0,3),'fortran_order':False,'descr':'<f4'}" + std::string(100, ' ') + "\n";
   CHECK(read(".npy", npy_file(header)).points.empty());
-  const std::string version_2 =
-    std::string("\x93NUMPY\x02\x00", 8) + bytes_of(std::uint32_t(header.size()), false) + header;
+  const std::string version_2 = std::string("\x93NUMPY\x02\x00", 8) + bytes_of(std::uint32_t(header.size()), false)
+                                + header;
   CHECK(read(".npy", version_2).points.empty());
 }
 
@@ -224,7 +229,8 @@ void test_precision_of_pcd()
   for (int k = 0; k < 100; ++k)
     points.push_back({Point(k / 99., k / 7., 0.1 * k), Vector(0.6, 0, 0.8)});
   const double diagonal = std::sqrt((points.back().first - points.front().first).squared_length());
-  for (const double offset : {0., 100., 1e6}) {
+  for (const double offset : {0., 100., 1e6})
+  {
     std::vector<Oriented_point> moved = points;
     for (Oriented_point& point : moved)
       point.first = point.first + offset * Vector(1, -1, 1);
@@ -232,7 +238,8 @@ void test_precision_of_pcd()
     const bool is_single = read_bytes(path).find("SIZE 4 4 4 4 4 4\n") != std::string::npos;
     CHECK(is_single == (offset < 1e6));
     const Point_cloud cloud = read_points(path, File_format::PCD, with_normals());
-    for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
       CHECK(std::sqrt((cloud.points[i] - moved[i].first).squared_length()) <= (is_single ? 2e-6 * diagonal : 0));
       CHECK(std::sqrt((cloud.normals[i] - moved[i].second).squared_length()) <= 1e-6);
     }
@@ -253,7 +260,8 @@ void test_options()
   options.max_points = 2;
   CHECK(read(".xyz", "1 2 3\n4 5 6\n", options).points.size() == 2);
   for (const auto& [extension, bytes] : {std::pair<const char*, const char*>{".xyz", "1 2 3\n4 5 6\n7 8 9\n"},
-                                         {".off", "OFF\n3 0 0\n1 2 3\n4 5 6\n7 8 9\n"}}) {
+                                         {".off", "OFF\n3 0 0\n1 2 3\n4 5 6\n7 8 9\n"}})
+  {
     const Failure_seen seen = refusal(extension, bytes, options);
     CHECK(seen.status == INPUT_REFUSED && seen.says("more than the 2 points"));
   }
@@ -287,7 +295,7 @@ int main()
   test_round_trip(File_format::OFF, ".off");
   test_round_trip(File_format::XYZ, ".xyz");
   test_round_trip(File_format::XYZ, ".xyzn");
-  test_round_trip(File_format::PCD, ".pcd");   // its numbers need double precision
+  test_round_trip(File_format::PCD, ".pcd"); // its numbers need double precision
   test_round_trip(File_format::NPY, ".npy");
   test_ply();
   test_off();

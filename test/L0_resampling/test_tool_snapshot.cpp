@@ -29,8 +29,9 @@ const std::array<double, 3> from_above = {0, 0, 1};
 std::vector<Oriented_point> sphere(std::size_t n)
 {
   std::vector<Oriented_point> points;
-  for (std::size_t i = 0; i < n; ++i) {
-    const double z = 1 - (2 * double(i) + 1) / double(n), angle = 2.399963229728653 * double(i);   // the golden angle
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const double z = 1 - (2 * double(i) + 1) / double(n), angle = 2.399963229728653 * double(i); // the golden angle
     const Vector v(std::sqrt(1 - z * z) * std::cos(angle), std::sqrt(1 - z * z) * std::sin(angle), z);
     points.emplace_back(CGAL::ORIGIN + v, v);
   }
@@ -40,17 +41,15 @@ std::vector<Oriented_point> sphere(std::size_t n)
 Point_cloud cloud_of(const std::vector<Oriented_point>& points)
 {
   Point_cloud cloud;
-  for (const Oriented_point& point : points) {
+  for (const Oriented_point& point : points)
+  {
     cloud.points.push_back(point.first);
     cloud.normals.push_back(point.second);
   }
   return cloud;
 }
 
-bool is_white(const Color& color)
-{
-  return color[0] == 1 && color[1] == 1 && color[2] == 1;
-}
+bool is_white(const Color& color) { return color[0] == 1 && color[1] == 1 && color[2] == 1; }
 
 /// Mean color of what is drawn within `radius` pixels of a pixel, and how much of it is white.
 struct Patch
@@ -64,7 +63,8 @@ Patch patch_around(const Image& image, int x, int y, int radius)
   Patch patch;
   std::size_t n = 0, drawn = 0;
   for (int j = y - radius; j <= y + radius; ++j)
-    for (int i = x - radius; i <= x + radius; ++i, ++n) {
+    for (int i = x - radius; i <= x + radius; ++i, ++n)
+    {
       if (is_white(image.at(i, j)))
         continue;
       ++drawn;
@@ -87,7 +87,7 @@ void test_sphere()
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width / 2; ++x)
       different += image.at(x, y) != image.at(x + image.width / 2, y);
-  CHECK(different == 0);   // one camera and one rule for both sides
+  CHECK(different == 0); // one camera and one rule for both sides
 
   // A circle of 720 pixels in the middle of its half, white around it
   CHECK(is_white(image.at(0, 0)) && is_white(image.at(400, 30)) && is_white(image.at(400, 770))
@@ -129,7 +129,8 @@ void test_invariance()
 {
   const std::vector<Oriented_point> points = sphere(1000);
   const Image image = render_snapshot(cloud_of(points), points, {});
-  for (const double scale : {std::ldexp(1, -40), std::ldexp(1, 40)}) {
+  for (const double scale : {std::ldexp(1, -40), std::ldexp(1, 40)})
+  {
     std::vector<Oriented_point> scaled = points;
     for (Oriented_point& point : scaled)
       point.first = CGAL::ORIGIN + scale * (point.first - CGAL::ORIGIN);
@@ -165,7 +166,8 @@ void test_degenerate()
     {{Point(1, 2, 3), Vector(0, 0, 1)}, {Point(1, 2, 3), Vector(0, 0, 0)}},
     {{Point(0, 0, 0), Vector(nan, 0, 1)}, {Point(1, 0, 0), Vector(1, 0, 0)}, {Point(3, 0, 0), Vector(0, 1, 0)}},
     {{Point(-1e308, 0, 0), Vector(0, 0, 1)}, {Point(1e308, 0, 0), Vector(0, 0, 1)}}};
-  for (const std::vector<Oriented_point>& points : sets) {
+  for (const std::vector<Oriented_point>& points : sets)
+  {
     const Image image = render_snapshot(cloud_of(points), points, from_above);
     std::size_t wrong = 0;
     for (const Color& color : image.pixels)
@@ -173,7 +175,8 @@ void test_degenerate()
         wrong += !(channel >= 0 && channel <= 1);
     CHECK(wrong == 0);
   }
-  for (const Vector& normal : {Vector(0, 0, 1), Vector(0, 0, 0), Vector(nan, 0, 1)}) {
+  for (const Vector& normal : {Vector(0, 0, 1), Vector(0, 0, 0), Vector(nan, 0, 1)})
+  {
     const std::vector<Oriented_point> one = {{Point(1, 2, 3), normal}};
     CHECK(patch_around(render_snapshot(cloud_of(one), one, from_above), 400, 400, 2).white_share < 1);
   }
@@ -195,7 +198,7 @@ void test_spacing()
 void test_png()
 {
   Image image(2, 1, {1, 1, 1});
-  image.at(1, 0) = {0, 0.2158605f, 1};   // the middle one is 128 of 255 in sRGB
+  image.at(1, 0) = {0, 0.2158605f, 1}; // the middle one is 128 of 255 in sRGB
   const tool_test::Scratch_folder folder;
   const std::string path = folder.file("two.png");
   write_png(path, image);

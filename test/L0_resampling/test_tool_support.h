@@ -48,8 +48,7 @@ public:
 
   std::size_t number_of_files() const
   {
-    return std::size_t(
-      std::distance(std::filesystem::directory_iterator(m_path), std::filesystem::directory_iterator()));
+    return std::size_t(std::distance(std::filesystem::directory_iterator(m_path), std::filesystem::directory_iterator()));
   }
 };
 
@@ -75,9 +74,12 @@ struct Failure_seen
 
 inline Failure_seen failure_of(const std::function<void()>& function)
 {
-  try {
+  try
+  {
     function();
-  } catch (const l0_tool::Failure& failure) {
+  }
+  catch (const l0_tool::Failure& failure)
+  {
     return {failure.status(), failure.what()};
   }
   return {};
@@ -104,7 +106,7 @@ std::string bytes_of(T value, bool big_endian)
 {
   std::string bytes(sizeof(T), '\0');
   std::memcpy(bytes.data(), &value, sizeof(T));
-  return big_endian ? std::string(bytes.rbegin(), bytes.rend()) : bytes;   // the tests run on little-endian machines
+  return big_endian ? std::string(bytes.rbegin(), bytes.rend()) : bytes; // the tests run on little-endian machines
 }
 
 inline std::string ply_header(const std::string& format, const std::string& elements)

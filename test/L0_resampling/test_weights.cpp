@@ -25,7 +25,7 @@ void check_known_values()
   CHECK(is_close(gaussian_weight(T(8), T(4)), 1 / (e * e), tolerance));
 
   CHECK(stretch_weight(T(0), T(4)) == 1);
-  CHECK(is_close(stretch_weight(T(1), T(4)), std::pow(e, 0.25), tolerance));   // at r_p/2, where self neighbors end
+  CHECK(is_close(stretch_weight(T(1), T(4)), std::pow(e, 0.25), tolerance)); // at r_p/2, where self neighbors end
   CHECK(is_close(stretch_weight(T(4), T(4)), e, tolerance));
 
   const T bandwidth = T(normal_bandwidth(15));
@@ -55,7 +55,7 @@ void check_clamps()
   }
   CHECK(last_gaussian <= T(std::exp(-39.)));
   CHECK(is_close(last_stretch, e, 1e-6));
-  CHECK(gaussian_weight(T(39), T(1)) > gaussian_weight(T(40), T(1)));   // far enough out for every sum
+  CHECK(gaussian_weight(T(39), T(1)) > gaussian_weight(T(40), T(1))); // far enough out for every sum
 }
 
 /// Each lane of a register gets what the formula gives for one number, up to the rounding of two kinds of exp.

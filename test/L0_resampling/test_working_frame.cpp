@@ -79,7 +79,7 @@ void check_frame(const std::vector<Vector>& cloud, double radius)
     diagonal = (std::max)(diagonal, cloud[i].cwiseAbs().maxCoeff());
   }
   CHECK(largest <= 2);
-  Framed again = framed;   // a second radius, which is another scale of the same frame
+  Framed again = framed; // a second radius, which is another scale of the same frame
   const double factor = again.frame.scale_to(100 * radius_in_frame, again.points);
   CHECK(again.frame.length_in_frame(radius) == factor * radius_in_frame && 100 * factor * radius_in_frame >= 1);
   CHECK(again.points.front() == factor * framed.points.front());
@@ -178,7 +178,8 @@ int main()
   const std::vector<Vector> few = sphere_points(30, 1, generator).points;
   for (const auto& points : {cloud, plane, few, lattice_points(5, 0.5)})
     CHECK(robust_diagonal<CGAL::Parallel_if_available_tag>(to_buffer(points)) == plain_diagonal(points));
-  CHECK(robust_diagonal<CGAL::Parallel_if_available_tag>(to_buffer(std::vector<Vector>{Vector(0, 0, 0), Vector(1, 2, 2)})) == 3);
+  CHECK(robust_diagonal<CGAL::Parallel_if_available_tag>(to_buffer(std::vector<Vector>{Vector(0, 0, 0), Vector(1, 2, 2)}))
+        == 3);
   CHECK(robust_diagonal<CGAL::Parallel_if_available_tag>(to_buffer(std::vector<Vector>(40, Vector(1, 2, 2)))) == 0);
   check_diagonal(cloud);
   check_sensible_radius(cloud);

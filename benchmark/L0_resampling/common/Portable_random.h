@@ -20,10 +20,7 @@ public:
   explicit Portable_random(std::uint64_t seed) : m_engine(seed) {}
 
   /// In [0, 1), a multiple of 2^-53.
-  double uniform()
-  {
-    return double(m_engine() >> 11) * 0x1p-53;
-  }
+  double uniform() { return double(m_engine() >> 11) * 0x1p-53; }
 
   /// Mean 0, standard deviation 1, by the polar method of Marsaglia. The second value of each pair is thrown away,
   /// so that the state of the engine is the whole state.

@@ -46,10 +46,7 @@ inline CGAL::Bbox_3 bounding_box(const Triangle_mesh& mesh)
 }
 
 /// The length that all errors and all noise are percentages of.
-inline double diagonal(const CGAL::Bbox_3& box)
-{
-  return std::hypot(box.x_span(), box.y_span(), box.z_span());
-}
+inline double diagonal(const CGAL::Bbox_3& box) { return std::hypot(box.x_span(), box.y_span(), box.z_span()); }
 
 /// Vertices at the same position become one, since edges are recognised by their vertices.
 /// \throws std::runtime_error if the file cannot be read, is empty or has a face that is not a triangle

@@ -23,8 +23,7 @@ int main(int argc, char* argv[])
   app.add_option("--points", sampling.number_of_points, "Number of points, outliers included")->capture_default_str();
   app.add_option("--noise", sampling.noise, "Standard deviation of each coordinate, % of the bounding box's diagonal")
     ->capture_default_str();
-  app.add_option("--outliers", sampling.outliers, "Share of outliers, %, in the box grown by 10 %")
-    ->capture_default_str();
+  app.add_option("--outliers", sampling.outliers, "Share of outliers, %, in the box grown by 10 %")->capture_default_str();
   app.add_option("--density-gradient", sampling.density_gradient, "Ratio of densities at the ends of the longest axis")
     ->capture_default_str();
   app.add_option("--seed", sampling.seed, "Same seed, same points")->capture_default_str();

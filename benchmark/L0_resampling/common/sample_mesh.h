@@ -24,10 +24,10 @@ namespace L0_benchmark {
 /// How to imitate a scan of a mesh.
 struct Sampling
 {
-  std::size_t number_of_points = 10000;  ///< exact, outliers included
-  double noise = 0;             ///< standard deviation of each coordinate, % of the bounding box's diagonal
-  double outliers = 0;          ///< share of the points, %
-  double density_gradient = 1;  ///< >= 1: density at the upper end of the longest axis over that at the lower end
+  std::size_t number_of_points = 10000; ///< exact, outliers included
+  double noise = 0;                     ///< standard deviation of each coordinate, % of the bounding box's diagonal
+  double outliers = 0;                  ///< share of the points, %
+  double density_gradient = 1; ///< >= 1: density at the upper end of the longest axis over that at the lower end
   std::uint64_t seed = 1;
 };
 
@@ -59,7 +59,7 @@ public:
     const Triangle_3 triangle = m_mesh.triangle(t);
     double u = random.uniform();
     double v = random.uniform();
-    if (u + v > 1) {  // the other half of the parallelogram, turned onto the triangle
+    if (u + v > 1) { // the other half of the parallelogram, turned onto the triangle
       u = 1 - u;
       v = 1 - v;
     }
@@ -79,8 +79,8 @@ inline void check(const Sampling& sampling)
   };
   demand(sampling.noise >= 0 && std::isfinite(sampling.noise), "noise", sampling.noise, "finite and not negative");
   demand(sampling.outliers >= 0 && sampling.outliers <= 100, "outliers", sampling.outliers, "in [0, 100]");
-  demand(sampling.density_gradient >= 1 && std::isfinite(sampling.density_gradient),
-         "density gradient", sampling.density_gradient, "finite and at least 1");
+  demand(sampling.density_gradient >= 1 && std::isfinite(sampling.density_gradient), "density gradient",
+         sampling.density_gradient, "finite and at least 1");
 }
 
 /// Points on the surface first, moved by isotropic Gaussian noise, then the outliers: uniform in the bounding box
@@ -95,8 +95,8 @@ inline std::vector<Point_3> sample_mesh(const Triangle_mesh& mesh, const Samplin
   const double extents[] = {box.x_span(), box.y_span(), box.z_span()};
   const int axis = int(std::max_element(extents, extents + 3) - extents);
   const double standard_deviation = sampling.noise / 100 * diagonal(box);
-  const std::size_t number_of_outliers =
-    std::size_t(std::llround(double(sampling.number_of_points) * sampling.outliers / 100));
+  const std::size_t number_of_outliers = std::size_t(
+    std::llround(double(sampling.number_of_points) * sampling.outliers / 100));
 
   Portable_random random(sampling.seed);
   std::vector<Point_3> points;
@@ -116,7 +116,7 @@ inline std::vector<Point_3> sample_mesh(const Triangle_mesh& mesh, const Samplin
   while (points.size() < sampling.number_of_points) {
     double coordinates[3];
     for (int i = 0; i < 3; ++i)
-      coordinates[i] = (box.min)(i) - growth / 2 + random.uniform() * (extents[i] + growth);
+      coordinates[i] = (box.min)(i)-growth / 2 + random.uniform() * (extents[i] + growth);
     points.emplace_back(coordinates[0], coordinates[1], coordinates[2]);
   }
   return points;

@@ -19,15 +19,9 @@
 
 namespace L0_benchmark {
 
-inline Eigen::Vector3d to_eigen(const Point_3& p)
-{
-  return {p.x(), p.y(), p.z()};
-}
+inline Eigen::Vector3d to_eigen(const Point_3& p) { return {p.x(), p.y(), p.z()}; }
 
-inline Point_3 to_cgal(const Eigen::Vector3d& v)
-{
-  return {v[0], v[1], v[2]};
-}
+inline Point_3 to_cgal(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
 
 /// A component of a mixture. The weight is the number of points it stands for.
 struct Gaussian
@@ -43,15 +37,16 @@ using Gaussian_mixture = std::vector<Gaussian>;
 inline double divergence(const Gaussian& child, const Gaussian& parent, const Eigen::Matrix3d& inverse_of_parent)
 {
   const Eigen::Vector3d difference = child.mean - parent.mean;
-  return 0.5 * ((inverse_of_parent * child.covariance).trace() + difference.dot(inverse_of_parent * difference) - 3
-                - std::log(child.covariance.determinant() / parent.covariance.determinant()));
+  return 0.5
+         * ((inverse_of_parent * child.covariance).trace() + difference.dot(inverse_of_parent * difference) - 3
+            - std::log(child.covariance.determinant() / parent.covariance.determinant()));
 }
 
 /// Each point as the Gaussian of its nearest points.
 /// \param floor the least standard deviation in any direction, so that no covariance is singular
 inline Gaussian_mixture gaussians_of_points(const std::vector<Point_3>& points, double floor)
 {
-  constexpr unsigned number_of_neighbors = 16;   // the point itself is one of them
+  constexpr unsigned number_of_neighbors = 16; // the point itself is one of them
   const Point_tree tree(points);
   Gaussian_mixture mixture;
   mixture.reserve(points.size());
@@ -72,7 +67,7 @@ class Merged_gaussian
   double m_weight = 0;
   Eigen::Vector3d m_sum = Eigen::Vector3d::Zero();
   Eigen::Matrix3d m_squares = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d m_origin;   // near the children, so that squares do not cancel
+  Eigen::Vector3d m_origin; // near the children, so that squares do not cancel
 
 public:
   explicit Merged_gaussian(const Eigen::Vector3d& origin) : m_origin(origin) {}
@@ -110,7 +105,11 @@ inline Gaussian_mixture reduced_mixture(const Gaussian_mixture& mixture, double 
       parents.push_back(s);
 
   // For each component the parents close by, and the logarithm of its likelihood times their weight
-  struct Candidate { std::size_t parent; double log_likelihood; };
+  struct Candidate
+  {
+    std::size_t parent;
+    double log_likelihood;
+  };
   std::vector<std::vector<Candidate>> candidates(mixture.size());
   std::vector<Point_3> means;
   for (const Gaussian& gaussian : mixture)
@@ -119,16 +118,16 @@ inline Gaussian_mixture reduced_mixture(const Gaussian_mixture& mixture, double 
   for (std::size_t p = 0; p < parents.size(); ++p) {
     const Gaussian& parent = mixture[parents[p]];
     const Eigen::Matrix3d inverse = parent.covariance.inverse();
-    const double longest_axis =
-      std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(parent.covariance).eigenvalues().maxCoeff());
+    const double longest_axis = std::sqrt(
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(parent.covariance).eigenvalues().maxCoeff());
     // The divergence is at least half the squared Mahalanobis distance, so no other child can be close.
     for (std::size_t c : tree.in_ball(means[parents[p]], reach * longest_axis)) {
       if (divergence(mixture[c], parent, inverse) > reach * reach / 2)
         continue;
       const Eigen::Vector3d difference = mixture[c].mean - parent.mean;
-      const double of_one_point =
-        -0.5 * (difference.dot(inverse * difference) + (inverse * mixture[c].covariance).trace()
-                + std::log(parent.covariance.determinant()));
+      const double of_one_point = -0.5
+                                  * (difference.dot(inverse * difference) + (inverse * mixture[c].covariance).trace()
+                                     + std::log(parent.covariance.determinant()));
       candidates[c].push_back({p, mixture[c].weight * of_one_point + std::log(parent.weight)});
     }
   }

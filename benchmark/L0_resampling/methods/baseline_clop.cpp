@@ -17,7 +17,7 @@ int main(int argc, char** argv)
   double radius_in_spacings = 8;
   double reach = 2.3;
   unsigned number_of_levels = 3;
-  constexpr double floor_in_spacings = 0.05;   // flat enough for any surface
+  constexpr double floor_in_spacings = 0.05; // flat enough for any surface
   constexpr std::uint64_t seed = 1;
   CLI::App app("Continuous locally optimal projection");
   arguments.add_to(app);
@@ -51,7 +51,10 @@ int main(int argc, char** argv)
 
     write_oriented_points(arguments.output, result);
     print_result("baseline_clop", arguments, points.size(), result.size(),
-                 {{"radius_in_spacings", radius_in_spacings}, {"reach", reach}, {"levels", number_of_levels},
-                  {"components", mixture.size()}}, measured);
+                 {{"radius_in_spacings", radius_in_spacings},
+                  {"reach", reach},
+                  {"levels", number_of_levels},
+                  {"components", mixture.size()}},
+                 measured);
   });
 }

@@ -20,9 +20,9 @@ constexpr unsigned number_of_smoothing_iterations = 3;
 
 struct Parameters
 {
-  double radius_in_spacings = default_radius;  // of WLOP
-  double sharpness_angle = 30;                 // degrees
-  double edge_sensitivity = 1;                 // in [0, 1]
+  double radius_in_spacings = default_radius; // of WLOP
+  double sharpness_angle = 30;                // degrees
+  double edge_sensitivity = 1;                // in [0, 1]
 };
 
 template <typename ConcurrencyTag>
@@ -52,8 +52,10 @@ int main(int argc, char** argv)
   Parameters parameters;
   CLI::App app("CGAL's functions joined to edge-aware resampling");
   arguments.add_to(app);
-  app.add_option("--radius-in-spacings", parameters.radius_in_spacings,
-                 "neighbor_radius of WLOP; without it CGAL's default, 8")->check(CLI::PositiveNumber);
+  app
+    .add_option("--radius-in-spacings", parameters.radius_in_spacings,
+                "neighbor_radius of WLOP; without it CGAL's default, 8")
+    ->check(CLI::PositiveNumber);
   app.add_option("--sharpness-angle", parameters.sharpness_angle, "degrees")->check(CLI::Range(0., 90.));
   app.add_option("--edge-sensitivity", parameters.edge_sensitivity)->check(CLI::Range(0., 1.));
 
@@ -71,8 +73,10 @@ int main(int argc, char** argv)
     write_oriented_points(arguments.output, result);
     print_result("baseline_ear", arguments, number_of_input_points, result.size(),
                  {{"radius_in_spacings", radius_to_json(parameters.radius_in_spacings)},
-                  {"sharpness_angle", parameters.sharpness_angle}, {"edge_sensitivity", parameters.edge_sensitivity},
+                  {"sharpness_angle", parameters.sharpness_angle},
+                  {"edge_sensitivity", parameters.edge_sensitivity},
                   {"smoothing_neighbors", number_of_smoothing_neighbors},
-                  {"smoothing_iterations", number_of_smoothing_iterations}}, measured);
+                  {"smoothing_iterations", number_of_smoothing_iterations}},
+                 measured);
   });
 }

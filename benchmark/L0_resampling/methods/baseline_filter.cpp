@@ -57,16 +57,14 @@ void run_filter(const std::string& filter, std::vector<Point>& points, std::size
         points, count, CGAL::compute_average_spacing<CGAL::Sequential_tag>(points, number_of_spacing_neighbors));
     });
   else if (filter == "jet")
-    measurement.phase(filter, [&] {
-      CGAL::jet_smooth_point_set<CGAL::Sequential_tag>(points, number_of_jet_neighbors);
-    });
+    measurement.phase(filter, [&] { CGAL::jet_smooth_point_set<CGAL::Sequential_tag>(points, number_of_jet_neighbors); });
 
   add_normals(points, measurement, result);
   if (filter == "bilateral")
     measurement.phase(filter, [&] {
       for (unsigned i = 0; i < number_of_bilateral_iterations; ++i)
-        CGAL::bilateral_smooth_point_set<CGAL::Sequential_tag>(
-          result, number_of_bilateral_neighbors, point_and_normal_maps().sharpness_angle(sharpness_angle));
+        CGAL::bilateral_smooth_point_set<CGAL::Sequential_tag>(result, number_of_bilateral_neighbors,
+                                                               point_and_normal_maps().sharpness_angle(sharpness_angle));
     });
   keep_random_subset(result, count, seed);
 }

@@ -16,13 +16,14 @@ int main(int argc, char** argv)
   Arguments arguments;
   double radius_in_spacings = 8;
   double kernel_density_share = 100;
-  constexpr double bandwidth_in_spacings = 0.5;   // of the kernel density estimate: half a spacing fills the gaps
+  constexpr double bandwidth_in_spacings = 0.5; // of the kernel density estimate: half a spacing fills the gaps
   constexpr std::uint64_t seed = 1;
   CLI::App app("Locally optimal projection");
   arguments.add_to(app);
   app.add_option("--radius-in-spacings", radius_in_spacings, "h, the radius of the kernel")->check(CLI::PositiveNumber);
-  app.add_option("--kernel-density-share", kernel_density_share,
-                 "% of the points, drawn from their kernel density estimate, that take part")
+  app
+    .add_option("--kernel-density-share", kernel_density_share,
+                "% of the points, drawn from their kernel density estimate, that take part")
     ->check(CLI::Range(1., 100.));
 
   return run_program(app, argc, argv, [&] {
@@ -49,7 +50,6 @@ int main(int argc, char** argv)
 
     write_oriented_points(arguments.output, result);
     print_result("baseline_lop", arguments, number_of_input_points, result.size(),
-                 {{"radius_in_spacings", radius_in_spacings}, {"kernel_density_share", kernel_density_share}},
-                 measured);
+                 {{"radius_in_spacings", radius_in_spacings}, {"kernel_density_share", kernel_density_share}}, measured);
   });
 }

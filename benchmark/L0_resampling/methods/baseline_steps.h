@@ -43,15 +43,16 @@ void wlop(std::vector<Point>& points, std::size_t number_of_output_points, doubl
   // WLOP floors the product of share and size: half a point more makes the count exact
   const double percentage = 100. * (double(number_of_output_points) + 0.5) / double(points.size());
   const double radius = radius_in_spacings == default_radius
-    ? -1
-    : radius_in_spacings * CGAL::compute_average_spacing<ConcurrencyTag>(points, number_of_spacing_neighbors);
+                          ? -1
+                          : radius_in_spacings
+                              * CGAL::compute_average_spacing<ConcurrencyTag>(points, number_of_spacing_neighbors);
 
   result.clear();
   const auto append = [&result](const Point& point) { result.emplace_back(point, CGAL::NULL_VECTOR); };
-  CGAL::wlop_simplify_and_regularize_point_set<ConcurrencyTag>(
-    points, boost::make_function_output_iterator(append),
-    CGAL::parameters::select_percentage(percentage).neighbor_radius(radius)
-                     .require_uniform_sampling(require_uniform_sampling));
+  CGAL::wlop_simplify_and_regularize_point_set<ConcurrencyTag>(points, boost::make_function_output_iterator(append),
+                                                               CGAL::parameters::select_percentage(percentage)
+                                                                 .neighbor_radius(radius)
+                                                                 .require_uniform_sampling(require_uniform_sampling));
 }
 
 template <typename ConcurrencyTag>
@@ -72,10 +73,11 @@ inline void orient_normals(Oriented_points& points)
 template <typename ConcurrencyTag>
 void upsample(std::size_t number_of_output_points, double sharpness_angle, double edge_sensitivity, Oriented_points& result)
 {
-  CGAL::edge_aware_upsample_point_set<ConcurrencyTag>(
-    result, std::back_inserter(result),
-    point_and_normal_maps().sharpness_angle(sharpness_angle).edge_sensitivity(edge_sensitivity)
-                           .number_of_output_points(number_of_output_points));
+  CGAL::edge_aware_upsample_point_set<ConcurrencyTag>(result, std::back_inserter(result),
+                                                      point_and_normal_maps()
+                                                        .sharpness_angle(sharpness_angle)
+                                                        .edge_sensitivity(edge_sensitivity)
+                                                        .number_of_output_points(number_of_output_points));
 }
 
 /// What a method without normals gets: PCA normals oriented over a spanning tree. Timed apart, as phases of their own.

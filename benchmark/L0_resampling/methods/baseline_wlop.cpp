@@ -40,6 +40,7 @@ int main(int argc, char** argv)
     write_oriented_points(arguments.output, result);
     print_result("baseline_wlop", arguments, number_of_input_points, result.size(),
                  {{"radius_in_spacings", radius_to_json(radius_in_spacings)},
-                  {"require_uniform_sampling", require_uniform_sampling}}, measured);
+                  {"require_uniform_sampling", require_uniform_sampling}},
+                 measured);
   });
 }

@@ -27,13 +27,16 @@ they hardly differ beside the 16 of theta(r) = exp(-16 r^2). Lengths are in unit
 class Attraction_kernel
 {
 public:
-  struct Term { double height, exponent; };   ///< height * exp(-exponent * r^2)
+  struct Term
+  {
+    double height, exponent;
+  }; ///< height * exp(-exponent * r^2)
   static constexpr int number_of_terms = 6;
 
   Attraction_kernel()
   {
     const double scale = 2 / std::sqrt(3.14159265358979323846);
-    m_terms[0] = {scale / (std::exp(1.) - 1), 16 + 0.09};   // a geometric series
+    m_terms[0] = {scale / (std::exp(1.) - 1), 16 + 0.09}; // a geometric series
     for (int u = 0; u < number_of_terms - 1; ++u)
       m_terms[std::size_t(u) + 1] = {scale * std::exp(double(u)), 16 + std::exp(2. * u)};
   }
@@ -55,7 +58,13 @@ private:
 /// LOP's attraction, with integrals over a mixture in place of sums over points.
 class Continuous_attraction
 {
-  struct Component { double weight; Eigen::Vector3d mean; Eigen::Matrix3d axes; Eigen::Vector3d variances; };
+  struct Component
+  {
+    double weight;
+    Eigen::Vector3d mean;
+    Eigen::Matrix3d axes;
+    Eigen::Vector3d variances;
+  };
 
   double m_radius, m_longest_axis = 0;
   Attraction_kernel m_kernel;
@@ -88,7 +97,7 @@ public:
 
   Point_3 operator()(const Point_3& sample) const
   {
-    constexpr double support = 2.5;   // standard deviations of a component, which hold nearly all of it
+    constexpr double support = 2.5; // standard deviations of a component, which hold nearly all of it
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     double sum_of_weights = 0;
     for (std::size_t s : m_tree.in_ball(sample, kernel_reach * m_radius + support * m_longest_axis)) {
@@ -100,8 +109,7 @@ public:
         // The term is a Gaussian around the sample; its product with the component is one again.
         const double variance = m_radius * m_radius / (2 * term.exponent);
         const Eigen::Array3d sums = component.variances.array() + variance;
-        const double weight = component.weight * term.height
-                              * std::sqrt(variance * variance * variance / sums.prod())
+        const double weight = component.weight * term.height * std::sqrt(variance * variance * variance / sums.prod())
                               * std::exp(-0.5 * (difference.array().square() / sums).sum());
         sum += weight * (component.axes * (variance * difference.array() / sums).matrix());
         sum_of_weights += weight;
@@ -121,7 +129,8 @@ inline void continuous_projection(const Gaussian_mixture& mixture, const Project
                                   std::vector<Point_3>& samples)
 {
   const Continuous_attraction attract(mixture, parameters.radius);
-  project(parameters, [&](const Point_3& sample) { return attract(sample); }, samples);
+  project(
+    parameters, [&](const Point_3& sample) { return attract(sample); }, samples);
 }
 
 } // namespace L0_benchmark

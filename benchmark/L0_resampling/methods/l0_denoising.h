@@ -36,12 +36,12 @@ using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
 struct L0_denoising_parameters
 {
   unsigned number_of_neighbors = 12;
-  double normal_weight = 0.05;    ///< lambda of the normals
-  double position_weight = 0.1;   ///< lambda of the positions, in squared spacings
-  double growth = 2;              ///< kappa: the penalty begins at 2 lambda and grows by this factor
+  double normal_weight = 0.05;  ///< lambda of the normals
+  double position_weight = 0.1; ///< lambda of the positions, in squared spacings
+  double growth = 2;            ///< kappa: the penalty begins at 2 lambda and grows by this factor
   double last_normal_penalty = 1e3;
   double last_position_penalty = 1e2;
-  double edge_angle = 30;         ///< degrees between normals of neighbors on two sides of an edge
+  double edge_angle = 30; ///< degrees between normals of neighbors on two sides of an edge
 };
 
 inline Pairs neighbor_pairs(const std::vector<Point_3>& points, unsigned number_of_neighbors)
@@ -86,7 +86,7 @@ inline Rows denoised_normals(const Rows& normals, const Pairs& pairs, const L0_d
         entries.emplace_back(row, column, -penalty);
       }
       const Eigen::RowVector3d difference = result.row(i) - result.row(j);
-      if (difference.squaredNorm() > threshold) {   // a jump: the auxiliary variable takes it up
+      if (difference.squaredNorm() > threshold) { // a jump: the auxiliary variable takes it up
         rhs.row(i) += penalty * difference;
         rhs.row(j) -= penalty * difference;
       }
@@ -115,8 +115,8 @@ inline Rows denoised_positions(const Rows& positions, const Rows& normals, const
     for (Eigen::Index i = 0; i < positions.rows(); ++i)
       entries.emplace_back(i, i, 1);
     for (const auto& [first, second] : pairs)
-      for (const auto& [i, j] : {std::pair(Eigen::Index(first), Eigen::Index(second)),
-                                 std::pair(Eigen::Index(second), Eigen::Index(first))}) {
+      for (const auto& [i, j] :
+           {std::pair(Eigen::Index(first), Eigen::Index(second)), std::pair(Eigen::Index(second), Eigen::Index(first))}) {
         // n_i (p_i - p_j) = height + a_i - cosine * a_j
         const double height = normals.row(i).dot(positions.row(i) - positions.row(j));
         const double cosine = normals.row(i).dot(normals.row(j));
@@ -140,7 +140,7 @@ inline Rows denoised_positions(const Rows& positions, const Rows& normals, const
 inline Rows points_on_edges(const Rows& positions, const Rows& normals, const Pairs& pairs,
                             const L0_denoising_parameters& parameters)
 {
-  constexpr double stiffness = 0.1;   // against moving along the edge, where planes say nothing
+  constexpr double stiffness = 0.1; // against moving along the edge, where planes say nothing
   const double cosine_at_edge = std::cos(parameters.edge_angle * EIGEN_PI / 180);
   const auto n = std::size_t(positions.rows());
   std::vector<Eigen::Matrix3d> matrices(n, stiffness * Eigen::Matrix3d::Identity());
@@ -159,7 +159,7 @@ inline Rows points_on_edges(const Rows& positions, const Rows& normals, const Pa
   for (std::size_t i = 0; i < n; ++i)
     if (is_at_edge[i]) {
       Eigen::Vector3d step = matrices[i].ldlt().solve(sums[i]);
-      if (step.norm() > 1)   // a spacing: nearly parallel planes may meet anywhere
+      if (step.norm() > 1) // a spacing: nearly parallel planes may meet anywhere
         step.normalize();
       result.row(Eigen::Index(i)) += step.transpose();
     }

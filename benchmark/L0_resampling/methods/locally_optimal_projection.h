@@ -18,9 +18,9 @@ namespace L0_benchmark {
 /// What the projection operators of this folder have in common.
 struct Projection_parameters
 {
-  double radius;                       ///< h, a length
-  double repulsion = 0.45;             ///< mu, in [0, 1/2)
-  int repulsion_power = 4;             ///< |eta'(r)| = r^-power: 4 for LOP's eta = 1/(3 r^3), 0 for CLOP's eta = -r
+  double radius;           ///< h, a length
+  double repulsion = 0.45; ///< mu, in [0, 1/2)
+  int repulsion_power = 4; ///< |eta'(r)| = r^-power: 4 for LOP's eta = 1/(3 r^3), 0 for CLOP's eta = -r
   unsigned number_of_iterations = 35;
 };
 
@@ -52,7 +52,7 @@ inline Vector_3 repulsion(const std::vector<Point_3>& samples, const Point_tree&
   for (std::size_t k : tree.in_ball(samples[i], kernel_reach * parameters.radius)) {
     const Vector_3 difference = samples[i] - samples[k];
     const double squared_distance = difference.squared_length();
-    if (squared_distance == 0)  // the sample itself; one that coincides with it pushes in no direction
+    if (squared_distance == 0) // the sample itself; one that coincides with it pushes in no direction
       continue;
     // In units of h, so that the powers do not overflow. The sum of weights takes the unit away again.
     const double distance = std::sqrt(squared_distance) / parameters.radius;
@@ -83,7 +83,7 @@ void project(const Projection_parameters& parameters, const Attraction& attract,
 inline Point_3 local_mean(const Point_3& sample, const std::vector<Point_3>& points, const Point_tree& tree,
                           double radius, int power)
 {
-  const double least_distance = 1e-6 * radius;   // a sample on a point would have an infinite weight
+  const double least_distance = 1e-6 * radius; // a sample on a point would have an infinite weight
   Vector_3 sum = CGAL::NULL_VECTOR;
   double sum_of_weights = 0;
   for (std::size_t j : tree.in_ball(sample, kernel_reach * radius)) {
@@ -109,8 +109,8 @@ inline void locally_optimal_projection(const std::vector<Point_3>& points, const
   const Point_tree tree(points);
   for (Point_3& sample : samples)
     sample = local_mean(sample, points, tree, parameters.radius, 0);
-  project(parameters, [&](const Point_3& sample) { return local_mean(sample, points, tree, parameters.radius, 1); },
-          samples);
+  project(
+    parameters, [&](const Point_3& sample) { return local_mean(sample, points, tree, parameters.radius, 1); }, samples);
 }
 
 } // namespace L0_benchmark

@@ -44,7 +44,7 @@ using Json = nlohmann::ordered_json;
 inline auto point_and_normal_maps()
 {
   return CGAL::parameters::point_map(CGAL::First_of_pair_property_map<Oriented_point>())
-                          .normal_map(CGAL::Second_of_pair_property_map<Oriented_point>());
+    .normal_map(CGAL::Second_of_pair_property_map<Oriented_point>());
 }
 
 /// The command line that all programs share.
@@ -59,8 +59,7 @@ struct Arguments
   {
     app.add_option("input", input, "PLY file; only the positions are used")->required()->check(CLI::ExistingFile);
     app.add_option("output", output, "binary PLY file of points with normals")->required();
-    app.add_option("--points", number_of_output_points, "number of output points")
-      ->required()->check(CLI::PositiveNumber);
+    app.add_option("--points", number_of_output_points, "number of output points")->required()->check(CLI::PositiveNumber);
     app.add_option("--threads", number_of_threads, "1 runs the sequential code")->check(CLI::PositiveNumber);
   }
 };
@@ -102,9 +101,9 @@ class Measurement
 public:
   Measurement()
   {
-    malloc_trim(0);  // else what reading the file freed would serve the call unseen
+    malloc_trim(0); // else what reading the file freed would serve the call unseen
     std::ofstream clear_refs("/proc/self/clear_refs");
-    if (!(clear_refs << 5 << std::flush))  // sets VmHWM back to VmRSS, proc(5)
+    if (!(clear_refs << 5 << std::flush)) // sets VmHWM back to VmRSS, proc(5)
       throw std::runtime_error("/proc/self/clear_refs: the peak of memory cannot be reset");
     m_resident_before = resident_bytes("VmRSS");
   }
@@ -117,8 +116,8 @@ public:
     wall.start();
     function();
     wall.stop();
-    m_phases.push_back({{"name", name}, {"wall_seconds", wall.time()},
-                        {"cpu_seconds", double(std::clock() - cpu) / CLOCKS_PER_SEC}});
+    m_phases.push_back(
+      {{"name", name}, {"wall_seconds", wall.time()}, {"cpu_seconds", double(std::clock() - cpu) / CLOCKS_PER_SEC}});
   }
 
   Json result() const
@@ -129,8 +128,10 @@ public:
       cpu_seconds += phase["cpu_seconds"].get<double>();
     }
     const std::size_t peak = resident_bytes("VmHWM");
-    return {{"wall_seconds", wall_seconds}, {"cpu_seconds", cpu_seconds},
-            {"resident_growth_bytes", peak > m_resident_before ? peak - m_resident_before : 0}, {"phases", m_phases}};
+    return {{"wall_seconds", wall_seconds},
+            {"cpu_seconds", cpu_seconds},
+            {"resident_growth_bytes", peak > m_resident_before ? peak - m_resident_before : 0},
+            {"phases", m_phases}};
   }
 
 private:
@@ -153,10 +154,13 @@ void with_concurrency_tag(unsigned number_of_threads, const Function& function)
 inline void print_result(const std::string& program, const Arguments& arguments, std::size_t number_of_input_points,
                          std::size_t number_of_output_points, const Json& parameters, const Json& measured)
 {
-  Json line = {{"program", program}, {"cgal_version", CGAL_VERSION_STR},
+  Json line = {{"program", program},
+               {"cgal_version", CGAL_VERSION_STR},
                {"input", std::filesystem::path(arguments.input).filename().string()},
-               {"number_of_input_points", number_of_input_points}, {"number_of_output_points", number_of_output_points},
-               {"threads", arguments.number_of_threads}, {"parameters", parameters}};
+               {"number_of_input_points", number_of_input_points},
+               {"number_of_output_points", number_of_output_points},
+               {"threads", arguments.number_of_threads},
+               {"parameters", parameters}};
   line.update(measured);
   std::cout << line.dump() << std::endl;
 }

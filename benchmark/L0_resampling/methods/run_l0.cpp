@@ -29,8 +29,7 @@ const std::vector<std::string> solver_names = {"block", "cholesky", "rows", "cud
 const std::vector<std::string> solver_names = {"block", "cholesky", "rows"};
 #endif
 
-const std::map<std::string, Method> methods =
-  {{"default", Method::DEFAULT}, {"lor", Method::LOR}, {"alor", Method::ALOR}};
+const std::map<std::string, Method> methods = {{"default", Method::DEFAULT}, {"lor", Method::LOR}, {"alor", Method::ALOR}};
 
 /// Resamples with the solver that the command line names; "block" is the function's own default.
 template <typename ConcurrencyTag>
@@ -40,8 +39,8 @@ void resample(const std::vector<Point>& points, std::size_t number_of_output_poi
   namespace solvers = CGAL::L0_resampling;
   const auto out = std::back_inserter(result);
   const auto parameters = CGAL::parameters::number_of_output_points(number_of_output_points)
-                        | CGAL::parameters::resampling_method(method) | CGAL::parameters::normal_weight(normal_weight)
-                        | CGAL::parameters::resampling_report(&report);
+                          | CGAL::parameters::resampling_method(method) | CGAL::parameters::normal_weight(normal_weight)
+                          | CGAL::parameters::resampling_report(&report);
   if (solver == "block")
     CGAL::l0_resample_point_set<ConcurrencyTag>(points, out, parameters);
   else if (solver == "cholesky")
@@ -67,10 +66,14 @@ Json to_json(const Report& report)
   for (const CGAL::L0_resampling::Stage_report& stage : report.stages)
     stages.push_back({{"name", stage.name}, {"seconds", stage.seconds}, {"peak_bytes", stage.peak_bytes}});
 
-  return {{"peak_bytes", report.peak_bytes}, {"neighbor_radius", report.neighbor_radius},
+  return {{"peak_bytes", report.peak_bytes},
+          {"neighbor_radius", report.neighbor_radius},
           {"number_of_self_neighbor_pairs", report.number_of_self_neighbor_pairs},
-          {"outer_iterations", report.iterations.size()}, {"solver_iterations", solver_iterations},
-          {"converged", report.converged}, {"oriented_share", report.oriented_share}, {"stages", stages}};
+          {"outer_iterations", report.iterations.size()},
+          {"solver_iterations", solver_iterations},
+          {"converged", report.converged},
+          {"oriented_share", report.oriented_share},
+          {"stages", stages}};
 }
 
 } // namespace
@@ -79,12 +82,15 @@ int main(int argc, char** argv)
 {
   Arguments arguments;
   std::string method = "default", solver = "block";
-  double normal_weight = 0.9;   // the function's own default
+  double normal_weight = 0.9; // the function's own default
   CLI::App app("CGAL::l0_resample_point_set()");
   arguments.add_to(app);
   app.add_option("--method", method)->check(CLI::IsMember(methods));
-  app.add_option("--solver", solver, "block: conjugate gradients on 3x3 blocks; cholesky: of the normal equations; "
-                 "rows: least-squares conjugate gradients on the paper's rows; cuda_rows: the same on a CUDA device, where built with CUDA")
+  app
+    .add_option("--solver", solver,
+                "block: conjugate gradients on 3x3 blocks; cholesky: of the normal equations; "
+                "rows: least-squares conjugate gradients on the paper's rows; cuda_rows: the same on a CUDA device, "
+                "where built with CUDA")
     ->check(CLI::IsMember(solver_names));
   app.add_option("--normal-weight", normal_weight, "lambda")->check(CLI::NonNegativeNumber);
 
@@ -94,7 +100,7 @@ int main(int argc, char** argv)
     Report report;
     Oriented_points result(arguments.number_of_output_points);
     result.clear();
-    if (solver == "cuda_rows")   // the first call starts the device
+    if (solver == "cuda_rows") // the first call starts the device
     {
       resample<CGAL::Parallel_tag>(points, arguments.number_of_output_points, methods.at(method), solver, normal_weight,
                                    report, result);

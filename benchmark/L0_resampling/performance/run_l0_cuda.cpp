@@ -58,13 +58,13 @@ Json seconds_of(std::size_t repetitions, const F& f)
 {
   using Clock = std::chrono::steady_clock;
   std::vector<double> seconds;
-  for (std::size_t i = 0; i < repetitions; ++i)
-  {
+  for (std::size_t i = 0; i < repetitions; ++i) {
     const Clock::time_point start = Clock::now();
     f();
     seconds.push_back(std::chrono::duration<double>(Clock::now() - start).count());
   }
-  return {{"median", median(seconds)}, {"least", *std::min_element(seconds.begin(), seconds.end())},
+  return {{"median", median(seconds)},
+          {"least", *std::min_element(seconds.begin(), seconds.end())},
           {"greatest", *std::max_element(seconds.begin(), seconds.end())}};
 }
 
@@ -80,8 +80,7 @@ double copy_bandwidth()
   demand(cudaEventCreate(&start));
   demand(cudaEventCreate(&stop));
   std::vector<double> bandwidths;
-  for (int i = 0; i < 12; ++i)
-  {
+  for (int i = 0; i < 12; ++i) {
     float milliseconds = 0;
     demand(cudaEventRecord(start));
     demand(cudaMemcpyAsync(to, from, bytes, cudaMemcpyDeviceToDevice));
@@ -115,8 +114,7 @@ public:
   {
     m_names.resize(report.number_of_stages);
     m_seconds.resize(report.number_of_stages);
-    for (std::size_t s = 0; s < report.number_of_stages; ++s)
-    {
+    for (std::size_t s = 0; s < report.number_of_stages; ++s) {
       m_names[s] = report.stages[s].name;
       m_seconds[s].push_back(report.stages[s].seconds);
     }
@@ -146,16 +144,17 @@ int main(int argc, char** argv)
   app.add_option("mesh", mesh_path, "triangle mesh, OFF")->required()->check(CLI::ExistingFile);
   app.add_option("--points-in", sampling.number_of_points, "points sampled from the mesh")->capture_default_str();
   app.add_option("--noise", sampling.noise, "% of the bounding box's diagonal")->capture_default_str();
-  app.add_option("--noise-in-spacings", noise_in_spacings, "in place of --noise: multiples of the spacing of the points, so that clouds of any size are alike");
+  app.add_option("--noise-in-spacings", noise_in_spacings,
+                 "in place of --noise: multiples of the spacing of the points, so that clouds of any size are alike");
   app.add_option("--points", parameters.number_of_output_points, "number of output points")->required();
   app.add_option("--method", method)->check(CLI::IsMember(methods))->capture_default_str();
-  app.add_option("--radius-in-spacings", radius_in_spacings, "of the input, for a cost that is linear in its size; 0: the method's rule");
+  app.add_option("--radius-in-spacings", radius_in_spacings,
+                 "of the input, for a cost that is linear in its size; 0: the method's rule");
   app.add_option("--repetitions", repetitions)->check(CLI::PositiveNumber)->capture_default_str();
   app.add_flag("--bandwidth", measures_bandwidth, "measure the copy bandwidth of the device too");
   CLI11_PARSE(app, argc, argv);
 
-  try
-  {
+  try {
     const L0_benchmark::Triangle_mesh mesh = L0_benchmark::read_triangle_mesh(mesh_path);
     const double spacing = std::sqrt(L0_benchmark::Area_sampler(mesh).area() / double(sampling.number_of_points));
     if (noise_in_spacings >= 0)
@@ -178,11 +177,12 @@ int main(int argc, char** argv)
     std::vector<double> positions(3 * m);
     std::vector<float> normals(3 * m);
     demand(cuda::create(session));
-    const auto upload = [&]() { demand(cuda::upload(*session, coordinates.data(), points.size(), nullptr, parameters.maximum_memory)); };
+    const auto upload = [&]() {
+      demand(cuda::upload(*session, coordinates.data(), points.size(), nullptr, parameters.maximum_memory));
+    };
     const auto resample = [&]() { demand(cuda::resample(*session, parameters, {}, report)); };
     const auto download = [&]() { demand(cuda::download(*session, positions.data(), normals.data())); };
-    for (int i = 0; i < 3; ++i)
-    {
+    for (int i = 0; i < 3; ++i) {
       upload();
       resample();
       download();
@@ -202,11 +202,21 @@ int main(int argc, char** argv)
     for (std::size_t i = 0; i < report.number_of_iterations; ++i)
       solver_iterations += report.iterations[i].solver_iterations;
 
-    Json result = {{"device", name_of_device()}, {"mesh", mesh_path}, {"noise", sampling.noise}, {"points_in", points.size()},
-                   {"points_out", m}, {"method", method}, {"radius_in_spacings", radius_in_spacings}, {"repetitions", repetitions},
-                   {"device_resident_seconds", device_resident}, {"host_to_host_seconds", host_to_host}, {"upload_seconds", uploading},
-                   {"stages", stages.result()}, {"neighbor_radius", report.neighbor_radius},
-                   {"number_of_self_neighbor_pairs", report.number_of_self_neighbor_pairs}, {"solver_iterations", solver_iterations},
+    Json result = {{"device", name_of_device()},
+                   {"mesh", mesh_path},
+                   {"noise", sampling.noise},
+                   {"points_in", points.size()},
+                   {"points_out", m},
+                   {"method", method},
+                   {"radius_in_spacings", radius_in_spacings},
+                   {"repetitions", repetitions},
+                   {"device_resident_seconds", device_resident},
+                   {"host_to_host_seconds", host_to_host},
+                   {"upload_seconds", uploading},
+                   {"stages", stages.result()},
+                   {"neighbor_radius", report.neighbor_radius},
+                   {"number_of_self_neighbor_pairs", report.number_of_self_neighbor_pairs},
+                   {"solver_iterations", solver_iterations},
                    {"oriented_share", report.oriented_share},
                    {"degenerate_neighborhoods", report.number_of_degenerate_neighborhoods},
                    {"peak_bytes_a_point", double(report.peak_bytes) / double(points.size())}};
@@ -215,9 +225,7 @@ int main(int argc, char** argv)
       result["copy_bytes_a_second"] = copy_bandwidth();
     std::cout << result.dump() << std::endl;
     return 0;
-  }
-  catch (const std::exception& error)
-  {
+  } catch (const std::exception& error) {
     std::cerr << "run_l0_cuda: " << error.what() << "\n";
     return 1;
   }

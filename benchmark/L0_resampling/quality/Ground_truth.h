@@ -73,13 +73,19 @@ inline std::vector<Segment_3> feature_edges(const Triangle_mesh& mesh, double an
 class Ground_truth
 {
 #if CGAL_VERSION_NR >= 1060000000
-  template <class Primitive> using Tree = CGAL::AABB_tree<CGAL::AABB_traits_3<Kernel, Primitive>>;
-  template <class Iterator> using Triangle_primitive = CGAL::AABB_triangle_primitive_3<Kernel, Iterator>;
-  template <class Iterator> using Segment_primitive = CGAL::AABB_segment_primitive_3<Kernel, Iterator>;
+  template <class Primitive>
+  using Tree = CGAL::AABB_tree<CGAL::AABB_traits_3<Kernel, Primitive>>;
+  template <class Iterator>
+  using Triangle_primitive = CGAL::AABB_triangle_primitive_3<Kernel, Iterator>;
+  template <class Iterator>
+  using Segment_primitive = CGAL::AABB_segment_primitive_3<Kernel, Iterator>;
 #else
-  template <class Primitive> using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
-  template <class Iterator> using Triangle_primitive = CGAL::AABB_triangle_primitive<Kernel, Iterator>;
-  template <class Iterator> using Segment_primitive = CGAL::AABB_segment_primitive<Kernel, Iterator>;
+  template <class Primitive>
+  using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+  template <class Iterator>
+  using Triangle_primitive = CGAL::AABB_triangle_primitive<Kernel, Iterator>;
+  template <class Iterator>
+  using Segment_primitive = CGAL::AABB_segment_primitive<Kernel, Iterator>;
 #endif
   using Triangle_iterator = std::vector<Triangle_3>::const_iterator;
 
@@ -108,16 +114,10 @@ public:
   double diagonal() const { return m_diagonal; }
   const std::vector<Segment_3>& feature_edges() const { return m_features; }
 
-  double distance(const Point_3& p) const
-  {
-    return std::sqrt(m_triangle_tree.squared_distance(p));
-  }
+  double distance(const Point_3& p) const { return std::sqrt(m_triangle_tree.squared_distance(p)); }
 
   /// \pre there is a feature edge
-  double distance_to_features(const Point_3& p) const
-  {
-    return std::sqrt(m_feature_tree.squared_distance(p));
-  }
+  double distance_to_features(const Point_3& p) const { return std::sqrt(m_feature_tree.squared_distance(p)); }
 
   /// The normals that are right at `p`: of the nearest triangle or, where the foot point lies on an edge or a vertex,
   /// of all triangles there. Not of unit length.

@@ -79,13 +79,13 @@ Json to_json(const Evaluation& e, const L0_benchmark::Ground_truth& truth)
 /// For each point, as two `float`: distance to the mesh, % of the diagonal, and density of Eq. (5), with the radius of
 /// `measure_uniformity()`.
 void write_values_of_points(const std::string& path, const std::vector<Point_3>& points,
-                             const L0_benchmark::Ground_truth& truth)
+                            const L0_benchmark::Ground_truth& truth)
 {
   const double area = L0_benchmark::Area_sampler(truth.mesh()).area();
   const L0_benchmark::Search_tree tree(points.begin(), points.end());
   const std::vector<double> distances = distances_to_mesh(points, truth);
-  const std::vector<double> densities =
-    L0_benchmark::local_densities(points, tree, L0_benchmark::density_radius(area, points.size()));
+  const std::vector<double> densities = L0_benchmark::local_densities(points, tree,
+                                                                      L0_benchmark::density_radius(area, points.size()));
   std::vector<float> values;
   for (std::size_t i = 0; i < points.size(); ++i) {
     values.push_back(float(distances[i] / truth.diagonal() * 100));

@@ -40,36 +40,36 @@ struct Distance_statistics
 
 struct Normal_statistics
 {
-  double mean_error = 0;             ///< degrees, without regard to the sign
+  double mean_error = 0; ///< degrees, without regard to the sign
   double share_above_15_degrees = 0;
-  double share_inwards = 0;          ///< share of normals that point to the wrong side
+  double share_inwards = 0; ///< share of normals that point to the wrong side
 };
 
 struct Uniformity
 {
-  double median_spacing = 0;        ///< median distance to the nearest neighbor, a length
-  double spacing_variation = 0;     ///< coefficient of variation of the mean distance to the 6 nearest neighbors
-  double density_variation = 0;     ///< coefficient of variation of w_i of Eq. (5)
+  double median_spacing = 0;    ///< median distance to the nearest neighbor, a length
+  double spacing_variation = 0; ///< coefficient of variation of the mean distance to the 6 nearest neighbors
+  double density_variation = 0; ///< coefficient of variation of w_i of Eq. (5)
 };
 
 struct Feature_statistics
 {
-  double edge_recall = 0;           ///< share of the edges' length with a point within 2 median spacings
-  std::size_t number_of_points = 0; ///< points within 1.5 % of the diagonal of an edge
-  double mean_distance = 0;         ///< of those points to the mesh
-  std::optional<double> mean_normal_error;  ///< of those points, degrees
+  double edge_recall = 0;                  ///< share of the edges' length with a point within 2 median spacings
+  std::size_t number_of_points = 0;        ///< points within 1.5 % of the diagonal of an edge
+  double mean_distance = 0;                ///< of those points to the mesh
+  std::optional<double> mean_normal_error; ///< of those points, degrees
 };
 
 /// Lengths are % of the diagonal of the mesh's bounding box, but for `uniformity.median_spacing`.
 struct Evaluation
 {
-  Distance_statistics distance;     ///< points to mesh
-  Distance_statistics coverage;     ///< mesh to nearest point
-  double chamfer = 0;               ///< sum of the two means
-  double hausdorff = 0;             ///< larger of the two maxima
+  Distance_statistics distance; ///< points to mesh
+  Distance_statistics coverage; ///< mesh to nearest point
+  double chamfer = 0;           ///< sum of the two means
+  double hausdorff = 0;         ///< larger of the two maxima
   Uniformity uniformity;
-  std::optional<Normal_statistics> normals;     ///< none for points without normals
-  std::optional<Feature_statistics> features;   ///< none for a mesh without feature edges
+  std::optional<Normal_statistics> normals;   ///< none for points without normals
+  std::optional<Feature_statistics> features; ///< none for a mesh without feature edges
 };
 
 inline double mean(const std::vector<double>& values)
@@ -141,8 +141,7 @@ inline Normal_deviation normal_deviation(const Point_3& point, const Vector_3& n
 }
 
 inline std::vector<Normal_deviation> normal_deviations(const std::vector<Point_3>& points,
-                                                       const std::vector<Vector_3>& normals,
-                                                       const Ground_truth& truth)
+                                                       const std::vector<Vector_3>& normals, const Ground_truth& truth)
 {
   std::vector<Normal_deviation> deviations;
   deviations.reserve(points.size());
@@ -175,7 +174,7 @@ inline std::vector<double> mean_neighbor_distances(const std::vector<Point_3>& p
   for (const Point_3& p : points) {
     double sum = 0;
     std::size_t number_of_neighbors = 0;
-    const Neighbor_search search(tree, p, k + 1);  // the point itself is found too, and adds 0 to the sum
+    const Neighbor_search search(tree, p, k + 1); // the point itself is found too, and adds 0 to the sum
     for (const auto& [neighbor, squared_distance] : search) {
       sum += std::sqrt(squared_distance);
       ++number_of_neighbors;
@@ -197,7 +196,7 @@ inline std::vector<double> local_densities(const std::vector<Point_3>& points, c
     neighbors.clear();
     tree.search(std::back_inserter(neighbors), CGAL::Fuzzy_sphere<Search_traits>(p, radius));
     number_of_neighbors += neighbors.size() - 1;
-    double sum = -1;  // what the point itself will add
+    double sum = -1; // what the point itself will add
     for (const Point_3& neighbor : neighbors)
       sum += std::exp(-4 * CGAL::squared_distance(p, neighbor) / (radius * radius));
     densities.push_back(sum);
@@ -242,8 +241,8 @@ inline std::vector<Point_3> sample_segments(const std::vector<Segment_3>& segmen
 /// \param deviations of the normals of the points, empty if they have none
 /// \pre the mesh has a feature edge
 inline Feature_statistics measure_features(const std::vector<Point_3>& points, const Search_tree& tree,
-                                           const std::vector<Normal_deviation>& deviations,
-                                           const Ground_truth& truth, double median_spacing)
+                                           const std::vector<Normal_deviation>& deviations, const Ground_truth& truth,
+                                           double median_spacing)
 {
   Feature_statistics statistics;
   const std::vector<double> gaps = distances_to_nearest(sample_segments(truth.feature_edges(), 20000), tree);
@@ -274,8 +273,8 @@ inline Evaluation evaluate(const std::vector<Point_3>& points, const std::vector
   if (points.empty())
     throw std::invalid_argument("there are no points to evaluate");
   if (!normals.empty() && normals.size() != points.size())
-    throw std::invalid_argument("there are " + std::to_string(normals.size()) + " normals for " +
-                                std::to_string(points.size()) + " points");
+    throw std::invalid_argument("there are " + std::to_string(normals.size()) + " normals for "
+                                + std::to_string(points.size()) + " points");
   for (std::size_t i = 0; i < points.size(); ++i)
     if (!std::isfinite(points[i].x()) || !std::isfinite(points[i].y()) || !std::isfinite(points[i].z()))
       throw std::invalid_argument("point " + std::to_string(i) + " is not finite");
@@ -291,8 +290,8 @@ inline Evaluation evaluate(const std::vector<Point_3>& points, const std::vector
   evaluation.chamfer = evaluation.distance.mean + evaluation.coverage.mean;
   evaluation.hausdorff = (std::max)(evaluation.distance.max, evaluation.coverage.max);
   evaluation.uniformity = measure_uniformity(points, tree, Area_sampler(truth.mesh()).area());
-  const std::vector<Normal_deviation> deviations =
-    normals.empty() ? std::vector<Normal_deviation>() : normal_deviations(points, normals, truth);
+  const std::vector<Normal_deviation> deviations = normals.empty() ? std::vector<Normal_deviation>()
+                                                                   : normal_deviations(points, normals, truth);
   if (!deviations.empty())
     evaluation.normals = summarize(deviations);
   if (!truth.feature_edges().empty())

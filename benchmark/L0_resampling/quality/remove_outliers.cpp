@@ -16,7 +16,7 @@ int main(int argc, char** argv)
 
   std::string input, output;
   double percent = 0;
-  constexpr unsigned number_of_neighbors = 24;  // as in CGAL's example
+  constexpr unsigned number_of_neighbors = 24; // as in CGAL's example
   CLI::App app("CGAL::remove_outliers()");
   app.add_option("input", input, "PLY file; only the positions are used")->required()->check(CLI::ExistingFile);
   app.add_option("output", output, "binary PLY file of points")->required();

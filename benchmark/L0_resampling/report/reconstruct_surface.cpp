@@ -35,8 +35,8 @@ int main(int argc, char* argv[])
     std::cerr << argv[1] << ": cannot be read" << std::endl;
     return EXIT_FAILURE;
   }
-  const double spacing =
-    CGAL::compute_average_spacing<CGAL::Sequential_tag>(points, 6, CGAL::parameters::point_map(point_map));
+  const double spacing = CGAL::compute_average_spacing<CGAL::Sequential_tag>(points, 6,
+                                                                             CGAL::parameters::point_map(point_map));
   // Angle and size of the triangles are CGAL's defaults. They follow the surface more closely than its 0.375 spacings,
   // so that distances measured on the mesh are those of the points.
   constexpr double angle = 20, largest_triangle = 30, distance = 0.1;

@@ -30,10 +30,10 @@ namespace l0 = CGAL::L0_resampling;
 
 struct Change
 {
-  int equation = 6;                      // 3: no regularization, no density weights; 4: no density weights
-  std::string neighbors = "all";         // the original neighbors that are left: see the option
-  bool interleave = false;               // Section 4.2
-  double regularization_weight = 0.15;   // alpha
+  int equation = 6;                    // 3: no regularization, no density weights; 4: no density weights
+  std::string neighbors = "all";       // the original neighbors that are left: see the option
+  bool interleave = false;             // Section 4.2
+  double regularization_weight = 0.15; // alpha
 };
 
 /// The fit rows as they are to be.
@@ -46,8 +46,8 @@ struct Fit_rows
 class Changing_solver_traits
 {
   const Change& m_change;
-  const l0::Report& m_report;   // has the radius, once a solve begins
-  Fit_rows m_rows;              // those of the first solve: the neighbors stay
+  const l0::Report& m_report; // has the radius, once a solve begins
+  Fit_rows m_rows;            // those of the first solve: the neighbors stay
   Json m_densities = Json::array();
   std::size_t m_number_of_solves = 0;
   l0::Eigen_least_squares_solver_traits<double> m_solver;
@@ -70,10 +70,14 @@ public:
     rows.fit_positions = m_rows.positions.data();
     rows.fit_weights = m_rows.weights.data();
     const std::vector<double> pair_weights = changed_pair_weights(problem);
-    const l0::Quadratic_problem<double> changed{
-      problem.fit_weights, problem.self_neighbors, problem.sample_normals,
-      {pair_weights.data(), Eigen::Index(pair_weights.size())}, problem.right_hand_side, problem.penalty,
-      &rows, problem.memory};
+    const l0::Quadratic_problem<double> changed{problem.fit_weights,
+                                                problem.self_neighbors,
+                                                problem.sample_normals,
+                                                {pair_weights.data(), Eigen::Index(pair_weights.size())},
+                                                problem.right_hand_side,
+                                                problem.penalty,
+                                                &rows,
+                                                problem.memory};
     const l0::Solver_report solved = m_solver.solve(changed, x);
     record_densities(problem, x);
     ++m_number_of_solves;
@@ -82,10 +86,7 @@ public:
 
 private:
   /// r_p in the frame of the rows, which is scaled by a power of two so that r_p lies in [1, 2).
-  double radius() const
-  {
-    return std::ldexp(m_report.neighbor_radius, -std::ilogb(m_report.neighbor_radius));
-  }
+  double radius() const { return std::ldexp(m_report.neighbor_radius, -std::ilogb(m_report.neighbor_radius)); }
 
   double squared_bandwidth() const
   {
@@ -152,9 +153,9 @@ private:
       const double squared_radius = radius() * radius();
       for_each_pair(problem, Eigen::VectorXd::Zero(3 * Eigen::Index(problem.number_of_samples())),
                     [&](std::size_t, std::size_t e, double squared_distance) {
-        pair_weights[e] =
-          2 * m_change.regularization_weight * l0::internal::stretch_weight(squared_distance, squared_radius);
-      });
+                      pair_weights[e] = 2 * m_change.regularization_weight
+                                        * l0::internal::stretch_weight(squared_distance, squared_radius);
+                    });
     }
     return pair_weights;
   }
@@ -182,8 +183,8 @@ private:
       ++number_of_pairs;
     });
     const double mean_number = (std::max)(double(number_of_pairs) / double(m), 1.);
-    m_densities.push_back({1 + sums[m / 10] / mean_number, 1 + sums[m / 2] / mean_number,
-                           1 + sums[9 * m / 10] / mean_number});
+    m_densities.push_back(
+      {1 + sums[m / 10] / mean_number, 1 + sums[m / 2] / mean_number, 1 + sums[9 * m / 10] / mean_number});
   }
 };
 
@@ -196,9 +197,10 @@ int main(int argc, char** argv)
   CLI::App app("LOR with changes to its energy, by the paper's explicit rows");
   arguments.add_to(app);
   app.add_option("--equation", change.equation, "3, 4 or 6")->check(CLI::IsMember({3, 4, 6}));
-  app.add_option("--neighbors", change.neighbors,
-                 "the original neighbors: all, those in a radius smaller by a quarter, a random half, or Algorithm 2's "
-                 "merged pairs")
+  app
+    .add_option("--neighbors", change.neighbors,
+                "the original neighbors: all, those in a radius smaller by a quarter, a random half, or Algorithm 2's "
+                "merged pairs")
     ->check(CLI::IsMember({"all", "smaller-radius", "random-half", "merged-pairs"}));
   app.add_flag("--interleave", change.interleave, "regularize in every second iteration only");
 
@@ -211,8 +213,7 @@ int main(int argc, char** argv)
     measurement.phase("l0_resample", [&] {
       CGAL::l0_resample_point_set<CGAL::Sequential_tag>(
         points, std::back_inserter(result),
-        CGAL::parameters::number_of_output_points(arguments.number_of_output_points)
-                         .sparse_linear_solver(std::ref(solver))
+        CGAL::parameters::number_of_output_points(arguments.number_of_output_points).sparse_linear_solver(std::ref(solver))
           | CGAL::parameters::resampling_method(l0::Method::LOR) | CGAL::parameters::resampling_report(&report)
           | CGAL::parameters::regularization_weight(change.regularization_weight));
     });

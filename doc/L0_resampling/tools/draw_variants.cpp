@@ -67,7 +67,8 @@ Values values_of_variant(const std::string& variant)
   Values values;
   if (variant == "default")
     return values;
-  for (const std::string& part : split(variant)) {
+  for (const std::string& part : split(variant))
+  {
     const std::size_t sign = part.find('=');
     if (sign == std::string::npos)
       throw std::invalid_argument(part + " is not NAME=VALUE");
@@ -91,8 +92,8 @@ std::vector<Oriented_point> resample(const Point_cloud& cloud, const std::string
 {
   Values values = values_of_variant(variant);
   const Method method = Method(int(take(values, "method", double(Method::DEFAULT))));
-  const auto defaults =
-    CGAL::L0_resampling::internal::checked_parameters(parameters::resampling_method(method), cloud.points.size());
+  const auto defaults = CGAL::L0_resampling::internal::checked_parameters(parameters::resampling_method(method),
+                                                                          cloud.points.size());
 
   // The radii that the points ask for are known after a call only.
   CGAL::L0_resampling::Report report;
@@ -101,12 +102,14 @@ std::vector<Oriented_point> resample(const Point_cloud& cloud, const std::string
     cloud.points, std::back_inserter(result), parameters::resampling_method(method).resampling_report(&report));
   result.clear();
   const double radius = take(values, "neighbor_radius", 1) * report.neighbor_radius;
-  const double filter_radius =
-    take(values, "normal_filter_radius", 1) * radius * report.normal_filter_radius / report.neighbor_radius;
+  const double filter_radius = take(values, "normal_filter_radius", 1) * radius * report.normal_filter_radius
+                               / report.neighbor_radius;
   const double share = take(values, "select_percentage", 50) / 100;
 
   const auto np =
-    parameters::resampling_method(method).neighbor_radius(radius).normal_filter_radius(filter_radius)
+    parameters::resampling_method(method)
+      .neighbor_radius(radius)
+      .normal_filter_radius(filter_radius)
       .sharpness_angle(take(values, "sharpness_angle", defaults.sharpness_angle))
       .number_of_normal_filter_iterations(std::size_t(
         take(values, "number_of_normal_filter_iterations", double(defaults.number_of_normal_filter_iterations))))
@@ -139,7 +142,8 @@ void copy_panel(const Image& snapshot, int panel, int place, Image& picture)
   const int width = snapshot.width / 2;
   for (int y = 0; y < picture.height; ++y)
     for (int x = 0; x < width / 2; ++x)
-      for (std::size_t channel = 0; channel < 3; ++channel) {
+      for (std::size_t channel = 0; channel < 3; ++channel)
+      {
         float sum = 0;
         for (int dy : {0, 1})
           for (int dx : {0, 1})
@@ -185,7 +189,8 @@ void draw(int argc, char** argv)
       visible_cloud.points.push_back(p);
 
   Image picture(0, 0, {1, 1, 1});
-  for (int v = 5; v < argc; ++v) {
+  for (int v = 5; v < argc; ++v)
+  {
     const bool is_input = std::string(argv[v]) == "input";
     std::vector<Oriented_point> visible_result;
     if (!is_input)
@@ -204,10 +209,13 @@ void draw(int argc, char** argv)
 
 int main(int argc, char** argv)
 {
-  try {
+  try
+  {
     draw(argc, argv);
     return EXIT_SUCCESS;
-  } catch (const std::exception& error) {
+  }
+  catch (const std::exception& error)
+  {
     std::cerr << "draw_variants: " << error.what() << std::endl;
     return EXIT_FAILURE;
   }

@@ -34,7 +34,7 @@ public:
 
 void print_defaults(const char* name, Method method)
 {
-  const std::size_t n = 1000;   // enough to read a percentage off the number of points
+  const std::size_t n = 1000; // enough to read a percentage off the number of points
   const Parameters p = checked_parameters(CGAL::parameters::resampling_method(method), n);
   std::cout << "  \"" << name << "\": {";
   Object object;
@@ -53,7 +53,7 @@ void print_defaults(const char* name, Method method)
 
 void print_constants()
 {
-  const Repulsion repulsion(1, 1e3);   // in units of the spacing, of a radius that does not limit the step
+  const Repulsion repulsion(1, 1e3); // in units of the spacing, of a radius that does not limit the step
   std::cout << "  \"constant\": {";
   Object object;
   object.add("self_neighbor_radius_factor", self_neighbor_radius_factor);

@@ -49,10 +49,9 @@ public:
   static constexpr bool needs_explicit_rows = false;
 
   /// \throws std::invalid_argument if `tolerance` is not in (0, 1)
-  explicit Block_conjugate_gradient_solver_traits(double tolerance = 1e-5,
-                                                  std::size_t maximum_number_of_iterations = 100)
-    : m_tolerance(internal::checked_tolerance(tolerance)),
-      m_maximum_number_of_iterations(maximum_number_of_iterations) {}
+  explicit Block_conjugate_gradient_solver_traits(double tolerance = 1e-5, std::size_t maximum_number_of_iterations = 100)
+    : m_tolerance(internal::checked_tolerance(tolerance)), m_maximum_number_of_iterations(maximum_number_of_iterations)
+  {}
 
   /// Solves `problem`, from the initial guess `x`, which becomes the solution. The residual of the report is the one
   /// that the recurrence keeps.
@@ -67,12 +66,14 @@ public:
     const bool starts_at_zero = (x.array() == FT(0)).all();
     if (!starts_at_zero)
     {
-      for_each_block(m, [&](std::size_t begin, std::size_t end)
-                        { update_directions(problem, x.data(), FT(0), begin, end); });
+      for_each_block(m, [&](std::size_t begin, std::size_t end) {
+        update_directions(problem, x.data(), FT(0), begin, end);
+      });
       sum_over_blocks(m, [&](std::size_t begin, std::size_t end) { return multiply(problem, begin, end); });
     }
-    Sums sums = sum_over_blocks(m, [&](std::size_t begin, std::size_t end)
-                                   { return compute_residuals(problem, starts_at_zero, begin, end); });
+    Sums sums = sum_over_blocks(m, [&](std::size_t begin, std::size_t end) {
+      return compute_residuals(problem, starts_at_zero, begin, end);
+    });
     if (!std::isfinite(sums.rhs) || !std::isfinite(sums.residual))
       internal::throw_values_not_finite();
     if (sums.rhs == 0)
@@ -88,10 +89,11 @@ public:
     while (sums.residual > squared_limit && report.iterations < m_maximum_number_of_iterations)
     {
       const FT ratio = report.iterations == 0 ? FT(0) : FT(sums.energy / previous_energy);
-      for_each_block(m, [&](std::size_t begin, std::size_t end)
-                        { update_directions(problem, m_products.data(), ratio, begin, end); });
-      const Curvatures curvatures = sum_over_blocks(m, [&](std::size_t begin, std::size_t end)
-                                                       { return multiply(problem, begin, end); });
+      for_each_block(m, [&](std::size_t begin, std::size_t end) {
+        update_directions(problem, m_products.data(), ratio, begin, end);
+      });
+      const Curvatures curvatures =
+        sum_over_blocks(m, [&](std::size_t begin, std::size_t end) { return multiply(problem, begin, end); });
       if (!std::isfinite(curvatures.full))
         internal::throw_values_not_finite();
       // H is positive definite, but near the rounding of its terms a step could go anywhere.
@@ -100,8 +102,7 @@ public:
 
       previous_energy = sums.energy;
       const FT step = FT(sums.energy / curvatures.full);
-      sums = sum_over_blocks(m, [&](std::size_t begin, std::size_t end)
-                                { return take_step(step, x.data(), begin, end); });
+      sums = sum_over_blocks(m, [&](std::size_t begin, std::size_t end) { return take_step(step, x.data(), begin, end); });
       ++report.iterations;
       if (!std::isfinite(sums.residual))
         internal::throw_values_not_finite();
@@ -144,9 +145,9 @@ private:
   /// Sums over samples, in `double` whatever `FT` is.
   struct Sums
   {
-    double rhs = 0;       // g^T g
-    double residual = 0;  // r^T r
-    double energy = 0;    // r^T D^{-1} r
+    double rhs = 0;      // g^T g
+    double residual = 0; // r^T r
+    double energy = 0;   // r^T D^{-1} r
 
     Sums& operator+=(const Sums& other)
     {
@@ -159,8 +160,8 @@ private:
 
   struct Curvatures
   {
-    double full = 0;      // p^T H p
-    double diagonal = 0;  // p^T D p
+    double full = 0;     // p^T H p
+    double diagonal = 0; // p^T D p
 
     Curvatures& operator+=(const Curvatures& other)
     {
@@ -195,7 +196,7 @@ private:
     {
       const std::size_t first = problem.self_neighbors.offsets[i], last = problem.self_neighbors.offsets[i + 1];
       FT weight = problem.fit_weights[Eigen::Index(i)];
-      FT spread[6] = {};  // upper triangle of the sum of n n^T
+      FT spread[6] = {}; // upper triangle of the sum of n n^T
       add_outer_product(FT(last - first), normals + 3 * i, spread);
       for (std::size_t e = first; e < last; ++e)
       {
@@ -204,8 +205,7 @@ private:
       }
       const FT beta = problem.penalty;
       m_blocks[i] = internal::factorize_block({weight + beta * spread[0], beta * spread[1], beta * spread[2],
-                                               weight + beta * spread[3], beta * spread[4],
-                                               weight + beta * spread[5]});
+                                               weight + beta * spread[3], beta * spread[4], weight + beta * spread[5]});
     }
   }
 
@@ -252,8 +252,8 @@ private:
 
   /// p = source + ratio * p. Stored with each p_i is beta n_i n_i^T p_i, all that its neighbors need of n_i. Each of the two takes the
   /// room of four numbers, so that they fill vector registers.
-  void update_directions(const Quadratic_problem<FT>& problem, const FT* source, FT ratio,
-                         std::size_t begin, std::size_t end)
+  void update_directions(const Quadratic_problem<FT>& problem, const FT* source, FT ratio, std::size_t begin,
+                         std::size_t end)
   {
     for (std::size_t i = begin; i < end; ++i)
     {
@@ -277,8 +277,8 @@ private:
     Curvatures curvatures;
     for (std::size_t i = begin; i < end; ++i)
     {
-      Eight sum = Eight::Zero();          // of p_k and beta n_k n_k^T p_k
-      Four weighted_sum = Four::Zero();   // of a_ik p_k
+      Eight sum = Eight::Zero();        // of p_k and beta n_k n_k^T p_k
+      Four weighted_sum = Four::Zero(); // of a_ik p_k
       for (std::size_t e = problem.self_neighbors.offsets[i]; e < problem.self_neighbors.offsets[i + 1]; ++e)
       {
         const FT* const p = directions + 8 * std::size_t(indices[e]);
@@ -319,10 +319,10 @@ private:
   double m_tolerance;
   std::size_t m_maximum_number_of_iterations;
 
-  internal::Buffer<FT> m_residuals;                               // r, 3 m
-  internal::Buffer<FT> m_products;                                // H p, then z = D^{-1} r; 3 m
-  internal::Buffer<internal::Block_factorization<FT>> m_blocks;   // D, m
-  internal::Buffer<FT> m_directions;                              // p_i, 0, beta n_i n_i^T p_i, 0; 8 m
+  internal::Buffer<FT> m_residuals;                             // r, 3 m
+  internal::Buffer<FT> m_products;                              // H p, then z = D^{-1} r; 3 m
+  internal::Buffer<internal::Block_factorization<FT>> m_blocks; // D, m
+  internal::Buffer<FT> m_directions;                            // p_i, 0, beta n_i n_i^T p_i, 0; 8 m
 };
 
 } // namespace L0_resampling

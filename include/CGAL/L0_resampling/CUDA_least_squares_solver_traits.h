@@ -47,8 +47,8 @@ public:
 
   /// \throws std::invalid_argument if `tolerance` is not in (0, 1)
   explicit CUDA_least_squares_solver_traits(double tolerance = 1e-5, std::size_t maximum_number_of_iterations = 100)
-    : m_tolerance(internal::checked_tolerance(tolerance)),
-      m_maximum_number_of_iterations(maximum_number_of_iterations) {}
+    : m_tolerance(internal::checked_tolerance(tolerance)), m_maximum_number_of_iterations(maximum_number_of_iterations)
+  {}
 
   /// Solves `problem`, from the initial guess `x`, which becomes the solution.
   /// \pre `problem.rows` is not null
@@ -63,8 +63,9 @@ public:
     const std::decay_t<decltype(system.matrix)> transposed(system.matrix.transpose());
     Eigen::Matrix<FT, Eigen::Dynamic, 1> solution(x);
     internal::cuda::Least_squares_report device_report;
-    internal::throw_if_failed(internal::cuda::solve_least_squares(view(system.matrix), view(transposed), system.rhs.data(), m_tolerance,
-                                                                  m_maximum_number_of_iterations, solution.data(), device_report));
+    internal::throw_if_failed(
+      internal::cuda::solve_least_squares(view(system.matrix), view(transposed), system.rhs.data(), m_tolerance,
+                                          m_maximum_number_of_iterations, solution.data(), device_report));
     x = solution;
     Solver_report report;
     report.iterations = device_report.iterations;
@@ -79,8 +80,8 @@ private:
   {
     static_assert(sizeof(typename Matrix::StorageIndex) == sizeof(long long), "indices have 64 bits on both sides");
     return {static_cast<long long>(matrix.rows()), static_cast<long long>(matrix.cols()),
-            reinterpret_cast<const long long*>(matrix.outerIndexPtr()), reinterpret_cast<const long long*>(matrix.innerIndexPtr()),
-            matrix.valuePtr()};
+            reinterpret_cast<const long long*>(matrix.outerIndexPtr()),
+            reinterpret_cast<const long long*>(matrix.innerIndexPtr()), matrix.valuePtr()};
   }
 
   double m_tolerance;

@@ -109,8 +109,13 @@ inline void fill_report(const cuda::Call_report& call, Report& report)
   for (std::size_t i = 0; i < call.number_of_iterations; ++i)
   {
     const cuda::Iteration& iteration = call.iterations[i];
-    report.iterations.push_back({iteration.penalty, iteration.regularized, iteration.fit_energy, iteration.regularization_energy,
-                                 iteration.normal_energy, iteration.sparsity_energy, iteration.active_pair_share,
+    report.iterations.push_back({iteration.penalty,
+                                 iteration.regularized,
+                                 iteration.fit_energy,
+                                 iteration.regularization_energy,
+                                 iteration.normal_energy,
+                                 iteration.sparsity_energy,
+                                 iteration.active_pair_share,
                                  {iteration.solver_iterations, iteration.relative_residual, iteration.converged}});
     report.converged = report.converged && iteration.converged;
   }
@@ -127,8 +132,8 @@ void check_device_can(const NamedParameters& np, const Parameters& parameters)
 }
 
 /// The confidences of a result of the device, computed by all threads of the host.
-inline void estimate_feature_confidences(const Buffer<Vector>& result, const std::vector<float>& result_normals, double sharpness_angle,
-                                         Buffer<float>& confidences)
+inline void estimate_feature_confidences(const Buffer<Vector>& result, const std::vector<float>& result_normals,
+                                         double sharpness_angle, Buffer<float>& confidences)
 {
   Buffer<Vector> positions(result);
   Working_frame frame;
@@ -142,8 +147,8 @@ inline void estimate_feature_confidences(const Buffer<Vector>& result, const std
   Report unwanted_report;
   Memory_counter memory;
   Progress progress(nullptr, unwanted_report, memory);
-  estimate_feature_confidences<Parallel_if_available_tag>(positions, normals, spacing, normal_bandwidth(fit_angle_factor * sharpness_angle),
-                                                          progress, confidences);
+  estimate_feature_confidences<Parallel_if_available_tag>(
+    positions, normals, spacing, normal_bandwidth(fit_angle_factor * sharpness_angle), progress, confidences);
 }
 
 } // namespace internal
@@ -178,7 +183,7 @@ class CUDA_resampler
   using Normal = typename Kernel::Vector_3;
 
   std::unique_ptr<internal::cuda::Session, internal::Destroy_session> m_session;
-  internal::Input m_box;   // without points
+  internal::Input m_box; // without points
   std::size_t m_size = 0, m_number_of_dropped_points = 0;
 
 public:
@@ -201,7 +206,8 @@ public:
     using Value = typename std::iterator_traits<decltype(points.begin())>::value_type;
     using Point_map = typename internal_np::Lookup_named_param_def<internal_np::point_t, NamedParameters,
                                                                    Identity_property_map<const Value>>::type;
-    const Point_map point_map = parameters::choose_parameter<Point_map>(parameters::get_parameter(np, internal_np::point_map));
+    const Point_map point_map = parameters::choose_parameter<Point_map>(
+      parameters::get_parameter(np, internal_np::point_map));
     if constexpr (parameters::is_default_parameter<NamedParameters, internal_np::normal_t>::value)
       upload(points, point_map, false, np);
     else
@@ -230,7 +236,8 @@ public:
   /// \cond SKIP_IN_MANUAL
   // For `l0_resample_point_set()`, which has the points at hand.
   template <typename PointRange, typename PointMap, typename Write, typename NamedParameters>
-  void resample(const PointRange& points, PointMap point_map, std::size_t near_count, const Write& write, const NamedParameters& np)
+  void resample(const PointRange& points, PointMap point_map, std::size_t near_count, const Write& write,
+                const NamedParameters& np)
   {
     using namespace internal;
     const auto find_near = [&](const Buffer<std::array<FT, 3>>& positions, Near_points& near_points) {
@@ -240,7 +247,8 @@ public:
       Report unwanted_report;
       Memory_counter memory;
       Progress progress(nullptr, unwanted_report, memory);
-      find_near_points<Parallel_if_available_tag>(tree_of_range(points, point_map, memory), positions, progress, near_points);
+      find_near_points<Parallel_if_available_tag>(tree_of_range(points, point_map, memory), positions, progress,
+                                                  near_points);
     };
     resample_and_write(find_near, write, np);
   }
@@ -250,8 +258,9 @@ private:
   void resample_and_write(const FindNear& find_near, const Write& write, const NamedParameters& np)
   {
     using namespace internal;
-    static_assert(parameters::is_default_parameter<NamedParameters, internal_np::sparse_linear_solver_t>::value,
-                  "On the device there is one solver. CUDA_least_squares_solver_traits runs beside the stages of the CPU.");
+    static_assert(
+      parameters::is_default_parameter<NamedParameters, internal_np::sparse_linear_solver_t>::value,
+      "On the device there is one solver. CUDA_least_squares_solver_traits runs beside the stages of the CPU.");
     Report unwanted_report;
     Report* wanted_report = &unwanted_report;
     read_parameter(np, internal_np::resampling_report, wanted_report);

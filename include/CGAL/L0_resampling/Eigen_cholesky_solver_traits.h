@@ -43,8 +43,8 @@ public:
 
   /// A direct solver cannot be told when to stop: the tolerance only decides what the report calls converged.
   /// \throws std::invalid_argument if `tolerance` is not in (0, 1)
-  explicit Eigen_cholesky_solver_traits(double tolerance = 1e-5)
-    : m_tolerance(internal::checked_tolerance(tolerance)) {}
+  explicit Eigen_cholesky_solver_traits(double tolerance = 1e-5) : m_tolerance(internal::checked_tolerance(tolerance))
+  {}
 
   /// Solves `problem` and writes the solution to `x`; the initial guess does not matter.
   /// \throws Solver_error if a value is not finite or the factorization breaks down; `x` is then as before

@@ -48,8 +48,8 @@ public:
 
   /// \throws std::invalid_argument if `tolerance` is not in (0, 1)
   explicit Eigen_least_squares_solver_traits(double tolerance = 1e-5, std::size_t maximum_number_of_iterations = 100)
-    : m_tolerance(internal::checked_tolerance(tolerance)),
-      m_maximum_number_of_iterations(maximum_number_of_iterations) {}
+    : m_tolerance(internal::checked_tolerance(tolerance)), m_maximum_number_of_iterations(maximum_number_of_iterations)
+  {}
 
   /// Solves `problem`, from the initial guess `x`, which becomes the solution.
   /// \pre `problem.rows` is not null

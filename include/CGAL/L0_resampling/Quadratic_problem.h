@@ -28,9 +28,9 @@ using Matrix_3X = Eigen::Matrix<FT, 3, Eigen::Dynamic>;
 /// Lists of indices in compressed rows: list `i` is `indices[offsets[i]]` to `indices[offsets[i+1] - 1]`, ascending.
 struct Neighborhoods_view
 {
-  std::size_t size = 0;                    ///< number of lists m
-  const std::size_t* offsets = nullptr;    ///< m + 1 entries, the first 0
-  const Index* indices = nullptr;          ///< offsets[m] entries
+  std::size_t size = 0;                 ///< number of lists m
+  const std::size_t* offsets = nullptr; ///< m + 1 entries, the first 0
+  const Index* indices = nullptr;       ///< offsets[m] entries
 };
 
 /*!
@@ -46,11 +46,11 @@ What the rows of Eq. (11) need beyond the collapsed form of `Quadratic_problem`;
 template <typename FT>
 struct Explicit_rows
 {
-  const std::size_t* fit_offsets = nullptr;   ///< m + 1 entries: the fit rows of sample i are `[fit_offsets[i], fit_offsets[i+1])`
-  const FT* fit_positions = nullptr;          ///< xyz of \f$ q_j \f$, or of a merged point of \f$ \hat{M}_{p_i} \f$
-  const FT* fit_weights = nullptr;            ///< \f$ 1/v_j \f$, or the sum over the merged points
-  const FT* normal_offsets = nullptr;         ///< \f$ \delta_{ik} \f$, one for each entry of `self_neighbors.indices`
-  const FT* origins = nullptr;                ///< xyz of \f$ o_i \f$, m points
+  const std::size_t* fit_offsets = nullptr; ///< m + 1 entries: the fit rows of sample i are `[fit_offsets[i], fit_offsets[i+1])`
+  const FT* fit_positions = nullptr;  ///< xyz of \f$ q_j \f$, or of a merged point of \f$ \hat{M}_{p_i} \f$
+  const FT* fit_weights = nullptr;    ///< \f$ 1/v_j \f$, or the sum over the merged points
+  const FT* normal_offsets = nullptr; ///< \f$ \delta_{ik} \f$, one for each entry of `self_neighbors.indices`
+  const FT* origins = nullptr;        ///< xyz of \f$ o_i \f$, m points
 };
 
 /*!
@@ -81,13 +81,13 @@ struct Quadratic_problem
   using Scalars = Eigen::Map<const Eigen::Matrix<FT, Eigen::Dynamic, 1>>;
   using Vectors = Eigen::Map<const Matrix_3X<FT>>;
 
-  Scalars fit_weights;                ///< \f$ W_i \f$, m entries
-  Neighborhoods_view self_neighbors;  ///< \f$ N_i \f$, m lists
-  Vectors sample_normals;             ///< \f$ n_i \f$, 3 x m, unit length
-  Scalars pair_weights;               ///< \f$ a_{ik} \f$, one for each entry of `self_neighbors.indices`
-  Vectors right_hand_side;            ///< \f$ g_i \f$, 3 x m
-  FT penalty;                         ///< \f$ \beta \f$
-  const Explicit_rows<FT>* rows;      ///< null unless the solver declares `needs_explicit_rows`
+  Scalars fit_weights;               ///< \f$ W_i \f$, m entries
+  Neighborhoods_view self_neighbors; ///< \f$ N_i \f$, m lists
+  Vectors sample_normals;            ///< \f$ n_i \f$, 3 x m, unit length
+  Scalars pair_weights;              ///< \f$ a_{ik} \f$, one for each entry of `self_neighbors.indices`
+  Vectors right_hand_side;           ///< \f$ g_i \f$, 3 x m
+  FT penalty;                        ///< \f$ \beta \f$
+  const Explicit_rows<FT>* rows;     ///< null unless the solver declares `needs_explicit_rows`
 
   /// Where a solver may book its arrays, so that they count for the caller's `maximum_memory`; may be null.
   internal::Memory_counter* memory = nullptr;

@@ -19,17 +19,17 @@ namespace L0_resampling {
 /// How a call ended that did not throw.
 enum class Outcome
 {
-  COMPLETED,  ///< the result was written
-  CANCELLED   ///< the callback returned `false`; nothing was written
+  COMPLETED, ///< the result was written
+  CANCELLED  ///< the callback returned `false`; nothing was written
 };
 
 /// \ingroup PkgL0ResamplingRef
 /// One stage of a call, in the order of execution.
 struct Stage_report
 {
-  std::string name;            ///< such as `"filter normals"`
-  double seconds = 0;          ///< wall-clock time
-  std::size_t peak_bytes = 0;  ///< most memory held by the call's own arrays during the stage
+  std::string name;           ///< such as `"filter normals"`
+  double seconds = 0;         ///< wall-clock time
+  std::size_t peak_bytes = 0; ///< most memory held by the call's own arrays during the stage
 };
 
 /*!
@@ -40,13 +40,13 @@ of the squared radius \f$ r_p^2 \f$; the fit term leaves out the constant that d
 */
 struct Iteration_report
 {
-  double penalty = 0;                ///< \f$ \beta \f$
-  bool regularized = true;           ///< `false` in the iterations that interleaved regularization skips
+  double penalty = 0;      ///< \f$ \beta \f$
+  bool regularized = true; ///< `false` in the iterations that interleaved regularization skips
   double fit_energy = 0;
-  double regularization_energy = 0;  ///< 0 where not `regularized`
-  double normal_energy = 0;          ///< \f$ \beta \sum (n_i^T(p_i - p_{i'}) - \delta_{ii'})^2 \f$
-  double sparsity_energy = 0;        ///< \f$ \lambda \|\delta\|_0 \f$, \f$ \lambda \f$ as in Eq. (8)
-  double active_pair_share = 0;      ///< share of pairs with \f$ \delta_{ii'} \neq 0 \f$
+  double regularization_energy = 0; ///< 0 where not `regularized`
+  double normal_energy = 0;         ///< \f$ \beta \sum (n_i^T(p_i - p_{i'}) - \delta_{ii'})^2 \f$
+  double sparsity_energy = 0;       ///< \f$ \lambda \|\delta\|_0 \f$, \f$ \lambda \f$ as in Eq. (8)
+  double active_pair_share = 0;     ///< share of pairs with \f$ \delta_{ii'} \neq 0 \f$
   Solver_report solver;
 };
 
@@ -60,30 +60,30 @@ struct Report
 {
   Outcome outcome = Outcome::COMPLETED;
 
-  std::size_t number_of_input_points = 0;              ///< points used, without the dropped ones
-  std::size_t number_of_dropped_points = 0;            ///< non-finite points, with `drop_non_finite(true)`
-  std::size_t number_of_outliers = 0;                  ///< points off the cloud that were left out, with `drop_outliers(true)`
-  std::size_t number_of_distinct_points = 0;           ///< of the points used, without outliers
+  std::size_t number_of_input_points = 0;    ///< points used, without the dropped ones
+  std::size_t number_of_dropped_points = 0;  ///< non-finite points, with `drop_non_finite(true)`
+  std::size_t number_of_outliers = 0;        ///< points off the cloud that were left out, with `drop_outliers(true)`
+  std::size_t number_of_distinct_points = 0; ///< of the points used, without outliers
   std::size_t number_of_output_points = 0;
-  std::size_t number_of_degenerate_neighborhoods = 0;  ///< points whose ball spans no plane, or holds fewer than six points
-  std::size_t number_of_lonely_samples = 0;            ///< samples without an original neighbor; they stay where they start
-  std::size_t number_of_self_neighbor_pairs = 0;       ///< ordered pairs \f$ (i, i') \f$ of the normal term
+  std::size_t number_of_degenerate_neighborhoods = 0; ///< points whose ball spans no plane, or holds fewer than six points
+  std::size_t number_of_lonely_samples = 0;      ///< samples without an original neighbor; they stay where they start
+  std::size_t number_of_self_neighbor_pairs = 0; ///< ordered pairs \f$ (i, i') \f$ of the normal term
 
-  double neighbor_radius = 0;       ///< \f$ r_p \f$, in the unit of the input
-  double normal_filter_radius = 0;  ///< \f$ r_q \f$, in the unit of the input
-  double estimated_spacing = 0;     ///< square root of the area a point, in the unit of the input; default method only
-  double estimated_noise = 0;       ///< standard deviation across the surface, in the unit of the input; default method only
-  double oriented_share = 0;        ///< share of samples whose sign was propagated with confidence, in [0, 1]
-  double hinted_share = 0;          ///< share of samples whose side `viewpoint` or `orientation_hint_map` decided, in [0, 1]; the others are turned outwards
+  double neighbor_radius = 0;      ///< \f$ r_p \f$, in the unit of the input
+  double normal_filter_radius = 0; ///< \f$ r_q \f$, in the unit of the input
+  double estimated_spacing = 0;    ///< square root of the area a point, in the unit of the input; default method only
+  double estimated_noise = 0; ///< standard deviation across the surface, in the unit of the input; default method only
+  double oriented_share = 0;  ///< share of samples whose sign was propagated with confidence, in [0, 1]
+  double hinted_share = 0;    ///< share of samples whose side `viewpoint` or `orientation_hint_map` decided, in [0, 1]
 
-  std::vector<Iteration_report> iterations;  ///< one for each value of the penalty
-  bool converged = true;                     ///< whether every solve converged
+  std::vector<Iteration_report> iterations; ///< one for each value of the penalty
+  bool converged = true;                    ///< whether every solve converged
 
   std::vector<Stage_report> stages;
-  std::size_t peak_bytes = 0;  ///< most memory held by the call's own arrays, input and output not counted
+  std::size_t peak_bytes = 0; ///< most memory held by the call's own arrays, input and output not counted
 
-  std::string device = "cpu";  ///< `"cpu"` or `"cuda"`
-  std::string device_reason;   ///< why that device was taken
+  std::string device = "cpu"; ///< `"cpu"` or `"cuda"`
+  std::string device_reason;  ///< why that device was taken
 };
 
 } // namespace L0_resampling

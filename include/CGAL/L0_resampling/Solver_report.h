@@ -20,9 +20,9 @@ lives well with an inexact solve.
 */
 struct Solver_report
 {
-  std::size_t iterations = 0;      ///< iterations spent, 0 for a direct solver
-  double relative_residual = 0;    ///< \f$ \|A^T(b - Ax)\| / \|A^T b\| \f$ on exit, 0 where \f$ A^T b = 0 \f$
-  bool converged = true;           ///< whether the relative residual reached the solver's tolerance
+  std::size_t iterations = 0;   ///< iterations spent, 0 for a direct solver
+  double relative_residual = 0; ///< \f$ \|A^T(b - Ax)\| / \|A^T b\| \f$ on exit, 0 where \f$ A^T b = 0 \f$
+  bool converged = true;        ///< whether the relative residual reached the solver's tolerance
 };
 
 /*!

@@ -10,7 +10,8 @@ namespace CGAL {
 
 /// \ingroup PkgL0ResamplingRef
 /// Concurrency tag that runs every stage of `CGAL::l0_resample_point_set()` on a CUDA device.
-struct CUDA_tag {};
+struct CUDA_tag
+{};
 
 namespace L0_resampling {
 
@@ -18,9 +19,9 @@ namespace L0_resampling {
 /// The ways to resample, see the named parameter `resampling_method`.
 enum class Method
 {
-  DEFAULT,  ///< what this package recommends
-  LOR,      ///< Section 3 of the paper: Eq. (6) by Algorithm 1, every term in every iteration
-  ALOR      ///< Section 4 of the paper: two passes of local half-sampling, regularization every second iteration
+  DEFAULT, ///< what this package recommends
+  LOR,     ///< Section 3 of the paper: Eq. (6) by Algorithm 1, every term in every iteration
+  ALOR     ///< Section 4 of the paper: two passes of local half-sampling, regularization every second iteration
 };
 
 } // namespace L0_resampling

@@ -19,7 +19,12 @@ namespace attack {
 using test::Generator;
 using test::Vector;
 
-enum class Solver { BLOCK_CONJUGATE_GRADIENT, CHOLESKY, LEAST_SQUARES };
+enum class Solver
+{
+  BLOCK_CONJUGATE_GRADIENT,
+  CHOLESKY,
+  LEAST_SQUARES
+};
 
 /// All that one call is asked for. Counts are numbers of any kind, as a caller's arithmetic may have made them; what has no value is
 /// not passed at all.
@@ -27,12 +32,12 @@ struct Parameters
 {
   int method = 0;
   Solver solver = Solver::BLOCK_CONJUGATE_GRADIENT;
-  bool in_single_precision = false;   // the kernel of the caller
+  bool in_single_precision = false; // the kernel of the caller
   bool with_normals = false;
 
   std::optional<double> number_of_output_points, neighbor_radius, normal_filter_radius;
-  std::optional<double> regularization_weight, penalty_growth;   // the default depends on the method
-  std::optional<bool> drop_outliers;                             // likewise
+  std::optional<double> regularization_weight, penalty_growth; // the default depends on the method
+  std::optional<bool> drop_outliers;                           // likewise
   double select_percentage = 50;
   double sharpness_angle = 15;
   double number_of_normal_filter_iterations = 5;
@@ -81,7 +86,7 @@ struct Attack
 {
   std::string name;
   std::vector<Vector> points;
-  std::vector<Vector> normals;   // one a point
+  std::vector<Vector> normals; // one a point
   Parameters parameters;
 };
 

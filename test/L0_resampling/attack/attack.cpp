@@ -87,7 +87,7 @@ public:
     ++m_attacks;
     const std::string faults = in_sandbox([&]() { return carry_out(attack); }, m_options.limits);
     if (m_attacks % 100 == 0)
-      write_json();   // long campaigns may be ended at any time
+      write_json(); // long campaigns may be ended at any time
     if (faults.empty())
       return;
     ++m_successes;
@@ -180,7 +180,9 @@ int minimize(const Options& options)
 {
   const std::string path = options.words.at(1);
   Attack attack = read_attack(path);
-  const auto begin_of_faults = [&](const Attack& a) { return in_sandbox([&]() { return carry_out(a); }, options.limits).substr(0, 12); };
+  const auto begin_of_faults = [&](const Attack& a) {
+    return in_sandbox([&]() { return carry_out(a); }, options.limits).substr(0, 12);
+  };
   const std::string expected = begin_of_faults(attack);
   if (expected.empty())
   {
@@ -194,10 +196,12 @@ int minimize(const Options& options)
     return true;
   };
   for (std::size_t block = attack.points.size() / 2; block > 0; block /= 2)
-    for (std::size_t begin = 0; begin + block <= attack.points.size(); )
+    for (std::size_t begin = 0; begin + block <= attack.points.size();)
     {
       Attack other = attack;
-      const auto without = [&](std::vector<Vector>& v) { v.erase(v.begin() + std::ptrdiff_t(begin), v.begin() + std::ptrdiff_t(begin + block)); };
+      const auto without = [&](std::vector<Vector>& v) {
+        v.erase(v.begin() + std::ptrdiff_t(begin), v.begin() + std::ptrdiff_t(begin + block));
+      };
       without(other.points);
       without(other.normals);
       if (!try_instead(other))

@@ -27,7 +27,10 @@ std::string text_of(const T& value)
 }
 
 template <typename T>
-std::string text_of(const std::optional<T>& value) { return value ? text_of(*value) : ""; }
+std::string text_of(const std::optional<T>& value)
+{
+  return value ? text_of(*value) : "";
+}
 
 // The streams of the standard library write hexadecimal digits, infinities and NaN, and do not read them.
 void read_text(const std::string& text, double& value) { value = std::strtod(text.c_str(), nullptr); }

@@ -25,7 +25,8 @@ namespace {
 
 namespace params = CGAL::parameters;
 
-struct Exception_of_caller {};
+struct Exception_of_caller
+{};
 
 /// The points or normals of a range of indices, in the caller's number type.
 template <typename Value>
@@ -107,24 +108,24 @@ void call_with(const Attack& attack, const SolverTraits& solver, Answer& answer)
   });
 
   const auto np = params::resampling_method(CGAL::L0_resampling::Method(p.method))
-    .point_map(Map_of_indices<Point>{&points, &accesses_left})
-    .geom_traits(Kernel())
-    .sparse_linear_solver(solver)
-    .select_percentage(p.select_percentage)
-    .sharpness_angle(p.sharpness_angle)
-    .number_of_normal_filter_iterations(p.number_of_normal_filter_iterations)
-    .normal_weight(p.normal_weight)
-    .regularization_weight(p.regularization_weight.value_or(is_default ? 0.05 : 0.15))
-    .initial_penalty(p.initial_penalty)
-    .maximum_penalty(p.maximum_penalty)
-    .penalty_growth(p.penalty_growth.value_or(is_default ? 2.3 : 1.5))
-    .number_of_orientation_neighbors(p.number_of_orientation_neighbors)
-    .random_seed(p.random_seed)
-    .drop_non_finite(p.drop_non_finite)
-    .drop_outliers(p.drop_outliers.value_or(is_default))
-    .maximum_memory(p.maximum_memory)
-    .callback(callback)
-    .resampling_report(&answer.report);
+                    .point_map(Map_of_indices<Point>{&points, &accesses_left})
+                    .geom_traits(Kernel())
+                    .sparse_linear_solver(solver)
+                    .select_percentage(p.select_percentage)
+                    .sharpness_angle(p.sharpness_angle)
+                    .number_of_normal_filter_iterations(p.number_of_normal_filter_iterations)
+                    .normal_weight(p.normal_weight)
+                    .regularization_weight(p.regularization_weight.value_or(is_default ? 0.05 : 0.15))
+                    .initial_penalty(p.initial_penalty)
+                    .maximum_penalty(p.maximum_penalty)
+                    .penalty_growth(p.penalty_growth.value_or(is_default ? 2.3 : 1.5))
+                    .number_of_orientation_neighbors(p.number_of_orientation_neighbors)
+                    .random_seed(p.random_seed)
+                    .drop_non_finite(p.drop_non_finite)
+                    .drop_outliers(p.drop_outliers.value_or(is_default))
+                    .maximum_memory(p.maximum_memory)
+                    .callback(callback)
+                    .resampling_report(&answer.report);
   const auto resample = [&](const auto& all) { CGAL::l0_resample_point_set<ConcurrencyTag>(range, write, all); };
   const auto resample_with_normals = [&]() {
     // from a caller of doubles and the package's own solver only, again for the number of instances
@@ -137,11 +138,29 @@ void call_with(const Attack& attack, const SolverTraits& solver, Answer& answer)
   {
     resample_with_normals();
   }
-  catch (const std::invalid_argument& e) { answer.ending = Ending::INVALID_ARGUMENT; answer.message = e.what(); }
-  catch (const CGAL::L0_resampling::Solver_error& e) { answer.ending = Ending::SOLVER_ERROR; answer.message = e.what(); }
-  catch (const std::bad_alloc&) { answer.ending = Ending::BAD_ALLOC; }
-  catch (const Exception_of_caller&) { answer.ending = Ending::EXCEPTION_OF_CALLER; }
-  catch (const std::exception& e) { answer.ending = Ending::ANOTHER_EXCEPTION; answer.message = e.what(); }
+  catch (const std::invalid_argument& e)
+  {
+    answer.ending = Ending::INVALID_ARGUMENT;
+    answer.message = e.what();
+  }
+  catch (const CGAL::L0_resampling::Solver_error& e)
+  {
+    answer.ending = Ending::SOLVER_ERROR;
+    answer.message = e.what();
+  }
+  catch (const std::bad_alloc&)
+  {
+    answer.ending = Ending::BAD_ALLOC;
+  }
+  catch (const Exception_of_caller&)
+  {
+    answer.ending = Ending::EXCEPTION_OF_CALLER;
+  }
+  catch (const std::exception& e)
+  {
+    answer.ending = Ending::ANOTHER_EXCEPTION;
+    answer.message = e.what();
+  }
 
   answer.input_is_unchanged = are_same_bits(points, points_before) && are_same_bits(normals, normals_before);
 }
@@ -163,19 +182,18 @@ Answer call(const Attack& attack, bool in_parallel)
   Answer answer;
   switch (attack.parameters.solver)
   {
-  case Solver::CHOLESKY:
-    call_with<CGAL::Sequential_tag>(attack, Eigen_cholesky_solver_traits<double>(), answer);
-    break;
+  case Solver::CHOLESKY: call_with<CGAL::Sequential_tag>(attack, Eigen_cholesky_solver_traits<double>(), answer); break;
   case Solver::LEAST_SQUARES:
     call_with<CGAL::Sequential_tag>(attack, Eigen_least_squares_solver_traits<double>(), answer);
     break;
   default:
     // as a call without a solver does
     if (in_parallel)
-      call_with<CGAL::Parallel_if_available_tag>(attack, Block_conjugate_gradient_solver_traits<float, CGAL::Parallel_if_available_tag>(),
-                                                 answer);
+      call_with<CGAL::Parallel_if_available_tag>(
+        attack, Block_conjugate_gradient_solver_traits<float, CGAL::Parallel_if_available_tag>(), answer);
     else
-      call_with<CGAL::Sequential_tag>(attack, Block_conjugate_gradient_solver_traits<float, CGAL::Sequential_tag>(), answer);
+      call_with<CGAL::Sequential_tag>(attack, Block_conjugate_gradient_solver_traits<float, CGAL::Sequential_tag>(),
+                                      answer);
   }
   return answer;
 }

@@ -15,16 +15,24 @@
 
 namespace attack {
 
-enum class Ending { COMPLETED, INVALID_ARGUMENT, SOLVER_ERROR, BAD_ALLOC, EXCEPTION_OF_CALLER, ANOTHER_EXCEPTION };
+enum class Ending
+{
+  COMPLETED,
+  INVALID_ARGUMENT,
+  SOLVER_ERROR,
+  BAD_ALLOC,
+  EXCEPTION_OF_CALLER,
+  ANOTHER_EXCEPTION
+};
 
 /// What one call of the function came to.
 struct Answer
 {
   Ending ending = Ending::COMPLETED;
-  std::string message;                   // of the exception
-  std::vector<Vector> points, normals;   // what was written
+  std::string message;                 // of the exception
+  std::vector<Vector> points, normals; // what was written
   bool input_is_unchanged = true;
-  bool progress_is_sound = true;         // in [0, 1] and never falling
+  bool progress_is_sound = true; // in [0, 1] and never falling
   CGAL::L0_resampling::Report report;
 };
 

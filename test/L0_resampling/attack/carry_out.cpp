@@ -25,9 +25,13 @@ bool are_same_bits(const std::vector<Vector>& a, const std::vector<Vector>& b)
 /// All that the report says and that is neither time, memory nor text.
 std::vector<double> numbers(const CGAL::L0_resampling::Report& report)
 {
-  std::vector<double> result{double(report.number_of_distinct_points), double(report.number_of_outliers),
-                             double(report.number_of_degenerate_neighborhoods), double(report.number_of_lonely_samples),
-                             double(report.number_of_self_neighbor_pairs), report.neighbor_radius, report.oriented_share};
+  std::vector<double> result{double(report.number_of_distinct_points),
+                             double(report.number_of_outliers),
+                             double(report.number_of_degenerate_neighborhoods),
+                             double(report.number_of_lonely_samples),
+                             double(report.number_of_self_neighbor_pairs),
+                             report.neighbor_radius,
+                             report.oriented_share};
   for (const CGAL::L0_resampling::Iteration_report& iteration : report.iterations)
     result.insert(result.end(), {iteration.fit_energy, iteration.active_pair_share, double(iteration.solver.iterations)});
   return result;
@@ -54,7 +58,10 @@ std::string difference(const Answer& a, const Answer& b)
 
 constexpr int exponent = 40;
 
-Vector larger(const Vector& v) { return {std::ldexp(v[0], exponent), std::ldexp(v[1], exponent), std::ldexp(v[2], exponent)}; }
+Vector larger(const Vector& v)
+{
+  return {std::ldexp(v[0], exponent), std::ldexp(v[1], exponent), std::ldexp(v[2], exponent)};
+}
 
 /// Whether all numbers of the attack keep their digits when they become larger, with some room for the radii. A cloud at the origin has no
 /// length to scale.
@@ -62,10 +69,12 @@ bool can_be_larger(const Attack& attack)
 {
   const auto has_room = [](double x) { return x == 0 || !std::isfinite(x) || std::abs(std::ilogb(x)) < 900; };
   return !attack.parameters.in_single_precision
-    && std::any_of(attack.points.begin(), attack.points.end(), [](const Vector& p) { return p.allFinite() && !p.isZero(0); })
-    && std::all_of(attack.points.begin(), attack.points.end(), [&](const Vector& p) {
-         return has_room(p[0]) && has_room(p[1]) && has_room(p[2]); })
-    && has_room(attack.parameters.neighbor_radius.value_or(1)) && has_room(attack.parameters.normal_filter_radius.value_or(1));
+         && std::any_of(attack.points.begin(), attack.points.end(),
+                        [](const Vector& p) { return p.allFinite() && !p.isZero(0); })
+         && std::all_of(attack.points.begin(), attack.points.end(),
+                        [&](const Vector& p) { return has_room(p[0]) && has_room(p[1]) && has_room(p[2]); })
+         && has_room(attack.parameters.neighbor_radius.value_or(1))
+         && has_room(attack.parameters.normal_filter_radius.value_or(1));
 }
 
 std::string difference_of_larger(const Attack& attack, Answer answer)
@@ -93,7 +102,8 @@ bool is_contained(const Answer& a, const Answer& b, double tolerance)
   {
     bool is_there = false;
     for (std::size_t k = 0; k < b.points.size() && !is_there; ++k)
-      is_there = (a.points[i] - b.points[k]).cwiseAbs().maxCoeff() <= tolerance && (a.normals[i] - b.normals[k]).norm() <= 1e-6;
+      is_there = (a.points[i] - b.points[k]).cwiseAbs().maxCoeff() <= tolerance
+                 && (a.normals[i] - b.normals[k]).norm() <= 1e-6;
     if (!is_there)
       return false;
   }
@@ -118,7 +128,9 @@ std::string difference_of_shuffled(const Attack& attack, const Answer& answer)
   if (answer.ending != answer_of_shuffled.ending)
     return "another ending: " + answer_of_shuffled.message;
   const double tolerance = 1e-9 * diagonal_of(attack.points);
-  return is_contained(answer, answer_of_shuffled, tolerance) && is_contained(answer_of_shuffled, answer, tolerance) ? "" : "another set";
+  return is_contained(answer, answer_of_shuffled, tolerance) && is_contained(answer_of_shuffled, answer, tolerance)
+           ? ""
+           : "another set";
 }
 
 } // namespace

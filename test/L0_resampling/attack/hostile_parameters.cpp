@@ -40,24 +40,42 @@ std::vector<Named_parameters> hostile_parameter_sets(std::size_t size, double di
     {"no such method", with([](P& p) { p.method = 7; })},
     {"a negative method", with([](P& p) { p.method = -1; })},
     {"single precision", with([](P& p) { p.in_single_precision = true; })},
-    {"single precision, LOR", with([](P& p) { p.in_single_precision = true; p.method = 1; })},
+    {"single precision, LOR", with([](P& p) {
+       p.in_single_precision = true;
+       p.method = 1;
+     })},
     {"Cholesky", with([](P& p) { p.solver = Solver::CHOLESKY; })},
     {"least squares", with([](P& p) { p.solver = Solver::LEAST_SQUARES; })},
-    {"least squares, ALOR", with([](P& p) { p.solver = Solver::LEAST_SQUARES; p.method = 2; })},
+    {"least squares, ALOR", with([](P& p) {
+       p.solver = Solver::LEAST_SQUARES;
+       p.method = 2;
+     })},
     {"given normals", with([](P& p) { p.with_normals = true; })},
-    {"given normals, LOR", with([](P& p) { p.with_normals = true; p.method = 1; })},
+    {"given normals, LOR", with([](P& p) {
+       p.with_normals = true;
+       p.method = 1;
+     })},
     // How many
     {"none", with([](P& p) { p.number_of_output_points = 0; })},
     {"one", with([](P& p) { p.number_of_output_points = 1; })},
     {"as many", with([=](P& p) { p.number_of_output_points = n; })},
     {"one more", with([=](P& p) { p.number_of_output_points = n + 1; })},
     {"seven times as many", with([=](P& p) { p.number_of_output_points = 7 * n; })},
-    {"LOR, twice as many", with([=](P& p) { p.method = 1; p.number_of_output_points = 2 * n; })},
+    {"LOR, twice as many", with([=](P& p) {
+       p.method = 1;
+       p.number_of_output_points = 2 * n;
+     })},
     {"minus one", with([](P& p) { p.number_of_output_points = -1; })},
     {"NaN points", with([](P& p) { p.number_of_output_points = nan; })},
     {"infinitely many", with([](P& p) { p.number_of_output_points = infinity; })},
-    {"2^31, little memory", with([](P& p) { p.number_of_output_points = 2147483648.; p.maximum_memory = 1 << 24; })},
-    {"2^32 - 2, little memory", with([](P& p) { p.number_of_output_points = 4294967294.; p.maximum_memory = 1 << 24; })},
+    {"2^31, little memory", with([](P& p) {
+       p.number_of_output_points = 2147483648.;
+       p.maximum_memory = 1 << 24;
+     })},
+    {"2^32 - 2, little memory", with([](P& p) {
+       p.number_of_output_points = 4294967294.;
+       p.maximum_memory = 1 << 24;
+     })},
     {"2^32 - 1", with([](P& p) { p.number_of_output_points = 4294967295.; })},
     {"2^63", with([](P& p) { p.number_of_output_points = 9223372036854775808.; })},
     {"a hundred percent", with([](P& p) { p.select_percentage = 100; })},
@@ -71,7 +89,10 @@ std::vector<Named_parameters> hostile_parameter_sets(std::size_t size, double di
     {"a radius of many", with([=](P& p) { p.neighbor_radius = 0.4 * diagonal; })},
     {"a radius of everybody", with([=](P& p) { p.neighbor_radius = 1e6 * diagonal; })},
     {"LOR, a radius of everybody, more points", with([=](P& p) {
-      p.method = 1; p.neighbor_radius = diagonal; p.number_of_output_points = 2 * n; })},
+       p.method = 1;
+       p.neighbor_radius = diagonal;
+       p.number_of_output_points = 2 * n;
+     })},
     {"the least radius", with([](P& p) { p.neighbor_radius = Limits::denorm_min(); })},
     {"the largest radius", with([](P& p) { p.neighbor_radius = largest; })},
     {"radius 0", with([](P& p) { p.neighbor_radius = 0; })},
@@ -80,7 +101,10 @@ std::vector<Named_parameters> hostile_parameter_sets(std::size_t size, double di
     {"radius infinity", with([](P& p) { p.neighbor_radius = infinity; })},
     {"the least filter radius", with([](P& p) { p.normal_filter_radius = Limits::denorm_min(); })},
     {"the largest filter radius", with([](P& p) { p.normal_filter_radius = largest; })},
-    {"filter radius of all, radius of nobody", with([=](P& p) { p.neighbor_radius = 1e-6 * diagonal; p.normal_filter_radius = diagonal; })},
+    {"filter radius of all, radius of nobody", with([=](P& p) {
+       p.neighbor_radius = 1e-6 * diagonal;
+       p.normal_filter_radius = diagonal;
+     })},
     {"filter radius NaN", with([](P& p) { p.normal_filter_radius = nan; })},
     // Weights
     {"a blunt angle", with([](P& p) { p.sharpness_angle = 90; })},
@@ -100,9 +124,16 @@ std::vector<Named_parameters> hostile_parameter_sets(std::size_t size, double di
     {"strong regularization", with([](P& p) { p.regularization_weight = 1e6; })},
     {"overwhelming regularization", with([](P& p) { p.regularization_weight = largest; })},
     {"regularization NaN", with([](P& p) { p.regularization_weight = nan; })},
-    {"the least penalty", with([](P& p) { p.initial_penalty = Limits::denorm_min(); p.maximum_penalty = 1e-320; })},
+    {"the least penalty", with([](P& p) {
+       p.initial_penalty = Limits::denorm_min();
+       p.maximum_penalty = 1e-320;
+     })},
     {"the largest penalties", with([](P& p) { p.initial_penalty = p.maximum_penalty = largest; })},
-    {"all penalties in one leap", with([](P& p) { p.initial_penalty = 1e-300; p.maximum_penalty = 1e300; p.penalty_growth = 1e200; })},
+    {"all penalties in one leap", with([](P& p) {
+       p.initial_penalty = 1e-300;
+       p.maximum_penalty = 1e300;
+       p.penalty_growth = 1e200;
+     })},
     {"first penalty above the last", with([](P& p) { p.initial_penalty = 5; })},
     {"penalty 0", with([](P& p) { p.initial_penalty = 0; })},
     {"last penalty infinity", with([](P& p) { p.maximum_penalty = infinity; })},
@@ -117,7 +148,11 @@ std::vector<Named_parameters> hostile_parameter_sets(std::size_t size, double di
     // The rest
     {"the last seed", with([](P& p) { p.random_seed = (std::numeric_limits<std::size_t>::max)(); })},
     {"dropping what is not finite", with([](P& p) { p.drop_non_finite = true; })},
-    {"dropping all that can be", with([](P& p) { p.drop_non_finite = true; p.drop_outliers = true; p.method = 1; })},
+    {"dropping all that can be", with([](P& p) {
+       p.drop_non_finite = true;
+       p.drop_outliers = true;
+       p.method = 1;
+     })},
     {"dropping no outliers", with([](P& p) { p.drop_outliers = false; })},
     {"no memory", with([](P& p) { p.maximum_memory = 0; })},
     {"4 KiB", with([](P& p) { p.maximum_memory = 4096; })},
@@ -135,7 +170,8 @@ Parameters random_parameters(std::size_t n, double diagonal, Generator& generato
   const auto one_in = [&](double k) { return random(0, k) < 1; };
   // mostly sensible, so that more is reached than the checks of parameters
   const auto number = [&](double low, double high) {
-    static const std::vector<double> bad{0, -1, nan, infinity, -infinity, largest, Limits::denorm_min(), -0., 1, 1e-30, 1e30};
+    static const std::vector<double> bad{0,   -1, nan,   infinity, -infinity, largest, Limits::denorm_min(),
+                                         -0., 1,  1e-30, 1e30};
     return one_in(60) ? bad[std::size_t(random(0, double(bad.size())))] : low * std::pow(high / low, random(0, 1));
   };
 
@@ -147,7 +183,7 @@ Parameters random_parameters(std::size_t n, double diagonal, Generator& generato
     p.method = int(random(0, 3));
   if (one_in(4))
     p.in_single_precision = true;
-  if (one_in(40))   // these take most of the time
+  if (one_in(40)) // these take most of the time
     p.solver = one_in(2) ? Solver::CHOLESKY : Solver::LEAST_SQUARES;
   if (one_in(4))
     p.with_normals = true;
@@ -204,7 +240,7 @@ double diagonal_of(const std::vector<Vector>& points)
       high = is_first ? p : Vector(high.cwiseMax(p));
       is_first = false;
     }
-  const Vector extent = high / 2 - low / 2;   // halves, as the largest numbers have no difference
+  const Vector extent = high / 2 - low / 2; // halves, as the largest numbers have no difference
   const double longest = extent.maxCoeff();
   return longest > 0 ? (std::min)(2 * longest * (extent / longest).norm(), largest) : 0;
 }

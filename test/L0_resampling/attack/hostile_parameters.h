@@ -13,7 +13,11 @@
 
 namespace attack {
 
-struct Named_parameters { std::string name; Parameters parameters; };
+struct Named_parameters
+{
+  std::string name;
+  Parameters parameters;
+};
 
 /// Our inventions, each with its name, for a cloud of n points with that diagonal.
 std::vector<Named_parameters> hostile_parameter_sets(std::size_t n, double diagonal);

@@ -37,8 +37,14 @@ Points changed(Points points, const std::function<Vector(const Vector&)>& f)
   return points;
 }
 
-Points scaled(const Points& points, double factor) { return changed(points, [=](const Vector& p) { return Vector(factor * p); }); }
-Points moved(const Points& points, const Vector& by) { return changed(points, [=](const Vector& p) { return Vector(p + by); }); }
+Points scaled(const Points& points, double factor)
+{
+  return changed(points, [=](const Vector& p) { return Vector(factor * p); });
+}
+Points moved(const Points& points, const Vector& by)
+{
+  return changed(points, [=](const Vector& p) { return Vector(p + by); });
+}
 
 Points joined(Points a, const Points& b)
 {
@@ -69,7 +75,11 @@ std::vector<Named_points> hostile_point_sets()
   const Points ball = cloud(200, [&] { return Vector(std::cbrt(random(0, 1)) * test::random_unit_vector(generator)); });
   const Points line = cloud(150, [&] { return Vector(random(-1, 1) * Vector(1, 2, 3)); });
   const Points origin{Vector(0, 0, 0)}, somewhere{Vector(1, 2, 3)};
-  const auto with_nan = [&](std::size_t place, const Vector& bad) { Points p = sphere; p[place] = bad; return p; };
+  const auto with_nan = [&](std::size_t place, const Vector& bad) {
+    Points p = sphere;
+    p[place] = bad;
+    return p;
+  };
 
   return {
     // Few and equal
@@ -100,12 +110,14 @@ std::vector<Named_points> hostile_point_sets()
     {"a helix", made(250, [](double i) { return Vector(std::cos(i / 9), std::sin(i / 9), i / 90); })},
     {"a plane", plane},
     {"a plane off the origin", moved(plane, Vector(0, 0, 1e-3))},
-    {"an oblique plane at UTM", changed(plane, [](const Vector& p) { return Vector(p + utm + Vector(0, 0, p[0] / 3 + p[1] / 7)); })},
+    {"an oblique plane at UTM",
+     changed(plane, [](const Vector& p) { return Vector(p + utm + Vector(0, 0, p[0] / 3 + p[1] / 7)); })},
     {"two planes nearly one", joined(plane, moved(plane, Vector(0, 0, 1e-9)))},
     {"two crossing planes", joined(plane, changed(plane, [](const Vector& p) { return Vector(p[0], 0, p[1]); }))},
     {"two crossing lines", joined(line, changed(line, [](const Vector& p) { return Vector(-p[0], p[1], p[2]); }))},
     {"a needle", cloud(200, [&] { return Vector(random(-1, 1), 1e-7 * random(-1, 1), 1e-14 * random(-1, 1)); })},
-    {"a sheet as thin as rounding", cloud(200, [&] { return Vector(random(0, 1), random(0, 1), epsilon * random(0, 4)); })},
+    {"a sheet as thin as rounding",
+     cloud(200, [&] { return Vector(random(0, 1), random(0, 1), epsilon * random(0, 4)); })},
     // Ties
     {"a lattice", test::lattice_points(6, 0.1)},
     {"a flat lattice", made(256, [](double i) { return Vector(std::fmod(i, 16), std::floor(i / 16), 0); })},
@@ -113,19 +125,28 @@ std::vector<Named_points> hostile_point_sets()
     {"a lattice of tenths at UTM", moved(test::lattice_points(6, 0.1), utm)},
     {"corners of a cube, each many times", repeated(test::lattice_points(2, 1), 25)},
     {"two concentric spheres", joined(sphere, scaled(sphere, 1.000001))},
-    {"a regular circle", made(240, [](double i) { return Vector(std::cos(i * double(EIGEN_PI) / 120), std::sin(i * double(EIGEN_PI) / 120), 0); })},
+    {"a regular circle",
+     made(240,
+          [](double i) { return Vector(std::cos(i * double(EIGEN_PI) / 120), std::sin(i * double(EIGEN_PI) / 120), 0); })},
     // Solid, uneven, torn
     {"a sphere", sphere},
     {"a cube", cube},
     {"a solid ball", ball},
     {"a noise without surface", cloud(250, [&] { return Vector(random(-1, 1), random(-1, 1), random(-1, 1)); })},
-    {"density over ten orders", cloud(250, [&] { return Vector(std::exp(random(-20, 2)) * test::random_unit_vector(generator)); })},
-    {"geometric shells", made(120, [&](double i) { return Vector(std::ldexp(1., int(i) - 60) * test::random_unit_vector(generator)); })},
-    {"all binades", made(300, [](double i) { return Vector(std::ldexp(1., int(i) * 6 - 900), std::ldexp(1., -int(i)), 0); })},
+    {"density over ten orders",
+     cloud(250, [&] { return Vector(std::exp(random(-20, 2)) * test::random_unit_vector(generator)); })},
+    {"geometric shells",
+     made(120, [&](double i) { return Vector(std::ldexp(1., int(i) - 60) * test::random_unit_vector(generator)); })},
+    {"all binades",
+     made(300, [](double i) { return Vector(std::ldexp(1., int(i) * 6 - 900), std::ldexp(1., -int(i)), 0); })},
     {"two far clusters", joined(sphere, moved(Points(sphere.begin(), sphere.begin() + 80), Vector(1e4, 0, 0)))},
-    {"two clusters further apart than digits", joined(sphere, moved(Points(sphere.begin(), sphere.begin() + 80), Vector(1e17, 0, 0)))},
-    {"twenty islands", made(300, [&](double i) {
-      return Vector(100 * std::fmod(i, 20) * Vector(1, 0.3, 0) + 1e-3 * test::random_unit_vector(generator)); })},
+    {"two clusters further apart than digits",
+     joined(sphere, moved(Points(sphere.begin(), sphere.begin() + 80), Vector(1e17, 0, 0)))},
+    {"twenty islands", made(300,
+                            [&](double i) {
+                              return Vector(100 * std::fmod(i, 20) * Vector(1, 0.3, 0)
+                                            + 1e-3 * test::random_unit_vector(generator));
+                            })},
     {"a crowd beside a sphere", joined(sphere, scaled(moved(ball, Vector(1e4, 0, 0)), 1e-4))},
     {"an exponential tail", cloud(250, [&] { return Vector(std::exp(random(0, 300)), std::exp(random(0, 300)), 0); })},
     // Far and extreme
@@ -135,8 +156,11 @@ std::vector<Named_points> hostile_point_sets()
     {"1e-300", scaled(sphere, 1e-300)},
     {"1e300", scaled(cube, 1e300)},
     {"the largest numbers", scaled(sphere, largest)},
-    {"corners of all numbers", changed(test::lattice_points(4, 1), [](const Vector& p) {
-      return Vector((p[0] - 1.5) / 1.5 * largest, (p[1] - 1.5) / 1.5 * largest, (p[2] - 1.5) / 1.5 * largest); })},
+    {"corners of all numbers", changed(test::lattice_points(4, 1),
+                                       [](const Vector& p) {
+                                         return Vector((p[0] - 1.5) / 1.5 * largest, (p[1] - 1.5) / 1.5 * largest,
+                                                       (p[2] - 1.5) / 1.5 * largest);
+                                       })},
     {"denormal numbers", scaled(sphere, 1e-315)},
     {"the least numbers", scaled(sphere, 1e-322)},
     {"three units", changed(ball, [](const Vector& p) { return Vector(1e-200 * p[0], p[1], 1e200 * p[2]); })},
@@ -192,7 +216,8 @@ std::vector<Vector> random_point_set(Generator& generator)
   case 2: points = test::cube_points(n, 1, generator).points; break;
   case 3: points = test::plane_points(n, 1, generator).points; break;
   case 4: points = made(n, [&](double) { return random_vector(); }); break;
-  default: points = made(n, [&](double) { return Vector(std::exp(random(-9, 0)) * test::random_unit_vector(generator)); });
+  default:
+    points = made(n, [&](double) { return Vector(std::exp(random(-9, 0)) * test::random_unit_vector(generator)); });
   }
 
   const int number_of_misfortunes = int(random(0, 5));
@@ -209,19 +234,22 @@ std::vector<Vector> random_point_set(Generator& generator)
     case 5: points = joined(points, repeated({points[some]}, random_size())); break;
     case 6: points.push_back(std::pow(10., random(-5, 300)) * random_vector()); break;
     case 7: points = joined(points, moved(points, std::pow(10., random(-17, 5)) * random_vector())); break;
-    case 8:
-      {
-        const double unit = std::pow(10., random(-3, 0)) * (points[some].cwiseAbs().maxCoeff() + Limits::denorm_min());
-        points = changed(points, [=](const Vector& p) { return Vector(rounded(p[0], unit), rounded(p[1], unit), rounded(p[2], unit)); });
-        break;
-      }
-    case 9:
-      {
-        const Vector stretch(std::pow(10., random(-20, 0)), one_in(2) ? 1 : std::pow(10., random(-20, 0)), one_in(8) ? 0 : 1);
-        points = changed(points, [=](const Vector& p) { return Vector(p.cwiseProduct(stretch)); });
-        break;
-      }
-    case 10: std::sort(points.begin(), points.end(), [](const Vector& a, const Vector& b) { return a[0] < b[0]; }); break;
+    case 8: {
+      const double unit = std::pow(10., random(-3, 0)) * (points[some].cwiseAbs().maxCoeff() + Limits::denorm_min());
+      points = changed(points, [=](const Vector& p) {
+        return Vector(rounded(p[0], unit), rounded(p[1], unit), rounded(p[2], unit));
+      });
+      break;
+    }
+    case 9: {
+      const Vector stretch(std::pow(10., random(-20, 0)), one_in(2) ? 1 : std::pow(10., random(-20, 0)),
+                           one_in(8) ? 0 : 1);
+      points = changed(points, [=](const Vector& p) { return Vector(p.cwiseProduct(stretch)); });
+      break;
+    }
+    case 10:
+      std::sort(points.begin(), points.end(), [](const Vector& a, const Vector& b) { return a[0] < b[0]; });
+      break;
     case 11: points.resize((std::max)(some, std::size_t(1))); break;
     case 12: points = joined(points, named[std::size_t(random(0, double(named.size())))].points); break;
     default:

@@ -13,7 +13,11 @@
 
 namespace attack {
 
-struct Named_points { std::string name; std::vector<Vector> points; };
+struct Named_points
+{
+  std::string name;
+  std::vector<Vector> points;
+};
 
 /// Our inventions, each with its name; at most 300 points in one.
 std::vector<Named_points> hostile_point_sets();

@@ -22,14 +22,16 @@ bool is_count(double x, double low, double high) { return x >= low && x < high +
 
 double rounded_to_float(double x)
 {
-  const volatile float rounded = float(x);   // GCC 12 leaves the rounding of three numbers at once out
+  const volatile float rounded = float(x); // GCC 12 leaves the rounding of three numbers at once out
   return rounded;
 }
 
 /// As the caller's kernel has it.
 Vector given(const Attack& attack, const Vector& p)
 {
-  return attack.parameters.in_single_precision ? Vector(rounded_to_float(p[0]), rounded_to_float(p[1]), rounded_to_float(p[2])) : p;
+  return attack.parameters.in_single_precision
+           ? Vector(rounded_to_float(p[0]), rounded_to_float(p[1]), rounded_to_float(p[2]))
+           : p;
 }
 
 std::vector<Vector> finite_points(const Attack& attack)
@@ -44,17 +46,16 @@ std::vector<Vector> finite_points(const Attack& attack)
 bool parameters_are_good(const Parameters& p)
 {
   // the default method's growth is a larger one
-  const double steps = (std::log(p.maximum_penalty) - std::log(p.initial_penalty)) / std::log(p.penalty_growth.value_or(1.5));
+  const double steps = (std::log(p.maximum_penalty) - std::log(p.initial_penalty))
+                       / std::log(p.penalty_growth.value_or(1.5));
   return p.method >= 0 && p.method <= 2
-    && (!p.number_of_output_points || is_count(*p.number_of_output_points, 0, 4294967294.))
-    && is_positive(p.neighbor_radius.value_or(1)) && is_positive(p.normal_filter_radius.value_or(1))
-    && is_not_negative(p.regularization_weight.value_or(1)) && is_positive(p.penalty_growth.value_or(2) - 1)
-    && p.select_percentage > 0 && p.select_percentage <= 100
-    && p.sharpness_angle > 0 && p.sharpness_angle <= 90
-    && is_count(p.number_of_normal_filter_iterations, 0, 10000)
-    && is_not_negative(p.normal_weight)
-    && is_positive(p.initial_penalty) && is_positive(p.maximum_penalty) && !(std::isfinite(steps) && steps > 10000)
-    && is_count(p.number_of_orientation_neighbors, 3, 1000);
+         && (!p.number_of_output_points || is_count(*p.number_of_output_points, 0, 4294967294.))
+         && is_positive(p.neighbor_radius.value_or(1)) && is_positive(p.normal_filter_radius.value_or(1))
+         && is_not_negative(p.regularization_weight.value_or(1)) && is_positive(p.penalty_growth.value_or(2) - 1)
+         && p.select_percentage > 0 && p.select_percentage <= 100 && p.sharpness_angle > 0 && p.sharpness_angle <= 90
+         && is_count(p.number_of_normal_filter_iterations, 0, 10000) && is_not_negative(p.normal_weight)
+         && is_positive(p.initial_penalty) && is_positive(p.maximum_penalty) && !(std::isfinite(steps) && steps > 10000)
+         && is_count(p.number_of_orientation_neighbors, 3, 1000);
 }
 
 /// Weights with which the paper's system is far from what double precision holds: the solver may say that it has no answer.
@@ -62,7 +63,7 @@ bool weights_are_extreme(const Parameters& p)
 {
   const auto is_extreme = [](double x) { return x != 0 && !(x > 1e-12 && x < 1e12); };
   return is_extreme(p.normal_weight) || is_extreme(p.regularization_weight.value_or(1)) || is_extreme(p.initial_penalty)
-    || is_extreme(p.maximum_penalty);
+         || is_extreme(p.maximum_penalty);
 }
 
 std::size_t number_of_distinct(const std::vector<Vector>& points)
@@ -113,7 +114,8 @@ std::string faults_of_result(const Attack& attack, const Answer& answer)
   const double least = attack.parameters.in_single_precision ? double(std::numeric_limits<float>::denorm_min())
                                                              : std::numeric_limits<double>::denorm_min();
   const Vector spacing = (epsilon * (low - radius).cwiseAbs().cwiseMax((high + radius).cwiseAbs())).cwiseMax(least);
-  const double room = ((high - low + 2 * radius).cwiseQuotient(spacing) / 8).array().floor().cwiseMax(1).cwiseMin(1e6).prod();
+  const double room =
+    ((high - low + 2 * radius).cwiseQuotient(spacing) / 8).array().floor().cwiseMax(1).cwiseMin(1e6).prod();
   if (outside > 0 && room > double(size))
     faults << "; " << outside << " outside of the box";
 
@@ -154,7 +156,9 @@ std::string broken_promises(const Attack& attack, const Answer& answer)
   // Refusals come first, and name what is wrong.
   const auto is_bad = [&](const Vector& v) { return !given(attack, v).allFinite(); };
   const std::size_t first_bad = p.drop_non_finite
-    ? unlimited : std::size_t(std::find_if(attack.points.begin(), attack.points.end(), is_bad) - attack.points.begin());
+                                  ? unlimited
+                                  : std::size_t(std::find_if(attack.points.begin(), attack.points.end(), is_bad)
+                                                - attack.points.begin());
   const bool has_bad_point = first_bad < attack.points.size();
   const bool map_throws = p.throwing_access < (std::min)(attack.points.size(), has_bad_point ? first_bad + 1 : unlimited);
   const bool is_limited = p.maximum_memory != unlimited;
@@ -175,7 +179,8 @@ std::string broken_promises(const Attack& attack, const Answer& answer)
   if (map_throws || has_bad_point)
   {
     if (!ended(map_throws ? Ending::EXCEPTION_OF_CALLER : Ending::INVALID_ARGUMENT))
-      faults << (map_throws ? "; the exception of the map did not come through" : "; a point that is not finite was not refused");
+      faults << (map_throws ? "; the exception of the map did not come through"
+                            : "; a point that is not finite was not refused");
     return faults.str();
   }
   if (ended(Ending::INVALID_ARGUMENT))

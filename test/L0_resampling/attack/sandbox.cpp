@@ -41,14 +41,14 @@ void limit(int resource, std::size_t value)
   {
     answer = std::string("an exception came through: ") + e.what();
   }
-  for (std::size_t written = 0; written < answer.size(); )
+  for (std::size_t written = 0; written < answer.size();)
   {
     const ssize_t n = write(pipe, answer.data() + written, answer.size() - written);
     if (n < 0)
       _exit(2);
     written += std::size_t(n);
   }
-  _exit(0);   // what the parent has to do at its end is not to be done here too
+  _exit(0); // what the parent has to do at its end is not to be done here too
 }
 
 } // namespace
@@ -94,8 +94,9 @@ std::string in_sandbox(const std::function<std::string()>& f, const Limits& limi
   if (hangs)
     return "it does not end";
   if (WIFSIGNALED(status))
-    return WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL ? "it takes too long"
-                                                                      : std::string("killed: ") + strsignal(WTERMSIG(status));
+    return WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL
+             ? "it takes too long"
+             : std::string("killed: ") + strsignal(WTERMSIG(status));
   if (WEXITSTATUS(status) != 0)
     return "the process ended with status " + std::to_string(WEXITSTATUS(status));
   return answer;

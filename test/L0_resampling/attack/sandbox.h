@@ -15,8 +15,8 @@ namespace attack {
 struct Limits
 {
   std::size_t cpu_seconds = 30;
-  std::size_t wall_seconds = 600;            // for one that waits for ever; far above the other, as machines are busy
-  std::size_t bytes = std::size_t(4) << 30;  // of address space; 0 for no limit, which the shadow of a sanitizer needs
+  std::size_t wall_seconds = 600;           // for one that waits for ever; far above the other, as machines are busy
+  std::size_t bytes = std::size_t(4) << 30; // of address space; 0 for no limit, which the shadow of a sanitizer needs
 };
 
 /// What `f` returns, called in a child process with these limits, or how the child died.

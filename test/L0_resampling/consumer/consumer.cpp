@@ -26,7 +26,8 @@ int main()
   CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(points, std::back_inserter(result),
                                                                CGAL::parameters::number_of_output_points(1000));
   for (const auto& [point, normal] : result)
-    if (std::abs(CGAL::to_double((point - CGAL::ORIGIN).squared_length()) - 1) > 0.05 || normal * (point - CGAL::ORIGIN) < 0.9)
+    if (std::abs(CGAL::to_double((point - CGAL::ORIGIN).squared_length()) - 1) > 0.05
+        || normal * (point - CGAL::ORIGIN) < 0.9)
       return 1;
   return result.size() == 1000 ? 0 : 1;
 }

@@ -60,14 +60,17 @@ inline void attack_reader(l0_tool::File_format format, const std::uint8_t* bytes
   l0_tool::Read_options options;
   options.drop_non_finite = is_lenient;
   options.with_normals = is_lenient;
-  try {
+  try
+  {
     const l0_tool::Point_cloud cloud = l0_tool::read_points(file.path(), format, options);
     require(cloud.points.size() + cloud.number_of_dropped_points <= size, "no more points than bytes");
     require(cloud.normals.empty() || cloud.normals.size() == cloud.points.size(), "a normal for each point, or none");
     require(is_lenient || cloud.number_of_dropped_points == 0, "no point is dropped without a word");
     for (const l0_tool::Point& p : cloud.points)
       require(std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()), "points are finite");
-  } catch (const l0_tool::Failure& failure) {
+  }
+  catch (const l0_tool::Failure& failure)
+  {
     const std::string message = failure.what();
     require(failure.status() == l0_tool::INPUT_REFUSED, "the file is refused");
     require(message.compare(0, file.path().size(), file.path()) == 0, "the message begins with the file");

@@ -20,7 +20,8 @@ extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv)
   const char option[] = "--format=";
   for (int i = 1; i < *argc; ++i)
     if (std::strncmp((*argv)[i], option, sizeof(option) - 1) == 0)
-      if (const auto named = l0_tool::format_of(std::string("points.") + ((*argv)[i] + sizeof(option) - 1))) {
+      if (const auto named = l0_tool::format_of(std::string("points.") + ((*argv)[i] + sizeof(option) - 1)))
+      {
         format = *named;
         return 0;
       }

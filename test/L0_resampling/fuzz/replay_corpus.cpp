@@ -15,15 +15,17 @@
 int main(int argc, char** argv)
 {
   const auto format = argc == 3 ? l0_tool::format_of(std::string("points.") + argv[1]) : std::nullopt;
-  if (!format) {
+  if (!format)
+  {
     std::cerr << "usage: replay_corpus FORMAT FOLDER" << std::endl;
     return 2;
   }
   std::size_t number_of_files = 0;
-  for (const std::filesystem::directory_entry& entry : std::filesystem::directory_iterator(argv[2])) {
+  for (const std::filesystem::directory_entry& entry : std::filesystem::directory_iterator(argv[2]))
+  {
     std::ifstream file(entry.path(), std::ios::binary);
     const std::vector<char> bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-    std::cout << entry.path().filename().string() << std::endl;   // the last one, should it be the last
+    std::cout << entry.path().filename().string() << std::endl; // the last one, should it be the last
     tool_test::attack_reader(*format, reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
     ++number_of_files;
   }

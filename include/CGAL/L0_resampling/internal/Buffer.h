@@ -37,7 +37,8 @@ public:
       throw std::bad_alloc();
     }
     std::size_t peak = m_peak.load();
-    while (peak < now && !m_peak.compare_exchange_weak(peak, now)) { }
+    while (peak < now && !m_peak.compare_exchange_weak(peak, now))
+    {}
   }
 
   void release(std::size_t bytes) noexcept { m_current.fetch_sub(bytes); }
@@ -61,7 +62,8 @@ struct Counting_allocator
   Counting_allocator() = default;
   Counting_allocator(Memory_counter* c) : counter(c) {}
   template <typename U>
-  Counting_allocator(const Counting_allocator<U>& other) : counter(other.counter) {}
+  Counting_allocator(const Counting_allocator<U>& other) : counter(other.counter)
+  {}
 
   T* allocate(std::size_t n)
   {
@@ -89,9 +91,15 @@ struct Counting_allocator
   }
 
   template <typename U>
-  bool operator==(const Counting_allocator<U>& other) const { return counter == other.counter; }
+  bool operator==(const Counting_allocator<U>& other) const
+  {
+    return counter == other.counter;
+  }
   template <typename U>
-  bool operator!=(const Counting_allocator<U>& other) const { return counter != other.counter; }
+  bool operator!=(const Counting_allocator<U>& other) const
+  {
+    return counter != other.counter;
+  }
 };
 
 /// The array type of every stage.

@@ -23,9 +23,9 @@ namespace internal {
 /// Only solvers that ask for the rows of Eq. (11) pay for this.
 struct Fit_rows
 {
-  Buffer<std::size_t> offsets;   ///< the neighbors of sample i are `[offsets[i], offsets[i+1])`
-  Buffer<Vector> positions;      ///< of each neighbor
-  Buffer<double> weights;        ///< \f$ 1/v_j \f$, or the sum of those merged
+  Buffer<std::size_t> offsets; ///< the neighbors of sample i are `[offsets[i], offsets[i+1])`
+  Buffer<Vector> positions;    ///< of each neighbor
+  Buffer<double> weights;      ///< \f$ 1/v_j \f$, or the sum of those merged
 
   Explicit_rows<double> view(const Buffer<Vector>& origins, const Buffer<double>& normal_offsets) const
   {
@@ -62,7 +62,8 @@ Fit_rows gather_fit_rows(const Search_grid_3& sample_grid, const Buffer<Vector>&
 {
   const auto allocator = samples.get_allocator();
   const double squared_radius = radius * radius;
-  Fit_rows rows{Buffer<std::size_t>(samples.size() + 1, 0, allocator), Buffer<Vector>(allocator), Buffer<double>(allocator)};
+  Fit_rows rows{Buffer<std::size_t>(samples.size() + 1, 0, allocator), Buffer<Vector>(allocator),
+                Buffer<double>(allocator)};
 
   // The neighbors of one sample, in the order of the points, at most every stride-th as in `collapse_fit_term()`
   const auto for_each_neighbor = [&](Index i, const Local_points<T>& candidates, const Vector& origin, const auto& f) {
@@ -84,7 +85,7 @@ Fit_rows gather_fit_rows(const Search_grid_3& sample_grid, const Buffer<Vector>&
         for_each_neighbor(i, candidates, origin, [&](Index) { ++count; });
         for (std::size_t pass = 0; pass < number_of_passes; ++pass)
           count -= count / 2;
-        rows.offsets[i + 1] = (std::max)(count, std::size_t(1));   // a lonely sample is tied to where it is
+        rows.offsets[i + 1] = (std::max)(count, std::size_t(1)); // a lonely sample is tied to where it is
       }
     };
   });

@@ -35,7 +35,8 @@ power of two, the larger one of the two samples', which keeps the lists symmetri
 \param samples sorted for `grid`, whose cells are no smaller than `radius`
 */
 template <typename ConcurrencyTag>
-Neighborhoods find_self_neighbors(const Search_grid_3& grid, const Buffer<Vector>& samples, double radius, Progress& progress)
+Neighborhoods find_self_neighbors(const Search_grid_3& grid, const Buffer<Vector>& samples, double radius,
+                                  Progress& progress)
 {
   const std::size_t maximum_number_of_candidates = 1024;
   const double squared_radius = radius * radius;
@@ -67,7 +68,8 @@ Neighborhoods find_self_neighbors(const Search_grid_3& grid, const Buffer<Vector
     return count;
   };
 
-  Neighborhoods neighbors{Buffer<std::size_t>(samples.size() + 1, 0, samples.get_allocator()), Buffer<Index>(samples.get_allocator())};
+  Neighborhoods neighbors{Buffer<std::size_t>(samples.size() + 1, 0, samples.get_allocator()),
+                          Buffer<Index>(samples.get_allocator())};
   for_each_cell_block<ConcurrencyTag>(grid, grid, 1, progress, [&]() {
     return [&, found = std::vector<Index>()](Index cell, const Ranges& ranges, std::size_t count) mutable {
       found.resize(count + 1);
@@ -85,7 +87,8 @@ Neighborhoods find_self_neighbors(const Search_grid_3& grid, const Buffer<Vector
       found.resize(count + 1);
       const Search_grid_3::Range queries = grid.points_of_cell(cell);
       for (Index i = queries.first; i < queries.second; ++i)
-        std::copy_n(found.begin(), find_neighbors(i, ranges, found), neighbors.indices.begin() + std::ptrdiff_t(neighbors.offsets[i]));
+        std::copy_n(found.begin(), find_neighbors(i, ranges, found),
+                    neighbors.indices.begin() + std::ptrdiff_t(neighbors.offsets[i]));
     };
   });
   return neighbors;

@@ -21,27 +21,27 @@ struct Parameters
 {
   Method method = Method::DEFAULT;
 
-  std::size_t number_of_output_points = 0;   ///< \f$ |P| \f$
+  std::size_t number_of_output_points = 0; ///< \f$ |P| \f$
 
-  double neighbor_radius = 0;                ///< \f$ r_p \f$, a length; 0 asks for the method's rule
-  double normal_filter_radius = 0;           ///< \f$ r_q \f$, a length; 0 asks for the method's rule
-  double sharpness_angle = 15;               ///< \f$ \sigma_n \f$, in degrees
+  double neighbor_radius = 0;      ///< \f$ r_p \f$, a length; 0 asks for the method's rule
+  double normal_filter_radius = 0; ///< \f$ r_q \f$, a length; 0 asks for the method's rule
+  double sharpness_angle = 15;     ///< \f$ \sigma_n \f$, in degrees
   std::size_t number_of_normal_filter_iterations = 5;
 
-  double normal_weight = 0.9;                ///< \f$ \lambda \f$
-  double regularization_weight = 0;          ///< \f$ \alpha \f$
-  double initial_penalty = 0.1;              ///< first \f$ \beta \f$
-  double maximum_penalty = 2;                ///< last \f$ \beta \f$ is at most this
-  double penalty_growth = 1.5;               ///< \f$ \mu \f$; the default method has its own
+  double normal_weight = 0.9;       ///< \f$ \lambda \f$
+  double regularization_weight = 0; ///< \f$ \alpha \f$
+  double initial_penalty = 0.1;     ///< first \f$ \beta \f$
+  double maximum_penalty = 2;       ///< last \f$ \beta \f$ is at most this
+  double penalty_growth = 1.5;      ///< \f$ \mu \f$; the default method has its own
 
-  bool drop_outliers = false;                ///< whether points off the cloud are left out; the default method has its own default
-  bool keep_density = false;                 ///< whether the density of the input is kept instead of evened out
+  bool drop_outliers = false; ///< whether points off the cloud are left out; the default method has its own default
+  bool keep_density = false;  ///< whether the density of the input is kept instead of evened out
   std::size_t number_of_orientation_neighbors = 12;
   bool has_viewpoint = false;
-  double viewpoint[3] = {0, 0, 0};           ///< that the normals shall face, if there is one
-  bool with_feature_confidences = false;     ///< whether they are asked for
+  double viewpoint[3] = {0, 0, 0};       ///< that the normals shall face, if there is one
+  bool with_feature_confidences = false; ///< whether they are asked for
   std::size_t random_seed = 0;
-  std::size_t maximum_memory = (std::numeric_limits<std::size_t>::max)();   ///< in bytes
+  std::size_t maximum_memory = (std::numeric_limits<std::size_t>::max)(); ///< in bytes
 };
 
 // What the paper leaves open, as multiples of a radius. All are lengths.

@@ -19,8 +19,8 @@ namespace internal {
 struct Fitted_plane
 {
   Triple normal;
-  bool spans_plane;       ///< whether the points determine it, and are not too few to be trusted
-  double variance;        ///< of the points across it
+  bool spans_plane; ///< whether the points determine it, and are not too few to be trusted
+  double variance;  ///< of the points across it
 };
 
 /// The weighted moments of points relative to some center, up to the second, and what a plane through the points takes from them (Hoppe et al. 1992).
@@ -34,9 +34,15 @@ struct Plane_moments
   {
     const S wx = weight * dx, wy = weight * dy, wz = weight * dz;
     sum += weight;
-    x += wx;  y += wy;  z += wz;
-    xx += wx * dx;  xy += wx * dy;  xz += wx * dz;
-    yy += wy * dy;  yz += wy * dz;  zz += wz * dz;
+    x += wx;
+    y += wy;
+    z += wz;
+    xx += wx * dx;
+    xy += wx * dy;
+    xz += wx * dz;
+    yy += wy * dy;
+    yz += wy * dz;
+    zz += wz * dz;
   }
 
   /// Of the covariance. The plane's normal is its smallest vector, the variance across it its smallest value.
@@ -44,7 +50,8 @@ struct Plane_moments
   CGAL_L0_HOST_DEVICE Eigen_decomposition eigen_decomposition() const
   {
     const double n = sum, mx = x / n, my = y / n, mz = z / n;
-    return decompose({xx / n - mx * mx, xy / n - mx * my, xz / n - mx * mz, yy / n - my * my, yz / n - my * mz, zz / n - mz * mz});
+    return decompose(
+      {xx / n - mx * mx, xy / n - mx * my, xz / n - mx * mz, yy / n - my * my, yz / n - my * mz, zz / n - mz * mz});
   }
 
   /// The plane through points of weight 1 in a ball. Points on a line give a normal across it; coincident points give (0, 0, 1).
@@ -56,7 +63,7 @@ struct Plane_moments
       return fit;
     const Eigen_decomposition eigen = eigen_decomposition();
     const double longest = eigen.values[2] < squared_radius * 1e-6 ? squared_radius * 1e-6 : eigen.values[2];
-    const double rounding = 16 * epsilon * longest;   // what is left of a variance across a line
+    const double rounding = 16 * epsilon * longest; // what is left of a variance across a line
     if (!(eigen.values[2] > rounding))
       return fit;
     fit.normal = eigen.smallest_vector;
@@ -84,7 +91,8 @@ CGAL_L0_HOST_DEVICE inline Triple halfway_to_plane(const Plane_moments<double>& 
 template <typename L>
 Plane_moments<double> sum_of_lanes(const Plane_moments<L>& m)
 {
-  return {m.sum.sum(), m.x.sum(), m.y.sum(), m.z.sum(), m.xx.sum(), m.xy.sum(), m.xz.sum(), m.yy.sum(), m.yz.sum(), m.zz.sum()};
+  return {m.sum.sum(), m.x.sum(),  m.y.sum(),  m.z.sum(),  m.xx.sum(),
+          m.xy.sum(),  m.xz.sum(), m.yy.sum(), m.yz.sum(), m.zz.sum()};
 }
 
 } // namespace internal

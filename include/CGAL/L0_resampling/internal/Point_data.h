@@ -23,8 +23,8 @@ namespace internal {
 /// What callers may want to know of each point of the result beside its position and its normal.
 struct Point_data
 {
-  Near_points near_points;             ///< if some are asked for
-  Buffer<float> feature_confidences;   ///< if they are asked for
+  Near_points near_points;           ///< if some are asked for
+  Buffer<float> feature_confidences; ///< if they are asked for
 };
 
 /// How many near points a call with these named parameters has to find, of which `others` are asked for elsewhere.
@@ -45,8 +45,10 @@ void write_point_data(const NamedParameters& np, const Point_data& data, std::si
     for (std::size_t i = 0; i < size; ++i)
       put(map, key_of(i), Value(value_of(i)));
   };
-  if_given(np, internal_np::source_index_map, [&](const auto& map) { write(map, [&](std::size_t i) { return data.near_points.nearest(i); }); });
-  if_given(np, internal_np::feature_confidence_map, [&](const auto& map) { write(map, [&](std::size_t i) { return data.feature_confidences[i]; }); });
+  if_given(np, internal_np::source_index_map,
+           [&](const auto& map) { write(map, [&](std::size_t i) { return data.near_points.nearest(i); }); });
+  if_given(np, internal_np::feature_confidence_map,
+           [&](const auto& map) { write(map, [&](std::size_t i) { return data.feature_confidences[i]; }); });
 }
 
 } // namespace internal

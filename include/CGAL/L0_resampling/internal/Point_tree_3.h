@@ -26,13 +26,13 @@ count as the one of the smallest index. CGAL's tree breaks no ties, and its memo
 class Point_tree_3
 {
   static constexpr std::size_t points_per_leaf = 8;
-  static constexpr unsigned char no_axis = 3;   // of a node whose points are all at one place
+  static constexpr unsigned char no_axis = 3; // of a node whose points are all at one place
 
   // The node of [begin, end) is the point in its middle; smaller ones along its axis stand before it.
   Buffer<Vector> m_points;
   Buffer<Index> m_indices;
   Buffer<unsigned char> m_axes;
-  int m_exponent = 0;                           // brings the largest coordinate below 1, so that no square overflows
+  int m_exponent = 0; // brings the largest coordinate below 1, so that no square overflows
 
 public:
   /// A point of the tree by its squared distance, in the unit of the tree, and its index.
@@ -41,7 +41,8 @@ public:
   /// \param points finite
   /// \param indices one for each point
   Point_tree_3(Buffer<Vector> points, Buffer<Index> indices)
-    : m_points(std::move(points)), m_indices(std::move(indices)), m_axes(m_points.size(), no_axis, m_points.get_allocator())
+    : m_points(std::move(points)), m_indices(std::move(indices)),
+      m_axes(m_points.size(), no_axis, m_points.get_allocator())
   {
     double largest = 0;
     for (const Vector& p : m_points)
@@ -74,7 +75,7 @@ private:
   {
     Vector query;
     std::size_t k;
-    Candidate* found;    // ascending
+    Candidate* found; // ascending
     std::size_t size;
 
     bool may_hold(double squared_distance) const { return size < k || squared_distance <= found[size - 1].first; }

@@ -24,7 +24,8 @@ namespace L0_resampling {
 namespace internal {
 
 /// Thrown by `Progress::advance()` once the caller's callback has said no, or has thrown; never leaves the package.
-struct Interrupted {};
+struct Interrupted
+{};
 
 /// Tells the caller's callback how far the call is, and keeps the time and memory of the stages.
 class Progress
@@ -38,21 +39,22 @@ class Progress
   Report& m_report;
   Memory_counter& m_memory;
 
-  std::mutex m_mutex;                          // guards the callback and the three values below
+  std::mutex m_mutex; // guards the callback and the three values below
   Clock::time_point m_last_call = Clock::now();
   double m_last_value = 0;
-  std::exception_ptr m_exception;              // what the callback threw: threads that stop for it must not replace it
+  std::exception_ptr m_exception; // what the callback threw: threads that stop for it must not replace it
 
   std::atomic<bool> m_interrupted{false};
   std::atomic<std::size_t> m_done{0};
   std::size_t m_total = 1;
-  double m_stage_begin = 0;                    // share of the whole call done before the running stage
+  double m_stage_begin = 0; // share of the whole call done before the running stage
   double m_stage_share = 0;
   Clock::time_point m_stage_start = Clock::now();
 
 public:
   Progress(std::function<bool(double)> callback, Report& report, Memory_counter& memory)
-    : m_callback(std::move(callback)), m_report(report), m_memory(memory) {}
+    : m_callback(std::move(callback)), m_report(report), m_memory(memory)
+  {}
 
   /// Starts a stage of `total` steps that makes up `share` of the whole call.
   void begin_stage(const std::string& name, double share, std::size_t total)

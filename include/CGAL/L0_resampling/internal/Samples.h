@@ -19,18 +19,19 @@ struct Samples
 {
   using Local_vector = Eigen::Matrix<FT, 3, 1>;
 
-  Buffer<Vector> positions;                 ///< \f$ p_i \f$
-  Buffer<Local_vector> normals;             ///< \f$ n_i \f$, unit length
-  Buffer<FT> fit_weights;                   ///< \f$ W_i \f$
-  Buffer<Vector> fit_centroids;             ///< \f$ c_i \f$
-  Buffer<Local_vector> outward_directions;  ///< default method only: where an edge or a border is near, the unit vector towards it, else zero
+  Buffer<Vector> positions;     ///< \f$ p_i \f$
+  Buffer<Local_vector> normals; ///< \f$ n_i \f$, unit length
+  Buffer<FT> fit_weights;       ///< \f$ W_i \f$
+  Buffer<Vector> fit_centroids; ///< \f$ c_i \f$
+  Buffer<Local_vector> outward_directions; ///< default method only: where an edge or a border is near, the unit vector towards it, else zero
 
-  Buffer<FT> spacings;                      ///< where the density of the input is kept: how far apart the samples around are to be; else none
-  Buffer<Local_vector> hints;               ///< unit or zero vectors on the side that the normals shall point to, if the caller has some; else none
+  Buffer<FT> spacings; ///< where the density of the input is kept: how far apart the samples around are to be; else none
+  Buffer<Local_vector> hints; ///< unit or zero vectors on the side that the normals shall point to, if the caller has some; else none
 
   explicit Samples(const Counting_allocator<Vector>& allocator)
-    : positions(allocator), normals(allocator), fit_weights(allocator), fit_centroids(allocator), outward_directions(allocator),
-      spacings(allocator), hints(allocator) {}
+    : positions(allocator), normals(allocator), fit_weights(allocator), fit_centroids(allocator),
+      outward_directions(allocator), spacings(allocator), hints(allocator)
+  {}
 };
 
 /// Puts sample `order[i]` in place `i`.

@@ -28,9 +28,15 @@ using Vector = Eigen::Vector3d;
 
 /// The coordinates of the vectors, xyz interleaved; null if there are none.
 template <typename T>
-const T* coordinates(const Buffer<Eigen::Matrix<T, 3, 1>>& vectors) { return vectors.empty() ? nullptr : vectors.front().data(); }
+const T* coordinates(const Buffer<Eigen::Matrix<T, 3, 1>>& vectors)
+{
+  return vectors.empty() ? nullptr : vectors.front().data();
+}
 template <typename T>
-T* coordinates(Buffer<Eigen::Matrix<T, 3, 1>>& vectors) { return vectors.empty() ? nullptr : vectors.front().data(); }
+T* coordinates(Buffer<Eigen::Matrix<T, 3, 1>>& vectors)
+{
+  return vectors.empty() ? nullptr : vectors.front().data();
+}
 
 /*!
 Cubic cells of one size over the whole space, of which only the occupied ones are stored.
@@ -46,9 +52,9 @@ class Search_grid_3
   static constexpr int axis_bits = 21;
 
   double m_cell_size;
-  Buffer<std::uint64_t> m_keys;   // of the occupied cells, ascending
-  Buffer<Index> m_begins;         // first point of each cell, and the number of points
-  Buffer<Index> m_rows;           // first cell of each row of cells that share y and z, and the number of cells
+  Buffer<std::uint64_t> m_keys; // of the occupied cells, ascending
+  Buffer<Index> m_begins;       // first point of each cell, and the number of points
+  Buffer<Index> m_rows;         // first cell of each row of cells that share y and z, and the number of cells
 
 public:
   /// A run of points, `[first, second)`.
@@ -56,7 +62,8 @@ public:
 
   /// \param points sorted as `sorted_order()` gives for the same `cell_size`
   Search_grid_3(const Buffer<Vector>& points, double cell_size)
-    : m_cell_size(cell_size), m_keys(points.get_allocator()), m_begins(points.get_allocator()), m_rows(points.get_allocator())
+    : m_cell_size(cell_size), m_keys(points.get_allocator()), m_begins(points.get_allocator()),
+      m_rows(points.get_allocator())
   {
     for (std::size_t i = 0; i < points.size(); ++i)
     {
@@ -97,7 +104,10 @@ public:
   */
   class Block_cursor
   {
-    struct Neighbor_row { Index first_cell, last_cell, end_cell; };   // the cells in reach, and the end of the row
+    struct Neighbor_row
+    {
+      Index first_cell, last_cell, end_cell;
+    }; // the cells in reach, and the end of the row
 
     const Search_grid_3& m_grid;
     std::int64_t m_reach;
@@ -119,8 +129,9 @@ public:
           continue;
         // the rows of one z follow each other, so that one search finds them all
         const auto begin = m_grid.m_rows.begin(), end = m_grid.m_rows.end() - 1;
-        auto it = std::lower_bound(begin, end, row_key(low, z),
-                                   [&](Index first_cell, std::uint64_t k) { return row_of(m_grid.m_keys[first_cell]) < k; });
+        auto it = std::lower_bound(begin, end, row_key(low, z), [&](Index first_cell, std::uint64_t k) {
+          return row_of(m_grid.m_keys[first_cell]) < k;
+        });
         for (; it != end && row_of(m_grid.m_keys[*it]) <= row_key(high, z); ++it)
           m_rows.push_back({*it, *it, *(it + 1)});
       }
@@ -164,19 +175,25 @@ public:
   template <typename ConcurrencyTag>
   static Buffer<Index> sorted_order(const Buffer<Vector>& points, double cell_size)
   {
-    struct Entry { std::uint64_t key; Index index; };
+    struct Entry
+    {
+      std::uint64_t key;
+      Index index;
+    };
     Buffer<Entry> entries(points.size(), Entry(), points.get_allocator());
     for_each_block<ConcurrencyTag>(points.size(), 4096, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
         entries[i] = {cell_key(points[i], cell_size), Index(i)};
     });
-    sort_by_key<ConcurrencyTag>(entries, [](const Entry& e) { return e.key; }, [&](const Entry& a, const Entry& b) {
-      const Vector &p = points[a.index], &q = points[b.index];
-      for (int axis = 0; axis < 3; ++axis)
-        if (p[axis] != q[axis])
-          return p[axis] < q[axis];
-      return a.index < b.index;
-    });
+    sort_by_key<ConcurrencyTag>(
+      entries, [](const Entry& e) { return e.key; },
+      [&](const Entry& a, const Entry& b) {
+        const Vector &p = points[a.index], &q = points[b.index];
+        for (int axis = 0; axis < 3; ++axis)
+          if (p[axis] != q[axis])
+            return p[axis] < q[axis];
+        return a.index < b.index;
+      });
     Buffer<Index> order(points.size(), Index(0), points.get_allocator());
     for (std::size_t i = 0; i < points.size(); ++i)
       order[i] = entries[i].index;
@@ -202,7 +219,10 @@ private:
   }
 
   static std::uint64_t row_of(std::uint64_t key) { return key >> axis_bits; }
-  static std::uint64_t row_key(std::int64_t y, std::int64_t z) { return (std::uint64_t(z) << axis_bits) | std::uint64_t(y); }
+  static std::uint64_t row_key(std::int64_t y, std::int64_t z)
+  {
+    return (std::uint64_t(z) << axis_bits) | std::uint64_t(y);
+  }
 };
 
 /// Puts `values[order[i]]` in place `i`.

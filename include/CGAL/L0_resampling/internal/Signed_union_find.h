@@ -21,7 +21,7 @@ namespace internal {
 class Signed_union_find
 {
   Buffer<Index> m_parents;
-  Buffer<signed char> m_signs;   // of a sample relative to its parent
+  Buffer<signed char> m_signs; // of a sample relative to its parent
   Buffer<Index> m_sizes;
 
 public:

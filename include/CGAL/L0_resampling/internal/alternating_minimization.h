@@ -23,17 +23,17 @@ namespace internal {
 /// The weights of Algorithm 1 in the working frame.
 struct Minimization_parameters
 {
-  double squared_radius;                 ///< \f$ r_p^2 \f$
-  double squared_bandwidth;              ///< \f$ \sigma_q^2 \f$
-  double sparsity_unit;                  ///< length in which \f$ \sqrt{\lambda/\beta} \f$ is read
-  double normal_weight;                  ///< \f$ \lambda \f$
-  double regularization_weight;          ///< \f$ \alpha \f$
-  double initial_penalty, maximum_penalty, penalty_growth;   ///< \f$ \beta, \beta_{max}, \mu \f$
-  bool interleave_regularization;        ///< Section 4.2: regularize in every second iteration only
+  double squared_radius;                                   ///< \f$ r_p^2 \f$
+  double squared_bandwidth;                                ///< \f$ \sigma_q^2 \f$
+  double sparsity_unit;                                    ///< length in which \f$ \sqrt{\lambda/\beta} \f$ is read
+  double normal_weight;                                    ///< \f$ \lambda \f$
+  double regularization_weight;                            ///< \f$ \alpha \f$
+  double initial_penalty, maximum_penalty, penalty_growth; ///< \f$ \beta, \beta_{max}, \mu \f$
+  bool interleave_regularization;                          ///< Section 4.2: regularize in every second iteration only
 };
 
-inline Iteration_report iteration_report(const Minimization_parameters& p, double penalty, bool regularized, const Energy_sums& sums,
-                                         std::size_t number_of_pairs, const Solver_report& solver)
+inline Iteration_report iteration_report(const Minimization_parameters& p, double penalty, bool regularized,
+                                         const Energy_sums& sums, std::size_t number_of_pairs, const Solver_report& solver)
 {
   Iteration_report report;
   report.penalty = penalty;
@@ -41,8 +41,8 @@ inline Iteration_report iteration_report(const Minimization_parameters& p, doubl
   report.fit_energy = sums.fit / p.squared_radius;
   report.regularization_energy = sums.regularization / p.squared_radius;
   report.normal_energy = penalty * sums.squared_normal_misfit / p.squared_radius;
-  report.sparsity_energy =
-    p.normal_weight * p.sparsity_unit * p.sparsity_unit * double(sums.number_of_active_pairs) / p.squared_radius;
+  report.sparsity_energy = p.normal_weight * p.sparsity_unit * p.sparsity_unit * double(sums.number_of_active_pairs)
+                           / p.squared_radius;
   report.active_pair_share = number_of_pairs ? double(sums.number_of_active_pairs) / double(number_of_pairs) : 0;
   report.solver = solver;
   return report;
@@ -54,8 +54,9 @@ class Minimization_step
 {
   using FT = typename SolverTraits::FT;
   using Local_vector = Eigen::Matrix<FT, 3, 1>;
-  static_assert(!SolverTraits::needs_explicit_rows || std::is_same<FT, double>::value,
-                "The rows of Eq. (11) hold positions and not differences, so that a solver that needs them has to take double.");
+  static_assert(
+    !SolverTraits::needs_explicit_rows || std::is_same<FT, double>::value,
+    "The rows of Eq. (11) hold positions and not differences, so that a solver that needs them has to take double.");
 
   const Minimization_parameters& m_parameters;
   SolverTraits& m_solver;
@@ -67,7 +68,8 @@ public:
   Minimization_step(const Minimization_parameters& parameters, SolverTraits& solver, Progress& progress,
                     const Counting_allocator<Vector>& allocator)
     : m_parameters(parameters), m_solver(solver), m_progress(progress), m_pair_weights(allocator),
-      m_normal_offsets(allocator), m_right_hand_side(allocator), m_displacements(allocator) {}
+      m_normal_offsets(allocator), m_right_hand_side(allocator), m_displacements(allocator)
+  {}
 
   /// Moves the samples to the minimum of Eq. (10).
   /// \param regularize whether the second term of Eq. (7) takes part
@@ -89,16 +91,16 @@ public:
     else
     {
       Buffer<FT> density_weights(m, FT(1), samples.positions.get_allocator());
-      update_weights<ConcurrencyTag>(samples.positions, neighbors, p.squared_bandwidth, p.squared_radius, p.regularization_weight,
-                                     density_weights, m_pair_weights);
+      update_weights<ConcurrencyTag>(samples.positions, neighbors, p.squared_bandwidth, p.squared_radius,
+                                     p.regularization_weight, density_weights, m_pair_weights);
     }
     m_progress.advance(0);
 
     // Line 2: Eq. (8), (9). Beyond these bounds one term of Eq. (7) is lost in the rounding of the others, whatever the penalty.
     const FT bounded_penalty = FT((std::min)((std::max)(penalty, 1e-15), 1e15));
     const double threshold = p.sparsity_unit * std::sqrt(p.normal_weight / penalty);
-    const Energy_sums sums = shrink_normal_offsets<ConcurrencyTag, FT>(samples, neighbors, m_pair_weights, bounded_penalty, FT(threshold),
-                                                                       m_right_hand_side, m_normal_offsets);
+    const Energy_sums sums = shrink_normal_offsets<ConcurrencyTag, FT>(
+      samples, neighbors, m_pair_weights, bounded_penalty, FT(threshold), m_right_hand_side, m_normal_offsets);
     m_progress.advance(0);
 
     // Line 3: Eq. (10), for the displacements
@@ -106,16 +108,12 @@ public:
     if constexpr (SolverTraits::needs_explicit_rows)
       rows = fit_rows.view(samples.positions, m_normal_offsets);
     const Quadratic_problem<FT> problem{
-      {samples.fit_weights.data(), Eigen::Index(m)},
-      neighbors.view(),
-      {coordinates(samples.normals), 3, Eigen::Index(m)},
-      {m_pair_weights.data(), Eigen::Index(number_of_pairs)},
-      {coordinates(m_right_hand_side), 3, Eigen::Index(m)},
-      bounded_penalty,
-      SolverTraits::needs_explicit_rows ? &rows : nullptr,
-      samples.positions.get_allocator().counter};
-    const Solver_report solver_report =
-      m_solver.solve(problem, Eigen::Map<Eigen::Matrix<FT, Eigen::Dynamic, 1>>(coordinates(m_displacements), Eigen::Index(3 * m)));
+      {samples.fit_weights.data(), Eigen::Index(m)},        neighbors.view(),
+      {coordinates(samples.normals), 3, Eigen::Index(m)},   {m_pair_weights.data(), Eigen::Index(number_of_pairs)},
+      {coordinates(m_right_hand_side), 3, Eigen::Index(m)}, bounded_penalty,
+      SolverTraits::needs_explicit_rows ? &rows : nullptr,  samples.positions.get_allocator().counter};
+    const Solver_report solver_report = m_solver.solve(
+      problem, Eigen::Map<Eigen::Matrix<FT, Eigen::Dynamic, 1>>(coordinates(m_displacements), Eigen::Index(3 * m)));
     for (std::size_t i = 0; i < m; ++i)
       samples.positions[i] += m_displacements[i].template cast<double>();
     m_progress.advance(1);
@@ -136,10 +134,10 @@ void minimize_alternatingly(const Minimization_parameters& p, const Neighborhood
   bool regularize = true;
   do
   {
-    reports.push_back(step(penalty, regularize, neighbors, fit_rows, samples));   // Lines 2 to 4
-    penalty *= p.penalty_growth;                                                  // Line 5
+    reports.push_back(step(penalty, regularize, neighbors, fit_rows, samples)); // Lines 2 to 4
+    penalty *= p.penalty_growth;                                                // Line 5
     regularize = !p.interleave_regularization || !regularize;
-  } while (penalty <= p.maximum_penalty);                                         // Line 6
+  } while (penalty <= p.maximum_penalty); // Line 6
 }
 
 } // namespace internal

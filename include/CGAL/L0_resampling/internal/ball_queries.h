@@ -22,10 +22,7 @@ namespace L0_resampling {
 namespace internal {
 
 /// Cells to each side that a ball of this radius around any point of a cell can touch.
-inline int cells_in_reach(double radius, double cell_size)
-{
-  return int(std::ceil(radius / cell_size));
-}
+inline int cells_in_reach(double radius, double cell_size) { return int(std::ceil(radius / cell_size)); }
 
 /*!
 The points of a block of cells, as arrays of coordinates relative to the block, ready for vector instructions.
@@ -44,12 +41,12 @@ public:
   static constexpr std::size_t maximum_number_of_candidates = 4096;
 
   std::vector<T> x, y, z;
-  std::vector<Index> indices;   ///< of the points, without the padding
-  Index stride = 1;             ///< s: one of so many points was taken
+  std::vector<Index> indices; ///< of the points, without the padding
+  Index stride = 1;           ///< s: one of so many points was taken
 
   /// \param count the number of points in the ranges
-  void gather(const std::vector<Search_grid_3::Range>& ranges, std::size_t count,
-              const Buffer<Vector>& points, const Vector& origin)
+  void gather(const std::vector<Search_grid_3::Range>& ranges, std::size_t count, const Buffer<Vector>& points,
+              const Vector& origin)
   {
     stride = 1;
     while (count / stride > maximum_number_of_candidates)
@@ -61,7 +58,7 @@ public:
     std::size_t size = 0;
     for (const Search_grid_3::Range& range : ranges)
     {
-      const Index first = (range.first + stride - 1) & ~(stride - 1);   // stride is a power of two
+      const Index first = (range.first + stride - 1) & ~(stride - 1); // stride is a power of two
       if (first >= range.second)
         continue;
       const std::size_t run = (range.second - first - 1) / stride + 1;
@@ -90,7 +87,8 @@ public:
   /// \param vectors xyz interleaved, one for each point of the cloud
   /// \param to_x, to_y, to_z have room for all points
   template <typename U>
-  void gather_coordinates(const U* vectors, const U* origin, std::vector<T>& to_x, std::vector<T>& to_y, std::vector<T>& to_z) const
+  void gather_coordinates(const U* vectors, const U* origin, std::vector<T>& to_x, std::vector<T>& to_y,
+                          std::vector<T>& to_z) const
   {
     const U x0 = origin[0], y0 = origin[1], z0 = origin[2];
     const auto gather_run = [&](const Run& run, auto step) {
@@ -105,7 +103,7 @@ public:
     };
     for (const Run& run : m_runs_of_indices)
       if (stride == 1)
-        gather_run(run, std::integral_constant<std::size_t, 1>());   // known to the compiler, which then uses vector instructions
+        gather_run(run, std::integral_constant<std::size_t, 1>()); // known to the compiler, which then uses vector instructions
       else
         gather_run(run, std::size_t(stride));
   }
@@ -146,14 +144,18 @@ public:
   }
 
 private:
-  struct Run { Index first; std::size_t begin, end; };   // the indices in these places ascend from the first by the stride
+  struct Run
+  {
+    Index first;
+    std::size_t begin, end;
+  }; // the indices in these places ascend from the first by the stride
   std::vector<Run> m_runs_of_indices;
 
   // working memory of `for_each_run_in_ball()`
   mutable std::vector<Index> m_runs;
   mutable std::vector<T> m_squared_distances;
 
-  static constexpr T far_away = T(1e12);   // its square is finite in `float`
+  static constexpr T far_away = T(1e12); // its square is finite in `float`
 };
 
 /*!
@@ -163,8 +165,8 @@ within `reach` cells of it, and their number. Runs ascend.
 `make_visitor` is called once in a while to make a visitor with arrays of its own, so that visitors can run at the same time.
 */
 template <typename ConcurrencyTag, typename Make_visitor>
-void for_each_cell_block(const Search_grid_3& query_grid, const Search_grid_3& point_grid, int reach, Progress& progress,
-                         const Make_visitor& make_visitor)
+void for_each_cell_block(const Search_grid_3& query_grid, const Search_grid_3& point_grid, int reach,
+                         Progress& progress, const Make_visitor& make_visitor)
 {
   const std::size_t rows_per_block = 4;
   for_each_block<ConcurrencyTag>(query_grid.number_of_rows(), rows_per_block, [&](std::size_t begin, std::size_t end) {
@@ -189,9 +191,8 @@ void for_each_cell_block(const Search_grid_3& query_grid, const Search_grid_3& p
 /// As `for_each_cell_block()`, but calls `visitor(queries, candidates, origin)`: `queries` is the run of query points of the
 /// cell, and `candidates` holds the points around them relative to `origin`.
 template <typename T, typename ConcurrencyTag, typename Make_visitor>
-void for_each_cell(const Search_grid_3& query_grid, const Buffer<Vector>& query_points,
-                   const Search_grid_3& point_grid, const Buffer<Vector>& points,
-                   int reach, Progress& progress, const Make_visitor& make_visitor)
+void for_each_cell(const Search_grid_3& query_grid, const Buffer<Vector>& query_points, const Search_grid_3& point_grid,
+                   const Buffer<Vector>& points, int reach, Progress& progress, const Make_visitor& make_visitor)
 {
   for_each_cell_block<ConcurrencyTag>(query_grid, point_grid, reach, progress, [&]() {
     return [&, visitor = make_visitor(), candidates = Local_points<T>()](

@@ -25,9 +25,15 @@ namespace internal {
 
 // CGAL 5 answers a question for a property map with a pair, CGAL 6 with an optional.
 template <typename Map>
-Map map_of(const std::pair<Map, bool>& found) { return found.first; }
+Map map_of(const std::pair<Map, bool>& found)
+{
+  return found.first;
+}
 template <typename Map>
-Map map_of(const std::optional<Map>& found) { return *found; }
+Map map_of(const std::optional<Map>& found)
+{
+  return *found;
+}
 
 /// Whether there is more than points and normals.
 template <typename PointSet>
@@ -42,7 +48,8 @@ bool has_other_properties(const PointSet& points)
 /// Replaces the property of the nearest points by the mean of the near ones, if it has the type `T`.
 /// \param mean_of called with a point of `carried` and a function that gives a number for a property value
 template <typename T, typename PointSet, typename MeanOf>
-void average_if_of_type(const PointSet& points, const std::pair<std::string, std::type_index>& property, const MeanOf& mean_of, PointSet& carried)
+void average_if_of_type(const PointSet& points, const std::pair<std::string, std::type_index>& property,
+                        const MeanOf& mean_of, PointSet& carried)
 {
   if (property.second != std::type_index(typeid(T)))
     return;
@@ -59,7 +66,8 @@ numbers have one.
 \param pair_of gives the i-th pair of the result
 */
 template <typename PointSet, typename PairOf>
-void append_with_properties(const PointSet& points, const Near_points& near_points, std::size_t size, const PairOf& pair_of, PointSet& result)
+void append_with_properties(const PointSet& points, const Near_points& near_points, std::size_t size,
+                            const PairOf& pair_of, PointSet& result)
 {
   using Point_index = typename PointSet::Index;
   const auto input_index = [&](Index j) { return *(points.begin() + std::ptrdiff_t(j)); };
@@ -91,7 +99,8 @@ void append_with_properties(const PointSet& points, const Near_points& near_poin
   };
   for (const auto& property : points.properties_and_types())
   {
-    average_if_of_type<float>(points, property, [&](std::size_t i, const auto& map) { return float(number(i, map)); }, carried);
+    average_if_of_type<float>(
+      points, property, [&](std::size_t i, const auto& map) { return float(number(i, map)); }, carried);
     average_if_of_type<double>(points, property, number, carried);
     average_if_of_type<CGAL::IO::Color>(points, property, color, carried);
     if (is_color_channel(property.first))

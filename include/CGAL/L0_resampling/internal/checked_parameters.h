@@ -36,9 +36,11 @@ void check_parameter(bool is_good, const char* name, const T& value, const char*
 }
 
 template <typename T>
-struct Is_optional : std::false_type {};
+struct Is_optional : std::false_type
+{};
 template <typename T>
-struct Is_optional<std::optional<T>> : std::true_type {};
+struct Is_optional<std::optional<T>> : std::true_type
+{};
 
 /// Calls `use` with a copy of the named parameter if the caller gave it: as a value, or as a `std::optional` that has one. The latter is for programs that learn
 /// at run time what is given, where the names of a chain are known to the compiler. Never binds a reference: that would outlive its value.
@@ -97,16 +99,17 @@ Parameters checked_parameters(const NamedParameters& np, std::size_t n)
   const auto is_not_negative = [](double x) { return std::isfinite(x) && x >= 0; };
 
   read_parameter(np, internal_np::resampling_method, p.method);
-  check_parameter(p.method == Method::DEFAULT || p.method == Method::LOR || p.method == Method::ALOR, "resampling_method",
-                  int(p.method), "a Method");
+  check_parameter(p.method == Method::DEFAULT || p.method == Method::LOR || p.method == Method::ALOR,
+                  "resampling_method", int(p.method), "a Method");
 
   const bool has_radius = is_given(np, internal_np::neighbor_radius);
   read_parameter(np, internal_np::neighbor_radius, p.neighbor_radius);
-  check_parameter(!has_radius || is_positive(p.neighbor_radius), "neighbor_radius", p.neighbor_radius, "a finite length above 0");
+  check_parameter(!has_radius || is_positive(p.neighbor_radius), "neighbor_radius", p.neighbor_radius,
+                  "a finite length above 0");
   const bool has_filter_radius = is_given(np, internal_np::normal_filter_radius);
   read_parameter(np, internal_np::normal_filter_radius, p.normal_filter_radius);
-  check_parameter(!has_filter_radius || is_positive(p.normal_filter_radius), "normal_filter_radius", p.normal_filter_radius,
-                  "a finite length above 0");
+  check_parameter(!has_filter_radius || is_positive(p.normal_filter_radius), "normal_filter_radius",
+                  p.normal_filter_radius, "a finite length above 0");
 
   read_parameter(np, internal_np::sharpness_angle, p.sharpness_angle);
   check_parameter(is_positive(p.sharpness_angle) && p.sharpness_angle <= 90, "sharpness_angle", p.sharpness_angle,
@@ -133,7 +136,8 @@ Parameters checked_parameters(const NamedParameters& np, std::size_t n)
   check_parameter(std::isfinite(p.penalty_growth) && p.penalty_growth > 1, "penalty_growth", p.penalty_growth,
                   "a finite number above 1");
   const double number_of_steps = (std::log(p.maximum_penalty) - std::log(p.initial_penalty)) / std::log(p.penalty_growth);
-  check_parameter(number_of_steps <= 1e4, "penalty_growth", p.penalty_growth, "a growth that reaches maximum_penalty in 10000 steps");
+  check_parameter(number_of_steps <= 1e4, "penalty_growth", p.penalty_growth,
+                  "a growth that reaches maximum_penalty in 10000 steps");
 
   p.drop_outliers = p.method == Method::DEFAULT;
   read_parameter(np, internal_np::drop_outliers, p.drop_outliers);
@@ -146,11 +150,13 @@ Parameters checked_parameters(const NamedParameters& np, std::size_t n)
       p.viewpoint[axis] = double(viewpoint[axis]);
       check_parameter(std::isfinite(p.viewpoint[axis]), "viewpoint", p.viewpoint[axis], "three finite coordinates");
     }
-    check_parameter(!is_given(np, internal_np::orientation_hint_map), "viewpoint", "given", "no orientation_hint_map beside it");
+    check_parameter(!is_given(np, internal_np::orientation_hint_map), "viewpoint", "given",
+                    "no orientation_hint_map beside it");
   });
   p.with_feature_confidences = is_given(np, internal_np::feature_confidence_map);
 
-  read_count(np, internal_np::number_of_orientation_neighbors, "number_of_orientation_neighbors", p.number_of_orientation_neighbors);
+  read_count(np, internal_np::number_of_orientation_neighbors, "number_of_orientation_neighbors",
+             p.number_of_orientation_neighbors);
   check_parameter(p.number_of_orientation_neighbors >= 3 && p.number_of_orientation_neighbors <= 1000,
                   "number_of_orientation_neighbors", p.number_of_orientation_neighbors, "3 to 1000");
 
@@ -160,7 +166,8 @@ Parameters checked_parameters(const NamedParameters& np, std::size_t n)
   double percentage = 50;
   read_parameter(np, internal_np::select_percentage, percentage);
   check_parameter(percentage > 0 && percentage <= 100, "select_percentage", percentage, "a number in (0, 100]");
-  p.number_of_output_points = n == 0 ? 0 : (std::max)(std::size_t(1), std::size_t(std::floor(double(n) * percentage / 100)));
+  p.number_of_output_points = n == 0 ? 0
+                                     : (std::max)(std::size_t(1), std::size_t(std::floor(double(n) * percentage / 100)));
   read_count(np, internal_np::number_of_output_points, "number_of_output_points", p.number_of_output_points);
   check_parameter(n < (std::numeric_limits<Index>::max)(), "the number of points", n, "fewer than 2^32 - 1");
   check_parameter(p.number_of_output_points < (std::numeric_limits<Index>::max)(), "number_of_output_points",

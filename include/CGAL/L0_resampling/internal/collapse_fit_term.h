@@ -27,9 +27,9 @@ A sample without an original neighbor is tied to where it is.
 \returns the number of samples without an original neighbor
 */
 template <typename ConcurrencyTag, typename T, typename FT>
-std::size_t collapse_fit_term(const Search_grid_3& sample_grid, const Buffer<Vector>& samples,
-                              const Search_grid_3& grid, const Buffer<Vector>& points, const Buffer<T>& input_density_weights,
-                              double radius, Progress& progress, Buffer<FT>& fit_weights, Buffer<Vector>& fit_centroids)
+std::size_t collapse_fit_term(const Search_grid_3& sample_grid, const Buffer<Vector>& samples, const Search_grid_3& grid,
+                              const Buffer<Vector>& points, const Buffer<T>& input_density_weights, double radius,
+                              Progress& progress, Buffer<FT>& fit_weights, Buffer<Vector>& fit_centroids)
 {
   const T squared_radius = T(radius * radius);
   std::atomic<std::size_t> number_of_lonely_samples{0};
@@ -71,8 +71,8 @@ std::size_t collapse_fit_term(const Search_grid_3& sample_grid, const Buffer<Vec
       }
     };
   };
-  for_each_cell<T, ConcurrencyTag>(sample_grid, samples, grid, points, cells_in_reach(radius, grid.cell_size()), progress,
-                                   make_visitor);
+  for_each_cell<T, ConcurrencyTag>(sample_grid, samples, grid, points, cells_in_reach(radius, grid.cell_size()),
+                                   progress, make_visitor);
   return number_of_lonely_samples;
 }
 

@@ -21,15 +21,11 @@ inline void throw_if_failed(const cuda::Answer& answer)
   switch (answer.status)
   {
   case cuda::Status::DONE:
-  case cuda::Status::CANCELLED:
-    return;
-  case cuda::Status::OUT_OF_MEMORY:
-    throw std::bad_alloc();
-  case cuda::Status::NOT_FINITE:
-    throw Solver_error(answer.message);
+  case cuda::Status::CANCELLED: return;
+  case cuda::Status::OUT_OF_MEMORY: throw std::bad_alloc();
+  case cuda::Status::NOT_FINITE: throw Solver_error(answer.message);
   case cuda::Status::NO_DEVICE:
-  case cuda::Status::DEVICE_FAILED:
-    throw Device_error(answer.message);
+  case cuda::Status::DEVICE_FAILED: throw Device_error(answer.message);
   }
 }
 

@@ -22,9 +22,9 @@ enum class Status
 {
   DONE,
   CANCELLED,
-  OUT_OF_MEMORY,    ///< of the device, or above the caller's limit
-  NOT_FINITE,       ///< the solver met a value that is not finite
-  NO_DEVICE,        ///< none that can be used: no driver, no device, or code for another one
+  OUT_OF_MEMORY, ///< of the device, or above the caller's limit
+  NOT_FINITE,    ///< the solver met a value that is not finite
+  NO_DEVICE,     ///< none that can be used: no driver, no device, or code for another one
   DEVICE_FAILED
 };
 
@@ -49,8 +49,8 @@ struct Iteration
 
 struct Stage
 {
-  const char* name;        ///< static
-  double seconds;          ///< by the device's clock
+  const char* name; ///< static
+  double seconds;   ///< by the device's clock
   std::size_t peak_bytes;
 };
 
@@ -71,14 +71,14 @@ struct Call_report
   std::size_t number_of_stages;
   Stage stages[maximum_number_of_stages];
 
-  Iteration* iterations;                ///< owned by the session, valid until its next call
+  Iteration* iterations; ///< owned by the session, valid until its next call
   std::size_t number_of_iterations;
 };
 
 /// Asked now and then, with a share in [0, 1] that never falls; `false` cancels. Must not throw.
 struct Progress_callback
 {
-  bool (*function)(void* context, double share) = nullptr;   ///< null for none, which spares the device the waiting
+  bool (*function)(void* context, double share) = nullptr; ///< null for none, which spares the device the waiting
   void* context = nullptr;
 };
 
@@ -112,8 +112,8 @@ template <typename FT>
 struct Sparse_matrix
 {
   long long number_of_rows, number_of_columns;
-  const long long* offsets;     ///< number_of_rows + 1 entries, the first 0
-  const long long* columns;     ///< offsets[number_of_rows] entries, ascending in each row
+  const long long* offsets; ///< number_of_rows + 1 entries, the first 0
+  const long long* columns; ///< offsets[number_of_rows] entries, ascending in each row
   const FT* values;
 };
 
@@ -121,17 +121,19 @@ struct Sparse_matrix
 struct Least_squares_report
 {
   std::size_t iterations;
-  double relative_residual;     ///< |A^T (b - A x)| / |A^T b|
-  double seconds;               ///< by the device's clock, without the way there and back
+  double relative_residual; ///< |A^T (b - A x)| / |A^T b|
+  double seconds;           ///< by the device's clock, without the way there and back
 };
 
 /// Conjugate gradients on the normal equations of min |A x - b|, which are never formed (CGLS), by cuSPARSE and cuBLAS.
 /// \param matrix, transposed A and its transpose: a product with a stored transpose is faster, and the same from run to run
 /// \param x in: the initial guess; out: the solution, if DONE
-Answer solve_least_squares(const Sparse_matrix<float>& matrix, const Sparse_matrix<float>& transposed, const float* rhs, double tolerance,
-                           std::size_t maximum_number_of_iterations, float* x, Least_squares_report& report);
-Answer solve_least_squares(const Sparse_matrix<double>& matrix, const Sparse_matrix<double>& transposed, const double* rhs, double tolerance,
-                           std::size_t maximum_number_of_iterations, double* x, Least_squares_report& report);
+Answer solve_least_squares(const Sparse_matrix<float>& matrix, const Sparse_matrix<float>& transposed, const float* rhs,
+                           double tolerance, std::size_t maximum_number_of_iterations, float* x,
+                           Least_squares_report& report);
+Answer solve_least_squares(const Sparse_matrix<double>& matrix, const Sparse_matrix<double>& transposed,
+                           const double* rhs, double tolerance, std::size_t maximum_number_of_iterations, double* x,
+                           Least_squares_report& report);
 
 } // namespace cuda
 } // namespace internal

@@ -23,8 +23,8 @@ namespace internal {
 /// \param weights out: one number a point, at least 1
 /// \returns \f$ \eta_Q \f$, the mean number of neighbors
 template <typename ConcurrencyTag, typename T>
-double compute_input_density_weights(const Search_grid_3& grid, const Buffer<Vector>& points, double radius, double squared_bandwidth,
-                                   Progress& progress, Buffer<T>& weights)
+double compute_input_density_weights(const Search_grid_3& grid, const Buffer<Vector>& points, double radius,
+                                     double squared_bandwidth, Progress& progress, Buffer<T>& weights)
 {
   const T squared_radius = T(radius * radius);
   Buffer<Index> counts(points.size(), 0, points.get_allocator());
@@ -46,7 +46,8 @@ double compute_input_density_weights(const Search_grid_3& grid, const Buffer<Vec
       }
     };
   };
-  for_each_cell<T, ConcurrencyTag>(grid, points, grid, points, cells_in_reach(radius, grid.cell_size()), progress, make_visitor);
+  for_each_cell<T, ConcurrencyTag>(grid, points, grid, points, cells_in_reach(radius, grid.cell_size()), progress,
+                                   make_visitor);
 
   double total = 0;
   for (Index count : counts)
@@ -65,13 +66,14 @@ double compute_input_density_weights(const Search_grid_3& grid, const Buffer<Vec
 /// \param grid of the points
 /// \param mean_number_of_neighbors what `compute_input_density_weights()` returns
 template <typename T>
-Buffer<T> areas_of_points(const Search_grid_3& grid, const Buffer<T>& density_weights, double mean_number_of_neighbors, double radius, double squared_bandwidth)
+Buffer<T> areas_of_points(const Search_grid_3& grid, const Buffer<T>& density_weights, double mean_number_of_neighbors,
+                          double radius, double squared_bandwidth)
 {
   const double integral = double(EIGEN_PI * squared_bandwidth * (1 - std::exp(-radius * radius / squared_bandwidth)));
   Buffer<T> areas(density_weights.get_allocator());
   areas.reserve(density_weights.size());
   for (T weight : density_weights)
-    areas.push_back(T(integral / (1 + (double(weight) - 1) * mean_number_of_neighbors)));   // the point itself counts
+    areas.push_back(T(integral / (1 + (double(weight) - 1) * mean_number_of_neighbors))); // the point itself counts
   for (std::size_t cell = 0; cell < grid.number_of_cells(); ++cell)
   {
     const Search_grid_3::Range points = grid.points_of_cell(cell);

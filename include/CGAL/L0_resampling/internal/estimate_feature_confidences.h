@@ -32,12 +32,12 @@ at, do not tell a jump of a few spacings from noise where the radius is larger. 
 \param confidences out: one number a sample
 */
 template <typename ConcurrencyTag, typename T>
-void estimate_feature_confidences(const Buffer<Vector>& positions, const Buffer<Eigen::Matrix<T, 3, 1>>& normals, double spacing,
-                                  double normal_bandwidth, Progress& progress, Buffer<float>& confidences)
+void estimate_feature_confidences(const Buffer<Vector>& positions, const Buffer<Eigen::Matrix<T, 3, 1>>& normals,
+                                  double spacing, double normal_bandwidth, Progress& progress, Buffer<float>& confidences)
 {
   const double radius_of_that_many = spacing * std::sqrt(double(number_of_feature_neighbors) / 3);
-  const Nearest_samples nearest =
-    find_nearest_samples<ConcurrencyTag>(positions, number_of_feature_neighbors, radius_of_that_many, progress);
+  const Nearest_samples nearest = find_nearest_samples<ConcurrencyTag>(positions, number_of_feature_neighbors,
+                                                                       radius_of_that_many, progress);
   confidences.assign(positions.size(), 0);
   const std::size_t samples_per_block = 4096;
   for_each_block<ConcurrencyTag>(positions.size(), samples_per_block, [&](std::size_t begin, std::size_t end) {

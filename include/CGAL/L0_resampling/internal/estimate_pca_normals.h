@@ -20,8 +20,8 @@ namespace internal {
 
 /// Fits planes to the balls of this radius around the points listed in `open`, and strikes those off that found one.
 template <typename ConcurrencyTag, typename T>
-void refit_in_larger_balls(const Buffer<Vector>& points, double radius, Progress& progress,
-                           Buffer<Index>& open, Buffer<Eigen::Matrix<T, 3, 1>>& normals)
+void refit_in_larger_balls(const Buffer<Vector>& points, double radius, Progress& progress, Buffer<Index>& open,
+                           Buffer<Eigen::Matrix<T, 3, 1>>& normals)
 {
   Buffer<Vector> coarse_points(points);
   apply_order(Search_grid_3::sorted_order<ConcurrencyTag>(points, radius), coarse_points);
@@ -40,7 +40,8 @@ void refit_in_larger_balls(const Buffer<Vector>& points, double radius, Progress
     return [&](Search_grid_3::Range queries, const Local_points<T>& candidates, const Vector& origin) {
       for (Index k = queries.first; k < queries.second; ++k)
       {
-        const Plane_fit<T> fit = fit_plane<T>((open_points[k] - origin).template cast<T>(), candidates, T(radius * radius));
+        const Plane_fit<T> fit = fit_plane<T>((open_points[k] - origin).template cast<T>(), candidates,
+                                              T(radius * radius));
         normals[open[k]] = fit.normal;
         if (fit.spans_plane)
           open[k] = closed;
@@ -57,8 +58,8 @@ void refit_in_larger_balls(const Buffer<Vector>& points, double radius, Progress
 /// \param normals out: one unit vector a point
 /// \returns the number of points whose own ball spanned no plane
 template <typename ConcurrencyTag, typename T>
-std::size_t estimate_pca_normals(const Search_grid_3& grid, const Buffer<Vector>& points, double radius, Progress& progress,
-                                 Buffer<Eigen::Matrix<T, 3, 1>>& normals)
+std::size_t estimate_pca_normals(const Search_grid_3& grid, const Buffer<Vector>& points, double radius,
+                                 Progress& progress, Buffer<Eigen::Matrix<T, 3, 1>>& normals)
 {
   const int number_of_doublings = 10;
   Buffer<unsigned char> is_degenerate(points.size(), 0, points.get_allocator());
@@ -78,7 +79,8 @@ std::size_t estimate_pca_normals(const Search_grid_3& grid, const Buffer<Vector>
       }
     };
   };
-  for_each_cell<T, ConcurrencyTag>(grid, points, grid, points, cells_in_reach(radius, grid.cell_size()), progress, make_visitor);
+  for_each_cell<T, ConcurrencyTag>(grid, points, grid, points, cells_in_reach(radius, grid.cell_size()), progress,
+                                   make_visitor);
   if (number_of_degenerate == 0)
     return 0;
 

@@ -21,8 +21,8 @@ namespace internal {
 /// How far apart the points lie within the surface, and how far off it. Lengths.
 struct Scales
 {
-  double spacing;   ///< square root of the area a point
-  double noise;     ///< standard deviation across the surface
+  double spacing; ///< square root of the area a point
+  double noise;   ///< standard deviation across the surface
 };
 
 /// Of the candidates in the ball around `center`, over the plane through it.
@@ -33,7 +33,8 @@ Height_moments<double> moments_over_plane(const Eigen::Matrix<T, 3, 1>& center, 
   using L = Lanes<T>;
   Height_moments<L> lanes;
   candidates.for_each_run_in_ball(center, squared_radius, [&](std::size_t k, const L& squared_distance) {
-    const L height = (L::load(&candidates.x[k]) - center[0]) * normal[0] + (L::load(&candidates.y[k]) - center[1]) * normal[1]
+    const L height = (L::load(&candidates.x[k]) - center[0]) * normal[0]
+                     + (L::load(&candidates.y[k]) - center[1]) * normal[1]
                      + (L::load(&candidates.z[k]) - center[2]) * normal[2];
     lanes.add(height, where_less(squared_distance, squared_radius, L(T(1))));
   });
@@ -84,7 +85,7 @@ Scales estimate_scales(const Buffer<Vector>& unsorted_points, double initial_rad
           const Plane_fit<T> fit = fit_plane<T>(center, candidates, T(radius * radius));
           const double n = double(fit.number_of_points);
           counts[i] = n * double(candidates.stride);
-          variances[i] = n > 3 ? fit.variance * n / (n - 3) : fit.variance;   // the plane took three degrees of freedom
+          variances[i] = n > 3 ? fit.variance * n / (n - 3) : fit.variance; // the plane took three degrees of freedom
           indices[i] = moments_over_plane(center, fit.normal, candidates, T(radius * radius)).single_sheet_index(n);
         }
       };

@@ -51,8 +51,10 @@ void filter_normals(const Search_grid_3& grid, const Buffer<Vector>& points, con
 {
   for (std::size_t iteration = 0; iteration < number_of_iterations; ++iteration)
     update_normals<ConcurrencyTag>(grid, points, filter.radius, progress, normals,
-      [&](const Eigen::Matrix<T, 3, 1>& center, const Eigen::Matrix<T, 3, 1>& normal, const Local_points<T>& candidates,
-          const Local_normals<T>& candidate_normals) { return filtered_normal(center, normal, candidates, candidate_normals, filter); });
+                                   [&](const Eigen::Matrix<T, 3, 1>& center, const Eigen::Matrix<T, 3, 1>& normal,
+                                       const Local_points<T>& candidates, const Local_normals<T>& candidate_normals) {
+                                     return filtered_normal(center, normal, candidates, candidate_normals, filter);
+                                   });
 }
 
 } // namespace internal

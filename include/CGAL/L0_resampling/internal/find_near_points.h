@@ -24,9 +24,9 @@ namespace internal {
 /// The input points near each point of the result: what it takes its attributes from.
 struct Near_points
 {
-  std::size_t count = 0;      ///< for each point of the result
-  Buffer<Index> indices;      ///< of the input points, `count` in a row, the nearest first
-  Buffer<float> weights;      ///< for means, in [0, 1]; 0 where the input has fewer places than `count`
+  std::size_t count = 0; ///< for each point of the result
+  Buffer<Index> indices; ///< of the input points, `count` in a row, the nearest first
+  Buffer<float> weights; ///< for means, in [0, 1]; 0 where the input has fewer places than `count`
 
   Index nearest(std::size_t i) const { return indices[i * count]; }
 
@@ -43,7 +43,7 @@ struct Near_points
         continue;
       if (!std::isfinite(first))
         first = value;
-      sum += double(weights[n]) * (value - first);   // of differences: the mean of equal values is that value
+      sum += double(weights[n]) * (value - first); // of differences: the mean of equal values is that value
       total += double(weights[n]);
     }
     return total > 0 ? first + sum / total : first;
@@ -54,7 +54,8 @@ struct Near_points
 /// A point weighs \f$ e^{-d^2/h^2} \f$, where \f$ h^2 \f$ is the mean of the squared distances of all that were found.
 /// \param tree of the input, not empty
 template <typename ConcurrencyTag, typename FT>
-void find_near_points(const Point_tree_3& tree, const Buffer<std::array<FT, 3>>& queries, Progress& progress, Near_points& near_points)
+void find_near_points(const Point_tree_3& tree, const Buffer<std::array<FT, 3>>& queries, Progress& progress,
+                      Near_points& near_points)
 {
   const std::size_t count = near_points.count, queries_per_block = 1024;
   near_points.indices.assign(queries.size() * count, 0);
@@ -71,8 +72,9 @@ void find_near_points(const Point_tree_3& tree, const Buffer<std::array<FT, 3>>&
       for (std::size_t n = 0; n < size; ++n)
       {
         near_points.indices[i * count + n] = found[n].second;
-        near_points.weights[i * count + n] = 
-          squared_bandwidth > 0 ? float(gaussian_weight(found[n].first / squared_bandwidth, 1.)) : 1.f;
+        near_points.weights[i * count + n] = squared_bandwidth > 0
+                                               ? float(gaussian_weight(found[n].first / squared_bandwidth, 1.))
+                                               : 1.f;
       }
     }
     progress.advance(end - begin);

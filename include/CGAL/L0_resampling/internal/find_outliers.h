@@ -22,7 +22,8 @@ namespace internal {
 /// The number of points in the ball of each point, itself included.
 /// \param points sorted for `grid`, whose cells are no smaller than `radius`
 template <typename T, typename ConcurrencyTag>
-Buffer<double> count_points_in_balls(const Search_grid_3& grid, const Buffer<Vector>& points, double radius, Progress& progress)
+Buffer<double> count_points_in_balls(const Search_grid_3& grid, const Buffer<Vector>& points, double radius,
+                                     Progress& progress)
 {
   const T squared_radius = T(radius * radius);
   Buffer<double> counts(points.size(), 0., points.get_allocator());
@@ -32,9 +33,10 @@ Buffer<double> count_points_in_balls(const Search_grid_3& grid, const Buffer<Vec
       for (Index i = queries.first; i < queries.second; ++i)
       {
         L count;
-        candidates.for_each_run_in_ball((points[i] - origin).template cast<T>(), squared_radius, [&](std::size_t, const L& squared_distance) {
-          count += where_less(squared_distance, squared_radius, L(T(1)));
-        });
+        candidates.for_each_run_in_ball((points[i] - origin).template cast<T>(), squared_radius,
+                                        [&](std::size_t, const L& squared_distance) {
+                                          count += where_less(squared_distance, squared_radius, L(T(1)));
+                                        });
         counts[i] = double(count.sum()) * double(candidates.stride);
       }
     };
@@ -72,7 +74,8 @@ Buffer<Index> sizes_of_parts(const Buffer<Vector>& unsorted_points, double cell_
   Buffer<Vector> points(unsorted_points);
   apply_order(order, points);
   const Search_grid_3 grid(points, cell_size);
-  Buffer<Index> ranks(n, 0, allocator), parents(n, 0, allocator), sizes(n, 0, allocator), sizes_of_points(n, 0, allocator);
+  Buffer<Index> ranks(n, 0, allocator), parents(n, 0, allocator), sizes(n, 0, allocator),
+    sizes_of_points(n, 0, allocator);
   boost::disjoint_sets<Index*, Index*> parts(ranks.data(), parents.data());
   for (Index i = 0; i < n; ++i)
     parts.make_set(i);

@@ -28,10 +28,10 @@ struct Fit_input
   const Search_grid_3& grid;
   const Buffer<Vector>& points;
   const Buffer<Eigen::Matrix<T, 3, 1>>& normals;
-  const Buffer<T>& density_weights;   ///< \f$ v_j \f$
-  double radius;                      ///< \f$ r_p \f$
-  double squared_sheet_height;        ///< \f$ H^2 \f$
-  double normal_bandwidth;            ///< \f$ (1 - \cos\sigma_n)^2 \f$
+  const Buffer<T>& density_weights; ///< \f$ v_j \f$
+  double radius;                    ///< \f$ r_p \f$
+  double squared_sheet_height;      ///< \f$ H^2 \f$
+  double normal_bandwidth;          ///< \f$ (1 - \cos\sigma_n)^2 \f$
 };
 
 /*!
@@ -64,8 +64,8 @@ void fit_compatible_points(const Fit_input<T>& input, Progress& progress, Sample
   const T squared_sheet_height = T(input.squared_sheet_height);
   const double largest_offset = border_allowance * mean_distance_in_half_disk(input.radius, bandwidth);
   const auto make_visitor = [&]() {
-    return [&, normals = Local_normals<T>(), weights = std::vector<T>()](Search_grid_3::Range queries, const Local_points<T>& candidates,
-                                                                         const Vector& origin) mutable {
+    return [&, normals = Local_normals<T>(), weights = std::vector<T>()](
+             Search_grid_3::Range queries, const Local_points<T>& candidates, const Vector& origin) mutable {
       using L = Lanes<T>;
       normals.gather(candidates, input.normals);
       weights.assign(candidates.padded_size(), T(0));
@@ -75,7 +75,8 @@ void fit_compatible_points(const Fit_input<T>& input, Progress& progress, Sample
       for (Index q = queries.first; q < queries.second; ++q)
       {
         const Index i = order[q];
-        const Eigen::Matrix<T, 3, 1> center = (queries_in_order[q] - origin).template cast<T>(), normal = samples.normals[i].template cast<T>();
+        const Eigen::Matrix<T, 3, 1> center = (queries_in_order[q] - origin).template cast<T>(),
+                                     normal = samples.normals[i].template cast<T>();
         L sum, height, x, y, z, mean_nx, mean_ny, mean_nz;
         candidates.for_each_run_in_ball(center, squared_radius, [&](std::size_t k, const L& squared_distance) {
           const L dx = L::load(&candidates.x[k]) - center[0];
@@ -84,14 +85,20 @@ void fit_compatible_points(const Fit_input<T>& input, Progress& progress, Sample
           const L nx = L::load(&normals.x[k]), ny = L::load(&normals.y[k]), nz = L::load(&normals.z[k]);
           const L cosine = nx * normal[0] + ny * normal[1] + nz * normal[2];
           const L sign = with_sign_of(cosine, L(T(1)));
-          const L h = symmetric_height(dx * normal[0] + dy * normal[1] + dz * normal[2], sign * (dx * nx + dy * ny + dz * nz));
+          const L h = symmetric_height(dx * normal[0] + dy * normal[1] + dz * normal[2],
+                                       sign * (dx * nx + dy * ny + dz * nz));
           const L weight = where_less(squared_distance, squared_radius, L::load(&weights[k]))
-                           * sheet_weight(squared_distance, squared_bandwidth, cosine, normal_bandwidth, h, squared_sheet_height);
+                           * sheet_weight(squared_distance, squared_bandwidth, cosine, normal_bandwidth, h,
+                                          squared_sheet_height);
           const L signed_weight = sign * weight;
           sum += weight;
           height += weight * h;
-          x += weight * dx;  y += weight * dy;  z += weight * dz;
-          mean_nx += signed_weight * nx;  mean_ny += signed_weight * ny;  mean_nz += signed_weight * nz;
+          x += weight * dx;
+          y += weight * dy;
+          z += weight * dz;
+          mean_nx += signed_weight * nx;
+          mean_ny += signed_weight * ny;
+          mean_nz += signed_weight * nz;
         });
 
         const double total = sum.sum();
@@ -118,8 +125,8 @@ void fit_compatible_points(const Fit_input<T>& input, Progress& progress, Sample
       }
     };
   };
-  for_each_cell<T, ConcurrencyTag>(query_grid, queries_in_order, input.grid, input.points, cells_in_reach(input.radius, cell_size), progress,
-                                   make_visitor);
+  for_each_cell<T, ConcurrencyTag>(query_grid, queries_in_order, input.grid, input.points,
+                                   cells_in_reach(input.radius, cell_size), progress, make_visitor);
 }
 
 } // namespace internal

@@ -63,7 +63,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t lanes = 8;  // enough independent minima to hide the latency of each
+  static constexpr std::size_t lanes = 8; // enough independent minima to hide the latency of each
   using Lanes = Eigen::Array<FT, int(lanes), 1>;
   using Const_lanes = Eigen::Map<const Lanes>;
 
@@ -95,7 +95,7 @@ private:
   {
     const std::size_t slot = m_slots[point];
     const FT x = m_x[slot], y = m_y[slot], z = m_z[slot];
-    m_x[slot] = std::numeric_limits<FT>::infinity();  // a point is not its own neighbor
+    m_x[slot] = std::numeric_limits<FT>::infinity(); // a point is not its own neighbor
     Lanes least = Lanes::Constant(std::numeric_limits<FT>::infinity());
     for (std::size_t s = 0; s < m_size; s += lanes)
     {
@@ -129,13 +129,13 @@ private:
     m_x[last] = std::numeric_limits<FT>::infinity();
   }
 
-  std::size_t m_size = 0;               // points without a partner
-  std::vector<FT> m_x, m_y, m_z;        // their coordinates, then infinity
-  std::vector<FT> m_distances;          // their squared distances to the point that is looked at
-  std::vector<Index> m_points;          // their indices
-  std::vector<Index> m_slots;           // for each of those points its place in the arrays above
-  std::vector<Index> m_chain;           // each but the first the nearest neighbor of the one before
-  std::vector<Index> m_partners;        // the result
+  std::size_t m_size = 0;        // points without a partner
+  std::vector<FT> m_x, m_y, m_z; // their coordinates, then infinity
+  std::vector<FT> m_distances;   // their squared distances to the point that is looked at
+  std::vector<Index> m_points;   // their indices
+  std::vector<Index> m_slots;    // for each of those points its place in the arrays above
+  std::vector<Index> m_chain;    // each but the first the nearest neighbor of the one before
+  std::vector<Index> m_partners; // the result
 };
 
 /*!

@@ -32,7 +32,7 @@ inline void pick_one_of_each_run(std::uint64_t n, std::uint64_t m, std::uint64_t
 {
   for (std::uint64_t k = 0; k < m; ++k)
   {
-    const std::uint64_t begin = k * n / m, end = (k + 1) * n / m;   // below 2^64, as both factors are below 2^32
+    const std::uint64_t begin = k * n / m, end = (k + 1) * n / m; // below 2^64, as both factors are below 2^32
     picked.push_back(things[begin + random_bits(seed, k) % (end - begin)]);
   }
 }
@@ -40,12 +40,13 @@ inline void pick_one_of_each_run(std::uint64_t n, std::uint64_t m, std::uint64_t
 /// Moves each of the new samples, which start on their source, part of the way to another point of its ball: one of a similar
 /// normal, so that the way does not cut an edge, if there is one; else any; else the next point in the order of `distinct`.
 template <typename ConcurrencyTag, typename T>
-void move_between_points(const Search_grid_3& grid, const Buffer<Vector>& points, const Buffer<Eigen::Matrix<T, 3, 1>>& normals,
-                         const Buffer<Index>& distinct, double radius, std::uint64_t seed, Progress& progress, Initial_samples& samples)
+void move_between_points(const Search_grid_3& grid, const Buffer<Vector>& points,
+                         const Buffer<Eigen::Matrix<T, 3, 1>>& normals, const Buffer<Index>& distinct, double radius,
+                         std::uint64_t seed, Progress& progress, Initial_samples& samples)
 {
   const Buffer<Vector> starts(samples.positions);
   const Search_grid_3 start_grid(starts, grid.cell_size());
-  const T similar_cosine = T(0.87);   // 30 degrees, what survives bilateral filtering on one side of an edge
+  const T similar_cosine = T(0.87); // 30 degrees, what survives bilateral filtering on one side of an edge
 
   const auto make_visitor = [&]() {
     return [&](Search_grid_3::Range queries, const Local_points<T>& candidates, const Vector& origin) {
@@ -56,15 +57,18 @@ void move_between_points(const Search_grid_3& grid, const Buffer<Vector>& points
         Index partner = source;
         std::uint64_t best = 0;
         const auto first = std::lower_bound(samples.sources.begin(), samples.sources.end(), source);
-        const std::uint64_t number = e - std::uint64_t(first - samples.sources.begin());   // of the samples of this source before this one
+        const std::uint64_t number =
+          e - std::uint64_t(first - samples.sources.begin()); // of the samples of this source before this one
         for (std::size_t k = 0; k < candidates.indices.size(); ++k)
         {
           const Index j = candidates.indices[k];
-          const Eigen::Matrix<T, 3, 1> d = Eigen::Matrix<T, 3, 1>(candidates.x[k], candidates.y[k], candidates.z[k]) - center;
+          const Eigen::Matrix<T, 3, 1> d = Eigen::Matrix<T, 3, 1>(candidates.x[k], candidates.y[k], candidates.z[k])
+                                           - center;
           if (d.squaredNorm() >= T(radius * radius) || points[j] == starts[e])
             continue;
           const bool is_similar = std::abs(normals[source].dot(normals[j])) > similar_cosine;
-          const std::uint64_t rank = (random_bits(seed + source, (number << 32) | j) >> 1) | (std::uint64_t(is_similar) << 63);
+          const std::uint64_t rank = (random_bits(seed + source, (number << 32) | j) >> 1)
+                                     | (std::uint64_t(is_similar) << 63);
           if (rank > best)
           {
             best = rank;
@@ -77,12 +81,14 @@ void move_between_points(const Search_grid_3& grid, const Buffer<Vector>& points
           partner = next != distinct.end() ? *next : *(distinct.end() - 2);
         }
         // never the middle, where the way back from the partner would put another one
-        const double share = 0.2 + 0.25 * std::ldexp(double(random_bits(seed + source, (number << 32) | 0xffffffff) >> 11), -53);
+        const double share =
+          0.2 + 0.25 * std::ldexp(double(random_bits(seed + source, (number << 32) | 0xffffffff) >> 11), -53);
         samples.positions[e] = starts[e] + share * (points[partner] - starts[e]);
       }
     };
   };
-  for_each_cell<T, ConcurrencyTag>(start_grid, starts, grid, points, cells_in_reach(radius, grid.cell_size()), progress, make_visitor);
+  for_each_cell<T, ConcurrencyTag>(start_grid, starts, grid, points, cells_in_reach(radius, grid.cell_size()), progress,
+                                   make_visitor);
 }
 
 /// Where samples start: on a point, or between it and another.
@@ -101,13 +107,15 @@ Sources sources_by_area(const Buffer<Index>& distinct, const Buffer<T>& areas, s
   double total = 0;
   for (Index i : distinct)
     total += areas[i];
-  const auto threshold = [&](std::uint64_t k) { return (double(k) + std::ldexp(double(random_bits(seed, k) >> 11), -53)) / double(m) * total; };
+  const auto threshold = [&](std::uint64_t k) {
+    return (double(k) + std::ldexp(double(random_bits(seed, k) >> 11), -53)) / double(m) * total;
+  };
   double sum = 0;
   std::uint64_t k = 0;
   for (Index i : distinct)
   {
     sum += areas[i];
-    const bool is_last = i == distinct.back();   // takes what rounding leaves
+    const bool is_last = i == distinct.back(); // takes what rounding leaves
     for (bool is_first = true; k < m && (is_last || threshold(k) < sum); is_first = false, ++k)
       (is_first ? sources.on_points : sources.between_points).push_back(i);
   }
@@ -141,15 +149,15 @@ Chooses where `number_of_samples` samples start. No two start on one point: the 
 */
 template <typename ConcurrencyTag, typename T>
 Initial_samples initialize_samples(const Search_grid_3& grid, const Buffer<Vector>& points,
-                                   const Buffer<Eigen::Matrix<T, 3, 1>>& normals, const Buffer<T>& areas, std::size_t number_of_samples,
-                                   double radius, std::uint64_t seed, Progress& progress)
+                                   const Buffer<Eigen::Matrix<T, 3, 1>>& normals, const Buffer<T>& areas,
+                                   std::size_t number_of_samples, double radius, std::uint64_t seed, Progress& progress)
 {
   Buffer<Index> distinct(points.get_allocator());
   for (std::size_t j = 0; j < points.size(); ++j)
     if (j == 0 || points[j] != points[j - 1])
       distinct.push_back(Index(j));
-  Sources sources =
-    areas.empty() ? sources_by_points(distinct, number_of_samples, seed) : sources_by_area(distinct, areas, number_of_samples, seed);
+  Sources sources = areas.empty() ? sources_by_points(distinct, number_of_samples, seed)
+                                  : sources_by_area(distinct, areas, number_of_samples, seed);
 
   Initial_samples samples{Buffer<Vector>(points.get_allocator()), std::move(sources.between_points), distinct.size()};
   samples.sources.reserve(number_of_samples);

@@ -24,9 +24,9 @@ namespace internal {
 template <typename FT>
 struct Least_squares_system
 {
-  Eigen::SparseMatrix<FT, Eigen::RowMajor, std::ptrdiff_t> matrix;  ///< A, three columns a sample
-  Eigen::Matrix<FT, Eigen::Dynamic, 1> rhs;                         ///< b
-  Eigen::Index number_of_rows = 0;                                  ///< rows added so far
+  Eigen::SparseMatrix<FT, Eigen::RowMajor, std::ptrdiff_t> matrix; ///< A, three columns a sample
+  Eigen::Matrix<FT, Eigen::Dynamic, 1> rhs;                        ///< b
+  Eigen::Index number_of_rows = 0;                                 ///< rows added so far
 
   /// Starts a row; its entries follow by increasing column.
   void start_row(FT b)

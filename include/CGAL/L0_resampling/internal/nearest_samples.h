@@ -24,12 +24,13 @@ namespace internal {
 class Nearest_samples
 {
   std::size_t m_k;
-  Buffer<Index> m_indices;   // k a sample, of which the first counts[i] are used
+  Buffer<Index> m_indices; // k a sample, of which the first counts[i] are used
   Buffer<Index> m_counts;
 
 public:
   Nearest_samples(std::size_t size, std::size_t k, const Counting_allocator<Index>& allocator)
-    : m_k(k), m_indices(size * k, 0, allocator), m_counts(size, 0, allocator) {}
+    : m_k(k), m_indices(size * k, 0, allocator), m_counts(size, 0, allocator)
+  {}
 
   const Index* begin(Index i) const { return m_indices.data() + i * m_k; }
   const Index* end(Index i) const { return begin(i) + m_counts[i]; }
@@ -40,8 +41,8 @@ public:
 
 /// Lists the candidates in the ball but `self`, as numbers that ascend with the distance and have the candidate's index as their lower half.
 /// \returns how many
-inline std::size_t list_by_distance(const Eigen::Vector3f& center, Index self, const Local_points<float>& candidates, float squared_radius,
-                                    std::vector<std::uint64_t>& found)
+inline std::size_t list_by_distance(const Eigen::Vector3f& center, Index self, const Local_points<float>& candidates,
+                                    float squared_radius, std::vector<std::uint64_t>& found)
 {
   constexpr std::size_t lanes = Lanes<float>::size;
   const Index* const indices = candidates.indices.data();
@@ -53,7 +54,7 @@ inline std::size_t list_by_distance(const Eigen::Vector3f& center, Index self, c
     // Each candidate is written, and overwritten by the next one unless it is near: no branch that cannot be foreseen.
     for (std::size_t c = 0, count = (std::min)(lanes, number_of_candidates - first); c < count; ++c)
     {
-      std::uint32_t bits;   // ascend with the number, as it is not negative
+      std::uint32_t bits; // ascend with the number, as it is not negative
       std::memcpy(&bits, &distances[c], sizeof bits);
       const Index index = indices[first + c];
       found[size] = (std::uint64_t(bits) << 32) | index;
@@ -69,7 +70,8 @@ Finds the k nearest samples of each sample. Where even a ball of 1000 times `spa
 Looks at balls of twice the radius where a ball holds fewer than k, on the same grid as long as its cells are not too many, then on a coarser one.
 */
 template <typename ConcurrencyTag>
-Nearest_samples find_nearest_samples(const Buffer<Vector>& positions, std::size_t k, double spacing_guess, Progress& progress)
+Nearest_samples find_nearest_samples(const Buffer<Vector>& positions, std::size_t k, double spacing_guess,
+                                     Progress& progress)
 {
   const int number_of_doublings = 10, doublings_on_one_grid = 2;
   Nearest_samples nearest(positions.size(), k, positions.get_allocator());
@@ -83,9 +85,10 @@ Nearest_samples find_nearest_samples(const Buffer<Vector>& positions, std::size_
     Buffer<Vector> sorted_positions(positions);
     apply_order(order, sorted_positions);
     const Search_grid_3 grid(sorted_positions, cell_size);
-    for (int last = (std::min)(doubling + doublings_on_one_grid, number_of_doublings); doubling <= last && number_of_open > 0; ++doubling)
+    for (int last = (std::min)(doubling + doublings_on_one_grid, number_of_doublings);
+         doubling <= last && number_of_open > 0; ++doubling)
     {
-      Buffer<Index> open(positions.get_allocator());   // places in `order`
+      Buffer<Index> open(positions.get_allocator()); // places in `order`
       for (std::size_t place = 0; place < order.size(); ++place)
         if (is_open[order[place]])
           open.push_back(Index(place));
@@ -98,13 +101,13 @@ Nearest_samples find_nearest_samples(const Buffer<Vector>& positions, std::size_
       const double radius = std::ldexp(spacing_guess, doubling);
       const bool take_what_is_there = doubling == number_of_doublings;
       const auto make_visitor = [&]() {
-        return [&, found = std::vector<std::uint64_t>()](Search_grid_3::Range queries, const Local_points<float>& candidates,
-                                                         const Vector& origin) mutable {
+        return [&, found = std::vector<std::uint64_t>()](
+                 Search_grid_3::Range queries, const Local_points<float>& candidates, const Vector& origin) mutable {
           found.resize(candidates.padded_size() + 1);
           for (Index q = queries.first; q < queries.second; ++q)
           {
-            const std::size_t size = list_by_distance((open_positions[q] - origin).template cast<float>(), open[q], candidates,
-                                                      float(radius * radius), found);
+            const std::size_t size = list_by_distance((open_positions[q] - origin).template cast<float>(), open[q],
+                                                      candidates, float(radius * radius), found);
             if (size < k && !take_what_is_there)
               continue;
             const std::size_t count = (std::min)(k, size);
@@ -117,8 +120,8 @@ Nearest_samples find_nearest_samples(const Buffer<Vector>& positions, std::size_
           }
         };
       };
-      for_each_cell<float, ConcurrencyTag>(open_grid, open_positions, grid, sorted_positions, cells_in_reach(radius, cell_size), progress,
-                                           make_visitor);
+      for_each_cell<float, ConcurrencyTag>(open_grid, open_positions, grid, sorted_positions,
+                                           cells_in_reach(radius, cell_size), progress, make_visitor);
     }
   }
   return nearest;

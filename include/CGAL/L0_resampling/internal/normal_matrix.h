@@ -32,8 +32,7 @@ Normal_matrix<FT> assemble_normal_matrix(const Quadratic_problem<FT>& problem)
   const std::size_t m = neighbors.size;
   const Eigen::Index size = Checked_count().add(m, 3).index();
   const Eigen::Index number_of_entries = Checked_count().add(m, 9).add(neighbors.offsets[m], 9).index();
-  const auto outer_product = [&](std::size_t i) -> Matrix_3
-  {
+  const auto outer_product = [&](std::size_t i) -> Matrix_3 {
     const auto normal = problem.sample_normals.col(Eigen::Index(i));
     return problem.penalty * (normal * normal.transpose());
   };
@@ -47,9 +46,8 @@ Normal_matrix<FT> assemble_normal_matrix(const Quadratic_problem<FT>& problem)
   {
     const std::size_t first = neighbors.offsets[i], last = neighbors.offsets[i + 1];
     const std::size_t blocks_per_column = last - first + 1;
-    const std::size_t start = 9 * (first + i);  // entries of the samples before
-    const auto write_block = [&](std::size_t place, std::size_t k, const Matrix_3& block)
-    {
+    const std::size_t start = 9 * (first + i); // entries of the samples before
+    const auto write_block = [&](std::size_t place, std::size_t k, const Matrix_3& block) {
       for (std::size_t column = 0; column < 3; ++column)
         for (std::size_t row = 0; row < 3; ++row)
         {
@@ -67,8 +65,8 @@ Normal_matrix<FT> assemble_normal_matrix(const Quadratic_problem<FT>& problem)
     for (std::size_t e = first; e < last; ++e)
     {
       const std::size_t k = neighbors.indices[e];
-      const Matrix_3 block = problem.pair_weights[Eigen::Index(e)] * Matrix_3::Identity()
-                             + outer_product(i) + outer_product(k);
+      const Matrix_3 block = problem.pair_weights[Eigen::Index(e)] * Matrix_3::Identity() + outer_product(i)
+                             + outer_product(k);
       diagonal += block;
       number_before += std::size_t(k < i);
       write_block(e - first + std::size_t(k > i), k, -block);

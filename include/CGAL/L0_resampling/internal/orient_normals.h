@@ -24,11 +24,12 @@ namespace internal {
 
 /// The edges of the graph of nearest neighbors, each once.
 template <typename ConcurrencyTag, typename T>
-Buffer<Edge> rated_edges(const Buffer<Vector>& positions, const Buffer<Eigen::Matrix<T, 3, 1>>& normals, std::size_t number_of_neighbors,
-                         double spacing, Progress& progress)
+Buffer<Edge> rated_edges(const Buffer<Vector>& positions, const Buffer<Eigen::Matrix<T, 3, 1>>& normals,
+                         std::size_t number_of_neighbors, double spacing, Progress& progress)
 {
   const double radius_of_that_many = spacing * std::sqrt(double(number_of_neighbors) / 2);
-  const Nearest_samples nearest = find_nearest_samples<ConcurrencyTag>(positions, number_of_neighbors, radius_of_that_many, progress);
+  const Nearest_samples nearest = find_nearest_samples<ConcurrencyTag>(positions, number_of_neighbors,
+                                                                       radius_of_that_many, progress);
   const T squared_spacing = T(spacing * spacing);
   const auto append_edges_of = [&](Index i, Buffer<Edge>& edges) {
     for (const Index* other = nearest.begin(i); other != nearest.end(i); ++other)
@@ -37,16 +38,16 @@ Buffer<Edge> rated_edges(const Buffer<Vector>& positions, const Buffer<Eigen::Ma
       if (k < i && nearest.contains(k, i))
         continue;
       const Eigen::Matrix<T, 3, 1> to_other = (positions[k] - positions[i]).template cast<T>();
-      const T agreement =
-        orientation_agreement(normals[i].dot(normals[k]), normals[i].dot(to_other), -normals[k].dot(to_other), squared_spacing);
+      const T agreement = orientation_agreement(normals[i].dot(normals[k]), normals[i].dot(to_other),
+                                                -normals[k].dot(to_other), squared_spacing);
       edges.push_back({float(agreement), i, k});
     }
   };
   return append_by_blocks<ConcurrencyTag>(positions.size(), 4096, Counting_allocator<Edge>(positions.get_allocator()),
                                           [&](std::size_t begin, std::size_t end, Buffer<Edge>& edges) {
-    for (std::size_t i = begin; i < end; ++i)
-      append_edges_of(Index(i), edges);
-  });
+                                            for (std::size_t i = begin; i < end; ++i)
+                                              append_edges_of(Index(i), edges);
+                                          });
 }
 
 /// The edges beyond doubt, sorted by how sure they are, in steps of 1/1024, which is all that a spanning forest of noisy normals needs.
@@ -55,12 +56,14 @@ Buffer<Edge> sure_edges(const Buffer<Edge>& edges)
 {
   Buffer<Edge> sure = append_by_blocks<ConcurrencyTag>(edges.size(), edges_per_block, edges.get_allocator(),
                                                        [&](std::size_t begin, std::size_t end, Buffer<Edge>& sure_ones) {
-    for (std::size_t e = begin; e < end; ++e)
-      if (std::abs(edges[e].agreement) >= beyond_doubt)
-        sure_ones.push_back(edges[e]);
-  });
+                                                         for (std::size_t e = begin; e < end; ++e)
+                                                           if (std::abs(edges[e].agreement) >= beyond_doubt)
+                                                             sure_ones.push_back(edges[e]);
+                                                       });
   const std::size_t number_of_steps = 1024;
-  const auto step = [&](const Edge& e) { return std::size_t((1 - (std::min)(std::abs(e.agreement), 1.f)) * (number_of_steps - 1)); };
+  const auto step = [&](const Edge& e) {
+    return std::size_t((1 - (std::min)(std::abs(e.agreement), 1.f)) * (number_of_steps - 1));
+  };
   std::vector<std::size_t> places(number_of_steps + 1, 0);
   for (const Edge& e : sure)
     ++places[step(e) + 1];
@@ -88,8 +91,8 @@ inline bool is_turned_inwards(double flux, double largest_flux, const Vector& no
 /// How sure the sides are that `orient_normals()` has chosen, as shares of the samples.
 struct Orientation
 {
-  double oriented_share;   ///< joined to the largest part of their tree by edges beyond doubt, by the field and by clear majorities only
-  double hinted_share;     ///< of trees whose side is that of the hints
+  double oriented_share; ///< joined to the largest part of their tree by edges beyond doubt, by the field and by clear majorities only
+  double hinted_share; ///< of trees whose side is that of the hints
 };
 
 /*!
@@ -105,8 +108,8 @@ place.
 \param hint_of called with the index of a sample, gives a vector to the side its normal shall be on, of the length that it counts; may be zero
 */
 template <typename ConcurrencyTag, typename T, typename HintOf>
-Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_of_neighbors, double spacing, const HintOf& hint_of,
-                           Progress& progress, Buffer<Eigen::Matrix<T, 3, 1>>& normals)
+Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_of_neighbors, double spacing,
+                           const HintOf& hint_of, Progress& progress, Buffer<Eigen::Matrix<T, 3, 1>>& normals)
 {
   const auto normal = [&](Index i) -> Vector { return normals[i].template cast<double>(); };
   const std::size_t m = positions.size();
@@ -139,11 +142,11 @@ Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_o
   {
     Vector center = Vector::Zero();
     Vector normal_sum = Vector::Zero();
-    double flux = 0, largest_flux = 0;   // of the divergence theorem, and if all normals pointed away from the center
+    double flux = 0, largest_flux = 0; // of the divergence theorem, and if all normals pointed away from the center
     Hint_votes votes;
     Index largest_sure_set = 0;
   };
-  Buffer<Tree> trees(m, Tree(), positions.get_allocator());   // that of a sample stands at its root
+  Buffer<Tree> trees(m, Tree(), positions.get_allocator()); // that of a sample stands at its root
   for (Index i = 0; i < m; ++i)
   {
     const Index root = sets.find(i).first;
@@ -168,7 +171,8 @@ Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_o
     const auto [root, sign] = sets.find(i);
     const Tree& tree = trees[root];
     const bool is_hinted = tree.votes.are_clear();
-    const bool is_turned = is_hinted ? tree.votes.say_turn() : is_turned_inwards(tree.flux, tree.largest_flux, tree.normal_sum);
+    const bool is_turned = is_hinted ? tree.votes.say_turn()
+                                     : is_turned_inwards(tree.flux, tree.largest_flux, tree.normal_sum);
     number_of_hinted += is_hinted;
     if (is_turned != (sign < 0))
       normals[i] = -normals[i];

@@ -42,7 +42,8 @@ CGAL_L0_HOST_DEVICE inline T orientation_agreement(T cosine, T height, T other_h
   if (!(squared_noise > 0 && isfinite(squared_heights / squared_noise)))
     return cosine;
   const T one_sheet = decay(squared_heights / squared_noise), weight_of_folds = T(0.1);
-  return one_sheet * cosine + weight_of_folds * (1 - one_sheet) * 2 * height * other_height / (squared_heights + squared_noise);
+  return one_sheet * cosine
+         + weight_of_folds * (1 - one_sheet) * 2 * height * other_height / (squared_heights + squared_noise);
 }
 
 } // namespace internal

@@ -20,7 +20,10 @@ namespace L0_resampling {
 namespace internal {
 
 /// A sample that stands for those around it.
-struct Dipole { Vector position, normal; };
+struct Dipole
+{
+  Vector position, normal;
+};
 
 /// How far two dipoles agree, as those do whose field has the least energy. On a flat or bent sheet, across an edge and from one side of a solid to the
 /// other, that is when both point outwards.
@@ -29,16 +32,17 @@ inline double dipole_agreement(const Dipole& a, const Dipole& b, double squared_
 {
   const Vector d = b.position - a.position;
   const double squared_distance = d.squaredNorm() + squared_spacing;
-  return (a.normal.dot(b.normal) - 3 * a.normal.dot(d) * b.normal.dot(d) / squared_distance) / (squared_distance * std::sqrt(squared_distance));
+  return (a.normal.dot(b.normal) - 3 * a.normal.dot(d) * b.normal.dot(d) / squared_distance)
+         / (squared_distance * std::sqrt(squared_distance));
 }
 
 /// The larger sets of samples, and how far they agree two by two.
 struct Field_of_sets
 {
-  std::vector<Index> roots;         // of the sets, ascending
-  std::vector<Index> trees;         // that they belong to
-  std::vector<int> signs;           // relative to the tree
-  std::vector<double> agreements;   // a row for each set
+  std::vector<Index> roots;       // of the sets, ascending
+  std::vector<Index> trees;       // that they belong to
+  std::vector<int> signs;         // relative to the tree
+  std::vector<double> agreements; // a row for each set
 
   /// Of a set with all others, in the sense of its own sign.
   double agreement_with_others(std::size_t a) const
@@ -53,7 +57,7 @@ struct Field_of_sets
   /// \returns whether there was one
   bool turn_what_disagrees()
   {
-    const std::size_t most_turns = 10 * roots.size();   // rounding might go round in circles
+    const std::size_t most_turns = 10 * roots.size(); // rounding might go round in circles
     for (std::size_t turn = 0; turn < most_turns; ++turn)
     {
       double least = 0;
@@ -82,12 +86,12 @@ the normals (after Metzer et al., Orienting point clouds with dipole propagation
 \returns whether any was turned; if not, nothing was joined
 */
 template <typename ConcurrencyTag, typename T>
-bool join_by_field(const Signed_union_find& trees, const Buffer<Vector>& positions, const Buffer<Eigen::Matrix<T, 3, 1>>& normals, double spacing,
-                   Voting& voting)
+bool join_by_field(const Signed_union_find& trees, const Buffer<Vector>& positions,
+                   const Buffer<Eigen::Matrix<T, 3, 1>>& normals, double spacing, Voting& voting)
 {
   const std::size_t maximum_number_of_dipoles = 2048, fewest_dipoles_of_a_set = 6;
   Signed_union_find& sets = voting.sets;
-  const double weight_of_votes = 3;   // of an edge, against the field of two faces of one spacing each
+  const double weight_of_votes = 3; // of an edge, against the field of two faces of one spacing each
   const std::size_t m = positions.size(), number_of_dipoles = (std::min)(m, maximum_number_of_dipoles);
 
   // Samples are sorted by place: every so-maniest of them are spread evenly.
@@ -150,13 +154,13 @@ bool join_by_field(const Signed_union_find& trees, const Buffer<Vector>& positio
     return false;
   for (std::size_t b = 0; b < number_of_sets; ++b)
   {
-    const std::size_t a = std::size_t(std::find(field.trees.begin(), field.trees.end(), field.trees[b]) - field.trees.begin());
+    const std::size_t a = std::size_t(std::find(field.trees.begin(), field.trees.end(), field.trees[b])
+                                      - field.trees.begin());
     sets.join(field.roots[a], field.roots[b], field.signs[a] * field.signs[b]);
   }
   pass_votes_on<ConcurrencyTag>(voting);
   return true;
 }
-
 
 } // namespace internal
 } // namespace L0_resampling

@@ -24,18 +24,29 @@ namespace L0_resampling {
 namespace internal {
 
 /// Two samples near each other, and `orientation_agreement()` of them.
-struct Edge { float agreement; Index i, k; };
+struct Edge
+{
+  float agreement;
+  Index i, k;
+};
 constexpr std::size_t edges_per_block = 16384;
 
 /// The sum of the agreements of edges between two samples or, read for their representatives, between two sets.
-struct Vote { Index a, b; double agreement, total; };
+struct Vote
+{
+  Index a, b;
+  double agreement, total;
+};
 
 /// Adds up votes between the same two.
 template <typename ConcurrencyTag>
 void add_up_votes(Buffer<Vote>& votes)
 {
-  sort_by_key<ConcurrencyTag>(votes, [](const Vote& v) { return (std::uint64_t(v.a) << 32) | v.b; },
-                              [](const Vote& v, const Vote& w) { return v.agreement != w.agreement ? v.agreement < w.agreement : v.total < w.total; });
+  sort_by_key<ConcurrencyTag>(
+    votes, [](const Vote& v) { return (std::uint64_t(v.a) << 32) | v.b; },
+    [](const Vote& v, const Vote& w) {
+      return v.agreement != w.agreement ? v.agreement < w.agreement : v.total < w.total;
+    });
   std::size_t size = 0;
   for (const Vote& v : votes)
     if (size > 0 && votes[size - 1].a == v.a && votes[size - 1].b == v.b)
@@ -62,13 +73,15 @@ inline std::optional<Vote> vote_between_sets(const Signed_union_find& sets, cons
 template <typename ConcurrencyTag>
 Buffer<Vote> votes_of_edges(const Buffer<Edge>& edges, const Signed_union_find& sets)
 {
-  Buffer<Vote> votes = append_by_blocks<ConcurrencyTag>(edges.size(), edges_per_block, Counting_allocator<Vote>(edges.get_allocator()),
-                                                        [&](std::size_t begin, std::size_t end, Buffer<Vote>& votes_of_block) {
-    for (std::size_t e = begin; e < end; ++e)
-      if (const auto vote = vote_between_sets(sets, {edges[e].i, edges[e].k, edges[e].agreement, std::abs(edges[e].agreement)}))
-        votes_of_block.push_back(*vote);
-    add_up_votes<Sequential_tag>(votes_of_block);
-  });
+  Buffer<Vote> votes = append_by_blocks<ConcurrencyTag>(
+    edges.size(), edges_per_block, Counting_allocator<Vote>(edges.get_allocator()),
+    [&](std::size_t begin, std::size_t end, Buffer<Vote>& votes_of_block) {
+      for (std::size_t e = begin; e < end; ++e)
+        if (const auto vote =
+              vote_between_sets(sets, {edges[e].i, edges[e].k, edges[e].agreement, std::abs(edges[e].agreement)}))
+          votes_of_block.push_back(*vote);
+      add_up_votes<Sequential_tag>(votes_of_block);
+    });
   add_up_votes<ConcurrencyTag>(votes);
   return votes;
 }
@@ -77,7 +90,7 @@ Buffer<Vote> votes_of_edges(const Buffer<Edge>& edges, const Signed_union_find& 
 struct Voting
 {
   Signed_union_find sets;
-  Buffer<Vote> votes;   // added up
+  Buffer<Vote> votes; // added up
 };
 
 /// Replaces the votes between sets before they were joined by those between the sets as they are now.
@@ -101,7 +114,7 @@ void join_by_votes(double sure, Voting& voting)
 {
   const Buffer<Vote>& votes = voting.votes;
   const std::size_t none = (std::numeric_limits<std::size_t>::max)();
-  Buffer<std::size_t> strongest(voting.sets.size(), none, votes.get_allocator());   // the vote of each set that it joins by
+  Buffer<std::size_t> strongest(voting.sets.size(), none, votes.get_allocator()); // the vote of each set that it joins by
   const auto is_stronger = [&](std::size_t v, std::size_t w) {
     const double a = std::abs(votes[v].agreement), b = std::abs(votes[w].agreement);
     return a != b ? a > b : v < w;
@@ -125,7 +138,6 @@ void join_by_votes(double sure, Voting& voting)
     pass_votes_on<ConcurrencyTag>(voting);
   }
 }
-
 
 } // namespace internal
 } // namespace L0_resampling

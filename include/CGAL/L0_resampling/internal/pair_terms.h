@@ -29,13 +29,15 @@ constexpr std::size_t samples_per_block = 256;
 /// \param density_weights out: one number a sample, at least 1
 /// \param pair_weights out: one number a pair
 template <typename ConcurrencyTag, typename FT>
-void update_weights(const Buffer<Vector>& samples, const Neighborhoods& neighbors, double squared_bandwidth, double squared_radius,
-                    double regularization_weight, Buffer<FT>& density_weights, Buffer<FT>& pair_weights)
+void update_weights(const Buffer<Vector>& samples, const Neighborhoods& neighbors, double squared_bandwidth,
+                    double squared_radius, double regularization_weight, Buffer<FT>& density_weights,
+                    Buffer<FT>& pair_weights)
 {
   using Array = Eigen::Array<FT, Eigen::Dynamic, 1>;
   using Values = Eigen::Map<Array>;
   const auto pairs_of = [&](std::size_t begin, std::size_t end) {
-    return Values(pair_weights.data() + neighbors.offsets[begin], Eigen::Index(neighbors.offsets[end] - neighbors.offsets[begin]));
+    return Values(pair_weights.data() + neighbors.offsets[begin],
+                  Eigen::Index(neighbors.offsets[end] - neighbors.offsets[begin]));
   };
 
   const FT mean_number_of_sample_neighbors = FT(double(neighbors.indices.size()) / double(samples.size()));
@@ -48,7 +50,8 @@ void update_weights(const Buffer<Vector>& samples, const Neighborhoods& neighbor
     const Array theta = gaussian_weight(Array(squared_distances), FT(squared_bandwidth));
     for (std::size_t i = begin; i < end; ++i)
     {
-      const std::size_t first = neighbors.offsets[i] - neighbors.offsets[begin], count = neighbors.offsets[i + 1] - neighbors.offsets[i];
+      const std::size_t first = neighbors.offsets[i] - neighbors.offsets[begin],
+                        count = neighbors.offsets[i + 1] - neighbors.offsets[i];
       const FT sum = theta.segment(Eigen::Index(first), Eigen::Index(count)).sum();
       density_weights[i] = count > 0 ? 1 + sum / mean_number_of_sample_neighbors : 1;
     }
@@ -57,16 +60,17 @@ void update_weights(const Buffer<Vector>& samples, const Neighborhoods& neighbor
   for_each_block<ConcurrencyTag>(samples.size(), samples_per_block, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
-        pair_weights[e] *= FT(regularization_weight) * (1 / density_weights[i] + 1 / density_weights[neighbors.indices[e]]);
+        pair_weights[e] *= FT(regularization_weight)
+                           * (1 / density_weights[i] + 1 / density_weights[neighbors.indices[e]]);
   });
 }
 
 /// The terms of Eq. (7), without the constant part of the first and without the weights of the last two.
 struct Energy_sums
 {
-  double fit = 0;                      ///< \f$ \sum W_i \|p_i - c_i\|^2 \f$
-  double regularization = 0;           ///< \f$ \sum_{\{i,k\}} a_{ik} \|p_i - p_k\|^2 \f$
-  double squared_normal_misfit = 0;    ///< \f$ \sum (n_i^T(p_i - p_k) - \delta_{ik})^2 \f$
+  double fit = 0;                   ///< \f$ \sum W_i \|p_i - c_i\|^2 \f$
+  double regularization = 0;        ///< \f$ \sum_{\{i,k\}} a_{ik} \|p_i - p_k\|^2 \f$
+  double squared_normal_misfit = 0; ///< \f$ \sum (n_i^T(p_i - p_k) - \delta_{ik})^2 \f$
   std::size_t number_of_active_pairs = 0;
 
   Energy_sums& operator+=(const Energy_sums& other)
@@ -93,9 +97,9 @@ Only differences of neighbors enter, so that neither the place of the cloud nor 
 \param normal_offsets out: \f$ \delta_{ik} \f$ for each pair if not empty, for solvers that want the rows of Eq. (11)
 */
 template <typename ConcurrencyTag, typename FT>
-Energy_sums shrink_normal_offsets(const Samples<FT>& samples, const Neighborhoods& neighbors, const Buffer<FT>& pair_weights,
-                                  FT penalty, FT threshold, Buffer<Eigen::Matrix<FT, 3, 1>>& right_hand_side,
-                                  Buffer<FT>& normal_offsets)
+Energy_sums shrink_normal_offsets(const Samples<FT>& samples, const Neighborhoods& neighbors,
+                                  const Buffer<FT>& pair_weights, FT penalty, FT threshold,
+                                  Buffer<Eigen::Matrix<FT, 3, 1>>& right_hand_side, Buffer<FT>& normal_offsets)
 {
   using Local_vector = Eigen::Matrix<FT, 3, 1>;
   return block_sum<ConcurrencyTag>(samples.positions.size(), samples_per_block, [&](std::size_t begin, std::size_t end) {
@@ -125,7 +129,7 @@ Energy_sums shrink_normal_offsets(const Samples<FT>& samples, const Neighborhood
         squared_normal_misfit += misfit_i * misfit_i;
         sums.number_of_active_pairs += offset_i != 0;
       }
-      sums.regularization += 0.5 * regularization;   // each unordered pair comes twice
+      sums.regularization += 0.5 * regularization; // each unordered pair comes twice
       sums.squared_normal_misfit += squared_normal_misfit;
       right_hand_side[i] = g;
     }

@@ -35,8 +35,7 @@ void for_each_block(std::size_t n, std::size_t block_size, const F& f)
   if constexpr (is_parallel)
   {
     const std::size_t number_of_blocks = n / block_size + std::size_t(n % block_size != 0);
-    tbb::parallel_for(std::size_t(0), number_of_blocks, [&](std::size_t k)
-    {
+    tbb::parallel_for(std::size_t(0), number_of_blocks, [&](std::size_t k) {
       const std::size_t begin = k * block_size;
       f(begin, begin + (std::min)(block_size, n - begin));
     });
@@ -45,7 +44,7 @@ void for_each_block(std::size_t n, std::size_t block_size, const F& f)
 #else
   static_assert(!is_parallel, "Parallel_tag needs TBB: link with CGAL::TBB_support.");
 #endif
-  for (std::size_t begin = 0; begin < n; )
+  for (std::size_t begin = 0; begin < n;)
   {
     const std::size_t end = begin + (std::min)(block_size, n - begin);
     f(begin, end);
@@ -64,8 +63,7 @@ auto block_sum(std::size_t n, std::size_t block_size, const F& f)
   if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value)
   {
     std::vector<Sum> parts(n / block_size + std::size_t(n % block_size != 0));
-    for_each_block<ConcurrencyTag>(n, block_size, [&](std::size_t begin, std::size_t end)
-    {
+    for_each_block<ConcurrencyTag>(n, block_size, [&](std::size_t begin, std::size_t end) {
       parts[begin / block_size] = f(begin, end);
     });
     for (const Sum& part : parts)
@@ -81,7 +79,8 @@ template <typename ConcurrencyTag, typename T, typename F>
 Buffer<T> append_by_blocks(std::size_t n, std::size_t block_size, const Counting_allocator<T>& allocator, const F& f)
 {
   std::vector<Buffer<T>> parts(n / block_size + std::size_t(n % block_size != 0), Buffer<T>(allocator));
-  for_each_block<ConcurrencyTag>(n, block_size, [&](std::size_t begin, std::size_t end) { f(begin, end, parts[begin / block_size]); });
+  for_each_block<ConcurrencyTag>(n, block_size,
+                                 [&](std::size_t begin, std::size_t end) { f(begin, end, parts[begin / block_size]); });
   std::size_t size = 0;
   for (const Buffer<T>& part : parts)
     size += part.size();

@@ -25,8 +25,9 @@ namespace internal {
 template <typename Iterator, typename Key, typename Less>
 void sort_range_by_key(Iterator begin, Iterator end, const Key& key, const Less& less)
 {
-  boost::sort::spreadsort::integer_sort(begin, end, [&](const auto& a, unsigned shift) -> std::uint64_t { return key(a) >> shift; },
-                                        [&](const auto& a, const auto& b) { return key(a) < key(b); });
+  boost::sort::spreadsort::integer_sort(
+    begin, end, [&](const auto& a, unsigned shift) -> std::uint64_t { return key(a) >> shift; },
+    [&](const auto& a, const auto& b) { return key(a) < key(b); });
   for (Iterator first = begin, last = begin; first != end; first = last)
   {
     last = std::find_if(first, end, [&](const auto& a) { return key(a) != key(*first); });
@@ -41,21 +42,21 @@ template <typename ConcurrencyTag, typename Value, typename Key>
 std::vector<std::size_t> partition_into_buckets(std::size_t number_of_buckets, const Key& key, Buffer<Value>& values)
 {
   const std::size_t samples_per_bucket = 32, values_per_block = 8192, n = values.size();
-  std::vector<std::uint64_t> bounds;   // of the bucket k: [bounds[k], bounds[k + 1])
+  std::vector<std::uint64_t> bounds; // of the bucket k: [bounds[k], bounds[k + 1])
   for (std::size_t k = 0, size = number_of_buckets * samples_per_bucket; k < size; ++k)
     bounds.push_back(key(values[n / size * k]));
   std::sort(bounds.begin(), bounds.end());
   for (std::size_t k = 0; k < number_of_buckets; ++k)
     bounds[k] = bounds[k * samples_per_bucket];
   const auto bucket_of = [&](const Value& value) {
-    std::size_t bucket = 0;   // binary search without a branch
+    std::size_t bucket = 0; // binary search without a branch
     for (std::size_t step = number_of_buckets / 2; step > 0; step /= 2)
       bucket += step * std::size_t(bounds[bucket + step] <= key(value));
     return bucket;
   };
 
   const std::size_t number_of_blocks = (n + values_per_block - 1) / values_per_block;
-  std::vector<std::size_t> places(number_of_blocks * number_of_buckets, 0);   // of the values of a block in a bucket
+  std::vector<std::size_t> places(number_of_blocks * number_of_buckets, 0); // of the values of a block in a bucket
   for_each_block<ConcurrencyTag>(n, values_per_block, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       ++places[begin / values_per_block * number_of_buckets + bucket_of(values[i])];
@@ -93,7 +94,8 @@ void sort_by_key(Buffer<Value>& values, const Key& key, const Less& less)
     return sort_range_by_key(values.begin(), values.end(), key, less);
   const std::vector<std::size_t> first_places = partition_into_buckets<ConcurrencyTag>(number_of_buckets, key, values);
   for_each_block<ConcurrencyTag>(number_of_buckets, 1, [&](std::size_t bucket, std::size_t) {
-    sort_range_by_key(values.begin() + std::ptrdiff_t(first_places[bucket]), values.begin() + std::ptrdiff_t(first_places[bucket + 1]), key, less);
+    sort_range_by_key(values.begin() + std::ptrdiff_t(first_places[bucket]),
+                      values.begin() + std::ptrdiff_t(first_places[bucket + 1]), key, less);
   });
 }
 

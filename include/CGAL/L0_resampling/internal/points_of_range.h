@@ -28,9 +28,9 @@ namespace internal {
 struct Input
 {
   Buffer<Vector> points;
-  Buffer<Local_vector> normals;        // empty, or unit vectors, zero where the caller's is of no use
-  Buffer<Local_vector> hints;          // likewise, of the side that normals shall point to
-  Buffer<unsigned char> is_kept;       // one for each point of the range
+  Buffer<Local_vector> normals;  // empty, or unit vectors, zero where the caller's is of no use
+  Buffer<Local_vector> hints;    // likewise, of the side that normals shall point to
+  Buffer<unsigned char> is_kept; // one for each point of the range
   Vector low = Vector::Zero(), high = Vector::Zero();
 
   explicit Input(Memory_counter* memory = nullptr) : points(memory), normals(memory), hints(memory), is_kept(memory) {}
@@ -48,8 +48,9 @@ void read_points(const PointRange& range, PointMap point_map, bool drop_non_fini
     const Vector point(double(p.x()), double(p.y()), double(p.z()));
     const bool is_finite = point.allFinite();
     if (!is_finite && !drop_non_finite)
-      throw std::invalid_argument("l0_resample_point_set: point " + std::to_string(index) + " has a coordinate that is not finite ("
-                                  + std::to_string(point[0]) + ", " + std::to_string(point[1]) + ", " + std::to_string(point[2])
+      throw std::invalid_argument("l0_resample_point_set: point " + std::to_string(index)
+                                  + " has a coordinate that is not finite (" + std::to_string(point[0]) + ", "
+                                  + std::to_string(point[1]) + ", " + std::to_string(point[2])
                                   + "); drop_non_finite(true) leaves such points out");
     input.is_kept.push_back(is_finite);
     if (!is_finite)
@@ -146,7 +147,8 @@ std::size_t number_of_distinct_points(const PointRange& range, PointMap point_ma
 
 /// The result's positions in the number type of the caller: inside the bounding box grown by `margin`, and no two equal if `separate`.
 template <typename FT>
-Buffer<std::array<FT, 3>> rounded_positions(const Buffer<Vector>& positions, const Input& input, double margin, bool separate)
+Buffer<std::array<FT, 3>> rounded_positions(const Buffer<Vector>& positions, const Input& input, double margin,
+                                            bool separate)
 {
   const double largest = double((std::numeric_limits<FT>::max)());
   std::array<FT, 3> low, high;

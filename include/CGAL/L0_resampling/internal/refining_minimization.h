@@ -20,16 +20,16 @@ namespace internal {
 /// What the default method adds to Algorithm 1.
 struct Refinement_parameters
 {
-  double self_neighbor_radius;            ///< in place of r_p/2, so that a sample has neighbors at any number of samples
-  double spacing;                         ///< of an even set of that many samples
-  std::size_t number_of_repulsion_steps;  ///< after each turn
+  double self_neighbor_radius;           ///< in place of r_p/2, so that a sample has neighbors at any number of samples
+  double spacing;                        ///< of an even set of that many samples
+  std::size_t number_of_repulsion_steps; ///< after each turn
 };
 
 /// The fit term of the default method as rows: one a sample.
 inline Fit_rows collapsed_fit_rows(const Samples<double>& samples)
 {
-  Fit_rows rows{Buffer<std::size_t>(samples.positions.size() + 1, 0, samples.positions.get_allocator()), samples.fit_centroids,
-                samples.fit_weights};
+  Fit_rows rows{Buffer<std::size_t>(samples.positions.size() + 1, 0, samples.positions.get_allocator()),
+                samples.fit_centroids, samples.fit_weights};
   for (std::size_t i = 0; i < rows.offsets.size(); ++i)
     rows.offsets[i] = i;
   return rows;
@@ -45,9 +45,9 @@ only, and spreads the samples within the surface. Ends on the fitted surface.
 \returns the number of ordered pairs of self neighbors in the last turn
 */
 template <typename ConcurrencyTag, typename T, typename SolverTraits>
-std::size_t minimize_with_refinement(const Minimization_parameters& p, const Refinement_parameters& refinement, const Fit_input<T>& input,
-                                     SolverTraits& solver, Progress& progress, Samples<typename SolverTraits::FT>& samples,
-                                     std::vector<Iteration_report>& reports)
+std::size_t minimize_with_refinement(const Minimization_parameters& p, const Refinement_parameters& refinement,
+                                     const Fit_input<T>& input, SolverTraits& solver, Progress& progress,
+                                     Samples<typename SolverTraits::FT>& samples, std::vector<Iteration_report>& reports)
 {
   const auto allocator = samples.positions.get_allocator();
   const double cell_size = (std::max)(input.grid.cell_size(), refinement.self_neighbor_radius);
@@ -62,14 +62,15 @@ std::size_t minimize_with_refinement(const Minimization_parameters& p, const Ref
     fit_compatible_points<ConcurrencyTag>(input, progress, samples);
     apply_order(Search_grid_3::sorted_order<ConcurrencyTag>(samples.positions, cell_size), samples);
     const Search_grid_3 grid(samples.positions, cell_size);
-    const Neighborhoods neighbors =
-      find_self_neighbors<ConcurrencyTag>(grid, samples.positions, refinement.self_neighbor_radius, progress);
+    const Neighborhoods neighbors = find_self_neighbors<ConcurrencyTag>(grid, samples.positions,
+                                                                        refinement.self_neighbor_radius, progress);
     number_of_pairs = neighbors.indices.size();
     if constexpr (SolverTraits::needs_explicit_rows)
       fit_rows = collapsed_fit_rows(samples);
 
     reports.push_back(step(penalty, true, neighbors, fit_rows, samples));
-    repel_tangentially<ConcurrencyTag>(neighbors, refinement.spacing, input.radius, refinement.number_of_repulsion_steps, samples);
+    repel_tangentially<ConcurrencyTag>(neighbors, refinement.spacing, input.radius,
+                                       refinement.number_of_repulsion_steps, samples);
     penalty *= p.penalty_growth;
   } while (penalty <= p.maximum_penalty);
 

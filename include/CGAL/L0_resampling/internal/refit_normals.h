@@ -40,8 +40,10 @@ Eigen::Matrix<T, 3, 1> refitted_normal(const Eigen::Matrix<T, 3, 1>& center, con
     const L cosine = nx * own_x + ny * own_y + nz * own_z;
     const L height = symmetric_height(dx * own_x + dy * own_y + dz * own_z,
                                       with_sign_of(cosine, L(T(1))) * (dx * nx + dy * ny + dz * nz));
-    lanes.add(dx, dy, dz, where_less(squared_distance, squared_radius,
-                                     sheet_weight(squared_distance, squared_bandwidth, cosine, normal_bandwidth, height, squared_sheet_height)));
+    lanes.add(dx, dy, dz,
+              where_less(squared_distance, squared_radius,
+                         sheet_weight(squared_distance, squared_bandwidth, cosine, normal_bandwidth, height,
+                                      squared_sheet_height)));
   });
 
   const Triple refitted = halfway_to_plane(sum_of_lanes(lanes), {normal[0], normal[1], normal[2]});
@@ -58,14 +60,15 @@ nearer to the truth than either; filtering once more then spreads it.
 \param normals in and out, one unit vector a point
 */
 template <typename ConcurrencyTag, typename T>
-void refit_normals(const Search_grid_3& grid, const Buffer<Vector>& points, const Normal_filter<T>& filter, T squared_sheet_height,
-                   Progress& progress, Buffer<Eigen::Matrix<T, 3, 1>>& normals)
+void refit_normals(const Search_grid_3& grid, const Buffer<Vector>& points, const Normal_filter<T>& filter,
+                   T squared_sheet_height, Progress& progress, Buffer<Eigen::Matrix<T, 3, 1>>& normals)
 {
   update_normals<ConcurrencyTag>(grid, points, filter.radius, progress, normals,
-    [&](const Eigen::Matrix<T, 3, 1>& center, const Eigen::Matrix<T, 3, 1>& normal, const Local_points<T>& candidates,
-        const Local_normals<T>& candidate_normals) {
-      return refitted_normal(center, normal, candidates, candidate_normals, filter, squared_sheet_height);
-    });
+                                 [&](const Eigen::Matrix<T, 3, 1>& center, const Eigen::Matrix<T, 3, 1>& normal,
+                                     const Local_points<T>& candidates, const Local_normals<T>& candidate_normals) {
+                                   return refitted_normal(center, normal, candidates, candidate_normals, filter,
+                                                          squared_sheet_height);
+                                 });
 }
 
 } // namespace internal

@@ -41,8 +41,8 @@ template <typename FT>
 struct Oriented_points
 {
   Buffer<Vector> positions;
-  Buffer<Eigen::Matrix<FT, 3, 1>> normals;   ///< of unit length but for rounding in `FT`
-  Buffer<float> feature_confidences;         ///< in [0, 1], if they are asked for
+  Buffer<Eigen::Matrix<FT, 3, 1>> normals; ///< of unit length but for rounding in `FT`
+  Buffer<float> feature_confidences;       ///< in [0, 1], if they are asked for
 };
 
 /// Coincident points are in no order but that of the input, which must not matter: puts their normals, or hints, in one.
@@ -62,19 +62,22 @@ inline void sort_normals_of_coincident_points(const Buffer<Vector>& points, Buff
 /// The lengths of a call, in the working frame.
 struct Lengths
 {
-  double radius;                 ///< \f$ r_p \f$, in [1, 2)
-  double filter_radius;          ///< \f$ r_q \f$
+  double radius;        ///< \f$ r_p \f$, in [1, 2)
+  double filter_radius; ///< \f$ r_q \f$
   double self_neighbor_radius;
-  double noise;                  ///< standard deviation across the surface; default method only
-  double sample_spacing;         ///< of an even set of the samples
-  double cell_size;              ///< of the grid of the points
-  double smallest_cell_size;     ///< of any grid
+  double noise;              ///< standard deviation across the surface; default method only
+  double sample_spacing;     ///< of an even set of the samples
+  double cell_size;          ///< of the grid of the points
+  double smallest_cell_size; ///< of any grid
 };
 
 inline double square(double x) { return x * x; }
 
 /// \f$ (1 - \cos\sigma_n)^2 \f$ of Eq. (2), for an angle in degrees; never so small that its inverse is not finite.
-inline double normal_bandwidth(double angle) { return (std::max)(square(double(1 - std::cos(angle * EIGEN_PI / 180))), 1e-12); }
+inline double normal_bandwidth(double angle)
+{
+  return (std::max)(square(double(1 - std::cos(angle * EIGEN_PI / 180))), 1e-12);
+}
 
 /// \f$ H^2 \f$: how far from a sheet points are of that sheet.
 inline double squared_sheet_height(const Lengths& lengths)
@@ -92,8 +95,8 @@ inline double self_neighbor_radius_of_spacing(const Lengths& lengths)
 /// Takes the outliers out of the points and what belongs to them.
 /// \returns their number
 template <typename ConcurrencyTag>
-std::size_t drop_outliers(double radius, Buffer<Vector>& points, Buffer<Local_vector>& given_normals, Buffer<Local_vector>& hints,
-                          Progress& progress)
+std::size_t drop_outliers(double radius, Buffer<Vector>& points, Buffer<Local_vector>& given_normals,
+                          Buffer<Local_vector>& hints, Progress& progress)
 {
   const Buffer<unsigned char> is_outlier = find_outliers<Local, ConcurrencyTag>(points, radius, progress);
   const auto drop_from = [&](auto& values) {
@@ -118,7 +121,8 @@ Buffer<Local_vector> compute_filtered_normals(const Search_grid_3& grid, const B
 {
   Buffer<Local_vector> normals(points.size(), Local_vector::UnitZ(), points.get_allocator());
   const bool all_given = !given_normals.empty()
-                         && std::none_of(given_normals.begin(), given_normals.end(), [](const Local_vector& n) { return n.isZero(0); });
+                         && std::none_of(given_normals.begin(), given_normals.end(),
+                                         [](const Local_vector& n) { return n.isZero(0); });
   if (!all_given)
   {
     progress.begin_stage("PCA normals", 0.1, points.size());
@@ -130,12 +134,14 @@ Buffer<Local_vector> compute_filtered_normals(const Search_grid_3& grid, const B
       normals[i] = given_normals[i];
 
   const Local squared_bandwidth = Local(square(spatial_bandwidth_factor * lengths.filter_radius));
-  const Normal_filter<Local> filter{lengths.filter_radius, squared_bandwidth, Local(normal_bandwidth(parameters.sharpness_angle))};
+  const Normal_filter<Local> filter{lengths.filter_radius, squared_bandwidth,
+                                    Local(normal_bandwidth(parameters.sharpness_angle))};
   const Normal_filter<Local> plane{lengths.filter_radius, squared_bandwidth,
                                    Local(normal_bandwidth(fit_angle_factor * parameters.sharpness_angle))};
   const std::size_t number_of_iterations = parameters.number_of_normal_filter_iterations;
-  const std::size_t number_of_refits =
-    parameters.method == Method::DEFAULT ? (std::min)(number_of_normal_refits, number_of_iterations) : 0;
+  const std::size_t number_of_refits = parameters.method == Method::DEFAULT
+                                         ? (std::min)(number_of_normal_refits, number_of_iterations)
+                                         : 0;
   progress.begin_stage("filter normals", 0.4, points.size() * (number_of_iterations + number_of_refits));
   filter_normals<ConcurrencyTag>(grid, points, filter, number_of_iterations - number_of_refits, progress, normals);
   for (std::size_t refit = 0; refit < number_of_refits; ++refit)
@@ -149,7 +155,8 @@ Buffer<Local_vector> compute_filtered_normals(const Search_grid_3& grid, const B
 /// Chooses the lengths that the caller left open: by the paper's rule, which is \f$ l_{diag} / \sqrt[3]{n} \f$, or by the spacing and the noise of the
 /// points for the default method. Scales frame and points to the radius.
 template <typename ConcurrencyTag>
-Lengths choose_lengths(const Parameters& parameters, Buffer<Vector>& points, Working_frame& frame, Progress& progress, Report& report)
+Lengths choose_lengths(const Parameters& parameters, Buffer<Vector>& points, Working_frame& frame, Progress& progress,
+                       Report& report)
 {
   const double n = double(points.size()), m = double(parameters.number_of_output_points);
   double diagonal = robust_diagonal<ConcurrencyTag>(points);
@@ -181,7 +188,8 @@ Lengths choose_lengths(const Parameters& parameters, Buffer<Vector>& points, Wor
   lengths.sample_spacing *= scale;
   const double default_factor = parameters.method == Method::DEFAULT ? default_filter_radius_factor : 1.;
   lengths.filter_radius = parameters.normal_filter_radius > 0
-    ? sensible_radius(frame.length_in_frame(parameters.normal_filter_radius), points) : default_factor * lengths.radius;
+                            ? sensible_radius(frame.length_in_frame(parameters.normal_filter_radius), points)
+                            : default_factor * lengths.radius;
   lengths.self_neighbor_radius = self_neighbor_radius_factor * lengths.radius;
   if (parameters.method == Method::DEFAULT)
     lengths.self_neighbor_radius = self_neighbor_radius_of_spacing(lengths);
@@ -199,17 +207,19 @@ Lengths choose_lengths(const Parameters& parameters, Buffer<Vector>& points, Wor
 
 /// Turns the normals to one side, as the hints say that the caller has given.
 template <typename ConcurrencyTag, typename FT>
-Orientation turn_normals(const Parameters& parameters, const Working_frame& frame, double spacing, Progress& progress, Samples<FT>& samples)
+Orientation turn_normals(const Parameters& parameters, const Working_frame& frame, double spacing, Progress& progress,
+                         Samples<FT>& samples)
 {
   const auto orient = [&](const auto& hint_of) {
-    return orient_normals<ConcurrencyTag>(samples.positions, parameters.number_of_orientation_neighbors, spacing, hint_of, progress,
-                                          samples.normals);
+    return orient_normals<ConcurrencyTag>(samples.positions, parameters.number_of_orientation_neighbors, spacing,
+                                          hint_of, progress, samples.normals);
   };
   if (!samples.hints.empty())
     return orient([&](Index i) -> Vector { return samples.hints[i].template cast<double>(); });
   if (!parameters.has_viewpoint)
     return orient(no_hint);
-  const Vector viewpoint = frame.point_in_frame(Vector(parameters.viewpoint[0], parameters.viewpoint[1], parameters.viewpoint[2]));
+  const Vector viewpoint = frame.point_in_frame(
+    Vector(parameters.viewpoint[0], parameters.viewpoint[1], parameters.viewpoint[2]));
   return orient([&](Index i) { return hint_of_viewpoint(viewpoint, samples.positions[i], square(spacing)); });
 }
 
@@ -223,8 +233,8 @@ Resamples: the stages of the paper, one after the other.
 */
 template <typename ConcurrencyTag, typename SolverTraits>
 Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buffer<Local_vector>& given_normals,
-                                                    Buffer<Local_vector>& hints, const Parameters& parameters, SolverTraits& solver,
-                                                    Progress& progress, Report& report)
+                                                    Buffer<Local_vector>& hints, const Parameters& parameters,
+                                                    SolverTraits& solver, Progress& progress, Report& report)
 {
   using FT = typename SolverTraits::FT;
   const auto allocator = points.get_allocator();
@@ -256,31 +266,33 @@ Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buff
 
   // Section 3.1: normals, Eq. (1) and (2)
   const double squared_bandwidth = square(spatial_bandwidth_factor * lengths.filter_radius);
-  Buffer<Local_vector> normals =
-    compute_filtered_normals<ConcurrencyTag>(grid, points, given_normals, lengths, parameters, progress, report);
+  Buffer<Local_vector> normals = compute_filtered_normals<ConcurrencyTag>(grid, points, given_normals, lengths,
+                                                                          parameters, progress, report);
   release(given_normals);
 
   // Section 3.2: density weights of Q, Eq. (5), and the first S
   progress.begin_stage("density weights", 0.08, points.size());
   Buffer<Local> input_density_weights(points.size(), Local(1), allocator);
-  const double mean_number_of_neighbors = compute_input_density_weights<ConcurrencyTag>(grid, points, lengths.filter_radius, squared_bandwidth,
-                                                                                        progress, input_density_weights);
+  const double mean_number_of_neighbors = compute_input_density_weights<ConcurrencyTag>(
+    grid, points, lengths.filter_radius, squared_bandwidth, progress, input_density_weights);
 
   progress.begin_stage("initial samples", 0.02, parameters.number_of_output_points);
   const std::size_t m = parameters.number_of_output_points;
   Buffer<Local> areas(allocator);
   if (parameters.method == Method::DEFAULT)
   {
-    areas = areas_of_points(grid, input_density_weights, mean_number_of_neighbors, lengths.filter_radius, squared_bandwidth);
+    areas = areas_of_points(grid, input_density_weights, mean_number_of_neighbors, lengths.filter_radius,
+                            squared_bandwidth);
     lengths.sample_spacing = std::sqrt(std::accumulate(areas.begin(), areas.end(), 0.) / double(m));
     lengths.self_neighbor_radius = self_neighbor_radius_of_spacing(lengths);
   }
   else if (parameters.keep_density)
-    input_density_weights.assign(points.size(), Local(1));   // sparse points shall not count more than dense ones
+    input_density_weights.assign(points.size(), Local(1)); // sparse points shall not count more than dense ones
   Samples<FT> samples(allocator);
   {
     const Buffer<Local> no_areas(allocator);
-    Initial_samples start = initialize_samples<ConcurrencyTag>(grid, points, normals, parameters.keep_density ? no_areas : areas, m,
+    Initial_samples start = initialize_samples<ConcurrencyTag>(grid, points, normals,
+                                                               parameters.keep_density ? no_areas : areas, m,
                                                                lengths.radius, parameters.random_seed, progress);
     report.number_of_distinct_points = start.number_of_distinct_points;
     samples.positions = std::move(start.positions);
@@ -300,19 +312,29 @@ Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buff
   }
 
   // Section 3.2 and 3.3: Eq. (6) by Algorithm 1
-  const Minimization_parameters minimization{
-    square(lengths.radius), squared_bandwidth, sparsity_unit_factor * lengths.radius,
-    parameters.normal_weight, parameters.regularization_weight,
-    parameters.initial_penalty, parameters.maximum_penalty, parameters.penalty_growth,
-    parameters.method == Method::ALOR};
+  const Minimization_parameters minimization{square(lengths.radius),
+                                             squared_bandwidth,
+                                             sparsity_unit_factor * lengths.radius,
+                                             parameters.normal_weight,
+                                             parameters.regularization_weight,
+                                             parameters.initial_penalty,
+                                             parameters.maximum_penalty,
+                                             parameters.penalty_growth,
+                                             parameters.method == Method::ALOR};
   if (parameters.method == Method::DEFAULT)
   {
     progress.begin_stage("L0 minimization", 0.35, 9 * m);
-    const Fit_input<Local> fit_input{grid, points, normals, input_density_weights, lengths.radius, squared_sheet_height(lengths),
+    const Fit_input<Local> fit_input{grid,
+                                     points,
+                                     normals,
+                                     input_density_weights,
+                                     lengths.radius,
+                                     squared_sheet_height(lengths),
                                      normal_bandwidth(fit_angle_factor * parameters.sharpness_angle)};
-    const Refinement_parameters refinement{lengths.self_neighbor_radius, lengths.sample_spacing, number_of_repulsion_steps};
-    report.number_of_self_neighbor_pairs =
-      minimize_with_refinement<ConcurrencyTag>(minimization, refinement, fit_input, solver, progress, samples, report.iterations);
+    const Refinement_parameters refinement{lengths.self_neighbor_radius, lengths.sample_spacing,
+                                           number_of_repulsion_steps};
+    report.number_of_self_neighbor_pairs = minimize_with_refinement<ConcurrencyTag>(
+      minimization, refinement, fit_input, solver, progress, samples, report.iterations);
     release(points);
     release(normals);
     release(input_density_weights);
@@ -324,20 +346,20 @@ Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buff
     {
       const Search_grid_3 sample_grid(samples.positions, lengths.cell_size);
       progress.begin_stage("original neighbors", 0.1, m);
-      report.number_of_lonely_samples =
-        collapse_fit_term<ConcurrencyTag>(sample_grid, samples.positions, grid, points, input_density_weights, lengths.radius, progress,
-                                          samples.fit_weights, samples.fit_centroids);
+      report.number_of_lonely_samples = collapse_fit_term<ConcurrencyTag>(sample_grid, samples.positions, grid, points,
+                                                                          input_density_weights, lengths.radius, progress,
+                                                                          samples.fit_weights, samples.fit_centroids);
       if (SolverTraits::needs_explicit_rows)
       {
         // Section 4.1. Merging changes the rows of Eq. (11) and not the collapsed terms, so only such solvers see Algorithm 2.
         progress.begin_stage("fit rows", 0.1, 2 * m);
-        fit_rows = gather_fit_rows<ConcurrencyTag>(sample_grid, samples.positions, grid, points, input_density_weights, lengths.radius,
-                                                   parameters.method == Method::ALOR ? 2 : 0, progress);
+        fit_rows = gather_fit_rows<ConcurrencyTag>(sample_grid, samples.positions, grid, points, input_density_weights,
+                                                   lengths.radius, parameters.method == Method::ALOR ? 2 : 0, progress);
       }
       release(points);
       release(normals);
       release(input_density_weights);
-      grid = Search_grid_3(points, lengths.cell_size);   // of no points
+      grid = Search_grid_3(points, lengths.cell_size); // of no points
     }
 
     progress.begin_stage("self neighbors", 0.03, 3 * m);
@@ -348,18 +370,21 @@ Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buff
       if (SolverTraits::needs_explicit_rows)
         apply_order(order, fit_rows);
       const Search_grid_3 self_grid(samples.positions, self_cell_size);
-      neighbors = find_self_neighbors<ConcurrencyTag>(self_grid, samples.positions, lengths.self_neighbor_radius, progress);
+      neighbors = find_self_neighbors<ConcurrencyTag>(self_grid, samples.positions, lengths.self_neighbor_radius,
+                                                      progress);
     }
     report.number_of_self_neighbor_pairs = neighbors.indices.size();
 
     progress.begin_stage("L0 minimization", 0.2, 8);
-    minimize_alternatingly<ConcurrencyTag>(minimization, neighbors, fit_rows, solver, progress, samples, report.iterations);
+    minimize_alternatingly<ConcurrencyTag>(minimization, neighbors, fit_rows, solver, progress, samples,
+                                           report.iterations);
   }
   for (const Iteration_report& iteration : report.iterations)
     report.converged = report.converged && iteration.solver.converged;
 
   progress.begin_stage("orient normals", 0.1, m);
-  const Orientation orientation = turn_normals<ConcurrencyTag>(parameters, frame, lengths.sample_spacing, progress, samples);
+  const Orientation orientation = turn_normals<ConcurrencyTag>(parameters, frame, lengths.sample_spacing, progress,
+                                                               samples);
   report.oriented_share = orientation.oriented_share;
   report.hinted_share = orientation.hinted_share;
 
@@ -368,8 +393,8 @@ Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buff
   {
     progress.begin_stage("feature confidences", 0.05, m);
     estimate_feature_confidences<ConcurrencyTag>(samples.positions, samples.normals, lengths.sample_spacing,
-                                                 normal_bandwidth(fit_angle_factor * parameters.sharpness_angle), progress,
-                                                 feature_confidences);
+                                                 normal_bandwidth(fit_angle_factor * parameters.sharpness_angle),
+                                                 progress, feature_confidences);
   }
   progress.end_stage();
 

@@ -41,7 +41,8 @@ bool may_have_equal_points(const Buffer<std::array<FT, 3>>& points)
 /// \param low, high corners of the box that they have to stay in, where it has room
 /// \param length below which coordinates count as zero: its rounding is the least step; may be infinite
 template <typename FT>
-void separate_coincident_points(const std::array<FT, 3>& low, const std::array<FT, 3>& high, FT length, Buffer<std::array<FT, 3>>& points)
+void separate_coincident_points(const std::array<FT, 3>& low, const std::array<FT, 3>& high, FT length,
+                                Buffer<std::array<FT, 3>>& points)
 {
   if (!may_have_equal_points(points))
     return;
@@ -50,9 +51,8 @@ void separate_coincident_points(const std::array<FT, 3>& low, const std::array<F
   Buffer<std::size_t> order(points.size(), 0, allocator);
   for (std::size_t i = 0; i < order.size(); ++i)
     order[i] = i;
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return points[a] != points[b] ? points[a] < points[b] : a < b;
-  });
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return points[a] != points[b] ? points[a] < points[b] : a < b; });
 
   const auto coincides = [&](std::size_t k) { return k > 0 && points[order[k]] == points[order[k - 1]]; };
   Buffer<std::size_t> to_move(allocator);
@@ -76,14 +76,14 @@ void separate_coincident_points(const std::array<FT, 3>& low, const std::array<F
       node = 0;
     }
     Point step;
-    std::array<int, 3> bits;            // an axis has room for 2^bits nodes
-    std::array<bool, 3> is_at_side;     // of the box, so that all nodes are on the other side
+    std::array<int, 3> bits;        // an axis has room for 2^bits nodes
+    std::array<bool, 3> is_at_side; // of the box, so that all nodes are on the other side
     for (std::size_t a = 0; a < 3; ++a)
     {
       const FT size = (std::max)({std::abs(place[a]), length, (std::numeric_limits<FT>::min)()});
       step[a] = 2 * std::numeric_limits<FT>::epsilon() * (std::min)(size, (std::numeric_limits<FT>::max)());
       const FT room_above = (high[a] - place[a]) / step[a], room_below = (place[a] - low[a]) / step[a];
-      const FT room = (std::min)(room_above, room_below);   // steps to the nearer side
+      const FT room = (std::min)(room_above, room_below); // steps to the nearer side
       bits[a] = room >= 1 ? (std::min)(std::ilogb(room), 20) + 1 : 0;
       is_at_side[a] = bits[a] == 0 && (std::max)(room_above, room_below) >= 1;
       if (is_at_side[a])

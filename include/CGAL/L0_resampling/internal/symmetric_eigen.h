@@ -28,8 +28,8 @@ struct Triple
 /// The eigenvalues of a symmetric 3 x 3 matrix, and the eigenvector that a plane is fitted with.
 struct Eigen_decomposition
 {
-  double values[3];         // ascending
-  Triple smallest_vector;   // of unit length, of any sign
+  double values[3];       // ascending
+  Triple smallest_vector; // of unit length, of any sign
 };
 
 CGAL_L0_HOST_DEVICE inline double dot(const Triple& a, const Triple& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
@@ -47,7 +47,8 @@ CGAL_L0_HOST_DEVICE inline Triple normalized(const Triple& v)
 
 CGAL_L0_HOST_DEVICE inline Triple multiply(const Symmetric_matrix& a, const Triple& v)
 {
-  return {a.xx * v.x + a.xy * v.y + a.xz * v.z, a.xy * v.x + a.yy * v.y + a.yz * v.z, a.xz * v.x + a.yz * v.y + a.zz * v.z};
+  return {a.xx * v.x + a.xy * v.y + a.xz * v.z, a.xy * v.x + a.yy * v.y + a.yz * v.z,
+          a.xz * v.x + a.yz * v.y + a.zz * v.z};
 }
 
 /// The unit vector that a - value I takes to zero, where the value is no double one: the longest cross product of two rows.
@@ -88,18 +89,21 @@ CGAL_L0_HOST_DEVICE inline Eigen_decomposition decompose(const Symmetric_matrix&
   const double inverse = 1 / scale;
   a = {a.xx * inverse, a.xy * inverse, a.xz * inverse, a.yy * inverse, a.yz * inverse, a.zz * inverse};
 
-  const double p = std::sqrt((a.xx * a.xx + a.yy * a.yy + a.zz * a.zz + 2 * (a.xy * a.xy + a.xz * a.xz + a.yz * a.yz)) / 6);
-  const double determinant = a.xx * (a.yy * a.zz - a.yz * a.yz) - a.xy * (a.xy * a.zz - a.yz * a.xz) + a.xz * (a.xy * a.yz - a.yy * a.xz);
+  const double p = std::sqrt((a.xx * a.xx + a.yy * a.yy + a.zz * a.zz + 2 * (a.xy * a.xy + a.xz * a.xz + a.yz * a.yz))
+                             / 6);
+  const double determinant = a.xx * (a.yy * a.zz - a.yz * a.yz) - a.xy * (a.xy * a.zz - a.yz * a.xz)
+                             + a.xz * (a.xy * a.yz - a.yy * a.xz);
   const double ratio = determinant / (2 * p * p * p), half_determinant = ratio < -1 ? -1 : ratio > 1 ? 1 : ratio;
   // cos(angle + 2/3 pi) by the sum of angles, as one cosine and a root cost less than two cosines
   const double cosine = std::cos(std::acos(half_determinant) / 3), sine = std::sqrt(larger(1 - cosine * cosine, 0.));
   const double half_root_of_three = 0.86602540378443865;
-  const double largest = 2 * p * cosine, smallest = -2 * p * (cosine / 2 + half_root_of_three * sine), middle = -(largest + smallest);
+  const double largest = 2 * p * cosine, smallest = -2 * p * (cosine / 2 + half_root_of_three * sine),
+               middle = -(largest + smallest);
   result.values[0] = smallest * scale + shift;
   result.values[1] = middle * scale + shift;
   result.values[2] = largest * scale + shift;
 
-  if (half_determinant < 0)   // the smallest value is the furthest from the middle one
+  if (half_determinant < 0) // the smallest value is the furthest from the middle one
   {
     result.smallest_vector = eigenvector_of_single_value(a, smallest);
     return result;
@@ -110,8 +114,7 @@ CGAL_L0_HOST_DEVICE inline Eigen_decomposition decompose(const Symmetric_matrix&
   const double uu = dot(u, au) - smallest, uv = dot(u, av), vv = dot(v, av) - smallest;
   // the longer row of the 2 x 2 matrix, turned by a right angle
   const double x = std::abs(uu) > std::abs(vv) ? -uv : vv, y = std::abs(uu) > std::abs(vv) ? uu : -uv;
-  result.smallest_vector =
-    x * x + y * y > 0 ? normalized({x * u.x + y * v.x, x * u.y + y * v.y, x * u.z + y * v.z}) : u;
+  result.smallest_vector = x * x + y * y > 0 ? normalized({x * u.x + y * v.x, x * u.y + y * v.y, x * u.z + y * v.z}) : u;
   return result;
 }
 

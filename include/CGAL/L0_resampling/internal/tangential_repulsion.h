@@ -30,7 +30,8 @@ gradient, on a set whose density is the inverse square of those spacings.
 \param radius of the fit: no sample is pushed out of its reach
 */
 template <typename ConcurrencyTag, typename FT>
-void repel_tangentially(const Neighborhoods& neighbors, double spacing, double radius, std::size_t number_of_steps, Samples<FT>& samples)
+void repel_tangentially(const Neighborhoods& neighbors, double spacing, double radius, std::size_t number_of_steps,
+                        Samples<FT>& samples)
 {
   using Local_vector = Eigen::Matrix<FT, 3, 1>;
   using Array = Eigen::Array<FT, Eigen::Dynamic, 1>;
@@ -64,7 +65,8 @@ void repel_tangentially(const Neighborhoods& neighbors, double spacing, double r
         push -= samples.normals[i].dot(push) * samples.normals[i];
         const Local_vector& outward = samples.outward_directions[i];
         push -= (std::max)(outward.dot(push), FT(0)) * outward;
-        const FT length = push.norm(), maximum_step = FT(is_even ? repulsion.maximum_step : Repulsion(samples.spacings[i], radius).maximum_step);
+        const FT length = push.norm(), maximum_step = FT(is_even ? repulsion.maximum_step
+                                                                 : Repulsion(samples.spacings[i], radius).maximum_step);
         if (length > maximum_step)
           push *= maximum_step / length;
         moved[i] = samples.positions[i] + push.template cast<double>();

@@ -17,9 +17,9 @@ namespace internal {
 template <typename T>
 struct Normal_filter
 {
-  double radius;             ///< \f$ r_q \f$
-  T squared_bandwidth;       ///< \f$ \sigma_q^2 \f$
-  T normal_bandwidth;        ///< \f$ (1 - \cos\sigma_n)^2 \f$
+  double radius;       ///< \f$ r_q \f$
+  T squared_bandwidth; ///< \f$ \sigma_q^2 \f$
+  T normal_bandwidth;  ///< \f$ (1 - \cos\sigma_n)^2 \f$
 };
 
 /// Replaces each normal by `f(center, normal, candidates, candidate_normals)`, which reads only the old ones. Candidates are all points
@@ -37,7 +37,8 @@ void update_normals(const Search_grid_3& grid, const Buffer<Vector>& points, dou
         updated[i] = f((points[i] - origin).template cast<T>().eval(), normals[i], candidates, local_normals);
     };
   };
-  for_each_cell<T, ConcurrencyTag>(grid, points, grid, points, cells_in_reach(radius, grid.cell_size()), progress, make_visitor);
+  for_each_cell<T, ConcurrencyTag>(grid, points, grid, points, cells_in_reach(radius, grid.cell_size()), progress,
+                                   make_visitor);
   normals.swap(updated);
 }
 

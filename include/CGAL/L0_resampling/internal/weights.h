@@ -60,7 +60,8 @@ CGAL_L0_HOST_DEVICE inline T gaussian_weight(const T& squared_distance, S square
 /// degrees of error at edges where the square leaves 18.7. The absolute value makes the weight blind to the sign of
 /// the normals, which PCA leaves open.
 template <typename T, typename S>
-CGAL_L0_HOST_DEVICE inline T bilateral_weight(const T& squared_distance, S squared_bandwidth, const T& cosine, S normal_bandwidth)
+CGAL_L0_HOST_DEVICE inline T bilateral_weight(const T& squared_distance, S squared_bandwidth, const T& cosine,
+                                              S normal_bandwidth)
 {
   using std::abs;
   const T difference = 1 - T(abs(cosine));
@@ -81,8 +82,8 @@ CGAL_L0_HOST_DEVICE inline T stretch_weight(const T& squared_distance, S squared
 /// \param height `symmetric_height()`
 /// \param squared_sheet_height \f$ H^2 \f$
 template <typename T, typename S>
-CGAL_L0_HOST_DEVICE inline T sheet_weight(const T& squared_distance, S squared_bandwidth, const T& cosine, S normal_bandwidth, const T& height,
-                                          S squared_sheet_height)
+CGAL_L0_HOST_DEVICE inline T sheet_weight(const T& squared_distance, S squared_bandwidth, const T& cosine,
+                                          S normal_bandwidth, const T& height, S squared_sheet_height)
 {
   using std::abs;
   const T difference = 1 - T(abs(cosine));

@@ -38,8 +38,8 @@ needs no more digits than the coordinates had, so that a cloud and its double, o
 */
 class Working_frame
 {
-  Vector m_origin = Vector::Zero();   // after the first scaling
-  int m_first_exponent = 0;           // brings the largest coordinate below 1, so that no difference overflows
+  Vector m_origin = Vector::Zero(); // after the first scaling
+  int m_first_exponent = 0;         // brings the largest coordinate below 1, so that no difference overflows
   int m_second_exponent = 0;
 
 public:
@@ -79,7 +79,7 @@ public:
   /// A point in the coordinates of the input, in the frame; one that lies too far off for finite coordinates is brought nearer.
   Vector point_in_frame(const Vector& point) const
   {
-    const double largest = 1e100;   // whose square is finite
+    const double largest = 1e100; // whose square is finite
     Vector p = scaled(scaled(point, m_first_exponent) - m_origin, m_second_exponent);
     for (int axis = 0; axis < 3; ++axis)
       p[axis] = (std::min)((std::max)(p[axis], -largest), largest);
@@ -87,12 +87,16 @@ public:
   }
 
   /// A length of the input, in the frame.
-  double length_in_frame(double length) const { return std::ldexp(std::ldexp(length, m_first_exponent), m_second_exponent); }
+  double length_in_frame(double length) const
+  {
+    return std::ldexp(std::ldexp(length, m_first_exponent), m_second_exponent);
+  }
 
   /// A length in the frame, in the unit of the input; the largest number for longer ones.
   double length_of_input(double length) const
   {
-    return (std::min)(std::ldexp(std::ldexp(length, -m_second_exponent), -m_first_exponent), (std::numeric_limits<double>::max)());
+    return (std::min)(std::ldexp(std::ldexp(length, -m_second_exponent), -m_first_exponent),
+                      (std::numeric_limits<double>::max)());
   }
 
   /// A point in the frame, in the coordinates of the input.
