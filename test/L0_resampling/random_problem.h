@@ -101,7 +101,7 @@ inline Paper_problem random_paper_problem(std::size_t number_of_samples, double 
 template <typename FT>
 class Collapsed_problem
 {
-  std::vector<FT> m_normals;
+  std::vector<FT> m_normals, m_normal_spreads;
   std::vector<std::size_t> m_offsets;
   std::vector<CGAL::L0_resampling::Index> m_indices;
   CGAL::L0_resampling::Explicit_rows<FT> m_rows;
@@ -162,6 +162,16 @@ public:
       normal_offsets.push_back(FT(t.offset));
     }
     right_hand_side = flat(pulls);
+    for (std::size_t i = 0; i < o.size(); ++i)
+    {
+      Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+      for (std::size_t e = m_offsets[i]; e < m_offsets[i + 1]; ++e)
+        for (std::size_t k : {i, std::size_t(m_indices[e])})
+          spread += paper.normals[k] * paper.normals[k].transpose();
+      for (Eigen::Index row = 0; row < 3; ++row)
+        for (Eigen::Index column = row; column < 3; ++column)
+          m_normal_spreads.push_back(FT(spread(row, column)));
+    }
     fit_positions = flat(fit_points);
   }
 
@@ -174,13 +184,10 @@ public:
     const std::size_t m = fit_weights.size();
     const Eigen::Index columns = Eigen::Index(m);
     m_rows = {fit_offsets.data(), fit_positions.data(), row_weights.data(), normal_offsets.data(), origins.data()};
-    return {{fit_weights.data(), columns},
-            {m, m_offsets.data(), m_indices.data()},
-            {m_normals.data(), 3, columns},
-            {pair_weights.data(), Eigen::Index(pair_weights.size())},
-            {right_hand_side.data(), 3, columns},
-            m_beta,
-            &m_rows};
+    return {{fit_weights.data(), columns},         {m, m_offsets.data(), m_indices.data()},
+            {m_normals.data(), 3, columns},        {pair_weights.data(), Eigen::Index(pair_weights.size())},
+            {right_hand_side.data(), 3, columns},  m_beta,
+            {m_normal_spreads.data(), 6, columns}, &m_rows};
   }
 };
 

@@ -136,6 +136,9 @@ int main()
   points.insert(points.end(), 20, Vector(0.5, 0.5, 1)); // duplicates
   points.emplace_back(9, 9, 9);                         // a point alone
   check_input(points, 0.3);
+  points.emplace_back(1e9, 0, 0); // in an outermost cell, so that balls are looked at one by one
+  check_input(points, 0.3);
+  points.pop_back();
   check_samples(points, 0.6, 0.3);
   check_areas(generator);
   check_loners();

@@ -7,6 +7,7 @@
 
 #include <CGAL/L0_resampling/internal/filter_normals.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -120,6 +121,39 @@ void check_signs(const Oriented_points& cloud, double radius, double sharpness_a
   CHECK(are_equal);
 }
 
+/// A point so far away that it shares an outermost cell, or a crowd of which the balls take every so manieth point: balls are looked at one by one
+/// then, and those that neither of them reaches are as before.
+void check_unusual_cells(Generator& generator)
+{
+  const Oriented_points wedge = noisy_wedge(generator);
+  const std::vector<Vector> filtered = filter<double>(wedge, 0.2, 15, 2);
+  Oriented_points with_outlier = wedge, with_crowd = wedge;
+  with_outlier.points.push_back(Vector(1e9, 0, 0));
+  with_outlier.normals.push_back(Vector::UnitX());
+  for (std::size_t i = 0; i < 6000; ++i)
+  {
+    with_crowd.points.push_back(Vector(50, 0, 0) + 0.01 * random_unit_vector(generator));
+    with_crowd.normals.push_back((Vector::UnitZ() + 0.3 * random_unit_vector(generator)).normalized());
+  }
+  for (const Oriented_points& cloud : {with_outlier, with_crowd})
+  {
+    const std::vector<Vector> result = filter<double>(cloud, 0.2, 15, 2);
+    double worst = 0;
+    for (std::size_t i = 0; i < filtered.size(); ++i)
+      worst = (std::max)(worst, (result[i] - filtered[i]).norm());
+    CHECK(worst < 1e-12);
+    CHECK(std::all_of(result.begin(), result.end(), [](const Vector& n) { return std::abs(n.norm() - 1) < 1e-12; }));
+    if (cloud.points.size() > 2 * filtered.size()) // the crowd comes to agree
+    {
+      const auto behind = [&](const std::vector<Vector>& normals) {
+        return std::vector<Vector>(normals.begin() + std::ptrdiff_t(filtered.size()), normals.end());
+      };
+      const std::vector<Vector> truth(result.size() - filtered.size(), Vector::UnitZ());
+      CHECK(mean_angle(behind(result), truth) < 0.5 * mean_angle(behind(cloud.normals), truth));
+    }
+  }
+}
+
 /// A point that nobody agrees with keeps its normal, and no number of rounds keeps all.
 void check_loners(Generator& generator)
 {
@@ -142,5 +176,6 @@ int main()
   check_signs(noisy_wedge(generator), 0.2, 15, generator);
   check_signs(roof_points(500, generator), 0.2, 60, generator);
   check_loners(generator);
+  check_unusual_cells(generator);
   return result();
 }

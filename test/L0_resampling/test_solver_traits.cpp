@@ -138,6 +138,28 @@ void test_stopping_rule(Solver loose, Solver tight, Solver impatient, Generator&
   }
 }
 
+/// Where an earlier solve had a right-hand side a thousand times as long, a thousandth of the residual is asked for.
+template <typename Solver>
+void test_scale_of_earlier_solves(Solver tight, Generator& generator)
+{
+  using FT = typename Solver::FT;
+  Collapsed_problem<FT> collapsed(test::random_paper_problem(300, 0.15, 1, generator));
+  Quadratic_problem<FT> problem = collapsed.view();
+  Coordinates<FT> x = Coordinates<FT>::Zero(Eigen::Index(3 * problem.number_of_samples()));
+  const std::size_t iterations = tight.solve(problem, x).iterations;
+
+  problem.right_hand_side_scale = 1000 * double(problem.right_hand_side.norm());
+  x.setZero();
+  const Solver_report report = tight.solve(problem, x);
+  CHECK(report.converged && report.relative_residual <= 1e-9);
+  CHECK(std::abs(relative_residual(problem, x) - 1000 * report.relative_residual) < 1e-12);
+  CHECK((std::is_same<Solver, Cholesky>::value) || report.iterations < iterations);
+
+  problem.right_hand_side_scale = 0.001 * double(problem.right_hand_side.norm()); // its own is longer
+  x.setZero();
+  CHECK(tight.solve(problem, x).iterations == iterations);
+}
+
 /// Isolated samples with one fit row of weight 1 each, displaced by small multiples of 1/4: solved to the last bit.
 Paper_problem exact_paper_problem()
 {
@@ -267,6 +289,7 @@ void test_model(Solver loose, Solver tight, Solver impatient, Solver tightest)
   Generator generator(11);
   test_agrees_with_ceres(tightest, generator);
   test_stopping_rule(loose, tight, impatient, generator);
+  test_scale_of_earlier_solves(tight, generator);
   test_zeros(loose);
   test_refuses_values_that_are_not_finite(loose);
   test_refuses_tolerances<Solver>();

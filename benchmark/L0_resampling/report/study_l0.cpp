@@ -76,7 +76,9 @@ public:
                                                 {pair_weights.data(), Eigen::Index(pair_weights.size())},
                                                 problem.right_hand_side,
                                                 problem.penalty,
+                                                problem.normal_spreads,
                                                 &rows,
+                                                problem.right_hand_side_scale,
                                                 problem.memory};
     const l0::Solver_report solved = m_solver.solve(changed, x);
     record_densities(problem, x);

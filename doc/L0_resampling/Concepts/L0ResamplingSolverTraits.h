@@ -33,9 +33,9 @@ public:
   /*!
   Minimizes Eq. (10).
 
-  Every model stops by the same rule, as soon as \f$ \|A^T(b - Ax)\| \leq \mathrm{tolerance} \cdot \|A^T b\| \f$, in
-  terms of `Quadratic_problem` \f$ \|g - Hx\| \leq \mathrm{tolerance} \cdot \|g\| \f$, or when it has spent its maximum
-  number of iterations. Both limits are set when the model is constructed; a tolerance outside of (0, 1) is refused
+  Every model stops by the same rule, as soon as \f$ \|A^T(b - Ax)\| \leq \mathrm{tolerance} \cdot s \f$, in
+  terms of `Quadratic_problem` \f$ \|g - Hx\| \leq \mathrm{tolerance} \cdot s \f$, or when it has spent its maximum
+  number of iterations. The scale \f$ s \f$ is \f$ \|g\| \f$ or `Quadratic_problem::right_hand_side_scale`, whichever is larger. Both limits are set when the model is constructed; a tolerance outside of (0, 1) is refused
   there with `std::invalid_argument`. A direct solver applies the rule to what it has found.
 
   Running out of iterations is no error: Algorithm 1 lives well with inexact solves. An initial guess that fulfills the
@@ -46,7 +46,7 @@ public:
   \param x the displacements of the samples, xyz interleaved; the initial guess on entry, which a direct solver need not
            read, and the solution on exit
 
-  \returns the iterations spent, the relative residual \f$ \|A^T(b - Ax)\| / \|A^T b\| \f$ on exit, and whether it
+  \returns the iterations spent, the relative residual \f$ \|A^T(b - Ax)\| / s \f$ on exit, and whether it
            reached the tolerance
 
   \pre `x.size() == 3 * problem.number_of_samples()`; zero samples are allowed

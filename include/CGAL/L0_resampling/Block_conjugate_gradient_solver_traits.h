@@ -83,8 +83,8 @@ public:
     }
 
     Solver_report report;
-    const double squared_rhs = sums.rhs;
-    const double squared_limit = m_tolerance * m_tolerance * squared_rhs;
+    const double scale = internal::residual_scale(problem, std::sqrt(sums.rhs));
+    const double squared_limit = m_tolerance * m_tolerance * scale * scale;
     double previous_energy = 0;
     while (sums.residual > squared_limit && report.iterations < m_maximum_number_of_iterations)
     {
@@ -107,7 +107,7 @@ public:
       if (!std::isfinite(sums.residual))
         internal::throw_values_not_finite();
     }
-    report.relative_residual = std::sqrt(sums.residual / squared_rhs);
+    report.relative_residual = std::sqrt(sums.residual) / scale;
     report.converged = sums.residual <= squared_limit;
     return report;
   }
@@ -191,33 +191,16 @@ private:
   /// D_i = (W_i + sum of a_ik) I + beta * sum of (n_i n_i^T + n_k n_k^T)
   void factorize_blocks(const Quadratic_problem<FT>& problem, std::size_t begin, std::size_t end)
   {
-    const FT* const normals = problem.sample_normals.data();
     for (std::size_t i = begin; i < end; ++i)
     {
-      const std::size_t first = problem.self_neighbors.offsets[i], last = problem.self_neighbors.offsets[i + 1];
       FT weight = problem.fit_weights[Eigen::Index(i)];
-      FT spread[6] = {}; // upper triangle of the sum of n n^T
-      add_outer_product(FT(last - first), normals + 3 * i, spread);
-      for (std::size_t e = first; e < last; ++e)
-      {
+      for (std::size_t e = problem.self_neighbors.offsets[i]; e < problem.self_neighbors.offsets[i + 1]; ++e)
         weight += problem.pair_weights[Eigen::Index(e)];
-        add_outer_product(FT(1), normals + 3 * std::size_t(problem.self_neighbors.indices[e]), spread);
-      }
+      const FT* const spread = problem.normal_spreads.data() + 6 * i;
       const FT beta = problem.penalty;
       m_blocks[i] = internal::factorize_block({weight + beta * spread[0], beta * spread[1], beta * spread[2],
                                                weight + beta * spread[3], beta * spread[4], weight + beta * spread[5]});
     }
-  }
-
-  static void add_outer_product(FT factor, const FT* n, FT (&upper)[6])
-  {
-    const FT x = factor * n[0], y = factor * n[1];
-    upper[0] += x * n[0];
-    upper[1] += x * n[1];
-    upper[2] += x * n[2];
-    upper[3] += y * n[1];
-    upper[4] += y * n[2];
-    upper[5] += factor * n[2] * n[2];
   }
 
   /// r = g - H x and z = D^{-1} r

@@ -59,18 +59,20 @@ public:
   {
     CGAL_precondition(problem.rows != nullptr);
     CGAL_precondition(std::size_t(x.size()) == 3 * problem.number_of_samples());
+    const double rhs_norm = problem.right_hand_side.template cast<double>().norm();
+    const double scale = rhs_norm > 0 ? internal::residual_scale(problem, rhs_norm) / rhs_norm : 1;
     const auto system = internal::least_squares_system(problem);
     const std::decay_t<decltype(system.matrix)> transposed(system.matrix.transpose());
     Eigen::Matrix<FT, Eigen::Dynamic, 1> solution(x);
     internal::cuda::Least_squares_report device_report;
     internal::throw_if_failed(
-      internal::cuda::solve_least_squares(view(system.matrix), view(transposed), system.rhs.data(), m_tolerance,
+      internal::cuda::solve_least_squares(view(system.matrix), view(transposed), system.rhs.data(), m_tolerance * scale,
                                           m_maximum_number_of_iterations, solution.data(), device_report));
     x = solution;
     Solver_report report;
     report.iterations = device_report.iterations;
-    report.relative_residual = device_report.relative_residual;
-    report.converged = device_report.relative_residual <= m_tolerance;
+    report.relative_residual = device_report.relative_residual / scale;
+    report.converged = report.relative_residual <= m_tolerance;
     return report;
   }
 

@@ -75,7 +75,7 @@ public:
 
     Solver_report report;
     const Vector residual = rhs - matrix * solution;
-    report.relative_residual = residual.template cast<double>().norm() / rhs_norm;
+    report.relative_residual = residual.template cast<double>().norm() / internal::residual_scale(problem, rhs_norm);
     report.converged = report.relative_residual <= m_tolerance;
     return report;
   }

@@ -59,16 +59,18 @@ public:
     using Vector = Eigen::Matrix<FT, Eigen::Dynamic, 1>;
     CGAL_precondition(problem.rows != nullptr);
     CGAL_precondition(std::size_t(x.size()) == 3 * problem.number_of_samples());
-    if ((problem.right_hand_side.array() == FT(0)).all())
+    const double rhs_norm = problem.right_hand_side.template cast<double>().norm();
+    if (rhs_norm == 0)
     {
       x.setZero();
       return Solver_report();
     }
+    const double scale = internal::residual_scale(problem, rhs_norm) / rhs_norm; // Eigen measures by the norm
     const auto system = internal::least_squares_system(problem);
 
     Eigen::LeastSquaresConjugateGradient<std::decay_t<decltype(system.matrix)>> solver;
     // Below rounding, Eigen would go on from a residual of zero to a quotient of zeros.
-    solver.setTolerance((std::max)(FT(m_tolerance), std::numeric_limits<FT>::epsilon()));
+    solver.setTolerance((std::max)(FT(m_tolerance * scale), std::numeric_limits<FT>::epsilon()));
     constexpr std::size_t largest_index = std::size_t((std::numeric_limits<Eigen::Index>::max)());
     solver.setMaxIterations(Eigen::Index((std::min)(m_maximum_number_of_iterations, largest_index)));
     solver.compute(system.matrix);
@@ -77,7 +79,7 @@ public:
       internal::throw_values_not_finite();
 
     Solver_report report;
-    report.relative_residual = double(solver.error());
+    report.relative_residual = double(solver.error()) / scale;
     report.converged = report.relative_residual <= m_tolerance;
     // Eigen does not count the iteration in which it converges.
     report.iterations = std::size_t(solver.iterations()) + std::size_t(report.converged && solution != x);

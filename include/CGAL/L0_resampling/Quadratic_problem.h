@@ -80,6 +80,7 @@ struct Quadratic_problem
 {
   using Scalars = Eigen::Map<const Eigen::Matrix<FT, Eigen::Dynamic, 1>>;
   using Vectors = Eigen::Map<const Matrix_3X<FT>>;
+  using Spreads = Eigen::Map<const Eigen::Matrix<FT, 6, Eigen::Dynamic>>;
 
   Scalars fit_weights;               ///< \f$ W_i \f$, m entries
   Neighborhoods_view self_neighbors; ///< \f$ N_i \f$, m lists
@@ -87,7 +88,15 @@ struct Quadratic_problem
   Scalars pair_weights;              ///< \f$ a_{ik} \f$, one for each entry of `self_neighbors.indices`
   Vectors right_hand_side;           ///< \f$ g_i \f$, 3 x m
   FT penalty;                        ///< \f$ \beta \f$
-  const Explicit_rows<FT>* rows;     ///< null unless the solver declares `needs_explicit_rows`
+  /// 6 x m: upper triangles xx, xy, xz, yy, yz, zz of \f$ \sum_{k \in N_i} (n_i n_i^T + n_k n_k^T) \f$. With \f$ \beta \f$ before it, and
+  /// \f$ W_i + \sum_k a_{ik} \f$ on its diagonal, it is the diagonal block of \f$ H \f$.
+  Spreads normal_spreads;
+  const Explicit_rows<FT>* rows; ///< null unless the solver declares `needs_explicit_rows`
+
+  /// The largest \f$ \|g\| \f$ of the solves before this one in the same call, or 0: solvers take their tolerance relative to this or to that of
+  /// their own \f$ g \f$, whichever is larger. Where the samples have come a long way, what is left of it need not be known better
+  /// than the way itself.
+  double right_hand_side_scale = 0;
 
   /// Where a solver may book its arrays, so that they count for the caller's `maximum_memory`; may be null.
   internal::Memory_counter* memory = nullptr;

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -53,44 +54,38 @@ Neighborhoods find_self_neighbors(const Search_grid_3& grid, const Buffer<Vector
     };
   });
 
-  // Which candidates are near is beyond any branch prediction: each is written, and overwritten by the next unless it is.
-  const auto find_neighbors = [&](Index i, const Ranges& ranges, std::vector<Index>& found) {
-    const Vector center = samples[i];
-    const Index stride = strides[i];
-    std::size_t count = 0;
-    for (const Search_grid_3::Range& range : ranges)
-      for (Index k = range.first + ((i - range.first) & (stride - 1)); k < range.second; k += stride)
-      {
-        found[count] = k;
-        count += std::size_t((center - samples[k]).squaredNorm() < squared_radius) & std::size_t(k != i)
-                 & std::size_t(((k - i) & (strides[k] - 1)) == 0);
-      }
-    return count;
-  };
-
   Neighborhoods neighbors{Buffer<std::size_t>(samples.size() + 1, 0, samples.get_allocator()),
                           Buffer<Index>(samples.get_allocator())};
-  for_each_cell_block<ConcurrencyTag>(grid, grid, 1, progress, [&]() {
-    return [&, found = std::vector<Index>()](Index cell, const Ranges& ranges, std::size_t count) mutable {
-      found.resize(count + 1);
-      const Search_grid_3::Range queries = grid.points_of_cell(cell);
-      for (Index i = queries.first; i < queries.second; ++i)
-        neighbors.offsets[i + 1] = find_neighbors(i, ranges, found);
-    };
-  });
-  for (std::size_t i = 0; i < samples.size(); ++i)
-    neighbors.offsets[i + 1] += neighbors.offsets[i];
-
-  neighbors.indices.resize(neighbors.offsets.back());
-  for_each_cell_block<ConcurrencyTag>(grid, grid, 1, progress, [&]() {
-    return [&, found = std::vector<Index>()](Index cell, const Ranges& ranges, std::size_t count) mutable {
-      found.resize(count + 1);
-      const Search_grid_3::Range queries = grid.points_of_cell(cell);
-      for (Index i = queries.first; i < queries.second; ++i)
-        std::copy_n(found.begin(), find_neighbors(i, ranges, found),
-                    neighbors.indices.begin() + std::ptrdiff_t(neighbors.offsets[i]));
-    };
-  });
+  const auto append_neighbors = [&](std::size_t begin_row, std::size_t end_row, Buffer<Index>& indices) {
+    Search_grid_3::Block_cursor cursor(grid, 1);
+    Ranges ranges;
+    std::vector<Index> found;
+    for (std::size_t row = begin_row; row < end_row; ++row)
+      for_each_cell_of_row(grid, row, cursor, ranges, [&](Index cell, const Ranges& around, std::size_t number_around) {
+        found.resize(number_around + 1);
+        const Search_grid_3::Range queries = grid.points_of_cell(cell);
+        for (Index i = queries.first; i < queries.second; ++i)
+        {
+          const Vector center = samples[i];
+          const Index stride = strides[i];
+          std::size_t count = 0;
+          // Which candidates are near is beyond any branch prediction: each is written, and overwritten by the next unless it is.
+          for (const Search_grid_3::Range& range : around)
+            for (Index k = range.first + ((i - range.first) & (stride - 1)); k < range.second; k += stride)
+            {
+              found[count] = k;
+              count += std::size_t((center - samples[k]).squaredNorm() < squared_radius) & std::size_t(k != i)
+                       & std::size_t(((k - i) & (strides[k] - 1)) == 0);
+            }
+          indices.insert(indices.end(), found.begin(), found.begin() + std::ptrdiff_t(count));
+          neighbors.offsets[i + 1] = count;
+        }
+        progress.advance(queries.second - queries.first);
+      });
+  };
+  neighbors.indices = append_by_blocks<ConcurrencyTag>(grid.number_of_rows(), rows_per_block,
+                                                       neighbors.indices.get_allocator(), append_neighbors);
+  std::partial_sum(neighbors.offsets.begin(), neighbors.offsets.end(), neighbors.offsets.begin());
   return neighbors;
 }
 

@@ -88,6 +88,13 @@ public:
   /// The cells of a row.
   Range row(std::size_t r) const { return {m_rows[r], m_rows[r + 1]}; }
 
+  /// The place of a row across x, in y and z, counted from the outermost cells.
+  std::pair<std::uint64_t, std::uint64_t> place_of_row(std::size_t r) const
+  {
+    const std::uint64_t key = m_keys[m_rows[r]];
+    return {std::uint64_t(axis_of(key, 1)), std::uint64_t(axis_of(key, 2))};
+  }
+
   /// The points of a cell.
   Range points_of_cell(std::size_t c) const { return {m_begins[c], m_begins[c + 1]}; }
 
@@ -97,6 +104,13 @@ public:
     const auto axis = [&](int a) { return double(axis_of(m_keys[c], a) - half_range) + 0.5; };
     return m_cell_size * Vector(axis(0), axis(1), axis(2));
   }
+
+  /// Which cells of a block count: all, or the one in the middle and those that come after it in the order of cells.
+  enum class Block
+  {
+    WHOLE,
+    AHEAD
+  };
 
   /*!
   Walks along the rows of another grid of the same cell size and finds, for one of its cells after the other, the
@@ -111,19 +125,25 @@ public:
 
     const Search_grid_3& m_grid;
     std::int64_t m_reach;
+    Block m_block;
     std::vector<Neighbor_row> m_rows;
 
   public:
     /// \param reach number of cells to each side
-    Block_cursor(const Search_grid_3& grid, int reach) : m_grid(grid), m_reach(reach) {}
+    /// \param block `AHEAD` only for the cells of `grid` itself
+    Block_cursor(const Search_grid_3& grid, int reach, Block block = Block::WHOLE)
+      : m_grid(grid), m_reach(reach), m_block(block)
+    {}
 
     /// Goes to the row of the cell with this key.
     void enter_row(std::uint64_t key)
     {
       m_rows.clear();
-      for (std::int64_t z = axis_of(key, 2) - m_reach; z <= axis_of(key, 2) + m_reach; ++z)
+      const std::int64_t first_z = axis_of(key, 2) - (m_block == Block::WHOLE ? m_reach : 0);
+      for (std::int64_t z = first_z; z <= axis_of(key, 2) + m_reach; ++z)
       {
-        const std::int64_t low = (std::max)(axis_of(key, 1) - m_reach, std::int64_t(0));
+        const bool starts_with_own_row = m_block == Block::AHEAD && z == first_z;
+        const std::int64_t low = (std::max)(axis_of(key, 1) - (starts_with_own_row ? 0 : m_reach), std::int64_t(0));
         const std::int64_t high = (std::min)(axis_of(key, 1) + m_reach, 2 * half_range - 1);
         if (z < 0 || z >= 2 * half_range)
           continue;
@@ -143,9 +163,11 @@ public:
     {
       ranges.clear();
       std::size_t count = 0;
-      const std::int64_t low = axis_of(key, 0) - m_reach, high = axis_of(key, 0) + m_reach;
+      const std::int64_t high = axis_of(key, 0) + m_reach;
       for (Neighbor_row& row : m_rows)
       {
+        const bool is_own_row_ahead = m_block == Block::AHEAD && &row == &m_rows.front();
+        const std::int64_t low = axis_of(key, 0) - (is_own_row_ahead ? 0 : m_reach);
         while (row.first_cell < row.end_cell && axis_of(m_grid.m_keys[row.first_cell], 0) < low)
           ++row.first_cell;
         row.last_cell = (std::max)(row.last_cell, row.first_cell);

@@ -30,6 +30,15 @@ struct Minimization_parameters
   double regularization_weight;                            ///< \f$ \alpha \f$
   double initial_penalty, maximum_penalty, penalty_growth; ///< \f$ \beta, \beta_{max}, \mu \f$
   bool interleave_regularization;                          ///< Section 4.2: regularize in every second iteration only
+
+  /// How often lines 2 to 5 of Algorithm 1 run.
+  std::size_t number_of_turns() const
+  {
+    std::size_t number = 0;
+    for (double penalty = initial_penalty; number == 0 || penalty <= maximum_penalty; penalty *= penalty_growth)
+      ++number;
+    return number;
+  }
 };
 
 inline Iteration_report iteration_report(const Minimization_parameters& p, double penalty, bool regularized,
@@ -63,6 +72,7 @@ class Minimization_step
   Progress& m_progress;
   Buffer<FT> m_pair_weights, m_normal_offsets;
   Buffer<Local_vector> m_right_hand_side, m_displacements;
+  double m_right_hand_side_scale = 0; // of the turns so far
 
 public:
   Minimization_step(const Minimization_parameters& parameters, SolverTraits& solver, Progress& progress,
@@ -73,9 +83,11 @@ public:
 
   /// Moves the samples to the minimum of Eq. (10).
   /// \param regularize whether the second term of Eq. (7) takes part
+  /// \param normal_spreads `sum_normal_spreads()`
   /// \param fit_rows the fit rows of Eq. (11), for solvers that need them; may be empty for others
   /// \returns the terms of Eq. (7) after line 2 and what the solver did
-  Iteration_report operator()(double penalty, bool regularize, const Neighborhoods& neighbors, const Fit_rows& fit_rows,
+  Iteration_report operator()(double penalty, bool regularize, const Neighborhoods& neighbors,
+                              const Buffer<Upper_triangle<FT>>& normal_spreads, const Fit_rows& fit_rows,
                               Samples<FT>& samples)
   {
     const Minimization_parameters& p = m_parameters;
@@ -104,14 +116,21 @@ public:
     m_progress.advance(0);
 
     // Line 3: Eq. (10), for the displacements
+    const double scale_so_far = m_right_hand_side_scale;
+    m_right_hand_side_scale = (std::max)(scale_so_far, std::sqrt(sums.squared_right_hand_side));
     Explicit_rows<FT> rows;
     if constexpr (SolverTraits::needs_explicit_rows)
       rows = fit_rows.view(samples.positions, m_normal_offsets);
-    const Quadratic_problem<FT> problem{
-      {samples.fit_weights.data(), Eigen::Index(m)},        neighbors.view(),
-      {coordinates(samples.normals), 3, Eigen::Index(m)},   {m_pair_weights.data(), Eigen::Index(number_of_pairs)},
-      {coordinates(m_right_hand_side), 3, Eigen::Index(m)}, bounded_penalty,
-      SolverTraits::needs_explicit_rows ? &rows : nullptr,  samples.positions.get_allocator().counter};
+    const Quadratic_problem<FT> problem{{samples.fit_weights.data(), Eigen::Index(m)},
+                                        neighbors.view(),
+                                        {coordinates(samples.normals), 3, Eigen::Index(m)},
+                                        {m_pair_weights.data(), Eigen::Index(number_of_pairs)},
+                                        {coordinates(m_right_hand_side), 3, Eigen::Index(m)},
+                                        bounded_penalty,
+                                        {normal_spreads.front().data(), 6, Eigen::Index(m)},
+                                        SolverTraits::needs_explicit_rows ? &rows : nullptr,
+                                        scale_so_far,
+                                        samples.positions.get_allocator().counter};
     const Solver_report solver_report = m_solver.solve(
       problem, Eigen::Map<Eigen::Matrix<FT, Eigen::Dynamic, 1>>(coordinates(m_displacements), Eigen::Index(3 * m)));
     for (std::size_t i = 0; i < m; ++i)
@@ -130,12 +149,14 @@ void minimize_alternatingly(const Minimization_parameters& p, const Neighborhood
                             std::vector<Iteration_report>& reports)
 {
   Minimization_step<ConcurrencyTag, SolverTraits> step(p, solver, progress, samples.positions.get_allocator());
+  Buffer<Upper_triangle<typename SolverTraits::FT>> normal_spreads(samples.positions.get_allocator());
+  sum_normal_spreads<ConcurrencyTag>(samples.normals, neighbors, normal_spreads); // the normals stay
   double penalty = p.initial_penalty;
   bool regularize = true;
   do
   {
-    reports.push_back(step(penalty, regularize, neighbors, fit_rows, samples)); // Lines 2 to 4
-    penalty *= p.penalty_growth;                                                // Line 5
+    reports.push_back(step(penalty, regularize, neighbors, normal_spreads, fit_rows, samples)); // Lines 2 to 4
+    penalty *= p.penalty_growth;                                                                // Line 5
     regularize = !p.interleave_regularization || !regularize;
   } while (penalty <= p.maximum_penalty); // Line 6
 }

@@ -108,6 +108,15 @@ public:
         gather_run(run, std::size_t(stride));
   }
 
+  /// Moves a point out of reach of every ball.
+  /// \returns where it was
+  Eigen::Matrix<T, 3, 1> take(std::size_t k)
+  {
+    const Eigen::Matrix<T, 3, 1> place(x[k], y[k], z[k]);
+    x[k] = far_away;
+    return place;
+  }
+
   /// Number of points, padding included: a multiple of the number of lanes.
   std::size_t padded_size() const { return x.size(); }
 
@@ -158,6 +167,24 @@ private:
   static constexpr T far_away = T(1e12); // its square is finite in `float`
 };
 
+/// Calls `visitor(cell, ranges, count)` for each occupied cell of a row, with the runs of points that the cursor finds around it, and their
+/// number. Runs ascend.
+template <typename Visitor>
+void for_each_cell_of_row(const Search_grid_3& grid, std::size_t row, Search_grid_3::Block_cursor& cursor,
+                          std::vector<Search_grid_3::Range>& ranges, const Visitor& visitor)
+{
+  const Search_grid_3::Range cells = grid.row(row);
+  cursor.enter_row(grid.key_of_cell(cells.first));
+  for (Index cell = cells.first; cell < cells.second; ++cell)
+  {
+    const std::size_t count = cursor.ranges_around(grid.key_of_cell(cell), ranges);
+    visitor(cell, ranges, count);
+  }
+}
+
+/// Rows whose cells are visited one after the other.
+constexpr std::size_t rows_per_block = 4;
+
 /*!
 Calls `visitor(cell, ranges, count)` for each occupied cell of `query_grid`, with the runs of points of `point_grid` that lie
 within `reach` cells of it, and their number. Runs ascend.
@@ -168,24 +195,34 @@ template <typename ConcurrencyTag, typename Make_visitor>
 void for_each_cell_block(const Search_grid_3& query_grid, const Search_grid_3& point_grid, int reach,
                          Progress& progress, const Make_visitor& make_visitor)
 {
-  const std::size_t rows_per_block = 4;
   for_each_block<ConcurrencyTag>(query_grid.number_of_rows(), rows_per_block, [&](std::size_t begin, std::size_t end) {
     auto visitor = make_visitor();
     Search_grid_3::Block_cursor cursor(point_grid, reach);
     std::vector<Search_grid_3::Range> ranges;
     for (std::size_t r = begin; r < end; ++r)
-    {
-      const Search_grid_3::Range row = query_grid.row(r);
-      cursor.enter_row(query_grid.key_of_cell(row.first));
-      for (Index cell = row.first; cell < row.second; ++cell)
-      {
-        const std::size_t count = cursor.ranges_around(query_grid.key_of_cell(cell), ranges);
-        visitor(cell, ranges, count);
+      for_each_cell_of_row(query_grid, r, cursor, ranges, [&](Index cell, const auto& found, std::size_t count) {
+        visitor(cell, found, count);
         const Search_grid_3::Range queries = query_grid.points_of_cell(cell);
         progress.advance(queries.second - queries.first);
-      }
-    }
+      });
   });
+}
+
+/// Whether `Local_points` takes all points of each block of cells as they are: no block is thinned, and no cell is an outermost one, whose
+/// points may be anywhere.
+template <typename T, typename ConcurrencyTag>
+bool has_plain_blocks_only(const Search_grid_3& grid, int reach)
+{
+  return 0 == block_sum<ConcurrencyTag>(grid.number_of_rows(), rows_per_block, [&](std::size_t begin, std::size_t end) {
+           Search_grid_3::Block_cursor cursor(grid, reach);
+           std::vector<Search_grid_3::Range> ranges;
+           std::size_t number_of_others = 0;
+           for (std::size_t r = begin; r < end; ++r)
+             for_each_cell_of_row(grid, r, cursor, ranges, [&](Index cell, const auto&, std::size_t count) {
+               number_of_others += grid.is_unbounded(cell) || count > Local_points<T>::maximum_number_of_candidates;
+             });
+           return number_of_others;
+         });
 }
 
 /// As `for_each_cell_block()`, but calls `visitor(queries, candidates, origin)`: `queries` is the run of query points of the

@@ -19,21 +19,19 @@ namespace L0_resampling {
 namespace internal {
 
 /// Fits planes to the balls of this radius around the points listed in `open`, and strikes those off that found one.
+/// \param points that `open` and `normals` count
+/// \param sorted_points the same, sorted for `grid`
 template <typename ConcurrencyTag, typename T>
-void refit_in_larger_balls(const Buffer<Vector>& points, double radius, Progress& progress, Buffer<Index>& open,
-                           Buffer<Eigen::Matrix<T, 3, 1>>& normals)
+void refit_in_larger_balls(const Buffer<Vector>& points, const Search_grid_3& grid, const Buffer<Vector>& sorted_points,
+                           double radius, Progress& progress, Buffer<Index>& open, Buffer<Eigen::Matrix<T, 3, 1>>& normals)
 {
-  Buffer<Vector> coarse_points(points);
-  apply_order(Search_grid_3::sorted_order<ConcurrencyTag>(points, radius), coarse_points);
-  const Search_grid_3 coarse_grid(coarse_points, radius);
-
   Buffer<Vector> open_points(points.get_allocator());
   for (Index i : open)
     open_points.push_back(points[i]);
-  const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(open_points, radius);
+  const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(open_points, grid.cell_size());
   apply_order(order, open_points);
   apply_order(order, open);
-  const Search_grid_3 open_grid(open_points, radius);
+  const Search_grid_3 open_grid(open_points, grid.cell_size());
 
   const Index closed = (std::numeric_limits<Index>::max)();
   const auto make_visitor = [&]() {
@@ -48,7 +46,8 @@ void refit_in_larger_balls(const Buffer<Vector>& points, double radius, Progress
       }
     };
   };
-  for_each_cell<T, ConcurrencyTag>(open_grid, open_points, coarse_grid, coarse_points, 1, progress, make_visitor);
+  for_each_cell<T, ConcurrencyTag>(open_grid, open_points, grid, sorted_points,
+                                   cells_in_reach(radius, grid.cell_size()), progress, make_visitor);
   open.erase(std::remove(open.begin(), open.end(), closed), open.end());
 }
 
@@ -90,7 +89,19 @@ std::size_t estimate_pca_normals(const Search_grid_3& grid, const Buffer<Vector>
     if (is_degenerate[i])
       open.push_back(Index(i));
   for (int doubling = 1; doubling <= number_of_doublings && !open.empty(); ++doubling)
-    refit_in_larger_balls<ConcurrencyTag>(points, std::ldexp(radius, doubling), progress, open, normals);
+  {
+    const double larger_radius = std::ldexp(radius, doubling);
+    const int farthest_reach = 3; // sorting all points anew costs more than to look at so many cells for a few of them
+    if (cells_in_reach(larger_radius, grid.cell_size()) <= farthest_reach)
+      refit_in_larger_balls<ConcurrencyTag>(points, grid, points, larger_radius, progress, open, normals);
+    else
+    {
+      Buffer<Vector> coarse_points(points);
+      apply_order(Search_grid_3::sorted_order<ConcurrencyTag>(points, larger_radius), coarse_points);
+      refit_in_larger_balls<ConcurrencyTag>(points, Search_grid_3(coarse_points, larger_radius), coarse_points,
+                                            larger_radius, progress, open, normals);
+    }
+  }
   return number_of_degenerate;
 }
 

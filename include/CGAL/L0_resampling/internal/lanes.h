@@ -61,12 +61,14 @@ struct Lanes
     if constexpr (std::is_same<T, float>::value && size > 1)
     {
       using Integers = typename unpacket_traits<Packet>::integer_packet;
-      const Packet y = pmul(x.min(40).packet, pset1<Packet>(-1.44269504f));
-      const Packet nearest = Eigen::internal::print<Packet>(y), rest = psub(y, nearest);
+      // so large that the sum has no digits behind the point, and the integer nearest to y in its lowest bits
+      const Packet magic = pset1<Packet>(12582912.f);
+      const Packet y = pmul(x.min(40).packet, pset1<Packet>(-1.44269504f)), sum = padd(y, magic);
+      const Packet rest = psub(y, psub(sum, magic));
       Packet power = pset1<Packet>(1.3202860e-3f);
       for (const float coefficient : {9.6749528e-3f, 5.5510478e-2f, 2.4022166e-1f, 6.9314660e-1f, 1.f})
         power = pmadd(power, rest, pset1<Packet>(coefficient));
-      const Integers exponent = plogical_shift_left<23>(pcast<Packet, Integers>(nearest));
+      const Integers exponent = plogical_shift_left<23>(preinterpret<Integers>(sum));
       return Lanes(preinterpret<Packet>(padd(preinterpret<Integers>(power), exponent)));
     }
     else

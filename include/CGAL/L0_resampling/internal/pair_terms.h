@@ -13,6 +13,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cstddef>
 
 namespace CGAL {
@@ -57,11 +58,38 @@ void update_weights(const Buffer<Vector>& samples, const Neighborhoods& neighbor
     }
     pairs_of(begin, end) = stretch_weight(Array(squared_distances), FT(squared_radius));
   });
+  Buffer<FT> inverses(samples.size(), FT(0), samples.get_allocator());
+  std::transform(density_weights.begin(), density_weights.end(), inverses.begin(),
+                 [&](FT weight) { return FT(regularization_weight) / weight; });
   for_each_block<ConcurrencyTag>(samples.size(), samples_per_block, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
-        pair_weights[e] *= FT(regularization_weight)
-                           * (1 / density_weights[i] + 1 / density_weights[neighbors.indices[e]]);
+        pair_weights[e] *= inverses[i] + inverses[neighbors.indices[e]];
+  });
+}
+
+/// The upper triangle xx, xy, xz, yy, yz, zz of a symmetric matrix.
+template <typename FT>
+using Upper_triangle = Eigen::Matrix<FT, 6, 1>;
+
+/// \f$ \sum_{k \in N_i} (n_i n_i^T + n_k n_k^T) \f$ for each sample.
+template <typename ConcurrencyTag, typename FT>
+void sum_normal_spreads(const Buffer<Eigen::Matrix<FT, 3, 1>>& normals, const Neighborhoods& neighbors,
+                        Buffer<Upper_triangle<FT>>& spreads)
+{
+  const auto add_outer_product = [](FT factor, const Eigen::Matrix<FT, 3, 1>& n, Upper_triangle<FT>& sum) {
+    sum += factor * Upper_triangle<FT>(n[0] * n[0], n[0] * n[1], n[0] * n[2], n[1] * n[1], n[1] * n[2], n[2] * n[2]);
+  };
+  spreads.resize(normals.size());
+  for_each_block<ConcurrencyTag>(normals.size(), samples_per_block, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      Upper_triangle<FT> sum = Upper_triangle<FT>::Zero();
+      add_outer_product(FT(neighbors.offsets[i + 1] - neighbors.offsets[i]), normals[i], sum);
+      for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
+        add_outer_product(FT(1), normals[neighbors.indices[e]], sum);
+      spreads[i] = sum;
+    }
   });
 }
 
@@ -72,6 +100,7 @@ struct Energy_sums
   double regularization = 0;        ///< \f$ \sum_{\{i,k\}} a_{ik} \|p_i - p_k\|^2 \f$
   double squared_normal_misfit = 0; ///< \f$ \sum (n_i^T(p_i - p_k) - \delta_{ik})^2 \f$
   std::size_t number_of_active_pairs = 0;
+  double squared_right_hand_side = 0; ///< \f$ \sum \|g_i\|^2 \f$, of the linearization there
 
   Energy_sums& operator+=(const Energy_sums& other)
   {
@@ -79,6 +108,7 @@ struct Energy_sums
     regularization += other.regularization;
     squared_normal_misfit += other.squared_normal_misfit;
     number_of_active_pairs += other.number_of_active_pairs;
+    squared_right_hand_side += other.squared_right_hand_side;
     return *this;
   }
 };
@@ -131,6 +161,7 @@ Energy_sums shrink_normal_offsets(const Samples<FT>& samples, const Neighborhood
       }
       sums.regularization += 0.5 * regularization; // each unordered pair comes twice
       sums.squared_normal_misfit += squared_normal_misfit;
+      sums.squared_right_hand_side += g.template cast<double>().squaredNorm();
       right_hand_side[i] = g;
     }
     return sums;

@@ -54,6 +54,7 @@ std::size_t minimize_with_refinement(const Minimization_parameters& p, const Ref
   samples.outward_directions.assign(samples.positions.size(), Samples<typename SolverTraits::FT>::Local_vector::Zero());
   Minimization_step<ConcurrencyTag, SolverTraits> step(p, solver, progress, allocator);
   Fit_rows fit_rows{Buffer<std::size_t>(allocator), Buffer<Vector>(allocator), Buffer<double>(allocator)};
+  Buffer<Upper_triangle<typename SolverTraits::FT>> normal_spreads(allocator);
 
   std::size_t number_of_pairs = 0;
   double penalty = p.initial_penalty;
@@ -68,7 +69,8 @@ std::size_t minimize_with_refinement(const Minimization_parameters& p, const Ref
     if constexpr (SolverTraits::needs_explicit_rows)
       fit_rows = collapsed_fit_rows(samples);
 
-    reports.push_back(step(penalty, true, neighbors, fit_rows, samples));
+    sum_normal_spreads<ConcurrencyTag>(samples.normals, neighbors, normal_spreads);
+    reports.push_back(step(penalty, true, neighbors, normal_spreads, fit_rows, samples));
     repel_tangentially<ConcurrencyTag>(neighbors, refinement.spacing, input.radius,
                                        refinement.number_of_repulsion_steps, samples);
     penalty *= p.penalty_growth;

@@ -323,7 +323,7 @@ Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buff
                                              parameters.method == Method::ALOR};
   if (parameters.method == Method::DEFAULT)
   {
-    progress.begin_stage("L0 minimization", 0.35, 9 * m);
+    progress.begin_stage("L0 minimization", 0.35, (3 * minimization.number_of_turns() + 1) * m);
     const Fit_input<Local> fit_input{grid,
                                      points,
                                      normals,
@@ -362,7 +362,7 @@ Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buff
       grid = Search_grid_3(points, lengths.cell_size); // of no points
     }
 
-    progress.begin_stage("self neighbors", 0.03, 3 * m);
+    progress.begin_stage("self neighbors", 0.03, 2 * m);
     {
       const double self_cell_size = (std::max)(lengths.self_neighbor_radius, lengths.smallest_cell_size);
       const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(samples.positions, self_cell_size);
@@ -375,7 +375,7 @@ Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buff
     }
     report.number_of_self_neighbor_pairs = neighbors.indices.size();
 
-    progress.begin_stage("L0 minimization", 0.2, 8);
+    progress.begin_stage("L0 minimization", 0.2, minimization.number_of_turns());
     minimize_alternatingly<ConcurrencyTag>(minimization, neighbors, fit_rows, solver, progress, samples,
                                            report.iterations);
   }

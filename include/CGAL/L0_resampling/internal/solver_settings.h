@@ -6,8 +6,10 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_SOLVER_SETTINGS_H
 #define CGAL_L0_RESAMPLING_INTERNAL_SOLVER_SETTINGS_H
 
+#include <CGAL/L0_resampling/Quadratic_problem.h>
 #include <CGAL/L0_resampling/Solver_report.h>
 
+#include <algorithm>
 #include <sstream>
 #include <stdexcept>
 
@@ -27,6 +29,14 @@ inline double checked_tolerance(double tolerance)
     throw std::invalid_argument(message.str());
   }
   return tolerance;
+}
+
+/// What a residual is measured by.
+/// \param right_hand_side_norm \f$ \|g\| \f$
+template <typename FT>
+double residual_scale(const Quadratic_problem<FT>& problem, double right_hand_side_norm)
+{
+  return (std::max)(right_hand_side_norm, problem.right_hand_side_scale);
 }
 
 [[noreturn]] inline void throw_values_not_finite()
