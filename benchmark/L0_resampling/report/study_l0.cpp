@@ -70,16 +70,12 @@ public:
     rows.fit_positions = m_rows.positions.data();
     rows.fit_weights = m_rows.weights.data();
     const std::vector<double> pair_weights = changed_pair_weights(problem);
-    const l0::Quadratic_problem<double> changed{problem.fit_weights,
-                                                problem.self_neighbors,
-                                                problem.sample_normals,
-                                                {pair_weights.data(), Eigen::Index(pair_weights.size())},
-                                                problem.right_hand_side,
-                                                problem.penalty,
-                                                problem.normal_spreads,
-                                                &rows,
-                                                problem.right_hand_side_scale,
-                                                problem.memory};
+    const l0::Quadratic_problem<double> changed{
+      problem.fit_weights,           problem.self_neighbors,
+      problem.sample_normals,        {pair_weights.data(), Eigen::Index(pair_weights.size())},
+      problem.right_hand_side,       problem.penalty,
+      problem.normal_spreads,        &rows,
+      problem.right_hand_side_scale, problem.memory};
     const l0::Solver_report solved = m_solver.solve(changed, x);
     record_densities(problem, x);
     ++m_number_of_solves;
