@@ -96,7 +96,7 @@ Observation observe(const std::vector<Point>& points, Method method, double radi
     observation.is_monotonic = observation.is_monotonic && progress >= observation.progress && progress <= 1;
     observation.progress = progress;
     ++observation.number_of_calls;
-    observation.note(report.stages.back().name);
+    observation.note(report.stages.empty() ? "read points" : report.stages.back().name);
     return progress < refusal;
   };
   const auto parameters =

@@ -78,8 +78,7 @@ Neighborhoods find_self_neighbors(const Search_grid_3& grid, const Buffer<Vector
         neighbors.offsets[i + 1] = find_neighbors(i, ranges, found);
     };
   });
-  for (std::size_t i = 0; i < samples.size(); ++i)
-    neighbors.offsets[i + 1] += neighbors.offsets[i];
+  for_each_in_order(samples.size(), [&](std::size_t i) { neighbors.offsets[i + 1] += neighbors.offsets[i]; });
 
   neighbors.indices.resize(neighbors.offsets.back());
   for_each_cell_block<ConcurrencyTag>(grid, grid, 1, progress, [&]() {
