@@ -92,8 +92,8 @@ void test_counts()
     // 2^32 bytes and more, which no arithmetic in 32 bits would see
     for (std::size_t limit : {std::size_t(0), gibibyte, 8 * gibibyte})
     {
-      CHECK_THROWS(resample_unreadable(size, params::number_of_output_points(5).maximum_memory(limit)), std::bad_alloc);
-      CHECK_THROWS(resample_unreadable(1000, params::number_of_output_points(size).maximum_memory(limit)), std::bad_alloc);
+      CHECK_THROWS(resample_unreadable(size, params::maximum_memory(limit).number_of_output_points(5)), std::bad_alloc);
+      CHECK_THROWS(resample_unreadable(1000, params::maximum_memory(limit).number_of_output_points(size)), std::bad_alloc);
     }
     CHECK_THROWS(resample_unreadable(size, params::number_of_output_points(5)), Read); // without a limit, it is tried
   }
