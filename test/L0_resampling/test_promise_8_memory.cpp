@@ -22,6 +22,8 @@ namespace params = CGAL::parameters;
 
 namespace {
 
+constexpr std::size_t unlimited = (std::numeric_limits<std::size_t>::max)();
+
 /// As many points as are wished, none of which is stored.
 class Endless_iterator
 {
@@ -70,12 +72,19 @@ struct Unreadable_map
   friend Kernel::Point_3 get(const Unreadable_map&, std::size_t) { throw Read(); }
 };
 
-template <typename NamedParameters>
-void resample_unreadable(std::size_t size, const NamedParameters& np)
+// Each further type of parameters would be one more instance of the whole function to compile.
+auto parameters(Method method, std::size_t number_of_output_points, std::size_t limit)
+{
+  return params::resampling_method(method).number_of_output_points(number_of_output_points).maximum_memory(limit);
+}
+
+void resample_unreadable(std::size_t size, std::size_t number_of_output_points, std::size_t limit = unlimited,
+                         Method method = Method::DEFAULT)
 {
   std::vector<std::pair<Kernel::Point_3, Kernel::Vector_3>> out;
-  CGAL::l0_resample_point_set<CGAL::Sequential_tag>(Endless_range{size}, std::back_inserter(out),
-                                                    np.point_map(Unreadable_map()).geom_traits(Kernel()));
+  CGAL::l0_resample_point_set<CGAL::Sequential_tag>(
+    Endless_range{size}, std::back_inserter(out),
+    parameters(method, number_of_output_points, limit).point_map(Unreadable_map()).geom_traits(Kernel()));
 }
 
 /// Beyond 32 bits, and just before.
@@ -84,42 +93,43 @@ void test_counts()
   const std::size_t largest = 0xfffffffeu, two_to_31 = std::size_t(1) << 31, gibibyte = std::size_t(1) << 30;
   for (std::size_t size : {largest + 1, largest + 2, largest + 2 + 1000, std::size_t(1) << 62})
   {
-    CHECK_THROWS(resample_unreadable(size, params::number_of_output_points(5)), std::invalid_argument);
-    CHECK_THROWS(resample_unreadable(1000, params::number_of_output_points(size)), std::invalid_argument);
+    CHECK_THROWS(resample_unreadable(size, 5), std::invalid_argument);
+    CHECK_THROWS(resample_unreadable(1000, size), std::invalid_argument);
   }
   for (std::size_t size : {two_to_31 - 1, two_to_31, two_to_31 + 1, largest})
   {
     // 2^32 bytes and more, which no arithmetic in 32 bits would see
     for (std::size_t limit : {std::size_t(0), gibibyte, 8 * gibibyte})
     {
-      CHECK_THROWS(resample_unreadable(size, params::maximum_memory(limit).number_of_output_points(5)), std::bad_alloc);
-      CHECK_THROWS(resample_unreadable(1000, params::maximum_memory(limit).number_of_output_points(size)), std::bad_alloc);
+      CHECK_THROWS(resample_unreadable(size, 5, limit), std::bad_alloc);
+      CHECK_THROWS(resample_unreadable(1000, size, limit), std::bad_alloc);
     }
-    CHECK_THROWS(resample_unreadable(size, params::number_of_output_points(5)), Read); // without a limit, it is tried
+    CHECK_THROWS(resample_unreadable(size, 5), Read); // without a limit, it is tried
   }
 }
 
-/// \returns what of the limit is needed
-template <typename NamedParameters>
-void test_limit(const Points& points, Method method, const NamedParameters& np)
+test::Resampled<Kernel> resample(const Points& points, Method method, std::size_t m, std::size_t limit = unlimited)
 {
-  const auto with_limit = [&](std::size_t limit) {
-    return test::resample<Kernel, CGAL::Sequential_tag>(points, np.maximum_memory(limit));
-  };
-  const auto free = with_limit((std::numeric_limits<std::size_t>::max)());
-  const std::size_t peak = free.report.peak_bytes;
-  CHECK(test::are_identical<Kernel>(with_limit(peak).pairs, free.pairs));
-  CHECK_THROWS(with_limit(peak - 1), std::bad_alloc);
+  return test::resample<Kernel, CGAL::Sequential_tag>(points, parameters(method, m, limit));
+}
 
-  // the bound from the numbers alone is none that refuses what would do, and is worth something
-  CGAL::L0_resampling::internal::Parameters parameters;
-  parameters.number_of_output_points = free.pairs.size();
-  parameters.drop_outliers = method == Method::DEFAULT;
-  const std::size_t least = CGAL::L0_resampling::internal::least_memory<float>(points.size(), parameters);
+/// The peak that a report states is the least limit that will do, and no limit is passed.
+void test_limit(const Points& points, Method method, std::size_t m)
+{
+  const auto free = resample(points, method, m);
+  const std::size_t peak = free.report.peak_bytes;
+  CHECK(test::are_identical<Kernel>(resample(points, method, m, peak).pairs, free.pairs));
+  CHECK_THROWS(resample(points, method, m, peak - 1), std::bad_alloc);
+
+  // the bound from the numbers alone refuses nothing that would do, and is worth something
+  CGAL::L0_resampling::internal::Parameters p;
+  p.number_of_output_points = m;
+  p.drop_outliers = method == Method::DEFAULT;
+  const std::size_t least = CGAL::L0_resampling::internal::least_memory<float>(points.size(), p);
   CHECK(least <= peak);
-  CHECK(4 * least > peak);
-  CHECK_THROWS(resample_unreadable(points.size(), np.maximum_memory(least - 1)), std::bad_alloc);
-  CHECK_THROWS(resample_unreadable(points.size(), np.maximum_memory(least)), Read);
+  CHECK(10 * least > peak); // many samples of few points have most of it in the lists of neighbors
+  CHECK_THROWS(resample_unreadable(points.size(), m, least - 1, method), std::bad_alloc);
+  CHECK_THROWS(resample_unreadable(points.size(), m, least, method), Read);
 }
 
 void test_limits()
@@ -129,22 +139,26 @@ void test_limits()
     const Points points = test::kernel_points<Kernel>(test::noisy_cube(n));
     for (Method method : {Method::DEFAULT, Method::LOR, Method::ALOR})
     {
-      test_limit(points, method, params::resampling_method(method).number_of_output_points(n / 2));
-      test_limit(points, method, params::resampling_method(method).number_of_output_points(2 * n));
+      test_limit(points, method, n / 2);
+      test_limit(points, method, 2 * n);
     }
   }
 }
 
-/// The bytes a point that the manual states
-void test_bytes_a_point()
+/// Neighbors apart, the need grows as the number of points does.
+void test_growth()
 {
-  const std::size_t n = 100000;
-  const Points points = test::kernel_points<Kernel>(test::noisy_cube(n));
   for (Method method : {Method::DEFAULT, Method::LOR})
   {
-    const auto result = test::resample<Kernel, CGAL::Parallel_if_available_tag>(
-      points, params::resampling_method(method).number_of_output_points(n * 55 / 100));
-    CHECK(result.report.peak_bytes < 300 * n);
+    const auto bytes_a_point = [&](std::size_t n) {
+      const Points points = test::kernel_points<Kernel>(test::noisy_cube(n));
+      const auto result = resample(points, method, n * 55 / 100);
+      const std::size_t lists = 12 * result.report.number_of_self_neighbor_pairs; // an index, and two numbers of the solver
+      return (double(result.report.peak_bytes) - double(lists)) / double(n);
+    };
+    const double few = bytes_a_point(10000), many = bytes_a_point(100000);
+    std::cout << few << " and " << many << " bytes a point beside the lists of neighbors" << std::endl;
+    CHECK(test::is_close(few, many, 0.2));
   }
 }
 
@@ -154,6 +168,6 @@ int main()
 {
   test_counts();
   test_limits();
-  test_bytes_a_point();
+  test_growth();
   return test::result();
 }
