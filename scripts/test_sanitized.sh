@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Builds and runs the tests under sanitizers: test_sanitized.sh [asan|tsan]..., both if none is named. Takes several times as long as scripts/test.sh;
-# continuous integration runs a small selection instead, attack_asan and attack_tsan.
+# the tests *_asan and *_tsan of every build are a small selection.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 

@@ -11,6 +11,7 @@
 #include <CGAL/L0_resampling/internal/Point_data.h>
 #include <CGAL/L0_resampling/internal/carry_properties.h>
 #include <CGAL/L0_resampling/internal/checked_parameters.h>
+#include <CGAL/L0_resampling/internal/least_memory.h>
 #include <CGAL/L0_resampling/internal/points_of_range.h>
 #include <CGAL/L0_resampling/internal/resample.h>
 #include <CGAL/L0_resampling/named_parameters.h>
@@ -87,22 +88,18 @@ void resample_on_cpu(const PointRange& range, PointMap point_map, NormalMap norm
   bool drop_non_finite = false;
   read_parameter(np, internal_np::drop_non_finite, drop_non_finite);
 
-  // Checked before any point is looked at, and read again below: a percentage is one of the points that are used.
-  const std::size_t size = std::size_t(std::distance(range.begin(), range.end()));
-  Memory_counter memory(checked_parameters(np, size).maximum_memory);
-  Input input(&memory);
-  read_points(range, point_map, drop_non_finite, report, input);
-  const Parameters checked = checked_parameters(np, input.points.size());
-  if (checked.number_of_output_points == 0)
-    return;
-  read_normals_if_given(range, normal_map, input);
-  if_given(np, internal_np::orientation_hint_map,
-           [&](const auto& map) { read_directions(range, map, input, input.hints); });
-  release(input.is_kept);
-
   Block_conjugate_gradient_solver_traits<Local, ConcurrencyTag> default_solver;
   decltype(auto) chosen_solver = choose_solver(np, default_solver);
   using Solver = std::decay_t<decltype(unwrapped(chosen_solver))>;
+
+  // Checked before any point is looked at, and read again below: a percentage is one of the points that are used.
+  const std::size_t size = std::size_t(std::distance(range.begin(), range.end()));
+  const Parameters checked_for_all = checked_parameters(np, size);
+  const std::size_t maximum_memory = checked_for_all.maximum_memory;
+  if (!drop_non_finite && least_memory<typename Solver::FT>(size, checked_for_all) > maximum_memory)
+    throw std::bad_alloc();
+  Memory_counter memory(maximum_memory);
+  Input input(&memory);
   Progress progress(callback, report, memory);
   Buffer<std::array<FT, 3>> positions(&memory);
   Buffer<Eigen::Matrix<typename Solver::FT, 3, 1>> normals(&memory);
@@ -110,6 +107,17 @@ void resample_on_cpu(const PointRange& range, PointMap point_map, NormalMap norm
                   Buffer<float>(&memory)};
   try
   {
+    read_points(range, point_map, drop_non_finite, report, input);
+    const Parameters checked = checked_parameters(np, input.points.size());
+    if (checked.number_of_output_points == 0)
+      return;
+    if (least_memory<typename Solver::FT>(input.points.size(), checked) > maximum_memory)
+      throw std::bad_alloc();
+    read_normals_if_given(range, normal_map, input);
+    if_given(np, internal_np::orientation_hint_map,
+             [&](const auto& map) { read_directions(range, map, input, input.hints); });
+    release(input.is_kept);
+
     std::size_t n = input.points.size();
     const std::size_t m = checked.number_of_output_points;
     Oriented_points<typename Solver::FT> result = resample<ConcurrencyTag>(
@@ -369,7 +377,7 @@ chain, or are joined to one by `|`, one at a time: `parameters::neighbor_radius(
     \cgalParamDescription{the most memory that the function's own arrays may take}
     \cgalParamType{any integral type, in bytes}
     \cgalParamDefault{unlimited}
-    \cgalParamExtra{`std::bad_alloc` if it does not suffice}
+    \cgalParamExtra{`std::bad_alloc` if it does not suffice; where the numbers of points alone say so, before any point is read}
   \cgalParamNEnd
   \cgalParamNBegin{callback}
     \cgalParamDescription{called every now and then, from one thread at a time, with the progress, in [0, 1] and never falling; it may read

@@ -8,6 +8,7 @@
 #include "test_support.h"
 
 #include <CGAL/L0_resampling/internal/parallel_for.h>
+#include <CGAL/L0_resampling/internal/select_nth.h>
 
 #include <CGAL/tags.h>
 
@@ -19,6 +20,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -100,9 +102,86 @@ void test_exceptions_pass()
   CHECK_THROWS(block_sum<ConcurrencyTag>(100, 10, fails), std::runtime_error);
 }
 
+/// Counts the looks, and ends the loop at one of them.
+struct Counting_watcher final : CGAL::L0_resampling::internal::Loop_watcher
+{
+  std::atomic<std::size_t> looks{0};
+  std::size_t last_look = (std::numeric_limits<std::size_t>::max)();
+
+  void look() override
+  {
+    if (++looks >= last_look)
+      throw std::runtime_error("enough");
+  }
+};
+
+/// A look a block, on whatever thread, also from a loop within a loop; none once the scope has ended.
+template <typename ConcurrencyTag>
+void test_loops_are_watched()
+{
+  using namespace CGAL::L0_resampling::internal;
+  const auto nothing = [](std::size_t, std::size_t) {};
+  Counting_watcher watcher, inner_watcher, impatient;
+  {
+    const Watched_loops watched(&watcher);
+    for_each_block<ConcurrencyTag>(95, 10, nothing);
+    CHECK(watcher.looks == 10);
+    for_each_block<ConcurrencyTag>(7, 1, [&](std::size_t, std::size_t) {
+      for_each_block<CGAL::Sequential_tag>(30, 10, nothing);
+    });
+    CHECK(watcher.looks == 10 + 7 * 4);
+    {
+      const Watched_loops other(&inner_watcher);
+      for_each_block<ConcurrencyTag>(50, 10, nothing);
+    }
+    CHECK(inner_watcher.looks == 5 && watcher.looks == 10 + 7 * 4);
+    for_each_in_order(200000, [](std::size_t) {});
+    CHECK(watcher.looks == 10 + 7 * 4 + 4);
+  }
+  for_each_block<ConcurrencyTag>(50, 10, nothing);
+  CHECK(watcher.looks == 10 + 7 * 4 + 4);
+
+  impatient.last_look = 3;
+  const Watched_loops watched(&impatient);
+  std::atomic<std::size_t> blocks{0};
+  CHECK_THROWS(for_each_block<ConcurrencyTag>(1000000, 1, [&](std::size_t, std::size_t) { ++blocks; }),
+               std::runtime_error);
+  CHECK(blocks < 1000000);
+}
+
+template <typename Number>
+void test_selection(std::vector<Number> numbers, std::size_t n)
+{
+  std::vector<Number> expected = numbers;
+  std::nth_element(expected.begin(), expected.begin() + std::ptrdiff_t(n), expected.end());
+  const auto nth = numbers.begin() + std::ptrdiff_t(n);
+  CGAL::L0_resampling::internal::select_nth(numbers.begin(), nth, numbers.end());
+  CHECK(*nth == expected[n]);
+  CHECK(std::all_of(numbers.begin(), nth, [&](Number x) { return !(*nth < x); }));
+  CHECK(std::all_of(nth, numbers.end(), [&](Number x) { return !(x < *nth); }));
+}
+
+/// More numbers than are handed to the standard library at once: all different, sorted, few different ones, all alike
+void test_selections()
+{
+  const std::size_t size = 1500000;
+  test::Generator generator(1);
+  std::vector<double> numbers(size), sorted(size), few(size);
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    numbers[i] = test::random_number(-1, 1, generator);
+    sorted[i] = double(i);
+    few[i] = double(generator() % 3);
+  }
+  for (const std::vector<double>& values : {numbers, sorted, few, std::vector<double>(size, 1.)})
+    for (std::size_t n : {std::size_t(0), size / 20, size / 2, size - 1})
+      test_selection(values, n);
+}
+
 template <typename ConcurrencyTag>
 void test_all()
 {
+  test_loops_are_watched<ConcurrencyTag>();
   test_every_index_once_in_fixed_blocks<ConcurrencyTag>();
   test_sum_is_in_the_order_of_the_blocks<ConcurrencyTag>();
   test_sum_of_a_type_of_ones_own<ConcurrencyTag>();
@@ -113,6 +192,7 @@ void test_all()
 
 int main()
 {
+  test_selections();
   test_all<CGAL::Sequential_tag>();
 #ifdef CGAL_LINKED_WITH_TBB
   for (const std::size_t threads : {1, 2, 5})

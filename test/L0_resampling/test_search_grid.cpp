@@ -121,5 +121,7 @@ int main()
   check_order(duplicates, 0.5, generator);
   check_order(lattice, 0.6, generator);
   check_order(far, 1, generator);
+  check_order({Vector(1e300, -1e300, 0), Vector(-1e20, 1e20, 1e300), Vector(0, 0, 1)}, 1e-3,
+              generator); // cells beyond all integers
   return result();
 }

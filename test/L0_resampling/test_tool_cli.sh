@@ -139,6 +139,37 @@ for solver in block-cg cholesky rows-cg; do
   check "solver $solver in the report" grep -q "\"solver\": \"$solver\"" solved.json
 done
 
+# Where numbers are written with a comma: in a locale that is made for this, as few machines have one
+mkdir locales
+if localedef -i de_DE -f UTF-8 locales/de_DE.UTF-8 2> /dev/null; then
+  german=(env LOCPATH="$folder/locales" LC_ALL=de_DE.UTF-8)
+  check "the locale writes a comma" test "$("${german[@]}" /usr/bin/printf %.1f 1)" = 1,0
+  for format in xyz ply pcd off; do
+    run cube.xyz "point.$format" --points 200
+    "${german[@]}" "$program" cube.xyz "comma.$format" --points 200 --json comma.json > stdout 2> stderr < /dev/null
+    check "the locale changes no $format" cmp "point.$format" "comma.$format"
+    check "the summary has points" grep -qE ' [0-9]+\.[0-9]+ s, ' stdout
+  done
+  check "the locale changes no report" test "$(grep -c '[0-9],[0-9]' comma.json)" -eq 0
+  "${german[@]}" "$program" attributes.ply comma.xyz --convert-only > stdout 2> stderr
+  run attributes.ply point.xyz --convert-only
+  check "the locale changes no reading" cmp comma.xyz point.xyz
+  "${german[@]}" "$program" cube.xyz german.ply --neighbor-radius 0,2 > stdout 2> stderr
+  check "an option with a comma is no number, whatever the locale" test $? -eq 2 -a ! -e german.ply
+  "${german[@]}" "$program" cube.xyz german.ply --neighbor-radius 0.2 > stdout 2> stderr
+  check "an option with a point is one" test $? -eq 0
+fi
+
+# On a terminal, progress is drawn on stderr and taken away at the end
+if command -v script > /dev/null; then
+  script -qec "'$program' cube.xyz terminal.ply --neighbor-radius 0.3" /dev/null < /dev/null > terminal
+  check "reading on a terminal" grep -qE '\[[#-]*\] +[0-9]+ %  read' terminal
+  check "the summary alone stays" test "$(tr -d '\r' < terminal | sed 's/.*\x1b\[K//' | grep -c .)" -eq 1
+  check "the summary stays" grep -q 'cube.xyz: 9600 points in' terminal
+  script -qec "'$program' cube.xyz terminal.ply --quiet" /dev/null < /dev/null > terminal
+  check "quiet on a terminal" test ! -s terminal
+fi
+
 # Report and picture
 run cube.xyz out.ply --json report.json --snapshot picture.png --device auto
 check "report and picture" test "$status" -eq 0
@@ -233,6 +264,20 @@ check "an output that cannot be written leaves the others" is_old old.ply
 ) || failures=$((failures + 1))
 check "a full disk leaves the old file" is_old old.ply
 check "a full disk leaves no temporary file" no_temporary_files
+
+# A disk that is really full, where one can be mounted
+cat > disk.sh <<'EOF'
+mkdir disk && mount -t tmpfs -o size=64k tmpfs disk && echo old > disk/old.ply || exit 77
+"$1" cube.xyz disk/old.ply > stdout 2> stderr
+echo "$? $(cat disk/old.ply) $(ls -A disk)"
+EOF
+if unshare --user --map-root-user --mount true 2> /dev/null; then
+  answer=$(unshare --user --map-root-user --mount bash disk.sh "$program")
+  if test $? -ne 77; then
+    check "a full disk has its status, leaves the old file and nothing else" test "$answer" = "4 old old.ply"
+    check "a full disk is named" grep -q '^l0_resample: disk/old.ply: cannot be written: about [0-9]* bytes are needed, the disk has room for [0-9]*$' stderr
+  fi
+fi
 
 # Write-protected files stop nobody who is root
 unprivileged=()

@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Attacks the function, each time in a process of its own, so that a crash or an endless loop is a finding too.
+// Attacks the function in a child process with limits of time and memory, so that a crash or an endless loop is a finding too.
 //
 //   attack named [--every K] ...     our point sets, each with our parameter sets; of all pairs every K-th
 //   attack random RUNS [--seed S] ...  the seeds S, S + 1, ... each make one of both
@@ -24,8 +24,8 @@
 #include "sandbox.h"
 
 #include <chrono>
-#include <cstdlib>
 #include <fstream>
+#include <functional>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -72,49 +72,42 @@ Options parsed(int argc, char** argv)
   return options;
 }
 
-/// Carries attacks out and counts.
-class Campaign
+/// Carries attacks out, the first `count` that `make` gives, and counts those that succeed.
+/// \returns the exit status
+int carry_out_all(const Options& options, std::size_t count, const std::function<Attack(std::size_t)>& make)
 {
-  const Options& m_options;
-  std::size_t m_attacks = 0, m_successes = 0;
-  std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
+  const auto start = std::chrono::steady_clock::now();
+  std::size_t attacks = 0, successes = 0;
+  const auto write_json = [&]() {
+    if (options.json.empty())
+      return;
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+    std::ofstream(options.json) << "{\"kind\": \"" << options.words.front() << "\", \"seed\": " << options.seed
+                                << ", \"attacks\": " << attacks << ", \"succeeded\": " << successes
+                                << ", \"seconds\": " << time.count() << "}\n";
+  };
 
-public:
-  explicit Campaign(const Options& options) : m_options(options) {}
-
-  void add(const Attack& attack)
+  Sandbox sandbox([&](std::size_t i) { return carry_out(make(i)); }, options.limits);
+  while (attacks < count)
   {
-    ++m_attacks;
-    const std::string faults = in_sandbox([&]() { return carry_out(attack); }, m_options.limits);
-    if (m_attacks % 100 == 0)
+    const std::string faults = sandbox(attacks);
+    if (!faults.empty())
+    {
+      sandbox.end_child(); // whatever the attack has left behind
+      ++successes;
+      const Attack attack = make(attacks);
+      std::cerr << "failed: " << attack.name << ": " << faults << std::endl;
+      if (!options.folder.empty())
+        write_attack(options.folder + "/" + options.words.front() + "_" + std::to_string(options.seed + attacks) + ".txt",
+                     attack);
+    }
+    if (++attacks % 100 == 0)
       write_json(); // long campaigns may be ended at any time
-    if (faults.empty())
-      return;
-    ++m_successes;
-    std::cerr << "failed: " << attack.name << ": " << faults << std::endl;
-    if (!m_options.folder.empty())
-      write_attack(m_options.folder + "/attack_" + std::to_string(m_attacks) + ".txt", attack);
   }
-
-  /// \returns the exit status
-  int end() const
-  {
-    std::cout << m_attacks << " attacks, " << m_successes << " succeeded" << std::endl;
-    write_json();
-    return m_attacks > 0 && m_successes == 0 ? 0 : 1;
-  }
-
-private:
-  void write_json() const
-  {
-    if (m_options.json.empty())
-      return;
-    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - m_start;
-    std::ofstream(m_options.json) << "{\"kind\": \"" << m_options.words.front() << "\", \"seed\": " << m_options.seed
-                                  << ", \"attacks\": " << m_attacks << ", \"succeeded\": " << m_successes
-                                  << ", \"seconds\": " << time.count() << "}\n";
-  }
-};
+  std::cout << attacks << " attacks, " << successes << " succeeded" << std::endl;
+  write_json();
+  return attacks > 0 && successes == 0 ? 0 : 1;
+}
 
 Attack random_attack(std::size_t seed)
 {
@@ -129,50 +122,42 @@ Attack random_attack(std::size_t seed)
 
 int attack_with_named(const Options& options)
 {
-  Campaign campaign(options);
   Generator generator(1);
+  std::vector<Attack> attacks;
   std::size_t pair = 0;
   for (const Named_points& points : hostile_point_sets())
   {
     const std::vector<Vector> normals = random_normals(points.points.size(), generator);
     for (const Named_parameters& parameters : hostile_parameter_sets(points.points.size(), diagonal_of(points.points)))
       if (pair++ % options.every == 0)
-        campaign.add({points.name + ", " + parameters.name, points.points, normals, parameters.parameters});
+        attacks.push_back({points.name + ", " + parameters.name, points.points, normals, parameters.parameters});
   }
-  return campaign.end();
+  return carry_out_all(options, attacks.size(), [&](std::size_t i) { return attacks[i]; });
 }
 
 int attack_at_random(const Options& options)
 {
-  Campaign campaign(options);
   const std::size_t runs = std::stoul(options.words.at(1));
   std::cout << "seeds " << options.seed << " to " << options.seed + runs - 1 << std::endl;
-  for (std::size_t run = 0; run < runs; ++run)
-    campaign.add(random_attack(options.seed + run));
-  return campaign.end();
+  return carry_out_all(options, runs, [&](std::size_t i) { return random_attack(options.seed + i); });
 }
 
 int attack_with_many(const Options& options)
 {
-  Campaign campaign(options);
   Generator generator(1);
   test::Oriented_points cube = test::cube_points(std::stoul(options.words.at(1)), 1, generator);
   test::add_gaussian_noise(cube.points, 0.01, generator);
-  for (int method : {0, 1, 2})
-  {
-    Parameters parameters;
-    parameters.method = method;
-    campaign.add({"large, method " + std::to_string(method), cube.points, cube.normals, parameters});
-  }
-  return campaign.end();
+  return carry_out_all(options, 3, [&](std::size_t method) {
+    Attack attack{"large, method " + std::to_string(method), cube.points, cube.normals, Parameters()};
+    attack.parameters.method = int(method);
+    return attack;
+  });
 }
 
 int replay(const Options& options)
 {
-  Campaign campaign(options);
-  for (std::size_t i = 1; i < options.words.size(); ++i)
-    campaign.add(read_attack(options.words[i]));
-  return campaign.end();
+  return carry_out_all(options, options.words.size() - 1,
+                       [&](std::size_t i) { return read_attack(options.words[1 + i]); });
 }
 
 /// Leaves out points and parameters as long as the faults begin with the same words.
@@ -181,7 +166,8 @@ int minimize(const Options& options)
   const std::string path = options.words.at(1);
   Attack attack = read_attack(path);
   const auto begin_of_faults = [&](const Attack& a) {
-    return in_sandbox([&]() { return carry_out(a); }, options.limits).substr(0, 12);
+    Sandbox sandbox([&](std::size_t) { return carry_out(a); }, options.limits);
+    return sandbox(0).substr(0, 12);
   };
   const std::string expected = begin_of_faults(attack);
   if (expected.empty())

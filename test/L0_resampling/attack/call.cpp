@@ -5,8 +5,6 @@
 
 #include "call.h"
 
-#include "oracle.h"
-
 #include <CGAL/L0_resampling/Eigen_cholesky_solver_traits.h>
 #include <CGAL/L0_resampling/Eigen_least_squares_solver_traits.h>
 #include <CGAL/Simple_cartesian.h>
@@ -63,31 +61,12 @@ bool are_same_bits(const std::vector<Value>& a, const std::vector<Value>& b)
   return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Value)) == 0);
 }
 
-/// Adds what the attack passes. Each combination is one more instance of the whole function, so radii come with a count only.
-template <typename NamedParameters, typename F>
-void with_optional_parameters(const Attack& attack, const NamedParameters& np, const F& f)
-{
-  const Parameters& p = attack.parameters;
-  if (!p.number_of_output_points && !p.neighbor_radius && !p.normal_filter_radius)
-    return f(np);
-  const auto with_count = np.number_of_output_points(p.number_of_output_points.value_or(double(documented_size(attack))));
-  if (p.neighbor_radius && p.normal_filter_radius)
-    f(with_count.neighbor_radius(*p.neighbor_radius).normal_filter_radius(*p.normal_filter_radius));
-  else if (p.neighbor_radius)
-    f(with_count.neighbor_radius(*p.neighbor_radius));
-  else if (p.normal_filter_radius)
-    f(with_count.normal_filter_radius(*p.normal_filter_radius));
-  else
-    f(with_count);
-}
-
 template <typename ConcurrencyTag, typename Kernel, typename SolverTraits>
 void call_with(const Attack& attack, const SolverTraits& solver, Answer& answer)
 {
   using Point = typename Kernel::Point_3;
   using Normal = typename Kernel::Vector_3;
   const Parameters& p = attack.parameters;
-  const bool is_default = p.method == 0;
   const std::vector<Point> points = converted<Point>(attack.points), points_before = points;
   const std::vector<Normal> normals = converted<Normal>(attack.normals), normals_before = normals;
   std::vector<std::size_t> range(points.size());
@@ -111,32 +90,34 @@ void call_with(const Attack& attack, const SolverTraits& solver, Answer& answer)
                     .point_map(Map_of_indices<Point>{&points, &accesses_left})
                     .geom_traits(Kernel())
                     .sparse_linear_solver(solver)
+                    .number_of_output_points(p.number_of_output_points)
+                    .neighbor_radius(p.neighbor_radius)
+                    .normal_filter_radius(p.normal_filter_radius)
                     .select_percentage(p.select_percentage)
                     .sharpness_angle(p.sharpness_angle)
                     .number_of_normal_filter_iterations(p.number_of_normal_filter_iterations)
                     .normal_weight(p.normal_weight)
-                    .regularization_weight(p.regularization_weight.value_or(is_default ? 0.05 : 0.15))
+                    .regularization_weight(p.regularization_weight)
                     .initial_penalty(p.initial_penalty)
                     .maximum_penalty(p.maximum_penalty)
-                    .penalty_growth(p.penalty_growth.value_or(is_default ? 2.3 : 1.5))
+                    .penalty_growth(p.penalty_growth)
                     .number_of_orientation_neighbors(p.number_of_orientation_neighbors)
                     .random_seed(p.random_seed)
                     .drop_non_finite(p.drop_non_finite)
-                    .drop_outliers(p.drop_outliers.value_or(is_default))
+                    .drop_outliers(p.drop_outliers)
                     .maximum_memory(p.maximum_memory)
                     .callback(callback)
                     .resampling_report(&answer.report);
   const auto resample = [&](const auto& all) { CGAL::l0_resample_point_set<ConcurrencyTag>(range, write, all); };
-  const auto resample_with_normals = [&]() {
-    // from a caller of doubles and the package's own solver only, again for the number of instances
-    if constexpr (std::is_same_v<typename Kernel::FT, double> && std::is_same_v<typename SolverTraits::FT, float>)
-      if (p.with_normals)
-        return with_optional_parameters(attack, np.normal_map(Map_of_indices<Normal>{&normals, &normals_left}), resample);
-    with_optional_parameters(attack, np, resample);
-  };
   try
   {
-    resample_with_normals();
+    // from the package's own solver only, as each kind of call is one more instance of the whole function
+    constexpr bool can_have_normals = std::is_same_v<typename SolverTraits::FT, float>;
+    if constexpr (can_have_normals)
+      if (p.with_normals)
+        resample(np.normal_map(Map_of_indices<Normal>{&normals, &normals_left}));
+    if (!can_have_normals || !p.with_normals)
+      resample(np);
   }
   catch (const std::invalid_argument& e)
   {

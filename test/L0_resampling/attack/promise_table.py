@@ -20,7 +20,10 @@ def times_and_result(campaigns, kind):
     if kind is None:
         return "in each run of the tests", "they pass"
     if kind == "function":
-        times = ", ".join(f"{c['attacks']} {c['kind']}" for c in campaigns[kind])
+        attacks = {}
+        for campaign in campaigns[kind]:
+            attacks[campaign["kind"]] = attacks.get(campaign["kind"], 0) + campaign["attacks"]
+        times = ", ".join(f"{count} {name}" for name, count in attacks.items())
         broken = sum(c["succeeded"] for c in campaigns[kind])
     else:
         times = ", ".join(f"{c['executions']} {c['corpus']} ({c['executions_since_other_properties_are_read']} since other properties are read)" for c in campaigns[kind])

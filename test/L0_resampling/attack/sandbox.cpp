@@ -9,7 +9,9 @@
 #include <chrono>
 #include <cstring>
 #include <exception>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include <poll.h>
 #include <signal.h>
@@ -20,86 +22,166 @@
 namespace attack {
 namespace {
 
-void limit(int resource, std::size_t value)
+using Clock = std::chrono::steady_clock;
+
+bool write_all(int pipe, const void* bytes, std::size_t size)
 {
-  const rlimit both{value, value};
-  setrlimit(resource, &both);
+  for (std::size_t written = 0; written < size;)
+  {
+    const ssize_t n = write(pipe, static_cast<const char*>(bytes) + written, size - written);
+    if (n < 0 && errno != EINTR)
+      return false;
+    written += n < 0 ? 0 : std::size_t(n);
+  }
+  return true;
 }
 
-[[noreturn]] void be_the_child(const std::function<std::string()>& f, const Limits& limits, int pipe)
+enum class Reading
 {
-  limit(RLIMIT_CORE, 0);
-  limit(RLIMIT_CPU, limits.cpu_seconds);
-  if (limits.bytes > 0)
-    limit(RLIMIT_AS, limits.bytes);
-  std::string answer;
-  try
+  DONE,
+  ENDED,
+  TOO_LATE
+};
+
+Reading read_all(int pipe, void* bytes, std::size_t size, std::optional<Clock::time_point> deadline = std::nullopt)
+{
+  for (std::size_t done = 0; done < size;)
   {
-    answer = f();
+    if (deadline)
+    {
+      const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(*deadline - Clock::now()).count();
+      pollfd ready{pipe, POLLIN, 0};
+      const int events = left > 0 ? poll(&ready, 1, int(left)) : 0;
+      if (events == 0)
+        return Reading::TOO_LATE;
+      if (events < 0)
+        continue; // a signal
+    }
+    const ssize_t n = read(pipe, static_cast<char*>(bytes) + done, size - done);
+    if (n == 0 || (n < 0 && errno != EINTR))
+      return Reading::ENDED;
+    done += n < 0 ? 0 : std::size_t(n);
   }
-  catch (const std::exception& e)
+  return Reading::DONE;
+}
+
+void limit_bytes(std::size_t bytes)
+{
+  const rlimit both{bytes, bytes};
+  if (bytes > 0)
+    setrlimit(RLIMIT_AS, &both);
+}
+
+/// Of processor time from now on
+void limit_seconds(std::size_t seconds)
+{
+  rusage used{};
+  getrusage(RUSAGE_SELF, &used);
+  const rlimit soft{rlim_t(used.ru_utime.tv_sec + used.ru_stime.tv_sec) + 2 + seconds, RLIM_INFINITY};
+  setrlimit(RLIMIT_CPU, &soft);
+}
+
+[[noreturn]] void be_the_child(const std::function<std::string(std::size_t)>& f, const Limits& limits, int questions,
+                               int answers)
+{
+  const rlimit none{0, 0};
+  setrlimit(RLIMIT_CORE, &none);
+  limit_bytes(limits.bytes);
+  for (std::size_t i; read_all(questions, &i, sizeof(i)) == Reading::DONE;)
   {
-    answer = std::string("an exception came through: ") + e.what();
-  }
-  for (std::size_t written = 0; written < answer.size();)
-  {
-    const ssize_t n = write(pipe, answer.data() + written, answer.size() - written);
-    if (n < 0)
+    limit_seconds(limits.cpu_seconds);
+    std::string answer;
+    try
+    {
+      answer = f(i);
+    }
+    catch (const std::exception& e)
+    {
+      answer = std::string("an exception came through: ") + e.what();
+    }
+    const std::size_t size = answer.size();
+    if (!write_all(answers, &size, sizeof(size)) || !write_all(answers, answer.data(), size))
       _exit(2);
-    written += std::size_t(n);
   }
   _exit(0); // what the parent has to do at its end is not to be done here too
 }
 
 } // namespace
 
-std::string in_sandbox(const std::function<std::string()>& f, const Limits& limits)
+Sandbox::Sandbox(std::function<std::string(std::size_t)> f, const Limits& limits)
+  : m_function(std::move(f)), m_limits(limits)
 {
-  int ends[2];
-  if (pipe(ends) != 0)
-    throw std::runtime_error("no pipe");
-  const pid_t child = fork();
-  if (child < 0)
-    throw std::runtime_error("no process");
-  if (child == 0)
-  {
-    close(ends[0]);
-    be_the_child(f, limits, ends[1]);
-  }
-  close(ends[1]);
+  signal(SIGPIPE, SIG_IGN); // a child that has died is seen where it is read
+}
 
-  using Clock = std::chrono::steady_clock;
-  const auto deadline = Clock::now() + std::chrono::seconds(limits.wall_seconds);
-  std::string answer;
-  bool hangs = false;
-  for (;;)
+Sandbox::~Sandbox() { end_child(); }
+
+void Sandbox::end_child()
+{
+  if (m_child < 0)
+    return;
+  kill(m_child, SIGKILL);
+  wait_for_end();
+}
+
+void Sandbox::start_child()
+{
+  int questions[2], answers[2];
+  if (pipe(questions) != 0 || pipe(answers) != 0)
+    throw std::runtime_error("no pipe");
+  m_child = fork();
+  if (m_child < 0)
+    throw std::runtime_error("no process");
+  if (m_child == 0)
   {
-    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
-    pollfd ready{ends[0], POLLIN, 0};
-    const int events = left > 0 ? poll(&ready, 1, int(left)) : 0;
-    if (events < 0 && errno == EINTR)
-      continue;
-    char buffer[4096];
-    const ssize_t n = events > 0 ? read(ends[0], buffer, sizeof(buffer)) : 0;
-    hangs = events == 0;
-    if (n <= 0)
-      break;
-    answer.append(buffer, std::size_t(n));
+    close(questions[1]);
+    close(answers[0]);
+    be_the_child(m_function, m_limits, questions[0], answers[1]);
   }
-  close(ends[0]);
-  if (hangs)
-    kill(child, SIGKILL);
+  close(questions[0]);
+  close(answers[1]);
+  m_questions = questions[1];
+  m_answers = answers[0];
+}
+
+/// \returns the status of the child
+int Sandbox::wait_for_end()
+{
+  close(m_questions);
+  close(m_answers);
   int status = 0;
-  waitpid(child, &status, 0);
-  if (hangs)
+  waitpid(m_child, &status, 0);
+  m_child = -1;
+  return status;
+}
+
+std::string Sandbox::operator()(std::size_t i)
+{
+  if (m_child < 0)
+    start_child();
+  const Clock::time_point deadline = Clock::now() + std::chrono::seconds(m_limits.wall_seconds);
+  write_all(m_questions, &i, sizeof(i));
+  std::size_t size = 0;
+  std::string answer;
+  Reading reading = read_all(m_answers, &size, sizeof(size), deadline);
+  if (reading == Reading::DONE)
+  {
+    answer.resize(size);
+    reading = read_all(m_answers, &answer[0], size, deadline);
+  }
+  if (reading == Reading::DONE)
+    return answer;
+  if (reading == Reading::TOO_LATE)
+  {
+    end_child();
     return "it does not end";
+  }
+  const int status = wait_for_end();
   if (WIFSIGNALED(status))
     return WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL
              ? "it takes too long"
              : std::string("killed: ") + strsignal(WTERMSIG(status));
-  if (WEXITSTATUS(status) != 0)
-    return "the process ended with status " + std::to_string(WEXITSTATUS(status));
-  return answer;
+  return "the process ended with status " + std::to_string(WEXITSTATUS(status));
 }
 
 } // namespace attack

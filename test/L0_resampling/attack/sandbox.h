@@ -10,6 +10,8 @@
 #include <functional>
 #include <string>
 
+#include <sys/types.h>
+
 namespace attack {
 
 struct Limits
@@ -19,8 +21,31 @@ struct Limits
   std::size_t bytes = std::size_t(4) << 30; // of address space; 0 for no limit, which the shadow of a sanitizer needs
 };
 
-/// What `f` returns, called in a child process with these limits, or how the child died.
-std::string in_sandbox(const std::function<std::string()>& f, const Limits& limits);
+/// Calls a function of an index in a child process. The child takes one call after the other, as starting it, and its threads, would be most of the
+/// time; one that died, or was ended for a limit, is replaced at the next call.
+class Sandbox
+{
+  std::function<std::string(std::size_t)> m_function;
+  Limits m_limits;
+  pid_t m_child = -1;
+  int m_questions = -1, m_answers = -1; // ends of pipes
+
+public:
+  Sandbox(std::function<std::string(std::size_t)> f, const Limits& limits);
+  ~Sandbox();
+  Sandbox(const Sandbox&) = delete;
+  Sandbox& operator=(const Sandbox&) = delete;
+
+  /// \returns `f(i)`, or how the child died. Each call has all of the time limits; memory that an earlier one has lost is missing in the later ones.
+  std::string operator()(std::size_t i);
+
+  /// Has the next call come to a new child.
+  void end_child();
+
+private:
+  void start_child();
+  int wait_for_end();
+};
 
 } // namespace attack
 

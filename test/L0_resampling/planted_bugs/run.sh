@@ -3,7 +3,7 @@
 #
 #   run.sh [NAME...]     all patches, or NAME.patch only
 #
-# A patch is a unified diff (-p1). Its first line names the test: "# caught by: test_x". A test counts only if it passes without the bug;
+# A patch is a unified diff (-p1). Its first line names the test, a program and its arguments: "# caught by: test_x". A test counts only if it passes without the bug;
 # one that does not end within TIME_LIMIT seconds (default 600) has caught a hang. Ends with 0 if every bug was caught.
 set -euo pipefail
 
@@ -21,8 +21,14 @@ fi
 cmake -S "$scratch/tree" -B "$scratch/build" -DCMAKE_BUILD_TYPE=Release -DCGAL_L0_BUILD_TOOL=OFF -DCGAL_L0_BUILD_EXAMPLES=OFF \
       -DCGAL_L0_BUILD_BENCHMARKS=OFF "${launcher[@]}" > "$scratch/log"
 
-build() { cmake --build "$scratch/build" --target "$1"; } > "$scratch/log" 2>&1
-runs() { timeout "${TIME_LIMIT:-600}" "$scratch/build/bin/$1"; } > "$scratch/log" 2>&1
+# Both take the program and its arguments as one word.
+build() { cmake --build "$scratch/build" --target "${1%% *}"; } > "$scratch/log" 2>&1
+runs()
+{
+  local words
+  read -ra words <<< "$scratch/build/bin/$1"
+  timeout "${TIME_LIMIT:-600}" "${words[@]}"
+} > "$scratch/log" 2>&1
 
 # Whether the test passes on the tree as it is, asked once a test.
 declare -A sound

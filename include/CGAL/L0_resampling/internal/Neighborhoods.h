@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -85,7 +84,7 @@ Neighborhoods find_self_neighbors(const Search_grid_3& grid, const Buffer<Vector
   };
   neighbors.indices = append_by_blocks<ConcurrencyTag>(grid.number_of_rows(), rows_per_block,
                                                        neighbors.indices.get_allocator(), append_neighbors);
-  std::partial_sum(neighbors.offsets.begin(), neighbors.offsets.end(), neighbors.offsets.begin());
+  for_each_in_order(samples.size(), [&](std::size_t i) { neighbors.offsets[i + 1] += neighbors.offsets[i]; });
   return neighbors;
 }
 

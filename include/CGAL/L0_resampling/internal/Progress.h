@@ -8,6 +8,7 @@
 
 #include <CGAL/L0_resampling/Report.h>
 #include <CGAL/L0_resampling/internal/Buffer.h>
+#include <CGAL/L0_resampling/internal/parallel_for.h>
 
 #include <algorithm>
 #include <atomic>
@@ -23,12 +24,13 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// Thrown by `Progress::advance()` once the caller's callback has said no, or has thrown; never leaves the package.
+/// Thrown by `Progress::look()` once the caller's callback has said no, or has thrown; never leaves the package.
 struct Interrupted
 {};
 
-/// Tells the caller's callback how far the call is, and keeps the time and memory of the stages.
-class Progress
+/// Tells the caller's callback how far the call is, and keeps the time and memory of the stages. As long as it lives it watches the loops of the
+/// thread that has made it.
+class Progress final : public Loop_watcher
 {
   using Clock = std::chrono::steady_clock;
 
@@ -50,6 +52,7 @@ class Progress
   double m_stage_begin = 0; // share of the whole call done before the running stage
   double m_stage_share = 0;
   Clock::time_point m_stage_start = Clock::now();
+  const Watched_loops m_watched{m_callback ? this : nullptr};
 
 public:
   Progress(std::function<bool(double)> callback, Report& report, Memory_counter& memory)
@@ -88,10 +91,16 @@ public:
   }
 
   /// Counts `steps` as done; any thread may call it.
-  /// \throws Interrupted after the callback has returned `false` or has thrown, in every thread
+  /// \throws Interrupted as `look()` does
   void advance(std::size_t steps)
   {
-    const std::size_t done = m_done.fetch_add(steps) + steps;
+    m_done += steps;
+    look();
+  }
+
+  /// \throws Interrupted after the callback has returned `false` or has thrown, in every thread
+  void look() override
+  {
     if (!m_callback)
       return;
     if (m_interrupted)
@@ -100,7 +109,7 @@ public:
     std::unique_lock<std::mutex> lock(m_mutex, std::try_to_lock);
     if (!lock.owns_lock() || m_interrupted || Clock::now() - m_last_call < interval())
       return;
-    const double in_stage = (std::min)(1., double(done) / double(m_total));
+    const double in_stage = (std::min)(1., double(m_done) / double(m_total));
     m_last_value = (std::max)(m_last_value, (std::min)(1., m_stage_begin + m_stage_share * in_stage));
     try
     {

@@ -65,8 +65,7 @@ public:
     : m_cell_size(cell_size), m_keys(points.get_allocator()), m_begins(points.get_allocator()),
       m_rows(points.get_allocator())
   {
-    for (std::size_t i = 0; i < points.size(); ++i)
-    {
+    for_each_in_order(points.size(), [&](std::size_t i) {
       const std::uint64_t key = cell_key(points[i], cell_size);
       if (m_keys.empty() || key != m_keys.back())
       {
@@ -75,7 +74,7 @@ public:
         m_keys.push_back(key);
         m_begins.push_back(Index(i));
       }
-    }
+    });
     m_begins.push_back(Index(points.size()));
     m_rows.push_back(Index(m_keys.size()));
   }
@@ -217,8 +216,7 @@ public:
         return a.index < b.index;
       });
     Buffer<Index> order(points.size(), Index(0), points.get_allocator());
-    for (std::size_t i = 0; i < points.size(); ++i)
-      order[i] = entries[i].index;
+    for_each_in_order(points.size(), [&](std::size_t i) { order[i] = entries[i].index; });
     return order;
   }
 
@@ -253,8 +251,7 @@ void apply_order(const Buffer<Index>& order, Buffer<T>& values)
 {
   Buffer<T> sorted(values.get_allocator());
   sorted.reserve(order.size());
-  for (Index i : order)
-    sorted.push_back(values[i]);
+  for_each_in_order(order.size(), [&](std::size_t i) { sorted.push_back(values[order[i]]); });
   values.swap(sorted);
 }
 

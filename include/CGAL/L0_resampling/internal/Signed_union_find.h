@@ -79,8 +79,7 @@ public:
   /// Makes each way as short as can be.
   void compress()
   {
-    for (std::size_t i = 0; i < m_parents.size(); ++i)
-      find_and_compress(Index(i));
+    for_each_in_order(m_parents.size(), [&](std::size_t i) { find_and_compress(Index(i)); });
   }
 
   std::size_t size() const { return m_parents.size(); }

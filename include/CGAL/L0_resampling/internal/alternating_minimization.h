@@ -133,8 +133,7 @@ public:
                                         samples.positions.get_allocator().counter};
     const Solver_report solver_report = m_solver.solve(
       problem, Eigen::Map<Eigen::Matrix<FT, Eigen::Dynamic, 1>>(coordinates(m_displacements), Eigen::Index(3 * m)));
-    for (std::size_t i = 0; i < m; ++i)
-      samples.positions[i] += m_displacements[i].template cast<double>();
+    for_each_in_order(m, [&](std::size_t i) { samples.positions[i] += m_displacements[i].template cast<double>(); });
     m_progress.advance(1);
     return iteration_report(p, penalty, regularize, sums, number_of_pairs, solver_report);
   }

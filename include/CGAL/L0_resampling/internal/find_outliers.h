@@ -8,6 +8,7 @@
 
 #include <CGAL/L0_resampling/internal/Parameters.h>
 #include <CGAL/L0_resampling/internal/ball_queries.h>
+#include <CGAL/L0_resampling/internal/select_nth.h>
 
 #include <boost/pending/disjoint_sets.hpp>
 
@@ -50,8 +51,7 @@ Buffer<double> means_around(const Search_grid_3& grid, const Buffer<double>& val
 {
   Buffer<double> sums(1, 0., values.get_allocator()), means(values.size(), 0., values.get_allocator());
   sums.reserve(values.size() + 1);
-  for (double value : values)
-    sums.push_back(sums.back() + value);
+  for_each_in_order(values.size(), [&](std::size_t i) { sums.push_back(sums.back() + values[i]); });
   for_each_cell_block<ConcurrencyTag>(grid, grid, 1, progress, [&]() {
     return [&](Index cell, const std::vector<Search_grid_3::Range>& ranges, std::size_t count) {
       double sum = 0;
@@ -77,8 +77,7 @@ Buffer<Index> sizes_of_parts(const Buffer<Vector>& unsorted_points, double cell_
   Buffer<Index> ranks(n, 0, allocator), parents(n, 0, allocator), sizes(n, 0, allocator),
     sizes_of_points(n, 0, allocator);
   boost::disjoint_sets<Index*, Index*> parts(ranks.data(), parents.data());
-  for (Index i = 0; i < n; ++i)
-    parts.make_set(i);
+  for_each_in_order(n, [&](std::size_t i) { parts.make_set(Index(i)); });
   for_each_cell_block<Sequential_tag>(grid, grid, 1, progress, [&]() {
     return [&](Index cell, const std::vector<Search_grid_3::Range>& ranges, std::size_t) {
       const Search_grid_3::Range own = grid.points_of_cell(cell);
@@ -92,10 +91,8 @@ Buffer<Index> sizes_of_parts(const Buffer<Vector>& unsorted_points, double cell_
       }
     };
   });
-  for (Index i = 0; i < n; ++i)
-    ++sizes[parts.find_set(i)];
-  for (Index i = 0; i < n; ++i)
-    sizes_of_points[order[i]] = sizes[parts.find_set(i)];
+  for_each_in_order(n, [&](std::size_t i) { ++sizes[parts.find_set(Index(i))]; });
+  for_each_in_order(n, [&](std::size_t i) { sizes_of_points[order[i]] = sizes[parts.find_set(Index(i))]; });
   return sizes_of_points;
 }
 
@@ -120,17 +117,18 @@ Buffer<unsigned char> find_outliers(const Buffer<Vector>& unsorted_points, doubl
   const Buffer<double> surroundings = means_around<ConcurrencyTag>(grid, counts, progress);
   Buffer<double> sorted_counts(counts);
   const auto middle = sorted_counts.begin() + std::ptrdiff_t(sorted_counts.size() / 2);
-  std::nth_element(sorted_counts.begin(), middle, sorted_counts.end());
+  select_nth(sorted_counts.begin(), middle, sorted_counts.end());
   const double median = *middle;
 
   Buffer<Index> rest(allocator);
   Buffer<Vector> rest_points(allocator);
-  for (std::size_t i = 0; i < points.size(); ++i)
+  for_each_in_order(points.size(), [&](std::size_t i) {
     if (counts[i] >= (std::max)(outlier_share_of_surroundings * surroundings[i], outlier_share_of_median * median))
     {
       rest.push_back(order[i]);
       rest_points.push_back(points[i]);
     }
+  });
   const Buffer<Index> sizes = sizes_of_parts<ConcurrencyTag>(rest_points, gap_of_parts * radius, progress);
 
   Buffer<unsigned char> is_outlier(points.size(), 1, allocator);

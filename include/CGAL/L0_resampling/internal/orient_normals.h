@@ -65,12 +65,10 @@ Buffer<Edge> sure_edges(const Buffer<Edge>& edges)
     return std::size_t((1 - (std::min)(std::abs(e.agreement), 1.f)) * (number_of_steps - 1));
   };
   std::vector<std::size_t> places(number_of_steps + 1, 0);
-  for (const Edge& e : sure)
-    ++places[step(e) + 1];
+  for_each_in_order(sure.size(), [&](std::size_t e) { ++places[step(sure[e]) + 1]; });
   std::partial_sum(places.begin(), places.end(), places.begin());
   Buffer<Edge> sorted(sure.size(), Edge(), edges.get_allocator());
-  for (const Edge& e : sure)
-    sorted[places[step(e)]++] = e;
+  for_each_in_order(sure.size(), [&](std::size_t e) { sorted[places[step(sure[e])]++] = sure[e]; });
   return sorted;
 }
 
@@ -116,8 +114,9 @@ Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_o
   Voting faces{Signed_union_find(m, positions.get_allocator()), Buffer<Vote>(positions.get_allocator())};
   {
     const Buffer<Edge> edges = rated_edges<ConcurrencyTag>(positions, normals, number_of_neighbors, spacing, progress);
-    for (const Edge& edge : sure_edges<ConcurrencyTag>(edges))
-      faces.sets.join(edge.i, edge.k, edge.agreement < 0 ? -1 : 1);
+    const Buffer<Edge> sure = sure_edges<ConcurrencyTag>(edges);
+    for_each_in_order(sure.size(),
+                      [&](std::size_t e) { faces.sets.join(sure[e].i, sure[e].k, sure[e].agreement < 0 ? -1 : 1); });
     faces.sets.compress();
     faces.votes = votes_of_edges<ConcurrencyTag>(edges, faces.sets);
   }
@@ -132,8 +131,8 @@ Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_o
     all = joined_by_votes(0, parts);
   }
   Buffer<Index> sure_set_sizes(m, 0, positions.get_allocator());
-  for (Index i = 0; i < m; ++i)
-    sure_set_sizes[i] = parts.sets.size_of_set(parts.sets.find(i).first);
+  for_each_in_order(m,
+                    [&](std::size_t i) { sure_set_sizes[i] = parts.sets.size_of_set(parts.sets.find(Index(i)).first); });
   if (join_by_field<ConcurrencyTag>(all.sets, positions, normals, spacing, parts))
     all = joined_by_votes(0, parts);
   const Signed_union_find& sets = all.sets;
@@ -147,15 +146,14 @@ Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_o
     Index largest_sure_set = 0;
   };
   Buffer<Tree> trees(m, Tree(), positions.get_allocator()); // that of a sample stands at its root
-  for (Index i = 0; i < m; ++i)
-  {
-    const Index root = sets.find(i).first;
+  for_each_in_order(m, [&](std::size_t i) {
+    const Index root = sets.find(Index(i)).first;
     trees[root].center += positions[i] / double(sets.size_of_set(root));
     trees[root].largest_sure_set = (std::max)(trees[root].largest_sure_set, sure_set_sizes[i]);
-  }
+  });
   std::size_t number_of_oriented = 0;
-  for (Index i = 0; i < m; ++i)
-  {
+  for_each_in_order(m, [&](std::size_t place) {
+    const Index i = Index(place);
     const auto [root, sign] = sets.find(i);
     Tree& tree = trees[root];
     const Vector from_center = positions[i] - tree.center;
@@ -164,10 +162,10 @@ Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_o
     tree.normal_sum += sign * normal(i);
     tree.votes.add(sign * normal(i), hint_of(i));
     number_of_oriented += sets.size_of_set(root) > 1 && sure_set_sizes[i] == tree.largest_sure_set;
-  }
+  });
   std::size_t number_of_hinted = 0;
-  for (Index i = 0; i < m; ++i)
-  {
+  for_each_in_order(m, [&](std::size_t place) {
+    const Index i = Index(place);
     const auto [root, sign] = sets.find(i);
     const Tree& tree = trees[root];
     const bool is_hinted = tree.votes.are_clear();
@@ -176,7 +174,7 @@ Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_o
     number_of_hinted += is_hinted;
     if (is_turned != (sign < 0))
       normals[i] = -normals[i];
-  }
+  });
   return {double(number_of_oriented) / double(m), double(number_of_hinted) / double(m)};
 }
 

@@ -48,7 +48,8 @@ void add_up_votes(Buffer<Vote>& votes)
       return v.agreement != w.agreement ? v.agreement < w.agreement : v.total < w.total;
     });
   std::size_t size = 0;
-  for (const Vote& v : votes)
+  for_each_in_order(votes.size(), [&](std::size_t n) {
+    const Vote& v = votes[n];
     if (size > 0 && votes[size - 1].a == v.a && votes[size - 1].b == v.b)
     {
       votes[size - 1].agreement += v.agreement;
@@ -56,6 +57,7 @@ void add_up_votes(Buffer<Vote>& votes)
     }
     else
       votes[size++] = v;
+  });
   votes.resize(size);
 }
 
@@ -100,9 +102,10 @@ void pass_votes_on(Voting& voting)
   Buffer<Vote>& votes = voting.votes;
   voting.sets.compress();
   std::size_t size = 0;
-  for (const Vote& v : votes)
-    if (const auto vote = vote_between_sets(voting.sets, v))
+  for_each_in_order(votes.size(), [&](std::size_t n) {
+    if (const auto vote = vote_between_sets(voting.sets, votes[n]))
       votes[size++] = *vote;
+  });
   votes.resize(size);
   add_up_votes<ConcurrencyTag>(votes);
 }

@@ -23,10 +23,47 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
+/// Learns from the loops of the thread that it is set in that they are still running, and may end them by an exception.
+class Loop_watcher
+{
+public:
+  /// Called between two blocks of a loop, by any thread.
+  virtual void look() = 0;
+
+protected:
+  ~Loop_watcher() = default;
+};
+
+/// The watcher of this thread, or null. Not handed through all stages, as every loop has to be seen, those of a solver included.
+inline Loop_watcher*& loop_watcher()
+{
+  thread_local Loop_watcher* watcher = nullptr;
+  return watcher;
+}
+
+/// Has the thread watched by `watcher`, which may be null, as long as this lives.
+class Watched_loops
+{
+  Loop_watcher* const m_outer = loop_watcher(); // of a call from whose callback or property map this one is made
+
+public:
+  explicit Watched_loops(Loop_watcher* watcher) { loop_watcher() = watcher; }
+  ~Watched_loops() { loop_watcher() = m_outer; }
+  Watched_loops(const Watched_loops&) = delete;
+  Watched_loops& operator=(const Watched_loops&) = delete;
+};
+
+/// For loops that are not `for_each_block()`.
+inline void look_at_loop()
+{
+  if (loop_watcher())
+    loop_watcher()->look();
+}
+
 /// Calls `f(begin, end)` for the blocks `[0, block_size)`, `[block_size, 2 * block_size)`, ... of `[0, n)`.
 /// The blocks depend on `n` and `block_size` alone, never on the number of threads: that is what makes results
 /// bitwise reproducible. `block_size` must be positive. With `Parallel_tag` the calls run at once and in any order.
-/// \throws what `f` throws; with `Parallel_tag` one of the exceptions, after all running calls have ended
+/// \throws what `f` or the watcher of the calling thread throws; with `Parallel_tag` one of the exceptions, after all running calls have ended
 template <typename ConcurrencyTag, typename F>
 void for_each_block(std::size_t n, std::size_t block_size, const F& f)
 {
@@ -34,10 +71,13 @@ void for_each_block(std::size_t n, std::size_t block_size, const F& f)
 #ifdef CGAL_LINKED_WITH_TBB
   if constexpr (is_parallel)
   {
+    Loop_watcher* const watcher = loop_watcher();
     const std::size_t number_of_blocks = n / block_size + std::size_t(n % block_size != 0);
     tbb::parallel_for(std::size_t(0), number_of_blocks, [&](std::size_t k) {
+      const Watched_loops watched(watcher); // on whatever thread this is
       const std::size_t begin = k * block_size;
       f(begin, begin + (std::min)(block_size, n - begin));
+      look_at_loop();
     });
     return;
   }
@@ -48,8 +88,20 @@ void for_each_block(std::size_t n, std::size_t block_size, const F& f)
   {
     const std::size_t end = begin + (std::min)(block_size, n - begin);
     f(begin, end);
+    look_at_loop();
     begin = end;
   }
+}
+
+/// Calls `f(i)` for each i of `[0, n)`, one after the other.
+template <typename F>
+void for_each_in_order(std::size_t n, const F& f)
+{
+  const std::size_t block_size = 65536; // a few milliseconds
+  for_each_block<Sequential_tag>(n, block_size, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      f(i);
+  });
 }
 
 /// The sum of `f(begin, end)` over the blocks of `for_each_block()`, added in the order of the blocks, so bitwise the
@@ -79,8 +131,11 @@ template <typename ConcurrencyTag, typename T, typename F>
 Buffer<T> append_by_blocks(std::size_t n, std::size_t block_size, const Counting_allocator<T>& allocator, const F& f)
 {
   std::vector<Buffer<T>> parts(n / block_size + std::size_t(n % block_size != 0), Buffer<T>(allocator));
-  for_each_block<ConcurrencyTag>(n, block_size,
-                                 [&](std::size_t begin, std::size_t end) { f(begin, end, parts[begin / block_size]); });
+  for_each_block<ConcurrencyTag>(n, block_size, [&](std::size_t begin, std::size_t end) {
+    Buffer<T>& part = parts[begin / block_size];
+    f(begin, end, part);
+    part.shrink_to_fit(); // else there may be room for twice as many
+  });
   std::size_t size = 0;
   for (const Buffer<T>& part : parts)
     size += part.size();
@@ -90,6 +145,7 @@ Buffer<T> append_by_blocks(std::size_t n, std::size_t block_size, const Counting
   {
     all.insert(all.end(), part.begin(), part.end());
     release(part);
+    look_at_loop();
   }
   return all;
 }

@@ -89,8 +89,11 @@ std::vector<std::size_t> partition_into_buckets(std::size_t number_of_buckets, c
 template <typename ConcurrencyTag, typename Value, typename Key, typename Less>
 void sort_by_key(Buffer<Value>& values, const Key& key, const Less& less)
 {
-  const std::size_t number_of_buckets = 64, too_few_for_threads = 16384;
-  if (!std::is_convertible<ConcurrencyTag, Parallel_tag>::value || values.size() < too_few_for_threads)
+  const std::size_t too_few_for_threads = 16384, large_bucket = 131072; // of the latter, sorting takes some 20 ms
+  std::size_t number_of_buckets = std::is_convertible<ConcurrencyTag, Parallel_tag>::value ? 64 : 1;
+  while (number_of_buckets < 1024 && values.size() / number_of_buckets > large_bucket)
+    number_of_buckets *= 2;
+  if (number_of_buckets == 1 || values.size() < too_few_for_threads)
     return sort_range_by_key(values.begin(), values.end(), key, less);
   const std::vector<std::size_t> first_places = partition_into_buckets<ConcurrencyTag>(number_of_buckets, key, values);
   for_each_block<ConcurrencyTag>(number_of_buckets, 1, [&](std::size_t bucket, std::size_t) {

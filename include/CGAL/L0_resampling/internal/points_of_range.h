@@ -41,9 +41,12 @@ struct Input
 template <typename PointRange, typename PointMap>
 void read_points(const PointRange& range, PointMap point_map, bool drop_non_finite, Report& report, Input& input)
 {
+  const std::size_t points_per_look = 65536;
   std::size_t index = 0;
   for (auto it = range.begin(); it != range.end(); ++it, ++index)
   {
+    if (index % points_per_look == 0)
+      look_at_loop();
     const auto& p = get(point_map, *it);
     const Vector point(double(p.x()), double(p.y()), double(p.z()));
     const bool is_finite = point.allFinite();
@@ -159,13 +162,12 @@ Buffer<std::array<FT, 3>> rounded_positions(const Buffer<Vector>& positions, con
   }
   Buffer<std::array<FT, 3>> rounded(positions.get_allocator());
   rounded.reserve(positions.size());
-  for (const Vector& p : positions)
-  {
+  for_each_in_order(positions.size(), [&](std::size_t i) {
     std::array<FT, 3> r;
     for (std::size_t a = 0; a < 3; ++a)
-      r[a] = FT((std::min)((std::max)(p[Eigen::Index(a)], double(low[a])), double(high[a])));
+      r[a] = FT((std::min)((std::max)(positions[i][Eigen::Index(a)], double(low[a])), double(high[a])));
     rounded.push_back(r);
-  }
+  });
   if (separate)
     separate_coincident_points(low, high, FT(margin), rounded);
   return rounded;

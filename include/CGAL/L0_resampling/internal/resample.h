@@ -398,8 +398,7 @@ Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buff
   }
   progress.end_stage();
 
-  for (Vector& position : samples.positions)
-    position = frame.leave(position);
+  for_each_in_order(m, [&](std::size_t i) { samples.positions[i] = frame.leave(samples.positions[i]); });
   return {std::move(samples.positions), std::move(samples.normals), std::move(feature_confidences)};
 }
 

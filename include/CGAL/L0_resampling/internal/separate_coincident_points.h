@@ -7,14 +7,15 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_SEPARATE_COINCIDENT_POINTS_H
 
 #include <CGAL/L0_resampling/internal/Buffer.h>
+#include <CGAL/L0_resampling/internal/parallel_sort.h>
 
 #include <boost/functional/hash.hpp>
-#include <boost/sort/spreadsort/integer_sort.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <set>
 
@@ -29,9 +30,10 @@ bool may_have_equal_points(const Buffer<std::array<FT, 3>>& points)
 {
   Buffer<std::size_t> hashes(points.get_allocator());
   hashes.reserve(points.size());
-  for (const std::array<FT, 3>& p : points)
-    hashes.push_back(boost::hash_range(p.begin(), p.end()));
-  boost::sort::spreadsort::integer_sort(hashes.begin(), hashes.end());
+  for_each_in_order(points.size(),
+                    [&](std::size_t i) { hashes.push_back(boost::hash_range(points[i].begin(), points[i].end())); });
+  sort_by_key<Sequential_tag>(
+    hashes, [](std::size_t hash) -> std::uint64_t { return hash; }, [](std::size_t, std::size_t) { return false; });
   return std::adjacent_find(hashes.begin(), hashes.end()) != hashes.end();
 }
 

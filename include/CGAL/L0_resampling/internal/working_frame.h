@@ -7,6 +7,7 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_WORKING_FRAME_H
 
 #include <CGAL/L0_resampling/internal/Search_grid_3.h>
+#include <CGAL/L0_resampling/internal/select_nth.h>
 
 #include <Eigen/Core>
 
@@ -26,8 +27,7 @@ void for_each_axis_of(const Buffer<Vector>& points, const F& f)
   for_each_block<ConcurrencyTag>(3, 1, [&](std::size_t axis, std::size_t) {
     Buffer<double> coordinates(points.get_allocator());
     coordinates.reserve(points.size());
-    for (const Vector& p : points)
-      coordinates.push_back(p[Eigen::Index(axis)]);
+    for_each_in_order(points.size(), [&](std::size_t i) { coordinates.push_back(points[i][Eigen::Index(axis)]); });
     f(int(axis), coordinates);
   });
 }
@@ -48,21 +48,19 @@ public:
   void enter(Buffer<Vector>& points)
   {
     double largest = 0;
-    for (const Vector& p : points)
-      largest = (std::max)(largest, p.cwiseAbs().maxCoeff());
+    for_each_in_order(points.size(),
+                      [&](std::size_t i) { largest = (std::max)(largest, points[i].cwiseAbs().maxCoeff()); });
     if (largest > 0)
       m_first_exponent = -std::ilogb(largest) - 1;
 
-    for (Vector& p : points)
-      p = scaled(p, m_first_exponent);
+    for_each_in_order(points.size(), [&](std::size_t i) { points[i] = scaled(points[i], m_first_exponent); });
     // a median is a coordinate of the cloud: differences to it are exact nearby, and outliers do not move it
     for_each_axis_of<ConcurrencyTag>(points, [&](int axis, Buffer<double>& coordinates) {
       const auto middle = coordinates.begin() + std::ptrdiff_t(coordinates.size() / 2);
-      std::nth_element(coordinates.begin(), middle, coordinates.end());
+      select_nth(coordinates.begin(), middle, coordinates.end());
       m_origin[axis] = *middle;
     });
-    for (Vector& p : points)
-      p -= m_origin;
+    for_each_in_order(points.size(), [&](std::size_t i) { points[i] -= m_origin; });
   }
 
   /// Scales the frame and `points` with it so that `radius`, a length in the frame, comes to lie in [1, 2).
@@ -71,8 +69,7 @@ public:
   {
     const int exponent = -std::ilogb(radius);
     m_second_exponent += exponent;
-    for (Vector& p : points)
-      p = scaled(p, exponent);
+    for_each_in_order(points.size(), [&](std::size_t i) { points[i] = scaled(points[i], exponent); });
     return std::ldexp(1., exponent);
   }
 
@@ -127,21 +124,23 @@ double robust_diagonal(const Buffer<Vector>& points)
     const std::size_t margin = points.size() / 20;
     const auto first = coordinates.begin() + std::ptrdiff_t(margin);
     const auto last = coordinates.end() - 1 - std::ptrdiff_t(margin);
-    std::nth_element(coordinates.begin(), first, coordinates.end());
+    select_nth(coordinates.begin(), first, coordinates.end());
     low[axis] = *first;
-    std::nth_element(first, last, coordinates.end());
+    select_nth(first, last, coordinates.end());
     high[axis] = *last;
   });
 
   const double reach = (high - low).maxCoeff();
   Vector box_low = low, box_high = high;
-  for (const Vector& p : points)
+  for_each_in_order(points.size(), [&](std::size_t i) {
+    const Vector& p = points[i];
     for (int axis = 0; axis < 3; ++axis)
       if (reach == 0 || (p[axis] >= low[axis] - reach && p[axis] <= high[axis] + reach))
       {
         box_low[axis] = (std::min)(box_low[axis], p[axis]);
         box_high[axis] = (std::max)(box_high[axis], p[axis]);
       }
+  });
   return (box_high - box_low).norm();
 }
 
@@ -150,11 +149,10 @@ double robust_diagonal(const Buffer<Vector>& points)
 inline double sensible_radius(double radius, const Buffer<Vector>& points)
 {
   Vector low = points.front(), high = points.front();
-  for (const Vector& p : points)
-  {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
+  for_each_in_order(points.size(), [&](std::size_t i) {
+    low = low.cwiseMin(points[i]);
+    high = high.cwiseMax(points[i]);
+  });
   const double diagonal = (high - low).norm();
   if (!(diagonal > 0))
     return 1;
