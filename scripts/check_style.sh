@@ -4,7 +4,7 @@
 #   scripts/check_style.sh --all        clang-tidy about all files, which takes an hour or two
 #   scripts/check_style.sh --format     clang-format only
 # `git ls-files '*.h' '*.cpp' '*.cu' '*.cuh' | xargs clang-format -i` formats all files.
-# Debian: clang-format clang-tidy
+# Debian: clang clang-format clang-tidy
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -32,7 +32,8 @@ done
 [ ${#units[@]} -gt 0 ] || exit "$status"
 mapfile -t units < <(printf '%s\n' "${units[@]}" | sort -u)
 
-cmake -S . -B build-style -DCMAKE_EXPORT_COMPILE_COMMANDS=ON -DCGAL_L0_WITH_CUDA=OFF -DPython_EXECUTABLE=/usr/bin/python3 > /dev/null
+# With the commands of g++ clang-tidy would take its own standard, C++14, and not know all options.
+cmake -S . -B build-style -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_EXPORT_COMPILE_COMMANDS=ON -DCGAL_L0_WITH_CUDA=OFF -DPython_EXECUTABLE=/usr/bin/python3 > /dev/null
 for unit in "${units[@]}"; do
   clang-tidy -p build-style --quiet --warnings-as-errors='*' --extra-arg=-DCGAL_L0_LINKED_WITH_CUDA "$unit" || status=1
 done

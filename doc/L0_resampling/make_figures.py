@@ -3,9 +3,10 @@
 # All rights reserved.
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws the figures of the manual from the sets in data/:  make_figures.py BUILD_DIRECTORY [NAME...]
+"""Draws the figures of the manual and of README:  make_figures.py BUILD_DIRECTORY [NAME...]
 
-BUILD_DIRECTORY has the programs draw_variants and sample_mesh. Needs Pillow (Debian: python3-pil) to make the files small.
+BUILD_DIRECTORY has the programs draw_variants and sample_mesh. Points are those in data/; two figures take CGAL's own data, which
+scripts/fetch_demo_data.sh brings. Needs Pillow (Debian: python3-pil) to make the files small.
 Each figure is a row of pictures; what differs from one to the next stands below.
 """
 
@@ -25,10 +26,21 @@ FRONT, ABOVE = "0,0,1", "0.2,0.1,1"
 STEPS = "0.1,0.2,0.3,0.8,0.8,0.7"     # a slab through two steps of the staircase
 FACE = "0.5,0,0.4,0.9,0.4,0.6"        # a part of the front of the bracket
 
-# name: (set, towards the eye, what is drawn, variants for draw_variants)
 METHODS = {"default": "method=0", "lor": "method=1", "alor": "method=2"}
+
+
+def sampled(mesh, **options):
+    """Points drawn from a mesh, with options of sample_mesh."""
+    return mesh, ["--seed", "2", *(word for name, value in options.items() for word in (f"--{name.replace('_', '-')}", str(value)))]
+
+
+NOISY_STAIRCASE = sampled("staircase.off", points=10000, noise=1.5)
+
+# name: (points, towards the eye, what is drawn, variants for draw_variants)
 FIGURE_LIST = {
     "teaser": ("bracket_noisy", CORNER, EVERYTHING, ["input", "default"]),
+    "fandisk": (sampled("demo/meshes/fandisk.off", points=110000, noise=0.5), "1,-1,0.6", EVERYTHING, ["input", f"select_percentage={6000 / 110}"]),
+    "hippo": ("demo/points_3/hippo1.ply", CORNER, EVERYTHING, ["input", "select_percentage=100"]),
     "torus": ("torus_noisy", CORNER, EVERYTHING, ["input", "default"]),
     "methods": ("bracket_noisy", CORNER, EVERYTHING, ["input", *METHODS.values()]),
     "profile": ("staircase_noisy", FRONT, STEPS, ["input", *(f"{method},select_percentage=100" for method in METHODS.values())]),
@@ -38,25 +50,37 @@ FIGURE_LIST = {
     "sharpness_angle": ("bracket_noisy", CORNER, EVERYTHING, [f"sharpness_angle={a}" for a in (4, 15, 50)]),
     "number_of_normal_filter_iterations": ("bracket_noisy", CORNER, EVERYTHING,
                                            [f"number_of_normal_filter_iterations={n}" for n in (0, 1, 5, 40)]),
-    "normal_weight": ("staircase 1.5", FRONT, STEPS,
+    "normal_weight": (NOISY_STAIRCASE, FRONT, STEPS,
                       ["input", *(f"method=1,select_percentage=100,neighbor_radius=2,normal_weight={w}" for w in (0, 0.9, 20))]),
     "regularization_weight": ("bracket_noisy", ABOVE, FACE, ["input", *(f"regularization_weight={w}" for w in (0, 0.05, 5))]),
-    "penalties": ("staircase 1.5", FRONT, STEPS,
+    "penalties": (NOISY_STAIRCASE, FRONT, STEPS,
                   ["input", *(f"method=1,select_percentage=100,neighbor_radius=2,maximum_penalty={p}" for p in (0.1, 2, 200))]),
     "number_of_orientation_neighbors": ("thin_plate_noisy", CORNER, EVERYTHING,
                                         [f"number_of_orientation_neighbors={k}" for k in (3, 12, 100)]),
     "random_seed": ("dodecahedron_noisy", CORNER, "-9,-9,1,9,9,9", [f"select_percentage=20,random_seed={s}" for s in (0, 1, 2)]),
+    "keep_density": (sampled("dodecahedron.off", points=8000, noise=0.5, density_gradient=10), CORNER, EVERYTHING,
+                     ["input", "default", "keep_density=1"]),
+    "drop_outliers": (sampled("bracket.off", points=10000, noise=0.5, outliers=5), CORNER, EVERYTHING,
+                      ["input", "drop_outliers=0", "drop_outliers=1"]),
+    "feature_confidence": ("bracket_noisy", CORNER, EVERYTHING, ["default", "features=1"]),
+    "viewpoint": ("torus_noisy", "0,-0.25,1", "-9,-9,-9,9,9,-0.2", ["input", "cut=1", "cut=1,viewpoint_z=5"]),
 }
 
 
-def input_file(name, programs, scratch):
-    """A set of data/, or the mesh of one sampled with other noise, in % of its diagonal."""
-    mesh, _, noise = name.partition(" ")
-    if not noise:
-        return ROOT / "data" / f"{name}.ply"
-    path = scratch / f"{mesh}_{noise}.ply"
-    subprocess.run([programs / "sample_mesh", ROOT / "data" / f"{mesh}.off", path,
-                    "--points", "10000", "--noise", noise, "--seed", "2"], check=True, stdout=subprocess.DEVNULL)
+def file_of(name):
+    """A file of data/, or of CGAL's data."""
+    if not name.startswith("demo/"):
+        return ROOT / "data" / name
+    folder = subprocess.run([ROOT / "scripts" / "fetch_demo_data.sh"], check=True, stdout=subprocess.PIPE, text=True).stdout.strip()
+    return ROOT / folder / name.removeprefix("demo/")
+
+
+def input_file(points, programs, scratch):
+    if isinstance(points, str):
+        return file_of(points if points.endswith(".ply") else f"{points}.ply")
+    mesh, options = points
+    path = scratch / "sampled.ply"
+    subprocess.run([programs / "sample_mesh", file_of(mesh), path, *options], check=True, stdout=subprocess.DEVNULL)
     return path
 
 
@@ -64,9 +88,9 @@ def main():
     programs = Path(sys.argv[1]) / "bin"
     with tempfile.TemporaryDirectory() as scratch:
         for name in sys.argv[2:] or FIGURE_LIST:
-            data, eye, box, variants = FIGURE_LIST[name]
+            points, eye, box, variants = FIGURE_LIST[name]
             figure = FIGURES / f"{name}.png"
-            subprocess.run([programs / "draw_variants", input_file(data, programs, Path(scratch)), figure, eye, box, *variants],
+            subprocess.run([programs / "draw_variants", input_file(points, programs, Path(scratch)), figure, eye, box, *variants],
                            check=True)
             Image.open(figure).quantize(256, Image.Quantize.MAXCOVERAGE).save(figure, optimize=True)
 

@@ -133,6 +133,7 @@ inline Gaussian_mixture reduced_mixture(const Gaussian_mixture& mixture, double 
   }
 
   std::vector<Merged_gaussian> merged;
+  merged.reserve(parents.size());
   for (std::size_t s : parents)
     merged.emplace_back(mixture[s].mean);
   Gaussian_mixture result;

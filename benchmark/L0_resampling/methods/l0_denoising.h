@@ -61,7 +61,7 @@ Right_hand_side solve(const Eigen::SparseMatrix<double>& matrix, const Right_han
 {
   Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper> solver(matrix);
   solver.setTolerance(1e-6);
-  const Right_hand_side solution = solver.solveWithGuess(rhs, x);
+  Right_hand_side solution = solver.solveWithGuess(rhs, x);
   if (!solution.allFinite())
     throw std::runtime_error("L0 denoising: a linear system has no finite solution");
   return solution;

@@ -66,7 +66,7 @@ def measure_beside(programs, mesh):
 
 
 def milliseconds(seconds):
-    return f"{1e3 * seconds:.3g}"
+    return f"{float(f'{1e3 * seconds:.3g}'):g}"   # three digits, and no exponent
 
 
 def processor():

@@ -131,6 +131,7 @@ public:
     m_triangle_tree.all_intersected_primitives(Kernel::Iso_cuboid_3(foot - reach, foot + reach),
                                                std::back_inserter(found));
     std::vector<Vector_3> normals;
+    normals.reserve(found.size());
     for (const Triangle_iterator triangle : found)
       normals.push_back(area_normal(*triangle));
     return normals;

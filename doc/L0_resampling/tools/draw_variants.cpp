@@ -9,7 +9,8 @@
 //
 // TOWARDS_EYE is x,y,z and BOX x0,y0,z0,x1,y1,z1: only what lies in it is drawn. A variant is `input`, or `default`, or
 // names and values such as `method=1,normal_weight=5`, with the names of the named parameters and the number of a Method.
-// A radius is read in units of its default.
+// A radius is read in units of its default. Besides, `viewpoint_z=5` is a viewpoint on the z-axis, `features=1` draws the
+// feature confidences in place of the normals, and `cut=1` resamples only what lies in BOX, which then has a border.
 
 #include "file_formats.h"
 #include "read_points.h"
@@ -24,6 +25,7 @@
 #include <exception>
 #include <iostream>
 #include <map>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -88,24 +90,36 @@ double take(Values& values, const std::string& name, double default_value)
   return value;
 }
 
-std::vector<Oriented_point> resample(const Point_cloud& cloud, const std::string& variant)
+struct Result
 {
-  Values values = values_of_variant(variant);
+  std::vector<Oriented_point> points;
+  std::vector<float> feature_confidences; // none where normals are to be drawn
+};
+
+Result resample(const std::vector<Point>& points, Values values)
+{
   const Method method = Method(int(take(values, "method", double(Method::DEFAULT))));
   const auto defaults = CGAL::L0_resampling::internal::checked_parameters(parameters::resampling_method(method),
-                                                                          cloud.points.size());
+                                                                          points.size());
 
   // The radii that the points ask for are known after a call only.
   CGAL::L0_resampling::Report report;
-  std::vector<Oriented_point> result;
+  Result result;
   CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(
-    cloud.points, std::back_inserter(result), parameters::resampling_method(method).resampling_report(&report));
-  result.clear();
+    points, std::back_inserter(result.points), parameters::resampling_method(method).resampling_report(&report));
+  result.points.clear();
   const double radius = take(values, "neighbor_radius", 1) * report.neighbor_radius;
   const double filter_radius = take(values, "normal_filter_radius", 1) * radius * report.normal_filter_radius
                                / report.neighbor_radius;
   const double share = take(values, "select_percentage", 50) / 100;
+  std::optional<Point> viewpoint;
+  if (const double z = take(values, "viewpoint_z", 0); z != 0)
+    viewpoint = Point(0, 0, z);
+  const bool draws_features = take(values, "features", 0) != 0;
+  std::vector<float> confidences;
 
+  const std::size_t number = std::size_t(share * double(points.size()));
+  confidences.resize(number);
   const auto np =
     parameters::resampling_method(method)
       .neighbor_radius(radius)
@@ -121,10 +135,16 @@ std::vector<Oriented_point> resample(const Point_cloud& cloud, const std::string
       .number_of_orientation_neighbors(
         std::size_t(take(values, "number_of_orientation_neighbors", double(defaults.number_of_orientation_neighbors))))
       .random_seed(std::size_t(take(values, "random_seed", 0)))
-      .number_of_output_points(std::size_t(share * double(cloud.points.size())));
+      .keep_density(take(values, "keep_density", 0) != 0)
+      .drop_outliers(take(values, "drop_outliers", double(defaults.drop_outliers)) != 0)
+      .viewpoint(viewpoint)
+      .feature_confidence_map(CGAL::make_property_map(confidences))
+      .number_of_output_points(number);
   if (!values.empty())
     throw std::invalid_argument(values.begin()->first + " is not a named parameter");
-  CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(cloud.points, std::back_inserter(result), np);
+  CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(points, std::back_inserter(result.points), np);
+  if (draws_features)
+    result.feature_confidences = confidences;
   return result;
 }
 
@@ -192,12 +212,22 @@ void draw(int argc, char** argv)
   for (int v = 5; v < argc; ++v)
   {
     const bool is_input = std::string(argv[v]) == "input";
-    std::vector<Oriented_point> visible_result;
+    Result visible_result;
     if (!is_input)
-      for (const Oriented_point& p : resample(cloud, argv[v]))
-        if (lies_in(p.first, box))
-          visible_result.push_back(p);
-    const Image snapshot = l0_tool::render_snapshot(visible_cloud, visible_result, towards_eye);
+    {
+      Values values = values_of_variant(argv[v]);
+      const bool is_cut = take(values, "cut", 0) != 0;
+      const Result result = resample(is_cut ? visible_cloud.points : cloud.points, values);
+      for (std::size_t i = 0; i < result.points.size(); ++i)
+        if (is_cut || lies_in(result.points[i].first, box))
+        {
+          visible_result.points.push_back(result.points[i]);
+          if (!result.feature_confidences.empty())
+            visible_result.feature_confidences.push_back(result.feature_confidences[i]);
+        }
+    }
+    const Image snapshot = l0_tool::render_snapshot(visible_cloud, visible_result.points, towards_eye,
+                                                    visible_result.feature_confidences);
     if (v == 5)
       picture = Image((argc - 5) * snapshot.width / 4, snapshot.height / 2, {1, 1, 1});
     copy_panel(snapshot, is_input ? 0 : 1, v - 5, picture);

@@ -40,14 +40,14 @@ of the squared radius \f$ r_p^2 \f$; the fit term leaves out the constant that d
 */
 struct Iteration_report
 {
-  double penalty = 0;      ///< \f$ \beta \f$
-  bool regularized = true; ///< `false` in the iterations that interleaved regularization skips
-  double fit_energy = 0;
+  double penalty = 0;               ///< \f$ \beta \f$
+  bool regularized = true;          ///< `false` in the iterations that interleaved regularization skips
+  double fit_energy = 0;            ///< \f$ \sum W_i \|p_i - c_i\|^2 \f$
   double regularization_energy = 0; ///< 0 where not `regularized`
   double normal_energy = 0;         ///< \f$ \beta \sum (n_i^T(p_i - p_{i'}) - \delta_{ii'})^2 \f$
   double sparsity_energy = 0;       ///< \f$ \lambda \|\delta\|_0 \f$, \f$ \lambda \f$ as in Eq. (8)
   double active_pair_share = 0;     ///< share of pairs with \f$ \delta_{ii'} \neq 0 \f$
-  Solver_report solver;
+  Solver_report solver;             ///< the solve of Eq. (10)
 };
 
 /*!
@@ -58,13 +58,13 @@ What a call of `CGAL::l0_resample_point_set()` did. Pass the address of one with
 */
 struct Report
 {
-  Outcome outcome = Outcome::COMPLETED;
+  Outcome outcome = Outcome::COMPLETED; ///< how the call ended, unless it threw
 
   std::size_t number_of_input_points = 0;    ///< points used, without the dropped ones
   std::size_t number_of_dropped_points = 0;  ///< non-finite points, with `drop_non_finite(true)`
   std::size_t number_of_outliers = 0;        ///< points off the cloud that were left out, with `drop_outliers(true)`
   std::size_t number_of_distinct_points = 0; ///< of the points used, without outliers
-  std::size_t number_of_output_points = 0;
+  std::size_t number_of_output_points = 0;   ///< points that were written
   std::size_t number_of_degenerate_neighborhoods = 0; ///< points whose ball spans no plane, or holds fewer than six points
   std::size_t number_of_lonely_samples = 0;      ///< samples without an original neighbor; they stay where they start
   std::size_t number_of_self_neighbor_pairs = 0; ///< ordered pairs \f$ (i, i') \f$ of the normal term
@@ -79,8 +79,8 @@ struct Report
   std::vector<Iteration_report> iterations; ///< one for each value of the penalty
   bool converged = true;                    ///< whether every solve converged
 
-  std::vector<Stage_report> stages;
-  std::size_t peak_bytes = 0; ///< most memory held by the call's own arrays, input and output not counted
+  std::vector<Stage_report> stages; ///< in the order of execution
+  std::size_t peak_bytes = 0;       ///< most memory held by the call's own arrays, input and output not counted
 
   std::string device = "cpu"; ///< `"cpu"` or `"cuda"`
   std::string device_reason;  ///< why that device was taken

@@ -83,7 +83,7 @@ def test_the_report_has_the_members_of_the_cpp_report():
 
 def test_the_example_is_in_the_readme_and_runs(cube, tmp_path, monkeypatch):
     example = root / "examples/L0_resampling/l0_resample_example.py"
-    code = example.read_text().split("\n\n", 1)[1].strip()   # without the licence
+    code = example.read_text().split("# [example]\n")[1].strip()   # as the manual shows it
     assert len(code.splitlines()) == 3
     assert f"```python\n{code}\n```" in (root / "README.md").read_text()
     monkeypatch.chdir(tmp_path)

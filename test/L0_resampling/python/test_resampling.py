@@ -7,6 +7,9 @@
 
 import dataclasses
 import inspect
+import os
+import subprocess
+import sys
 import tracemalloc
 
 import cgal_l0
@@ -266,6 +269,26 @@ def test_report(cube, tool):
     with pytest.raises(dataclasses.FrozenInstanceError):
         report.converged = False
     assert hash(report) == hash(dataclasses.replace(report))
+
+
+def test_cuda_is_refused_where_no_device_can_be_seen():
+    """In a process of its own, as the device of this one may have been chosen already."""
+    program = """if True:
+        import cgal_l0, numpy
+        points = numpy.random.default_rng(1).random((500, 3))
+        try:
+            cgal_l0.l0_resample_point_set(points, device="cuda")
+        except RuntimeError as error:
+            print(error)
+        *result, report = cgal_l0.l0_resample_point_set(points, device="auto", report=True)
+        print(report.device, len(result[0]), report.device_reason, sep=", ")
+    """
+    outcome = subprocess.run([sys.executable, "-c", program], env={**os.environ, "CUDA_VISIBLE_DEVICES": "-1"},
+                             check=True, capture_output=True, text=True)
+    refusal, fallback = outcome.stdout.splitlines()
+    reason = refusal.removeprefix("device='cuda': ")
+    assert reason != refusal and reason != ""
+    assert fallback == f"cpu, 250, {reason}"
 
 
 def test_cuda_is_refused_or_close(cube):
