@@ -139,8 +139,7 @@ Input take_input(Session& session, Call& call)
 struct Prepared_points
 {
   Cell_grid grid;
-  float4* normals;                 // filtered, and 1/v_j
-  double mean_number_of_neighbors; // within r_q
+  float4* normals; // filtered, and 1/v_j
 };
 
 /// Section 3.1 and Eq. (5): normals and density weights of the input.
@@ -202,8 +201,8 @@ Prepared_points prepare_points(Call& call, const Input& input)
                                        cudaMemcpyDeviceToDevice, workplace.stream));
 
   call.stages.begin("density weights", 0.08);
-  points.mean_number_of_neighbors = compute_input_density_weights(
-    workplace, points.grid, filter_blocks, lengths.filter_radius, squared_bandwidth, points.normals);
+  compute_input_density_weights(workplace, points.grid, filter_blocks, lengths.filter_radius, squared_bandwidth,
+                                points.normals);
   return points;
 }
 
@@ -218,8 +217,7 @@ void choose_samples(Call& call, const Positions& positions, const Prepared_point
   const bool is_default = call.parameters.method == Method::DEFAULT;
   if (is_default)
   {
-    areas = find_areas(workplace, points.grid, points.normals, points.mean_number_of_neighbors, lengths.filter_radius,
-                       call.minimization.squared_bandwidth);
+    areas = areas_of_points(workplace, points.grid, area_radius_factor * lengths.filter_radius);
     lengths.set_sample_spacing(std::sqrt(areas.total / double(call.samples.size)));
   }
   initialize_samples(workplace, positions, points.grid, points.normals, is_default ? &areas : nullptr, lengths.radius,
