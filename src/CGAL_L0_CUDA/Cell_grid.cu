@@ -305,10 +305,7 @@ Cell_grid build_grid(const Positions& positions, const float* normals, const Cel
     check_launch("gather_positions");
   };
   Grid_counts counts;
-  const auto read_counts = [&]() {
-    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(&counts, device_counts, sizeof(counts), cudaMemcpyDeviceToHost, stream));
-    CGAL_L0_CUDA_CHECK(cudaStreamSynchronize(stream));
-  };
+  const auto read_counts = [&]() { counts = scratch.read(device_counts, stream); };
 
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(device_counts, 0, sizeof(Grid_counts), stream));
   compute_keys<<<blocks, threads_per_block, 0, stream>>>(positions, frame, keys, indices);
@@ -378,10 +375,7 @@ unsigned list_flagged(const unsigned char* flags, unsigned size, unsigned* indic
     return cub::DeviceSelect::Flagged(memory, bytes, thrust::counting_iterator<unsigned>(0), flags, indices, count,
                                       size, stream);
   });
-  unsigned result = 0;
-  CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(&result, count, sizeof(result), cudaMemcpyDeviceToHost, stream));
-  CGAL_L0_CUDA_CHECK(cudaStreamSynchronize(stream));
-  return result;
+  return scratch.read(count, stream);
 }
 
 template <typename T>

@@ -60,7 +60,7 @@ Areas areas_of_points(const Workplace& workplace, const Cell_grid& grid, double 
   const Cell_blocks blocks = find_blocks(grid, grid, cells_in_reach(radius, grid.frame.cell_size),
                                          maximum_number_of_candidates, workplace.scratch, workplace.stream);
   unsigned* const units = workplace.scratch.take<unsigned>(grid.size);
-  const Device_counter<Wide> total_units(workplace.scratch, workplace.stream);
+  const Device_counter<Wide> total_units(workplace);
   share_balls<<<blocks_for_queries(grid.size), threads_per_block, 0, workplace.stream>>>(
     grid, blocks, float(radius), Exact_ball(radius, grid.frame.units_per_length), units);
   check_launch("share_balls");

@@ -148,9 +148,7 @@ Sources sources_by_area(const Workplace& workplace, const Cell_grid& grid, const
   sum_up(places, m, places, workplace.scratch, stream);
   part_first_from_others<<<blocks_for(m), threads_per_block, 0, stream>>>(sources, places, m, first, others);
   check_launch("part_first_from_others");
-  unsigned number_of_first = 0;
-  CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(&number_of_first, places + m, sizeof(unsigned), cudaMemcpyDeviceToHost, stream));
-  CGAL_L0_CUDA_CHECK(cudaStreamSynchronize(stream));
+  const unsigned number_of_first = workplace.scratch.read(places + m, stream);
   return {{first, number_of_first}, {others, m - number_of_first}};
 }
 

@@ -212,7 +212,7 @@ std::size_t estimate_pca_normals(const Workplace& workplace, const Positions& po
   const cudaStream_t stream = workplace.stream;
   const Arena_scope scope(workplace.scratch);
   unsigned char* const is_degenerate = workplace.scratch.take<unsigned char>(n);
-  const Device_counter<unsigned> counter(workplace.scratch, stream);
+  const Device_counter<unsigned> counter(workplace);
   fit_planes<<<blocks_for_queries(n), threads_per_block, 0, stream>>>(grid, blocks, float(radius), normals,
                                                                       is_degenerate, counter.address());
   check_launch("fit_planes");
@@ -268,7 +268,7 @@ void take_listed(const Workplace& workplace, const float* vectors, const unsigne
 bool has_zero(const Workplace& workplace, const float* vectors, unsigned size)
 {
   const Arena_scope scope(workplace.scratch);
-  const Device_counter<unsigned> counter(workplace.scratch, workplace.stream);
+  const Device_counter<unsigned> counter(workplace);
   count_zeros<<<blocks_for(size), threads_per_block, 0, workplace.stream>>>(vectors, size, counter.address());
   check_launch("count_zeros");
   return counter.read() > 0;
@@ -302,7 +302,7 @@ void compute_input_density_weights(const Workplace& workplace, const Cell_grid& 
                                    double radius, float squared_bandwidth, float4* normals)
 {
   const Arena_scope scope(workplace.scratch);
-  const Device_counter<unsigned long long> total_count(workplace.scratch, workplace.stream);
+  const Device_counter<unsigned long long> total_count(workplace);
   sum_up_density<<<blocks_for_queries(grid.size), threads_per_block, 0, workplace.stream>>>(
     grid, blocks, float(radius), squared_bandwidth, normals, total_count.address());
   check_launch("sum_up_density");

@@ -27,29 +27,25 @@ struct Workplace
   int number_of_multiprocessors;
 };
 
-/// One number on the device, 0 at first.
+/// One number on the device, 0 at first, in the scratch arena.
 template <typename T>
 class Device_counter
 {
+  Device_arena& m_scratch;
   T* m_value;
   cudaStream_t m_stream;
 
 public:
-  Device_counter(Device_arena& arena, cudaStream_t stream) : m_value(arena.take<T>(1)), m_stream(stream)
+  explicit Device_counter(const Workplace& workplace)
+    : m_scratch(workplace.scratch), m_value(workplace.scratch.take<T>(1)), m_stream(workplace.stream)
   {
-    CGAL_L0_CUDA_CHECK(cudaMemsetAsync(m_value, 0, sizeof(T), stream));
+    CGAL_L0_CUDA_CHECK(cudaMemsetAsync(m_value, 0, sizeof(T), m_stream));
   }
 
   T* address() const { return m_value; }
 
   /// Waits for the device.
-  T read() const
-  {
-    T value;
-    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(&value, m_value, sizeof(T), cudaMemcpyDeviceToHost, m_stream));
-    CGAL_L0_CUDA_CHECK(cudaStreamSynchronize(m_stream));
-    return value;
-  }
+  T read() const { return m_scratch.read(m_value, m_stream); }
 };
 
 /// Finds the points off the cloud, as `find_outliers()` on the CPU.
