@@ -5,6 +5,8 @@
 
 #include "Cell_grid.cuh"
 
+#include <CGAL/L0_resampling/internal/exact_ball.h>
+
 #include <cub/device/device_radix_sort.cuh>
 #include <cub/device/device_scan.cuh>
 #include <cub/device/device_select.cuh>
@@ -260,8 +262,7 @@ Cell_frame Cell_frame::around(const double (&low)[3], const double (&high)[3], d
   const double margin = 8, half_range = std::ldexp(1., 20); // cells; the latter as in Search_grid_3
   Cell_frame frame;
   frame.cell_size = cell_size;
-  // Points that a query sees are at most four cells and a ball apart, on an axis.
-  frame.units_per_length = std::ldexp(1., 29 - std::ilogb(4 * cell_size + longest_query));
+  frame.units_per_length = units_per_length_for(cell_size, longest_query);
   for (int axis = 0; axis < 3; ++axis)
   {
     frame.first[axis] = (std::max)(std::floor(low[axis] / cell_size) - margin, -half_range);
@@ -304,10 +305,7 @@ Cell_grid build_grid(const Positions& positions, const float* normals, const Cel
     check_launch("gather_positions");
   };
   Grid_counts counts;
-  const auto read_counts = [&]() {
-    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(&counts, device_counts, sizeof(counts), cudaMemcpyDeviceToHost, stream));
-    CGAL_L0_CUDA_CHECK(cudaStreamSynchronize(stream));
-  };
+  const auto read_counts = [&]() { counts = scratch.read(device_counts, stream); };
 
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(device_counts, 0, sizeof(Grid_counts), stream));
   compute_keys<<<blocks, threads_per_block, 0, stream>>>(positions, frame, keys, indices);
@@ -377,10 +375,7 @@ unsigned list_flagged(const unsigned char* flags, unsigned size, unsigned* indic
     return cub::DeviceSelect::Flagged(memory, bytes, thrust::counting_iterator<unsigned>(0), flags, indices, count,
                                       size, stream);
   });
-  unsigned result = 0;
-  CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(&result, count, sizeof(result), cudaMemcpyDeviceToHost, stream));
-  CGAL_L0_CUDA_CHECK(cudaStreamSynchronize(stream));
-  return result;
+  return scratch.read(count, stream);
 }
 
 template <typename T>

@@ -253,9 +253,17 @@ __device__ inline void for_each_candidate(const Cell_grid& grid, const Cell_bloc
     for (int r = 0; r < number_of_rows; ++r)
     {
       const unsigned begin = __shfl_sync(group_mask, range.x, r, lanes), end = __shfl_sync(group_mask, range.y, r, lanes);
-      const unsigned long long first = ((unsigned long long)(begin) + stride - 1) & ~(unsigned long long)(stride - 1);
-      for (unsigned long long j = first + lane * stride; j < end; j += lanes * stride)
-        f(unsigned(j));
+      // the stride is a power of two
+      const unsigned first = begin + (0u - begin & (stride - 1)) + lane * stride;
+      const unsigned step = lanes * stride;
+      if (begin == end || first >= end)
+        continue;
+      for (unsigned j = first, last = end - 1;; j += step)
+      {
+        f(j);
+        if (last - j < step) // which does not overflow
+          break;
+      }
     }
   }
 }

@@ -16,25 +16,27 @@ namespace internal {
 namespace cuda {
 
 /*!
-Sums of `count` numbers over all threads of a cooperative launch, the same bits in each thread and in each run: warps, blocks and the grid add up
+Sums of up to `maximum_count` numbers over all threads of a cooperative launch, the same bits in each thread and in each run: warps, blocks and the grid add up
 in a fixed order. One object serves one kernel; it alternates between two arrays, so that one barrier a sum is enough.
 */
-template <int count>
+template <int maximum_count>
 class Grid_sum
 {
-  double* m_partial_sums; // 2 x number of blocks x count
-  double* m_shared;       // warps of a block x count
+  double* m_partial_sums; // 2 x number of blocks x maximum_count
+  double* m_shared;       // warps of a block x maximum_count
   bool m_is_odd = false;
 
 public:
-  static constexpr unsigned size_of_shared(unsigned threads_of_block) { return threads_of_block / 32 * count; }
+  static constexpr unsigned size_of_shared(unsigned threads_of_block) { return threads_of_block / 32 * maximum_count; }
 
   __device__ Grid_sum(double* partial_sums, double* shared) : m_partial_sums(partial_sums), m_shared(shared) {}
 
   /// \param values in: those of the thread; out: the sums
+  template <int count>
   __device__ void operator()(double (&values)[count])
   {
-    double* const partial_sums = m_partial_sums + (m_is_odd ? gridDim.x * count : 0);
+    static_assert(count <= maximum_count, "the arrays have no room for so many numbers");
+    double* const partial_sums = m_partial_sums + (m_is_odd ? gridDim.x * maximum_count : 0);
     m_is_odd = !m_is_odd;
     sum_over_block(values);
     if (threadIdx.x == 0)
@@ -50,6 +52,7 @@ public:
   }
 
 private:
+  template <int count>
   __device__ void sum_over_block(double (&values)[count])
   {
     const unsigned warp = threadIdx.x / 32, number_of_warps = blockDim.x / 32;

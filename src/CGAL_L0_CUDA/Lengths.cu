@@ -43,7 +43,7 @@ Lengths choose_lengths(const Extent& extent, unsigned n, const Parameters& param
   if (is_default)
   {
     const Scales scales = scales_in(lengths);
-    lengths.radius = std::hypot(radius_per_spacing * scales.spacing, radius_per_noise * scales.noise);
+    lengths.radius = default_radius(scales.spacing, scales.noise);
     lengths.noise = scales.noise;
     lengths.sample_spacing = scales.spacing * std::sqrt(n / m);
     report.estimated_spacing = lengths.frame.length_of_input(scales.spacing);

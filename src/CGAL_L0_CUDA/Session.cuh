@@ -11,6 +11,8 @@
 
 #include <CGAL/L0_resampling/internal/Parameters.h>
 
+#include <nvtx3/nvToolsExt.h>
+
 #include <algorithm>
 #include <limits>
 #include <mutex>
@@ -33,7 +35,9 @@ struct Session
   cudaStream_t stream = nullptr;
   int number_of_multiprocessors = 0;
   Memory_limit memory_limit{(std::numeric_limits<std::size_t>::max)()};
-  Device_arena input{memory_limit}, arena{memory_limit}, scratch{memory_limit};
+  Device_block input_memory{memory_limit}, working_memory{memory_limit};
+  Device_arena input{input_memory, Device_arena::End::LOW};
+  Device_arena arena{working_memory, Device_arena::End::LOW}, scratch{working_memory, Device_arena::End::HIGH};
 
   unsigned size = 0;
   const double* points = nullptr;
@@ -64,6 +68,15 @@ struct Session
     cudaGetLastError();
   }
 
+  /// Forgets the last result and what else the last call left, and makes room for the next.
+  void reserve(std::size_t bytes)
+  {
+    number_of_samples = 0;
+    arena.clear();
+    scratch.clear();
+    working_memory.reserve(bytes);
+  }
+
   Workplace workplace() { return {arena, scratch, stream, number_of_multiprocessors}; }
 
   cudaEvent_t event(std::size_t i)
@@ -85,16 +98,23 @@ class Stages
   Progress_callback m_progress;
   Call_report& m_report;
   double m_done = 0, m_share = 0;
+  bool m_is_in_range = false;
 
 public:
   Stages(Session& session, Progress_callback progress, Call_report& report)
     : m_session(session), m_progress(progress), m_report(report)
   {}
+  Stages(const Stages&) = delete;
+  Stages& operator=(const Stages&) = delete;
+  ~Stages() { end_range(); }
 
   /// \param share of the whole call
   void begin(const char* name, double share)
   {
+    end_range();
     record();
+    nvtxRangePushA(name); // for profilers
+    m_is_in_range = true;
     m_done += m_share;
     m_share = share;
     m_report.stages[m_report.number_of_stages++] = {name, 0, 0};
@@ -127,6 +147,13 @@ public:
   }
 
 private:
+  void end_range()
+  {
+    if (m_is_in_range)
+      nvtxRangePop();
+    m_is_in_range = false;
+  }
+
   void record()
   {
     note_memory();

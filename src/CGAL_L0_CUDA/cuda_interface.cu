@@ -5,6 +5,9 @@
 
 #include "Session.cuh"
 
+#include <unistd.h>
+
+#include <atomic>
 #include <cstdio>
 #include <exception>
 #include <memory>
@@ -33,7 +36,12 @@ public:
   ~Device_scope() { cudaSetDevice(m_previous); }
 };
 
+std::atomic<Fault> planted_fault{Fault::NONE};
+std::atomic<std::size_t> planted_countdown{0};
+
 __global__ void do_nothing() {}
+
+__global__ void write_to_nowhere() { *reinterpret_cast<volatile int*>(alignof(int)) = 0; }
 
 /// \returns the caller's device, once a kernel of ours has run there
 int usable_device()
@@ -52,6 +60,13 @@ int usable_device()
   return device;
 }
 
+/// Whether this process is a child of one that has used CUDA, which only that one can go on with. The first call tells which process that is.
+bool is_forked()
+{
+  static const pid_t process_of_cuda = getpid();
+  return getpid() != process_of_cuda;
+}
+
 Answer answer(Status status, const char* message)
 {
   Answer result;
@@ -66,6 +81,8 @@ Answer guarded(Session* session, const F& f)
 {
   try
   {
+    if (is_forked())
+      return answer(Status::NO_DEVICE, "the device was used before fork(), so that this process cannot use it");
     if (!session)
     {
       f();
@@ -86,9 +103,10 @@ Answer guarded(Session* session, const F& f)
       cudaGetLastError();
       if (failure.status() == Status::OUT_OF_MEMORY)
       {
-        session->arena.free_all();
-        session->scratch.free_all();
         session->number_of_samples = 0;
+        session->arena.clear();
+        session->scratch.clear();
+        session->working_memory.free_all();
       }
       throw;
     }
@@ -114,6 +132,20 @@ Answer guarded(Session* session, const F& f)
 
 } // namespace
 
+void plant_fault(Fault fault, std::size_t countdown)
+{
+  planted_fault = fault;
+  planted_countdown = countdown;
+}
+
+bool is_fault_due(Fault fault)
+{
+  if (planted_fault != fault || --planted_countdown > 0)
+    return false;
+  planted_fault = Fault::NONE;
+  return true;
+}
+
 Answer find_device()
 {
   return guarded(nullptr, []() { usable_device(); });
@@ -127,7 +159,7 @@ Answer create(Session*& session)
 
 void destroy(Session* session) noexcept
 {
-  if (!session)
+  if (!session || is_forked()) // what a child cannot give back, its end does
     return;
   int previous = 0;
   const bool has_previous = cudaGetDevice(&previous) == cudaSuccess;
@@ -143,17 +175,17 @@ Answer upload(Session& session, const double* points, std::size_t size, const fl
   return guarded(&session, [&]() {
     session.size = 0;
     session.has_scales = false;
-    session.number_of_samples = 0;
     session.memory_limit.limit = maximum_memory;
     const std::size_t bytes_of_points = 3 * sizeof(double) * size,
                       bytes_of_normals = normals ? 3 * sizeof(float) * size : 0;
-    session.input.reserve(bytes_of_points + bytes_of_normals + 1024);
+    session.input.clear();
+    session.input_memory.reserve(bytes_of_points + bytes_of_normals + 1024);
     double* const device_points = session.input.take<double>(3 * size);
     CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(device_points, points, bytes_of_points, cudaMemcpyHostToDevice, session.stream));
     session.points = device_points;
     session.normals = nullptr;
     session.all_normals_given = false;
-    session.scratch.reserve(34 * size + (std::size_t(1) << 20));
+    session.reserve(34 * size + (std::size_t(1) << 20));
     if (normals)
     {
       float* const device_normals = session.input.take<float>(3 * size);
@@ -174,6 +206,11 @@ Answer resample(Session& session, const Parameters& parameters, Progress_callbac
     if (session.size == 0)
       throw Failure(Status::DEVICE_FAILED, "there are no points on the device");
     session.memory_limit.limit = parameters.maximum_memory;
+    if (is_fault_due(Fault::KERNEL))
+    {
+      write_to_nowhere<<<1, 1, 0, session.stream>>>();
+      check_launch("write_to_nowhere");
+    }
     Stages stages(session, progress, report);
     run(session, parameters, stages, report);
   });

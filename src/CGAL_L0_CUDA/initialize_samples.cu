@@ -6,6 +6,7 @@
 #include "Query.cuh"
 #include "stages.cuh"
 
+#include <CGAL/L0_resampling/internal/exact_ball.h>
 #include <CGAL/L0_resampling/internal/random_bits.h>
 
 namespace CGAL {
@@ -77,7 +78,7 @@ __global__ void take_areas(Cell_grid grid, Some distinct, Areas areas, Wide* uni
 {
   const Wide k = thread_index();
   if (k < distinct.size)
-    units[k] = __double2ull_rn(areas.of_cells[grid.points[distinct[k]].w] * areas.units_per_area(grid.size));
+    units[k] = areas.of_cells[grid.points[distinct[k]].w];
 }
 
 /// The point in whose area the threshold of each sample lies; the last takes what rounding leaves.
@@ -88,8 +89,7 @@ __global__ void find_thresholds(const Wide* sums, unsigned number_of_distinct, u
   const Wide k = thread_index();
   if (k >= number_of_samples)
     return;
-  const double share = (double(k) + scalbn(double(random_bits(seed, k) >> 11), -53)) / double(number_of_samples);
-  const Wide threshold = Wide(share * double(sums[number_of_distinct]));
+  const Wide threshold = area_threshold(k, number_of_samples, seed, sums[number_of_distinct]);
   unsigned first = 0, size = number_of_distinct - 1;
   while (size > 0)
   {
@@ -148,9 +148,7 @@ Sources sources_by_area(const Workplace& workplace, const Cell_grid& grid, const
   sum_up(places, m, places, workplace.scratch, stream);
   part_first_from_others<<<blocks_for(m), threads_per_block, 0, stream>>>(sources, places, m, first, others);
   check_launch("part_first_from_others");
-  unsigned number_of_first = 0;
-  CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(&number_of_first, places + m, sizeof(unsigned), cudaMemcpyDeviceToHost, stream));
-  CGAL_L0_CUDA_CHECK(cudaStreamSynchronize(stream));
+  const unsigned number_of_first = workplace.scratch.read(places + m, stream);
   return {{first, number_of_first}, {others, m - number_of_first}};
 }
 

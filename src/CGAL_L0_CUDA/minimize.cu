@@ -31,6 +31,9 @@ constexpr unsigned threads_per_large_block = 512;
 constexpr double tolerance = 1e-5;
 constexpr unsigned maximum_number_of_iterations = 100;
 
+// At once: the two of conjugate gradients, and the energies.
+constexpr int number_of_sums = 6;
+
 struct Turn
 {
   Minimization parameters;
@@ -68,6 +71,28 @@ __device__ void for_each_sample(unsigned size, const F& f)
     f(unsigned(i));
 }
 
+/// Walks over the pairs of a lane in batches: calls `load(k, e)` for each pair of a batch, and then `use(loaded, e)`, so that the memory has several
+/// reads to do at once.
+template <int batch, typename Load, typename Use>
+__device__ void for_each_pair(const Neighbor_lists& neighbors, unsigned i, unsigned lane, const Load& load, const Use& use)
+{
+  const Wide last = neighbors.offsets[i + 1];
+  for (Wide e = neighbors.offsets[i] + lane; e < last; e += batch * lanes_per_sample)
+  {
+    decltype(load(0u, e)) loaded[batch];
+#pragma unroll
+    for (int b = 0; b < batch; ++b)
+    {
+      const Wide own = e + b * lanes_per_sample, other = own < last ? own : e;
+      loaded[b] = load(neighbors.indices[other], other);
+    }
+#pragma unroll
+    for (int b = 0; b < batch; ++b)
+      if (e + b * lanes_per_sample < last)
+        use(loaded[b], e + b * lanes_per_sample);
+  }
+}
+
 /// w_i of Eq. (5): its inverse becomes the fourth number of the normal.
 __device__ void update_density_weights(const Turn& turn)
 {
@@ -77,11 +102,12 @@ __device__ void update_density_weights(const Turn& turn)
     const unsigned first = turn.neighbors.offsets[i], last = turn.neighbors.offsets[i + 1];
     const int4 center = turn.points[i];
     float sum = 0;
-    for (unsigned e = first + lane; e < last; e += lanes_per_sample)
-    {
-      const float3 d = difference(center, turn.points[turn.neighbors.indices[e]], turn.unit);
-      sum += gaussian_weight(dot(d, d), squared_bandwidth);
-    }
+    for_each_pair<4>(
+      turn.neighbors, i, lane, [&](unsigned k, Wide) { return turn.points[k]; },
+      [&](int4 point, Wide) {
+        const float3 d = difference(center, point, turn.unit);
+        sum += gaussian_weight(dot(d, d), squared_bandwidth);
+      });
     sum = group_sum<lanes_per_sample>(sum);
     if (lane == 0 && is_sample)
       turn.samples.normals[i].w = last > first ? 1 / (1 + sum / mean_number_of_neighbors) : 1;
@@ -151,11 +177,15 @@ __device__ void linearize(const Turn& turn, Energy_sums& energy, double (&sums)[
     float weight = 0, xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
     float regularization = 0, squared_misfit = 0;
     unsigned number_of_active_pairs = 0;
-    for (unsigned e = first + lane; e < last; e += lanes_per_sample)
+    struct Other
     {
-      const unsigned k = turn.neighbors.indices[e];
-      const float3 d = difference(center, turn.points[k], turn.unit);
-      const float4 other = turn.samples.normals[k];
+      int4 point;
+      float4 normal;
+    };
+    const auto load_other = [&](unsigned k, Wide) { return Other{turn.points[k], turn.samples.normals[k]}; };
+    for_each_pair<2>(turn.neighbors, i, lane, load_other, [&](const Other& loaded, Wide e) {
+      const float3 d = difference(center, loaded.point, turn.unit);
+      const float4 other = loaded.normal;
       const float3 nk = xyz(other);
       const float squared_distance = dot(d, d);
       const float a = turn.regularize ? alpha * stretch_weight(squared_distance, squared_radius) * (own.w + other.w)
@@ -176,7 +206,7 @@ __device__ void linearize(const Turn& turn, Energy_sums& energy, double (&sums)[
       regularization += 0.5f * a * squared_distance; // each unordered pair comes twice
       squared_misfit += misfit_i * misfit_i;
       number_of_active_pairs += offset_i != 0;
-    }
+    });
     g = group_sum<lanes_per_sample>(g);
     weight = group_sum<lanes_per_sample>(weight);
     xx = group_sum<lanes_per_sample>(xx);
@@ -217,15 +247,20 @@ __device__ void multiply(const Turn& turn, double& curvature)
 {
   const Wide size = turn.samples.size;
   for_each_sample_of_group(turn.samples.size, [&](unsigned i, unsigned lane, bool is_sample) {
-    const unsigned first = turn.neighbors.offsets[i], last = turn.neighbors.offsets[i + 1];
     float3 sum = {0, 0, 0}, product = {0, 0, 0};
-    for (unsigned e = first + lane; e < last; e += lanes_per_sample)
+    struct Other
     {
-      const unsigned k = turn.neighbors.indices[e];
-      const float4 z = turn.arrays.z[k];
-      sum += xyz(z);
-      product += turn.arrays.pair_weights[e] * xyz(z) + z.w * xyz(turn.samples.normals[k]);
-    }
+      float4 z;
+      float4 normal;
+      float weight;
+    };
+    const auto load_other = [&](unsigned k, Wide e) {
+      return Other{turn.arrays.z[k], turn.samples.normals[k], turn.arrays.pair_weights[e]};
+    };
+    for_each_pair<3>(turn.neighbors, i, lane, load_other, [&](const Other& other, Wide) {
+      sum += xyz(other.z);
+      product += other.weight * xyz(other.z) + other.z.w * xyz(other.normal);
+    });
     sum = group_sum<lanes_per_sample>(sum);
     product = group_sum<lanes_per_sample>(product);
     if (lane != 0 || !is_sample)
@@ -283,10 +318,10 @@ One turn of Algorithm 1 in one cooperative launch, so that nobody waits for the 
 The conjugate gradients are those of Chronopoulos and Gear (1989): in place of the product with the directions p they carry s = H p by the
 recurrence of p, which leaves two barriers an iteration instead of three. At a tolerance of 1e-5 the few more roundings do not show.
 */
-__global__ void __launch_bounds__(threads_per_large_block) run_turn(Turn turn)
+__global__ void __launch_bounds__(threads_per_large_block, 2) run_turn(Turn turn)
 {
-  __shared__ double shared[Grid_sum<2>::size_of_shared(threads_per_large_block)];
-  Grid_sum<2> grid_sum(turn.arrays.partial_sums, shared);
+  __shared__ double shared[Grid_sum<number_of_sums>::size_of_shared(threads_per_large_block)];
+  Grid_sum<number_of_sums> grid_sum(turn.arrays.partial_sums, shared);
   const cooperative_groups::grid_group grid = cooperative_groups::this_grid();
 
   if (turn.regularize)
@@ -297,7 +332,22 @@ __global__ void __launch_bounds__(threads_per_large_block) run_turn(Turn turn)
   Energy_sums energy;
   double sums[2] = {0, 0};
   linearize(turn, energy, sums);
-  grid_sum(sums);
+  double first_sums[number_of_sums] = {sums[0],
+                                       sums[1],
+                                       energy.fit,
+                                       energy.regularization,
+                                       energy.squared_normal_misfit,
+                                       double(energy.number_of_active_pairs)};
+  grid_sum(first_sums);
+  sums[0] = first_sums[0];
+  sums[1] = first_sums[1];
+  if (thread_index() == 0)
+  {
+    turn.result->fit_energy = first_sums[2];
+    turn.result->regularization_energy = first_sums[3];
+    turn.result->squared_normal_misfit = first_sums[4];
+    turn.result->number_of_active_pairs = Wide(first_sums[5]);
+  }
   const double squared_rhs = sums[0], squared_limit = tolerance * tolerance * squared_rhs;
 
   double squared_residual = squared_rhs, gamma = sums[1], last_gamma = 0, last_step = 0;
@@ -305,7 +355,7 @@ __global__ void __launch_bounds__(threads_per_large_block) run_turn(Turn turn)
   bool is_finite = isfinite(squared_rhs);
   while (is_finite && squared_residual > squared_limit && iterations < maximum_number_of_iterations)
   {
-    double curvature[2] = {0, 0};
+    double curvature[1] = {0};
     multiply(turn, curvature[0]);
     grid_sum(curvature);
     is_finite = isfinite(curvature[0]);
@@ -327,19 +377,13 @@ __global__ void __launch_bounds__(threads_per_large_block) run_turn(Turn turn)
   if (is_finite)
     move_samples(turn);
 
-  double energies[2] = {energy.fit, energy.regularization},
-         misfits[2] = {energy.squared_normal_misfit, double(energy.number_of_active_pairs)};
-  grid_sum(energies);
-  grid_sum(misfits);
   if (thread_index() == 0)
-    *turn.result = {energies[0],
-                    energies[1],
-                    misfits[0],
-                    Wide(misfits[1]),
-                    squared_rhs > 0 ? sqrt(squared_residual / squared_rhs) : 0,
-                    iterations,
-                    unsigned(squared_residual <= squared_limit),
-                    Wide(is_finite)};
+  {
+    turn.result->relative_residual = squared_rhs > 0 ? sqrt(squared_residual / squared_rhs) : 0;
+    turn.result->solver_iterations = iterations;
+    turn.result->converged = squared_residual <= squared_limit;
+    turn.result->is_finite = is_finite;
+  }
 }
 
 unsigned number_of_cooperative_blocks(const Workplace& workplace)
@@ -361,7 +405,7 @@ Turn_arrays take_turn_arrays(const Workplace& workplace, unsigned number_of_samp
   for (Vectors* vectors : {&arrays.w, &arrays.p, &arrays.s, &arrays.x, &arrays.r})
     *vectors = {arena.take<float>(3 * std::size_t(number_of_samples)), number_of_samples};
   arrays.blocks = arena.take<float>(6 * std::size_t(number_of_samples));
-  arrays.partial_sums = arena.take<double>(4 * std::size_t(number_of_cooperative_blocks(workplace)));
+  arrays.partial_sums = arena.take<double>(2 * number_of_sums * std::size_t(number_of_cooperative_blocks(workplace)));
   return arrays;
 }
 

@@ -192,25 +192,6 @@ __global__ void sum_up_density(Cell_grid grid, Cell_blocks blocks, float radius,
     atomicAdd(total_count, block_count);
 }
 
-/// One warp for each cell: the mean area of its points, and the sum of all.
-__global__ void average_areas(Cell_grid grid, const float4* normals, double mean_number_of_neighbors, Areas areas,
-                              float* areas_of_cells, unsigned long long* total_units)
-{
-  const unsigned long long cell = thread_index() / 32;
-  if (cell >= grid.number_of_cells) // whole warps leave
-    return;
-  const unsigned begin = grid.begins[cell], end = grid.begins[cell + 1];
-  double sum = 0;
-  for (unsigned long long i = begin + threadIdx.x % 32; i < end; i += 32)
-    sum += areas.largest / (1 + (1 / double(normals[i].w) - 1) * mean_number_of_neighbors); // the point itself counts
-  sum = group_sum<32>(sum);
-  if (threadIdx.x % 32 != 0)
-    return;
-  const float area = area_in_steps(sum / (end - begin));
-  areas_of_cells[cell] = area;
-  atomicAdd(total_units, __double2ull_rn(area * areas.units_per_area(grid.size)) * (end - begin));
-}
-
 __global__ void invert_density(unsigned size, float mean_number_of_neighbors, float4* normals)
 {
   const unsigned long long i = thread_index();
@@ -231,7 +212,7 @@ std::size_t estimate_pca_normals(const Workplace& workplace, const Positions& po
   const cudaStream_t stream = workplace.stream;
   const Arena_scope scope(workplace.scratch);
   unsigned char* const is_degenerate = workplace.scratch.take<unsigned char>(n);
-  const Device_counter<unsigned> counter(workplace.scratch, stream);
+  const Device_counter<unsigned> counter(workplace);
   fit_planes<<<blocks_for_queries(n), threads_per_block, 0, stream>>>(grid, blocks, float(radius), normals,
                                                                       is_degenerate, counter.address());
   check_launch("fit_planes");
@@ -287,7 +268,7 @@ void take_listed(const Workplace& workplace, const float* vectors, const unsigne
 bool has_zero(const Workplace& workplace, const float* vectors, unsigned size)
 {
   const Arena_scope scope(workplace.scratch);
-  const Device_counter<unsigned> counter(workplace.scratch, workplace.stream);
+  const Device_counter<unsigned> counter(workplace);
   count_zeros<<<blocks_for(size), threads_per_block, 0, workplace.stream>>>(vectors, size, counter.address());
   check_launch("count_zeros");
   return counter.read() > 0;
@@ -317,11 +298,11 @@ void refit_normals(const Workplace& workplace, const Cell_grid& grid, const Cell
   check_launch("refit_normals_kernel");
 }
 
-double compute_input_density_weights(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks,
-                                     double radius, float squared_bandwidth, float4* normals)
+void compute_input_density_weights(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks,
+                                   double radius, float squared_bandwidth, float4* normals)
 {
   const Arena_scope scope(workplace.scratch);
-  const Device_counter<unsigned long long> total_count(workplace.scratch, workplace.stream);
+  const Device_counter<unsigned long long> total_count(workplace);
   sum_up_density<<<blocks_for_queries(grid.size), threads_per_block, 0, workplace.stream>>>(
     grid, blocks, float(radius), squared_bandwidth, normals, total_count.address());
   check_launch("sum_up_density");
@@ -329,22 +310,6 @@ double compute_input_density_weights(const Workplace& workplace, const Cell_grid
   invert_density<<<blocks_for(grid.size), threads_per_block, 0, workplace.stream>>>(
     grid.size, float(mean_number_of_neighbors), normals);
   check_launch("invert_density");
-  return mean_number_of_neighbors;
-}
-
-Areas find_areas(const Workplace& workplace, const Cell_grid& grid, const float4* normals,
-                 double mean_number_of_neighbors, double radius, double squared_bandwidth)
-{
-  const double pi = 3.141592653589793;
-  float* const areas_of_cells = workplace.arena.take<float>(grid.number_of_cells);
-  Areas areas = {areas_of_cells, pi * squared_bandwidth * (1 - std::exp(-radius * radius / squared_bandwidth)), 0};
-  const Arena_scope scope(workplace.scratch);
-  const Device_counter<unsigned long long> total_units(workplace.scratch, workplace.stream);
-  average_areas<<<blocks_for(32ull * grid.number_of_cells), threads_per_block, 0, workplace.stream>>>(
-    grid, normals, mean_number_of_neighbors, areas, areas_of_cells, total_units.address());
-  check_launch("average_areas");
-  areas.total = double(total_units.read()) / areas.units_per_area(grid.size);
-  return areas;
 }
 
 } // namespace cuda

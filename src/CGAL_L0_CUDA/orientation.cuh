@@ -6,6 +6,7 @@
 #ifndef CGAL_L0_CUDA_ORIENTATION_CUH
 #define CGAL_L0_CUDA_ORIENTATION_CUH
 
+#include "nearest_samples.cuh"
 #include "stages.cuh"
 
 #include <CGAL/L0_resampling/internal/orientation_agreement.h>
@@ -27,6 +28,16 @@ struct Link
   __device__ bool is_turned() const { return word & 1; }
 };
 
+/// The way from a sample to where the target of its link leads.
+__device__ inline Link operator+(Link first, Link second)
+{
+  return Link::to(second.target(), first.is_turned() ^ second.is_turned());
+}
+
+// Links that other threads may write at the same time.
+__device__ inline Link load(const Link* link) { return {__ldcg(&link->word)}; }
+__device__ inline void store(Link* link, Link value) { __stcg(&link->word, value.word); }
+
 /// The graph of nearest neighbors: edge `i k + e` leads from sample i to its e-th neighbor.
 struct Graph
 {
@@ -37,6 +48,75 @@ struct Graph
   Samples samples;
   float squared_spacing;
 };
+
+/// Calls `f(other)` for the neighbors of sample i in other sets, for each pair once.
+template <typename F>
+__device__ void for_each_edge_between_sets(const Graph& graph, const Link* sets, Wide i, const F& f)
+{
+  const unsigned root = load(sets + i).target();
+  for (Wide edge = i * graph.k; edge < (i + 1) * graph.k; ++edge)
+  {
+    const unsigned other = graph.nearest[edge];
+    if (other == nobody)
+      break;
+    if (load(sets + other).target() == root)
+      continue;
+    bool is_other_way_round = false; // in the list of the other sample too: the lower one has it
+    for (unsigned e = 0; e < graph.k && other < i; ++e)
+      is_other_way_round = is_other_way_round || graph.nearest[Wide(other) * graph.k + e] == i;
+    if (!is_other_way_round)
+      f(other);
+  }
+}
+
+/// Calls `f(i)` for i below `size`, by all threads of a launch that fits on the device at once.
+template <typename F>
+__device__ void for_each(Wide size, const F& f)
+{
+  const Wide number_of_threads = Wide(gridDim.x) * blockDim.x;
+  for (Wide i = thread_index(); i < size; i += number_of_threads)
+    f(i);
+}
+
+__device__ inline void propose(Wide* best, Wide rank)
+{
+  if (rank < __ldcg(best))
+    atomicMin(best, rank);
+}
+
+__device__ inline void note(unsigned* flag)
+{
+  if (__ldcg(flag) == 0)
+    __stcg(flag, 1u);
+}
+
+/// Where a root is hooked to in the end: follows the links as far as they lead.
+__device__ inline Link follow(const Link* hooks, Link link)
+{
+  while (true)
+  {
+    const Link next = load(hooks + link.target());
+    if (next.target() == link.target())
+      return link;
+    link = link + next;
+  }
+}
+
+/// In place of the best edge or vote of a root.
+constexpr Wide nothing = ~Wide(0);
+
+/// Rounds of joining: each halves the sets that can be joined, at least.
+constexpr unsigned maximum_number_of_rounds = 80;
+
+/// Launches a kernel that waits for all its threads.
+/// \param most_blocks on a multiprocessor: barriers take the longer the more blocks there are
+void launch_cooperatively(const Workplace& workplace, void* kernel, unsigned long long size, unsigned threads,
+                          int most_blocks, void** arguments);
+
+/// Grades the edges, and joins the samples over those beyond doubt.
+/// \param faces out: the root of each sample
+/// \returns the number of edges between different sets; waits for the device
+unsigned grow_forest(const Workplace& workplace, const Graph& graph, Link* faces);
 
 /// Votes are added up in fixed point: integers may be added in any order.
 constexpr double units_per_vote = 4294967296.;
@@ -51,13 +131,56 @@ __device__ inline float agreement_of(const Graph& graph, Wide i, unsigned other)
   return orientation_agreement(dot(n, other_n), dot(n, e), -dot(other_n, e), graph.squared_spacing);
 }
 
+/// All edges between two sets, added up in fixed point: integers may be added in any order.
+struct Vote
+{
+  Wide pair; // the roots, the higher one in the lower bits; 0, which is no pair, in an empty slot
+  long long agreement, total;
+};
+
+/// How far the rounds are.
+struct Voting_state
+{
+  unsigned table;           // which one holds the votes
+  unsigned number_of_slots; // of it
+  unsigned round;
+  unsigned is_changed[2 * maximum_number_of_rounds];
+  unsigned counts[2 * maximum_number_of_rounds + 1]; // of votes, at the beginning of each round
+};
+
+/// The votes of the edges between sets, in hash tables, and who was joined by them.
+class Voting
+{
+  const Workplace& m_workplace;
+  const Graph& m_graph;
+  unsigned m_number_of_edges, m_number_of_slots;
+  const Link* m_sets = nullptr; // before any was joined
+  Link* m_hooks;                // of each root: where it was hooked to
+  Wide* m_best;                 // of each root: the vote that it joins another set by
+  long long* m_best_votes;      // of each root: the largest absolute agreement with another set
+  Vote* m_tables[2];            // of a round, and of the next
+  Voting_state* m_state;
+
+public:
+  /// Takes its arrays from the scratch arena.
+  /// \param number_of_edges between sets, at most
+  Voting(const Workplace& workplace, const Graph& graph, unsigned number_of_edges);
+
+  /// Lets the edges between the sets vote.
+  /// \param sets the root of each sample
+  void begin(const Link* sets);
+
+  /// Joins sets that touch by majority, round by round, as `join_by_votes()` on the CPU.
+  /// \param majority the share of the votes that the winning side has to be ahead by
+  /// \param joined out: the root of each sample
+  void join(double majority, Link* joined) const;
+};
+
 /// Joins the larger ones of the sets that hang together if their field asks to turn some of them against the others, as `join_by_field()` on the CPU.
-/// \param edges between samples of different sets; others do not matter
 /// \param trees what the votes make of the sets
 /// \param sets in and out: the root of each sample
 /// \returns whether any was turned; if not, nothing was joined. Waits for the device
-bool join_by_field(const Workplace& workplace, const Graph& graph, const Wide* edges, unsigned number_of_edges,
-                   const Link* trees, double spacing, Link* sets);
+bool join_by_field(const Workplace& workplace, const Graph& graph, const Link* trees, double spacing, Link* sets);
 
 } // namespace cuda
 } // namespace internal

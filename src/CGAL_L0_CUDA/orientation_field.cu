@@ -21,29 +21,33 @@ constexpr unsigned maximum_number_of_sets = maximum_number_of_dipoles / fewest_d
 constexpr double weight_of_votes = 3;
 
 constexpr unsigned no_set = ~0u;
-constexpr unsigned threads_of_single_block = 1024;
+constexpr unsigned threads_of_turning_block = 352; // one for each set
+static_assert(threads_of_turning_block >= maximum_number_of_sets, "too few threads for the sets");
+static_assert(threads_of_turning_block % 32 == 0, "warps are whole");
 
 /// A sample that stands for those around it.
 struct Dipole
 {
   double3 position, normal; // that in the sense of its set
-  unsigned root;
-  unsigned set; // or `no_set`
+  unsigned tree;            // of its set, if that has another set of the field in it; or `no_set`
+  unsigned set;
 };
 
 /// The larger sets of samples, and how far they agree two by two, in fixed point.
 struct Field
 {
   Dipole* dipoles;
+  unsigned* roots_of_dipoles;
   unsigned number_of_dipoles;
-  double area;           // that a dipole stands for
-  double spacing;        // of the samples
-  unsigned* set_of_root; // of each sample that is a root: its number among the larger sets, or `no_set`
+  unsigned char* stands_for_set; // of each dipole: the first one of a large set
+  double area;                   // that a dipole stands for
+  double spacing;                // of the samples
+  unsigned* set_of_root;         // of each sample that is a root: its number among the larger sets, or `no_set`
   unsigned* number_of_sets;
-  unsigned* roots;       // of the sets
-  unsigned* trees;       // that they belong to
-  int* signs;            // relative to the tree
-  long long* agreements; // a row of `maximum_number_of_sets` for each set
+  unsigned* roots; // of the sets
+  unsigned* trees; // that they belong to
+  int* signs;      // relative to the tree
+  long long* agreements; // a row of `maximum_number_of_sets` for each set; those of a and b, and of b and a, stand for each other
 
   __device__ long long* row(unsigned set) const { return agreements + Wide(set) * maximum_number_of_sets; }
   __device__ bool are_of_one_tree(unsigned a, unsigned b) const
@@ -63,48 +67,66 @@ __global__ void place_dipoles(Field field, Samples samples, const Link* sets)
   const Link link = sets[i];
   const double* const p = samples.positions + 3 * Wide(i);
   field.dipoles[k] = {
-    {p[0], p[1], p[2]}, (link.is_turned() ? -1. : 1.) * to_double(xyz(samples.normals[i])), link.target(), no_set};
+    {p[0], p[1], p[2]}, (link.is_turned() ? -1. : 1.) * to_double(xyz(samples.normals[i])), no_set, no_set};
+  field.roots_of_dipoles[k] = link.target();
 }
 
-/// Numbers the sets with enough dipoles by their roots. Run by one block.
+/// One warp for each dipole.
+__global__ void find_large_sets(Field field)
+{
+  const Wide k = thread_index() / 32;
+  if (k >= field.number_of_dipoles) // whole warps leave
+    return;
+  const unsigned root = field.roots_of_dipoles[k];
+  unsigned count = 0;
+  bool is_first = true;
+  for (unsigned other = threadIdx.x % 32; other < field.number_of_dipoles; other += 32)
+    if (field.roots_of_dipoles[other] == root)
+    {
+      ++count;
+      is_first = is_first && other >= k;
+    }
+  count = group_sum<32>(count);
+  is_first = __all_sync(0xffffffffu, is_first);
+  if (threadIdx.x % 32 == 0)
+    field.stands_for_set[k] = is_first && count >= fewest_dipoles_of_a_set;
+}
+
+/// Numbers the large sets by their roots. One warp for each dipole.
 __global__ void number_sets(Field field, const Link* trees)
 {
-  __shared__ unsigned roots[maximum_number_of_dipoles];
-  __shared__ bool stands_for_set[maximum_number_of_dipoles]; // the first dipole of a large set
-  const unsigned size = field.number_of_dipoles;
-  for (unsigned k = threadIdx.x; k < size; k += blockDim.x)
-    roots[k] = field.dipoles[k].root;
-  __syncthreads();
-  for (unsigned k = threadIdx.x; k < size; k += blockDim.x)
-  {
-    unsigned count = 0;
-    bool is_first = true;
-    for (unsigned other = 0; other < size; ++other)
-      if (roots[other] == roots[k])
-      {
-        ++count;
-        is_first = is_first && other >= k;
-      }
-    stands_for_set[k] = is_first && count >= fewest_dipoles_of_a_set;
-  }
-  __syncthreads();
-  for (unsigned k = threadIdx.x; k < size; k += blockDim.x)
-    if (stands_for_set[k])
-    {
-      const unsigned root = roots[k];
-      unsigned set = 0;
-      for (unsigned other = 0; other < size; ++other)
-        set += unsigned(stands_for_set[other] && roots[other] < root);
-      const Link link = trees[root];
-      field.set_of_root[root] = set;
-      field.roots[set] = root;
-      field.trees[set] = link.target();
-      field.signs[set] = link.is_turned() ? -1 : 1;
-      atomicAdd(field.number_of_sets, 1u);
-    }
-  __syncthreads();
-  for (unsigned k = threadIdx.x; k < size; k += blockDim.x)
-    field.dipoles[k].set = field.set_of_root[roots[k]];
+  const Wide k = thread_index() / 32;
+  if (k >= field.number_of_dipoles || !field.stands_for_set[k]) // whole warps leave
+    return;
+  const unsigned root = field.roots_of_dipoles[k];
+  unsigned set = 0;
+  for (unsigned other = threadIdx.x % 32; other < field.number_of_dipoles; other += 32)
+    set += unsigned(field.stands_for_set[other] && field.roots_of_dipoles[other] < root);
+  set = group_sum<32>(set);
+  if (threadIdx.x % 32 != 0)
+    return;
+  const Link link = trees[root];
+  field.set_of_root[root] = set;
+  field.roots[set] = root;
+  field.trees[set] = link.target();
+  field.signs[set] = link.is_turned() ? -1 : 1;
+  atomicAdd(field.number_of_sets, 1u);
+}
+
+__global__ void find_trees_of_dipoles(Field field)
+{
+  const Wide k = thread_index();
+  if (k >= field.number_of_dipoles)
+    return;
+  const unsigned set = field.set_of_root[field.roots_of_dipoles[k]], size = *field.number_of_sets;
+  if (set == no_set)
+    return;
+  bool has_rival = false;
+  for (unsigned other = 0; other < size; ++other)
+    has_rival = has_rival || (other != set && field.trees[other] == field.trees[set]);
+  field.dipoles[k].set = set;
+  if (has_rival)
+    field.dipoles[k].tree = field.trees[set];
 }
 
 /// One block for each dipole: its agreement with all others.
@@ -112,22 +134,34 @@ __global__ void add_dipoles(Field field)
 {
   __shared__ long long sums[maximum_number_of_sets];
   const Dipole a = field.dipoles[blockIdx.x];
-  if (a.set == no_set)
+  if (a.tree == no_set)
     return;
   for (unsigned set = threadIdx.x; set < maximum_number_of_sets; set += blockDim.x)
     sums[set] = 0;
   __syncthreads();
-  for (unsigned k = threadIdx.x; k < field.number_of_dipoles; k += blockDim.x)
+  for (unsigned first = 0; first < field.number_of_dipoles; first += blockDim.x)
   {
-    const Dipole& b = field.dipoles[k];
-    if (!field.are_of_one_tree(a.set, b.set))
+    const unsigned k = first + threadIdx.x;
+    long long units = 0;
+    unsigned set = no_set;
+    if (k < field.number_of_dipoles && field.dipoles[k].tree == a.tree && field.dipoles[k].set != a.set)
+    {
+      const Dipole& b = field.dipoles[k];
+      const double3 d = {b.position.x - a.position.x, b.position.y - a.position.y, b.position.z - a.position.z};
+      const double squared_distance = dot(d, d) + field.area;
+      const double agreement = (dot(a.normal, b.normal) - 3 * dot(a.normal, d) * dot(b.normal, d) / squared_distance)
+                               / (squared_distance * sqrt(squared_distance)) * field.area * field.area / field.spacing;
+      set = b.set;
+      if (isfinite(agreement))
+        units = __double2ll_rn(agreement * units_per_vote);
+    }
+    // neighbors in the order are mostly of one set
+    const unsigned peers = __match_any_sync(0xffffffffu, set);
+    if (set == no_set)
       continue;
-    const double3 d = {b.position.x - a.position.x, b.position.y - a.position.y, b.position.z - a.position.z};
-    const double squared_distance = dot(d, d) + field.area;
-    const double agreement = (dot(a.normal, b.normal) - 3 * dot(a.normal, d) * dot(b.normal, d) / squared_distance)
-                             / (squared_distance * sqrt(squared_distance)) * field.area * field.area / field.spacing;
-    if (isfinite(agreement))
-      add_to(&sums[b.set], __double2ll_rn(agreement * units_per_vote));
+    const long long sum = peer_sum(peers, units);
+    if (is_leader_of(peers))
+      add_to(&sums[set], sum);
   }
   __syncthreads();
   for (unsigned set = threadIdx.x; set < maximum_number_of_sets; set += blockDim.x)
@@ -135,58 +169,87 @@ __global__ void add_dipoles(Field field)
       add_to(&field.row(a.set)[set], sums[set]);
 }
 
-__global__ void add_votes_of_edges(Field field, Graph graph, const Wide* edges, unsigned number_of_edges, const Link* sets)
+__global__ void add_votes_between_sets(Field field, Graph graph, const Link* sets)
 {
-  const Wide n = thread_index();
-  if (n >= number_of_edges)
+  const Wide i = thread_index();
+  if (i >= graph.size)
     return;
-  const Wide i = edges[n] / graph.k;
-  const unsigned other = graph.nearest[edges[n]];
-  const Link a = sets[i], b = sets[other];
-  const unsigned set_a = field.set_of_root[a.target()], set_b = field.set_of_root[b.target()];
-  if (!field.are_of_one_tree(set_a, set_b))
+  const Link a = sets[i];
+  const unsigned set_a = field.set_of_root[a.target()];
+  if (set_a == no_set)
     return;
-  const double agreement = agreement_of(graph, i, other);
-  const long long units = __double2ll_rn((a.is_turned() == b.is_turned() ? 1 : -1) * weight_of_votes * agreement
-                                         * units_per_vote);
-  add_to(&field.row(set_a)[set_b], units);
-  add_to(&field.row(set_b)[set_a], units);
+  for_each_edge_between_sets(graph, sets, i, [&](unsigned other) {
+    const Link b = sets[other];
+    const unsigned set_b = field.set_of_root[b.target()];
+    if (!field.are_of_one_tree(set_a, set_b))
+      return;
+    const double agreement = agreement_of(graph, i, other);
+    const long long units = __double2ll_rn((a.is_turned() == b.is_turned() ? 1 : -1) * weight_of_votes * agreement
+                                           * units_per_vote);
+    add_to(&field.row(set_a)[set_b], units);
+    add_to(&field.row(set_b)[set_a], units);
+  });
 }
 
-/// Turns the set that disagrees most, one after the other, until none does. Run by one block.
+/// The set that disagrees most, of those of equal agreement the first.
+struct Disagreement
+{
+  long long agreement;
+  unsigned set;
+
+  __device__ bool operator<(const Disagreement& b) const
+  {
+    return agreement < b.agreement || (agreement == b.agreement && set < b.set);
+  }
+};
+
+/// The least of a warp, in its first thread.
+__device__ Disagreement least_of_warp(Disagreement own)
+{
+  for (int offset = 16; offset > 0; offset /= 2)
+  {
+    const Disagreement other = {__shfl_down_sync(0xffffffffu, own.agreement, offset),
+                                __shfl_down_sync(0xffffffffu, own.set, offset)};
+    if (other < own)
+      own = other;
+  }
+  return own;
+}
+
+/// Turns the set that disagrees most, one after the other, until none does. Run by one block, with a thread for each set.
 __global__ void turn_sets(Field field, unsigned* number_of_turns)
 {
-  __shared__ long long least;
-  __shared__ unsigned set_of_least;
-  const unsigned size = *field.number_of_sets;
+  __shared__ Disagreement of_warps[threads_of_turning_block / 32];
+  __shared__ int signs[maximum_number_of_sets];
+  const unsigned size = *field.number_of_sets, a = threadIdx.x;
+  if (a < size)
+    signs[a] = field.signs[a];
+  __syncthreads();
+  long long sum = 0; // the agreement of the set with all others, in the sense of its first sign
+  for (unsigned b = 0; b < size && a < size; ++b)
+    sum += signs[b] * field.row(b)[a];
   for (unsigned turn = 0; turn < 10 * size; ++turn) // rounding might go round in circles
   {
-    if (threadIdx.x == 0)
-    {
-      least = 0;
-      set_of_least = no_set;
-    }
+    const Disagreement own = {a < size ? signs[a] * sum : 0, a};
+    const Disagreement least_here = least_of_warp(own);
+    if (a % 32 == 0)
+      of_warps[a / 32] = least_here;
     __syncthreads();
-    long long own = 0;
-    if (threadIdx.x < size)
+    Disagreement least = of_warps[0];
+    for (unsigned warp = 1; warp < threads_of_turning_block / 32; ++warp)
+      if (of_warps[warp] < least)
+        least = of_warps[warp];
+    if (least.agreement >= 0)
+      break;
+    if (a == least.set)
     {
-      for (unsigned b = 0; b < size; ++b)
-        own += field.signs[b] * field.row(threadIdx.x)[b];
-      own *= field.signs[threadIdx.x];
-      atomicMin(&least, own);
-    }
-    __syncthreads();
-    if (own < 0 && own == least)
-      atomicMin(&set_of_least, threadIdx.x);
-    __syncthreads();
-    if (set_of_least == no_set)
-      return;
-    if (threadIdx.x == 0)
-    {
-      field.signs[set_of_least] = -field.signs[set_of_least];
+      signs[a] = -signs[a];
+      field.signs[a] = signs[a];
       ++*number_of_turns;
     }
     __syncthreads();
+    if (a < size)
+      sum += 2 * signs[least.set] * field.row(least.set)[a];
   }
 }
 
@@ -207,15 +270,16 @@ __global__ void join_field(Field field, unsigned size, Link* sets)
 
 } // namespace
 
-bool join_by_field(const Workplace& workplace, const Graph& graph, const Wide* edges, unsigned number_of_edges,
-                   const Link* trees, double spacing, Link* sets)
+bool join_by_field(const Workplace& workplace, const Graph& graph, const Link* trees, double spacing, Link* sets)
 {
   const cudaStream_t stream = workplace.stream;
   const Arena_scope scope(workplace.scratch);
   const unsigned m = graph.size, number_of_dipoles = (std::min)(m, maximum_number_of_dipoles);
-  const Device_counter<unsigned> number_of_sets(workplace.scratch, stream), number_of_turns(workplace.scratch, stream);
+  const Device_counter<unsigned> number_of_sets(workplace), number_of_turns(workplace);
   const Field field = {workplace.scratch.take<Dipole>(number_of_dipoles),
+                       workplace.scratch.take<unsigned>(number_of_dipoles),
                        number_of_dipoles,
+                       workplace.scratch.take<unsigned char>(number_of_dipoles),
                        spacing * spacing * double(m) / double(number_of_dipoles),
                        spacing,
                        workplace.scratch.take<unsigned>(m),
@@ -229,17 +293,17 @@ bool join_by_field(const Workplace& workplace, const Graph& graph, const Wide* e
                                      Wide(maximum_number_of_sets) * maximum_number_of_sets * sizeof(long long), stream));
   place_dipoles<<<blocks_for(number_of_dipoles), threads_per_block, 0, stream>>>(field, graph.samples, sets);
   check_launch("place_dipoles");
-  number_sets<<<1, threads_of_single_block, 0, stream>>>(field, trees);
+  find_large_sets<<<blocks_for(32ull * number_of_dipoles), threads_per_block, 0, stream>>>(field);
+  check_launch("find_large_sets");
+  number_sets<<<blocks_for(32ull * number_of_dipoles), threads_per_block, 0, stream>>>(field, trees);
   check_launch("number_sets");
+  find_trees_of_dipoles<<<blocks_for(number_of_dipoles), threads_per_block, 0, stream>>>(field);
+  check_launch("find_trees_of_dipoles");
   add_dipoles<<<number_of_dipoles, threads_per_block, 0, stream>>>(field);
   check_launch("add_dipoles");
-  if (number_of_edges > 0)
-  {
-    add_votes_of_edges<<<blocks_for(number_of_edges), threads_per_block, 0, stream>>>(field, graph, edges,
-                                                                                      number_of_edges, sets);
-    check_launch("add_votes_of_edges");
-  }
-  turn_sets<<<1, threads_of_single_block, 0, stream>>>(field, number_of_turns.address());
+  add_votes_between_sets<<<blocks_for(m), threads_per_block, 0, stream>>>(field, graph, sets);
+  check_launch("add_votes_between_sets");
+  turn_sets<<<1, threads_of_turning_block, 0, stream>>>(field, number_of_turns.address());
   check_launch("turn_sets");
   if (number_of_turns.read() == 0)
     return false;

@@ -51,20 +51,24 @@ std::vector<double> penalties(const Parameters& parameters)
   return values;
 }
 
-/// Bytes of the two stacks for n points and m samples with as many neighbors as is usual; what is missing is added on the way, once.
-struct Memory_estimate
-{
-  std::size_t arena, scratch;
-};
-Memory_estimate estimate_memory(std::size_t n, std::size_t m, bool is_default, bool drops_outliers)
+/// Bytes for n points and m samples with as many neighbors as is usual; what is missing is added on the way, once.
+std::size_t estimate_memory(std::size_t n, std::size_t m, bool is_default, bool drops_outliers)
 {
   const std::size_t slack = std::size_t(1) << 20;
-  const std::size_t of_points = (drops_outliers ? 46 : 42) * n, of_sample_grid = 36 * m,
-                    of_neighbors = is_default ? 96 * m : 64 * m, of_graph = 120 * m;
-  const std::size_t arena = is_default
-                              ? 72 * m + (std::max)(of_points + of_sample_grid + of_neighbors, of_graph)
-                              : 56 * m + (std::max)({of_points + of_sample_grid, of_sample_grid + of_neighbors, of_graph});
-  return {arena + slack, (std::max)(50 * n, is_default ? 190 * m : 164 * m) + slack};
+  const std::size_t of_samples = (is_default ? 72 : 56) * m, of_outliers = drops_outliers ? 4 * n : 0;
+  // points with their cells, and normals
+  const std::size_t of_points = of_outliers + 24 * n + 16 * n;
+  const std::size_t of_sorting = of_outliers + 24 * n + 60 * n;
+  const std::size_t of_filtering = of_points + 16 * n + (is_default ? 20 : 10) * n;
+  const std::size_t of_start = of_points + 24 * n + 16 * m;
+  const std::size_t of_sample_grid = 26 * m;
+  const std::size_t of_neighbors = is_default ? 100 * m : 64 * m; // with the weights of pairs twice as much
+  const std::size_t of_sorting_samples = (is_default ? of_points : 0) + of_sample_grid + 60 * m;
+  const std::size_t of_fit = of_points + of_sample_grid + 10 * m;
+  const std::size_t of_minimization = (is_default ? of_points : 0) + of_sample_grid + 2 * of_neighbors + 104 * m;
+  const std::size_t of_orientation = 170 * m;
+  return slack + of_samples
+         + (std::max)({of_sorting, of_filtering, of_start, of_sorting_samples, of_fit, of_minimization, of_orientation});
 }
 
 /// What a call carries from stage to stage.
@@ -139,8 +143,7 @@ Input take_input(Session& session, Call& call)
 struct Prepared_points
 {
   Cell_grid grid;
-  float4* normals;                 // filtered, and 1/v_j
-  double mean_number_of_neighbors; // within r_q
+  float4* normals; // filtered, and 1/v_j
 };
 
 /// Section 3.1 and Eq. (5): normals and density weights of the input.
@@ -202,8 +205,8 @@ Prepared_points prepare_points(Call& call, const Input& input)
                                        cudaMemcpyDeviceToDevice, workplace.stream));
 
   call.stages.begin("density weights", 0.08);
-  points.mean_number_of_neighbors = compute_input_density_weights(
-    workplace, points.grid, filter_blocks, lengths.filter_radius, squared_bandwidth, points.normals);
+  compute_input_density_weights(workplace, points.grid, filter_blocks, lengths.filter_radius, squared_bandwidth,
+                                points.normals);
   return points;
 }
 
@@ -218,8 +221,7 @@ void choose_samples(Call& call, const Positions& positions, const Prepared_point
   const bool is_default = call.parameters.method == Method::DEFAULT;
   if (is_default)
   {
-    areas = find_areas(workplace, points.grid, points.normals, points.mean_number_of_neighbors, lengths.filter_radius,
-                       call.minimization.squared_bandwidth);
+    areas = areas_of_points(workplace, points.grid, area_radius_factor * lengths.filter_radius);
     lengths.set_sample_spacing(std::sqrt(areas.total / double(call.samples.size)));
   }
   initialize_samples(workplace, positions, points.grid, points.normals, is_default ? &areas : nullptr, lengths.radius,
@@ -318,10 +320,7 @@ void run(Session& session, const Parameters& parameters, Stages& stages, Call_re
 {
   const unsigned n = session.size, m = unsigned(parameters.number_of_output_points);
   const bool is_default = parameters.method == Method::DEFAULT;
-  session.number_of_samples = 0;
-  const Memory_estimate estimate = estimate_memory(n, m, is_default, parameters.drop_outliers);
-  session.arena.reserve(estimate.arena);
-  session.scratch.reserve(estimate.scratch);
+  session.reserve(estimate_memory(n, m, is_default, parameters.drop_outliers));
   const Workplace workplace = session.workplace();
 
   stages.begin("sort points", 0.05);

@@ -171,7 +171,7 @@ std::size_t collapse_fit_term(const Workplace& workplace, const Cell_grid& sampl
                               const Cell_grid& grid, const float4* normals, double radius, const Samples& samples)
 {
   const Arena_scope scope(workplace.scratch);
-  const Device_counter<unsigned> counter(workplace.scratch, workplace.stream);
+  const Device_counter<unsigned> counter(workplace);
   collapse<<<blocks_for_queries(samples.size), threads_per_block, 0, workplace.stream>>>(
     sample_grid, blocks, grid, normals, float(radius), samples, counter.address());
   check_launch("collapse");
@@ -191,7 +191,7 @@ Neighbor_lists find_self_neighbors(const Workplace& workplace, const Cell_grid& 
   const Cell_blocks blocks = find_blocks(grid, grid, 1, limit, workplace.scratch, stream);
   unsigned* const counts = workplace.scratch.take<unsigned>(std::size_t(m) + 1);
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(counts + m, 0, sizeof(unsigned), stream));
-  const Device_counter<Wide> total_count(workplace.scratch, stream);
+  const Device_counter<Wide> total_count(workplace);
   count_self_neighbors<<<thread_blocks, threads_per_block, 0, stream>>>(grid, blocks, squared_radius, counts,
                                                                         total_count.address());
   check_launch("count_self_neighbors");

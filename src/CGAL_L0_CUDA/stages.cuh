@@ -27,29 +27,25 @@ struct Workplace
   int number_of_multiprocessors;
 };
 
-/// One number on the device, 0 at first.
+/// One number on the device, 0 at first, in the scratch arena.
 template <typename T>
 class Device_counter
 {
+  Device_arena& m_scratch;
   T* m_value;
   cudaStream_t m_stream;
 
 public:
-  Device_counter(Device_arena& arena, cudaStream_t stream) : m_value(arena.take<T>(1)), m_stream(stream)
+  explicit Device_counter(const Workplace& workplace)
+    : m_scratch(workplace.scratch), m_value(workplace.scratch.take<T>(1)), m_stream(workplace.stream)
   {
-    CGAL_L0_CUDA_CHECK(cudaMemsetAsync(m_value, 0, sizeof(T), stream));
+    CGAL_L0_CUDA_CHECK(cudaMemsetAsync(m_value, 0, sizeof(T), m_stream));
   }
 
   T* address() const { return m_value; }
 
   /// Waits for the device.
-  T read() const
-  {
-    T value;
-    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(&value, m_value, sizeof(T), cudaMemcpyDeviceToHost, m_stream));
-    CGAL_L0_CUDA_CHECK(cudaStreamSynchronize(m_stream));
-    return value;
-  }
+  T read() const { return m_scratch.read(m_value, m_stream); }
 };
 
 /// Finds the points off the cloud, as `find_outliers()` on the CPU.
@@ -89,27 +85,20 @@ void refit_normals(const Workplace& workplace, const Cell_grid& grid, const Cell
                    float4* refitted);
 
 /// Eq. (5) for the input: writes 1/v_j to the fourth number of each normal.
-/// \returns the mean number of neighbors; waits for the device
-double compute_input_density_weights(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks,
-                                     double radius, float squared_bandwidth, float4* normals);
+/// Waits for the device.
+void compute_input_density_weights(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks,
+                                   double radius, float squared_bandwidth, float4* normals);
 
-/// The areas of the surface that points stand for, as `areas_of_points()` on the CPU.
+/// The areas of the surface that points stand for, as `areas_of_points()` on the CPU, to the bit.
 struct Areas
 {
-  const float* of_cells; // what each point of a cell stands for
-  double largest;        // that can be
-  double total;          // of all points
-
-  /// Sums are taken in fixed point, so that the order of the additions does not matter: of this many points at most.
-  __host__ __device__ double units_per_area(unsigned number_of_points) const
-  {
-    return 4611686018427387904. / (largest * number_of_points);
-  }
+  const unsigned long long* of_cells; // units of what each point of a cell stands for
+  double total;                       // of all points
 };
 
-/// From the density weights; waits for the device. The areas are taken from the arena.
-Areas find_areas(const Workplace& workplace, const Cell_grid& grid, const float4* normals,
-                 double mean_number_of_neighbors, double radius, double squared_bandwidth);
+/// Waits for the device. The areas are taken from the arena.
+/// \param radius of the disk that the points in a ball share
+Areas areas_of_points(const Workplace& workplace, const Cell_grid& grid, double radius);
 
 /// S, and what the fit term of Eq. (6) ties it to.
 struct Samples

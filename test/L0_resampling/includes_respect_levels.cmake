@@ -8,7 +8,7 @@ cmake_minimum_required(VERSION 3.21)
 
 set(level_0   # words: types, formulas and tools that know nothing of point sets
   tags.h Solver_report.h Quadratic_problem.h
-  internal/host_device.h internal/random_bits.h internal/weights.h internal/orientation_agreement.h internal/shrinkage.h internal/block_factorization.h internal/checked_count.h
+  internal/host_device.h internal/random_bits.h internal/exact_ball.h internal/weights.h internal/orientation_agreement.h internal/shrinkage.h internal/block_factorization.h internal/checked_count.h
   internal/symmetric_eigen.h internal/Height_moments.h internal/attribute_kinds.h
   internal/Buffer.h internal/lanes.h internal/parallel_for.h internal/parallel_sort.h internal/select_nth.h internal/Signed_union_find.h)
 set(level_1   # what several stages share, and what works on the arrays of one neighborhood
@@ -19,7 +19,7 @@ set(level_1   # what several stages share, and what works on the arrays of one n
   internal/normal_matrix.h internal/least_squares_rows.h)
 set(level_2   # stages and solvers
   internal/working_frame.h internal/estimate_scales.h internal/find_outliers.h internal/estimate_pca_normals.h internal/filter_normals.h internal/refit_normals.h
-  internal/density_weights.h internal/initialize_samples.h internal/collapse_fit_term.h internal/Fit_rows.h
+  internal/density_weights.h internal/areas_of_points.h internal/initialize_samples.h internal/collapse_fit_term.h internal/Fit_rows.h
   internal/pair_terms.h internal/fit_compatible_points.h internal/tangential_repulsion.h internal/orient_normals.h
   internal/separate_coincident_points.h internal/estimate_feature_confidences.h internal/find_near_points.h
   Block_conjugate_gradient_solver_traits.h Eigen_cholesky_solver_traits.h Eigen_least_squares_solver_traits.h

@@ -41,12 +41,12 @@ struct Start
     number_of_distinct_points = samples.number_of_distinct_points;
   }
 
-  Buffer<float> areas_in_order(const std::vector<double>& areas) const
+  Buffer<std::uint64_t> areas_in_order(const std::vector<double>& areas) const
   {
-    Buffer<float> result;
+    Buffer<std::uint64_t> result;
     if (!areas.empty())
       for (Index i : input.order)
-        result.push_back(float(areas[i]));
+        result.push_back(std::uint64_t(areas[i]));
     return result;
   }
 };
@@ -170,7 +170,7 @@ void check_areas(Generator& generator)
   double total = 0;
   for (const Vector& p : cloud.points)
   {
-    areas.push_back(p[0] < 0 ? 1 : 9);
+    areas.push_back(p[0] < 0 ? 1e6 : 9e6);
     total += areas.back();
   }
   for (std::size_t n : {1, 300, 1500, 6000})

@@ -65,6 +65,7 @@ void print_constants()
   object.add("radius_per_noise", radius_per_noise);
   object.add("default_filter_radius_factor", default_filter_radius_factor);
   object.add("fit_angle_factor", fit_angle_factor);
+  object.add("area_radius_factor", area_radius_factor);
   object.add("fit_bandwidth_factor", fit_bandwidth_factor);
   object.add("fit_weight_factor", fit_weight_factor);
   object.add("border_allowance", border_allowance);

@@ -9,6 +9,7 @@
 #include <CGAL/L0_resampling/tags.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 
@@ -71,6 +72,15 @@ constexpr double sparsity_unit_factor = 0.25;
 constexpr double radius_per_spacing = 4;
 constexpr double radius_per_noise = 4.2;
 
+/// In steps of 0.2 to 0.4 %, which is less than spacing and noise are known to: processors that round differently find the same radius, and with it the
+/// same cells and the same first samples.
+inline double default_radius(double spacing, double noise)
+{
+  int exponent = 0;
+  const double mantissa = std::frexp(std::hypot(radius_per_spacing * spacing, radius_per_noise * noise), &exponent);
+  return std::ldexp(std::floor(512 * mantissa + 0.5), exponent - 9);
+}
+
 /// r_q per r_p: beside an edge, the filter has to reach points whose first normal the edge did not spoil.
 constexpr double default_filter_radius_factor = 1.2;
 
@@ -115,6 +125,9 @@ constexpr double default_penalty_growth = 2.3;
 constexpr double self_neighbor_radius_per_spacing = 2.5;
 
 constexpr std::size_t number_of_repulsion_steps = 3;
+
+/// The disk whose points share its area, per r_q: as many count in it as count in Eq. (5), whose weights fall off.
+constexpr double area_radius_factor = 0.7;
 
 /// How the samples repel each other: the push of one from a neighbor at distance d is
 /// \f$ \mathrm{strength} \cdot d \, e^{-d^2 / \mathrm{squared\_bandwidth}} \f$, and the sum of all is cut at `maximum_step`. Chosen by the evenness they

@@ -107,6 +107,18 @@ Answer resample(Session& session, const Parameters& parameters, Progress_callbac
 /// Brings the result to the host: positions in the coordinates of the input, normals of unit length; xyz interleaved.
 Answer download(Session& session, double* positions, float* normals);
 
+/// What tests let go wrong.
+enum class Fault
+{
+  NONE,
+  ALLOCATION, ///< an allocation of device memory fails
+  KERNEL      ///< a kernel writes where no memory is; the process will not get the device back
+};
+
+/// Plants a fault, in place of any other that was planted and has not come yet.
+/// \param countdown which one of the next allocations fails, from 1; for a kernel, which one of the next calls of `resample()` runs it
+void plant_fault(Fault fault, std::size_t countdown);
+
 /// A sparse matrix in compressed rows.
 template <typename FT>
 struct Sparse_matrix

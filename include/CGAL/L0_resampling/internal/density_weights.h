@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 
 namespace CGAL {
 namespace L0_resampling {
@@ -110,28 +109,6 @@ double compute_input_density_weights(const Search_grid_3& grid, const Buffer<Vec
   else
     weights.assign(weights.size(), T(1));
   return mean_number_of_input_neighbors;
-}
-
-/// The area of the surface that each point stands for, from the density weights: a plane of density 1 adds up the weights of Eq. (2) to the integral of
-/// \f$ e^{-d^2/\sigma_q^2} \f$ over the disk. The points of a cell share theirs evenly, as far from the surface those on it would seem to be the denser ones.
-/// \param grid of the points
-/// \param mean_number_of_neighbors what `compute_input_density_weights()` returns
-template <typename T>
-Buffer<T> areas_of_points(const Search_grid_3& grid, const Buffer<T>& density_weights, double mean_number_of_neighbors,
-                          double radius, double squared_bandwidth)
-{
-  const double integral = double(EIGEN_PI * squared_bandwidth * (1 - std::exp(-radius * radius / squared_bandwidth)));
-  Buffer<T> areas(density_weights.get_allocator());
-  areas.reserve(density_weights.size());
-  for (T weight : density_weights)
-    areas.push_back(T(integral / (1 + (double(weight) - 1) * mean_number_of_neighbors))); // the point itself counts
-  for (std::size_t cell = 0; cell < grid.number_of_cells(); ++cell)
-  {
-    const Search_grid_3::Range points = grid.points_of_cell(cell);
-    const auto begin = areas.begin() + points.first, end = areas.begin() + points.second;
-    std::fill(begin, end, T(area_in_steps(std::accumulate(begin, end, 0.) / double(points.second - points.first))));
-  }
-  return areas;
 }
 
 } // namespace internal

@@ -7,6 +7,7 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_INITIALIZE_SAMPLES_H
 
 #include <CGAL/L0_resampling/internal/ball_queries.h>
+#include <CGAL/L0_resampling/internal/exact_ball.h>
 #include <CGAL/L0_resampling/internal/random_bits.h>
 
 #include <algorithm>
@@ -99,24 +100,20 @@ struct Sources
 
 /// Shares the samples out by area: each point gets as many as there are thresholds, one at random in each of m equal parts of the whole area, in the part of the
 /// area that is its own. The first starts on it.
-/// \param areas one number a point, positive
-template <typename T>
-Sources sources_by_area(const Buffer<Index>& distinct, const Buffer<T>& areas, std::uint64_t m, std::uint64_t seed)
+/// \param areas one number a point, positive, so that all processors add them up alike
+inline Sources sources_by_area(const Buffer<Index>& distinct, const Buffer<std::uint64_t>& areas, std::uint64_t m,
+                               std::uint64_t seed)
 {
   Sources sources{Buffer<Index>(distinct.get_allocator()), Buffer<Index>(distinct.get_allocator())};
-  double total = 0;
+  std::uint64_t total = 0;
   for (Index i : distinct)
     total += areas[i];
-  const auto threshold = [&](std::uint64_t k) {
-    return (double(k) + std::ldexp(double(random_bits(seed, k) >> 11), -53)) / double(m) * total;
-  };
-  double sum = 0;
-  std::uint64_t k = 0;
+  std::uint64_t sum = 0, k = 0;
   for (Index i : distinct)
   {
     sum += areas[i];
     const bool is_last = i == distinct.back(); // takes what rounding leaves
-    for (bool is_first = true; k < m && (is_last || threshold(k) < sum); is_first = false, ++k)
+    for (bool is_first = true; k < m && (is_last || area_threshold(k, m, seed, total) < sum); is_first = false, ++k)
       (is_first ? sources.on_points : sources.between_points).push_back(i);
   }
   return sources;
@@ -149,7 +146,7 @@ Chooses where `number_of_samples` samples start. No two start on one point: the 
 */
 template <typename ConcurrencyTag, typename T>
 Initial_samples initialize_samples(const Search_grid_3& grid, const Buffer<Vector>& points,
-                                   const Buffer<Eigen::Matrix<T, 3, 1>>& normals, const Buffer<T>& areas,
+                                   const Buffer<Eigen::Matrix<T, 3, 1>>& normals, const Buffer<std::uint64_t>& areas,
                                    std::size_t number_of_samples, double radius, std::uint64_t seed, Progress& progress)
 {
   Buffer<Index> distinct(points.get_allocator());

@@ -9,6 +9,7 @@
 #include <CGAL/L0_resampling/Report.h>
 #include <CGAL/L0_resampling/internal/Parameters.h>
 #include <CGAL/L0_resampling/internal/alternating_minimization.h>
+#include <CGAL/L0_resampling/internal/areas_of_points.h>
 #include <CGAL/L0_resampling/internal/collapse_fit_term.h>
 #include <CGAL/L0_resampling/internal/density_weights.h>
 #include <CGAL/L0_resampling/internal/estimate_feature_confidences.h>
@@ -25,7 +26,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 
 namespace CGAL {
 namespace L0_resampling {
@@ -172,7 +172,7 @@ Lengths choose_lengths(const Parameters& parameters, Buffer<Vector>& points, Wor
   if (parameters.method == Method::DEFAULT)
   {
     const Scales scales = estimate_scales<ConcurrencyTag, Local>(points, scaled_paper_radius, progress);
-    lengths.radius = std::hypot(radius_per_spacing * scales.spacing, radius_per_noise * scales.noise);
+    lengths.radius = default_radius(scales.spacing, scales.noise);
     lengths.noise = scales.noise;
     lengths.sample_spacing = scales.spacing * std::sqrt(n / m);
     report.estimated_spacing = frame.length_of_input(scales.spacing);
@@ -273,26 +273,28 @@ Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buff
   // Section 3.2: density weights of Q, Eq. (5), and the first S
   progress.begin_stage("density weights", 0.08, points.size());
   Buffer<Local> input_density_weights(points.size(), Local(1), allocator);
-  const double mean_number_of_neighbors = compute_input_density_weights<ConcurrencyTag>(
-    grid, points, lengths.filter_radius, squared_bandwidth, progress, input_density_weights);
+  compute_input_density_weights<ConcurrencyTag>(grid, points, lengths.filter_radius, squared_bandwidth, progress,
+                                                input_density_weights);
 
-  progress.begin_stage("initial samples", 0.02, parameters.number_of_output_points);
+  const std::size_t number_of_area_queries = parameters.method == Method::DEFAULT ? points.size() : 0;
+  progress.begin_stage("initial samples", 0.02, parameters.number_of_output_points + number_of_area_queries);
   const std::size_t m = parameters.number_of_output_points;
-  Buffer<Local> areas(allocator);
+  Areas areas{Buffer<std::uint64_t>(allocator), 0};
   if (parameters.method == Method::DEFAULT)
   {
-    areas = areas_of_points(grid, input_density_weights, mean_number_of_neighbors, lengths.filter_radius,
-                            squared_bandwidth);
-    lengths.sample_spacing = std::sqrt(std::accumulate(areas.begin(), areas.end(), 0.) / double(m));
+    const double longest_query = (std::max)(lengths.radius, lengths.filter_radius);
+    areas = areas_of_points<ConcurrencyTag, Local>(grid, points, area_radius_factor * lengths.filter_radius,
+                                                   units_per_length_for(lengths.cell_size, longest_query), progress);
+    lengths.sample_spacing = std::sqrt(areas.total() / double(m));
     lengths.self_neighbor_radius = self_neighbor_radius_of_spacing(lengths);
   }
   else if (parameters.keep_density)
     input_density_weights.assign(points.size(), Local(1)); // sparse points shall not count more than dense ones
   Samples<FT> samples(allocator);
   {
-    const Buffer<Local> no_areas(allocator);
+    const Buffer<std::uint64_t> no_areas(allocator);
     Initial_samples start = initialize_samples<ConcurrencyTag>(grid, points, normals,
-                                                               parameters.keep_density ? no_areas : areas, m,
+                                                               parameters.keep_density ? no_areas : areas.units, m,
                                                                lengths.radius, parameters.random_seed, progress);
     report.number_of_distinct_points = start.number_of_distinct_points;
     samples.positions = std::move(start.positions);
@@ -301,14 +303,14 @@ Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buff
       samples.normals.push_back(normals[source].cast<FT>().normalized());
     if (parameters.method == Method::DEFAULT && parameters.keep_density)
       for (Index source : start.sources)
-        samples.spacings.push_back(FT(std::sqrt(double(areas[source]) * double(points.size()) / double(m))));
+        samples.spacings.push_back(FT(std::sqrt(areas.of_point(source) * double(points.size()) / double(m))));
     if (!hints.empty())
       for (Index source : start.sources)
         samples.hints.push_back(hints[source].template cast<FT>());
     release(hints);
     samples.fit_weights.resize(m);
     samples.fit_centroids = samples.positions;
-    release(areas);
+    release(areas.units);
   }
 
   // Section 3.2 and 3.3: Eq. (6) by Algorithm 1

@@ -100,18 +100,6 @@ CGAL_L0_HOST_DEVICE inline T symmetric_height(const T& own_height, const T& turn
   return T(T(own_height + turned_other_height) * 0.5f);
 }
 
-/// An area in steps of 3 to 6 %, which is less than it is known to. Samples are shared out by sums of areas, where the last digits of one
-/// would decide where others start: in steps, processors that round differently find the same sums.
-CGAL_L0_HOST_DEVICE inline float area_in_steps(double area)
-{
-  using std::floor;
-  using std::frexp;
-  using std::ldexp;
-  int exponent;
-  const double mantissa = frexp(area, &exponent);
-  return float(ldexp(floor(32 * mantissa + 0.5), exponent - 5));
-}
-
 /// How far from its straight side the mean of a half disk lies, weighted by \f$ e^{-d^2/\sigma^2} \f$. With
 /// \f$ s = radius / \sigma \f$ it is \f$ \sigma / \sqrt\pi \f$ for large s, times what the cut at the radius leaves.
 inline double mean_distance_in_half_disk(double radius, double bandwidth)

@@ -1,0 +1,116 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Measures what a CUDA device can do at most: bytes a second from its memory and from its cache, and operations a second. Prints one JSON object.
+
+#include <cuda_runtime.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <exception>
+#include <iostream>
+#include <stdexcept>
+#include <vector>
+
+namespace {
+
+void demand(cudaError_t error)
+{
+  if (error != cudaSuccess)
+    throw std::runtime_error(cudaGetErrorString(error));
+}
+
+/// The median of the seconds that what `f` launches takes.
+template <typename F>
+double seconds_of(const F& f)
+{
+  cudaEvent_t start, stop;
+  demand(cudaEventCreate(&start));
+  demand(cudaEventCreate(&stop));
+  std::vector<double> seconds;
+  for (int i = 0; i < 15; ++i) {
+    float milliseconds = 0;
+    demand(cudaEventRecord(start));
+    f();
+    demand(cudaEventRecord(stop));
+    demand(cudaEventSynchronize(stop));
+    demand(cudaGetLastError());
+    demand(cudaEventElapsedTime(&milliseconds, start, stop));
+    seconds.push_back(milliseconds * 1e-3);
+  }
+  demand(cudaEventDestroy(start));
+  demand(cudaEventDestroy(stop));
+  std::sort(seconds.begin(), seconds.end());
+  return seconds[seconds.size() / 2];
+}
+
+/// Every block reads the whole array, from another place on.
+__global__ void read_again_and_again(const float4* values, std::size_t size, float* sum)
+{
+  float own = 0;
+  for (std::size_t i = threadIdx.x; i < size; i += blockDim.x) {
+    const float4 v = __ldcg(values + (i + blockIdx.x * 4096) % size);
+    own += v.x + v.y + v.z + v.w;
+  }
+  if (own == 12345) // never, but the compiler does not know
+    *sum = own;
+}
+
+constexpr int operations_of_thread = 4096;
+
+/// \tparam T `float` or `double`
+template <typename T>
+__global__ void multiply_and_add(T factor, T* sums)
+{
+  T chains[8];
+  for (int c = 0; c < 8; ++c)
+    chains[c] = T(threadIdx.x + unsigned(c));
+  for (int i = 0; i < operations_of_thread / 8; ++i)
+    for (int c = 0; c < 8; ++c)
+      chains[c] = chains[c] * factor + factor;
+  for (int c = 0; c < 8; ++c)
+    if (chains[c] == T(12345))
+      *sums = chains[c];
+}
+
+template <typename T>
+double operations_a_second(unsigned blocks, void* memory)
+{
+  const double seconds = seconds_of([&]() { multiply_and_add<<<blocks, 256>>>(T(0.999), static_cast<T*>(memory)); });
+  return 2. * operations_of_thread * blocks * 256 / seconds;
+}
+
+} // namespace
+
+int main()
+{
+  try {
+    cudaDeviceProp device;
+    demand(cudaGetDeviceProperties(&device, 0));
+    const std::size_t bytes = std::size_t(2) << 30, bytes_in_cache = std::size_t(16) << 20;
+    char *from = nullptr, *to = nullptr;
+    demand(cudaMalloc(&from, bytes));
+    demand(cudaMalloc(&to, bytes));
+    demand(cudaMemset(from, 1, bytes));
+    const double copy = seconds_of([&]() { demand(cudaMemcpyAsync(to, from, bytes, cudaMemcpyDeviceToDevice)); });
+    const unsigned blocks = unsigned(device.multiProcessorCount) * 8;
+    const std::size_t size = bytes_in_cache / sizeof(float4);
+    const double reads = seconds_of([&]() {
+      read_again_and_again<<<blocks, 256>>>(reinterpret_cast<const float4*>(from), size, reinterpret_cast<float*>(to));
+    });
+    std::cout << "{\"device\": \"" << device.name << "\", \"multiprocessors\": " << device.multiProcessorCount
+              << ", \"memory_bytes_a_second\": " << 2. * double(bytes) / copy
+              << ", \"cache_bytes_a_second\": " << double(bytes_in_cache) * blocks / reads
+              << ", \"float_operations_a_second\": " << operations_a_second<float>(blocks * 16, to)
+              << ", \"double_operations_a_second\": " << operations_a_second<double>(blocks * 16, to) << "}"
+              << std::endl;
+    demand(cudaFree(from));
+    demand(cudaFree(to));
+    return 0;
+  } catch (const std::exception& error) {
+    std::cerr << "cuda_limits: " << error.what() << "\n";
+    return 1;
+  }
+}

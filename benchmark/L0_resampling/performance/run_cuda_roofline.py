@@ -1,0 +1,127 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026  The CGAL::L0_resampling authors.
+# All rights reserved.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Counts bytes and operations of each stage on a CUDA device, sets them against what the device can do, and writes NAME.json and NAME.md.
+
+Nsight Compute's hardware counters count what the last call of run_l0_cuda did; cuda_limits measures the limits; the times are those of a run without
+counters, which disturb them.
+"""
+
+import argparse
+import csv
+import io
+import json
+import os
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+RUNS = ((110_000, 60_000, "lor", ()), (110_000, 60_000, "default", ()), (300_000, 220_000, "lor", ()),
+        (1_000_000, 600_000, "lor", ("--noise-in-spacings", "0.5", "--radius-in-spacings", "4")))
+PREFIX = "smsp__sass_thread_inst_executed_op_"
+OPERATIONS = {PREFIX + kind + "_pred_on.sum": (precision, count) for precision, kinds in
+              (("float", ("fadd", "fmul", "ffma")), ("double", ("dadd", "dmul", "dfma"))) for kind, count in zip(kinds, (1, 1, 2))}
+MEMORY, CACHE, ISSUED = "dram__bytes.sum", "lts__t_bytes.sum", "smsp__inst_issued.sum"
+UNITS = {"byte": 1, "Kbyte": 1e3, "Mbyte": 1e6, "Gbyte": 1e9, "Tbyte": 1e12, "inst": 1, "": 1}
+
+
+def counts_of_stages(text, stages):
+    """Sums of the counters over the kernels of the last call, stage by stage."""
+    lines = text.splitlines()
+    start = next(i for i, line in enumerate(lines) if line.startswith('"ID"'))
+    rows = csv.reader(io.StringIO("\n".join(lines[start:])))
+    names, units = next(rows), next(rows)
+    calls = [{}]
+    last_stage = None
+    for row in rows:
+        ranges = " ".join(value for name, value in zip(names, row) if "Range" in name)
+        stage = next((s for s in sorted(stages, key=len, reverse=True) if s in ranges), None)
+        if stage is None:
+            continue
+        if stage == stages[0] and last_stage not in (None, stages[0]):
+            calls.append({})
+        last_stage = stage
+        counts = calls[-1].setdefault(stage, {"kernels": 0})
+        counts["kernels"] += 1
+        for name, unit, value in zip(names, units, row):
+            if name in OPERATIONS or name in (MEMORY, CACHE, ISSUED):
+                counts[name] = counts.get(name, 0) + float(value.replace(",", "")) * UNITS[unit]
+    return calls[-1]
+
+
+def measure(programs, mesh, limits):
+    """Times and counts of all runs."""
+    results = []
+    for points_in, points_out, method, options in RUNS:
+        command = [str(word) for word in (programs / "run_l0_cuda", mesh, "--points-in", points_in, "--points", points_out,
+                                          "--method", method, *options)]
+        timed = json.loads(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
+        stages = [stage["name"] for stage in timed["stages"]]
+        with tempfile.TemporaryDirectory() as scratch:
+            log = Path(scratch) / "counters.csv"
+            subprocess.run(["ncu", "--clock-control", "none", "--nvtx", "--csv", "--page", "raw", "--log-file", str(log), "--metrics",
+                            ",".join((*OPERATIONS, MEMORY, CACHE, ISSUED)), *command, "--repetitions", "1"],
+                           check=True, stdout=subprocess.DEVNULL)
+            counts = counts_of_stages(log.read_text(encoding="utf-8"), stages)
+        for stage in timed["stages"]:
+            c = counts.get(stage["name"], {"kernels": 0})
+            stage.update(kernels=c["kernels"], memory_bytes=c.get(MEMORY, 0), cache_bytes=c.get(CACHE, 0), instructions=c.get(ISSUED, 0))
+            for precision in ("float", "double"):
+                stage[precision + "_operations"] = sum(weight * c.get(name, 0) for name, (p, weight) in OPERATIONS.items() if p == precision)
+        results.append({"points_in": points_in, "points_out": points_out, "method": method, "stages": timed["stages"],
+                        "device_resident_seconds": timed["device_resident_seconds"]["median"]})
+        print(points_in, method, file=sys.stderr)
+    return {"limits": limits, "runs": results}
+
+
+def bound_of(stage, limits):
+    """Shares of the stage's time that its bytes and operations would take at the limits."""
+    seconds = stage["seconds"]
+    return {"memory": stage["memory_bytes"] / limits["memory_bytes_a_second"] / seconds,
+            "cache": stage["cache_bytes"] / limits["cache_bytes_a_second"] / seconds,
+            "operations": (stage["float_operations"] / limits["float_operations_a_second"]
+                           + stage["double_operations"] / limits["double_operations_a_second"]) / seconds,
+            "issue": stage["instructions"] / limits["instructions_a_second"] / seconds}
+
+
+def table(data):
+    limits = data["limits"]
+    lines = ["# Stages on a CUDA device against its limits", "",
+             f"Made by `run_cuda_roofline.py build/bin fandisk.off --output results/cuda_roofline` on one {limits['device']}. Measured limits: "
+             f"{limits['memory_bytes_a_second'] / 1e12:.3g} TB/s of memory, read and written; {limits['cache_bytes_a_second'] / 1e12:.3g} TB/s read from the "
+             f"second cache; {limits['float_operations_a_second'] / 1e12:.3g} and {limits['double_operations_a_second'] / 1e12:.3g} TFLOP/s of `float` and "
+             "`double`; one instruction a cycle and scheduler, as many as the multiplications and additions of `float` at their limit. Of the "
+             "time of a stage, the *shares* are what its bytes, operations and instructions would take at these limits: the largest one is what holds "
+             "the stage up, and where all are small it waits: for barriers, for dependent reads, for launches and for the host.", ""]
+    for run in data["runs"]:
+        lines += [f"## {run['points_in']} points to {run['points_out']}, {run['method']}: {1e3 * run['device_resident_seconds']:.3g} ms", "",
+                  "| stage | ms | kernels | MB of memory | MB of cache | MFLOP | share of memory | of cache | of operations | of instructions |",
+                  "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |"]
+        for stage in run["stages"]:
+            b = bound_of(stage, limits)
+            lines.append(f"| {stage['name']} | {1e3 * stage['seconds']:.3g} | {stage['kernels']} | {stage['memory_bytes'] / 1e6:.3g} "
+                         f"| {stage['cache_bytes'] / 1e6:.3g} | {(stage['float_operations'] + stage['double_operations']) / 1e6:.3g} "
+                         + "".join(f"| {100 * b[kind]:.0f} % " for kind in ("memory", "cache", "operations", "issue")) + "|")
+        lines.append("")
+    return "\n".join(lines)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("programs", type=Path, help="folder with run_l0_cuda and cuda_limits")
+    parser.add_argument("mesh", type=Path)
+    parser.add_argument("--output", type=Path, default=Path("cuda_roofline"), help="without extension")
+    arguments = parser.parse_args()
+    limits = json.loads(subprocess.run([arguments.programs / "cuda_limits"], check=True, capture_output=True, text=True).stdout)
+    # a multiplication with addition of 32 threads is one instruction, and counts as 64 operations
+    limits["instructions_a_second"] = limits["float_operations_a_second"] / 64
+    data = measure(arguments.programs, arguments.mesh, limits)
+    arguments.output.with_suffix(".json").write_text(json.dumps(data, indent=1) + os.linesep, encoding="utf-8")
+    arguments.output.with_suffix(".md").write_text(table(data), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
