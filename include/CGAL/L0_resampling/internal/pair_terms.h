@@ -139,26 +139,38 @@ Energy_sums shrink_normal_offsets(const Samples<FT>& samples, const Neighborhood
       const Local_vector to_centroid = (samples.fit_centroids[i] - samples.positions[i]).template cast<FT>();
       sums.fit += samples.fit_weights[i] * to_centroid.squaredNorm();
 
+      // Numbers rather than vectors: compilers put two of the three numbers of a vector in one register, and take longer to get them there
+      // than to work with them.
+      const Vector position = samples.positions[i];
       const Local_vector normal = samples.normals[i];
-      Local_vector g = samples.fit_weights[i] * to_centroid;
-      FT regularization = 0, squared_normal_misfit = 0;
+      FT pull_x = 0, pull_y = 0, pull_z = 0, misfit = 0, regularization = 0, squared_normal_misfit = 0;
       for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
       {
         const Index k = neighbors.indices[e];
-        const Local_vector difference = (samples.positions[i] - samples.positions[k]).template cast<FT>();
-        const FT distance_i = normal.dot(difference), distance_k = samples.normals[k].dot(difference);
+        const Vector& other_position = samples.positions[k];
+        const Local_vector& other_normal = samples.normals[k];
+        const FT x = FT(position[0] - other_position[0]), y = FT(position[1] - other_position[1]),
+                 z = FT(position[2] - other_position[2]);
+        const FT distance_i = normal[0] * x + normal[1] * y + normal[2] * z;
+        const FT distance_k = other_normal[0] * x + other_normal[1] * y + other_normal[2] * z;
         const FT offset_i = shrink(distance_i, threshold);
         // delta_ki is minus this one, as p_k - p_i is minus the difference
         const FT offset_k = shrink(distance_k, threshold);
-        const FT misfit_i = distance_i - offset_i, misfit_k = distance_k - offset_k;
-        g -= pair_weights[e] * difference + (penalty * misfit_i) * normal + (penalty * misfit_k) * samples.normals[k];
+        const FT misfit_i = distance_i - offset_i, pull_k = penalty * (distance_k - offset_k);
+        const FT weight = pair_weights[e];
+        pull_x += weight * x + pull_k * other_normal[0];
+        pull_y += weight * y + pull_k * other_normal[1];
+        pull_z += weight * z + pull_k * other_normal[2];
+        misfit += misfit_i;
         if (!normal_offsets.empty())
           normal_offsets[e] = offset_i;
 
-        regularization += pair_weights[e] * difference.squaredNorm();
+        regularization += weight * (x * x + y * y + z * z);
         squared_normal_misfit += misfit_i * misfit_i;
         sums.number_of_active_pairs += offset_i != 0;
       }
+      const Local_vector g = samples.fit_weights[i] * to_centroid - Local_vector(pull_x, pull_y, pull_z)
+                             - (penalty * misfit) * normal;
       sums.regularization += 0.5 * regularization; // each unordered pair comes twice
       sums.squared_normal_misfit += squared_normal_misfit;
       sums.squared_right_hand_side += g.template cast<double>().squaredNorm();
