@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds the tool, and resamples real scans and a noisy sample of a mechanical part.
+# Installs what is missing, builds the tool and the Python package, and resamples real scans and a noisy sample of a mechanical part.
 # Says at the end where results and pictures are.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 scripts/install_dependencies.sh
-# The same build folder as that of scripts/test.sh; only two programs of it are built.
+# The same build folder as that of scripts/test.sh; of it, what `cmake --install build` needs is built, and what makes the noisy part.
 cmake -S . -B build -DCMAKE_BUILD_TYPE=Release -DPython_EXECUTABLE=/usr/bin/python3
-cmake --build build -j "$(nproc)" --target l0_resample sample_mesh
+cmake --build build -j "$(nproc)" --target l0_resample cgal_l0 sample_mesh
 
 mkdir -p output
 data=$(scripts/fetch_demo_data.sh)

@@ -48,7 +48,7 @@ py::array_t<T> array_of(std::vector<T>&& numbers, py::ssize_t columns)
   auto owned = std::make_unique<std::vector<T>>(std::move(numbers));
   std::vector<T>* vector = owned.get();
   const py::capsule owner(vector, [](void* pointer) { delete static_cast<std::vector<T>*>(pointer); });
-  owned.release();
+  static_cast<void>(owned.release()); // to the capsule
   std::vector<py::ssize_t> shape = {py::ssize_t(vector->size()) / columns};
   if (columns > 1)
     shape.push_back(columns);

@@ -30,7 +30,6 @@ namespace l0_python {
 namespace {
 
 using CGAL::L0_resampling::Method;
-using CGAL::L0_resampling::Report;
 
 /// Appends the pairs that the function writes to the arrays of a result. The report knows their number before the first
 /// is written.

@@ -203,8 +203,9 @@ void add_options(CLI::App& app, Options& options, std::vector<std::string>& file
     ->excludes(points);
   add_choice(app, "--method", methods, options.method, "the paper's LOR or ALOR, or what is recommended");
   app
-    .add_option("--neighbor-radius", options.neighbor_radius,
-                "radius of a neighborhood, a length [diagonal / cube root of points]")
+    .add_option(
+      "--neighbor-radius", options.neighbor_radius,
+      "radius of a neighborhood, a length [from spacing and noise; lor, alor: diagonal / cube root of points]")
     ->check(number_within(0, false, (std::numeric_limits<double>::max)(), "a length above 0"))
     ->type_name("R");
   app

@@ -59,7 +59,7 @@ class Npy_header_parser
     const std::size_t end = m_rest.find('\'');
     if (end == std::string_view::npos)
       m_file.refuse("a string of the header does not end");
-    const std::string text(m_rest.substr(0, end));
+    std::string text(m_rest.substr(0, end));
     m_rest.remove_prefix(end + 1);
     return text;
   }

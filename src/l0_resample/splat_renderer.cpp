@@ -163,7 +163,7 @@ void draw_band(const std::vector<Splat>& splats, float radius, int begin, int en
       Color sum = {0, 0, 0};
       for (int dy = 0; dy < samples_per_side; ++dy)
         for (int dx = 0; dx < samples_per_side; ++dx) {
-          const std::size_t row = std::size_t(samples_per_side * (y - begin) + dy);
+          const std::size_t row = std::size_t(samples_per_side) * std::size_t(y - begin) + std::size_t(dy);
           const Color& color = colors[row * std::size_t(band.x_end) + std::size_t(samples_per_side * x + dx)];
           for (std::size_t k = 0; k < 3; ++k)
             sum[k] += color[k];

@@ -187,7 +187,7 @@ void check_field(Generator& generator)
   const auto face_of = [&](std::size_t i) {
     int axis;
     cube.normals[i].cwiseAbs().maxCoeff(&axis);
-    return std::size_t(axis + (cube.normals[i][axis] > 0 ? 3 : 0));
+    return std::size_t(axis) + (cube.normals[i][axis] > 0 ? 3 : 0);
   };
   for (const double number_of_votes : {0., 1., 1000.})
     for (std::size_t turned = 0; turned < 64; ++turned)

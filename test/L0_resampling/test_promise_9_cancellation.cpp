@@ -60,7 +60,7 @@ template <typename ConcurrencyTag, typename NamedParameters>
 test::Resampled<Kernel> observe(const Points& points, Observer& observer, const NamedParameters& np)
 {
   const std::function<bool(double)> callback = std::ref(observer);
-  const auto result = test::resample<Kernel, ConcurrencyTag>(points, np.callback(callback));
+  auto result = test::resample<Kernel, ConcurrencyTag>(points, np.callback(callback));
   observer.call_is_running = false;
   CHECK(observer.stays_in_range);
   CHECK(observer.never_falls);

@@ -19,8 +19,8 @@ struct Named_parameters
   Parameters parameters;
 };
 
-/// Our inventions, each with its name, for a cloud of n points with that diagonal.
-std::vector<Named_parameters> hostile_parameter_sets(std::size_t n, double diagonal);
+/// Our inventions, each with its name, for a cloud of that many points with that diagonal.
+std::vector<Named_parameters> hostile_parameter_sets(std::size_t size, double diagonal);
 
 /// Some of the parameters from the same sources as above, the others at their defaults.
 Parameters random_parameters(std::size_t n, double diagonal, Generator& generator);
