@@ -45,6 +45,7 @@ struct Turn
   Samples samples;
   int4* points;
   Turn_arrays arrays;
+  const Turn_result* last_result; // null in the first turn
   Turn_result* result;
 };
 
@@ -348,7 +349,9 @@ __global__ void __launch_bounds__(threads_per_large_block, 2) run_turn(Turn turn
     turn.result->squared_normal_misfit = first_sums[4];
     turn.result->number_of_active_pairs = Wide(first_sums[5]);
   }
-  const double squared_rhs = sums[0], squared_limit = tolerance * tolerance * squared_rhs;
+  // As on the CPU: where the samples have come a long way, what is left of it need not be known better than the way itself.
+  const double squared_rhs = sums[0], last_scale = turn.last_result ? turn.last_result->right_hand_side_scale : 0;
+  const double scale = max(last_scale, sqrt(squared_rhs)), squared_limit = tolerance * tolerance * scale * scale;
 
   double squared_residual = squared_rhs, gamma = sums[1], last_gamma = 0, last_step = 0;
   unsigned iterations = 0;
@@ -379,7 +382,8 @@ __global__ void __launch_bounds__(threads_per_large_block, 2) run_turn(Turn turn
 
   if (thread_index() == 0)
   {
-    turn.result->relative_residual = squared_rhs > 0 ? sqrt(squared_residual / squared_rhs) : 0;
+    turn.result->right_hand_side_scale = scale;
+    turn.result->relative_residual = scale > 0 ? sqrt(squared_residual) / scale : 0;
     turn.result->solver_iterations = iterations;
     turn.result->converged = squared_residual <= squared_limit;
     turn.result->is_finite = is_finite;
@@ -411,12 +415,11 @@ Turn_arrays take_turn_arrays(const Workplace& workplace, unsigned number_of_samp
 
 void minimize_once(const Workplace& workplace, const Minimization& parameters, double penalty, bool regularize,
                    const Neighbor_lists& neighbors, const Cell_grid& grid, const Samples& samples,
-                   const Turn_arrays& arrays, Turn_result* result)
+                   const Turn_arrays& arrays, const Turn_result* last_result, Turn_result* result)
 {
   const double threshold = parameters.sparsity_unit * std::sqrt(parameters.normal_weight / penalty);
-  Turn turn = {
-    parameters, float(penalty), float(threshold), regularize, grid.frame.unit(), grid.frame.units_per_length, neighbors,
-    samples,    grid.points,    arrays,           result};
+  Turn turn = {parameters, float(penalty), float(threshold), regularize, grid.frame.unit(), grid.frame.units_per_length,
+               neighbors,  samples,        grid.points,      arrays,     last_result,       result};
   void* arguments[] = {&turn};
   const unsigned useful_blocks = unsigned((Wide(samples.size) * lanes_per_sample + threads_per_large_block - 1)
                                           / threads_per_large_block);

@@ -102,23 +102,24 @@ __global__ void count_zeros(const float* vectors, unsigned size, unsigned* count
 }
 
 /// Eq. (1): the mean of the normals in the ball, each turned to the side of the point's own first.
-__global__ void filter_normals_kernel(Cell_grid grid, Cell_blocks blocks, float radius, float squared_bandwidth,
-                                      float normal_bandwidth, const float4* normals, float4* filtered)
+/// \param squared_radius, squared_bandwidth `in_squared_units()`
+__global__ void filter_normals_kernel(Cell_grid grid, Cell_blocks blocks, float radius, float squared_radius,
+                                      float squared_bandwidth, float normal_bandwidth, const float4* normals,
+                                      float4* filtered)
 {
   const Query query(grid.size);
   const int4 center = grid.points[query.index];
   const float3 normal = xyz(normals[query.index]);
-  const float unit = grid.frame.unit(), squared_radius = radius * radius;
   float3 sum = {0, 0, 0};
   for_each_candidate(grid, blocks, center, query.lane, radius, [&](unsigned j) {
-    const float3 d = difference(grid.points[j], center, unit);
+    const float3 d = difference(grid.points[j], center, 1);
     const float squared_distance = dot(d, d);
     if (squared_distance >= squared_radius)
       return;
     const float3 other = xyz(normals[j]);
     const float cosine = dot(normal, other);
     const float weight = bilateral_weight(squared_distance, squared_bandwidth, cosine, normal_bandwidth);
-    sum += (cosine > 0 ? weight : cosine < 0 ? -weight : 0.f) * other;
+    sum += (cosine == 0 ? 0.f : copysignf(weight, cosine)) * other;
   });
   sum = group_sum<lanes>(sum);
   if (!query.writes)
@@ -157,15 +158,15 @@ __global__ void refit_normals_kernel(Cell_grid grid, Cell_blocks blocks, float r
 }
 
 /// The sum of Eq. (5) without the point itself, to the fourth number of its normal; the counts of the neighbors add up.
-__global__ void sum_up_density(Cell_grid grid, Cell_blocks blocks, float radius, float squared_bandwidth,
-                               float4* normals, unsigned long long* total_count)
+/// \param squared_radius, squared_bandwidth `in_squared_units()`
+__global__ void sum_up_density(Cell_grid grid, Cell_blocks blocks, float radius, float squared_radius,
+                               float squared_bandwidth, float4* normals, unsigned long long* total_count)
 {
   const Query query(grid.size);
   const int4 center = grid.points[query.index];
-  const float unit = grid.frame.unit(), squared_radius = radius * radius;
   float count = 0, sum = 0;
   for_each_candidate(grid, blocks, center, query.lane, radius, [&](unsigned j) {
-    const float3 d = difference(grid.points[j], center, unit);
+    const float3 d = difference(grid.points[j], center, 1);
     const float squared_distance = dot(d, d);
     if (squared_distance >= squared_radius)
       return;
@@ -197,6 +198,13 @@ __global__ void invert_density(unsigned size, float mean_number_of_neighbors, fl
   const unsigned long long i = thread_index();
   if (i < size)
     normals[i].w = mean_number_of_neighbors > 0 ? 1 / (1 + normals[i].w / mean_number_of_neighbors) : 1;
+}
+
+/// A squared length in units of the fixed-point numbers, so that a kernel need not multiply all differences by the unit. That is a power of two: the
+/// results are the same.
+float in_squared_units(const Cell_grid& grid, float squared_length)
+{
+  return squared_length / (grid.frame.unit() * grid.frame.unit());
 }
 
 } // namespace
@@ -285,7 +293,8 @@ void filter_normals(const Workplace& workplace, const Cell_grid& grid, const Cel
                     float squared_bandwidth, float normal_bandwidth, const float4* normals, float4* filtered)
 {
   filter_normals_kernel<<<blocks_for_queries(grid.size), threads_per_block, 0, workplace.stream>>>(
-    grid, blocks, float(radius), squared_bandwidth, normal_bandwidth, normals, filtered);
+    grid, blocks, float(radius), in_squared_units(grid, float(radius) * float(radius)),
+    in_squared_units(grid, squared_bandwidth), normal_bandwidth, normals, filtered);
   check_launch("filter_normals_kernel");
 }
 
@@ -304,7 +313,8 @@ void compute_input_density_weights(const Workplace& workplace, const Cell_grid& 
   const Arena_scope scope(workplace.scratch);
   const Device_counter<unsigned long long> total_count(workplace);
   sum_up_density<<<blocks_for_queries(grid.size), threads_per_block, 0, workplace.stream>>>(
-    grid, blocks, float(radius), squared_bandwidth, normals, total_count.address());
+    grid, blocks, float(radius), in_squared_units(grid, float(radius) * float(radius)),
+    in_squared_units(grid, squared_bandwidth), normals, total_count.address());
   check_launch("sum_up_density");
   const double mean_number_of_neighbors = double(total_count.read()) / double(grid.size);
   invert_density<<<blocks_for(grid.size), threads_per_block, 0, workplace.stream>>>(

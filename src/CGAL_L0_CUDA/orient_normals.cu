@@ -75,7 +75,10 @@ __global__ void find_centers(Sides sides, Samples samples, Tree_scale scale, Tre
   Tree_sums& tree = trees[root];
   for (int axis = 0; axis < 3; ++axis)
     add(&tree.center[axis], __double2ll_rn(samples.positions[3 * i + axis] * scale.units_per_length), peers, is_leader);
-  atomicMax(&tree.largest_sure_size, sides.sure_sizes[i]);
+  // once for those that say the same
+  const unsigned sure_size = sides.sure_sizes[i];
+  if (is_leader_of(__match_any_sync(__activemask(), Wide(root) << 32 | sure_size)))
+    atomicMax(&tree.largest_sure_size, sure_size);
   if (is_leader)
     atomicAdd(&tree.size, unsigned(__popc(peers)));
 }

@@ -20,7 +20,7 @@ namespace {
 
 using Wide = unsigned long long;
 
-constexpr unsigned threads_per_query = 128;
+constexpr unsigned threads_per_query = 512;
 
 /// Sums over a block of `threads_per_query` threads, for its first thread.
 template <typename T, int count>
@@ -40,7 +40,8 @@ __device__ void sum_over_block(T (&values)[count])
         values[c] += shared[w][c];
 }
 
-/// The points around a query, for a block of threads: one thread for each row of cells, however many there are.
+/// The points around a query, for a block of threads: queries are few, so that each has to be short. A thread finds a row of cells, and a warp looks
+/// at its points.
 class Surroundings
 {
   const Cell_grid& m_grid;
@@ -54,7 +55,11 @@ public:
     : m_grid(grid), m_center(grid.points[query]), m_cell(grid.frame.cell_of_key(grid.keys[m_center.w])), m_reach(reach)
   {
     Wide count[1] = {0};
-    for_each_row([&](uint2 range) { count[0] += range.y - range.x; });
+    for (int row = int(threadIdx.x); row < number_of_rows(); row += int(threads_per_query))
+    {
+      const uint2 range = range_of_row(m_grid, m_cell, m_reach, row);
+      count[0] += range.y - range.x;
+    }
     sum_over_block(count);
     __shared__ Wide stride;
     if (threadIdx.x == 0)
@@ -69,19 +74,32 @@ public:
 
   __device__ unsigned stride() const { return unsigned(m_stride); }
 
-  /// Calls `f(d)` for the points of the thread in the ball, with the way to them.
+  /// Calls `f(d)` for the points of the thread in the ball, with the way to them. For all threads of the block.
   template <typename F>
   __device__ void for_each_in_ball(float radius, const F& f) const
   {
+    __shared__ uint2 ranges[threads_per_query];
     const float unit = m_grid.frame.unit();
-    for_each_row([&](uint2 range) {
-      for (Wide j = (range.x + m_stride - 1) & ~(m_stride - 1); j < range.y; j += m_stride)
+    const int warp = int(threadIdx.x / 32), number_of_warps = int(threads_per_query / 32);
+    const Wide lane = threadIdx.x % 32;
+    for (int first_row = 0; first_row < number_of_rows(); first_row += int(threads_per_query))
+    {
+      const int row = first_row + int(threadIdx.x), rest = number_of_rows() - first_row;
+      if (row < number_of_rows())
+        ranges[threadIdx.x] = range_of_row(m_grid, m_cell, m_reach, row);
+      __syncthreads();
+      for (int r = warp; r < min(rest, int(threads_per_query)); r += number_of_warps)
       {
-        const float3 d = difference(m_grid.points[j], m_center, unit);
-        if (dot(d, d) < radius * radius)
-          f(d);
+        const Wide first = (ranges[r].x + m_stride - 1) & ~(m_stride - 1);
+        for (Wide j = first + lane * m_stride; j < ranges[r].y; j += 32 * m_stride)
+        {
+          const float3 d = difference(m_grid.points[j], m_center, unit);
+          if (dot(d, d) < radius * radius)
+            f(d);
+        }
       }
-    });
+      __syncthreads();
+    }
   }
 
   /// In the first thread; the others return nothing of use.
@@ -94,18 +112,13 @@ public:
   }
 
 private:
-  template <typename F>
-  __device__ void for_each_row(const F& f) const
-  {
-    const int width = 2 * m_reach + 1;
-    for (int row = int(threadIdx.x); row < width * width; row += int(threads_per_query))
-      f(range_of_row(m_grid, m_cell, m_reach, row));
-  }
+  __device__ int number_of_rows() const { return (2 * m_reach + 1) * (2 * m_reach + 1); }
 };
 
 /// One block of threads for each point of the list.
-__global__ void fit_planes_around(Cell_grid grid, const unsigned* list, int reach, float radius, float4* normals,
-                                  unsigned char* is_degenerate)
+__global__ void __launch_bounds__(threads_per_query)
+  fit_planes_around(Cell_grid grid, const unsigned* list, int reach, float radius, float4* normals,
+                    unsigned char* is_degenerate)
 {
   const unsigned i = list[blockIdx.x];
   const Plane_fit fit = Surroundings(grid, i, reach).fit_plane(radius);
@@ -124,7 +137,8 @@ struct Ball
 };
 
 /// One block of threads for each query, which are every so manieth point.
-__global__ void look_at_balls(Cell_grid grid, unsigned stride_of_queries, int reach, float radius, Ball* balls)
+__global__ void __launch_bounds__(threads_per_query)
+  look_at_balls(Cell_grid grid, unsigned stride_of_queries, int reach, float radius, Ball* balls)
 {
   const Surroundings surroundings(grid, blockIdx.x * stride_of_queries, reach);
   const Plane_fit fit = surroundings.fit_plane(radius);

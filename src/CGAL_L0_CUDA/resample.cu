@@ -85,6 +85,8 @@ struct Call
   std::vector<std::size_t> numbers_of_pairs; // of self neighbors, one for each penalty
   Samples samples;
 
+  const Turn_result* last_turn_result(std::size_t turn) const { return turn > 0 ? turn_results + turn - 1 : nullptr; }
+
   Positions sample_positions() const { return {samples.positions, samples.size, Frame(), true}; }
 
   /// Sorts the samples into cells, and puts them in that order.
@@ -261,7 +263,7 @@ void minimize_alternatingly(Call& call)
   {
     const bool regularize = call.parameters.method != Method::ALOR || i % 2 == 0;
     minimize_once(workplace, call.minimization, call.penalties[i], regularize, neighbors, grid, call.samples, arrays,
-                  call.turn_results + i);
+                  call.last_turn_result(i), call.turn_results + i);
     call.stages.ask(double(i + 1) / double(call.penalties.size()));
   }
 }
@@ -304,7 +306,7 @@ void minimize_with_refinement(Call& call, const Prepared_points& points)
       const Arena_scope turn_scope(workplace.scratch);
       const Turn_arrays arrays = take_turn_arrays(workplace, call.samples.size, neighbors.number_of_pairs);
       minimize_once(workplace, call.minimization, call.penalties[i], true, neighbors, grid, call.samples, arrays,
-                    call.turn_results + i);
+                    call.last_turn_result(i), call.turn_results + i);
     }
     repel_tangentially(workplace, grid, neighbors, lengths.sample_spacing, lengths.radius, number_of_repulsion_steps,
                        call.samples);

@@ -150,7 +150,8 @@ struct Turn_result
 {
   double fit_energy, regularization_energy, squared_normal_misfit;
   unsigned long long number_of_active_pairs;
-  double relative_residual;
+  double right_hand_side_scale; // largest norm of a right-hand side, of this turn and those before
+  double relative_residual;     // to that
   unsigned solver_iterations, converged;
   unsigned long long is_finite; // as long, so that there is no gap in what is copied
 };
@@ -190,9 +191,10 @@ Turn_arrays take_turn_arrays(const Workplace& workplace, unsigned number_of_samp
 
 /// One turn of Algorithm 1: moves the samples, in `samples` and in the points of `grid`, to the minimum of Eq. (10).
 /// \param samples in the order of `grid`
+/// \param last_result of the turn before this one, on the device; null if there is none
 void minimize_once(const Workplace& workplace, const Minimization& parameters, double penalty, bool regularize,
                    const Neighbor_lists& neighbors, const Cell_grid& grid, const Samples& samples,
-                   const Turn_arrays& arrays, Turn_result* result);
+                   const Turn_arrays& arrays, const Turn_result* last_result, Turn_result* result);
 
 // The default method
 

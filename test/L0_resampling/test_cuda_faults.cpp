@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
 #include <new>
 
 // G4, G5, G7 of what is owed where the device fails: exceptions, no memory lost, no hang; and what works afterwards.
@@ -85,8 +86,14 @@ void check_kernel_error()
           for (int attempt = 0; attempt < 2; ++attempt)
           {
             CHECK_THROWS(resampler.resample(std::back_inserter(result), parameters::select_percentage(60)), Device_error);
-            CHECK_THROWS(resampler.upload(points), Device_error);
             CHECK_THROWS(resample(points, Method::LOR), Device_error);
+            CHECK_THROWS(CUDA_resampler<Kernel>(), Device_error);
+          }
+          for (int attempt = 0; attempt < 2; ++attempt)
+          {
+            CHECK_THROWS(resampler.upload(points), Device_error);
+            // it holds no points now, and of none there is nothing to resample
+            resampler.resample(std::back_inserter(result), parameters::select_percentage(60));
           }
           CHECK(result.empty());
         })
@@ -175,24 +182,37 @@ void check_memory_of_many_calls()
   CHECK(free_memory() == free_before);
 }
 
-/// P8: the limit holds, in the first call and in those that find memory from the last.
+/// P8: the limit holds, in the first call and in those that find memory from the last. A call after one that failed at its limit needs what the
+/// first one did, which did not know how much it would need and may have held its memory in pieces.
 void check_limit()
 {
   const Points points = noisy_cube(20000, 0.01, 4);
   const auto np = parameters::resampling_method(Method::LOR).select_percentage(60);
+  const Result expected = resample(points, Method::LOR);
   CUDA_resampler<Kernel> resampler;
   resampler.upload(points);
-  Report report;
-  Result result;
-  resampler.resample(std::back_inserter(result), np | parameters::resampling_report(&report));
-  resampler.resample(std::back_inserter(result), np | parameters::resampling_report(&report));
-  const std::size_t least = report.peak_bytes;
-  CHECK_THROWS(resampler.resample(std::back_inserter(result), np | parameters::maximum_memory(least / 2)), std::bad_alloc);
-  result.clear();
-  resampler.upload(points);
-  resampler.resample(std::back_inserter(result),
-                     np | parameters::maximum_memory(least) | parameters::resampling_report(&report));
-  CHECK(result == resample(points, Method::LOR) && report.peak_bytes <= least);
+  const auto peak_bytes_within = [&](std::size_t limit) {
+    Report report;
+    Result result;
+    resampler.resample(std::back_inserter(result),
+                       np | parameters::maximum_memory(limit) | parameters::resampling_report(&report));
+    CHECK(result == expected && report.peak_bytes <= limit);
+    return report.peak_bytes;
+  };
+  const std::size_t of_first = peak_bytes_within((std::numeric_limits<std::size_t>::max)());
+  const std::size_t of_second = peak_bytes_within(of_first);
+  std::cout << "peak of first call " << of_first << ", of second " << of_second << std::endl;
+  CHECK(of_second <= of_first && peak_bytes_within(of_second) == of_second);
+  for (const double share : {0.5, 0.75, 0.95})
+  {
+    Result result;
+    CHECK_THROWS(resampler.resample(std::back_inserter(result),
+                                    np | parameters::maximum_memory(std::size_t(share * double(of_second)))),
+                 std::bad_alloc);
+    CHECK(result.empty());
+    resampler.upload(points);
+    CHECK(peak_bytes_within(of_first) == of_first);
+  }
 }
 
 /// G7: CUDA does not survive a fork; a call in the child says so. Exit runs in the child as in any process.

@@ -5,8 +5,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Counts bytes and operations of each stage on a CUDA device, sets them against what the device can do, and writes NAME.json and NAME.md.
 
-Nsight Compute's hardware counters count what the last call of run_l0_cuda did; cuda_limits measures the limits; the times are those of a run without
-counters, which disturb them.
+Nsight Compute's hardware counters count what one call after the warm-up does, kernel by kernel, each with empty caches; cuda_limits measures the
+limits; the times are those of a run without counters, which disturb them.
 """
 
 import argparse
@@ -17,6 +17,7 @@ import os
 import subprocess
 import sys
 import tempfile
+import time
 from pathlib import Path
 
 RUNS = ((110_000, 60_000, "lor", ()), (110_000, 60_000, "default", ()), (300_000, 220_000, "lor", ()),
@@ -29,32 +30,31 @@ UNITS = {"byte": 1, "Kbyte": 1e3, "Mbyte": 1e6, "Gbyte": 1e9, "Tbyte": 1e12, "in
 
 
 def counts_of_stages(text, stages):
-    """Sums of the counters over the kernels of the last call, stage by stage."""
+    """Sums of the counters over the kernels of each stage."""
     lines = text.splitlines()
-    start = next(i for i, line in enumerate(lines) if line.startswith('"ID"'))
+    start = next((i for i, line in enumerate(lines) if line.startswith('"ID"')), None)
+    if start is None:
+        sys.exit("ncu counted no kernel:\n" + text)
     rows = csv.reader(io.StringIO("\n".join(lines[start:])))
     names, units = next(rows), next(rows)
-    calls = [{}]
-    last_stage = None
+    counts_of = {}
     for row in rows:
         ranges = " ".join(value for name, value in zip(names, row) if "Range" in name)
         stage = next((s for s in sorted(stages, key=len, reverse=True) if s in ranges), None)
         if stage is None:
             continue
-        if stage == stages[0] and last_stage not in (None, stages[0]):
-            calls.append({})
-        last_stage = stage
-        counts = calls[-1].setdefault(stage, {"kernels": 0})
+        counts = counts_of.setdefault(stage, {"kernels": 0})
         counts["kernels"] += 1
         for name, unit, value in zip(names, units, row):
             if name in OPERATIONS or name in (MEMORY, CACHE, ISSUED):
                 counts[name] = counts.get(name, 0) + float(value.replace(",", "")) * UNITS[unit]
-    return calls[-1]
+    if not counts_of:
+        sys.exit("no kernel is in a range of a stage, of these columns: " + ", ".join(names))
+    return counts_of
 
 
-def measure(programs, mesh, limits):
-    """Times and counts of all runs."""
-    results = []
+def measure(programs, mesh):
+    """Yields the times and counts of one run after the other."""
     for points_in, points_out, method, options in RUNS:
         command = [str(word) for word in (programs / "run_l0_cuda", mesh, "--points-in", points_in, "--points", points_out,
                                           "--method", method, *options)]
@@ -62,8 +62,9 @@ def measure(programs, mesh, limits):
         stages = [stage["name"] for stage in timed["stages"]]
         with tempfile.TemporaryDirectory() as scratch:
             log = Path(scratch) / "counters.csv"
-            subprocess.run(["ncu", "--clock-control", "none", "--nvtx", "--csv", "--page", "raw", "--log-file", str(log), "--metrics",
-                            ",".join((*OPERATIONS, MEMORY, CACHE, ISSUED)), *command, "--repetitions", "1"],
+            subprocess.run(["ncu", "--profile-from-start", "off", "--clock-control", "none", "--nvtx", "--csv", "--page", "raw", "--log-file",
+                            str(log), "--metrics", ",".join((*OPERATIONS, MEMORY, CACHE, ISSUED)), *command, "--repetitions", "1",
+                            "--profile"],
                            check=True, stdout=subprocess.DEVNULL)
             counts = counts_of_stages(log.read_text(encoding="utf-8"), stages)
         for stage in timed["stages"]:
@@ -71,10 +72,8 @@ def measure(programs, mesh, limits):
             stage.update(kernels=c["kernels"], memory_bytes=c.get(MEMORY, 0), cache_bytes=c.get(CACHE, 0), instructions=c.get(ISSUED, 0))
             for precision in ("float", "double"):
                 stage[precision + "_operations"] = sum(weight * c.get(name, 0) for name, (p, weight) in OPERATIONS.items() if p == precision)
-        results.append({"points_in": points_in, "points_out": points_out, "method": method, "stages": timed["stages"],
-                        "device_resident_seconds": timed["device_resident_seconds"]["median"]})
-        print(points_in, method, file=sys.stderr)
-    return {"limits": limits, "runs": results}
+        yield {"points_in": points_in, "points_out": points_out, "method": method, "stages": timed["stages"],
+               "device_resident_seconds": timed["device_resident_seconds"]["median"]}
 
 
 def bound_of(stage, limits):
@@ -118,9 +117,13 @@ def main():
     limits = json.loads(subprocess.run([arguments.programs / "cuda_limits"], check=True, capture_output=True, text=True).stdout)
     # a multiplication with addition of 32 threads is one instruction, and counts as 64 operations
     limits["instructions_a_second"] = limits["float_operations_a_second"] / 64
-    data = measure(arguments.programs, arguments.mesh, limits)
-    arguments.output.with_suffix(".json").write_text(json.dumps(data, indent=1) + os.linesep, encoding="utf-8")
-    arguments.output.with_suffix(".md").write_text(table(data), encoding="utf-8")
+    data = {"limits": limits, "runs": []}
+    start = time.monotonic()
+    for run in measure(arguments.programs, arguments.mesh):
+        data["runs"].append(run)
+        print(f"{run['points_in']} {run['method']}: done after {time.monotonic() - start:.0f} s", file=sys.stderr)
+        arguments.output.with_suffix(".json").write_text(json.dumps(data, indent=1) + os.linesep, encoding="utf-8")
+        arguments.output.with_suffix(".md").write_text(table(data), encoding="utf-8")
 
 
 if __name__ == "__main__":

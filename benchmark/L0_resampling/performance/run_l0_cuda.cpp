@@ -12,6 +12,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include <cuda_profiler_api.h>
 #include <cuda_runtime.h>
 
 #include <algorithm>
@@ -139,7 +140,7 @@ int main(int argc, char** argv)
   Parameters parameters;
   double radius_in_spacings = 0, noise_in_spacings = -1;
   std::size_t repetitions = 50;
-  bool measures_bandwidth = false;
+  bool measures_bandwidth = false, is_profiled = false;
   CLI::App app("l0_resample_point_set<CUDA_tag>(), stage by stage");
   app.add_option("mesh", mesh_path, "triangle mesh, OFF")->required()->check(CLI::ExistingFile);
   app.add_option("--points-in", sampling.number_of_points, "points sampled from the mesh")->capture_default_str();
@@ -152,6 +153,9 @@ int main(int argc, char** argv)
                  "of the input, for a cost that is linear in its size; 0: the method's rule");
   app.add_option("--repetitions", repetitions)->check(CLI::PositiveNumber)->capture_default_str();
   app.add_flag("--bandwidth", measures_bandwidth, "measure the copy bandwidth of the device too");
+  app.add_flag(
+    "--profile", is_profiled,
+    "one call more, after the warm-up, with profilers switched on: for `ncu --profile-from-start off`, which is slow");
   CLI11_PARSE(app, argc, argv);
 
   try {
@@ -186,6 +190,11 @@ int main(int argc, char** argv)
       upload();
       resample();
       download();
+    }
+    if (is_profiled) {
+      demand(cudaProfilerStart());
+      resample();
+      demand(cudaProfilerStop());
     }
     Stage_times stages;
     const Json device_resident = seconds_of(repetitions, [&]() {
