@@ -59,8 +59,7 @@ public:
     cudaGetLastError();
   }
 
-  /// Frees everything, and forgets how much was held: what comes next is as the first time. An error, as after a failed kernel, has nobody left
-  /// to hear it.
+  /// Frees everything; an error, as after a failed kernel, has nobody left to hear it.
   void free_all() noexcept
   {
     for (const Piece& piece : m_pieces)
@@ -72,7 +71,7 @@ public:
     m_limit.held -= m_size;
     m_pieces.clear();
     m_data = nullptr;
-    m_size = m_low = m_high = m_in_pieces = m_peak = 0;
+    m_size = m_low = m_high = m_in_pieces = 0;
   }
 
   /// Makes the block, whose stacks are empty, hold what they held so far, and `bytes` at least.

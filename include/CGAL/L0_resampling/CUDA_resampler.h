@@ -168,7 +168,8 @@ inline bool is_cuda_device_usable(std::string* reason = nullptr)
 \ingroup PkgL0ResamplingRef
 
 Resamples one point set again and again on a CUDA device, as an application does in which somebody moves sliders: the points are brought to
-the device once, and a call like the last one allocates nothing there. The work is that of `l0_resample_point_set<CUDA_tag>()`, which makes
+the device once, and a call like the last one allocates nothing there. The first call does not know how much memory it will need, and may hold more
+than those after it, in pieces: `maximum_memory` bounds that too. The work is that of `l0_resample_point_set<CUDA_tag>()`, which makes
 one object for one call.
 
 An object uses the device that is current when it is made. Calls of one object from several threads wait for each other.
