@@ -8,6 +8,7 @@
 
 #include <CGAL/L0_resampling/Quadratic_problem.h>
 #include <CGAL/L0_resampling/internal/Buffer.h>
+#include <CGAL/L0_resampling/internal/parallel_for.h>
 
 #include <cstddef>
 #include <utility>
