@@ -227,7 +227,8 @@ private:
     for (int axis = 2; axis >= 0; --axis)
     {
       const double cell = std::floor(point[axis] / cell_size);
-      const double clamped = (std::min)((std::max)(cell, -double(half_range)), double(half_range - 1));
+      // in this order a NaN, which a cell size of zero makes, becomes the first cell
+      const double clamped = (std::min)((std::max)(-double(half_range), cell), double(half_range - 1));
       key = (key << axis_bits) | std::uint64_t(std::int64_t(clamped) + half_range);
     }
     return key;
