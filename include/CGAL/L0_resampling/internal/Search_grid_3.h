@@ -196,6 +196,7 @@ public:
   template <typename ConcurrencyTag>
   static Buffer<Index> sorted_order(const Buffer<Vector>& points, double cell_size)
   {
+    CGAL_precondition(cell_size > 0);
     struct Entry
     {
       std::uint64_t key;
@@ -227,8 +228,7 @@ private:
     for (int axis = 2; axis >= 0; --axis)
     {
       const double cell = std::floor(point[axis] / cell_size);
-      // in this order a NaN, which a cell size of zero makes, becomes the first cell
-      const double clamped = (std::min)((std::max)(-double(half_range), cell), double(half_range - 1));
+      const double clamped = (std::min)((std::max)(cell, -double(half_range)), double(half_range - 1));
       key = (key << axis_bits) | std::uint64_t(std::int64_t(clamped) + half_range);
     }
     return key;
