@@ -10,7 +10,10 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <random>
+#include <set>
+#include <vector>
 
 using namespace test;
 
@@ -54,8 +57,13 @@ void check_nearest(const Oriented_points& cloud, double spacing_guess)
     const auto distance = [&](Index k) { return (cloud.points[i] - cloud.points[k]).squaredNorm(); };
     std::partial_sort(others.begin(), others.begin() + 12, others.end(),
                       [&](Index a, Index b) { return distance(a) < distance(b); });
-    are_nearest = are_nearest && nearest.end(i) - nearest.begin(i) == 12
-                  && std::is_permutation(nearest.begin(i), nearest.end(i), others.begin());
+    std::vector<double> found, expected; // of equally far ones, any will do
+    for (const Index* k = nearest.begin(i); k != nearest.end(i); ++k)
+      found.push_back(distance(*k));
+    std::sort(found.begin(), found.end());
+    std::transform(others.begin(), others.begin() + 12, std::back_inserter(expected), distance);
+    are_nearest = are_nearest && found == expected && std::set<Index>(nearest.begin(i), nearest.end(i)).size() == 12
+                  && !nearest.contains(i, i);
   }
   CHECK(are_nearest);
 }
@@ -250,6 +258,9 @@ int main()
   check_plane(generator);
   check_field(generator);
   for (double spacing_guess : {1e-3, 0.1, 10.})
+  {
     check_nearest(even_cube, spacing_guess);
+    check_nearest({lattice_points(8, 0.25), {}}, spacing_guess);
+  }
   return result();
 }
