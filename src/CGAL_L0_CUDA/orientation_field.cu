@@ -15,10 +15,7 @@ namespace cuda {
 
 namespace {
 
-// As on the CPU
-constexpr unsigned maximum_number_of_dipoles = 2048, fewest_dipoles_of_a_set = 6;
-constexpr unsigned maximum_number_of_sets = maximum_number_of_dipoles / fewest_dipoles_of_a_set;
-constexpr double weight_of_votes = 3;
+constexpr double weight_of_votes = 3; // as on the CPU
 
 constexpr unsigned no_set = ~0u;
 constexpr unsigned threads_of_turning_block = 352; // one for each set
@@ -39,7 +36,9 @@ struct Field
   Dipole* dipoles;
   unsigned* roots_of_dipoles;
   unsigned number_of_dipoles;
-  unsigned char* stands_for_set; // of each dipole: the first one of a large set
+  unsigned* sizes_of_sets; // of each dipole that is the first one of its set: how many dipoles that has; of others 0
+  unsigned* number_of_all_sets;  // that have a dipole
+  unsigned char* stands_for_set; // of each dipole: the first one of a set of the field
   double area;                   // that a dipole stands for
   double spacing;                // of the samples
   unsigned* set_of_root;         // of each sample that is a root: its number among the larger sets, or `no_set`
@@ -72,7 +71,7 @@ __global__ void place_dipoles(Field field, Samples samples, const Link* sets)
 }
 
 /// One warp for each dipole.
-__global__ void find_large_sets(Field field)
+__global__ void find_sets(Field field)
 {
   const Wide k = thread_index() / 32;
   if (k >= field.number_of_dipoles) // whole warps leave
@@ -88,11 +87,38 @@ __global__ void find_large_sets(Field field)
     }
   count = group_sum<32>(count);
   is_first = __all_sync(0xffffffffu, is_first);
-  if (threadIdx.x % 32 == 0)
-    field.stands_for_set[k] = is_first && count >= fewest_dipoles_of_a_set;
+  if (threadIdx.x % 32 != 0)
+    return;
+  field.sizes_of_sets[k] = is_first ? count : 0;
+  if (is_first)
+    atomicAdd(field.number_of_all_sets, 1u);
 }
 
-/// Numbers the large sets by their roots. One warp for each dipole.
+/// The larger sets of the trees that these stand for. One warp for each dipole.
+__global__ void choose_sets(Field field, const Link* trees, unsigned number_of_samples)
+{
+  const Wide k = thread_index() / 32;
+  if (k >= field.number_of_dipoles) // whole warps leave
+    return;
+  const unsigned fewest = fewest_dipoles_of_a_set(number_of_samples, *field.number_of_all_sets);
+  const bool is_large = field.sizes_of_sets[k] >= fewest;
+  const unsigned tree = trees[field.roots_of_dipoles[k]].target();
+  unsigned count = 0, count_of_large_sets = 0;
+  for (unsigned other = threadIdx.x % 32; is_large && other < field.number_of_dipoles; other += 32)
+  {
+    const unsigned size = field.sizes_of_sets[other];
+    if (size == 0 || trees[field.roots_of_dipoles[other]].target() != tree)
+      continue;
+    count += size;
+    count_of_large_sets += size >= fewest ? size : 0;
+  }
+  count = group_sum<32>(count);
+  count_of_large_sets = group_sum<32>(count_of_large_sets);
+  if (threadIdx.x % 32 == 0)
+    field.stands_for_set[k] = is_large && stand_for_tree(count_of_large_sets, count);
+}
+
+/// Numbers the sets of the field by their roots. One warp for each dipole.
 __global__ void number_sets(Field field, const Link* trees)
 {
   const Wide k = thread_index() / 32;
@@ -275,10 +301,12 @@ bool join_by_field(const Workplace& workplace, const Graph& graph, const Link* t
   const cudaStream_t stream = workplace.stream;
   const Arena_scope scope(workplace.scratch);
   const unsigned m = graph.size, number_of_dipoles = (std::min)(m, maximum_number_of_dipoles);
-  const Device_counter<unsigned> number_of_sets(workplace), number_of_turns(workplace);
+  const Device_counter<unsigned> number_of_all_sets(workplace), number_of_sets(workplace), number_of_turns(workplace);
   const Field field = {workplace.scratch.take<Dipole>(number_of_dipoles),
                        workplace.scratch.take<unsigned>(number_of_dipoles),
                        number_of_dipoles,
+                       workplace.scratch.take<unsigned>(number_of_dipoles),
+                       number_of_all_sets.address(),
                        workplace.scratch.take<unsigned char>(number_of_dipoles),
                        spacing * spacing * double(m) / double(number_of_dipoles),
                        spacing,
@@ -293,8 +321,10 @@ bool join_by_field(const Workplace& workplace, const Graph& graph, const Link* t
                                      Wide(maximum_number_of_sets) * maximum_number_of_sets * sizeof(long long), stream));
   place_dipoles<<<blocks_for(number_of_dipoles), threads_per_block, 0, stream>>>(field, graph.samples, sets);
   check_launch("place_dipoles");
-  find_large_sets<<<blocks_for(32ull * number_of_dipoles), threads_per_block, 0, stream>>>(field);
-  check_launch("find_large_sets");
+  find_sets<<<blocks_for(32ull * number_of_dipoles), threads_per_block, 0, stream>>>(field);
+  check_launch("find_sets");
+  choose_sets<<<blocks_for(32ull * number_of_dipoles), threads_per_block, 0, stream>>>(field, trees, m);
+  check_launch("choose_sets");
   number_sets<<<blocks_for(32ull * number_of_dipoles), threads_per_block, 0, stream>>>(field, trees);
   check_launch("number_sets");
   find_trees_of_dipoles<<<blocks_for(number_of_dipoles), threads_per_block, 0, stream>>>(field);

@@ -7,12 +7,14 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_ORIENTATION_FIELD_H
 
 #include <CGAL/L0_resampling/internal/Search_grid_3.h>
+#include <CGAL/L0_resampling/internal/orientation_agreement.h>
 #include <CGAL/L0_resampling/internal/orientation_votes.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <vector>
 
 namespace CGAL {
@@ -76,6 +78,42 @@ struct Field_of_sets
   }
 };
 
+/// The sets of the field, of those that have dipoles: the larger ones of the trees that they stand for.
+/// \param roots of the sets of the dipoles, ascending
+/// \returns their roots, ascending
+inline std::vector<Index> sets_of_field(const Signed_union_find& trees, const std::vector<Index>& roots)
+{
+  struct Dipoles_of_set
+  {
+    Index root;
+    std::size_t count;
+  };
+  std::vector<Dipoles_of_set> sets;
+  for (Index root : roots)
+    if (!sets.empty() && sets.back().root == root)
+      ++sets.back().count;
+    else
+      sets.push_back({root, 1});
+  const std::size_t fewest = fewest_dipoles_of_a_set(trees.size(), sets.size());
+  struct Dipoles_of_tree
+  {
+    std::size_t of_large_sets = 0, count = 0;
+  };
+  std::map<Index, Dipoles_of_tree> dipoles_of_trees;
+  for (const Dipoles_of_set& set : sets)
+  {
+    Dipoles_of_tree& tree = dipoles_of_trees[trees.find(set.root).first];
+    tree.count += set.count;
+    tree.of_large_sets += set.count >= fewest ? set.count : 0;
+  }
+  std::vector<Index> result;
+  for (const Dipoles_of_set& set : sets)
+    if (const Dipoles_of_tree& tree = dipoles_of_trees[trees.find(set.root).first];
+        set.count >= fewest && stand_for_tree(tree.of_large_sets, tree.count))
+      result.push_back(set.root);
+  return result;
+}
+
 /*!
 Joins the larger ones of the sets that hang together if their field asks to turn some of them against the others. At an edge between two faces few samples
 vote, all of them next to the edge, where noise and smoothing leave the least to see; the faces as a whole know better. Their field is that of dipoles along
@@ -89,10 +127,9 @@ template <typename ConcurrencyTag, typename T>
 bool join_by_field(const Signed_union_find& trees, const Buffer<Vector>& positions,
                    const Buffer<Eigen::Matrix<T, 3, 1>>& normals, double spacing, Voting& voting)
 {
-  const std::size_t maximum_number_of_dipoles = 2048, fewest_dipoles_of_a_set = 6;
   Signed_union_find& sets = voting.sets;
   const double weight_of_votes = 3; // of an edge, against the field of two faces of one spacing each
-  const std::size_t m = positions.size(), number_of_dipoles = (std::min)(m, maximum_number_of_dipoles);
+  const std::size_t m = positions.size(), number_of_dipoles = (std::min)(m, std::size_t(maximum_number_of_dipoles));
 
   // Samples are sorted by place: every so-maniest of them are spread evenly.
   std::vector<Index> samples, roots;
@@ -103,12 +140,7 @@ bool join_by_field(const Signed_union_find& trees, const Buffer<Vector>& positio
   }
   std::sort(roots.begin(), roots.end());
   Field_of_sets field;
-  for (auto first = roots.begin(), last = first; first != roots.end(); first = last)
-  {
-    last = std::upper_bound(first, roots.end(), *first);
-    if (std::size_t(last - first) >= fewest_dipoles_of_a_set)
-      field.roots.push_back(*first);
-  }
+  field.roots = sets_of_field(trees, roots);
   const std::size_t number_of_sets = field.roots.size();
   if (number_of_sets < 2)
     return false;
