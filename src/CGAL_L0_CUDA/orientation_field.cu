@@ -217,11 +217,11 @@ __global__ void add_votes_between_sets(Field field, Graph graph, const Link* set
   });
 }
 
-/// The set that disagrees most, of those of equal agreement the first.
+/// One or two sets that disagree with all others, of those of equal agreement the first.
 struct Disagreement
 {
   long long agreement;
-  unsigned set;
+  unsigned set, partner; // `no_set` for a single one
 
   __device__ bool operator<(const Disagreement& b) const
   {
@@ -229,53 +229,82 @@ struct Disagreement
   }
 };
 
-/// The least of a warp, in its first thread.
-__device__ Disagreement least_of_warp(Disagreement own)
+/// The least of a block, for all its threads.
+/// \param of_warps shared
+__device__ Disagreement least_of_block(Disagreement own, Disagreement* of_warps)
 {
   for (int offset = 16; offset > 0; offset /= 2)
   {
     const Disagreement other = {__shfl_down_sync(0xffffffffu, own.agreement, offset),
-                                __shfl_down_sync(0xffffffffu, own.set, offset)};
+                                __shfl_down_sync(0xffffffffu, own.set, offset),
+                                __shfl_down_sync(0xffffffffu, own.partner, offset)};
     if (other < own)
       own = other;
   }
-  return own;
+  __syncthreads(); // nobody reads the last ones any more
+  if (threadIdx.x % 32 == 0)
+    of_warps[threadIdx.x / 32] = own;
+  __syncthreads();
+  Disagreement least = of_warps[0];
+  for (unsigned warp = 1; warp < threads_of_turning_block / 32; ++warp)
+    if (of_warps[warp] < least)
+      least = of_warps[warp];
+  return least;
 }
 
-/// Turns the set that disagrees most, one after the other, until none does. Run by one block, with a thread for each set.
+/// Turns the set that disagrees most, or the two, one after the other, until none does. Run by one block, with a thread for each set.
 __global__ void turn_sets(Field field, unsigned* number_of_turns)
 {
   __shared__ Disagreement of_warps[threads_of_turning_block / 32];
   __shared__ int signs[maximum_number_of_sets];
+  __shared__ long long with_others[maximum_number_of_sets];
   const unsigned size = *field.number_of_sets, a = threadIdx.x;
+  const long long limit = -__double2ll_rn(least_disagreement * units_per_vote);
   if (a < size)
     signs[a] = field.signs[a];
   __syncthreads();
-  long long sum = 0; // the agreement of the set with all others, in the sense of its first sign
+  long long sum = 0; // the agreement of the set with all others
   for (unsigned b = 0; b < size && a < size; ++b)
-    sum += signs[b] * field.row(b)[a];
+    sum += signs[a] * signs[b] * field.row(b)[a];
   for (unsigned turn = 0; turn < 10 * size; ++turn) // rounding might go round in circles
   {
-    const Disagreement own = {a < size ? signs[a] * sum : 0, a};
-    const Disagreement least_here = least_of_warp(own);
-    if (a % 32 == 0)
-      of_warps[a / 32] = least_here;
-    __syncthreads();
-    Disagreement least = of_warps[0];
-    for (unsigned warp = 1; warp < threads_of_turning_block / 32; ++warp)
-      if (of_warps[warp] < least)
-        least = of_warps[warp];
-    if (least.agreement >= 0)
-      break;
-    if (a == least.set)
+    Disagreement own = {a < size ? sum : 0, a, no_set};
+    Disagreement least = least_of_block(own, of_warps);
+    if (least.agreement >= limit)
     {
-      signs[a] = -signs[a];
-      field.signs[a] = signs[a];
-      ++*number_of_turns;
+      if (a < size)
+        with_others[a] = sum;
+      __syncthreads();
+      own.agreement = 0;
+      for (unsigned b = 0; b < a && a < size; ++b)
+        if (field.trees[a] == field.trees[b])
+        {
+          const long long both = sum + with_others[b] - 2 * signs[a] * signs[b] * field.row(b)[a];
+          if (both < own.agreement)
+          {
+            own.agreement = both;
+            own.partner = b;
+          }
+        }
+      least = least_of_block(own, of_warps);
     }
-    __syncthreads();
-    if (a < size)
-      sum += 2 * signs[least.set] * field.row(least.set)[a];
+    if (least.agreement >= limit)
+      break;
+    for (unsigned turned : {least.set, least.partner})
+    {
+      if (turned == no_set)
+        break;
+      if (a == turned)
+      {
+        signs[a] = -signs[a];
+        field.signs[a] = signs[a];
+        sum = -sum;
+        ++*number_of_turns;
+      }
+      __syncthreads();
+      if (a < size && a != turned)
+        sum += 2 * signs[a] * signs[turned] * field.row(turned)[a];
+    }
   }
 }
 

@@ -231,6 +231,35 @@ void check_field(Generator& generator)
     }
 }
 
+/// Two faces that are turned together, and whose edge would not let one turn alone, are turned back together.
+void check_field_of_pairs(Generator& generator)
+{
+  const Oriented_points cube = cube_points(3000, 2, generator);
+  Voting voting{Signed_union_find(cube.points.size(), {}), {}};
+  std::vector<Index> first(6, Index(cube.points.size()));
+  const auto face_of = [&](std::size_t i) {
+    int axis;
+    cube.normals[i].cwiseAbs().maxCoeff(&axis);
+    return std::size_t(axis) + (cube.normals[i][axis] > 0 ? 3 : 0);
+  };
+  for (std::size_t i = 0; i < cube.points.size(); ++i)
+  {
+    Index& first_of_face = first[face_of(i)];
+    first_of_face = (std::min)(first_of_face, Index(i));
+    voting.sets.join(first_of_face, Index(i), 1);
+  }
+  Signed_union_find trees = voting.sets;
+  for (std::size_t face = 1; face < 6; ++face)
+    trees.join(first[0], first[face], face >= 4 ? -1 : 1);
+  voting.votes.push_back({first[4], first[5], 1000, 1000});
+  pass_votes_on<CGAL::Sequential_tag>(voting);
+  CHECK(join_by_field<CGAL::Parallel_if_available_tag>(trees, to_buffer(cube.points), to_buffer(cube.normals), 0.09,
+                                                       voting));
+  const auto sign_of = [&](std::size_t face) { return voting.sets.find(first[face]).second; };
+  for (std::size_t face = 1; face < 6; ++face)
+    CHECK(sign_of(face) == sign_of(0));
+}
+
 /// Where the surface bends away within few spacings, edges are beyond doubt at single flat spots only.
 void check_coarse_sets(Generator& generator)
 {
@@ -302,6 +331,7 @@ int main()
   check_coarse_sets(generator);
   check_plane(generator);
   check_field(generator);
+  check_field_of_pairs(generator);
   for (const std::size_t n : {300, 1000}) // all take part, or too few
     check_field_of_spots(n, generator);
   check_field_of_single_samples(generator);

@@ -38,6 +38,9 @@ CGAL_L0_HOST_DEVICE inline bool stand_for_tree(std::size_t dipoles_of_sets, std:
   return 2 * dipoles_of_sets >= dipoles_of_tree;
 }
 
+/// Sets of the field that disagree with the others by less than this, in edges, are left as they are: that is rounding.
+constexpr double least_disagreement = 1e-6;
+
 /*!
 How far two samples agree about the side their normals point to: positive if the signs fit, negative if one has to turn; the
 absolute value, in [0, 1], is how sure that is.

@@ -46,33 +46,52 @@ struct Field_of_sets
   std::vector<int> signs;         // relative to the tree
   std::vector<double> agreements; // a row for each set
 
-  /// Of a set with all others, in the sense of its own sign.
-  double agreement_with_others(std::size_t a) const
+  /// Of two sets, as they are turned now.
+  double agreement(std::size_t a, std::size_t b) const
   {
-    double sum = 0;
-    for (std::size_t b = 0; b < roots.size(); ++b)
-      sum += signs[b] * agreements[a * roots.size() + b];
-    return signs[a] * sum;
+    return signs[a] * signs[b] * agreements[a * roots.size() + b];
   }
 
-  /// Turns the set that disagrees most, one after the other, until none does.
+  /// Turns the set that disagrees most with all others, one after the other, until none does; and where none does, the two that do so together, each of which
+  /// the other one keeps from turning.
   /// \returns whether there was one
   bool turn_what_disagrees()
   {
-    const std::size_t most_turns = 10 * roots.size(); // rounding might go round in circles
+    const std::size_t n = roots.size(), none = n, most_turns = 10 * n;
+    std::vector<double> with_others(n, 0);
+    for (std::size_t a = 0; a < n; ++a)
+      for (std::size_t b = 0; b < n; ++b)
+        with_others[a] += agreement(a, b);
     for (std::size_t turn = 0; turn < most_turns; ++turn)
     {
-      double least = 0;
-      std::size_t set_of_least = 0;
-      for (std::size_t a = 0; a < roots.size(); ++a)
-        if (const double agreement = agreement_with_others(a); agreement < least)
+      double least = -least_disagreement;
+      std::size_t first = none, second = none;
+      const auto consider = [&](double with_rest, std::size_t a, std::size_t b) {
+        if (with_rest < least)
         {
-          least = agreement;
-          set_of_least = a;
+          least = with_rest;
+          first = a;
+          second = b;
         }
-      if (!(least < 0))
+      };
+      for (std::size_t a = 0; a < n; ++a)
+        consider(with_others[a], a, none);
+      if (first == none)
+        for (std::size_t a = 0; a < n; ++a)
+          for (std::size_t b = 0; b < a; ++b)
+            if (trees[a] == trees[b])
+              consider(with_others[a] + with_others[b] - 2 * agreement(a, b), a, b);
+      if (first == none)
         return turn > 0;
-      signs[set_of_least] = -signs[set_of_least];
+      for (const std::size_t a : {first, second})
+        if (a != none)
+        {
+          signs[a] = -signs[a];
+          with_others[a] = -with_others[a];
+          for (std::size_t b = 0; b < n; ++b)
+            if (b != a)
+              with_others[b] += 2 * agreement(a, b);
+        }
     }
     return true;
   }
