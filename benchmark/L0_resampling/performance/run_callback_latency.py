@@ -16,6 +16,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+from performance_tables import write_or_print
 from run_performance import machine
 
 # LOR and ALOR with the radius of four spacings, so that each ball holds as many points at any number of them
@@ -62,11 +63,7 @@ def main():
             output = subprocess.run([str(word) for word in command], check=True, stdout=subprocess.PIPE, text=True).stdout
             result["runs"].append(json.loads(output))
             print(method, threads, file=sys.stderr, flush=True)
-    if arguments.output is None:
-        print(markdown(result), end="")
-        return
-    arguments.output.with_suffix(".json").write_text(json.dumps(result, indent=1) + "\n")
-    arguments.output.with_suffix(".md").write_text(markdown(result))
+    write_or_print(arguments.output, result, markdown(result))
 
 
 if __name__ == "__main__":
