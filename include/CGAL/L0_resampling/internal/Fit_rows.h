@@ -92,7 +92,7 @@ Fit_rows gather_fit_rows(const Search_grid_3& sample_grid, const Buffer<Vector>&
   for (std::size_t i = 0; i < samples.size(); ++i)
     rows.offsets[i + 1] += rows.offsets[i];
   rows.positions.resize(rows.offsets.back(), Vector::Zero());
-  rows.weights.resize(rows.offsets.back());
+  rows.weights.resize(rows.offsets.back(), 0.);
 
   for_each_cell<T, ConcurrencyTag>(sample_grid, samples, grid, points, reach, progress, [&]() {
     return [&, pair_up = Pair_partitioner<double>(), positions = std::vector<Vector>(), weights = std::vector<double>()](

@@ -102,7 +102,7 @@ public:
       std::fill(m_pair_weights.begin(), m_pair_weights.end(), FT(0));
     else
     {
-      Buffer<FT> density_weights(m, FT(1), samples.positions.get_allocator());
+      Buffer<FT> density_weights(m, samples.positions.get_allocator());
       update_weights<ConcurrencyTag>(samples.positions, neighbors, p.squared_bandwidth, p.squared_radius,
                                      p.regularization_weight, density_weights, m_pair_weights);
     }

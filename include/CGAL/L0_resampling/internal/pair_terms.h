@@ -42,7 +42,7 @@ void update_weights(const Buffer<Vector>& samples, const Neighborhoods& neighbor
   };
 
   const FT mean_number_of_sample_neighbors = FT(double(neighbors.indices.size()) / double(samples.size()));
-  Buffer<FT> inverses(samples.size(), FT(0), samples.get_allocator());
+  Buffer<FT> inverses(samples.size(), samples.get_allocator());
   for_each_block<ConcurrencyTag>(samples.size(), samples_per_block, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
