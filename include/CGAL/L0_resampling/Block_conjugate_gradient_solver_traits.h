@@ -125,10 +125,10 @@ private:
       : Arrays_of_one_solve(s)
     {
       const internal::Counting_allocator<FT> allocator(memory);
-      solver.m_residuals = internal::Buffer<FT>(3 * m, allocator);
-      solver.m_products = internal::Buffer<FT>(3 * m, allocator);
-      solver.m_blocks = internal::Buffer<internal::Block_factorization<FT>>(m, allocator);
-      solver.m_directions = internal::Buffer<FT>(8 * m, allocator);
+      solver.m_residuals = internal::filled_buffer(3 * m, FT(0), allocator);
+      solver.m_products = internal::filled_buffer(3 * m, FT(0), allocator);
+      solver.m_blocks = internal::filled_buffer(m, internal::Block_factorization<FT>(), allocator);
+      solver.m_directions = internal::filled_buffer(8 * m, FT(0), allocator);
     }
     ~Arrays_of_one_solve()
     {

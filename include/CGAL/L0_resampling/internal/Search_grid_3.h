@@ -201,7 +201,7 @@ public:
       std::uint64_t key;
       Index index;
     };
-    Buffer<Entry> entries(points.size(), Entry(), points.get_allocator());
+    Buffer<Entry> entries = filled_buffer(points.size(), Entry(), points.get_allocator());
     for_each_block<ConcurrencyTag>(points.size(), 4096, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
         entries[i] = {cell_key(points[i], cell_size), Index(i)};
@@ -215,7 +215,7 @@ public:
             return p[axis] < q[axis];
         return a.index < b.index;
       });
-    Buffer<Index> order(points.size(), Index(0), points.get_allocator());
+    Buffer<Index> order = filled_buffer(points.size(), Index(0), points.get_allocator());
     for_each_in_order(points.size(), [&](std::size_t i) { order[i] = entries[i].index; });
     return order;
   }

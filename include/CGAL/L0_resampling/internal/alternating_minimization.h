@@ -92,17 +92,21 @@ public:
   {
     const Minimization_parameters& p = m_parameters;
     const std::size_t m = samples.positions.size(), number_of_pairs = neighbors.indices.size();
-    m_right_hand_side.resize(m);
-    m_displacements.assign(m, Local_vector::Zero());
+    const Local_vector zero = Local_vector::Zero();
+    if (m_right_hand_side.size() != m)
+      fill_buffer(m, zero, m_right_hand_side);
+    fill_buffer(m, zero, m_displacements);
     m_normal_offsets.resize(SolverTraits::needs_explicit_rows ? number_of_pairs : 0);
+    if (m_pair_weights.size() < number_of_pairs)
+      fill_buffer(number_of_pairs, FT(0), m_pair_weights);
     m_pair_weights.resize(number_of_pairs);
 
     // Line 4, of the iteration before or of "Initialize"
     if (!regularize)
-      std::fill(m_pair_weights.begin(), m_pair_weights.end(), FT(0));
+      fill_buffer(number_of_pairs, FT(0), m_pair_weights);
     else
     {
-      Buffer<FT> density_weights(m, FT(1), samples.positions.get_allocator());
+      Buffer<FT> density_weights = filled_buffer(m, FT(1), samples.positions.get_allocator());
       update_weights<ConcurrencyTag>(samples.positions, neighbors, p.squared_bandwidth, p.squared_radius,
                                      p.regularization_weight, density_weights, m_pair_weights);
     }

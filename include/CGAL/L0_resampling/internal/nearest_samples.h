@@ -29,7 +29,7 @@ class Nearest_samples
 
 public:
   Nearest_samples(std::size_t size, std::size_t k, const Counting_allocator<Index>& allocator)
-    : m_k(k), m_indices(size * k, 0, allocator), m_counts(size, 0, allocator)
+    : m_k(k), m_indices(filled_buffer(size * k, Index(0), allocator)), m_counts(filled_buffer(size, Index(0), allocator))
   {}
 
   const Index* begin(Index i) const { return m_indices.data() + i * m_k; }
@@ -82,20 +82,21 @@ Nearest_samples find_nearest_samples(const Buffer<Vector>& positions, std::size_
   {
     const double cell_size = std::ldexp(spacing_guess, doubling);
     const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(positions, cell_size);
-    Buffer<Vector> sorted_positions(positions);
+    Buffer<Vector> sorted_positions = copy_of(positions);
     apply_order(order, sorted_positions);
     const Search_grid_3 grid(sorted_positions, cell_size);
     for (int last = (std::min)(doubling + doublings_on_one_grid, number_of_doublings);
          doubling <= last && number_of_open > 0; ++doubling)
     {
       Buffer<Index> open(positions.get_allocator()); // places in `order`
-      for (std::size_t place = 0; place < order.size(); ++place)
+      open.reserve(number_of_open);
+      for_each_in_order(order.size(), [&](std::size_t place) {
         if (is_open[order[place]])
           open.push_back(Index(place));
+      });
       Buffer<Vector> open_positions(positions.get_allocator());
       open_positions.reserve(open.size());
-      for (Index place : open)
-        open_positions.push_back(sorted_positions[place]);
+      for_each_in_order(open.size(), [&](std::size_t q) { open_positions.push_back(sorted_positions[open[q]]); });
       const Search_grid_3 open_grid(open_positions, cell_size);
 
       const double radius = std::ldexp(spacing_guess, doubling);

@@ -58,7 +58,7 @@ void update_weights(const Buffer<Vector>& samples, const Neighborhoods& neighbor
     }
     pairs_of(begin, end) = stretch_weight(Array(squared_distances), FT(squared_radius));
   });
-  Buffer<FT> inverses(samples.size(), FT(0), samples.get_allocator());
+  Buffer<FT> inverses = filled_buffer(samples.size(), FT(0), samples.get_allocator());
   std::transform(density_weights.begin(), density_weights.end(), inverses.begin(),
                  [&](FT weight) { return FT(regularization_weight) / weight; });
   for_each_block<ConcurrencyTag>(samples.size(), samples_per_block, [&](std::size_t begin, std::size_t end) {
@@ -80,7 +80,8 @@ void sum_normal_spreads(const Buffer<Eigen::Matrix<FT, 3, 1>>& normals, const Ne
   const auto add_outer_product = [](FT factor, const Eigen::Matrix<FT, 3, 1>& n, Upper_triangle<FT>& sum) {
     sum += factor * Upper_triangle<FT>(n[0] * n[0], n[0] * n[1], n[0] * n[2], n[1] * n[1], n[1] * n[2], n[2] * n[2]);
   };
-  spreads.resize(normals.size());
+  if (spreads.size() != normals.size())
+    fill_buffer(normals.size(), Upper_triangle<FT>(Upper_triangle<FT>::Zero()), spreads);
   for_each_block<ConcurrencyTag>(normals.size(), samples_per_block, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
     {
