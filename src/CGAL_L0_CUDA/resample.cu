@@ -223,7 +223,8 @@ void choose_samples(Call& call, const Positions& positions, const Prepared_point
   const bool is_default = call.parameters.method == Method::DEFAULT;
   if (is_default)
   {
-    areas = areas_of_points(workplace, points.grid, area_radius_factor * lengths.filter_radius);
+    areas = areas_of_points(workplace, points.grid,
+                            area_radius_factor * (std::max)(lengths.radius, lengths.filter_radius));
     lengths.set_sample_spacing(std::sqrt(areas.total / double(call.samples.size)));
   }
   initialize_samples(workplace, positions, points.grid, points.normals, is_default ? &areas : nullptr, lengths.radius,

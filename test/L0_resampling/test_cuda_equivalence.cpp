@@ -138,6 +138,8 @@ int main()
     check_agreement(name + "large filter radius", noisy_cube(20000, 0.01, 6),
                     np.normal_filter_radius(0.2).select_percentage(60));
     check_agreement(name + "few samples", noisy_cube(20000, 0.01, 9), np.number_of_output_points(700));
+    for (const std::size_t m : {300, 350, 400, 800}) // of single samples, few and many, that are no faces
+      check_agreement(name + "few samples of a torus", noisy_torus(8000, 0.002, 21), np.number_of_output_points(m));
     check_agreement(name + "strong noise", noisy_sphere(20000, 0.05, 10), np.select_percentage(60));
     check_agreement(name + "many orientation neighbors", noisy_sphere(3000, 0.01, 11),
                     np.number_of_orientation_neighbors(300).number_of_output_points(2000));

@@ -63,7 +63,10 @@ public:
     const Arrays_of_one_solve arrays(*this, m, problem.memory);
 
     for_each_block(m, [&](std::size_t begin, std::size_t end) { factorize_blocks(problem, begin, end); });
-    const bool starts_at_zero = (x.array() == FT(0)).all();
+    const bool starts_at_zero =
+      0 == sum_over_blocks(m, [&](std::size_t begin, std::size_t end) {
+        return (x.segment(Eigen::Index(3 * begin), Eigen::Index(3 * (end - begin))).array() != FT(0)).count();
+      });
     if (!starts_at_zero)
     {
       for_each_block(m, [&](std::size_t begin, std::size_t end) {

@@ -83,6 +83,8 @@ inline double default_radius(double spacing, double noise)
 
 /// r_q per r_p: beside an edge, the filter has to reach points whose first normal the edge did not spoil.
 constexpr double default_filter_radius_factor = 1.2;
+/// No filter radius is smaller than this part of r_p: its square, in units of r_p, is a `float`.
+constexpr double least_filter_radius_factor = 0x1p-40;
 
 /// The fit is blind to points whose normal differs by much more than this many times \f$ \sigma_n \f$. More than once, since the normals
 /// of a curved surface differ more over the ball of the fit than filtered normals of one face do.

@@ -137,7 +137,10 @@ public:
                                         samples.positions.get_allocator().counter};
     const Solver_report solver_report = m_solver.solve(
       problem, Eigen::Map<Eigen::Matrix<FT, Eigen::Dynamic, 1>>(coordinates(m_displacements), Eigen::Index(3 * m)));
-    for_each_in_order(m, [&](std::size_t i) { samples.positions[i] += m_displacements[i].template cast<double>(); });
+    for_each_block<ConcurrencyTag>(m, samples_per_block, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        samples.positions[i] += m_displacements[i].template cast<double>();
+    });
     m_progress.advance(1);
     return iteration_report(p, penalty, regularize, sums, number_of_pairs, solver_report);
   }

@@ -55,7 +55,7 @@ void sum_weights_by_pairs(const Search_grid_3& grid, const Buffer<Vector>& point
   const T squared_radius = T(radius * radius);
   const int reach = cells_in_reach(radius, grid.cell_size());
   const auto make_visitor = [&]() {
-    return [&, local_counts = std::vector<T>(), local_sums = std::vector<T>()](
+    return [&, local_counts = Aligned_vector<T>(), local_sums = Aligned_vector<T>()](
              Search_grid_3::Range queries, Local_points<T>& candidates, const Vector&) mutable {
       local_counts.assign(candidates.padded_size(), T(0));
       local_sums.assign(candidates.padded_size(), T(0));

@@ -190,9 +190,12 @@ Lengths choose_lengths(const Parameters& parameters, Buffer<Vector>& points, Wor
   lengths.radius *= scale;
   lengths.noise *= scale;
   lengths.sample_spacing *= scale;
+  if (!(lengths.sample_spacing > 0)) // all points, but for outliers, are at one place: any length will do
+    lengths.sample_spacing = lengths.radius;
   const double default_factor = parameters.method == Method::DEFAULT ? default_filter_radius_factor : 1.;
   lengths.filter_radius = parameters.normal_filter_radius > 0
-                            ? sensible_radius(frame.length_in_frame(parameters.normal_filter_radius), points)
+                            ? (std::max)(sensible_radius(frame.length_in_frame(parameters.normal_filter_radius), points),
+                                         least_filter_radius_factor * lengths.radius)
                             : default_factor * lengths.radius;
   lengths.self_neighbor_radius = self_neighbor_radius_factor * lengths.radius;
   if (parameters.method == Method::DEFAULT)
@@ -287,7 +290,7 @@ Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buff
   if (parameters.method == Method::DEFAULT)
   {
     const double longest_query = (std::max)(lengths.radius, lengths.filter_radius);
-    areas = areas_of_points<ConcurrencyTag, Local>(grid, points, area_radius_factor * lengths.filter_radius,
+    areas = areas_of_points<ConcurrencyTag, Local>(grid, points, area_radius_factor * longest_query,
                                                    units_per_length_for(lengths.cell_size, longest_query), progress);
     lengths.sample_spacing = std::sqrt(areas.total() / double(m));
     lengths.self_neighbor_radius = self_neighbor_radius_of_spacing(lengths);
