@@ -93,13 +93,13 @@ public:
     const Minimization_parameters& p = m_parameters;
     const std::size_t m = samples.positions.size(), number_of_pairs = neighbors.indices.size();
     m_right_hand_side.resize(m);
-    m_displacements.assign(m, Local_vector::Zero());
+    fill_buffer(m, Local_vector(Local_vector::Zero()), m_displacements);
     m_normal_offsets.resize(SolverTraits::needs_explicit_rows ? number_of_pairs : 0);
     m_pair_weights.resize(number_of_pairs);
 
     // Line 4, of the iteration before or of "Initialize"
     if (!regularize)
-      std::fill(m_pair_weights.begin(), m_pair_weights.end(), FT(0));
+      fill_buffer(number_of_pairs, FT(0), m_pair_weights);
     else
     {
       Buffer<FT> density_weights(m, samples.positions.get_allocator());

@@ -92,8 +92,8 @@ template <typename ConcurrencyTag, typename T>
 double compute_input_density_weights(const Search_grid_3& grid, const Buffer<Vector>& points, double radius,
                                      double squared_bandwidth, Progress& progress, Buffer<T>& weights)
 {
-  Buffer<Index> counts(points.size(), 0, points.get_allocator());
-  weights.assign(points.size(), T(0));
+  Buffer<Index> counts = filled_buffer(points.size(), Index(0), points.get_allocator());
+  fill_buffer(points.size(), T(0), weights);
   const auto sum_weights = has_plain_blocks_only<T, ConcurrencyTag>(grid, cells_in_reach(radius, grid.cell_size()))
                              ? sum_weights_by_pairs<ConcurrencyTag, T>
                              : sum_weights_in_balls<ConcurrencyTag, T>;
@@ -104,8 +104,8 @@ double compute_input_density_weights(const Search_grid_3& grid, const Buffer<Vec
     total += count;
   const double mean_number_of_input_neighbors = total / double(points.size());
   if (mean_number_of_input_neighbors > 0)
-    for (T& weight : weights)
-      weight = T(1 + weight / mean_number_of_input_neighbors);
+    for_each_in_order(weights.size(),
+                      [&](std::size_t i) { weights[i] = T(1 + weights[i] / mean_number_of_input_neighbors); });
   else
     weights.assign(weights.size(), T(1));
   return mean_number_of_input_neighbors;

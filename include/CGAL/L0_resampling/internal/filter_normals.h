@@ -62,7 +62,7 @@ void filter_normals_by_pairs(const Search_grid_3& grid, const Buffer<Vector>& po
 {
   using L = Lanes<T>;
   using Local_vector = Eigen::Matrix<T, 3, 1>;
-  Buffer<Local_vector> sums(normals); // the point itself has weight 1
+  Buffer<Local_vector> sums = copy_of(normals); // the point itself has weight 1
   const auto make_visitor = [&]() {
     return [&, n = Local_normals<T>(), s = Local_normals<T>()](Search_grid_3::Range queries,
                                                                Local_points<T>& candidates, const Vector&) mutable {

@@ -30,7 +30,7 @@ class Nearest_samples
 
 public:
   Nearest_samples(std::size_t size, std::size_t k, const Counting_allocator<Index>& allocator)
-    : m_k(k), m_indices(size * k, allocator), m_counts(size, 0, allocator)
+    : m_k(k), m_indices(size * k, allocator), m_counts(filled_buffer(size, Index(0), allocator))
   {}
 
   const Index* begin(Index i) const { return m_indices.data() + i * m_k; }
@@ -157,7 +157,7 @@ Nearest_samples find_nearest_samples(const Buffer<Vector>& positions, std::size_
   {
     const double cell_size = std::ldexp(spacing_guess, doubling);
     const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(positions, cell_size);
-    Buffer<Vector> sorted_positions(positions);
+    Buffer<Vector> sorted_positions = copy_of(positions);
     apply_order(order, sorted_positions);
     const Search_grid_3 grid(sorted_positions, cell_size);
     for (int last = (std::min)(doubling + doublings_on_one_grid, number_of_doublings);
@@ -167,12 +167,13 @@ Nearest_samples find_nearest_samples(const Buffer<Vector>& positions, std::size_
       Buffer<Index> open(positions.get_allocator());                // places in `order`
       Buffer<Vector> open_positions(positions.get_allocator());
       if (!are_all_open)
-        for (std::size_t place = 0; place < order.size(); ++place)
+        for_each_in_order(order.size(), [&](std::size_t place) {
           if (is_open[order[place]])
           {
             open.push_back(Index(place));
             open_positions.push_back(sorted_positions[place]);
           }
+        });
       const Search_grid_3 open_grid(open_positions, cell_size);
       const Search_grid_3& query_grid = are_all_open ? grid : open_grid;
       const Buffer<Vector>& query_positions = are_all_open ? sorted_positions : open_positions;

@@ -195,13 +195,15 @@ bool join_by_field(const Signed_union_find& trees, const Buffer<Vector>& positio
         field.agreements[a * number_of_sets + b] = field.agreements[b * number_of_sets + a] = sum * area * area / spacing;
       }
   });
-  for (const Vote& v : voting.votes)
+  for_each_in_order(voting.votes.size(), [&](std::size_t n) {
+    const Vote& v = voting.votes[n];
     if (is_in_field(v.a) && is_in_field(v.b))
     {
       const std::size_t a = place_of(v.a), b = place_of(v.b);
       field.agreements[a * number_of_sets + b] += weight_of_votes * v.agreement;
       field.agreements[b * number_of_sets + a] += weight_of_votes * v.agreement;
     }
+  });
 
   if (!field.turn_what_disagrees())
     return false;

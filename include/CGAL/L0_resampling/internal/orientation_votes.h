@@ -159,7 +159,8 @@ void join_by_votes(double sure, Voting& voting)
 {
   const Buffer<Vote>& votes = voting.votes;
   const std::size_t none = (std::numeric_limits<std::size_t>::max)();
-  Buffer<std::size_t> strongest(voting.sets.size(), none, votes.get_allocator()); // the vote of each set that it joins by
+  Buffer<std::size_t> strongest = filled_buffer(voting.sets.size(), none,
+                                                votes.get_allocator()); // the vote of each set that it joins by
   const auto is_stronger = [&](std::size_t v, std::size_t w) {
     const double a = std::abs(votes[v].agreement), b = std::abs(votes[w].agreement);
     return a != b ? a > b : v < w;
@@ -167,19 +168,20 @@ void join_by_votes(double sure, Voting& voting)
   for (bool is_joined = true; is_joined;)
   {
     is_joined = false;
-    for (const Vote& v : votes)
-      strongest[v.a] = strongest[v.b] = none;
-    for (std::size_t n = 0; n < votes.size(); ++n)
+    for_each_in_order(votes.size(), [&](std::size_t n) { strongest[votes[n].a] = strongest[votes[n].b] = none; });
+    for_each_in_order(votes.size(), [&](std::size_t n) {
       if (std::abs(votes[n].agreement) >= sure * votes[n].total)
         for (const Index set : {votes[n].a, votes[n].b})
           if (strongest[set] == none || is_stronger(n, strongest[set]))
             strongest[set] = n;
-    for (std::size_t n = 0; n < votes.size(); ++n)
+    });
+    for_each_in_order(votes.size(), [&](std::size_t n) {
       if (strongest[votes[n].a] == n || strongest[votes[n].b] == n)
       {
         voting.sets.join(votes[n].a, votes[n].b, votes[n].agreement < 0 ? -1 : 1);
         is_joined = true;
       }
+    });
     pass_votes_on<ConcurrencyTag>(voting);
   }
 }
