@@ -75,10 +75,10 @@ __device__ void for_each_sample(unsigned size, const F& f)
 /// Walks over the pairs of a lane in batches: calls `load(k, e)` for each pair of a batch, and then `use(loaded, e)`, so that the memory has several
 /// reads to do at once.
 template <int batch, typename Load, typename Use>
-__device__ void for_each_pair(const Neighbor_lists& neighbors, unsigned i, unsigned lane, const Load& load, const Use& use)
+__device__ void for_each_pair(const Neighbor_lists& neighbors, uint2 row, unsigned lane, const Load& load, const Use& use)
 {
-  const Wide last = neighbors.offsets[i + 1];
-  for (Wide e = neighbors.offsets[i] + lane; e < last; e += batch * lanes_per_sample)
+  const Wide last = row.y;
+  for (Wide e = Wide(row.x) + lane; e < last; e += batch * lanes_per_sample)
   {
     decltype(load(0u, e)) loaded[batch];
 #pragma unroll
@@ -100,18 +100,18 @@ __device__ void update_density_weights(const Turn& turn)
   const float squared_bandwidth = float(turn.parameters.squared_bandwidth);
   const float mean_number_of_neighbors = float(double(turn.neighbors.number_of_pairs) / turn.samples.size);
   for_each_sample_of_group(turn.samples.size, [&](unsigned i, unsigned lane, bool is_sample) {
-    const unsigned first = turn.neighbors.offsets[i], last = turn.neighbors.offsets[i + 1];
+    const uint2 row = turn.neighbors.row(turn.points, turn.samples.size, i);
     const int4 center = turn.points[i];
     float sum = 0;
     for_each_pair<4>(
-      turn.neighbors, i, lane, [&](unsigned k, Wide) { return turn.points[k]; },
+      turn.neighbors, row, lane, [&](unsigned k, Wide) { return turn.points[k]; },
       [&](int4 point, Wide) {
         const float3 d = difference(center, point, turn.unit);
         sum += gaussian_weight(dot(d, d), squared_bandwidth);
       });
     sum = group_sum<lanes_per_sample>(sum);
     if (lane == 0 && is_sample)
-      turn.samples.normals[i].w = last > first ? 1 / (1 + sum / mean_number_of_neighbors) : 1;
+      turn.samples.normals[i].w = row.y > row.x ? 1 / (1 + sum / mean_number_of_neighbors) : 1;
   });
 }
 
@@ -171,7 +171,7 @@ __device__ void linearize(const Turn& turn, Energy_sums& energy, double (&sums)[
   const float squared_radius = float(turn.parameters.squared_radius);
   const Wide size = turn.samples.size;
   for_each_sample_of_group(turn.samples.size, [&](unsigned i, unsigned lane, bool is_sample) {
-    const unsigned first = turn.neighbors.offsets[i], last = turn.neighbors.offsets[i + 1];
+    const uint2 row = turn.neighbors.row(turn.points, turn.samples.size, i);
     const int4 center = turn.points[i];
     const float4 own = turn.samples.normals[i], fit = turn.samples.fit[i];
     const float3 n = xyz(own), to_centroid = xyz(fit);
@@ -185,7 +185,7 @@ __device__ void linearize(const Turn& turn, Energy_sums& energy, double (&sums)[
       float4 normal;
     };
     const auto load_other = [&](unsigned k, Wide) { return Other{turn.points[k], turn.samples.normals[k]}; };
-    for_each_pair<2>(turn.neighbors, i, lane, load_other, [&](const Other& loaded, Wide) {
+    for_each_pair<2>(turn.neighbors, row, lane, load_other, [&](const Other& loaded, Wide) {
       const float3 d = difference(center, loaded.point, turn.unit);
       const float4 other = loaded.normal;
       const float3 nk = xyz(other);
@@ -226,7 +226,7 @@ __device__ void linearize(const Turn& turn, Energy_sums& energy, double (&sums)[
 
     g += fit.w * to_centroid;
     weight += fit.w;
-    const float count = float(last - first);
+    const float count = float(row.y - row.x);
     const float upper[6] = {weight + penalty * (xx + count * n.x * n.x), penalty * (xy + count * n.x * n.y),
                             penalty * (xz + count * n.x * n.z),          weight + penalty * (yy + count * n.y * n.y),
                             penalty * (yz + count * n.y * n.z),          weight + penalty * (zz + count * n.z * n.z)};
@@ -260,12 +260,13 @@ __device__ void multiply(const Turn& turn, bool is_first, float ratio, double& c
       float4 normal;
       int4 point;
     };
+    const uint2 row = turn.neighbors.row(turn.points, turn.samples.size, i);
     const int4 center = turn.points[i];
     const float own_weight = turn.samples.normals[i].w;
     const auto load_other = [&](unsigned k, Wide) {
       return Other{turn.arrays.z[k], turn.samples.normals[k], turn.points[k]};
     };
-    for_each_pair<2>(turn.neighbors, i, lane, load_other, [&](const Other& other, Wide) {
+    for_each_pair<2>(turn.neighbors, row, lane, load_other, [&](const Other& other, Wide) {
       const float3 d = difference(center, other.point, turn.unit);
       const float a = turn.regularize ? alpha * stretch_weight(dot(d, d), squared_radius) * (own_weight + other.normal.w)
                                       : 0.f;

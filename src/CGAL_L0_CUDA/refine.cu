@@ -101,7 +101,8 @@ __global__ void repel(Cell_frame frame, Neighbor_lists neighbors, Push push_rule
   const float unit = frame.unit();
   const int4 center = points[i];
   float3 push = {0, 0, 0};
-  for (unsigned e = neighbors.offsets[i] + query.lane; e < neighbors.offsets[i + 1]; e += lanes)
+  const uint2 row = neighbors.row(points, samples.size, i);
+  for (Wide e = Wide(row.x) + query.lane; e < row.y; e += lanes)
   {
     const unsigned k = neighbors.indices[e];
     const float3 d = difference(center, points[k], unit);

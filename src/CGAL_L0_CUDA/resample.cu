@@ -277,9 +277,9 @@ void minimize_alternatingly(Call& call)
   {
     const Arena_scope grid_scope(workplace.scratch);
     const Cell_grid grid = call.sort_samples(points.frame, workplace.scratch, workplace.arena);
+    neighbors = find_self_neighbors(workplace, grid, call.lengths.self_neighbor_radius);
     CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(points.points, grid.points, points.size * sizeof(int4), cudaMemcpyDeviceToDevice,
                                        workplace.stream));
-    neighbors = find_self_neighbors(workplace, grid, call.lengths.self_neighbor_radius);
   }
   call.report.number_of_self_neighbor_pairs = neighbors.number_of_pairs;
   call.numbers_of_pairs.assign(call.penalties.size(), neighbors.number_of_pairs);

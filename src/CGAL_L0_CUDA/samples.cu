@@ -126,6 +126,13 @@ __global__ void list_self_neighbors(Cell_grid grid, Cell_blocks blocks, float sq
                          });
 }
 
+__global__ void note_rows(const unsigned* offsets, unsigned size, int4* points)
+{
+  const Wide i = thread_index();
+  if (i < size)
+    points[i].w = int(offsets[i]);
+}
+
 __global__ void take_result(Frame frame, Samples samples, float* normals)
 {
   const Wide i = thread_index();
@@ -193,25 +200,25 @@ Neighbor_lists find_self_neighbors(const Workplace& workplace, const Cell_grid& 
   const unsigned m = grid.size, thread_blocks = blocks_for_queries(m);
   const float squared_radius = float(radius * radius);
   Neighbor_lists lists;
-  lists.offsets = workplace.arena.take<unsigned>(std::size_t(m) + 1);
-
   const Arena_scope scope(workplace.scratch);
   const Cell_blocks blocks = find_blocks(grid, grid, 1, limit, workplace.scratch, stream);
-  unsigned* const counts = workplace.scratch.take<unsigned>(std::size_t(m) + 1);
-  CGAL_L0_CUDA_CHECK(cudaMemsetAsync(counts + m, 0, sizeof(unsigned), stream));
+  unsigned* const offsets = workplace.scratch.take<unsigned>(std::size_t(m) + 1);
+  CGAL_L0_CUDA_CHECK(cudaMemsetAsync(offsets + m, 0, sizeof(unsigned), stream));
   const Device_counter<Wide> total_count(workplace);
-  count_self_neighbors<<<thread_blocks, threads_per_block, 0, stream>>>(grid, blocks, squared_radius, counts,
+  count_self_neighbors<<<thread_blocks, threads_per_block, 0, stream>>>(grid, blocks, squared_radius, offsets,
                                                                         total_count.address());
   check_launch("count_self_neighbors");
-  sum_up(counts, m, lists.offsets, workplace.scratch, stream);
+  sum_up(offsets, m, offsets, workplace.scratch, stream);
   lists.number_of_pairs = total_count.read();
   if (lists.number_of_pairs > 0xffffffffu)
     throw Failure(Status::OUT_OF_MEMORY, "more than 2^32 - 1 pairs of self neighbors");
 
   lists.indices = workplace.arena.take<unsigned>(lists.number_of_pairs);
-  list_self_neighbors<<<thread_blocks, threads_per_block, 0, stream>>>(grid, blocks, squared_radius, lists.offsets,
+  list_self_neighbors<<<thread_blocks, threads_per_block, 0, stream>>>(grid, blocks, squared_radius, offsets,
                                                                        lists.indices);
   check_launch("list_self_neighbors");
+  note_rows<<<blocks_for(m), threads_per_block, 0, stream>>>(offsets, m, grid.points);
+  check_launch("note_rows");
   return lists;
 }
 

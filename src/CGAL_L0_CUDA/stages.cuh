@@ -146,15 +146,22 @@ void collapse_fit_term(const Workplace& workplace, const Cell_grid& sample_grid,
                        const Cell_grid& grid, const float4* normals, double radius, const Samples& samples,
                        unsigned* number_of_lonely_samples);
 
-/// The self neighbors in compressed rows.
+/// The self neighbors in compressed rows. Where the row of a sample begins stands in the fourth number of its point, in place of the cell.
 struct Neighbor_lists
 {
-  unsigned* offsets = nullptr;
   unsigned* indices = nullptr;
   std::size_t number_of_pairs = 0;
+
+#ifdef __CUDACC__
+  /// The place of the first pair of sample i, and that behind its last.
+  __device__ uint2 row(const int4* points, unsigned size, unsigned i) const
+  {
+    return {unsigned(points[i].w), i + 1 < size ? unsigned(points[i + 1].w) : unsigned(number_of_pairs)};
+  }
+#endif
 };
 
-/// Waits for the device. The lists are taken from the arena.
+/// Waits for the device. The lists are taken from the arena; the points of the grid lose their cells.
 Neighbor_lists find_self_neighbors(const Workplace& workplace, const Cell_grid& grid, double radius);
 
 /// The weights of Algorithm 1, as `Minimization_parameters` of the CPU.
