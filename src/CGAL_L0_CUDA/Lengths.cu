@@ -57,9 +57,12 @@ Lengths choose_lengths(const Extent& extent, unsigned n, const Parameters& param
   lengths.radius *= scale;
   lengths.noise *= scale;
   lengths.sample_spacing *= scale;
+  if (!(lengths.sample_spacing > 0)) // all points, but for outliers, are at one place: any length will do
+    lengths.sample_spacing = lengths.radius;
   lengths.filter_radius = parameters.normal_filter_radius > 0
-                            ? sensible_radius(lengths.frame.length_in_frame(parameters.normal_filter_radius),
-                                              lengths.low, lengths.high)
+                            ? (std::max)(sensible_radius(lengths.frame.length_in_frame(parameters.normal_filter_radius),
+                                                         lengths.low, lengths.high),
+                                         least_filter_radius_factor * lengths.radius)
                             : (is_default ? default_filter_radius_factor : 1.) * lengths.radius;
   lengths.self_neighbor_radius = self_neighbor_radius_factor * lengths.radius;
   if (is_default)

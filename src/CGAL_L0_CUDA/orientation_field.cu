@@ -15,10 +15,7 @@ namespace cuda {
 
 namespace {
 
-// As on the CPU
-constexpr unsigned maximum_number_of_dipoles = 2048, fewest_dipoles_of_a_set = 6;
-constexpr unsigned maximum_number_of_sets = maximum_number_of_dipoles / fewest_dipoles_of_a_set;
-constexpr double weight_of_votes = 3;
+constexpr double weight_of_votes = 3; // as on the CPU
 
 constexpr unsigned no_set = ~0u;
 constexpr unsigned threads_of_turning_block = 352; // one for each set
@@ -39,7 +36,9 @@ struct Field
   Dipole* dipoles;
   unsigned* roots_of_dipoles;
   unsigned number_of_dipoles;
-  unsigned char* stands_for_set; // of each dipole: the first one of a large set
+  unsigned* sizes_of_sets; // of each dipole that is the first one of its set: how many dipoles that has; of others 0
+  unsigned* number_of_all_sets;  // that have a dipole
+  unsigned char* stands_for_set; // of each dipole: the first one of a set of the field
   double area;                   // that a dipole stands for
   double spacing;                // of the samples
   unsigned* set_of_root;         // of each sample that is a root: its number among the larger sets, or `no_set`
@@ -72,7 +71,7 @@ __global__ void place_dipoles(Field field, Samples samples, const Link* sets)
 }
 
 /// One warp for each dipole.
-__global__ void find_large_sets(Field field)
+__global__ void find_sets(Field field)
 {
   const Wide k = thread_index() / 32;
   if (k >= field.number_of_dipoles) // whole warps leave
@@ -88,11 +87,38 @@ __global__ void find_large_sets(Field field)
     }
   count = group_sum<32>(count);
   is_first = __all_sync(0xffffffffu, is_first);
-  if (threadIdx.x % 32 == 0)
-    field.stands_for_set[k] = is_first && count >= fewest_dipoles_of_a_set;
+  if (threadIdx.x % 32 != 0)
+    return;
+  field.sizes_of_sets[k] = is_first ? count : 0;
+  if (is_first)
+    atomicAdd(field.number_of_all_sets, 1u);
 }
 
-/// Numbers the large sets by their roots. One warp for each dipole.
+/// The larger sets of the trees that these stand for. One warp for each dipole.
+__global__ void choose_sets(Field field, const Link* trees, unsigned number_of_samples)
+{
+  const Wide k = thread_index() / 32;
+  if (k >= field.number_of_dipoles) // whole warps leave
+    return;
+  const unsigned fewest = fewest_dipoles_of_a_set(number_of_samples, *field.number_of_all_sets);
+  const bool is_large = field.sizes_of_sets[k] >= fewest;
+  const unsigned tree = trees[field.roots_of_dipoles[k]].target();
+  unsigned count = 0, count_of_large_sets = 0;
+  for (unsigned other = threadIdx.x % 32; is_large && other < field.number_of_dipoles; other += 32)
+  {
+    const unsigned size = field.sizes_of_sets[other];
+    if (size == 0 || trees[field.roots_of_dipoles[other]].target() != tree)
+      continue;
+    count += size;
+    count_of_large_sets += size >= fewest ? size : 0;
+  }
+  count = group_sum<32>(count);
+  count_of_large_sets = group_sum<32>(count_of_large_sets);
+  if (threadIdx.x % 32 == 0)
+    field.stands_for_set[k] = is_large && stand_for_tree(count_of_large_sets, count);
+}
+
+/// Numbers the sets of the field by their roots. One warp for each dipole.
 __global__ void number_sets(Field field, const Link* trees)
 {
   const Wide k = thread_index() / 32;
@@ -101,7 +127,7 @@ __global__ void number_sets(Field field, const Link* trees)
   const unsigned root = field.roots_of_dipoles[k];
   unsigned set = 0;
   for (unsigned other = threadIdx.x % 32; other < field.number_of_dipoles; other += 32)
-    set += unsigned(field.stands_for_set[other] && field.roots_of_dipoles[other] < root);
+    set += unsigned(field.stands_for_set[other]) & unsigned(field.roots_of_dipoles[other] < root);
   set = group_sum<32>(set);
   if (threadIdx.x % 32 != 0)
     return;
@@ -148,9 +174,9 @@ __global__ void add_dipoles(Field field)
     {
       const Dipole& b = field.dipoles[k];
       const double3 d = {b.position.x - a.position.x, b.position.y - a.position.y, b.position.z - a.position.z};
-      const double squared_distance = dot(d, d) + field.area;
-      const double agreement = (dot(a.normal, b.normal) - 3 * dot(a.normal, d) * dot(b.normal, d) / squared_distance)
-                               / (squared_distance * sqrt(squared_distance)) * field.area * field.area / field.spacing;
+      const double squared_distance = dot(d, d) + field.area, inverse = rsqrt(squared_distance);
+      const double agreement = (dot(a.normal, b.normal) - 3 * dot(a.normal, d) * dot(b.normal, d) * (inverse * inverse))
+                               * (inverse * inverse * inverse) * (field.area * field.area / field.spacing);
       set = b.set;
       if (isfinite(agreement))
         units = __double2ll_rn(agreement * units_per_vote);
@@ -171,16 +197,11 @@ __global__ void add_dipoles(Field field)
 
 __global__ void add_votes_between_sets(Field field, Graph graph, const Link* sets)
 {
-  const Wide i = thread_index();
-  if (i >= graph.size)
-    return;
-  const Link a = sets[i];
-  const unsigned set_a = field.set_of_root[a.target()];
-  if (set_a == no_set)
-    return;
-  for_each_edge_between_sets(graph, sets, i, [&](unsigned other) {
-    const Link b = sets[other];
-    const unsigned set_b = field.set_of_root[b.target()];
+  for_each_pair_of_neighbors(graph, thread_index(), Wide(gridDim.x) * blockDim.x, [&](unsigned i, unsigned other) {
+    const Link a = sets[i], b = sets[other];
+    if (a.target() == b.target())
+      return;
+    const unsigned set_a = field.set_of_root[a.target()], set_b = field.set_of_root[b.target()];
     if (!field.are_of_one_tree(set_a, set_b))
       return;
     const double agreement = agreement_of(graph, i, other);
@@ -191,11 +212,11 @@ __global__ void add_votes_between_sets(Field field, Graph graph, const Link* set
   });
 }
 
-/// The set that disagrees most, of those of equal agreement the first.
+/// One or two sets that disagree with all others, of those of equal agreement the first.
 struct Disagreement
 {
   long long agreement;
-  unsigned set;
+  unsigned set, partner; // `no_set` for a single one
 
   __device__ bool operator<(const Disagreement& b) const
   {
@@ -203,53 +224,82 @@ struct Disagreement
   }
 };
 
-/// The least of a warp, in its first thread.
-__device__ Disagreement least_of_warp(Disagreement own)
+/// The least of a block, for all its threads.
+/// \param of_warps shared
+__device__ Disagreement least_of_block(Disagreement own, Disagreement* of_warps)
 {
   for (int offset = 16; offset > 0; offset /= 2)
   {
     const Disagreement other = {__shfl_down_sync(0xffffffffu, own.agreement, offset),
-                                __shfl_down_sync(0xffffffffu, own.set, offset)};
+                                __shfl_down_sync(0xffffffffu, own.set, offset),
+                                __shfl_down_sync(0xffffffffu, own.partner, offset)};
     if (other < own)
       own = other;
   }
-  return own;
+  __syncthreads(); // nobody reads the last ones any more
+  if (threadIdx.x % 32 == 0)
+    of_warps[threadIdx.x / 32] = own;
+  __syncthreads();
+  Disagreement least = of_warps[0];
+  for (unsigned warp = 1; warp < threads_of_turning_block / 32; ++warp)
+    if (of_warps[warp] < least)
+      least = of_warps[warp];
+  return least;
 }
 
-/// Turns the set that disagrees most, one after the other, until none does. Run by one block, with a thread for each set.
+/// Turns the set that disagrees most, or the two, one after the other, until none does. Run by one block, with a thread for each set.
 __global__ void turn_sets(Field field, unsigned* number_of_turns)
 {
   __shared__ Disagreement of_warps[threads_of_turning_block / 32];
   __shared__ int signs[maximum_number_of_sets];
+  __shared__ long long with_others[maximum_number_of_sets];
   const unsigned size = *field.number_of_sets, a = threadIdx.x;
+  const long long limit = -__double2ll_rn(least_disagreement * units_per_vote);
   if (a < size)
     signs[a] = field.signs[a];
   __syncthreads();
-  long long sum = 0; // the agreement of the set with all others, in the sense of its first sign
+  long long sum = 0; // the agreement of the set with all others
   for (unsigned b = 0; b < size && a < size; ++b)
-    sum += signs[b] * field.row(b)[a];
+    sum += signs[a] * signs[b] * field.row(b)[a];
   for (unsigned turn = 0; turn < 10 * size; ++turn) // rounding might go round in circles
   {
-    const Disagreement own = {a < size ? signs[a] * sum : 0, a};
-    const Disagreement least_here = least_of_warp(own);
-    if (a % 32 == 0)
-      of_warps[a / 32] = least_here;
-    __syncthreads();
-    Disagreement least = of_warps[0];
-    for (unsigned warp = 1; warp < threads_of_turning_block / 32; ++warp)
-      if (of_warps[warp] < least)
-        least = of_warps[warp];
-    if (least.agreement >= 0)
-      break;
-    if (a == least.set)
+    Disagreement own = {a < size ? sum : 0, a, no_set};
+    Disagreement least = least_of_block(own, of_warps);
+    if (least.agreement >= limit)
     {
-      signs[a] = -signs[a];
-      field.signs[a] = signs[a];
-      ++*number_of_turns;
+      if (a < size)
+        with_others[a] = sum;
+      __syncthreads();
+      own.agreement = 0;
+      for (unsigned b = 0; b < a && a < size; ++b)
+        if (field.trees[a] == field.trees[b])
+        {
+          const long long both = sum + with_others[b] - 2 * signs[a] * signs[b] * field.row(b)[a];
+          if (both < own.agreement)
+          {
+            own.agreement = both;
+            own.partner = b;
+          }
+        }
+      least = least_of_block(own, of_warps);
     }
-    __syncthreads();
-    if (a < size)
-      sum += 2 * signs[least.set] * field.row(least.set)[a];
+    if (least.agreement >= limit)
+      break;
+    for (unsigned turned : {least.set, least.partner})
+    {
+      if (turned == no_set)
+        break;
+      if (a == turned)
+      {
+        signs[a] = -signs[a];
+        field.signs[a] = signs[a];
+        sum = -sum;
+        ++*number_of_turns;
+      }
+      __syncthreads();
+      if (a < size && a != turned)
+        sum += 2 * signs[a] * signs[turned] * field.row(turned)[a];
+    }
   }
 }
 
@@ -275,10 +325,12 @@ bool join_by_field(const Workplace& workplace, const Graph& graph, const Link* t
   const cudaStream_t stream = workplace.stream;
   const Arena_scope scope(workplace.scratch);
   const unsigned m = graph.size, number_of_dipoles = (std::min)(m, maximum_number_of_dipoles);
-  const Device_counter<unsigned> number_of_sets(workplace), number_of_turns(workplace);
+  const Device_counter<unsigned> number_of_all_sets(workplace), number_of_sets(workplace), number_of_turns(workplace);
   const Field field = {workplace.scratch.take<Dipole>(number_of_dipoles),
                        workplace.scratch.take<unsigned>(number_of_dipoles),
                        number_of_dipoles,
+                       workplace.scratch.take<unsigned>(number_of_dipoles),
+                       number_of_all_sets.address(),
                        workplace.scratch.take<unsigned char>(number_of_dipoles),
                        spacing * spacing * double(m) / double(number_of_dipoles),
                        spacing,
@@ -293,15 +345,17 @@ bool join_by_field(const Workplace& workplace, const Graph& graph, const Link* t
                                      Wide(maximum_number_of_sets) * maximum_number_of_sets * sizeof(long long), stream));
   place_dipoles<<<blocks_for(number_of_dipoles), threads_per_block, 0, stream>>>(field, graph.samples, sets);
   check_launch("place_dipoles");
-  find_large_sets<<<blocks_for(32ull * number_of_dipoles), threads_per_block, 0, stream>>>(field);
-  check_launch("find_large_sets");
+  find_sets<<<blocks_for(32ull * number_of_dipoles), threads_per_block, 0, stream>>>(field);
+  check_launch("find_sets");
+  choose_sets<<<blocks_for(32ull * number_of_dipoles), threads_per_block, 0, stream>>>(field, trees, m);
+  check_launch("choose_sets");
   number_sets<<<blocks_for(32ull * number_of_dipoles), threads_per_block, 0, stream>>>(field, trees);
   check_launch("number_sets");
   find_trees_of_dipoles<<<blocks_for(number_of_dipoles), threads_per_block, 0, stream>>>(field);
   check_launch("find_trees_of_dipoles");
   add_dipoles<<<number_of_dipoles, threads_per_block, 0, stream>>>(field);
   check_launch("add_dipoles");
-  add_votes_between_sets<<<blocks_for(m), threads_per_block, 0, stream>>>(field, graph, sets);
+  add_votes_between_sets<<<blocks_for(Wide(m) * lanes_of_edges), threads_per_block, 0, stream>>>(field, graph, sets);
   check_launch("add_votes_between_sets");
   turn_sets<<<1, threads_of_turning_block, 0, stream>>>(field, number_of_turns.address());
   check_launch("turn_sets");

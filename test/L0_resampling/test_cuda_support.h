@@ -68,6 +68,21 @@ inline Points noisy_sphere(std::size_t n, double noise, unsigned seed)
   return points;
 }
 
+/// Radii 1 and 0.4.
+inline Points noisy_torus(std::size_t n, double noise, unsigned seed)
+{
+  test::Generator generator(seed);
+  std::normal_distribution<double> gauss(0, noise);
+  Points points;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const double u = test::random_number(0, 2 * CGAL_PI, generator), v = test::random_number(0, 2 * CGAL_PI, generator),
+                 tube_radius = 0.4 + gauss(generator), from_axis = 1 + tube_radius * std::cos(v);
+    points.emplace_back(from_axis * std::cos(u), from_axis * std::sin(u), tube_radius * std::sin(v));
+  }
+  return points;
+}
+
 inline Points moved(Points points, const Normal& translation)
 {
   for (Point& p : points)

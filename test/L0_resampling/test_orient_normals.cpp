@@ -10,7 +10,11 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
+#include <numeric>
 #include <random>
+#include <set>
+#include <vector>
 
 using namespace test;
 
@@ -54,8 +58,13 @@ void check_nearest(const Oriented_points& cloud, double spacing_guess)
     const auto distance = [&](Index k) { return (cloud.points[i] - cloud.points[k]).squaredNorm(); };
     std::partial_sort(others.begin(), others.begin() + 12, others.end(),
                       [&](Index a, Index b) { return distance(a) < distance(b); });
-    are_nearest = are_nearest && nearest.end(i) - nearest.begin(i) == 12
-                  && std::is_permutation(nearest.begin(i), nearest.end(i), others.begin());
+    std::vector<double> found, expected; // of equally far ones, any will do
+    for (const Index* k = nearest.begin(i); k != nearest.end(i); ++k)
+      found.push_back(distance(*k));
+    std::sort(found.begin(), found.end());
+    std::transform(others.begin(), others.begin() + 12, std::back_inserter(expected), distance);
+    are_nearest = are_nearest && found == expected && std::set<Index>(nearest.begin(i), nearest.end(i)).size() == 12
+                  && !nearest.contains(i, i);
   }
   CHECK(are_nearest);
 }
@@ -230,6 +239,86 @@ void check_field(Generator& generator)
     }
 }
 
+/// Two faces that are turned together, and whose edge would not let one turn alone, are turned back together.
+void check_field_of_pairs(Generator& generator)
+{
+  const Oriented_points cube = cube_points(3000, 2, generator);
+  Voting voting{Signed_union_find(cube.points.size(), {}), {}};
+  std::vector<Index> first(6, Index(cube.points.size()));
+  const auto face_of = [&](std::size_t i) {
+    int axis;
+    cube.normals[i].cwiseAbs().maxCoeff(&axis);
+    return std::size_t(axis) + (cube.normals[i][axis] > 0 ? 3 : 0);
+  };
+  for (std::size_t i = 0; i < cube.points.size(); ++i)
+  {
+    Index& first_of_face = first[face_of(i)];
+    first_of_face = (std::min)(first_of_face, Index(i));
+    voting.sets.join(first_of_face, Index(i), 1);
+  }
+  Signed_union_find trees = voting.sets;
+  for (std::size_t face = 1; face < 6; ++face)
+    trees.join(first[0], first[face], face >= 4 ? -1 : 1);
+  voting.votes.push_back({first[4], first[5], 1000, 1000});
+  pass_votes_on<CGAL::Sequential_tag>(voting);
+  CHECK(join_by_field<CGAL::Parallel_if_available_tag>(trees, to_buffer(cube.points), to_buffer(cube.normals), 0.09,
+                                                       voting));
+  const auto sign_of = [&](std::size_t face) { return voting.sets.find(first[face]).second; };
+  for (std::size_t face = 1; face < 6; ++face)
+    CHECK(sign_of(face) == sign_of(0));
+}
+
+/// Where the surface bends away within few spacings, edges are beyond doubt at single flat spots only.
+void check_coarse_sets(Generator& generator)
+{
+  for (const std::size_t n : {250, 300, 350, 400, 500})
+    for (int repetition = 0; repetition < 4; ++repetition)
+    {
+      const Oriented_points torus = evenly(n, [&](std::size_t size) { return torus_points(size, generator); });
+      check_orientation(torus, std::sqrt(1.6 * EIGEN_PI * EIGEN_PI / double(n)), generator);
+    }
+}
+
+/// Two spots of a torus whose normals are parallel, one behind the other, would have one of them turned, if there were nothing in between. Whether the rest takes part or
+/// is too scattered to, they are left as they are.
+void check_field_of_spots(std::size_t n, Generator& generator)
+{
+  const Oriented_points torus = evenly(n, [&](std::size_t size) { return torus_points(size, generator); });
+  const Buffer<Vector> positions = to_buffer(torus.points), normals = to_buffer(torus.normals);
+  Voting voting{Signed_union_find(n, {}), {}};
+  for (const Vector& center : {Vector(1.4, 0, 0), Vector(-0.6, 0, 0)})
+  {
+    std::vector<Index> nearest(n);
+    std::iota(nearest.begin(), nearest.end(), Index(0));
+    std::partial_sort(nearest.begin(), nearest.begin() + 8, nearest.end(), [&](Index i, Index k) {
+      return (positions[i] - center).squaredNorm() < (positions[k] - center).squaredNorm();
+    });
+    for (std::size_t place = 1; place < 8; ++place)
+      voting.sets.join(nearest[0], nearest[place], 1);
+  }
+  Signed_union_find trees = voting.sets;
+  for (Index i = 1; i < n; ++i)
+    trees.join(0, i, 1);
+  CHECK(!join_by_field<CGAL::Parallel_if_available_tag>(trees, positions, normals,
+                                                        std::sqrt(1.6 * EIGEN_PI * EIGEN_PI / double(n)), voting));
+}
+
+/// Of few samples each counts, even where each is a set of its own.
+void check_field_of_single_samples(Generator& generator)
+{
+  const std::size_t n = 300;
+  const Oriented_points cube = evenly(n, [&](std::size_t size) { return cube_points(size, 2, generator); });
+  const Buffer<Vector> positions = to_buffer(cube.points), normals = to_buffer(cube.normals);
+  Voting voting{Signed_union_find(n, {}), {}};
+  Signed_union_find trees = voting.sets;
+  for (Index i = 1; i < n; ++i)
+    trees.join(0, i, i % 10 == 0 ? -1 : 1);
+  CHECK(join_by_field<CGAL::Parallel_if_available_tag>(trees, positions, normals, std::sqrt(24. / double(n)), voting));
+  const int sign_of_first = voting.sets.find(0).second;
+  for (Index i = 1; i < n; ++i)
+    CHECK(voting.sets.find(i).second == sign_of_first);
+}
+
 int main()
 {
   Generator generator(10);
@@ -247,9 +336,17 @@ int main()
   check_orientation(together(even_sphere, even_cube, Vector(5, 1, 0)), 0.13, generator);
   for (double factor : {0.5, 2.}) // the spacing need not be known well
     check_orientation(even_cube, factor * 0.14, generator);
+  check_coarse_sets(generator);
   check_plane(generator);
   check_field(generator);
+  check_field_of_pairs(generator);
+  for (const std::size_t n : {300, 1000}) // all take part, or too few
+    check_field_of_spots(n, generator);
+  check_field_of_single_samples(generator);
   for (double spacing_guess : {1e-3, 0.1, 10.})
+  {
     check_nearest(even_cube, spacing_guess);
+    check_nearest({lattice_points(8, 0.25), {}}, spacing_guess);
+  }
   return result();
 }

@@ -149,6 +149,58 @@ void test_loops_are_watched()
   CHECK(blocks < 1000000);
 }
 
+/// What touches much memory, or compares often, is seen to run as loops are.
+void test_buffers_and_sorts_are_watched()
+{
+  using namespace CGAL::L0_resampling::internal;
+  const std::size_t size = 200000, blocks = 4;
+  Memory_counter memory;
+  const Counting_allocator<int> allocator(&memory);
+  Counting_watcher filling, filling_again, copying, sorting, impatient;
+  Buffer<int> numbers(allocator);
+  {
+    const Watched_loops watched(&filling);
+    numbers = filled_buffer(size, 3, allocator);
+  }
+  CHECK(filling.looks == blocks && memory.peak() == size * sizeof(int));
+  {
+    const Watched_loops watched(&filling_again);
+    CHECK(numbers == Buffer<int>(size, 3, allocator));
+    memory.take_peak();
+    fill_buffer(size / 2, 4, numbers);
+  }
+  CHECK(filling_again.looks == blocks / 2 && memory.peak() == size * sizeof(int)); // the room of before
+  CHECK(numbers == Buffer<int>(size / 2, 4, allocator));
+
+  test::Generator generator(2);
+  numbers.resize(size);
+  for (int& number : numbers)
+    number = int(generator() % 1000000);
+  {
+    const Watched_loops watched(&copying);
+    const Buffer<int> copy = copy_of(numbers);
+    CHECK(copy == numbers && copy.get_allocator() == allocator);
+  }
+  CHECK(copying.looks == blocks);
+
+  const auto less = [](int a, int b) { return a < b; };
+  std::size_t number_of_comparisons = 0;
+  {
+    const Watched_loops watched(&sorting);
+    std::sort(numbers.begin(), numbers.end(), watched_order(less, number_of_comparisons));
+  }
+  CHECK(std::is_sorted(numbers.begin(), numbers.end()));
+  CHECK(number_of_comparisons > size && sorting.looks == number_of_comparisons / 65536);
+
+  impatient.last_look = 2;
+  const Watched_loops watched(&impatient);
+  CHECK_THROWS(filled_buffer(size, 3, allocator), std::runtime_error);
+  CHECK_THROWS(copy_of(numbers), std::runtime_error);
+  CHECK_THROWS(std::sort(numbers.begin(), numbers.end(), watched_order(less, number_of_comparisons)), std::runtime_error);
+  release(numbers);
+  CHECK(memory.take_peak() > 0 && memory.peak() == 0); // what was begun is given back
+}
+
 template <typename Number>
 void test_selection(std::vector<Number> numbers, std::size_t n)
 {
@@ -193,6 +245,7 @@ void test_all()
 int main()
 {
   test_selections();
+  test_buffers_and_sorts_are_watched();
   test_all<CGAL::Sequential_tag>();
 #ifdef CGAL_LINKED_WITH_TBB
   for (const std::size_t threads : {1, 2, 5})

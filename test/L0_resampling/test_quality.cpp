@@ -235,6 +235,19 @@ void test_few_points_stay_on_the_surface(const Surface& surface)
     }
 }
 
+/// Of few samples hardly two are of one plane. All have one side nevertheless.
+void test_sides_of_few_points(const Surface& torus)
+{
+  const std::vector<Point_3> points = read_data(torus.name + "_clean");
+  for (std::size_t m = 100; m <= 800; m += 50)
+    for (std::size_t number_of_neighbors : {6, 8, 12})
+    {
+      const Measures ours = resample_and_measure(torus, points, Method::DEFAULT, m,
+                                                 params::number_of_orientation_neighbors(number_of_neighbors));
+      report({CHECK(ours.normals.share_inwards == 0)}, {ours});
+    }
+}
+
 /// Eight times as dense at one end as at the other, with noise.
 void test_uneven_density(const Surface& torus)
 {
@@ -283,7 +296,10 @@ int main()
     test_clean_data(surface, read_data(shape + "_clean"));
     test_few_points_stay_on_the_surface(surface);
     if (shape == "torus")
+    {
+      test_sides_of_few_points(surface);
       test_uneven_density(surface);
+    }
   }
   test_few_points_of_a_sphere(Surface("sphere", sphere_mesh()));
   test_thin_plate();

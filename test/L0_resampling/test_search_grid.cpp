@@ -8,6 +8,7 @@
 #include <CGAL/L0_resampling/internal/ball_queries.h>
 
 #include <algorithm>
+#include <tuple>
 
 using namespace test;
 
@@ -72,10 +73,18 @@ void check_thinning(Generator& generator)
       break;
 }
 
-/// The order of the points depends on where they are and not on the order they came in.
+/// The order of the points, within a cell that of their coordinates, depends on where they are and not on the order they came in.
 void check_order(std::vector<Vector> points, double cell_size, Generator& generator)
 {
-  const std::vector<Vector> sorted = Gridded_points(points, cell_size).vector;
+  const Gridded_points gridded(points, cell_size);
+  const std::vector<Vector>& sorted = gridded.vector;
+  for (std::size_t cell = 0; cell < gridded.grid.number_of_cells(); ++cell)
+  {
+    const auto [first, last] = gridded.grid.points_of_cell(cell);
+    CHECK(std::is_sorted(sorted.begin() + first, sorted.begin() + last, [](const Vector& p, const Vector& q) {
+      return std::make_tuple(p[0], p[1], p[2]) < std::make_tuple(q[0], q[1], q[2]);
+    }));
+  }
   for (int n = 0; n < 3; ++n)
   {
     std::shuffle(points.begin(), points.end(), generator);

@@ -142,15 +142,20 @@ int main(int argc, char** argv)
     double wall_seconds = 0;
     for (const Gap& gap : complete.gaps)
       wall_seconds += gap.duration.wall_seconds;
-    std::sort(complete.gaps.begin(), complete.gaps.end(),
-              [](const Gap& a, const Gap& b) { return a.duration.wall_seconds > b.duration.wall_seconds; });
-    Json gaps = Json::array();
-    for (std::size_t i = 0; i < (std::min)(complete.gaps.size(), std::size_t(40)); ++i) {
-      Json gap = to_json(complete.gaps[i].duration);
-      gap["from"] = complete.gaps[i].from;
-      gap["to"] = complete.gaps[i].to;
-      gaps.push_back(gap);
-    }
+    const Json last_gap = to_json(complete.gaps.back().duration);
+    complete.gaps.pop_back();
+    const auto longest_by = [&](double Duration::*seconds) {
+      std::sort(complete.gaps.begin(), complete.gaps.end(),
+                [&](const Gap& a, const Gap& b) { return a.duration.*seconds > b.duration.*seconds; });
+      Json gaps = Json::array();
+      for (std::size_t i = 0; i < (std::min)(complete.gaps.size(), std::size_t(20)); ++i) {
+        Json gap = to_json(complete.gaps[i].duration);
+        gap["from"] = complete.gaps[i].from;
+        gap["to"] = complete.gaps[i].to;
+        gaps.push_back(gap);
+      }
+      return gaps;
+    };
 
     bool is_monotonic = complete.is_monotonic;
     Json cancellations = Json::array();
@@ -174,7 +179,10 @@ int main(int argc, char** argv)
                        {"calls", complete.number_of_calls},
                        {"is_monotonic", is_monotonic},
                        {"peak_bytes", report.peak_bytes},
-                       {"longest_gaps", gaps},
+                       {"self_neighbor_pairs", report.number_of_self_neighbor_pairs},
+                       {"last_gap", last_gap},
+                       {"longest_gaps", longest_by(&Duration::wall_seconds)},
+                       {"busiest_gaps", longest_by(&Duration::cpu_seconds)},
                        {"cancellations", cancellations}};
     std::cout << line.dump() << std::endl;
   });

@@ -19,6 +19,16 @@ def table(header, rows):
     return "\n".join("| " + " | ".join(line) + " |" for line in lines) + "\n"
 
 
+def write_or_print(output, result, text):
+    """Writes OUTPUT.json and OUTPUT.md; prints the text if there is no output."""
+    if output is None:
+        print(text, end="")
+        return
+    output.parent.mkdir(parents=True, exist_ok=True)
+    output.with_suffix(".json").write_text(json.dumps(result, indent=1) + "\n", encoding="utf-8")
+    output.with_suffix(".md").write_text(text, encoding="utf-8")
+
+
 def phase_of_interest(line):
     """For WLOP without the normals that the program adds: the stricter comparison for ours, which computes them."""
     if line["program"] == "baseline_wlop":

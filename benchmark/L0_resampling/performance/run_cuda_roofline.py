@@ -13,12 +13,13 @@ import argparse
 import csv
 import io
 import json
-import os
 import subprocess
 import sys
 import tempfile
 import time
 from pathlib import Path
+
+from performance_tables import write_or_print
 
 RUNS = ((110_000, 60_000, "lor", ()), (110_000, 60_000, "default", ()), (300_000, 220_000, "lor", ()),
         (1_000_000, 600_000, "lor", ("--noise-in-spacings", "0.5", "--radius-in-spacings", "4")))
@@ -122,8 +123,7 @@ def main():
     for run in measure(arguments.programs, arguments.mesh):
         data["runs"].append(run)
         print(f"{run['points_in']} {run['method']}: done after {time.monotonic() - start:.0f} s", file=sys.stderr)
-        arguments.output.with_suffix(".json").write_text(json.dumps(data, indent=1) + os.linesep, encoding="utf-8")
-        arguments.output.with_suffix(".md").write_text(table(data), encoding="utf-8")
+        write_or_print(arguments.output, data, table(data))
 
 
 if __name__ == "__main__":

@@ -6,7 +6,7 @@
 """Times l0_resample_point_set() beside CGAL's WLOP and EAR in one run and writes NAME.json and NAME.md.
 
 Three experiments:
-  comparison  one noisy set, on one thread all methods, ours also on two; ours interleaved and repeated, CGAL's once
+  comparison  one noisy set, on one thread all methods, ours also on two; ours interleaved with CGAL's
   scaling     cost of ours against the number of input points n, output 0.55 n
   solvers     what half-sampling saves with the paper's explicit rows, and with the block solver
 
@@ -89,21 +89,22 @@ class Bench:
         return self.run("run_l0", source, points, "--method", method, "--threads", threads, "--solver", solver)
 
 
-def compare(bench, source, points, repetitions):
-    """CGAL's slow runs stand between the repetitions of ours, so that a change of the machine's load meets all."""
+def compare(bench, source, points, repetitions, slow_repetitions):
+    """CGAL's slow runs stand between the repetitions of ours, evenly, so that a change of the machine's load meets all."""
     between = [("wlop", "baseline_wlop", ()),
                ("ear", "baseline_ear", EAR_EXAMPLE),
-               ("ear defaults", "baseline_ear", ())]
+               ("ear defaults", "baseline_ear", ())] * slow_repetitions
     runs = {}
-    for repetition in range(max(repetitions, len(between))):
-        if repetition < repetitions:
-            for threads in (1, 2):
-                for method in METHODS:
-                    runs.setdefault(f"{method}, {threads} threads" if threads > 1 else method, []).append(
-                        bench.run_l0(source, points, method, threads))
-        if repetition < len(between):
-            name, program, options = between[repetition]
-            runs[name] = [bench.run(program, source, points, *options, exact=program != "baseline_ear")]
+    number_of_slow_runs = 0
+    for repetition in range(repetitions):
+        for threads in (1, 2):
+            for method in METHODS:
+                runs.setdefault(f"{method}, {threads} threads" if threads > 1 else method, []).append(
+                    bench.run_l0(source, points, method, threads))
+        while number_of_slow_runs * repetitions < len(between) * (repetition + 1):
+            name, program, options = between[number_of_slow_runs]
+            runs.setdefault(name, []).append(bench.run(program, source, points, *options, exact=program != "baseline_ear"))
+            number_of_slow_runs += 1
     return runs
 
 
@@ -152,6 +153,7 @@ def parse_arguments():
     parser.add_argument("--solver-input-points", type=int, default=10_000)
     parser.add_argument("--scaling-up-to", type=int, default=1_000_000, help="the counts go on to 10 million")
     parser.add_argument("--repetitions", type=int, default=5)
+    parser.add_argument("--slow-repetitions", type=int, default=1, help="of CGAL's methods")
     parser.add_argument("--small", action="store_true", help="a few thousand points, every experiment, one repetition")
     arguments = parser.parse_args()
     if arguments.small:
@@ -170,19 +172,14 @@ def main():
         bench = Bench(arguments.build / "bin", Path(scratch))
         if "comparison" in arguments.experiments:
             source = bench.sample(arguments.mesh, arguments.input_points, arguments.noise)
-            result["comparison"] = compare(bench, source, arguments.output_points, arguments.repetitions)
+            result["comparison"] = compare(bench, source, arguments.output_points, arguments.repetitions,
+                                           arguments.slow_repetitions)
         if "scaling" in arguments.experiments:
             result["scaling"] = scale(bench, arguments.mesh, counts, arguments.noise, min(arguments.repetitions, 3))
         if "solvers" in arguments.experiments:
             result["solvers"] = compare_solvers(bench, arguments.mesh, arguments.solver_input_points, arguments.noise,
                                                 min(arguments.repetitions, 3))
-    tables = performance_tables.markdown(result)
-    if arguments.output is None:
-        print(tables)
-        return
-    arguments.output.parent.mkdir(parents=True, exist_ok=True)
-    arguments.output.with_suffix(".json").write_text(json.dumps(result, indent=1) + "\n")
-    arguments.output.with_suffix(".md").write_text(tables)
+    performance_tables.write_or_print(arguments.output, result, performance_tables.markdown(result))
 
 
 if __name__ == "__main__":

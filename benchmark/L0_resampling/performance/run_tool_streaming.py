@@ -7,7 +7,6 @@
 it took. A tool that holds the whole file beside the points takes more than their coordinates by at least the size of the file."""
 
 import argparse
-import json
 import os
 import pty
 import random
@@ -18,6 +17,8 @@ import sys
 import tempfile
 import time
 from pathlib import Path
+
+from performance_tables import write_or_print
 
 COORDINATES = 3 * 8   # bytes a point in memory
 
@@ -96,11 +97,7 @@ def main():
     with tempfile.TemporaryDirectory() as scratch:
         for suffix in ("ply", "xyz"):
             result["runs"].append(measure(arguments.tool.resolve(), Path(scratch), suffix, arguments.points))
-    if arguments.output is None:
-        print(markdown(result), end="")
-        return
-    arguments.output.with_suffix(".json").write_text(json.dumps(result, indent=1) + "\n")
-    arguments.output.with_suffix(".md").write_text(markdown(result))
+    write_or_print(arguments.output, result, markdown(result))
 
 
 if __name__ == "__main__":

@@ -69,8 +69,9 @@ public:
     const auto system = internal::least_squares_system(problem);
 
     Eigen::LeastSquaresConjugateGradient<std::decay_t<decltype(system.matrix)>> solver;
-    // Below rounding, Eigen would go on from a residual of zero to a quotient of zeros.
-    solver.setTolerance((std::max)(FT(m_tolerance * scale), std::numeric_limits<FT>::epsilon()));
+    // Below rounding, Eigen would go on from a residual of zero to a quotient of zeros; and its square must be finite.
+    const double relative_tolerance = (std::min)(m_tolerance * scale, 1.);
+    solver.setTolerance((std::max)(FT(relative_tolerance), std::numeric_limits<FT>::epsilon()));
     constexpr std::size_t largest_index = std::size_t((std::numeric_limits<Eigen::Index>::max)());
     solver.setMaxIterations(Eigen::Index((std::min)(m_maximum_number_of_iterations, largest_index)));
     solver.compute(system.matrix);

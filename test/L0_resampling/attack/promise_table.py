@@ -3,8 +3,8 @@
 # All rights reserved.
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes doc/L0_resampling/promises_under_attack.md from results/promises.json, what is tried where, and results/campaigns.json, how often and
-with what result."""
+"""Writes doc/L0_resampling/promises_under_attack.md from results/promises.json, what is tried where, results/campaigns.json, how often the
+function was attacked and with what result, and ../fuzz/results, the same of the readers."""
 
 import json
 from pathlib import Path

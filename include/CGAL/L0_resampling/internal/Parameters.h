@@ -6,6 +6,7 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_PARAMETERS_H
 #define CGAL_L0_RESAMPLING_INTERNAL_PARAMETERS_H
 
+#include <CGAL/L0_resampling/internal/host_device.h>
 #include <CGAL/L0_resampling/tags.h>
 
 #include <algorithm>
@@ -83,6 +84,8 @@ inline double default_radius(double spacing, double noise)
 
 /// r_q per r_p: beside an edge, the filter has to reach points whose first normal the edge did not spoil.
 constexpr double default_filter_radius_factor = 1.2;
+/// No filter radius is smaller than this part of r_p: its square, in units of r_p, is a `float`.
+constexpr double least_filter_radius_factor = 0x1p-40;
 
 /// The fit is blind to points whose normal differs by much more than this many times \f$ \sigma_n \f$. More than once, since the normals
 /// of a curved surface differ more over the ball of the fit than filtered normals of one face do.
@@ -138,7 +141,7 @@ struct Repulsion
 
   /// \param spacing of an even set of that many samples
   /// \param radius of the fit
-  Repulsion(double spacing, double radius) : strength(0.7)
+  CGAL_L0_HOST_DEVICE Repulsion(double spacing, double radius) : strength(0.7)
   {
     // Samples that a huge radius has made one point for it have no spacing to speak of; its square must not be zero.
     spacing = (std::max)(spacing, 1e-9 * radius);

@@ -26,7 +26,8 @@ count as the one of the smallest index. CGAL's tree breaks no ties, and its memo
 class Point_tree_3
 {
   static constexpr std::size_t points_per_leaf = 8;
-  static constexpr unsigned char no_axis = 3; // of a node whose points are all at one place
+  static constexpr std::size_t points_per_look = 65536; // at the loop
+  static constexpr unsigned char no_axis = 3;           // of a node whose points are all at one place
 
   // The node of [begin, end) is the point in its middle; smaller ones along its axis stand before it.
   Buffer<Vector> m_points;
@@ -45,16 +46,15 @@ public:
       m_axes(m_points.size(), no_axis, m_points.get_allocator())
   {
     double largest = 0;
-    for (const Vector& p : m_points)
-      largest = (std::max)(largest, p.cwiseAbs().maxCoeff());
+    for_each_in_order(m_points.size(),
+                      [&](std::size_t i) { largest = (std::max)(largest, m_points[i].cwiseAbs().maxCoeff()); });
     if (largest > 0)
       m_exponent = -std::ilogb(largest) - 1;
-    for (Vector& p : m_points)
-      p = scaled(p);
+    for_each_in_order(m_points.size(), [&](std::size_t i) { m_points[i] = scaled(m_points[i]); });
 
-    Buffer<Index> order(m_points.size(), 0, m_indices.get_allocator());
-    for (std::size_t i = 0; i < order.size(); ++i)
-      order[i] = Index(i);
+    Buffer<Index> order(m_indices.get_allocator());
+    order.reserve(m_points.size());
+    for_each_in_order(m_points.size(), [&](std::size_t i) { order.push_back(Index(i)); });
     build(0, order.size(), order);
     apply_order(order, m_points);
     apply_order(order, m_indices);
@@ -106,6 +106,8 @@ private:
     Vector low = m_points[order[begin]], high = low;
     for (std::size_t i = begin; i < end; ++i)
     {
+      if (i % points_per_look == 0)
+        look_at_loop();
       low = low.cwiseMin(m_points[order[i]]);
       high = high.cwiseMax(m_points[order[i]]);
     }
@@ -118,9 +120,11 @@ private:
       std::iter_swap(at(begin), std::min_element(at(begin), at(end), has_smaller_index));
       return;
     }
-    std::nth_element(at(begin), at(middle), at(end), [&](Index a, Index b) {
+    const auto is_lower = [&](Index a, Index b) {
       return m_points[a][axis] != m_points[b][axis] ? m_points[a][axis] < m_points[b][axis] : has_smaller_index(a, b);
-    });
+    };
+    std::size_t number_of_comparisons = 0;
+    std::nth_element(at(begin), at(middle), at(end), watched_order(is_lower, number_of_comparisons));
     m_axes[middle] = static_cast<unsigned char>(axis);
     build(begin, middle, order);
     build(middle + 1, end, order);

@@ -11,12 +11,15 @@
 #include <CGAL/L0_resampling/internal/parallel_for.h>
 #include <CGAL/L0_resampling/internal/parallel_sort.h>
 
+#include <CGAL/assertions.h>
+
 #include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -196,15 +199,24 @@ public:
   template <typename ConcurrencyTag>
   static Buffer<Index> sorted_order(const Buffer<Vector>& points, double cell_size)
   {
+    CGAL_precondition(cell_size > 0);
     struct Entry
     {
       std::uint64_t key;
       Index index;
     };
-    Buffer<Entry> entries(points.size(), Entry(), points.get_allocator());
-    for_each_block<ConcurrencyTag>(points.size(), 4096, [&](std::size_t begin, std::size_t end) {
+    const std::size_t block_size = 4096;
+    const Box box = block_sum<ConcurrencyTag>(points.size(), block_size, [&](std::size_t begin, std::size_t end) {
+      Box box_of_block;
       for (std::size_t i = begin; i < end; ++i)
-        entries[i] = {cell_key(points[i], cell_size), Index(i)};
+        box_of_block += {points[i], points[i]};
+      return box_of_block;
+    });
+    const Short_keys short_key(cell_key(box.low, cell_size), cell_key(box.high, cell_size));
+    Buffer<Entry> entries(points.size(), points.get_allocator());
+    for_each_block<ConcurrencyTag>(points.size(), block_size, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        entries[i] = {short_key(points[i], cell_size), Index(i)};
     });
     sort_by_key<ConcurrencyTag>(
       entries, [](const Entry& e) { return e.key; },
@@ -215,21 +227,75 @@ public:
             return p[axis] < q[axis];
         return a.index < b.index;
       });
-    Buffer<Index> order(points.size(), Index(0), points.get_allocator());
-    for_each_in_order(points.size(), [&](std::size_t i) { order[i] = entries[i].index; });
+    Buffer<Index> order(points.size(), points.get_allocator());
+    for_each_block<ConcurrencyTag>(points.size(), block_size, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        order[i] = entries[i].index;
+    });
     return order;
   }
 
 private:
+  struct Box
+  {
+    Vector low = Vector::Constant((std::numeric_limits<double>::max)()), high = -low;
+
+    Box& operator+=(const Box& other)
+    {
+      low = low.cwiseMin(other.low);
+      high = high.cwiseMax(other.high);
+      return *this;
+    }
+  };
+
+  /// Keys in the order of `cell_key()`, of as few bits as the box of the cells needs, and of x within the cell after that as far as
+  /// there is room: a radix sort of them leaves next to nothing to comparisons.
+  class Short_keys
+  {
+    std::uint64_t m_lowest;
+    int m_x_bits, m_y_bits, m_bits_within_cell;
+
+  public:
+    /// \param lowest, highest keys of the corners of the box
+    Short_keys(std::uint64_t lowest, std::uint64_t highest)
+      : m_lowest(lowest), m_x_bits(bits(highest - lowest, 0)), m_y_bits(bits(highest - lowest, 1)),
+        m_bits_within_cell((std::min)(10, 64 - m_x_bits - m_y_bits - bits(highest - lowest, 2)))
+    {}
+
+    std::uint64_t operator()(const Vector& point, double cell_size) const
+    {
+      // on every axis, since no axis of a key is below that of the lowest
+      const std::uint64_t difference = cell_key(point, cell_size) - m_lowest;
+      std::uint64_t key = std::uint64_t(axis_of(difference, 2));
+      key = (key << m_y_bits) | std::uint64_t(axis_of(difference, 1));
+      key = (key << m_x_bits) | std::uint64_t(axis_of(difference, 0));
+      const double x = clamped_to_cells(point[0] / cell_size);
+      return (key << m_bits_within_cell)
+             | std::uint64_t((x - std::floor(x)) * double(std::uint64_t(1) << m_bits_within_cell));
+    }
+
+  private:
+    static int bits(std::uint64_t key, int axis)
+    {
+      int result = 0;
+      while (axis_of(key, axis) >> result > 0)
+        ++result;
+      return result;
+    }
+  };
+
+  static double clamped_to_cells(double x)
+  {
+    return (std::min)((std::max)(x, -double(half_range)), double(half_range - 1));
+  }
+
   static std::uint64_t cell_key(const Vector& point, double cell_size)
   {
     std::uint64_t key = 0;
     for (int axis = 2; axis >= 0; --axis)
     {
-      const double cell = std::floor(point[axis] / cell_size);
-      // in this order a NaN, which a cell size of zero makes, becomes the first cell
-      const double clamped = (std::min)((std::max)(-double(half_range), cell), double(half_range - 1));
-      key = (key << axis_bits) | std::uint64_t(std::int64_t(clamped) + half_range);
+      const double cell = clamped_to_cells(std::floor(point[axis] / cell_size));
+      key = (key << axis_bits) | std::uint64_t(std::int64_t(cell) + half_range);
     }
     return key;
   }

@@ -27,11 +27,18 @@ class Signed_union_find
 
 public:
   Signed_union_find(std::size_t size, const Counting_allocator<Index>& allocator)
-    : m_parents(size, 0, allocator), m_signs(size, 1, allocator), m_sizes(size, 1, allocator)
+    : m_parents(allocator), m_signs(filled_buffer(size, static_cast<signed char>(1), allocator)),
+      m_sizes(filled_buffer(size, Index(1), allocator))
   {
-    for (std::size_t i = 0; i < size; ++i)
-      m_parents[i] = Index(i);
+    m_parents.reserve(size);
+    for_each_in_order(size, [&](std::size_t i) { m_parents.push_back(Index(i)); });
   }
+
+  Signed_union_find(const Signed_union_find& other)
+    : m_parents(copy_of(other.m_parents)), m_signs(copy_of(other.m_signs)), m_sizes(copy_of(other.m_sizes))
+  {}
+  Signed_union_find(Signed_union_find&&) = default;
+  Signed_union_find& operator=(Signed_union_find&&) = default;
 
   /// The set's representative, and the sign of `i` relative to it.
   std::pair<Index, int> find(Index i) const

@@ -93,16 +93,16 @@ public:
     const Minimization_parameters& p = m_parameters;
     const std::size_t m = samples.positions.size(), number_of_pairs = neighbors.indices.size();
     m_right_hand_side.resize(m);
-    m_displacements.assign(m, Local_vector::Zero());
+    fill_buffer(m, Local_vector(Local_vector::Zero()), m_displacements);
     m_normal_offsets.resize(SolverTraits::needs_explicit_rows ? number_of_pairs : 0);
     m_pair_weights.resize(number_of_pairs);
 
     // Line 4, of the iteration before or of "Initialize"
     if (!regularize)
-      std::fill(m_pair_weights.begin(), m_pair_weights.end(), FT(0));
+      fill_buffer(number_of_pairs, FT(0), m_pair_weights);
     else
     {
-      Buffer<FT> density_weights(m, FT(1), samples.positions.get_allocator());
+      Buffer<FT> density_weights(m, samples.positions.get_allocator());
       update_weights<ConcurrencyTag>(samples.positions, neighbors, p.squared_bandwidth, p.squared_radius,
                                      p.regularization_weight, density_weights, m_pair_weights);
     }
@@ -133,7 +133,10 @@ public:
                                         samples.positions.get_allocator().counter};
     const Solver_report solver_report = m_solver.solve(
       problem, Eigen::Map<Eigen::Matrix<FT, Eigen::Dynamic, 1>>(coordinates(m_displacements), Eigen::Index(3 * m)));
-    for_each_in_order(m, [&](std::size_t i) { samples.positions[i] += m_displacements[i].template cast<double>(); });
+    for_each_block<ConcurrencyTag>(m, samples_per_block, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        samples.positions[i] += m_displacements[i].template cast<double>();
+    });
     m_progress.advance(1);
     return iteration_report(p, penalty, regularize, sums, number_of_pairs, solver_report);
   }

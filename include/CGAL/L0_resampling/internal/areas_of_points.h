@@ -66,7 +66,7 @@ Areas areas_of_points(const Search_grid_3& grid, const Buffer<Vector>& points, d
     return count;
   };
 
-  Areas areas{Buffer<std::uint64_t>(points.size(), 0, points.get_allocator()),
+  Areas areas{filled_buffer(points.size(), std::uint64_t(0), points.get_allocator()),
               double(EIGEN_PI) * radius * radius / double(area_units_of_ball)};
   const auto make_visitor = [&]() {
     return [&](Search_grid_3::Range queries, const Local_points<T>& candidates, const Vector& origin) {
@@ -87,15 +87,14 @@ Areas areas_of_points(const Search_grid_3& grid, const Buffer<Vector>& points, d
   };
   for_each_cell<T, ConcurrencyTag>(grid, points, grid, points, reach, progress, make_visitor);
 
-  for (std::size_t cell = 0; cell < grid.number_of_cells(); ++cell)
-  {
+  for_each_in_order(grid.number_of_cells(), [&](std::size_t cell) {
     const Search_grid_3::Range of_cell = grid.points_of_cell(cell);
     std::uint64_t sum = 0;
     for (Index i = of_cell.first; i < of_cell.second; ++i)
       sum += areas.units[i];
     for (Index i = of_cell.first; i < of_cell.second; ++i)
       areas.units[i] = area_units_in_cell(sum, of_cell.second - of_cell.first);
-  }
+  });
   return areas;
 }
 

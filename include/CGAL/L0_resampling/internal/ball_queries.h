@@ -40,7 +40,7 @@ public:
   /// Well above what any sensible radius gathers: the paper's, at ten million points, gathers about 600.
   static constexpr std::size_t maximum_number_of_candidates = 4096;
 
-  std::vector<T> x, y, z;
+  Aligned_vector<T> x, y, z;
   std::vector<Index> indices; ///< of the points, without the padding
   Index stride = 1;           ///< s: one of so many points was taken
 
@@ -67,18 +67,18 @@ public:
         indices[size + k] = first + Index(k) * stride;
       size += run;
     }
-    for (std::vector<T>* coordinates : {&x, &y, &z})
+    for (Aligned_vector<T>* coordinates : {&x, &y, &z})
       coordinates->resize(maximum_size);
     gather_coordinates(points.data()->data(), origin.data(), x, y, z);
     const std::size_t padded_size = (size + lanes - 1) / lanes * lanes;
-    for (std::vector<T>* coordinates : {&x, &y, &z})
+    for (Aligned_vector<T>* coordinates : {&x, &y, &z})
     {
       coordinates->resize(padded_size);
       std::fill(coordinates->begin() + std::ptrdiff_t(size), coordinates->end(), far_away);
     }
     indices.resize(size);
     // an outermost cell may hold points at any distance, whose squares would not be finite
-    for (std::vector<T>* coordinates : {&x, &y, &z})
+    for (Aligned_vector<T>* coordinates : {&x, &y, &z})
       for (std::size_t k = 0; k < padded_size; k += lanes)
         Lanes<T>::load(&(*coordinates)[k]).max(-far_away).min(far_away).store(&(*coordinates)[k]);
   }
@@ -87,8 +87,8 @@ public:
   /// \param vectors xyz interleaved, one for each point of the cloud
   /// \param to_x, to_y, to_z have room for all points
   template <typename U>
-  void gather_coordinates(const U* vectors, const U* origin, std::vector<T>& to_x, std::vector<T>& to_y,
-                          std::vector<T>& to_z) const
+  void gather_coordinates(const U* vectors, const U* origin, Aligned_vector<T>& to_x, Aligned_vector<T>& to_y,
+                          Aligned_vector<T>& to_z) const
   {
     const U x0 = origin[0], y0 = origin[1], z0 = origin[2];
     const auto gather_run = [&](const Run& run, auto step) {
@@ -162,7 +162,7 @@ private:
 
   // working memory of `for_each_run_in_ball()`
   mutable std::vector<Index> m_runs;
-  mutable std::vector<T> m_squared_distances;
+  mutable Aligned_vector<T> m_squared_distances;
 
   static constexpr T far_away = T(1e12); // its square is finite in `float`
 };

@@ -34,8 +34,8 @@ std::size_t collapse_fit_term(const Search_grid_3& sample_grid, const Buffer<Vec
   const T squared_radius = T(radius * radius);
   std::atomic<std::size_t> number_of_lonely_samples{0};
   const auto make_visitor = [&]() {
-    return [&, weights = std::vector<T>()](Search_grid_3::Range queries, const Local_points<T>& candidates,
-                                           const Vector& origin) mutable {
+    return [&, weights = Aligned_vector<T>()](Search_grid_3::Range queries, const Local_points<T>& candidates,
+                                              const Vector& origin) mutable {
       using L = Lanes<T>;
       weights.assign(candidates.padded_size(), T(0));
       for (std::size_t k = 0; k < candidates.indices.size(); ++k)

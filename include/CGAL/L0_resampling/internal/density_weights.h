@@ -55,7 +55,7 @@ void sum_weights_by_pairs(const Search_grid_3& grid, const Buffer<Vector>& point
   const T squared_radius = T(radius * radius);
   const int reach = cells_in_reach(radius, grid.cell_size());
   const auto make_visitor = [&]() {
-    return [&, local_counts = std::vector<T>(), local_sums = std::vector<T>()](
+    return [&, local_counts = Aligned_vector<T>(), local_sums = Aligned_vector<T>()](
              Search_grid_3::Range queries, Local_points<T>& candidates, const Vector&) mutable {
       local_counts.assign(candidates.padded_size(), T(0));
       local_sums.assign(candidates.padded_size(), T(0));
@@ -92,8 +92,8 @@ template <typename ConcurrencyTag, typename T>
 double compute_input_density_weights(const Search_grid_3& grid, const Buffer<Vector>& points, double radius,
                                      double squared_bandwidth, Progress& progress, Buffer<T>& weights)
 {
-  Buffer<Index> counts(points.size(), 0, points.get_allocator());
-  weights.assign(points.size(), T(0));
+  Buffer<Index> counts = filled_buffer(points.size(), Index(0), points.get_allocator());
+  fill_buffer(points.size(), T(0), weights);
   const auto sum_weights = has_plain_blocks_only<T, ConcurrencyTag>(grid, cells_in_reach(radius, grid.cell_size()))
                              ? sum_weights_by_pairs<ConcurrencyTag, T>
                              : sum_weights_in_balls<ConcurrencyTag, T>;
@@ -104,8 +104,8 @@ double compute_input_density_weights(const Search_grid_3& grid, const Buffer<Vec
     total += count;
   const double mean_number_of_input_neighbors = total / double(points.size());
   if (mean_number_of_input_neighbors > 0)
-    for (T& weight : weights)
-      weight = T(1 + weight / mean_number_of_input_neighbors);
+    for_each_in_order(weights.size(),
+                      [&](std::size_t i) { weights[i] = T(1 + weights[i] / mean_number_of_input_neighbors); });
   else
     weights.assign(weights.size(), T(1));
   return mean_number_of_input_neighbors;

@@ -38,7 +38,7 @@ void estimate_feature_confidences(const Buffer<Vector>& positions, const Buffer<
   const double radius_of_that_many = spacing * std::sqrt(double(number_of_feature_neighbors) / 3);
   const Nearest_samples nearest = find_nearest_samples<ConcurrencyTag>(positions, number_of_feature_neighbors,
                                                                        radius_of_that_many, progress);
-  confidences.assign(positions.size(), 0);
+  fill_buffer(positions.size(), 0.f, confidences);
   const std::size_t samples_per_block = 4096;
   for_each_block<ConcurrencyTag>(positions.size(), samples_per_block, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)

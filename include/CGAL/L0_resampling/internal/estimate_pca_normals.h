@@ -26,8 +26,8 @@ void refit_in_larger_balls(const Buffer<Vector>& points, const Search_grid_3& gr
                            double radius, Progress& progress, Buffer<Index>& open, Buffer<Eigen::Matrix<T, 3, 1>>& normals)
 {
   Buffer<Vector> open_points(points.get_allocator());
-  for (Index i : open)
-    open_points.push_back(points[i]);
+  open_points.reserve(open.size());
+  for_each_in_order(open.size(), [&](std::size_t k) { open_points.push_back(points[open[k]]); });
   const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(open_points, grid.cell_size());
   apply_order(order, open_points);
   apply_order(order, open);
@@ -85,9 +85,11 @@ std::size_t estimate_pca_normals(const Search_grid_3& grid, const Buffer<Vector>
 
   // Few points in a healthy cloud: the others leave the loop, what is left meets coarser and coarser grids.
   Buffer<Index> open(points.get_allocator());
-  for (std::size_t i = 0; i < points.size(); ++i)
+  open.reserve(number_of_degenerate);
+  for_each_in_order(points.size(), [&](std::size_t i) {
     if (is_degenerate[i])
       open.push_back(Index(i));
+  });
   for (int doubling = 1; doubling <= number_of_doublings && !open.empty(); ++doubling)
   {
     const double larger_radius = std::ldexp(radius, doubling);
@@ -96,7 +98,7 @@ std::size_t estimate_pca_normals(const Search_grid_3& grid, const Buffer<Vector>
       refit_in_larger_balls<ConcurrencyTag>(points, grid, points, larger_radius, progress, open, normals);
     else
     {
-      Buffer<Vector> coarse_points(points);
+      Buffer<Vector> coarse_points = copy_of(points);
       apply_order(Search_grid_3::sorted_order<ConcurrencyTag>(points, larger_radius), coarse_points);
       refit_in_larger_balls<ConcurrencyTag>(points, Search_grid_3(coarse_points, larger_radius), coarse_points,
                                             larger_radius, progress, open, normals);

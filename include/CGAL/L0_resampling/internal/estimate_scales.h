@@ -58,7 +58,7 @@ Scales estimate_scales(const Buffer<Vector>& unsorted_points, double initial_rad
   const double flat = 0.25, surely_flat = 0.15, two_sheets = 2;
 
   const double cell_size = initial_radius / 4;
-  Buffer<Vector> points(unsorted_points);
+  Buffer<Vector> points = copy_of(unsorted_points);
   apply_order(Search_grid_3::sorted_order<ConcurrencyTag>(points, cell_size), points);
   const Search_grid_3 grid(points, cell_size);
   Buffer<Vector> queries(points.get_allocator());

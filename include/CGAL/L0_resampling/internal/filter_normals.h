@@ -62,32 +62,36 @@ void filter_normals_by_pairs(const Search_grid_3& grid, const Buffer<Vector>& po
 {
   using L = Lanes<T>;
   using Local_vector = Eigen::Matrix<T, 3, 1>;
-  Buffer<Local_vector> sums(normals); // the point itself has weight 1
+  Buffer<Local_vector> sums = copy_of(normals); // the point itself has weight 1
   const auto make_visitor = [&]() {
     return [&, n = Local_normals<T>(), s = Local_normals<T>()](Search_grid_3::Range queries,
                                                                Local_points<T>& candidates, const Vector&) mutable {
       n.gather(candidates, normals);
-      for (std::vector<T>* values : {&s.x, &s.y, &s.z})
+      for (Aligned_vector<T>* values : {&s.x, &s.y, &s.z})
         values->assign(candidates.padded_size(), T(0));
+      // in registers, which the compiler cannot know to be safe while there are sums to write to
+      const Normal_filter<T> filter_of_all = filter;
+      const T squared_radius = T(filter.radius * filter.radius);
+      const T *const n_x = n.x.data(), *const n_y = n.y.data(), *const n_z = n.z.data();
+      T *const s_x = s.x.data(), *const s_y = s.y.data(), *const s_z = s.z.data();
       for (std::size_t i = 0; i < queries.second - queries.first; ++i)
       {
         const Local_vector center = candidates.take(i); // neither a neighbor of itself nor one of those that follow
-        const T own_x = n.x[i], own_y = n.y[i], own_z = n.z[i];
+        const T own_x = n_x[i], own_y = n_y[i], own_z = n_z[i];
         L x, y, z;
-        candidates.for_each_run_in_ball(
-          center, T(filter.radius * filter.radius), [&](std::size_t k, const L& squared_distance) {
-            const L nx = L::load(&n.x[k]), ny = L::load(&n.y[k]), nz = L::load(&n.z[k]);
-            const L weight = signed_weight(filter, squared_distance, nx * own_x + ny * own_y + nz * own_z);
-            x += weight * nx;
-            y += weight * ny;
-            z += weight * nz;
-            (L::load(&s.x[k]) + weight * own_x).store(&s.x[k]);
-            (L::load(&s.y[k]) + weight * own_y).store(&s.y[k]);
-            (L::load(&s.z[k]) + weight * own_z).store(&s.z[k]);
-          });
-        s.x[i] += x.sum();
-        s.y[i] += y.sum();
-        s.z[i] += z.sum();
+        candidates.for_each_run_in_ball(center, squared_radius, [&](std::size_t k, const L& squared_distance) {
+          const L nx = L::load(n_x + k), ny = L::load(n_y + k), nz = L::load(n_z + k);
+          const L weight = signed_weight(filter_of_all, squared_distance, nx * own_x + ny * own_y + nz * own_z);
+          x += weight * nx;
+          y += weight * ny;
+          z += weight * nz;
+          (L::load(s_x + k) + weight * own_x).store(s_x + k);
+          (L::load(s_y + k) + weight * own_y).store(s_y + k);
+          (L::load(s_z + k) + weight * own_z).store(s_z + k);
+        });
+        s_x[i] += x.sum();
+        s_y[i] += y.sum();
+        s_z[i] += z.sum();
       }
       for (std::size_t k = 0; k < candidates.indices.size(); ++k)
         sums[candidates.indices[k]] += Local_vector(s.x[k], s.y[k], s.z[k]);

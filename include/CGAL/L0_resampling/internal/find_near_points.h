@@ -58,8 +58,8 @@ void find_near_points(const Point_tree_3& tree, const Buffer<std::array<FT, 3>>&
                       Near_points& near_points)
 {
   const std::size_t count = near_points.count, queries_per_block = 1024;
-  near_points.indices.assign(queries.size() * count, 0);
-  near_points.weights.assign(queries.size() * count, 0);
+  fill_buffer(queries.size() * count, Index(0), near_points.indices);
+  fill_buffer(queries.size() * count, 0.f, near_points.weights);
   for_each_block<ConcurrencyTag>(queries.size(), queries_per_block, [&](std::size_t begin, std::size_t end) {
     std::vector<Point_tree_3::Candidate> found(count);
     for (std::size_t i = begin; i < end; ++i)

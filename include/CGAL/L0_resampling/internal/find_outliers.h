@@ -27,7 +27,7 @@ Buffer<double> count_points_in_balls(const Search_grid_3& grid, const Buffer<Vec
                                      Progress& progress)
 {
   const T squared_radius = T(radius * radius);
-  Buffer<double> counts(points.size(), 0., points.get_allocator());
+  Buffer<double> counts = filled_buffer(points.size(), 0., points.get_allocator());
   for_each_cell<T, ConcurrencyTag>(grid, points, grid, points, 1, progress, [&]() {
     return [&](Search_grid_3::Range queries, const Local_points<T>& candidates, const Vector& origin) {
       using L = Lanes<T>;
@@ -49,7 +49,7 @@ Buffer<double> count_points_in_balls(const Search_grid_3& grid, const Buffer<Vec
 template <typename ConcurrencyTag>
 Buffer<double> means_around(const Search_grid_3& grid, const Buffer<double>& values, Progress& progress)
 {
-  Buffer<double> sums(1, 0., values.get_allocator()), means(values.size(), 0., values.get_allocator());
+  Buffer<double> sums(1, 0., values.get_allocator()), means = filled_buffer(values.size(), 0., values.get_allocator());
   sums.reserve(values.size() + 1);
   for_each_in_order(values.size(), [&](std::size_t i) { sums.push_back(sums.back() + values[i]); });
   for_each_cell_block<ConcurrencyTag>(grid, grid, 1, progress, [&]() {
@@ -71,11 +71,11 @@ Buffer<Index> sizes_of_parts(const Buffer<Vector>& unsorted_points, double cell_
   const Counting_allocator<Index> allocator = unsorted_points.get_allocator();
   const std::size_t n = unsorted_points.size();
   const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(unsorted_points, cell_size);
-  Buffer<Vector> points(unsorted_points);
+  Buffer<Vector> points = copy_of(unsorted_points);
   apply_order(order, points);
   const Search_grid_3 grid(points, cell_size);
-  Buffer<Index> ranks(n, 0, allocator), parents(n, 0, allocator), sizes(n, 0, allocator),
-    sizes_of_points(n, 0, allocator);
+  Buffer<Index> ranks = filled_buffer(n, Index(0), allocator), parents = filled_buffer(n, Index(0), allocator),
+                sizes = filled_buffer(n, Index(0), allocator), sizes_of_points = filled_buffer(n, Index(0), allocator);
   boost::disjoint_sets<Index*, Index*> parts(ranks.data(), parents.data());
   for_each_in_order(n, [&](std::size_t i) { parts.make_set(Index(i)); });
   for_each_cell_block<Sequential_tag>(grid, grid, 1, progress, [&]() {
@@ -109,19 +109,21 @@ Buffer<unsigned char> find_outliers(const Buffer<Vector>& unsorted_points, doubl
 {
   const auto allocator = unsorted_points.get_allocator();
   const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(unsorted_points, radius);
-  Buffer<Vector> points(unsorted_points);
+  Buffer<Vector> points = copy_of(unsorted_points);
   apply_order(order, points);
   const Search_grid_3 grid(points, radius);
 
   const Buffer<double> counts = count_points_in_balls<T, ConcurrencyTag>(grid, points, radius, progress);
   const Buffer<double> surroundings = means_around<ConcurrencyTag>(grid, counts, progress);
-  Buffer<double> sorted_counts(counts);
+  Buffer<double> sorted_counts = copy_of(counts);
   const auto middle = sorted_counts.begin() + std::ptrdiff_t(sorted_counts.size() / 2);
   select_nth(sorted_counts.begin(), middle, sorted_counts.end());
   const double median = *middle;
 
   Buffer<Index> rest(allocator);
   Buffer<Vector> rest_points(allocator);
+  rest.reserve(points.size());
+  rest_points.reserve(points.size());
   for_each_in_order(points.size(), [&](std::size_t i) {
     if (counts[i] >= (std::max)(outlier_share_of_surroundings * surroundings[i], outlier_share_of_median * median))
     {
@@ -133,12 +135,13 @@ Buffer<unsigned char> find_outliers(const Buffer<Vector>& unsorted_points, doubl
 
   Buffer<unsigned char> is_outlier(points.size(), 1, allocator);
   bool is_any_left = false;
-  for (std::size_t k = 0; k < rest.size(); ++k)
+  for_each_in_order(rest.size(), [&](std::size_t k) {
     if (sizes[k] >= median / 2)
     {
       is_outlier[rest[k]] = 0;
       is_any_left = true;
     }
+  });
   if (!is_any_left)
     is_outlier.assign(points.size(), 0);
   return is_outlier;

@@ -55,7 +55,7 @@ void fit_compatible_points(const Fit_input<T>& input, Progress& progress, Sample
 {
   const double cell_size = input.grid.cell_size(), bandwidth = fit_bandwidth_factor * input.radius;
   const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(samples.positions, cell_size);
-  Buffer<Vector> queries_in_order(samples.positions);
+  Buffer<Vector> queries_in_order = copy_of(samples.positions);
   apply_order(order, queries_in_order);
   const Search_grid_3 query_grid(queries_in_order, cell_size);
 
@@ -64,7 +64,7 @@ void fit_compatible_points(const Fit_input<T>& input, Progress& progress, Sample
   const T squared_sheet_height = T(input.squared_sheet_height);
   const double largest_offset = border_allowance * mean_distance_in_half_disk(input.radius, bandwidth);
   const auto make_visitor = [&]() {
-    return [&, normals = Local_normals<T>(), weights = std::vector<T>()](
+    return [&, normals = Local_normals<T>(), weights = Aligned_vector<T>()](
              Search_grid_3::Range queries, const Local_points<T>& candidates, const Vector& origin) mutable {
       using L = Lanes<T>;
       normals.gather(candidates, input.normals);

@@ -31,11 +31,11 @@ struct Initial_samples
 inline void pick_one_of_each_run(std::uint64_t n, std::uint64_t m, std::uint64_t seed, const Buffer<Index>& things,
                                  Buffer<Index>& picked)
 {
-  for (std::uint64_t k = 0; k < m; ++k)
-  {
+  picked.reserve(m);
+  for_each_in_order(m, [&](std::uint64_t k) {
     const std::uint64_t begin = k * n / m, end = (k + 1) * n / m; // below 2^64, as both factors are below 2^32
     picked.push_back(things[begin + random_bits(seed, k) % (end - begin)]);
-  }
+  });
 }
 
 /// Moves each of the new samples, which start on their source, part of the way to another point of its ball: one of a similar
@@ -45,7 +45,7 @@ void move_between_points(const Search_grid_3& grid, const Buffer<Vector>& points
                          const Buffer<Eigen::Matrix<T, 3, 1>>& normals, const Buffer<Index>& distinct, double radius,
                          std::uint64_t seed, Progress& progress, Initial_samples& samples)
 {
-  const Buffer<Vector> starts(samples.positions);
+  const Buffer<Vector> starts = copy_of(samples.positions);
   const Search_grid_3 start_grid(starts, grid.cell_size());
   const T similar_cosine = T(0.87); // 30 degrees, what survives bilateral filtering on one side of an edge
 
@@ -106,16 +106,16 @@ inline Sources sources_by_area(const Buffer<Index>& distinct, const Buffer<std::
 {
   Sources sources{Buffer<Index>(distinct.get_allocator()), Buffer<Index>(distinct.get_allocator())};
   std::uint64_t total = 0;
-  for (Index i : distinct)
-    total += areas[i];
+  for_each_in_order(distinct.size(), [&](std::size_t d) { total += areas[distinct[d]]; });
   std::uint64_t sum = 0, k = 0;
-  for (Index i : distinct)
-  {
+  sources.on_points.reserve((std::min)(std::size_t(m), distinct.size()));
+  for_each_in_order(distinct.size(), [&](std::size_t d) {
+    const Index i = distinct[d];
     sum += areas[i];
     const bool is_last = i == distinct.back(); // takes what rounding leaves
     for (bool is_first = true; k < m && (is_last || area_threshold(k, m, seed, total) < sum); is_first = false, ++k)
       (is_first ? sources.on_points : sources.between_points).push_back(i);
-  }
+  });
   return sources;
 }
 
@@ -130,8 +130,10 @@ inline Sources sources_by_points(const Buffer<Index>& distinct, std::uint64_t m,
   }
   sources.on_points = distinct;
   const std::uint64_t number_of_new = m - distinct.size();
-  for (std::uint64_t e = 0; e < number_of_new; ++e)
+  sources.between_points.reserve(number_of_new);
+  for_each_in_order(number_of_new, [&](std::uint64_t e) {
     sources.between_points.push_back(distinct[std::size_t(e * distinct.size() / number_of_new)]);
+  });
   return sources;
 }
 
@@ -150,9 +152,11 @@ Initial_samples initialize_samples(const Search_grid_3& grid, const Buffer<Vecto
                                    std::size_t number_of_samples, double radius, std::uint64_t seed, Progress& progress)
 {
   Buffer<Index> distinct(points.get_allocator());
-  for (std::size_t j = 0; j < points.size(); ++j)
+  distinct.reserve(points.size());
+  for_each_in_order(points.size(), [&](std::size_t j) {
     if (j == 0 || points[j] != points[j - 1])
       distinct.push_back(Index(j));
+  });
   Sources sources = areas.empty() ? sources_by_points(distinct, number_of_samples, seed)
                                   : sources_by_area(distinct, areas, number_of_samples, seed);
 
@@ -160,8 +164,9 @@ Initial_samples initialize_samples(const Search_grid_3& grid, const Buffer<Vecto
   samples.sources.reserve(number_of_samples);
   samples.positions.reserve(number_of_samples);
   const auto start_on_sources = [&]() {
-    for (std::size_t i = samples.positions.size(); i < samples.sources.size(); ++i)
-      samples.positions.push_back(points[samples.sources[i]]);
+    const std::size_t first = samples.positions.size();
+    for_each_in_order(samples.sources.size() - first,
+                      [&](std::size_t i) { samples.positions.push_back(points[samples.sources[first + i]]); });
   };
   const bool is_sorted = samples.sources.empty();
   start_on_sources();

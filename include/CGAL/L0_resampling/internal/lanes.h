@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include <type_traits>
+#include <vector>
 
 namespace CGAL {
 namespace L0_resampling {
@@ -81,6 +82,10 @@ struct Lanes
 };
 
 #pragma GCC diagnostic pop
+
+/// Numbers that are loaded as lanes: from two lines of the cache, that takes twice as long.
+template <typename T>
+using Aligned_vector = std::vector<T, Eigen::aligned_allocator<T>>;
 
 /// The values where `a < b`, 0 elsewhere.
 template <typename T>

@@ -67,7 +67,7 @@ Buffer<Edge> sure_edges(const Buffer<Edge>& edges)
   std::vector<std::size_t> places(number_of_steps + 1, 0);
   for_each_in_order(sure.size(), [&](std::size_t e) { ++places[step(sure[e]) + 1]; });
   std::partial_sum(places.begin(), places.end(), places.begin());
-  Buffer<Edge> sorted(sure.size(), Edge(), edges.get_allocator());
+  Buffer<Edge> sorted = filled_buffer(sure.size(), Edge(), edges.get_allocator());
   for_each_in_order(sure.size(), [&](std::size_t e) { sorted[places[step(sure[e])]++] = sure[e]; });
   return sorted;
 }
@@ -120,7 +120,8 @@ Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_o
     faces.sets.compress();
     faces.votes = votes_of_edges<ConcurrencyTag>(edges, faces.sets);
   }
-  const auto joined_by_votes = [](double sure, Voting voting) {
+  const auto joined_by_votes = [](double sure, const Voting& before) {
+    Voting voting{before.sets, copy_of(before.votes)};
     join_by_votes<ConcurrencyTag>(sure, voting);
     return voting;
   };
@@ -130,7 +131,7 @@ Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_o
     parts = joined_by_votes(clear_majority, faces);
     all = joined_by_votes(0, parts);
   }
-  Buffer<Index> sure_set_sizes(m, 0, positions.get_allocator());
+  Buffer<Index> sure_set_sizes = filled_buffer(m, Index(0), positions.get_allocator());
   for_each_in_order(m,
                     [&](std::size_t i) { sure_set_sizes[i] = parts.sets.size_of_set(parts.sets.find(Index(i)).first); });
   if (join_by_field<ConcurrencyTag>(all.sets, positions, normals, spacing, parts))
@@ -145,7 +146,7 @@ Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_o
     Hint_votes votes;
     Index largest_sure_set = 0;
   };
-  Buffer<Tree> trees(m, Tree(), positions.get_allocator()); // that of a sample stands at its root
+  Buffer<Tree> trees = filled_buffer(m, Tree(), positions.get_allocator()); // that of a sample stands at its root
   for_each_in_order(m, [&](std::size_t i) {
     const Index root = sets.find(Index(i)).first;
     trees[root].center += positions[i] / double(sets.size_of_set(root));

@@ -9,6 +9,7 @@
 #include <CGAL/L0_resampling/internal/weights.h>
 
 #include <cmath>
+#include <cstddef>
 
 namespace CGAL {
 namespace L0_resampling {
@@ -19,6 +20,26 @@ constexpr double beyond_doubt = 0.98;
 
 /// The votes between two sets of samples are clear if one side is ahead by this share of all.
 constexpr double clear_majority = 0.5;
+
+/// The field of sets is that of so many samples, evenly spread, and of so many sets at most.
+constexpr unsigned maximum_number_of_dipoles = 2048, maximum_number_of_sets = 341;
+
+/// How many of the samples that are dipoles a set has to have to be one of the field: all sets are, if they are few and each sample is a dipole; else so
+/// many as leave no more than `maximum_number_of_sets`.
+CGAL_L0_HOST_DEVICE inline unsigned fewest_dipoles_of_a_set(std::size_t number_of_samples, std::size_t number_of_sets)
+{
+  return number_of_samples <= maximum_number_of_dipoles && number_of_sets <= maximum_number_of_sets ? 1 : 6;
+}
+
+/// Whether the field of the larger sets is that of their tree, by its dipoles. That of the minority, single flat spots of a surface that bends within few spacings,
+/// tells nothing of the side of what lies between them.
+CGAL_L0_HOST_DEVICE inline bool stand_for_tree(std::size_t dipoles_of_sets, std::size_t dipoles_of_tree)
+{
+  return 2 * dipoles_of_sets >= dipoles_of_tree;
+}
+
+/// Sets of the field that disagree with the others by less than this, in edges, are left as they are: that is rounding.
+constexpr double least_disagreement = 1e-6;
 
 /*!
 How far two samples agree about the side their normals point to: positive if the signs fit, negative if one has to turn; the

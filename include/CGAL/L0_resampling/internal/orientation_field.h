@@ -7,12 +7,15 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_ORIENTATION_FIELD_H
 
 #include <CGAL/L0_resampling/internal/Search_grid_3.h>
+#include <CGAL/L0_resampling/internal/orientation_agreement.h>
 #include <CGAL/L0_resampling/internal/orientation_votes.h>
+#include <CGAL/L0_resampling/internal/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <vector>
 
 namespace CGAL {
@@ -44,37 +47,93 @@ struct Field_of_sets
   std::vector<int> signs;         // relative to the tree
   std::vector<double> agreements; // a row for each set
 
-  /// Of a set with all others, in the sense of its own sign.
-  double agreement_with_others(std::size_t a) const
+  /// Of two sets, as they are turned now.
+  double agreement(std::size_t a, std::size_t b) const
   {
-    double sum = 0;
-    for (std::size_t b = 0; b < roots.size(); ++b)
-      sum += signs[b] * agreements[a * roots.size() + b];
-    return signs[a] * sum;
+    return signs[a] * signs[b] * agreements[a * roots.size() + b];
   }
 
-  /// Turns the set that disagrees most, one after the other, until none does.
+  /// Turns the set that disagrees most with all others, one after the other, until none does; and where none does, the two that do so together, each of which
+  /// the other one keeps from turning.
   /// \returns whether there was one
   bool turn_what_disagrees()
   {
-    const std::size_t most_turns = 10 * roots.size(); // rounding might go round in circles
+    const std::size_t n = roots.size(), none = n, most_turns = 10 * n;
+    std::vector<double> with_others(n, 0);
+    for (std::size_t a = 0; a < n; ++a)
+      for (std::size_t b = 0; b < n; ++b)
+        with_others[a] += agreement(a, b);
     for (std::size_t turn = 0; turn < most_turns; ++turn)
     {
-      double least = 0;
-      std::size_t set_of_least = 0;
-      for (std::size_t a = 0; a < roots.size(); ++a)
-        if (const double agreement = agreement_with_others(a); agreement < least)
+      look_at_loop();
+      double least = -least_disagreement;
+      std::size_t first = none, second = none;
+      const auto consider = [&](double with_rest, std::size_t a, std::size_t b) {
+        if (with_rest < least)
         {
-          least = agreement;
-          set_of_least = a;
+          least = with_rest;
+          first = a;
+          second = b;
         }
-      if (!(least < 0))
+      };
+      for (std::size_t a = 0; a < n; ++a)
+        consider(with_others[a], a, none);
+      if (first == none)
+        for (std::size_t a = 0; a < n; ++a)
+          for (std::size_t b = 0; b < a; ++b)
+            if (trees[a] == trees[b])
+              consider(with_others[a] + with_others[b] - 2 * agreement(a, b), a, b);
+      if (first == none)
         return turn > 0;
-      signs[set_of_least] = -signs[set_of_least];
+      for (const std::size_t a : {first, second})
+        if (a != none)
+        {
+          signs[a] = -signs[a];
+          with_others[a] = -with_others[a];
+          for (std::size_t b = 0; b < n; ++b)
+            if (b != a)
+              with_others[b] += 2 * agreement(a, b);
+        }
     }
     return true;
   }
 };
+
+/// The sets of the field, of those that have dipoles: the larger ones of the trees that they stand for.
+/// \param roots of the sets of the dipoles, ascending
+/// \returns their roots, ascending
+inline std::vector<Index> sets_of_field(const Signed_union_find& trees, const std::vector<Index>& roots)
+{
+  struct Dipoles_of_set
+  {
+    Index root;
+    std::size_t count;
+  };
+  std::vector<Dipoles_of_set> sets;
+  for (Index root : roots)
+    if (!sets.empty() && sets.back().root == root)
+      ++sets.back().count;
+    else
+      sets.push_back({root, 1});
+  const std::size_t fewest = fewest_dipoles_of_a_set(trees.size(), sets.size());
+  struct Dipoles_of_tree
+  {
+    std::size_t of_large_sets = 0, count = 0;
+  };
+  std::map<Index, Dipoles_of_tree> dipoles_of_trees;
+  for (const Dipoles_of_set& set : sets)
+  {
+    Dipoles_of_tree& tree = dipoles_of_trees[trees.find(set.root).first];
+    tree.count += set.count;
+    tree.of_large_sets += set.count >= fewest ? set.count : 0;
+  }
+  std::vector<Index> result;
+  for (const Dipoles_of_set& set : sets)
+    if (const Dipoles_of_tree& tree = dipoles_of_trees[trees.find(set.root).first];
+        set.count >= fewest && stand_for_tree(tree.of_large_sets, tree.count))
+      result.push_back(set.root);
+  return result;
+}
 
 /*!
 Joins the larger ones of the sets that hang together if their field asks to turn some of them against the others. At an edge between two faces few samples
@@ -89,10 +148,9 @@ template <typename ConcurrencyTag, typename T>
 bool join_by_field(const Signed_union_find& trees, const Buffer<Vector>& positions,
                    const Buffer<Eigen::Matrix<T, 3, 1>>& normals, double spacing, Voting& voting)
 {
-  const std::size_t maximum_number_of_dipoles = 2048, fewest_dipoles_of_a_set = 6;
   Signed_union_find& sets = voting.sets;
   const double weight_of_votes = 3; // of an edge, against the field of two faces of one spacing each
-  const std::size_t m = positions.size(), number_of_dipoles = (std::min)(m, maximum_number_of_dipoles);
+  const std::size_t m = positions.size(), number_of_dipoles = (std::min)(m, std::size_t(maximum_number_of_dipoles));
 
   // Samples are sorted by place: every so-maniest of them are spread evenly.
   std::vector<Index> samples, roots;
@@ -103,12 +161,7 @@ bool join_by_field(const Signed_union_find& trees, const Buffer<Vector>& positio
   }
   std::sort(roots.begin(), roots.end());
   Field_of_sets field;
-  for (auto first = roots.begin(), last = first; first != roots.end(); first = last)
-  {
-    last = std::upper_bound(first, roots.end(), *first);
-    if (std::size_t(last - first) >= fewest_dipoles_of_a_set)
-      field.roots.push_back(*first);
-  }
+  field.roots = sets_of_field(trees, roots);
   const std::size_t number_of_sets = field.roots.size();
   if (number_of_sets < 2)
     return false;
@@ -142,13 +195,15 @@ bool join_by_field(const Signed_union_find& trees, const Buffer<Vector>& positio
         field.agreements[a * number_of_sets + b] = field.agreements[b * number_of_sets + a] = sum * area * area / spacing;
       }
   });
-  for (const Vote& v : voting.votes)
+  for_each_in_order(voting.votes.size(), [&](std::size_t n) {
+    const Vote& v = voting.votes[n];
     if (is_in_field(v.a) && is_in_field(v.b))
     {
       const std::size_t a = place_of(v.a), b = place_of(v.b);
       field.agreements[a * number_of_sets + b] += weight_of_votes * v.agreement;
       field.agreements[b * number_of_sets + a] += weight_of_votes * v.agreement;
     }
+  });
 
   if (!field.turn_what_disagrees())
     return false;

@@ -9,6 +9,7 @@
 #include <CGAL/L0_resampling/internal/Signed_union_find.h>
 #include <CGAL/L0_resampling/internal/parallel_for.h>
 #include <CGAL/L0_resampling/internal/parallel_sort.h>
+#include <CGAL/L0_resampling/internal/random_bits.h>
 
 #include <CGAL/tags.h>
 
@@ -18,6 +19,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <vector>
 
 namespace CGAL {
 namespace L0_resampling {
@@ -61,6 +63,46 @@ void add_up_votes(Buffer<Vote>& votes)
   votes.resize(size);
 }
 
+/// Adds up votes between the same two as they come. Where most are, looking up costs a third of sorting them.
+class Vote_sums
+{
+  Buffer<Vote>& m_sums;
+  std::vector<Index> m_slots; // at least every second one empty; the others lead to a sum
+  static constexpr Index empty = (std::numeric_limits<Index>::max)();
+
+public:
+  /// \param sums out: in the order in which each two first come
+  Vote_sums(std::size_t maximum_number_of_votes, Buffer<Vote>& sums) : m_sums(sums)
+  {
+    std::size_t size = 2;
+    while (size < 2 * maximum_number_of_votes)
+      size *= 2;
+    m_slots.assign(size, empty);
+  }
+
+  void add(const Vote& vote)
+  {
+    const std::uint64_t key = (std::uint64_t(vote.a) << 32) | vote.b;
+    for (std::size_t slot = std::size_t(random_bits(0, key));; ++slot)
+    {
+      Index& place = m_slots[slot & (m_slots.size() - 1)];
+      if (place == empty)
+      {
+        place = Index(m_sums.size());
+        m_sums.push_back(vote);
+        return;
+      }
+      Vote& sum = m_sums[place];
+      if (sum.a == vote.a && sum.b == vote.b)
+      {
+        sum.agreement += vote.agreement;
+        sum.total += vote.total;
+        return;
+      }
+    }
+  }
+};
+
 /// The vote between the sets of two samples, or of two sets before they were joined to others; nothing if they are one set.
 inline std::optional<Vote> vote_between_sets(const Signed_union_find& sets, const Vote& vote)
 {
@@ -78,11 +120,11 @@ Buffer<Vote> votes_of_edges(const Buffer<Edge>& edges, const Signed_union_find& 
   Buffer<Vote> votes = append_by_blocks<ConcurrencyTag>(
     edges.size(), edges_per_block, Counting_allocator<Vote>(edges.get_allocator()),
     [&](std::size_t begin, std::size_t end, Buffer<Vote>& votes_of_block) {
+      Vote_sums sums(end - begin, votes_of_block);
       for (std::size_t e = begin; e < end; ++e)
         if (const auto vote =
               vote_between_sets(sets, {edges[e].i, edges[e].k, edges[e].agreement, std::abs(edges[e].agreement)}))
-          votes_of_block.push_back(*vote);
-      add_up_votes<Sequential_tag>(votes_of_block);
+          sums.add(*vote);
     });
   add_up_votes<ConcurrencyTag>(votes);
   return votes;
@@ -117,7 +159,8 @@ void join_by_votes(double sure, Voting& voting)
 {
   const Buffer<Vote>& votes = voting.votes;
   const std::size_t none = (std::numeric_limits<std::size_t>::max)();
-  Buffer<std::size_t> strongest(voting.sets.size(), none, votes.get_allocator()); // the vote of each set that it joins by
+  Buffer<std::size_t> strongest = filled_buffer(voting.sets.size(), none,
+                                                votes.get_allocator()); // the vote of each set that it joins by
   const auto is_stronger = [&](std::size_t v, std::size_t w) {
     const double a = std::abs(votes[v].agreement), b = std::abs(votes[w].agreement);
     return a != b ? a > b : v < w;
@@ -125,19 +168,20 @@ void join_by_votes(double sure, Voting& voting)
   for (bool is_joined = true; is_joined;)
   {
     is_joined = false;
-    for (const Vote& v : votes)
-      strongest[v.a] = strongest[v.b] = none;
-    for (std::size_t n = 0; n < votes.size(); ++n)
+    for_each_in_order(votes.size(), [&](std::size_t n) { strongest[votes[n].a] = strongest[votes[n].b] = none; });
+    for_each_in_order(votes.size(), [&](std::size_t n) {
       if (std::abs(votes[n].agreement) >= sure * votes[n].total)
         for (const Index set : {votes[n].a, votes[n].b})
           if (strongest[set] == none || is_stronger(n, strongest[set]))
             strongest[set] = n;
-    for (std::size_t n = 0; n < votes.size(); ++n)
+    });
+    for_each_in_order(votes.size(), [&](std::size_t n) {
       if (strongest[votes[n].a] == n || strongest[votes[n].b] == n)
       {
         voting.sets.join(votes[n].a, votes[n].b, votes[n].agreement < 0 ? -1 : 1);
         is_joined = true;
       }
+    });
     pass_votes_on<ConcurrencyTag>(voting);
   }
 }

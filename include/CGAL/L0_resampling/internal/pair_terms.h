@@ -42,6 +42,7 @@ void update_weights(const Buffer<Vector>& samples, const Neighborhoods& neighbor
   };
 
   const FT mean_number_of_sample_neighbors = FT(double(neighbors.indices.size()) / double(samples.size()));
+  Buffer<FT> inverses(samples.size(), samples.get_allocator());
   for_each_block<ConcurrencyTag>(samples.size(), samples_per_block, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
@@ -55,12 +56,10 @@ void update_weights(const Buffer<Vector>& samples, const Neighborhoods& neighbor
                         count = neighbors.offsets[i + 1] - neighbors.offsets[i];
       const FT sum = theta.segment(Eigen::Index(first), Eigen::Index(count)).sum();
       density_weights[i] = count > 0 ? 1 + sum / mean_number_of_sample_neighbors : 1;
+      inverses[i] = FT(regularization_weight) / density_weights[i];
     }
     pairs_of(begin, end) = stretch_weight(Array(squared_distances), FT(squared_radius));
   });
-  Buffer<FT> inverses(samples.size(), FT(0), samples.get_allocator());
-  std::transform(density_weights.begin(), density_weights.end(), inverses.begin(),
-                 [&](FT weight) { return FT(regularization_weight) / weight; });
   for_each_block<ConcurrencyTag>(samples.size(), samples_per_block, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)

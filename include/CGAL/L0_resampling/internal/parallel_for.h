@@ -104,6 +104,51 @@ void for_each_in_order(std::size_t n, const F& f)
   });
 }
 
+/// Makes `values` `n` times `value`, as `assign()` does, but in blocks: the first touch of memory takes half a second a gigabyte.
+template <typename T>
+void fill_buffer(std::size_t n, const T& value, Buffer<T>& values)
+{
+  const std::size_t block_size = 65536;
+  values.clear();
+  values.reserve(n);
+  for_each_block<Sequential_tag>(n, block_size, [&](std::size_t, std::size_t end) { values.resize(end, value); });
+}
+
+/// `n` times `value`, likewise.
+template <typename T, typename U>
+Buffer<T> filled_buffer(std::size_t n, const T& value, const Counting_allocator<U>& allocator)
+{
+  Buffer<T> values(allocator);
+  fill_buffer(n, value, values);
+  return values;
+}
+
+/// A copy, likewise.
+template <typename T>
+Buffer<T> copy_of(const Buffer<T>& values)
+{
+  const std::size_t block_size = 65536;
+  Buffer<T> copy(values.get_allocator());
+  copy.reserve(values.size());
+  for_each_block<Sequential_tag>(values.size(), block_size, [&](std::size_t begin, std::size_t end) {
+    copy.insert(copy.end(), values.begin() + std::ptrdiff_t(begin), values.begin() + std::ptrdiff_t(end));
+  });
+  return copy;
+}
+
+/// `less` for algorithms of the standard library that take long: looks at the loop at every so-maniest comparison.
+/// \param number_of_comparisons outlives what is returned, as does `less`
+template <typename Less>
+auto watched_order(const Less& less, std::size_t& number_of_comparisons)
+{
+  return [&](const auto& a, const auto& b) {
+    const std::size_t comparisons_per_look = 65536;
+    if (++number_of_comparisons % comparisons_per_look == 0)
+      look_at_loop();
+    return less(a, b);
+  };
+}
+
 /// The sum of `f(begin, end)` over the blocks of `for_each_block()`, added in the order of the blocks, so bitwise the
 /// same for every number of threads. The sum may be a number or any value type with `operator+=` that is zero when
 /// value-initialized.

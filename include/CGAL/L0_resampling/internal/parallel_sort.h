@@ -28,10 +28,15 @@ void sort_range_by_key(Iterator begin, Iterator end, const Key& key, const Less&
   boost::sort::spreadsort::integer_sort(
     begin, end, [&](const auto& a, unsigned shift) -> std::uint64_t { return key(a) >> shift; },
     [&](const auto& a, const auto& b) { return key(a) < key(b); });
+  const std::ptrdiff_t long_run = 16384;
+  std::size_t number_of_comparisons = 0;
   for (Iterator first = begin, last = begin; first != end; first = last)
   {
     last = std::find_if(first, end, [&](const auto& a) { return key(a) != key(*first); });
-    std::sort(first, last, less);
+    if (last - first > long_run)
+      std::sort(first, last, watched_order(less, number_of_comparisons));
+    else
+      std::sort(first, last, less);
   }
 }
 
@@ -75,7 +80,7 @@ std::vector<std::size_t> partition_into_buckets(std::size_t number_of_buckets, c
   }
   first_places.push_back(n);
 
-  Buffer<Value> partitioned(n, Value(), values.get_allocator());
+  Buffer<Value> partitioned(n, values.get_allocator());
   for_each_block<ConcurrencyTag>(n, values_per_block, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       partitioned[places[begin / values_per_block * number_of_buckets + bucket_of(values[i])]++] = values[i];

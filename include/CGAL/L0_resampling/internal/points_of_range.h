@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -23,6 +24,8 @@
 namespace CGAL {
 namespace L0_resampling {
 namespace internal {
+
+constexpr std::size_t points_per_look = 65536; // at the loop: a few milliseconds
 
 /// The caller's points in double precision, and their bounding box.
 struct Input
@@ -41,12 +44,18 @@ struct Input
 template <typename PointRange, typename PointMap>
 void read_points(const PointRange& range, PointMap point_map, bool drop_non_finite, Report& report, Input& input)
 {
-  const std::size_t points_per_look = 65536;
+  const std::size_t many_points = 1000000; // a buffer of more that grows is copied for longer than the callback can wait
   std::size_t index = 0;
   for (auto it = range.begin(); it != range.end(); ++it, ++index)
   {
     if (index % points_per_look == 0)
       look_at_loop();
+    if (index == many_points && !drop_non_finite) // among points to be dropped there may be few others
+    {
+      const std::size_t size = std::size_t(std::distance(range.begin(), range.end()));
+      input.is_kept.reserve(size);
+      input.points.reserve(size);
+    }
     const auto& p = get(point_map, *it);
     const Vector point(double(p.x()), double(p.y()), double(p.z()));
     const bool is_finite = point.allFinite();
@@ -73,8 +82,11 @@ template <typename PointRange, typename VectorMap>
 void read_directions(const PointRange& range, VectorMap vector_map, const Input& input, Buffer<Local_vector>& directions)
 {
   std::size_t index = 0;
+  directions.reserve(input.points.size());
   for (auto it = range.begin(); it != range.end(); ++it)
   {
+    if (index % points_per_look == 0)
+      look_at_loop();
     if (!input.is_kept[index++])
       continue;
     const auto& v = get(vector_map, *it);
@@ -93,9 +105,11 @@ void read_normals(const PointRange& range, NormalMap normal_map, Input& input)
   read_directions(range, normal_map, input, input.normals);
   // one of the two signs, so that neither the sign nor, among coincident points, the order of the input matters
   const Local_vector zero = Local_vector::Zero();
-  for (Local_vector& normal : input.normals)
+  for_each_in_order(input.normals.size(), [&](std::size_t i) {
+    Local_vector& normal = input.normals[i];
     if (std::lexicographical_compare(normal.data(), normal.data() + 3, zero.data(), zero.data() + 3))
       normal = -normal;
+  });
 }
 
 /// \tparam NormalMap may be `bool`, for none, or an optional
@@ -117,9 +131,14 @@ Point_tree_3 tree_of_range(const PointRange& range, PointMap point_map, Memory_c
 {
   Buffer<Vector> points(&memory);
   Buffer<Index> indices(&memory);
+  const std::size_t size = std::size_t(std::distance(range.begin(), range.end()));
+  points.reserve(size);
+  indices.reserve(size);
   Index index = 0;
   for (auto it = range.begin(); it != range.end(); ++it, ++index)
   {
+    if (index % points_per_look == 0)
+      look_at_loop();
     const auto& p = get(point_map, *it);
     const Vector point(double(p.x()), double(p.y()), double(p.z()));
     if (!point.allFinite())
@@ -135,16 +154,22 @@ template <typename PointRange, typename PointMap>
 std::size_t number_of_distinct_points(const PointRange& range, PointMap point_map, Memory_counter& memory)
 {
   Buffer<Vector> points(&memory);
+  points.reserve(std::size_t(std::distance(range.begin(), range.end())));
+  std::size_t index = 0;
   for (auto it = range.begin(); it != range.end(); ++it)
   {
+    if (index++ % points_per_look == 0)
+      look_at_loop();
     const auto& p = get(point_map, *it);
     const Vector point(double(p.x()), double(p.y()), double(p.z()));
     if (point.allFinite())
       points.push_back(point);
   }
-  std::sort(points.begin(), points.end(), [](const Vector& a, const Vector& b) {
+  const auto comes_first = [](const Vector& a, const Vector& b) {
     return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
-  });
+  };
+  std::size_t number_of_comparisons = 0;
+  std::sort(points.begin(), points.end(), watched_order(comes_first, number_of_comparisons));
   return std::size_t(std::unique(points.begin(), points.end()) - points.begin());
 }
 

@@ -51,7 +51,8 @@ std::size_t minimize_with_refinement(const Minimization_parameters& p, const Ref
 {
   const auto allocator = samples.positions.get_allocator();
   const double cell_size = (std::max)(input.grid.cell_size(), refinement.self_neighbor_radius);
-  samples.outward_directions.assign(samples.positions.size(), Samples<typename SolverTraits::FT>::Local_vector::Zero());
+  using Local_vector = typename Samples<typename SolverTraits::FT>::Local_vector;
+  fill_buffer(samples.positions.size(), Local_vector(Local_vector::Zero()), samples.outward_directions);
   Minimization_step<ConcurrencyTag, SolverTraits> step(p, solver, progress, allocator);
   Fit_rows fit_rows{Buffer<std::size_t>(allocator), Buffer<Vector>(allocator), Buffer<double>(allocator)};
   Buffer<Upper_triangle<typename SolverTraits::FT>> normal_spreads(allocator);
@@ -77,7 +78,7 @@ std::size_t minimize_with_refinement(const Minimization_parameters& p, const Ref
   } while (penalty <= p.maximum_penalty);
 
   fit_compatible_points<ConcurrencyTag>(input, progress, samples);
-  samples.positions = samples.fit_centroids;
+  samples.positions = copy_of(samples.fit_centroids);
   return number_of_pairs;
 }
 

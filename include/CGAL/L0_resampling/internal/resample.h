@@ -48,15 +48,17 @@ struct Oriented_points
 /// Coincident points are in no order but that of the input, which must not matter: puts their normals, or hints, in one.
 inline void sort_normals_of_coincident_points(const Buffer<Vector>& points, Buffer<Local_vector>& normals)
 {
-  for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end)
-  {
+  for_each_in_order(points.size(), [&](std::size_t begin) {
+    if (begin > 0 && points[begin] == points[begin - 1])
+      return;
+    std::size_t end = begin + 1;
     while (end < points.size() && points[end] == points[begin])
       ++end;
     std::sort(normals.begin() + std::ptrdiff_t(begin), normals.begin() + std::ptrdiff_t(end),
               [](const Local_vector& a, const Local_vector& b) {
                 return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
               });
-  }
+  });
 }
 
 /// The lengths of a call, in the working frame.
@@ -101,9 +103,10 @@ std::size_t drop_outliers(double radius, Buffer<Vector>& points, Buffer<Local_ve
   const Buffer<unsigned char> is_outlier = find_outliers<Local, ConcurrencyTag>(points, radius, progress);
   const auto drop_from = [&](auto& values) {
     std::size_t size = 0;
-    for (std::size_t i = 0; i < values.size(); ++i)
+    for_each_in_order(values.size(), [&](std::size_t i) {
       if (!is_outlier[i])
         values[size++] = values[i];
+    });
     values.resize(size);
   };
   const std::size_t n = points.size();
@@ -119,7 +122,7 @@ Buffer<Local_vector> compute_filtered_normals(const Search_grid_3& grid, const B
                                               const Buffer<Local_vector>& given_normals, const Lengths& lengths,
                                               const Parameters& parameters, Progress& progress, Report& report)
 {
-  Buffer<Local_vector> normals(points.size(), Local_vector::UnitZ(), points.get_allocator());
+  Buffer<Local_vector> normals = filled_buffer(points.size(), Local_vector(Local_vector::UnitZ()), points.get_allocator());
   const bool all_given = !given_normals.empty()
                          && std::none_of(given_normals.begin(), given_normals.end(),
                                          [](const Local_vector& n) { return n.isZero(0); });
@@ -129,9 +132,10 @@ Buffer<Local_vector> compute_filtered_normals(const Search_grid_3& grid, const B
     report.number_of_degenerate_neighborhoods =
       estimate_pca_normals<ConcurrencyTag>(grid, points, pca_radius_factor * lengths.radius, progress, normals);
   }
-  for (std::size_t i = 0; i < given_normals.size(); ++i)
+  for_each_in_order(given_normals.size(), [&](std::size_t i) {
     if (!given_normals[i].isZero(0))
       normals[i] = given_normals[i];
+  });
 
   const Local squared_bandwidth = Local(square(spatial_bandwidth_factor * lengths.filter_radius));
   const Normal_filter<Local> filter{lengths.filter_radius, squared_bandwidth,
@@ -186,9 +190,12 @@ Lengths choose_lengths(const Parameters& parameters, Buffer<Vector>& points, Wor
   lengths.radius *= scale;
   lengths.noise *= scale;
   lengths.sample_spacing *= scale;
+  if (!(lengths.sample_spacing > 0)) // all points, but for outliers, are at one place: any length will do
+    lengths.sample_spacing = lengths.radius;
   const double default_factor = parameters.method == Method::DEFAULT ? default_filter_radius_factor : 1.;
   lengths.filter_radius = parameters.normal_filter_radius > 0
-                            ? sensible_radius(frame.length_in_frame(parameters.normal_filter_radius), points)
+                            ? (std::max)(sensible_radius(frame.length_in_frame(parameters.normal_filter_radius), points),
+                                         least_filter_radius_factor * lengths.radius)
                             : default_factor * lengths.radius;
   lengths.self_neighbor_radius = self_neighbor_radius_factor * lengths.radius;
   if (parameters.method == Method::DEFAULT)
@@ -272,7 +279,7 @@ Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buff
 
   // Section 3.2: density weights of Q, Eq. (5), and the first S
   progress.begin_stage("density weights", 0.08, points.size());
-  Buffer<Local> input_density_weights(points.size(), Local(1), allocator);
+  Buffer<Local> input_density_weights = filled_buffer(points.size(), Local(1), allocator);
   compute_input_density_weights<ConcurrencyTag>(grid, points, lengths.filter_radius, squared_bandwidth, progress,
                                                 input_density_weights);
 
@@ -283,7 +290,7 @@ Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buff
   if (parameters.method == Method::DEFAULT)
   {
     const double longest_query = (std::max)(lengths.radius, lengths.filter_radius);
-    areas = areas_of_points<ConcurrencyTag, Local>(grid, points, area_radius_factor * lengths.filter_radius,
+    areas = areas_of_points<ConcurrencyTag, Local>(grid, points, area_radius_factor * longest_query,
                                                    units_per_length_for(lengths.cell_size, longest_query), progress);
     lengths.sample_spacing = std::sqrt(areas.total() / double(m));
     lengths.self_neighbor_radius = self_neighbor_radius_of_spacing(lengths);
@@ -299,17 +306,19 @@ Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buff
     report.number_of_distinct_points = start.number_of_distinct_points;
     samples.positions = std::move(start.positions);
     samples.normals.reserve(m);
-    for (Index source : start.sources)
-      samples.normals.push_back(normals[source].cast<FT>().normalized());
+    const auto for_each_source = [&](const auto& f) {
+      for_each_in_order(m, [&](std::size_t i) { f(start.sources[i]); });
+    };
+    for_each_source([&](Index source) { samples.normals.push_back(normals[source].cast<FT>().normalized()); });
     if (parameters.method == Method::DEFAULT && parameters.keep_density)
-      for (Index source : start.sources)
+      for_each_source([&](Index source) {
         samples.spacings.push_back(FT(std::sqrt(areas.of_point(source) * double(points.size()) / double(m))));
+      });
     if (!hints.empty())
-      for (Index source : start.sources)
-        samples.hints.push_back(hints[source].template cast<FT>());
+      for_each_source([&](Index source) { samples.hints.push_back(hints[source].template cast<FT>()); });
     release(hints);
-    samples.fit_weights.resize(m);
-    samples.fit_centroids = samples.positions;
+    fill_buffer(m, FT(0), samples.fit_weights);
+    samples.fit_centroids = copy_of(samples.positions);
     release(areas.units);
   }
 

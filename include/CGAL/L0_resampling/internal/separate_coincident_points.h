@@ -50,28 +50,34 @@ void separate_coincident_points(const std::array<FT, 3>& low, const std::array<F
     return;
   using Point = std::array<FT, 3>;
   const auto allocator = points.get_allocator();
-  Buffer<std::size_t> order(points.size(), 0, allocator);
-  for (std::size_t i = 0; i < order.size(); ++i)
-    order[i] = i;
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return points[a] != points[b] ? points[a] < points[b] : a < b; });
+  Buffer<std::size_t> order(allocator);
+  order.reserve(points.size());
+  for_each_in_order(points.size(), [&](std::size_t i) { order.push_back(i); });
+  const auto comes_first = [&](std::size_t a, std::size_t b) {
+    return points[a] != points[b] ? points[a] < points[b] : a < b;
+  };
+  std::size_t number_of_comparisons = 0;
+  std::sort(order.begin(), order.end(), watched_order(comes_first, number_of_comparisons));
 
   const auto coincides = [&](std::size_t k) { return k > 0 && points[order[k]] == points[order[k - 1]]; };
   Buffer<std::size_t> to_move(allocator);
-  for (std::size_t k = 0; k < order.size(); ++k)
+  for_each_in_order(order.size(), [&](std::size_t k) {
     if (coincides(k))
       to_move.push_back(order[k]);
+  });
   if (to_move.empty())
     return;
 
   // Each group takes the nodes of a lattice around its place, one after the other, and skips those that are taken, and those beyond the
   // largest number.
   const auto is_finite = [](const Point& p) { return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]); };
-  std::set<Point> taken(points.begin(), points.end());
+  std::set<Point> taken;
+  for_each_in_order(order.size(), [&](std::size_t k) { taken.insert(taken.end(), points[order[k]]); });
   Point place = points[to_move.front()];
   std::size_t node = 0;
   for (std::size_t i : to_move)
   {
+    look_at_loop();
     if (points[i] != place)
     {
       place = points[i];

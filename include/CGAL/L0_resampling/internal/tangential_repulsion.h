@@ -39,7 +39,7 @@ void repel_tangentially(const Neighborhoods& neighbors, double spacing, double r
   const FT squared_bandwidth = FT(repulsion.squared_bandwidth), strength = FT(repulsion.strength);
   const bool is_even = samples.spacings.empty();
   const std::size_t samples_per_block = 1024;
-  Buffer<Vector> moved(samples.positions);
+  Buffer<Vector> moved = copy_of(samples.positions);
   for (std::size_t step = 0; step < number_of_steps; ++step)
   {
     for_each_block<ConcurrencyTag>(samples.positions.size(), samples_per_block, [&](std::size_t begin, std::size_t end) {

@@ -28,7 +28,7 @@ template <typename ConcurrencyTag, typename T, typename F>
 void update_normals(const Search_grid_3& grid, const Buffer<Vector>& points, double radius, Progress& progress,
                     Buffer<Eigen::Matrix<T, 3, 1>>& normals, const F& f)
 {
-  Buffer<Eigen::Matrix<T, 3, 1>> updated(normals);
+  Buffer<Eigen::Matrix<T, 3, 1>> updated = copy_of(normals);
   const auto make_visitor = [&]() {
     return [&, local_normals = Local_normals<T>()](Search_grid_3::Range queries, const Local_points<T>& candidates,
                                                    const Vector& origin) mutable {
