@@ -315,14 +315,13 @@ chain, or are joined to one by `|`, one at a time: `parameters::neighbor_radius(
       relative to the spacing around them; `LOR` and `ALOR` do without the weights of Eq. (5) of the input.}
     \cgalParamType{`bool`}
     \cgalParamDefault{`false`}
-    \cgalParamExtra{with `CUDA_tag` `std::invalid_argument` if `true`: not there yet}
   \cgalParamNEnd
   \cgalParamNBegin{viewpoint}
     \cgalParamDescription{a point that the normals shall face, as those of a scan face the scanner. Each part of the result that hangs together is turned as a whole, by
       the solid angle that its two sides fill. A closed surface that is seen from outside is turned outwards, as it is without a viewpoint.}
     \cgalParamType{`Point_3`}
     \cgalParamDefault{none: normals point outwards, in the sense of the divergence theorem}
-    \cgalParamExtra{`std::invalid_argument` if not finite, if `orientation_hint_map` is there too, and with `CUDA_tag`}
+    \cgalParamExtra{`std::invalid_argument` if not finite, or if `orientation_hint_map` is there too}
   \cgalParamNEnd
   \cgalParamNBegin{orientation_hint_map}
     \cgalParamDescription{a property map associating vectors to the elements of the range `points`, on whose side the normals shall be, such as the input's own normals.
@@ -330,7 +329,6 @@ chain, or are joined to one by `|`, one at a time: `parameters::neighbor_radius(
       vector says nothing.}
     \cgalParamType{a model of `ReadablePropertyMap` with the iterator's value type as key type and `Vector_3` as value type}
     \cgalParamDefault{none}
-    \cgalParamExtra{with `CUDA_tag` `std::invalid_argument`: not there yet}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_orientation_neighbors}
     \cgalParamDescription{the number of nearest samples over which the signs of the normals are propagated}

@@ -197,7 +197,8 @@ __device__ inline float distance_to_cell(float offset, float cell_size, int step
 }
 
 /*!
-Calls `f(j)` for the points around a point that may be within `radius`, those of one of `lanes` threads.
+Calls `f(j, point)` for the points around a point that may be within `radius`, those of one of `lanes` threads. Two points are read at a time. As long as `f` does not
+branch, what it reads of two points is under way at once, too; and a warp seldom has no thread whose point is within the radius.
 
 The points of a row of cells ascend in x: of each row only the part is looked at that the ball can reach at the row's distance, which two
 searches find. Each thread of a group searches in another row.
@@ -211,7 +212,7 @@ __device__ inline void for_each_candidate(const Cell_grid& grid, const Cell_bloc
 {
   const unsigned group_mask = ((1u << lanes) - 1) << (threadIdx.x % 32 / lanes * lanes);
   const Block_center block = blocks.centers[center.w];
-  const unsigned stride = block.stride;
+  const unsigned stride = block.stride, shift = unsigned(__ffs(int(stride))) - 1;
   const uint2* const ranges = blocks.ranges + (unsigned long long)(unsigned(center.w)) * blocks.number_of_rows;
   const float unit = grid.frame.unit(), cell_size = float(grid.frame.cell_size);
   const float y = unit * float(int(unsigned(center.y) - unsigned(block.begin_y)));
@@ -249,21 +250,36 @@ __device__ inline void for_each_candidate(const Cell_grid& grid, const Cell_bloc
         }
       }
     }
-    const int number_of_rows = min(lanes, blocks.number_of_rows - first_row);
-    for (int r = 0; r < number_of_rows; ++r)
+    // The points of the rows one after the other, dealt out to the lanes in turn
+    static_assert(lanes == 4, "the rows that lanes have found are told apart one by one");
+    const unsigned first = range.x + (0u - range.x & (stride - 1)); // the stride is a power of two
+    const unsigned own_count = range.x < range.y && first < range.y ? ((range.y - 1 - first) >> shift) + 1 : 0;
+    unsigned begins[lanes],
+      ends[lanes]; // of each row: where it would begin if it held the points of those before, too; and how many it and those hold
+    unsigned total = 0;
+#pragma unroll
+    for (int r = 0; r < lanes; ++r)
     {
-      const unsigned begin = __shfl_sync(group_mask, range.x, r, lanes), end = __shfl_sync(group_mask, range.y, r, lanes);
-      // the stride is a power of two
-      const unsigned first = begin + (0u - begin & (stride - 1)) + lane * stride;
-      const unsigned step = lanes * stride;
-      if (begin == end || first >= end)
-        continue;
-      for (unsigned j = first, last = end - 1;; j += step)
-      {
-        f(j);
-        if (last - j < step) // which does not overflow
-          break;
-      }
+      begins[r] = __shfl_sync(group_mask, first, r, lanes) - (total << shift);
+      total += __shfl_sync(group_mask, own_count, r, lanes);
+      ends[r] = total;
+    }
+    const auto place = [&](unsigned t) {
+      const unsigned begin = t < ends[0] ? begins[0] : t < ends[1] ? begins[1] : t < ends[2] ? begins[2] : begins[3];
+      return begin + (t << shift); // modulo 2^32
+    };
+    unsigned t = lane;
+    for (; t + lanes < total; t += 2 * lanes)
+    {
+      const unsigned j = place(t), next = place(t + lanes);
+      const int4 point = grid.points[j], next_point = grid.points[next];
+      f(j, point);
+      f(next, next_point);
+    }
+    if (t < total)
+    {
+      const unsigned j = place(t);
+      f(j, grid.points[j]);
     }
   }
 }

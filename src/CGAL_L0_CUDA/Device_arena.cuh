@@ -42,7 +42,7 @@ class Device_block
   char* m_data = nullptr;
   std::size_t m_size = 0, m_low = 0, m_high = 0; // free is what lies between
   std::vector<Piece> m_pieces;
-  std::size_t m_in_pieces = 0, m_peak = 0;
+  std::size_t m_in_pieces = 0, m_peak = 0, m_peak_of_stage = 0;
   void* m_staging = nullptr;
 
 public:
@@ -86,6 +86,17 @@ public:
     const std::size_t rounded = (size + alignment - 1) / alignment * alignment;
     m_data = allocate(rounded);
     m_size = m_high = rounded;
+  }
+
+  /// What the stacks hold.
+  std::size_t used() const { return m_low + (m_size - m_high) + m_in_pieces; }
+
+  /// The most that the stacks held at once since the last call of this function.
+  std::size_t take_peak_of_stage()
+  {
+    const std::size_t peak = m_peak_of_stage;
+    m_peak_of_stage = used();
+    return peak;
   }
 
   /// Page-locked, so that what is copied there need not be copied twice.
@@ -132,7 +143,11 @@ private:
     m_in_pieces -= m_pieces[i].size;
   }
 
-  void note_peak() { m_peak = (std::max)(m_peak, m_low + (m_size - m_high) + m_in_pieces); }
+  void note_peak()
+  {
+    m_peak = (std::max)(m_peak, used());
+    m_peak_of_stage = (std::max)(m_peak_of_stage, used());
+  }
 };
 
 /// One of the two stacks of a block.
@@ -187,6 +202,9 @@ public:
     m_block.note_peak();
     return reinterpret_cast<T*>(array);
   }
+
+  /// Bytes that are free between the two stacks.
+  std::size_t room() const { return m_block.m_high - m_block.m_low; }
 
   Mark mark() const { return {m_end == End::LOW ? m_block.m_low : m_block.m_high, m_pieces.size()}; }
 

@@ -43,6 +43,7 @@ struct Session
   const double* points = nullptr;
   const float* normals = nullptr; // null if none were given
   bool all_normals_given = false;
+  const float* hints = nullptr; // null if none were given
   Extent extent;
   bool has_scales = false;
   Scales scales; // of the points, in the frame of the paper's radius; found when first wanted
@@ -162,8 +163,12 @@ private:
 
   void note_memory()
   {
+    const std::size_t peak = m_session.input_memory.used() + m_session.working_memory.take_peak_of_stage();
     if (m_report.number_of_stages > 0)
-      m_report.stages[m_report.number_of_stages - 1].peak_bytes = m_session.memory_limit.held;
+    {
+      Stage& stage = m_report.stages[m_report.number_of_stages - 1];
+      stage.peak_bytes = (std::max)(stage.peak_bytes, peak);
+    }
     m_report.peak_bytes = (std::max)(m_report.peak_bytes, m_session.memory_limit.held);
   }
 };

@@ -22,8 +22,7 @@ __global__ void share_balls(Cell_grid grid, Cell_blocks blocks, float radius, Ex
   const Query query(grid.size);
   const int4 center = grid.points[query.index];
   unsigned count = 0;
-  for_each_candidate(grid, blocks, center, query.lane, radius, [&](unsigned j) {
-    const int4 other = grid.points[j];
+  for_each_candidate(grid, blocks, center, query.lane, radius, [&](unsigned, const int4& other) {
     const auto difference = [](int a, int b) { return int(unsigned(a) - unsigned(b)); };
     count += ball.holds(difference(other.x, center.x), difference(other.y, center.y), difference(other.z, center.z));
   });
@@ -67,7 +66,8 @@ Areas areas_of_points(const Workplace& workplace, const Cell_grid& grid, double 
   share_cells<<<blocks_for(32ull * grid.number_of_cells), threads_per_block, 0, workplace.stream>>>(
     grid, units, units_of_cells, total_units.address());
   check_launch("share_cells");
-  return {units_of_cells, double(total_units.read()) * (pi * radius * radius / double(area_units_of_ball))};
+  const double area_per_unit = pi * radius * radius / double(area_units_of_ball);
+  return {units_of_cells, area_per_unit, double(total_units.read()) * area_per_unit};
 }
 
 } // namespace cuda

@@ -170,21 +170,24 @@ void destroy(Session* session) noexcept
   cudaGetLastError();
 }
 
-Answer upload(Session& session, const double* points, std::size_t size, const float* normals, std::size_t maximum_memory)
+Answer upload(Session& session, const double* points, std::size_t size, const float* normals, const float* hints,
+              std::size_t maximum_memory)
 {
   return guarded(&session, [&]() {
     session.size = 0;
     session.has_scales = false;
     session.memory_limit.limit = maximum_memory;
     const std::size_t bytes_of_points = 3 * sizeof(double) * size,
-                      bytes_of_normals = normals ? 3 * sizeof(float) * size : 0;
+                      bytes_of_normals = normals ? 3 * sizeof(float) * size : 0,
+                      bytes_of_hints = hints ? 3 * sizeof(float) * size : 0;
     session.input.clear();
-    session.input_memory.reserve(bytes_of_points + bytes_of_normals + 1024);
+    session.input_memory.reserve(bytes_of_points + bytes_of_normals + bytes_of_hints + 1024);
     double* const device_points = session.input.take<double>(3 * size);
     CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(device_points, points, bytes_of_points, cudaMemcpyHostToDevice, session.stream));
     session.points = device_points;
     session.normals = nullptr;
     session.all_normals_given = false;
+    session.hints = nullptr;
     session.reserve(34 * size + (std::size_t(1) << 20));
     if (normals)
     {
@@ -193,6 +196,12 @@ Answer upload(Session& session, const double* points, std::size_t size, const fl
         cudaMemcpyAsync(device_normals, normals, bytes_of_normals, cudaMemcpyHostToDevice, session.stream));
       session.normals = device_normals;
       session.all_normals_given = !has_zero(session.workplace(), device_normals, unsigned(size));
+    }
+    if (hints)
+    {
+      float* const device_hints = session.input.take<float>(3 * size);
+      CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(device_hints, hints, bytes_of_hints, cudaMemcpyHostToDevice, session.stream));
+      session.hints = device_hints;
     }
     session.extent = find_extent(session.workplace(), device_points, unsigned(size));
     session.size = unsigned(size);

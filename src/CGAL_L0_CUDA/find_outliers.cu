@@ -26,8 +26,8 @@ __global__ void count_points_in_balls(Cell_grid grid, Cell_blocks blocks, float 
   const int4 center = grid.points[query.index];
   const float unit = grid.frame.unit();
   unsigned count = 0;
-  for_each_candidate(grid, blocks, center, query.lane, radius, [&](unsigned j) {
-    const float3 d = difference(grid.points[j], center, unit);
+  for_each_candidate(grid, blocks, center, query.lane, radius, [&](unsigned, const int4& point) {
+    const float3 d = difference(point, center, unit);
     count += dot(d, d) < squared_radius;
   });
   count = group_sum<lanes>(count) * blocks.centers[center.w].stride;

@@ -152,7 +152,79 @@ Sources sources_by_area(const Workplace& workplace, const Cell_grid& grid, const
   return {{first, number_of_first}, {others, m - number_of_first}};
 }
 
+// Hints, one for each distinct point
+
+/// Bits that ascend with the number.
+__device__ unsigned ascending_bits(float value)
+{
+  const unsigned bits = value == 0 ? 0 : __float_as_uint(value), sign = 1u << 31;
+  return bits & sign ? ~bits : bits | sign;
+}
+
+__device__ float number_of_ascending_bits(unsigned bits)
+{
+  const unsigned sign = 1u << 31;
+  return __uint_as_float(bits & sign ? bits & ~sign : ~bits);
+}
+
+/// One axis of the hint of each distinct point, that of the first in lexicographic order of those of its points: other than a choice by the order of the input, it is
+/// the same for any order.
+/// \param least of each distinct point, xyz interleaved; those of the axes before are known
+__global__ void find_least_hints(const float* hints, const unsigned* order, unsigned size, Some distinct, int axis,
+                                 unsigned* least)
+{
+  const Wide j = thread_index();
+  if (j >= size)
+    return;
+  Wide number = j; // of the last distinct point that is not behind this point
+  if (distinct.list)
+  {
+    unsigned first = 0;
+    for (unsigned rest = distinct.size - 1; rest > 0;)
+    {
+      const unsigned half = (rest + 1) / 2;
+      if (distinct.list[first + half] <= j)
+      {
+        first += half;
+        rest -= half;
+      }
+      else
+        rest = half - 1;
+    }
+    number = first;
+  }
+  const float* const hint = hints + 3 * Wide(order[j]);
+  for (int before = 0; before < axis; ++before)
+    if (ascending_bits(hint[before]) != least[3 * number + unsigned(before)])
+      return;
+  atomicMin(&least[3 * number + unsigned(axis)], ascending_bits(hint[axis]));
+}
+
+/// From the scratch arena.
+unsigned* least_hints(const Workplace& workplace, const float* hints, const Cell_grid& grid, const Some& distinct)
+{
+  const std::size_t count = 3 * std::size_t(distinct.size);
+  unsigned* const least = workplace.scratch.take<unsigned>(count);
+  CGAL_L0_CUDA_CHECK(cudaMemsetAsync(least, 0xff, count * sizeof(unsigned), workplace.stream));
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    find_least_hints<<<blocks_for(grid.size), threads_per_block, 0, workplace.stream>>>(hints, grid.order, grid.size,
+                                                                                        distinct, axis, least);
+    check_launch("find_least_hints");
+  }
+  return least;
+}
+
 // Where they are then
+
+/// What distinct points hand on to the samples that start on them.
+struct Heritage
+{
+  const float4* normals; // of the points of the grid
+  const Wide* areas;     // of the cells of the grid
+  double squared_spacing_per_area;
+  const unsigned* hints; // of the distinct points
+};
 
 __device__ float4 unit_normal(float4 n)
 {
@@ -160,19 +232,29 @@ __device__ float4 unit_normal(float4 n)
   return with_w(to_float((1 / sqrt(dot(wide, wide))) * wide), 0);
 }
 
-__device__ void start_on_point(const Samples& samples, Wide i, double3 position, float4 normal)
+/// \param source the point in the grid, whose number among the distinct ones is `number`
+__device__ void start_on_point(const Samples& samples, Wide i, double3 position, const Heritage& heritage,
+                               const Cell_grid& grid, unsigned source, Wide number)
 {
   samples.positions[3 * i] = position.x;
   samples.positions[3 * i + 1] = position.y;
   samples.positions[3 * i + 2] = position.z;
-  samples.normals[i] = unit_normal(normal);
+  samples.normals[i] = unit_normal(heritage.normals[source]);
   samples.fit[i] = make_float4(0, 0, 0, 1);
+  if (samples.spacings)
+    samples.spacings[i] = float(sqrt(double(heritage.areas[grid.points[source].w]) * heritage.squared_spacing_per_area));
+  if (samples.hints)
+  {
+    const unsigned* const hint = heritage.hints + 3 * number;
+    samples.hints[i] = make_float4(number_of_ascending_bits(hint[0]), number_of_ascending_bits(hint[1]),
+                                   number_of_ascending_bits(hint[2]), 0);
+  }
 }
 
 /// The partner of each new sample, as `move_between_points()` on the CPU: of the points of its ball the one of the highest rank.
 /// \param sources numbers of distinct points
 __global__ void place_between_points(Positions positions, Cell_grid grid, Cell_blocks blocks, Some distinct,
-                                     Some sources, float radius, Wide seed, const float4* normals, Samples samples)
+                                     Some sources, float radius, Wide seed, Heritage heritage, Samples samples)
 {
   const Query query(sources.size);
   const Wide e = query.index;
@@ -188,13 +270,13 @@ __global__ void place_between_points(Positions positions, Cell_grid grid, Cell_b
   }
   const Wide number_before = e - first;
   const int4 center = grid.points[source];
+  const float4* const normals = heritage.normals;
   const float3 normal = xyz(normals[source]);
   const float unit = grid.frame.unit(), squared_radius = radius * radius, similar_cosine = 0.87f; // as on the CPU
 
   Wide best = 0;
   unsigned partner = source;
-  for_each_candidate(grid, blocks, center, query.lane, radius, [&](unsigned j) {
-    const int4 point = grid.points[j];
+  for_each_candidate(grid, blocks, center, query.lane, radius, [&](unsigned j, const int4& point) {
     const float3 d = difference(point, center, unit);
     if (dot(d, d) >= squared_radius)
       return;
@@ -226,24 +308,24 @@ __global__ void place_between_points(Positions positions, Cell_grid grid, Cell_b
   // never the middle, where the way back from the partner would put another one
   const double share = 0.2
                        + 0.25 * scalbn(double(random_bits(seed + source, (number_before << 32) | 0xffffffff) >> 11), -53);
-  start_on_point(samples, e, start + share * (positions(grid.order[partner]) - start), normals[source]);
+  start_on_point(samples, e, start + share * (positions(grid.order[partner]) - start), heritage, grid, source, number);
 }
 
 /// \param first of the samples that start so
-__global__ void place_on_points(Positions positions, const unsigned* order, Some distinct, Some sources, unsigned first,
-                                const float4* normals, Samples samples)
+__global__ void place_on_points(Positions positions, Cell_grid grid, Some distinct, Some sources, unsigned first,
+                                Heritage heritage, Samples samples)
 {
   const Wide k = thread_index();
   if (k >= sources.size)
     return;
-  const unsigned source = distinct[sources[k]];
-  start_on_point(samples, first + k, positions(order[source]), normals[source]);
+  const unsigned number = sources[k], source = distinct[number];
+  start_on_point(samples, first + k, positions(grid.order[source]), heritage, grid, source, number);
 }
 
 } // namespace
 
 void initialize_samples(const Workplace& workplace, const Positions& positions, const Cell_grid& grid,
-                        const float4* normals, const Areas* areas, double radius, std::size_t seed, const Samples& samples)
+                        const Sources_of_samples& points, double radius, std::size_t seed, const Samples& samples)
 {
   const cudaStream_t stream = workplace.stream;
   const Arena_scope scope(workplace.scratch);
@@ -254,8 +336,13 @@ void initialize_samples(const Workplace& workplace, const Positions& positions, 
     list_flagged(grid.is_first, grid.size, list, workplace.scratch, stream);
     distinct.list = list;
   }
-  const Sources sources = areas ? sources_by_area(workplace, grid, distinct, *areas, samples.size, seed)
-                                : sources_by_points(workplace, distinct.size, samples.size, seed);
+  const Areas* const areas = points.areas;
+  const Sources sources = areas && points.spreads_evenly
+                            ? sources_by_area(workplace, grid, distinct, *areas, samples.size, seed)
+                            : sources_by_points(workplace, distinct.size, samples.size, seed);
+  const Heritage heritage = {points.normals, areas ? areas->of_cells : nullptr,
+                             areas ? areas->area_per_unit * double(grid.size) / double(samples.size) : 0,
+                             samples.hints ? least_hints(workplace, points.hints, grid, distinct) : nullptr};
 
   const unsigned number_of_new = sources.between_points.size;
   if (number_of_new > 0)
@@ -264,11 +351,11 @@ void initialize_samples(const Workplace& workplace, const Positions& positions, 
     const Cell_blocks blocks = find_blocks(grid, grid, cells_in_reach(radius, grid.frame.cell_size),
                                            maximum_number_of_candidates, workplace.arena, stream);
     place_between_points<<<blocks_for_queries(number_of_new), threads_per_block, 0, stream>>>(
-      positions, grid, blocks, distinct, sources.between_points, float(radius), seed, normals, samples);
+      positions, grid, blocks, distinct, sources.between_points, float(radius), seed, heritage, samples);
     check_launch("place_between_points");
   }
   place_on_points<<<blocks_for(sources.on_points.size), threads_per_block, 0, stream>>>(
-    positions, grid.order, distinct, sources.on_points, number_of_new, normals, samples);
+    positions, grid, distinct, sources.on_points, number_of_new, heritage, samples);
   check_launch("place_on_points");
 }
 

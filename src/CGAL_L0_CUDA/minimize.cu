@@ -75,10 +75,10 @@ __device__ void for_each_sample(unsigned size, const F& f)
 /// Walks over the pairs of a lane in batches: calls `load(k, e)` for each pair of a batch, and then `use(loaded, e)`, so that the memory has several
 /// reads to do at once.
 template <int batch, typename Load, typename Use>
-__device__ void for_each_pair(const Neighbor_lists& neighbors, unsigned i, unsigned lane, const Load& load, const Use& use)
+__device__ void for_each_pair(const Neighbor_lists& neighbors, uint2 row, unsigned lane, const Load& load, const Use& use)
 {
-  const Wide last = neighbors.offsets[i + 1];
-  for (Wide e = neighbors.offsets[i] + lane; e < last; e += batch * lanes_per_sample)
+  const Wide last = row.y;
+  for (Wide e = Wide(row.x) + lane; e < last; e += batch * lanes_per_sample)
   {
     decltype(load(0u, e)) loaded[batch];
 #pragma unroll
@@ -100,18 +100,18 @@ __device__ void update_density_weights(const Turn& turn)
   const float squared_bandwidth = float(turn.parameters.squared_bandwidth);
   const float mean_number_of_neighbors = float(double(turn.neighbors.number_of_pairs) / turn.samples.size);
   for_each_sample_of_group(turn.samples.size, [&](unsigned i, unsigned lane, bool is_sample) {
-    const unsigned first = turn.neighbors.offsets[i], last = turn.neighbors.offsets[i + 1];
+    const uint2 row = turn.neighbors.row(turn.points, turn.samples.size, i);
     const int4 center = turn.points[i];
     float sum = 0;
     for_each_pair<4>(
-      turn.neighbors, i, lane, [&](unsigned k, Wide) { return turn.points[k]; },
+      turn.neighbors, row, lane, [&](unsigned k, Wide) { return turn.points[k]; },
       [&](int4 point, Wide) {
         const float3 d = difference(center, point, turn.unit);
         sum += gaussian_weight(dot(d, d), squared_bandwidth);
       });
     sum = group_sum<lanes_per_sample>(sum);
     if (lane == 0 && is_sample)
-      turn.samples.normals[i].w = last > first ? 1 / (1 + sum / mean_number_of_neighbors) : 1;
+      turn.samples.normals[i].w = row.y > row.x ? 1 / (1 + sum / mean_number_of_neighbors) : 1;
   });
 }
 
@@ -161,8 +161,9 @@ struct Energy_sums
   Wide number_of_active_pairs = 0;
 };
 
-/// Lines 4 and 2 of Algorithm 1 and the start of line 3: weights of the pairs, offsets by Eq. (9), g of Eq. (10), diagonal blocks D, and
-/// r = g, z = D^-1 r. The fourth number of z is beta n^T z, all that neighbors need of z beside itself.
+/// Lines 4 and 2 of Algorithm 1 and the start of line 3: offsets by Eq. (9), g of Eq. (10), diagonal blocks D, and
+/// r = g, z = D^-1 r. The fourth number of z is beta n^T z, all that neighbors need of z beside itself. From here to the end of the turn, the place of the position
+/// holds c_i, and the fit tells where the sample is: the step need not be kept beside them.
 /// \param sums out, of the thread: g^T g and r^T z
 __device__ void linearize(const Turn& turn, Energy_sums& energy, double (&sums)[2])
 {
@@ -170,7 +171,7 @@ __device__ void linearize(const Turn& turn, Energy_sums& energy, double (&sums)[
   const float squared_radius = float(turn.parameters.squared_radius);
   const Wide size = turn.samples.size;
   for_each_sample_of_group(turn.samples.size, [&](unsigned i, unsigned lane, bool is_sample) {
-    const unsigned first = turn.neighbors.offsets[i], last = turn.neighbors.offsets[i + 1];
+    const uint2 row = turn.neighbors.row(turn.points, turn.samples.size, i);
     const int4 center = turn.points[i];
     const float4 own = turn.samples.normals[i], fit = turn.samples.fit[i];
     const float3 n = xyz(own), to_centroid = xyz(fit);
@@ -184,15 +185,13 @@ __device__ void linearize(const Turn& turn, Energy_sums& energy, double (&sums)[
       float4 normal;
     };
     const auto load_other = [&](unsigned k, Wide) { return Other{turn.points[k], turn.samples.normals[k]}; };
-    for_each_pair<2>(turn.neighbors, i, lane, load_other, [&](const Other& loaded, Wide e) {
+    for_each_pair<2>(turn.neighbors, row, lane, load_other, [&](const Other& loaded, Wide) {
       const float3 d = difference(center, loaded.point, turn.unit);
       const float4 other = loaded.normal;
       const float3 nk = xyz(other);
       const float squared_distance = dot(d, d);
       const float a = turn.regularize ? alpha * stretch_weight(squared_distance, squared_radius) * (own.w + other.w)
                                       : 0.f;
-      if (is_sample)
-        turn.arrays.pair_weights[e] = a;
       const float distance_i = dot(n, d), distance_k = dot(nk, d);
       const float offset_i = shrink(distance_i, turn.threshold);
       const float misfit_i = distance_i - offset_i, misfit_k = distance_k - shrink(distance_k, turn.threshold);
@@ -227,7 +226,7 @@ __device__ void linearize(const Turn& turn, Energy_sums& energy, double (&sums)[
 
     g += fit.w * to_centroid;
     weight += fit.w;
-    const float count = float(last - first);
+    const float count = float(row.y - row.x);
     const float upper[6] = {weight + penalty * (xx + count * n.x * n.x), penalty * (xy + count * n.x * n.y),
                             penalty * (xz + count * n.x * n.z),          weight + penalty * (yy + count * n.y * n.y),
                             penalty * (yz + count * n.y * n.z),          weight + penalty * (zz + count * n.z * n.z)};
@@ -236,16 +235,22 @@ __device__ void linearize(const Turn& turn, Energy_sums& energy, double (&sums)[
     const float3 z = solve(block, g);
     turn.arrays.r.set(i, g);
     turn.arrays.z[i] = with_w(z, penalty * dot(n, z));
-    turn.arrays.x.set(i, {0, 0, 0});
+    double* const position = turn.samples.positions + 3 * Wide(i);
+    position[0] += to_centroid.x;
+    position[1] += to_centroid.y;
+    position[2] += to_centroid.z;
     sums[0] += wide_dot(g, g);
     sums[1] += wide_dot(g, z);
   });
 }
 
-/// w = H z, as (Hz)_i = D_i z_i - sum of [a_ik I + beta (n_i n_i^T + n_k n_k^T)] z_k.
+/// s = H z + ratio s, as (Hz)_i = D_i z_i - sum of [a_ik I + beta (n_i n_i^T + n_k n_k^T)] z_k. The weights a_ik are computed anew each time: that takes no longer than
+/// reading them, and they would be as many numbers as the lists of neighbors have.
 /// \param curvature out, of the thread: z^T H z
-__device__ void multiply(const Turn& turn, double& curvature)
+__device__ void multiply(const Turn& turn, bool is_first, float ratio, double& curvature)
 {
+  const float alpha = float(turn.parameters.regularization_weight);
+  const float squared_radius = float(turn.parameters.squared_radius);
   const Wide size = turn.samples.size;
   for_each_sample_of_group(turn.samples.size, [&](unsigned i, unsigned lane, bool is_sample) {
     float3 sum = {0, 0, 0}, product = {0, 0, 0};
@@ -253,14 +258,20 @@ __device__ void multiply(const Turn& turn, double& curvature)
     {
       float4 z;
       float4 normal;
-      float weight;
+      int4 point;
     };
-    const auto load_other = [&](unsigned k, Wide e) {
-      return Other{turn.arrays.z[k], turn.samples.normals[k], turn.arrays.pair_weights[e]};
+    const uint2 row = turn.neighbors.row(turn.points, turn.samples.size, i);
+    const int4 center = turn.points[i];
+    const float own_weight = turn.samples.normals[i].w;
+    const auto load_other = [&](unsigned k, Wide) {
+      return Other{turn.arrays.z[k], turn.samples.normals[k], turn.points[k]};
     };
-    for_each_pair<3>(turn.neighbors, i, lane, load_other, [&](const Other& other, Wide) {
+    for_each_pair<2>(turn.neighbors, row, lane, load_other, [&](const Other& other, Wide) {
+      const float3 d = difference(center, other.point, turn.unit);
+      const float a = turn.regularize ? alpha * stretch_weight(dot(d, d), squared_radius) * (own_weight + other.normal.w)
+                                      : 0.f;
       sum += xyz(other.z);
-      product += other.weight * xyz(other.z) + other.z.w * xyz(other.normal);
+      product += a * xyz(other.z) + other.z.w * xyz(other.normal);
     });
     sum = group_sum<lanes_per_sample>(sum);
     product = group_sum<lanes_per_sample>(product);
@@ -268,26 +279,23 @@ __device__ void multiply(const Turn& turn, double& curvature)
       return;
     const float3 n = xyz(turn.samples.normals[i]), z = xyz(turn.arrays.z[i]);
     const float3 w = multiply(load_block(turn.arrays.blocks, size, i), z) - product - (turn.penalty * dot(n, sum)) * n;
-    turn.arrays.w.set(i, w);
+    turn.arrays.s.set(i, is_first ? w : w + ratio * turn.arrays.s.get(i));
     curvature += wide_dot(z, w);
   });
 }
 
-/// p = z + ratio p, s = H p by the same recurrence, x += step p, r -= step s, z = D^-1 r
+/// p = z + ratio p, x += step p, r -= step s, z = D^-1 r, where x is what the fit has lost
 /// \param sums out, of the thread: r^T r and r^T z
 __device__ void take_step(const Turn& turn, bool is_first, float ratio, float step, double (&sums)[2])
 {
   for_each_sample(turn.samples.size, [&](unsigned i) {
-    float3 p = xyz(turn.arrays.z[i]), s = turn.arrays.w.get(i);
+    float3 p = xyz(turn.arrays.z[i]);
     if (!is_first)
-    {
       p += ratio * turn.arrays.p.get(i);
-      s += ratio * turn.arrays.s.get(i);
-    }
     turn.arrays.p.set(i, p);
-    turn.arrays.s.set(i, s);
-    turn.arrays.x.set(i, is_first ? step * p : turn.arrays.x.get(i) + step * p);
-    const float3 r = turn.arrays.r.get(i) - step * s;
+    const float4 fit = turn.samples.fit[i];
+    turn.samples.fit[i] = with_w(xyz(fit) - step * p, fit.w);
+    const float3 r = turn.arrays.r.get(i) - step * turn.arrays.s.get(i);
     turn.arrays.r.set(i, r);
     const float3 z = solve(load_block(turn.arrays.blocks, turn.samples.size, i), r);
     turn.arrays.z[i] = with_w(z, turn.penalty * dot(xyz(turn.samples.normals[i]), z));
@@ -296,20 +304,17 @@ __device__ void take_step(const Turn& turn, bool is_first, float ratio, float st
   });
 }
 
-/// Moves the samples by x.
+/// Moves the samples to where the fit tells that they are.
 __device__ void move_samples(const Turn& turn)
 {
   for_each_sample(turn.samples.size, [&](unsigned i) {
-    const float3 x = turn.arrays.x.get(i);
     double* const position = turn.samples.positions + 3 * Wide(i);
-    const double3 p = double3{position[0], position[1], position[2]} + to_double(x);
+    const double3 p = double3{position[0], position[1], position[2]} - to_double(xyz(turn.samples.fit[i]));
     position[0] = p.x;
     position[1] = p.y;
     position[2] = p.z;
     const auto fixed = [&](double c) { return int(unsigned(Wide(__double2ll_rn(c * turn.units_per_length)))); };
     turn.points[i] = make_int4(fixed(p.x), fixed(p.y), fixed(p.z), turn.points[i].w);
-    const float4 fit = turn.samples.fit[i];
-    turn.samples.fit[i] = with_w(xyz(fit) - x, fit.w);
   });
 }
 
@@ -359,10 +364,10 @@ __global__ void __launch_bounds__(threads_per_large_block, 2) run_turn(Turn turn
   while (is_finite && squared_residual > squared_limit && iterations < maximum_number_of_iterations)
   {
     double curvature[1] = {0};
-    multiply(turn, curvature[0]);
+    const double ratio = iterations == 0 ? 0 : gamma / last_gamma;
+    multiply(turn, iterations == 0, float(ratio), curvature[0]);
     grid_sum(curvature);
     is_finite = isfinite(curvature[0]);
-    const double ratio = iterations == 0 ? 0 : gamma / last_gamma;
     const double direction_curvature = iterations == 0 ? curvature[0] : curvature[0] - ratio * gamma / last_step;
     // H is positive definite, but near the rounding of its terms a step could go anywhere.
     if (!(direction_curvature > 100. * FLT_EPSILON * gamma))
@@ -400,13 +405,12 @@ unsigned number_of_cooperative_blocks(const Workplace& workplace)
 
 } // namespace
 
-Turn_arrays take_turn_arrays(const Workplace& workplace, unsigned number_of_samples, std::size_t number_of_pairs)
+Turn_arrays take_turn_arrays(const Workplace& workplace, unsigned number_of_samples)
 {
   Device_arena& arena = workplace.scratch;
   Turn_arrays arrays;
-  arrays.pair_weights = arena.take<float>(number_of_pairs);
   arrays.z = arena.take<float4>(number_of_samples);
-  for (Vectors* vectors : {&arrays.w, &arrays.p, &arrays.s, &arrays.x, &arrays.r})
+  for (Vectors* vectors : {&arrays.p, &arrays.s, &arrays.r})
     *vectors = {arena.take<float>(3 * std::size_t(number_of_samples)), number_of_samples};
   arrays.blocks = arena.take<float>(6 * std::size_t(number_of_samples));
   arrays.partial_sums = arena.take<double>(2 * number_of_sums * std::size_t(number_of_cooperative_blocks(workplace)));

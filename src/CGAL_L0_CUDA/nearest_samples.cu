@@ -127,6 +127,116 @@ __global__ void find_nearest(Cell_grid grid, Cell_blocks blocks, const unsigned*
     });
 }
 
+constexpr unsigned threads_of_query = 256;
+
+/// So few samples have a block of threads each, which looks into the cells without help: preparing blocks of candidates around all cells would take longer.
+constexpr unsigned most_single_queries = 2048;
+
+constexpr int largest_reach = 8;
+
+/// Adds up over a block of threads.
+__device__ unsigned sum_over_block(unsigned value)
+{
+  __shared__ unsigned sum;
+  __syncthreads(); // the last sum has been read
+  if (threadIdx.x == 0)
+    sum = 0;
+  __syncthreads();
+  value = group_sum<32>(value);
+  if (threadIdx.x % 32 == 0)
+    atomicAdd(&sum, value);
+  __syncthreads();
+  return sum;
+}
+
+/// One block for each sample that is open, as `find_nearest()`. A sample stays open, too, where the cells to look into reach the outermost ones, whose points may be
+/// further away than fixed-point numbers tell, unless what is there has to do.
+__global__ void __launch_bounds__(threads_of_query)
+  find_nearest_of_few(Cell_grid grid, int reach, const unsigned* places, const unsigned* open, float squared_radius,
+                      bool take_what_is_there, unsigned k, unsigned* nearest, unsigned char* is_open)
+{
+  constexpr unsigned most_rows = (2 * largest_reach + 1) * (2 * largest_reach + 1);
+  __shared__ uint2 ranges[most_rows];
+  __shared__ unsigned number_of_ranges, number_of_candidates;
+  __shared__ Wide candidates[maximum_number_of_candidates + 1 + most_rows]; // squared distance and index, so that they ascend as candidates do
+  const unsigned sample = open ? open[blockIdx.x] : blockIdx.x;
+  const unsigned self = places[sample];
+  const int4 center = grid.points[self];
+  const uint3 cell = grid.frame.cell_of_key(grid.keys[center.w]);
+  const auto is_inside = [&](unsigned place, unsigned size) {
+    return place > unsigned(reach) && place + unsigned(reach) + 1 < size;
+  };
+  const bool is_block_inside = is_inside(cell.x, grid.frame.count[0]) && is_inside(cell.y, grid.frame.count[1])
+                               && is_inside(cell.z, grid.frame.count[2]);
+  if (!is_block_inside && !take_what_is_there)
+    return;
+
+  if (threadIdx.x == 0)
+    number_of_ranges = number_of_candidates = 0;
+  __syncthreads();
+  unsigned size = 0;
+  for (int row = int(threadIdx.x); row < (2 * reach + 1) * (2 * reach + 1); row += int(threads_of_query))
+  {
+    const uint2 range = range_of_row(grid, cell, reach, row);
+    if (range.x < range.y)
+      ranges[atomicAdd(&number_of_ranges, 1u)] = range;
+    size += range.y - range.x;
+  }
+  size = sum_over_block(size);
+  unsigned stride = 1; // as in `Block_center`
+  while (size / stride > maximum_number_of_candidates)
+    stride *= 2;
+  const float unit = grid.frame.unit();
+  for (unsigned r = threadIdx.x / 32; r < number_of_ranges; r += threads_of_query / 32)
+  {
+    const Wide first = (Wide(ranges[r].x) + stride - 1) & ~Wide(stride - 1);
+    for (Wide j = first + threadIdx.x % 32 * Wide(stride); j < ranges[r].y; j += 32 * Wide(stride))
+    {
+      const float3 d = difference(grid.points[j], center, unit);
+      const float squared_distance = dot(d, d);
+      if (j != self && squared_distance < squared_radius)
+        candidates[atomicAdd(&number_of_candidates, 1u)] = Wide(__float_as_uint(squared_distance)) << 32 | grid.order[j];
+    }
+  }
+  __syncthreads();
+  const unsigned count = number_of_candidates;
+  if (count < k && !take_what_is_there)
+    return;
+  if (threadIdx.x == 0)
+    is_open[sample] = 0;
+
+  // So small a ball that it is quick to rank what it holds. The bits of floats that are not negative ascend.
+  const unsigned few = 2 * k + 64;
+  unsigned low = 0, high = __float_as_uint(squared_radius), number_inside = count;
+  unsigned middle = __float_as_uint(squared_radius * fminf(1, float(few) / 2 / float(max(count, 1u))));
+  while (number_inside > few && low < high)
+  {
+    unsigned own_number = 0;
+    for (unsigned c = threadIdx.x; c < count; c += threads_of_query)
+      own_number += unsigned(candidates[c] >> 32) <= middle;
+    const unsigned number = sum_over_block(own_number);
+    if (number >= k)
+    {
+      high = middle;
+      number_inside = number;
+    }
+    else
+      low = middle + 1;
+    middle = low + (high - low) / 2;
+  }
+  for (unsigned c = threadIdx.x; c < count; c += threads_of_query)
+  {
+    const Wide own = candidates[c];
+    if (unsigned(own >> 32) > high)
+      continue;
+    unsigned rank = 0;
+    for (unsigned other = 0; other < count; ++other)
+      rank += candidates[other] < own;
+    if (rank < k)
+      nearest[Wide(sample) * k + rank] = unsigned(own);
+  }
+}
+
 __global__ void invert_order(const unsigned* order, unsigned size, unsigned* places)
 {
   const Wide i = thread_index();
@@ -151,25 +261,42 @@ unsigned* find_nearest_samples(const Workplace& workplace, const double (&low)[3
   unsigned* const places = workplace.scratch.take<unsigned>(m);
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(is_open, 1, m, stream));
   unsigned number_of_open = m;
-  for (int doubling = 0; doubling <= number_of_doublings && number_of_open > 0; doubling += 2)
+  for (int base = 0; base <= number_of_doublings && number_of_open > 0; base += 2)
   {
-    // A grid serves two balls: one as large as a cell, and one of twice that size.
-    const double radius = std::ldexp(spacing_guess, doubling);
+    // A grid serves balls as large as a cell, of twice that size, and larger ones if few samples are left.
+    const double cell_size = std::ldexp(spacing_guess, base);
     const Arena_scope grid_scope(workplace.arena);
     const Positions positions = {samples.positions, m, Frame(), true};
-    const Cell_grid grid = build_grid(positions, nullptr, Cell_frame::around(low, high, radius, 2 * radius),
+    const Cell_grid grid = build_grid(positions, nullptr,
+                                      Cell_frame::around(low, high, cell_size, largest_reach * cell_size),
                                       workplace.arena, workplace.scratch, stream);
     invert_order<<<blocks_for(m), threads_per_block, 0, stream>>>(grid.order, m, places);
     check_launch("invert_order");
-    for (int reach = 1; reach <= 2 && doubling + reach - 1 <= number_of_doublings && number_of_open > 0; ++reach)
+    for (int doubling = base; doubling <= number_of_doublings && number_of_open > 0; ++doubling)
     {
-      const Cell_blocks blocks = find_blocks(grid, grid, reach, maximum_number_of_candidates, workplace.arena, stream);
-      const float squared_radius = float(radius * reach * radius * reach);
-      const unsigned thread_blocks = (number_of_open + warps_per_block - 1) / warps_per_block;
-      find_nearest<<<thread_blocks, 32 * warps_per_block, 0, stream>>>(
-        grid, blocks, places, number_of_open < m ? open : nullptr, number_of_open, squared_radius,
-        doubling + reach - 1 == number_of_doublings, k, nearest, is_open);
-      check_launch("find_nearest");
+      const int reach = 1 << (doubling - base);
+      const bool are_few = number_of_open <= most_single_queries;
+      if (reach > (are_few ? largest_reach : 2))
+        break;
+      const double radius = reach * cell_size;
+      const float squared_radius = float(radius * radius);
+      const bool is_last = doubling == number_of_doublings;
+      const unsigned* const open_or_all = number_of_open < m ? open : nullptr;
+      if (are_few)
+      {
+        find_nearest_of_few<<<number_of_open, threads_of_query, 0, stream>>>(
+          grid, reach, places, open_or_all, squared_radius, is_last, k, nearest, is_open);
+        check_launch("find_nearest_of_few");
+      }
+      else
+      {
+        const Arena_scope blocks_scope(workplace.arena);
+        const Cell_blocks blocks = find_blocks(grid, grid, reach, maximum_number_of_candidates, workplace.arena, stream);
+        const unsigned thread_blocks = (number_of_open + warps_per_block - 1) / warps_per_block;
+        find_nearest<<<thread_blocks, 32 * warps_per_block, 0, stream>>>(
+          grid, blocks, places, open_or_all, number_of_open, squared_radius, is_last, k, nearest, is_open);
+        check_launch("find_nearest");
+      }
       number_of_open = list_flagged(is_open, m, open, workplace.scratch, stream);
     }
   }

@@ -23,8 +23,8 @@ __device__ Plane_fit fit_plane(int4 center, const Cell_grid& grid, const Cell_bl
 {
   const float unit = grid.frame.unit(), squared_radius = radius * radius;
   Moments moments;
-  for_each_candidate(grid, blocks, center, lane, radius, [&](unsigned j) {
-    const float3 d = difference(grid.points[j], center, unit);
+  for_each_candidate(grid, blocks, center, lane, radius, [&](unsigned, const int4& point) {
+    const float3 d = difference(point, center, unit);
     if (dot(d, d) < squared_radius)
       moments.add(d);
   });
@@ -111,15 +111,14 @@ __global__ void filter_normals_kernel(Cell_grid grid, Cell_blocks blocks, float 
   const int4 center = grid.points[query.index];
   const float3 normal = xyz(normals[query.index]);
   float3 sum = {0, 0, 0};
-  for_each_candidate(grid, blocks, center, query.lane, radius, [&](unsigned j) {
-    const float3 d = difference(grid.points[j], center, 1);
+  for_each_candidate(grid, blocks, center, query.lane, radius, [&](unsigned j, const int4& point) {
+    const float3 d = difference(point, center, 1);
     const float squared_distance = dot(d, d);
-    if (squared_distance >= squared_radius)
-      return;
     const float3 other = xyz(normals[j]);
     const float cosine = dot(normal, other);
     const float weight = bilateral_weight(squared_distance, squared_bandwidth, cosine, normal_bandwidth);
-    sum += (cosine == 0 ? 0.f : copysignf(weight, cosine)) * other;
+    const bool counts = (squared_distance < squared_radius) & (cosine != 0);
+    sum += (counts ? copysignf(weight, cosine) : 0.f) * other;
   });
   sum = group_sum<lanes>(sum);
   if (!query.writes)
@@ -139,16 +138,15 @@ __global__ void refit_normals_kernel(Cell_grid grid, Cell_blocks blocks, float r
   const float3 normal = xyz(normals[query.index]);
   const float unit = grid.frame.unit(), squared_radius = radius * radius;
   Moments moments;
-  for_each_candidate(grid, blocks, center, query.lane, radius, [&](unsigned j) {
-    const float3 d = difference(grid.points[j], center, unit);
+  for_each_candidate(grid, blocks, center, query.lane, radius, [&](unsigned j, const int4& point) {
+    const float3 d = difference(point, center, unit);
     const float squared_distance = dot(d, d);
-    if (squared_distance >= squared_radius)
-      return;
     const float3 other = xyz(normals[j]);
     const float cosine = dot(normal, other);
     const float height = symmetric_height(dot(d, normal), copysignf(1, cosine) * dot(d, other));
-    moments.add(d, sheet_weight(squared_distance, squared_bandwidth, cosine, normal_bandwidth, height,
-                                squared_sheet_height));
+    const float weight = sheet_weight(squared_distance, squared_bandwidth, cosine, normal_bandwidth, height,
+                                      squared_sheet_height);
+    moments.add(d, squared_distance < squared_radius ? weight : 0);
   });
   moments.sum_over_group<lanes>();
   if (!query.writes)
@@ -165,13 +163,12 @@ __global__ void sum_up_density(Cell_grid grid, Cell_blocks blocks, float radius,
   const Query query(grid.size);
   const int4 center = grid.points[query.index];
   float count = 0, sum = 0;
-  for_each_candidate(grid, blocks, center, query.lane, radius, [&](unsigned j) {
-    const float3 d = difference(grid.points[j], center, 1);
+  for_each_candidate(grid, blocks, center, query.lane, radius, [&](unsigned, const int4& point) {
+    const float3 d = difference(point, center, 1);
     const float squared_distance = dot(d, d);
-    if (squared_distance >= squared_radius)
-      return;
-    count += 1;
-    sum += gaussian_weight(squared_distance, squared_bandwidth);
+    const bool is_inside = squared_distance < squared_radius;
+    count += is_inside ? 1.f : 0.f;
+    sum += is_inside ? gaussian_weight(squared_distance, squared_bandwidth) : 0.f;
   });
   count = group_sum<lanes>(count);
   sum = group_sum<lanes>(sum);
@@ -193,9 +190,11 @@ __global__ void sum_up_density(Cell_grid grid, Cell_blocks blocks, float radius,
     atomicAdd(total_count, block_count);
 }
 
-__global__ void invert_density(unsigned size, float mean_number_of_neighbors, float4* normals)
+/// \param total_count of the neighbors of all points; null where density shall not count
+__global__ void invert_density(unsigned size, const unsigned long long* total_count, float4* normals)
 {
   const unsigned long long i = thread_index();
+  const float mean_number_of_neighbors = total_count ? float(double(*total_count) / double(size)) : 0;
   if (i < size)
     normals[i].w = mean_number_of_neighbors > 0 ? 1 / (1 + normals[i].w / mean_number_of_neighbors) : 1;
 }
@@ -307,6 +306,12 @@ void refit_normals(const Workplace& workplace, const Cell_grid& grid, const Cell
   check_launch("refit_normals_kernel");
 }
 
+void take_equal_density_weights(const Workplace& workplace, unsigned size, float4* normals)
+{
+  invert_density<<<blocks_for(size), threads_per_block, 0, workplace.stream>>>(size, nullptr, normals);
+  check_launch("invert_density");
+}
+
 void compute_input_density_weights(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks,
                                    double radius, float squared_bandwidth, float4* normals)
 {
@@ -316,9 +321,8 @@ void compute_input_density_weights(const Workplace& workplace, const Cell_grid& 
     grid, blocks, float(radius), in_squared_units(grid, float(radius) * float(radius)),
     in_squared_units(grid, squared_bandwidth), normals, total_count.address());
   check_launch("sum_up_density");
-  const double mean_number_of_neighbors = double(total_count.read()) / double(grid.size);
-  invert_density<<<blocks_for(grid.size), threads_per_block, 0, workplace.stream>>>(
-    grid.size, float(mean_number_of_neighbors), normals);
+  invert_density<<<blocks_for(grid.size), threads_per_block, 0, workplace.stream>>>(grid.size, total_count.address(),
+                                                                                    normals);
   check_launch("invert_density");
 }
 

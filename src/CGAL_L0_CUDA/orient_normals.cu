@@ -42,11 +42,16 @@ struct Sides
 /// Sums over a tree, in fixed point: integers may be added in any order.
 struct Tree_sums
 {
-  long long center[3];
-  long long normal[3];
-  long long flux, largest_flux;
-  unsigned size;
+  long long center_and_size[4];
+  long long sides[7]; // flux and the largest it could be, the normals, and the votes of hints: their sum and that of their absolute values
   unsigned largest_sure_size;
+
+  __device__ long long size() const { return center_and_size[3]; }
+  __device__ long long flux() const { return sides[0]; }
+  __device__ long long largest_flux() const { return sides[1]; }
+  __device__ long long normal(int axis) const { return sides[2 + axis]; }
+  __device__ long long vote() const { return sides[5]; }
+  __device__ long long total_vote() const { return sides[6]; }
 };
 
 /// \param scale units of the fixed-point numbers per length of the frame
@@ -56,102 +61,189 @@ struct Tree_scale
   double units_per_normal;
 };
 
-/// Adds up over the threads of a warp that have the same root, so that a tree's sums are not the bottleneck.
-__device__ void add(long long* sum, long long value, unsigned peers, bool is_leader)
+/// Where the hints of the samples come from, if there are any.
+struct Hints
 {
-  const long long total = peer_sum(peers, value);
-  if (is_leader && total != 0)
-    atomicAdd(reinterpret_cast<Wide*>(sum), Wide(total));
+  bool has_viewpoint;
+  double3 viewpoint;
+  double squared_spacing; // of the samples
+  double least_squared_distance; // of a sample to the viewpoint, and `squared_spacing`: hints are relative to what they are there, and so at most 1 long
+
+  /// As `hint_of_viewpoint()` on the CPU, but for the unit.
+  __device__ double3 operator()(const Samples& samples, Wide i) const
+  {
+    if (samples.hints)
+      return to_double(xyz(samples.hints[i]));
+    if (!has_viewpoint)
+      return {0, 0, 0};
+    const double* const p = samples.positions + 3 * i;
+    const double3 d = {viewpoint.x - p[0], viewpoint.y - p[1], viewpoint.z - p[2]};
+    const double squared_distance = dot(d, d);
+    if (!(squared_distance > 0))
+      return {0, 0, 0};
+    return (fmin(1., least_squared_distance / (squared_distance + squared_spacing)) / sqrt(squared_distance)) * d;
+  }
+};
+
+/// Adds numbers of the samples to the sums of their trees. Most samples are of one tree: those of the tree of a block's first sample are added up over the
+/// block, the others over warps, so that no sum has to wait for many others. For all threads of a block at once.
+/// \param sums called with a root, where its sums are
+template <int count, typename Sums>
+__device__ void add_to_trees(unsigned root, bool is_sample, const long long (&values)[count], const Sums& sums)
+{
+  __shared__ unsigned common_root;
+  __shared__ long long of_warps[threads_per_block / 32][count];
+  if (threadIdx.x == 0)
+    common_root = root;
+  __syncthreads();
+  const bool is_common = is_sample && root == common_root;
+  for (int c = 0; c < count; ++c)
+  {
+    const long long sum = group_sum<32>(is_common ? values[c] : 0ll);
+    if (threadIdx.x % 32 == 0)
+      of_warps[threadIdx.x / 32][c] = sum;
+  }
+  __syncthreads();
+  if (threadIdx.x < count)
+  {
+    long long sum = 0;
+    for (unsigned warp = 0; warp < threads_per_block / 32; ++warp)
+      sum += of_warps[warp][threadIdx.x];
+    if (sum != 0)
+      atomicAdd(reinterpret_cast<Wide*>(sums(common_root) + threadIdx.x), Wide(sum));
+  }
+  const bool is_other = is_sample && !is_common;
+  const unsigned others = __ballot_sync(0xffffffffu, is_other);
+  if (!is_other)
+    return;
+  const unsigned peers = __match_any_sync(others, root);
+  for (int c = 0; c < count; ++c)
+  {
+    const long long sum = peer_sum(peers, values[c]);
+    if (is_leader_of(peers) && sum != 0)
+      atomicAdd(reinterpret_cast<Wide*>(sums(root) + c), Wide(sum));
+  }
 }
 
 __global__ void find_centers(Sides sides, Samples samples, Tree_scale scale, Tree_sums* trees)
 {
   const Wide i = thread_index();
-  if (i >= samples.size)
-    return;
-  const unsigned root = sides.trees[i].target();
-  const unsigned peers = __match_any_sync(__activemask(), root);
-  const bool is_leader = is_leader_of(peers);
-  Tree_sums& tree = trees[root];
-  for (int axis = 0; axis < 3; ++axis)
-    add(&tree.center[axis], __double2ll_rn(samples.positions[3 * i + axis] * scale.units_per_length), peers, is_leader);
-  // once for those that say the same
-  const unsigned sure_size = sides.sure_sizes[i];
-  if (is_leader_of(__match_any_sync(__activemask(), Wide(root) << 32 | sure_size)))
-    atomicMax(&tree.largest_sure_size, sure_size);
-  if (is_leader)
-    atomicAdd(&tree.size, unsigned(__popc(peers)));
+  const bool is_sample = i < samples.size;
+  const unsigned root = is_sample ? sides.trees[i].target() : 0;
+  long long values[4] = {0, 0, 0, 1};
+  for (int axis = 0; axis < 3 && is_sample; ++axis)
+    values[axis] = __double2ll_rn(samples.positions[3 * i + unsigned(axis)] * scale.units_per_length);
+  add_to_trees(root, is_sample, values, [&](unsigned r) { return trees[r].center_and_size; });
+  const unsigned sure_size = is_sample ? sides.sure_sizes[i] : 0;
+  // once for those of a warp that say the same, and not where a larger one has been seen
+  const unsigned peers = __match_any_sync(0xffffffffu, Wide(root) << 32 | sure_size);
+  if (is_sample && is_leader_of(peers) && __ldcg(&trees[root].largest_sure_size) < sure_size)
+    atomicMax(&trees[root].largest_sure_size, sure_size);
 }
 
-__global__ void find_fluxes(Sides sides, Samples samples, Tree_scale scale, Tree_sums* trees, unsigned* number_of_oriented)
+__global__ void find_fluxes(Sides sides, Samples samples, Tree_scale scale, Hints hints, Tree_sums* trees,
+                            unsigned* number_of_oriented)
 {
   const Wide i = thread_index();
-  if (i >= samples.size)
-    return;
-  const Link link = sides.trees[i];
-  const unsigned root = link.target();
-  const unsigned peers = __match_any_sync(__activemask(), root);
-  const bool is_leader = is_leader_of(peers);
-  Tree_sums& tree = trees[root];
-  const double sign = link.is_turned() ? -1 : 1, length = 1 / scale.units_per_length / tree.size;
-  const double3 from_center = {samples.positions[3 * i] - double(tree.center[0]) * length,
-                               samples.positions[3 * i + 1] - double(tree.center[1]) * length,
-                               samples.positions[3 * i + 2] - double(tree.center[2]) * length};
-  const double3 normal = sign * to_double(xyz(samples.normals[i]));
-  add(&tree.flux, __double2ll_rn(dot(normal, from_center) * scale.units_per_length), peers, is_leader);
-  add(&tree.largest_flux, __double2ll_rn(sqrt(dot(from_center, from_center)) * scale.units_per_length), peers, is_leader);
-  add(&tree.normal[0], __double2ll_rn(normal.x * scale.units_per_normal), peers, is_leader);
-  add(&tree.normal[1], __double2ll_rn(normal.y * scale.units_per_normal), peers, is_leader);
-  add(&tree.normal[2], __double2ll_rn(normal.z * scale.units_per_normal), peers, is_leader);
-  const bool is_oriented = tree.size > 1 && sides.sure_sizes[i] == tree.largest_sure_size;
-  const unsigned oriented = __ballot_sync(peers, is_oriented) & peers;
-  if (is_leader && oriented)
-    atomicAdd(number_of_oriented, unsigned(__popc(oriented)));
+  const bool is_sample = i < samples.size;
+  const Link link = is_sample ? sides.trees[i] : Link{0};
+  const Tree_sums& tree = trees[link.target()];
+  long long values[7] = {};
+  bool is_oriented = false;
+  if (is_sample)
+  {
+    const double sign = link.is_turned() ? -1 : 1, length = 1 / scale.units_per_length / double(tree.size());
+    const double3 from_center = {samples.positions[3 * i] - double(tree.center_and_size[0]) * length,
+                                 samples.positions[3 * i + 1] - double(tree.center_and_size[1]) * length,
+                                 samples.positions[3 * i + 2] - double(tree.center_and_size[2]) * length};
+    const double3 normal = sign * to_double(xyz(samples.normals[i]));
+    values[0] = __double2ll_rn(dot(normal, from_center) * scale.units_per_length);
+    values[1] = __double2ll_rn(sqrt(dot(from_center, from_center)) * scale.units_per_length);
+    values[2] = __double2ll_rn(normal.x * scale.units_per_normal);
+    values[3] = __double2ll_rn(normal.y * scale.units_per_normal);
+    values[4] = __double2ll_rn(normal.z * scale.units_per_normal);
+    values[5] = __double2ll_rn(dot(normal, hints(samples, i)) * scale.units_per_normal);
+    values[6] = llabs(values[5]);
+    is_oriented = tree.size() > 1 && sides.sure_sizes[i] == tree.largest_sure_size;
+  }
+  add_to_trees(link.target(), is_sample, values, [&](unsigned r) { return trees[r].sides; });
+  const int count = __syncthreads_count(is_oriented);
+  if (threadIdx.x == 0 && count > 0)
+    atomicAdd(number_of_oriented, unsigned(count));
+}
+
+/// As `Hint_votes::are_clear()` on the CPU.
+__device__ bool is_hinted(const Tree_sums& tree)
+{
+  const double clear_share = 0.1;
+  return tree.total_vote() > 0 && double(llabs(tree.vote())) >= clear_share * double(tree.total_vote());
 }
 
 /// As `is_turned_inwards()` on the CPU.
 __device__ bool is_turned_inwards(const Tree_sums& tree)
 {
   const double rounding = 1e-9;
-  if (fabs(double(tree.flux)) > rounding * double(tree.largest_flux))
-    return tree.flux < 0;
+  if (fabs(double(tree.flux())) > rounding * double(tree.largest_flux()))
+    return tree.flux() < 0;
   int axis = 0;
   for (int other = 1; other < 3; ++other)
-    if (llabs(tree.normal[other]) > llabs(tree.normal[axis]))
+    if (llabs(tree.normal(other)) > llabs(tree.normal(axis)))
       axis = other;
-  return tree.normal[axis] < 0;
+  return tree.normal(axis) < 0;
 }
 
-__global__ void turn_normals(const Link* trees_of_samples, const Tree_sums* trees, Samples samples)
+__global__ void turn_normals(const Link* trees_of_samples, const Tree_sums* trees, Samples samples,
+                             unsigned* number_of_hinted)
 {
   const Wide i = thread_index();
-  if (i >= samples.size)
-    return;
-  const Link link = trees_of_samples[i];
-  if (is_turned_inwards(trees[link.target()]) == link.is_turned())
-    return;
-  const float4 n = samples.normals[i];
-  samples.normals[i] = make_float4(-n.x, -n.y, -n.z, n.w);
+  bool hinted = false;
+  if (i < samples.size)
+  {
+    const Link link = trees_of_samples[i];
+    const Tree_sums& tree = trees[link.target()];
+    hinted = is_hinted(tree);
+    if ((hinted ? tree.vote() < 0 : is_turned_inwards(tree)) != link.is_turned())
+    {
+      const float4 n = samples.normals[i];
+      samples.normals[i] = make_float4(-n.x, -n.y, -n.z, n.w);
+    }
+  }
+  const int count = __syncthreads_count(hinted);
+  if (threadIdx.x == 0 && count > 0)
+    atomicAdd(number_of_hinted, unsigned(count));
+}
+
+/// The square of the distance of a point to a box.
+double squared_distance_to_box(const double (&low)[3], const double (&high)[3], const double* point)
+{
+  double sum = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double distance = (std::max)({low[axis] - point[axis], point[axis] - high[axis], 0.});
+    sum += distance * distance;
+  }
+  return sum;
 }
 
 } // namespace
 
-double orient_normals(const Workplace& workplace, const double (&low)[3], const double (&high)[3],
-                      unsigned number_of_neighbors, double spacing, const Samples& samples)
+Orientation orient_normals(const Workplace& workplace, const double (&low)[3], const double (&high)[3],
+                           unsigned number_of_neighbors, double spacing, const double* viewpoint, const Samples& samples)
 {
   const unsigned m = samples.size;
   const cudaStream_t stream = workplace.stream;
   const Arena_scope arena_scope(workplace.arena), scratch_scope(workplace.scratch);
-  Link* const roots = workplace.arena.take<Link>(m);
-  unsigned* const sure_sizes = workplace.arena.take<unsigned>(m);
+  if (m > maximum_number_of_linked_samples)
+    throw Failure(Status::OUT_OF_MEMORY, "more than 2^31 - 1 samples");
+  // in the place of the fit, which is not needed any more
+  static_assert(sizeof(*samples.fit) >= 3 * sizeof(Link) + sizeof(unsigned), "the fit has no room for so much");
+  Link *const roots = reinterpret_cast<Link*>(samples.fit), *const faces = roots + m, *const parts = faces + m;
+  unsigned* const sure_sizes = reinterpret_cast<unsigned*>(parts + m);
   {
     const Arena_scope graph_scope(workplace.arena), voting_scope(workplace.scratch);
-    const unsigned* const nearest = find_nearest_samples(workplace, low, high, number_of_neighbors,
-                                                         spacing * std::sqrt(double(number_of_neighbors) / 2), samples);
-    const Graph graph = {m,       number_of_neighbors,
-                         nearest, workplace.arena.take<unsigned short>(Wide(m) * number_of_neighbors),
-                         samples, float(spacing * spacing)};
-    Link *const faces = workplace.arena.take<Link>(m), *const parts = workplace.arena.take<Link>(m);
+    unsigned* const nearest = find_nearest_samples(workplace, low, high, number_of_neighbors,
+                                                   spacing * std::sqrt(double(number_of_neighbors) / 2), samples);
+    const Graph graph = {m, number_of_neighbors, nearest, samples, float(spacing * spacing)};
     const unsigned number_of_edges = grow_forest(workplace, graph, faces);
 
     // As on the CPU: the votes join faces to parts and parts to trees, unless the fields of faces and parts know better.
@@ -192,14 +284,21 @@ double orient_normals(const Workplace& workplace, const double (&low)[3], const 
   const Sides sides = {roots, sure_sizes};
   Tree_sums* const trees = workplace.scratch.take<Tree_sums>(m);
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(trees, 0, m * sizeof(Tree_sums), stream));
-  const Device_counter<unsigned> number_of_oriented(workplace);
+  Hints hints = {viewpoint != nullptr, {0, 0, 0}, spacing * spacing, 0};
+  if (viewpoint)
+  {
+    hints.viewpoint = {viewpoint[0], viewpoint[1], viewpoint[2]};
+    hints.least_squared_distance = squared_distance_to_box(low, high, viewpoint) + hints.squared_spacing;
+  }
+  const Device_counter<uint2> numbers(workplace); // of those oriented, and hinted
   find_centers<<<blocks_for(m), threads_per_block, 0, stream>>>(sides, samples, scale, trees);
   check_launch("find_centers");
-  find_fluxes<<<blocks_for(m), threads_per_block, 0, stream>>>(sides, samples, scale, trees, number_of_oriented.address());
+  find_fluxes<<<blocks_for(m), threads_per_block, 0, stream>>>(sides, samples, scale, hints, trees, &numbers.address()->x);
   check_launch("find_fluxes");
-  turn_normals<<<blocks_for(m), threads_per_block, 0, stream>>>(roots, trees, samples);
+  turn_normals<<<blocks_for(m), threads_per_block, 0, stream>>>(roots, trees, samples, &numbers.address()->y);
   check_launch("turn_normals");
-  return double(number_of_oriented.read()) / m;
+  const uint2 counts = numbers.read();
+  return {double(counts.x) / m, double(counts.y) / m};
 }
 
 } // namespace cuda

@@ -18,13 +18,16 @@ namespace cuda {
 
 using Wide = unsigned long long;
 
+/// Samples that links can tell apart.
+constexpr unsigned maximum_number_of_linked_samples = (1u << 31) - 1;
+
 /// What has to turn for `i` to fit `target`: the target's index, and whether the signs differ. One word, so that it is read and written at once.
 struct Link
 {
-  Wide word;
+  unsigned word;
 
-  __device__ static Link to(unsigned target, bool is_turned) { return {Wide(target) << 1 | Wide(is_turned)}; }
-  __device__ unsigned target() const { return unsigned(word >> 1); }
+  __device__ static Link to(unsigned target, bool is_turned) { return {target << 1 | unsigned(is_turned)}; }
+  __device__ unsigned target() const { return word >> 1; }
   __device__ bool is_turned() const { return word & 1; }
 };
 
@@ -38,34 +41,35 @@ __device__ inline Link operator+(Link first, Link second)
 __device__ inline Link load(const Link* link) { return {__ldcg(&link->word)}; }
 __device__ inline void store(Link* link, Link value) { __stcg(&link->word, value.word); }
 
+/// Set in what sample i lists as a neighbor: that sample lists i too, and has the pair for both. It is set where there is nobody, too.
+constexpr unsigned is_listed_by_other = 1u << 31;
+
 /// The graph of nearest neighbors: edge `i k + e` leads from sample i to its e-th neighbor.
 struct Graph
 {
   unsigned size;
   unsigned k;
-  const unsigned* nearest;
-  unsigned short* grades; // step, 0 for the surest edges; lowest bit: whether the normals disagree; or `doubtful`
+  unsigned* nearest; // with the bit `is_listed_by_other` once the forest has grown
   Samples samples;
   float squared_spacing;
+
+  __device__ unsigned neighbor(Wide edge) const { return nearest[edge] & ~is_listed_by_other; }
 };
 
-/// Calls `f(other)` for the neighbors of sample i in other sets, for each pair once.
+/// Threads that share the edges of a sample.
+constexpr unsigned lanes_of_edges = 4;
+
+/// Calls `f(i, other)` for each pair of neighbors once.
+/// \param thread of `number_of_threads` that share the work
 template <typename F>
-__device__ void for_each_edge_between_sets(const Graph& graph, const Link* sets, Wide i, const F& f)
+__device__ void for_each_pair_of_neighbors(const Graph& graph, Wide thread, Wide number_of_threads, const F& f)
 {
-  const unsigned root = load(sets + i).target();
-  for (Wide edge = i * graph.k; edge < (i + 1) * graph.k; ++edge)
+  for (Wide t = thread; t < Wide(graph.size) * lanes_of_edges; t += number_of_threads)
   {
-    const unsigned other = graph.nearest[edge];
-    if (other == nobody)
-      break;
-    if (load(sets + other).target() == root)
-      continue;
-    bool is_other_way_round = false; // in the list of the other sample too: the lower one has it
-    for (unsigned e = 0; e < graph.k && other < i; ++e)
-      is_other_way_round = is_other_way_round || graph.nearest[Wide(other) * graph.k + e] == i;
-    if (!is_other_way_round)
-      f(other);
+    const unsigned i = unsigned(t / lanes_of_edges);
+    for (unsigned e = t % lanes_of_edges; e < graph.k; e += lanes_of_edges)
+      if (const unsigned other = graph.nearest[Wide(i) * graph.k + e]; other < is_listed_by_other)
+        f(i, other);
   }
 }
 
@@ -102,7 +106,7 @@ __device__ inline Link follow(const Link* hooks, Link link)
   }
 }
 
-/// In place of the best edge or vote of a root.
+/// In place of the best edge of a root.
 constexpr Wide nothing = ~Wide(0);
 
 /// Rounds of joining: each halves the sets that can be joined, at least.
@@ -113,7 +117,7 @@ constexpr unsigned maximum_number_of_rounds = 80;
 void launch_cooperatively(const Workplace& workplace, void* kernel, unsigned long long size, unsigned threads,
                           int most_blocks, void** arguments);
 
-/// Grades the edges, and joins the samples over those beyond doubt.
+/// Grades the edges, marks the pairs that are listed twice, and joins the samples over those beyond doubt.
 /// \param faces out: the root of each sample
 /// \returns the number of edges between different sets; waits for the device
 unsigned grow_forest(const Workplace& workplace, const Graph& graph, Link* faces);
@@ -141,24 +145,27 @@ struct Vote
 /// How far the rounds are.
 struct Voting_state
 {
-  unsigned table;           // which one holds the votes
+  unsigned has_table;       // whether the votes are in a table, and need not be counted from the edges any more
+  unsigned table;           // which one holds them
   unsigned number_of_slots; // of it
   unsigned round;
   unsigned is_changed[2 * maximum_number_of_rounds];
   unsigned counts[2 * maximum_number_of_rounds + 1]; // of votes, at the beginning of each round
 };
 
-/// The votes of the edges between sets, in hash tables, and who was joined by them.
+/*!
+The votes of the edges between sets, in hash tables, and who was joined by them. There may be several times as many votes as samples at first, and a fraction of that a few
+rounds later. So the first rounds count them from the edges, a part at a time if there is no room for all; once they fit into a table, rounds pass them on from one table to another.
+*/
 class Voting
 {
   const Workplace& m_workplace;
   const Graph& m_graph;
-  unsigned m_number_of_edges, m_number_of_slots;
+  unsigned m_number_of_edges, m_slots_of_table;
   const Link* m_sets = nullptr; // before any was joined
+  Vote* m_slots;                // of two tables
   Link* m_hooks;                // of each root: where it was hooked to
   Wide* m_best;                 // of each root: the vote that it joins another set by
-  long long* m_best_votes;      // of each root: the largest absolute agreement with another set
-  Vote* m_tables[2];            // of a round, and of the next
   Voting_state* m_state;
 
 public:

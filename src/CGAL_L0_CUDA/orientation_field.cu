@@ -127,7 +127,7 @@ __global__ void number_sets(Field field, const Link* trees)
   const unsigned root = field.roots_of_dipoles[k];
   unsigned set = 0;
   for (unsigned other = threadIdx.x % 32; other < field.number_of_dipoles; other += 32)
-    set += unsigned(field.stands_for_set[other] && field.roots_of_dipoles[other] < root);
+    set += unsigned(field.stands_for_set[other]) & unsigned(field.roots_of_dipoles[other] < root);
   set = group_sum<32>(set);
   if (threadIdx.x % 32 != 0)
     return;
@@ -174,9 +174,9 @@ __global__ void add_dipoles(Field field)
     {
       const Dipole& b = field.dipoles[k];
       const double3 d = {b.position.x - a.position.x, b.position.y - a.position.y, b.position.z - a.position.z};
-      const double squared_distance = dot(d, d) + field.area;
-      const double agreement = (dot(a.normal, b.normal) - 3 * dot(a.normal, d) * dot(b.normal, d) / squared_distance)
-                               / (squared_distance * sqrt(squared_distance)) * field.area * field.area / field.spacing;
+      const double squared_distance = dot(d, d) + field.area, inverse = rsqrt(squared_distance);
+      const double agreement = (dot(a.normal, b.normal) - 3 * dot(a.normal, d) * dot(b.normal, d) * (inverse * inverse))
+                               * (inverse * inverse * inverse) * (field.area * field.area / field.spacing);
       set = b.set;
       if (isfinite(agreement))
         units = __double2ll_rn(agreement * units_per_vote);
@@ -197,16 +197,11 @@ __global__ void add_dipoles(Field field)
 
 __global__ void add_votes_between_sets(Field field, Graph graph, const Link* sets)
 {
-  const Wide i = thread_index();
-  if (i >= graph.size)
-    return;
-  const Link a = sets[i];
-  const unsigned set_a = field.set_of_root[a.target()];
-  if (set_a == no_set)
-    return;
-  for_each_edge_between_sets(graph, sets, i, [&](unsigned other) {
-    const Link b = sets[other];
-    const unsigned set_b = field.set_of_root[b.target()];
+  for_each_pair_of_neighbors(graph, thread_index(), Wide(gridDim.x) * blockDim.x, [&](unsigned i, unsigned other) {
+    const Link a = sets[i], b = sets[other];
+    if (a.target() == b.target())
+      return;
+    const unsigned set_a = field.set_of_root[a.target()], set_b = field.set_of_root[b.target()];
     if (!field.are_of_one_tree(set_a, set_b))
       return;
     const double agreement = agreement_of(graph, i, other);
@@ -360,7 +355,7 @@ bool join_by_field(const Workplace& workplace, const Graph& graph, const Link* t
   check_launch("find_trees_of_dipoles");
   add_dipoles<<<number_of_dipoles, threads_per_block, 0, stream>>>(field);
   check_launch("add_dipoles");
-  add_votes_between_sets<<<blocks_for(m), threads_per_block, 0, stream>>>(field, graph, sets);
+  add_votes_between_sets<<<blocks_for(Wide(m) * lanes_of_edges), threads_per_block, 0, stream>>>(field, graph, sets);
   check_launch("add_votes_between_sets");
   turn_sets<<<1, threads_of_turning_block, 0, stream>>>(field, number_of_turns.address());
   check_launch("turn_sets");

@@ -39,18 +39,17 @@ __global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_b
   const float unit = grid.frame.unit(), radius = fit.radius, squared_radius = radius * radius;
   float sum = 0, height = 0;
   float3 offset_sum = {0, 0, 0}, normal_sum = {0, 0, 0};
-  for_each_candidate(grid, blocks, center, query.lane, radius, [&](unsigned j) {
-    const float3 d = difference(grid.points[j], center, unit);
+  for_each_candidate(grid, blocks, center, query.lane, radius, [&](unsigned j, const int4& point) {
+    const float3 d = difference(point, center, unit);
     const float squared_distance = dot(d, d);
-    if (squared_distance >= squared_radius)
-      return;
     const float4 other = normals[j];
     const float cosine = dot(xyz(other), normal);
     const float sign = copysignf(1, cosine);
     const float h = symmetric_height(dot(d, normal), sign * dot(d, xyz(other)));
-    const float weight = other.w
-                         * sheet_weight(squared_distance, fit.squared_bandwidth, cosine, fit.normal_bandwidth, h,
-                                        fit.squared_sheet_height);
+    const float of_sheet = other.w
+                           * sheet_weight(squared_distance, fit.squared_bandwidth, cosine, fit.normal_bandwidth, h,
+                                          fit.squared_sheet_height);
+    const float weight = squared_distance < squared_radius ? of_sheet : 0;
     sum += weight;
     height += weight * h;
     offset_sum += weight * d;
@@ -89,6 +88,8 @@ __global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_b
 struct Push
 {
   float squared_bandwidth, strength, maximum_step;
+  float spacing; // of an even set
+  double radius; // of the fit
 };
 
 /// One step of `repel_tangentially()` on the CPU.
@@ -100,10 +101,18 @@ __global__ void repel(Cell_frame frame, Neighbor_lists neighbors, Push push_rule
   const float unit = frame.unit();
   const int4 center = points[i];
   float3 push = {0, 0, 0};
-  for (unsigned e = neighbors.offsets[i] + query.lane; e < neighbors.offsets[i + 1]; e += lanes)
+  const uint2 row = neighbors.row(points, samples.size, i);
+  for (Wide e = Wide(row.x) + query.lane; e < row.y; e += lanes)
   {
-    const float3 d = difference(center, points[neighbors.indices[e]], unit);
-    push += (push_rule.strength * gaussian_weight(dot(d, d), push_rule.squared_bandwidth)) * d;
+    const unsigned k = neighbors.indices[e];
+    const float3 d = difference(center, points[k], unit);
+    float squared_distance = dot(d, d);
+    if (samples.spacings)
+    {
+      const float scale = 2 * push_rule.spacing / (samples.spacings[i] + samples.spacings[k]);
+      squared_distance *= scale * scale;
+    }
+    push += (push_rule.strength * gaussian_weight(squared_distance, push_rule.squared_bandwidth)) * d;
   }
   push = group_sum<lanes>(push);
   if (!query.writes)
@@ -112,8 +121,10 @@ __global__ void repel(Cell_frame frame, Neighbor_lists neighbors, Push push_rule
   push -= dot(normal, push) * normal;
   push -= fmaxf(dot(outward, push), 0) * outward;
   const float length = sqrtf(dot(push, push));
-  if (length > push_rule.maximum_step)
-    push = (push_rule.maximum_step / length) * push;
+  const float maximum_step = samples.spacings ? float(Repulsion(samples.spacings[i], push_rule.radius).maximum_step)
+                                              : push_rule.maximum_step;
+  if (length > maximum_step)
+    push = (maximum_step / length) * push;
   double* const position = samples.positions + 3 * Wide(i);
   const double3 p = double3{position[0], position[1], position[2]} + to_double(push);
   position[0] = p.x;
@@ -154,7 +165,8 @@ void repel_tangentially(const Workplace& workplace, const Cell_grid& sample_grid
                         double spacing, double radius, std::size_t number_of_steps, const Samples& samples)
 {
   const Repulsion repulsion(spacing, radius);
-  const Push push = {float(repulsion.squared_bandwidth), float(repulsion.strength), float(repulsion.maximum_step)};
+  const Push push = {float(repulsion.squared_bandwidth), float(repulsion.strength), float(repulsion.maximum_step),
+                     float(spacing), radius};
   const Arena_scope scope(workplace.scratch);
   int4 *points = sample_grid.points, *moved = workplace.scratch.take<int4>(samples.size);
   for (std::size_t step = 0; step < number_of_steps; ++step)

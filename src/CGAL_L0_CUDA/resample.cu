@@ -52,21 +52,25 @@ std::vector<double> penalties(const Parameters& parameters)
 }
 
 /// Bytes for n points and m samples with as many neighbors as is usual; what is missing is added on the way, once.
-std::size_t estimate_memory(std::size_t n, std::size_t m, bool is_default, bool drops_outliers)
+std::size_t estimate_memory(std::size_t n, std::size_t m, const Parameters& parameters, bool has_hints)
 {
-  const std::size_t slack = std::size_t(1) << 20;
-  const std::size_t of_samples = (is_default ? 72 : 56) * m, of_outliers = drops_outliers ? 4 * n : 0;
+  const bool is_default = parameters.method == Method::DEFAULT;
+  const std::size_t slack = std::size_t(1) << 20, of_outliers = parameters.drop_outliers ? 4 * n : 0;
+  // positions, normals and fit; what the default method adds; and what parameters ask for
+  const std::size_t of_samples =
+    (56 + (is_default ? 16 : 0) + (is_default && parameters.keep_density ? 4 : 0) + (has_hints ? 16 : 0)) * m;
   // points with their cells, and normals
   const std::size_t of_points = of_outliers + 24 * n + 16 * n;
-  const std::size_t of_sorting = of_outliers + 24 * n + 60 * n;
+  const std::size_t of_sorting = of_outliers + 24 * n + 76 * n;
   const std::size_t of_filtering = of_points + 16 * n + (is_default ? 20 : 10) * n;
-  const std::size_t of_start = of_points + 24 * n + 16 * m;
+  const std::size_t of_start = of_points + 24 * n + 16 * m + (has_hints ? 12 * n : 0);
   const std::size_t of_sample_grid = 26 * m;
-  const std::size_t of_neighbors = is_default ? 100 * m : 64 * m; // with the weights of pairs twice as much
-  const std::size_t of_sorting_samples = (is_default ? of_points : 0) + of_sample_grid + 60 * m;
+  const std::size_t of_neighbors = is_default ? 100 * m : 64 * m;
+  const std::size_t of_sorting_samples = (is_default ? of_points : 0) + of_sample_grid + 76 * m;
   const std::size_t of_fit = of_points + of_sample_grid + 10 * m;
-  const std::size_t of_minimization = (is_default ? of_points : 0) + of_sample_grid + 2 * of_neighbors + 104 * m;
-  const std::size_t of_orientation = 170 * m;
+  const std::size_t of_minimization = (is_default ? of_points + of_sample_grid : 16 * m) + of_neighbors + 80 * m;
+  const std::size_t k = parameters.number_of_orientation_neighbors;
+  const std::size_t of_orientation = 4 * k * m + (std::max)(118 * m, 2 * k * m + 12 * m); // votes, or grades of the edges
   return slack + of_samples
          + (std::max)({of_sorting, of_filtering, of_start, of_sorting_samples, of_fit, of_minimization, of_orientation});
 }
@@ -82,6 +86,7 @@ struct Call
   Minimization minimization;
   std::vector<double> penalties;
   Turn_result* turn_results;                 // on the device, one for each penalty
+  unsigned* number_of_lonely_samples;        // on the device; LOR and ALOR only
   std::vector<std::size_t> numbers_of_pairs; // of self neighbors, one for each penalty
   Samples samples;
 
@@ -90,10 +95,10 @@ struct Call
   Positions sample_positions() const { return {samples.positions, samples.size, Frame(), true}; }
 
   /// Sorts the samples into cells, and puts them in that order.
-  Cell_grid sort_samples(const Cell_frame& frame)
+  /// \param arena takes the arrays of the grid
+  Cell_grid sort_samples(const Cell_frame& frame, Device_arena& arena, Device_arena& scratch)
   {
-    const Cell_grid grid = build_grid(sample_positions(), nullptr, frame, workplace.arena, workplace.scratch,
-                                      workplace.stream);
+    const Cell_grid grid = build_grid(sample_positions(), nullptr, frame, arena, scratch, workplace.stream);
     reorder(workplace, grid.order, samples);
     return grid;
   }
@@ -110,6 +115,7 @@ struct Input
   Positions positions;
   const float* normals; // of them; null if none were given
   bool all_normals_given;
+  const float* hints; // of them; null if none were given
 };
 
 /// Leaves outliers out, if that is asked for.
@@ -117,7 +123,8 @@ Input take_input(Session& session, Call& call)
 {
   const Workplace& workplace = call.workplace;
   const Lengths& lengths = call.lengths;
-  Input input = {{session.points, session.size, lengths.frame, false}, session.normals, session.all_normals_given};
+  Input input = {
+    {session.points, session.size, lengths.frame, false}, session.normals, session.all_normals_given, session.hints};
   if (!call.parameters.drop_outliers)
     return input;
   call.stages.begin("find outliers", 0.05);
@@ -129,13 +136,18 @@ Input take_input(Session& session, Call& call)
   {
     input.positions.size -= number_of_outliers;
     input.positions.list = kept;
+    const auto taken = [&](const float* vectors) {
+      float* const kept_vectors = workplace.arena.take<float>(3 * std::size_t(input.positions.size));
+      take_listed(workplace, vectors, kept, input.positions.size, kept_vectors);
+      return kept_vectors;
+    };
     if (session.normals)
     {
-      float* const normals = workplace.arena.take<float>(3 * std::size_t(input.positions.size));
-      take_listed(workplace, session.normals, kept, input.positions.size, normals);
-      input.normals = normals;
-      input.all_normals_given = session.all_normals_given || !has_zero(workplace, normals, input.positions.size);
+      input.normals = taken(session.normals);
+      input.all_normals_given = session.all_normals_given || !has_zero(workplace, input.normals, input.positions.size);
     }
+    if (session.hints)
+      input.hints = taken(session.hints);
   }
   call.stages.begin("sort points", 0.05);
   return input;
@@ -207,13 +219,16 @@ Prepared_points prepare_points(Call& call, const Input& input)
                                        cudaMemcpyDeviceToDevice, workplace.stream));
 
   call.stages.begin("density weights", 0.08);
-  compute_input_density_weights(workplace, points.grid, filter_blocks, lengths.filter_radius, squared_bandwidth,
-                                points.normals);
+  if (parameters.keep_density && parameters.method != Method::DEFAULT)
+    take_equal_density_weights(workplace, points.grid.size, points.normals);
+  else
+    compute_input_density_weights(workplace, points.grid, filter_blocks, lengths.filter_radius, squared_bandwidth,
+                                  points.normals);
   return points;
 }
 
 /// Section 3.2: the first S. The default method spreads it by area, which tells its spacing.
-void choose_samples(Call& call, const Positions& positions, const Prepared_points& points)
+void choose_samples(Call& call, const Input& input, const Prepared_points& points)
 {
   const Workplace& workplace = call.workplace;
   Lengths& lengths = call.lengths;
@@ -227,8 +242,10 @@ void choose_samples(Call& call, const Positions& positions, const Prepared_point
                             area_radius_factor * (std::max)(lengths.radius, lengths.filter_radius));
     lengths.set_sample_spacing(std::sqrt(areas.total / double(call.samples.size)));
   }
-  initialize_samples(workplace, positions, points.grid, points.normals, is_default ? &areas : nullptr, lengths.radius,
-                     call.parameters.random_seed, call.samples);
+  const Sources_of_samples sources = {points.normals, is_default ? &areas : nullptr, !call.parameters.keep_density,
+                                      input.hints};
+  initialize_samples(workplace, input.positions, points.grid, sources, lengths.radius, call.parameters.random_seed,
+                     call.samples);
 }
 
 /// Section 3.2: the fit term of LOR and ALOR, collapsed.
@@ -242,8 +259,8 @@ void fit_to_all_points(Call& call, const Prepared_points& points)
   const Cell_blocks blocks = find_blocks(sample_grid, points.grid,
                                          cells_in_reach(call.lengths.radius, call.lengths.cell_size),
                                          maximum_number_of_candidates, workplace.arena, workplace.stream);
-  call.report.number_of_lonely_samples = collapse_fit_term(workplace, sample_grid, blocks, points.grid, points.normals,
-                                                           call.lengths.radius, call.samples);
+  collapse_fit_term(workplace, sample_grid, blocks, points.grid, points.normals, call.lengths.radius, call.samples,
+                    call.number_of_lonely_samples);
 }
 
 /// Section 3.3: Algorithm 1, with the self neighbors of the start.
@@ -251,19 +268,30 @@ void minimize_alternatingly(Call& call)
 {
   const Workplace& workplace = call.workplace;
   call.stages.begin("self neighbors", 0.03);
-  const Cell_grid grid = call.sort_samples(
-    call.self_frame((std::max)(call.lengths.self_neighbor_radius, call.lengths.smallest_cell_size)));
-  const Neighbor_lists neighbors = find_self_neighbors(workplace, grid, call.lengths.self_neighbor_radius);
+  const Arena_scope arena_scope(workplace.arena);
+  // Of the grid only the points are needed any further.
+  Cell_grid points;
+  points.size = call.samples.size;
+  points.frame = call.self_frame((std::max)(call.lengths.self_neighbor_radius, call.lengths.smallest_cell_size));
+  points.points = workplace.arena.take<int4>(points.size);
+  Neighbor_lists neighbors;
+  {
+    const Arena_scope grid_scope(workplace.scratch);
+    const Cell_grid grid = call.sort_samples(points.frame, workplace.scratch, workplace.arena);
+    neighbors = find_self_neighbors(workplace, grid, call.lengths.self_neighbor_radius);
+    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(points.points, grid.points, points.size * sizeof(int4), cudaMemcpyDeviceToDevice,
+                                       workplace.stream));
+  }
   call.report.number_of_self_neighbor_pairs = neighbors.number_of_pairs;
   call.numbers_of_pairs.assign(call.penalties.size(), neighbors.number_of_pairs);
 
   call.stages.begin("L0 minimization", 0.12);
   const Arena_scope scope(workplace.scratch);
-  const Turn_arrays arrays = take_turn_arrays(workplace, call.samples.size, neighbors.number_of_pairs);
+  const Turn_arrays arrays = take_turn_arrays(workplace, call.samples.size);
   for (std::size_t i = 0; i < call.penalties.size(); ++i)
   {
     const bool regularize = call.parameters.method != Method::ALOR || i % 2 == 0;
-    minimize_once(workplace, call.minimization, call.penalties[i], regularize, neighbors, grid, call.samples, arrays,
+    minimize_once(workplace, call.minimization, call.penalties[i], regularize, neighbors, points, call.samples, arrays,
                   call.last_turn_result(i), call.turn_results + i);
     call.stages.ask(double(i + 1) / double(call.penalties.size()));
   }
@@ -295,7 +323,7 @@ void minimize_with_refinement(Call& call, const Prepared_points& points)
   for (std::size_t i = 0; i < call.penalties.size(); ++i)
   {
     const Arena_scope scope(workplace.arena);
-    const Cell_grid grid = call.sort_samples(self_frame);
+    const Cell_grid grid = call.sort_samples(self_frame, workplace.arena, workplace.scratch);
     if (one_grid_is_enough)
       fit(grid, true);
     else
@@ -305,7 +333,7 @@ void minimize_with_refinement(Call& call, const Prepared_points& points)
     call.numbers_of_pairs.push_back(neighbors.number_of_pairs);
     {
       const Arena_scope turn_scope(workplace.scratch);
-      const Turn_arrays arrays = take_turn_arrays(workplace, call.samples.size, neighbors.number_of_pairs);
+      const Turn_arrays arrays = take_turn_arrays(workplace, call.samples.size);
       minimize_once(workplace, call.minimization, call.penalties[i], true, neighbors, grid, call.samples, arrays,
                     call.last_turn_result(i), call.turn_results + i);
     }
@@ -323,7 +351,7 @@ void run(Session& session, const Parameters& parameters, Stages& stages, Call_re
 {
   const unsigned n = session.size, m = unsigned(parameters.number_of_output_points);
   const bool is_default = parameters.method == Method::DEFAULT;
-  session.reserve(estimate_memory(n, m, is_default, parameters.drop_outliers));
+  session.reserve(estimate_memory(n, m, parameters, session.hints != nullptr));
   const Workplace workplace = session.workplace();
 
   stages.begin("sort points", 0.05);
@@ -344,16 +372,19 @@ void run(Session& session, const Parameters& parameters, Stages& stages, Call_re
                 sparsity_unit_factor * lengths.radius, parameters.normal_weight, parameters.regularization_weight},
                penalties(parameters),
                nullptr,
+               nullptr,
                {},
                Samples()};
   std::vector<Turn_result> results(call.penalties.size());
   call.turn_results = session.arena.take<Turn_result>(results.size());
-  call.samples = take_samples(session.arena, m, is_default);
+  call.number_of_lonely_samples = session.arena.take<unsigned>(1);
+  call.samples = take_samples(session.arena, m,
+                              {is_default, is_default && parameters.keep_density, session.hints != nullptr});
   {
     const Arena_scope points_scope(session.arena);
     const Input input = take_input(session, call);
     const Prepared_points points = prepare_points(call, input);
-    choose_samples(call, input.positions, points);
+    choose_samples(call, input, points);
     if (is_default)
       minimize_with_refinement(call, points);
     else
@@ -361,15 +392,22 @@ void run(Session& session, const Parameters& parameters, Stages& stages, Call_re
   }
   if (!is_default)
     minimize_alternatingly(call);
+  stages.begin("orient normals", 0.1);
+  double viewpoint[3];
+  for (int axis = 0; axis < 3; ++axis)
+    viewpoint[axis] = lengths.frame.enter_clamped(parameters.viewpoint[axis], axis);
+  const Orientation orientation =
+    orient_normals(workplace, lengths.low, lengths.high, unsigned(parameters.number_of_orientation_neighbors),
+                   call.lengths.sample_spacing, parameters.has_viewpoint ? viewpoint : nullptr, call.samples);
+  report.oriented_share = orientation.oriented_share;
+  report.hinted_share = orientation.hinted_share;
+  leave_frame(workplace, lengths.frame, call.samples);
+  // not before: the device would have nothing to do while the host takes them
   CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(results.data(), call.turn_results, results.size() * sizeof(Turn_result),
                                      cudaMemcpyDeviceToHost, session.stream));
-
-  stages.begin("orient normals", 0.1);
-  report.oriented_share = orient_normals(workplace, lengths.low, lengths.high,
-                                         unsigned(parameters.number_of_orientation_neighbors),
-                                         call.lengths.sample_spacing, call.samples);
-  leave_frame(workplace, lengths.frame, call.samples);
   stages.end();
+  if (!is_default)
+    report.number_of_lonely_samples = session.scratch.read(call.number_of_lonely_samples, session.stream);
 
   session.iterations.clear();
   for (std::size_t i = 0; i < results.size(); ++i)

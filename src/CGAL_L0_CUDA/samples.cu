@@ -6,6 +6,8 @@
 #include "Query.cuh"
 #include "stages.cuh"
 
+#include <type_traits>
+
 namespace CGAL {
 namespace L0_resampling {
 namespace internal {
@@ -23,11 +25,9 @@ __global__ void collapse(Cell_grid sample_grid, Cell_blocks blocks, Cell_grid gr
   const float unit = grid.frame.unit(), squared_radius = radius * radius;
   float weight_sum = 0;
   float3 sum = {0, 0, 0};
-  for_each_candidate(grid, blocks, center, query.lane, radius, [&](unsigned j) {
-    const float3 d = difference(grid.points[j], center, unit);
-    if (dot(d, d) >= squared_radius)
-      return;
-    const float weight = normals[j].w;
+  for_each_candidate(grid, blocks, center, query.lane, radius, [&](unsigned j, const int4& point) {
+    const float3 d = difference(point, center, unit);
+    const float of_point = normals[j].w, weight = dot(d, d) < squared_radius ? of_point : 0;
     weight_sum += weight;
     sum += weight * d;
   });
@@ -52,6 +52,10 @@ __global__ void reorder_samples(const unsigned* order, Samples from, Samples to)
     to.positions[3 * i + axis] = from.positions[3 * k + axis];
   to.normals[i] = from.normals[k];
   to.fit[i] = from.fit[k];
+  if (to.spacings)
+    to.spacings[i] = from.spacings[k];
+  if (to.hints)
+    to.hints[i] = from.hints[k];
 }
 
 /// Calls `f(k, is_neighbor, found)` in all threads of a group at once: whether the sample k of the thread is a self neighbor, and a bit for
@@ -122,6 +126,13 @@ __global__ void list_self_neighbors(Cell_grid grid, Cell_blocks blocks, float sq
                          });
 }
 
+__global__ void note_rows(const unsigned* offsets, unsigned size, int4* points)
+{
+  const Wide i = thread_index();
+  if (i < size)
+    points[i].w = int(offsets[i]);
+}
+
 __global__ void take_result(Frame frame, Samples samples, float* normals)
 {
   const Wide i = thread_index();
@@ -138,14 +149,16 @@ __global__ void take_result(Frame frame, Samples samples, float* normals)
 
 } // namespace
 
-Samples take_samples(Device_arena& arena, unsigned size, bool with_outward_directions)
+Samples take_samples(Device_arena& arena, unsigned size, const Kinds_of_sample_data& kinds)
 {
   Samples samples;
   samples.size = size;
   samples.positions = arena.take<double>(3 * std::size_t(size));
   samples.normals = arena.take<float4>(size);
   samples.fit = arena.take<float4>(size);
-  samples.outward = with_outward_directions ? arena.take<float4>(size) : nullptr;
+  samples.outward = kinds.outward_directions ? arena.take<float4>(size) : nullptr;
+  samples.spacings = kinds.spacings ? arena.take<float>(size) : nullptr;
+  samples.hints = kinds.hints ? arena.take<float4>(size) : nullptr;
   return samples;
 }
 
@@ -154,28 +167,30 @@ void reorder(const Workplace& workplace, const unsigned* order, const Samples& s
   const Arena_scope scope(workplace.scratch);
   const std::size_t m = samples.size;
   Samples before = samples;
-  before.positions = workplace.scratch.take<double>(3 * m);
-  before.normals = workplace.scratch.take<float4>(m);
-  before.fit = workplace.scratch.take<float4>(m);
-  const auto copy = [&](auto* to, const auto* from, std::size_t count) {
-    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(to, from, count * sizeof(*to), cudaMemcpyDeviceToDevice, workplace.stream));
+  const auto copy = [&](auto*& array, std::size_t count) {
+    const auto* const from = array;
+    if (!from)
+      return;
+    array = workplace.scratch.take<std::decay_t<decltype(*array)>>(count);
+    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(array, from, count * sizeof(*array), cudaMemcpyDeviceToDevice, workplace.stream));
   };
-  copy(before.positions, samples.positions, 3 * m);
-  copy(before.normals, samples.normals, m);
-  copy(before.fit, samples.fit, m);
+  copy(before.positions, 3 * m);
+  copy(before.normals, m);
+  copy(before.fit, m);
+  copy(before.spacings, m);
+  copy(before.hints, m);
   reorder_samples<<<blocks_for(m), threads_per_block, 0, workplace.stream>>>(order, before, samples);
   check_launch("reorder_samples");
 }
 
-std::size_t collapse_fit_term(const Workplace& workplace, const Cell_grid& sample_grid, const Cell_blocks& blocks,
-                              const Cell_grid& grid, const float4* normals, double radius, const Samples& samples)
+void collapse_fit_term(const Workplace& workplace, const Cell_grid& sample_grid, const Cell_blocks& blocks,
+                       const Cell_grid& grid, const float4* normals, double radius, const Samples& samples,
+                       unsigned* number_of_lonely_samples)
 {
-  const Arena_scope scope(workplace.scratch);
-  const Device_counter<unsigned> counter(workplace);
+  CGAL_L0_CUDA_CHECK(cudaMemsetAsync(number_of_lonely_samples, 0, sizeof(unsigned), workplace.stream));
   collapse<<<blocks_for_queries(samples.size), threads_per_block, 0, workplace.stream>>>(
-    sample_grid, blocks, grid, normals, float(radius), samples, counter.address());
+    sample_grid, blocks, grid, normals, float(radius), samples, number_of_lonely_samples);
   check_launch("collapse");
-  return counter.read();
 }
 
 Neighbor_lists find_self_neighbors(const Workplace& workplace, const Cell_grid& grid, double radius)
@@ -185,25 +200,25 @@ Neighbor_lists find_self_neighbors(const Workplace& workplace, const Cell_grid& 
   const unsigned m = grid.size, thread_blocks = blocks_for_queries(m);
   const float squared_radius = float(radius * radius);
   Neighbor_lists lists;
-  lists.offsets = workplace.arena.take<unsigned>(std::size_t(m) + 1);
-
   const Arena_scope scope(workplace.scratch);
   const Cell_blocks blocks = find_blocks(grid, grid, 1, limit, workplace.scratch, stream);
-  unsigned* const counts = workplace.scratch.take<unsigned>(std::size_t(m) + 1);
-  CGAL_L0_CUDA_CHECK(cudaMemsetAsync(counts + m, 0, sizeof(unsigned), stream));
+  unsigned* const offsets = workplace.scratch.take<unsigned>(std::size_t(m) + 1);
+  CGAL_L0_CUDA_CHECK(cudaMemsetAsync(offsets + m, 0, sizeof(unsigned), stream));
   const Device_counter<Wide> total_count(workplace);
-  count_self_neighbors<<<thread_blocks, threads_per_block, 0, stream>>>(grid, blocks, squared_radius, counts,
+  count_self_neighbors<<<thread_blocks, threads_per_block, 0, stream>>>(grid, blocks, squared_radius, offsets,
                                                                         total_count.address());
   check_launch("count_self_neighbors");
-  sum_up(counts, m, lists.offsets, workplace.scratch, stream);
+  sum_up(offsets, m, offsets, workplace.scratch, stream);
   lists.number_of_pairs = total_count.read();
   if (lists.number_of_pairs > 0xffffffffu)
     throw Failure(Status::OUT_OF_MEMORY, "more than 2^32 - 1 pairs of self neighbors");
 
   lists.indices = workplace.arena.take<unsigned>(lists.number_of_pairs);
-  list_self_neighbors<<<thread_blocks, threads_per_block, 0, stream>>>(grid, blocks, squared_radius, lists.offsets,
+  list_self_neighbors<<<thread_blocks, threads_per_block, 0, stream>>>(grid, blocks, squared_radius, offsets,
                                                                        lists.indices);
   check_launch("list_self_neighbors");
+  note_rows<<<blocks_for(m), threads_per_block, 0, stream>>>(offsets, m, grid.points);
+  check_launch("note_rows");
   return lists;
 }
 

@@ -24,21 +24,46 @@ constexpr unsigned short doubtful = 0xffff;
 /// Trees whose signs are fixed relative to each other.
 struct Forest
 {
-  Link* roots;          // of each sample: the root of its tree, and whether it is turned against it
-  Link* hooks;          // of each root: where it is hooked to in this round
-  Wide* best;           // of each root: the edge that it joins another tree by
-  unsigned* is_changed; // one for each round
+  Link* roots;                  // of each sample: the root of its tree, and whether it is turned against it
+  Link* hooks;                  // of each root: where it is hooked to in this round
+  Wide* best;                   // of each root: the edge that it joins another tree by
+  const unsigned short* grades; // of the edges, see `grade_edges()`
+  unsigned* is_changed;         // one for each round
 };
 
-__global__ void grade_edges(Graph graph)
+/// Marks each pair in the list of the higher sample, if both list it.
+__global__ void mark_pairs(Graph graph)
 {
   const Wide t = thread_index();
-  const Wide i = t / graph.k;
-  if (i >= graph.size || graph.nearest[t] == nobody)
+  const Wide i = t / lanes_of_edges;
+  if (i >= graph.size)
     return;
-  const float a = agreement_of(graph, i, graph.nearest[t]);
-  const unsigned step = unsigned((1 - fminf(fabsf(a), 1.f)) * (number_of_steps - 1));
-  graph.grades[t] = fabsf(a) >= float(beyond_doubt) ? static_cast<unsigned short>(step << 1 | unsigned(a < 0)) : doubtful;
+  for (unsigned e = t % lanes_of_edges; e < graph.k; e += lanes_of_edges)
+  {
+    const unsigned other = graph.neighbor(i * graph.k + e);
+    bool is_listed = false;
+    for (unsigned back = 0; back < graph.k && other < i; ++back)
+      is_listed = is_listed || graph.neighbor(Wide(other) * graph.k + back) == i;
+    if (is_listed)
+      graph.nearest[i * graph.k + e] = other | is_listed_by_other;
+  }
+}
+
+/// \param grades of the edges: step, 0 for the surest; lowest bit: whether the normals disagree; or `doubtful`
+__global__ void grade_edges(Graph graph, unsigned short* grades)
+{
+  const Wide t = thread_index();
+  const Wide i = t / lanes_of_edges;
+  if (i >= graph.size)
+    return;
+  for (unsigned e = t % lanes_of_edges; e < graph.k; e += lanes_of_edges)
+  {
+    const Wide edge = i * graph.k + e;
+    const unsigned other = graph.nearest[edge];
+    const float a = other != nobody ? agreement_of(graph, i, other) : 0;
+    const unsigned step = unsigned((1 - fminf(fabsf(a), 1.f)) * (number_of_steps - 1));
+    grades[edge] = fabsf(a) >= float(beyond_doubt) ? static_cast<unsigned short>(step << 1 | unsigned(a < 0)) : doubtful;
+  }
 }
 
 /// The order of the edges, in which no two are equal: the surest first, then by number.
@@ -49,7 +74,7 @@ __device__ Link link_by_edge(const Graph& graph, const Forest& forest, unsigned 
 {
   const Wide edge = __ldcg(&forest.best[root]) & ((Wide(1) << 48) - 1);
   const Link a = load(&forest.roots[edge / graph.k]), b = load(&forest.roots[graph.nearest[edge]]);
-  const bool is_turned = a.is_turned() ^ b.is_turned() ^ bool(graph.grades[edge] & 1);
+  const bool is_turned = a.is_turned() ^ b.is_turned() ^ bool(forest.grades[edge] & 1);
   return Link::to(a.target() == root ? b.target() : a.target(), is_turned);
 }
 
@@ -67,28 +92,25 @@ __device__ void join_trees(const cooperative_groups::grid_group& grid, const Gra
       store(&forest.hooks[root], link);
   });
   grid.sync();
-  // Roots walk up, and shorten the way for those behind them: each word is a true statement at any time.
-  for_each(graph.size, [&](Wide i) {
-    if (__ldcg(&forest.best[i]) != nothing)
-      store(&forest.hooks[i], follow(forest.hooks, load(&forest.hooks[i])));
-  });
-  grid.sync();
   for_each(graph.size, [&](Wide i) {
     const Link link = load(&forest.roots[i]);
-    store(&forest.roots[i], link + load(&forest.hooks[link.target()]));
+    // The way is shortened for those behind: each word is a true statement at any time.
+    const Link hook = follow(forest.hooks, load(&forest.hooks[link.target()]));
+    store(&forest.hooks[link.target()], hook);
+    store(&forest.roots[i], link + hook);
     __stcg(&forest.best[i], nothing);
   });
   grid.sync();
 }
 
+/// The edges of a sample that are looked at together, so that the memory has several reads to do at once.
+constexpr unsigned edges_of_batch = 4;
+
 /*!
 The maximum spanning forest over the edges beyond doubt, by the rounds of Boruvka (1926): every tree takes the best edge that leads out of it,
 all at once. The order of the edges is total, so that the forest is the one that Kruskal's algorithm finds for that order.
-
-\param number_of_edges out: of those between different trees in the end
 */
-__global__ void __launch_bounds__(threads_per_block)
-  join_by_best_edges(Graph graph, Forest forest, unsigned* number_of_edges)
+__global__ void __launch_bounds__(threads_per_block) join_by_best_edges(Graph graph, Forest forest)
 {
   const cooperative_groups::grid_group grid = cooperative_groups::this_grid();
   for_each(graph.size, [&](Wide i) {
@@ -109,20 +131,25 @@ __global__ void __launch_bounds__(threads_per_block)
         return;
       const unsigned root = load(&forest.roots[i]).target();
       Wide best = nothing;
-      for (Wide edge = i * graph.k; edge < (i + 1) * graph.k; ++edge)
+      for (unsigned first = 0; first < graph.k; first += edges_of_batch)
       {
-        const unsigned other = graph.nearest[edge];
-        if (other == nobody)
-          break;
-        const unsigned short grade = graph.grades[edge];
-        if (grade == doubtful)
-          continue;
-        const unsigned other_root = load(&forest.roots[other]).target();
-        if (other_root == root)
-          continue;
-        const Wide rank = rank_of_edge(grade, edge);
-        best = min(best, rank);
-        propose(&forest.best[other_root], rank);
+        unsigned short grades[edges_of_batch];
+        unsigned roots[edges_of_batch];
+#pragma unroll
+        for (unsigned b = 0; b < edges_of_batch; ++b)
+          grades[b] = first + b < graph.k ? forest.grades[i * graph.k + first + b] : doubtful;
+#pragma unroll
+        for (unsigned b = 0; b < edges_of_batch; ++b)
+          roots[b] = grades[b] == doubtful ? root : load(&forest.roots[graph.nearest[i * graph.k + first + b]]).target();
+#pragma unroll
+        for (unsigned b = 0; b < edges_of_batch; ++b)
+        {
+          if (roots[b] == root)
+            continue;
+          const Wide rank = rank_of_edge(grades[b], i * graph.k + first + b);
+          best = min(best, rank);
+          propose(&forest.best[roots[b]], rank);
+        }
       }
       if (best == nothing)
       {
@@ -137,9 +164,14 @@ __global__ void __launch_bounds__(threads_per_block)
       break;
     join_trees(grid, graph, forest);
   }
+}
 
+__global__ void count_edges_between_sets(Graph graph, const Link* sets, unsigned* number_of_edges)
+{
   unsigned count = 0;
-  for_each(graph.size, [&](Wide i) { for_each_edge_between_sets(graph, forest.roots, i, [&](unsigned) { ++count; }); });
+  for_each_pair_of_neighbors(graph, thread_index(), Wide(gridDim.x) * blockDim.x, [&](unsigned i, unsigned other) {
+    count += unsigned(sets[i].target() != sets[other].target());
+  });
   count = group_sum<32>(count);
   if (threadIdx.x % 32 == 0 && count > 0)
     atomicAdd(number_of_edges, count);
@@ -162,16 +194,21 @@ unsigned grow_forest(const Workplace& workplace, const Graph& graph, Link* faces
   const unsigned m = graph.size;
   const cudaStream_t stream = workplace.stream;
   const Arena_scope scope(workplace.scratch);
-  grade_edges<<<blocks_for(Wide(m) * graph.k), threads_per_block, 0, stream>>>(graph);
+  const unsigned blocks_of_edges = blocks_for(Wide(m) * lanes_of_edges);
+  unsigned short* const grades = workplace.scratch.take<unsigned short>(Wide(m) * graph.k);
+  grade_edges<<<blocks_of_edges, threads_per_block, 0, stream>>>(graph, grades);
   check_launch("grade_edges");
-  Forest forest = {faces, workplace.scratch.take<Link>(m), workplace.scratch.take<Wide>(m),
+  Forest forest = {faces, workplace.scratch.take<Link>(m), workplace.scratch.take<Wide>(m), grades,
                    workplace.scratch.take<unsigned>(maximum_number_of_rounds)};
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(forest.is_changed, 0, maximum_number_of_rounds * sizeof(unsigned), stream));
-  const Device_counter<unsigned> counter(workplace);
   Graph argument = graph;
-  unsigned* number_of_edges = counter.address();
-  void* arguments[] = {&argument, &forest, &number_of_edges};
+  void* arguments[] = {&argument, &forest};
   launch_cooperatively(workplace, reinterpret_cast<void*>(join_by_best_edges), m, threads_per_block, 4, arguments);
+  mark_pairs<<<blocks_of_edges, threads_per_block, 0, stream>>>(graph);
+  check_launch("mark_pairs");
+  const Device_counter<unsigned> counter(workplace);
+  count_edges_between_sets<<<blocks_of_edges, threads_per_block, 0, stream>>>(graph, faces, counter.address());
+  check_launch("count_edges_between_sets");
   return counter.read();
 }
 

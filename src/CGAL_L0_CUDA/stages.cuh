@@ -84,8 +84,10 @@ void refit_normals(const Workplace& workplace, const Cell_grid& grid, const Cell
                    float squared_bandwidth, float normal_bandwidth, float squared_sheet_height, const float4* normals,
                    float4* refitted);
 
+/// In place of Eq. (5), where sparse points shall not count more than dense ones: writes 1 to the fourth number of each normal.
+void take_equal_density_weights(const Workplace& workplace, unsigned size, float4* normals);
+
 /// Eq. (5) for the input: writes 1/v_j to the fourth number of each normal.
-/// Waits for the device.
 void compute_input_density_weights(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks,
                                    double radius, float squared_bandwidth, float4* normals);
 
@@ -93,7 +95,8 @@ void compute_input_density_weights(const Workplace& workplace, const Cell_grid& 
 struct Areas
 {
   const unsigned long long* of_cells; // units of what each point of a cell stands for
-  double total;                       // of all points
+  double area_per_unit;
+  double total; // of all points
 };
 
 /// Waits for the device. The areas are taken from the arena.
@@ -108,34 +111,57 @@ struct Samples
   float4* normals = nullptr;   // and a number that a stage may use
   float4* fit = nullptr;       // from the sample to c_i, and W_i
   float4* outward = nullptr;   // default method only
+  float* spacings = nullptr;   // as on the CPU: null unless the density of the input is kept
+  float4* hints = nullptr;     // as on the CPU: null if the caller has none
 };
 
-Samples take_samples(Device_arena& arena, unsigned size, bool with_outward_directions);
+/// What samples may have beside positions, normals and fit.
+struct Kinds_of_sample_data
+{
+  bool outward_directions, spacings, hints;
+};
+
+Samples take_samples(Device_arena& arena, unsigned size, const Kinds_of_sample_data& kinds);
 
 /// Puts sample `order[i]` in place `i`; outward directions are forgotten.
 void reorder(const Workplace& workplace, const unsigned* order, const Samples& samples);
 
+/// What the points hand on to the samples that start on them.
+struct Sources_of_samples
+{
+  const float4* normals;
+  const Areas* areas;  // null for none
+  bool spreads_evenly; // by area, if there are areas, and not as the points do
+  const float* hints;  // in the order of the input, xyz interleaved; null for none
+};
+
 /// The first S, chosen as the CPU chooses it.
-/// \param areas null for none
 void initialize_samples(const Workplace& workplace, const Positions& positions, const Cell_grid& grid,
-                        const float4* normals, const Areas* areas, double radius, std::size_t seed,
-                        const Samples& samples);
+                        const Sources_of_samples& points, double radius, std::size_t seed, const Samples& samples);
 
 /// The fit term of LOR and ALOR: weight and centroid of the original neighbors.
 /// \param blocks of `grid` around the cells of `sample_grid`
-/// \returns the number of samples without an original neighbor; waits for the device
-std::size_t collapse_fit_term(const Workplace& workplace, const Cell_grid& sample_grid, const Cell_blocks& blocks,
-                              const Cell_grid& grid, const float4* normals, double radius, const Samples& samples);
+/// \param number_of_lonely_samples out, on the device: how many have no original neighbor
+void collapse_fit_term(const Workplace& workplace, const Cell_grid& sample_grid, const Cell_blocks& blocks,
+                       const Cell_grid& grid, const float4* normals, double radius, const Samples& samples,
+                       unsigned* number_of_lonely_samples);
 
-/// The self neighbors in compressed rows.
+/// The self neighbors in compressed rows. Where the row of a sample begins stands in the fourth number of its point, in place of the cell.
 struct Neighbor_lists
 {
-  unsigned* offsets = nullptr;
   unsigned* indices = nullptr;
   std::size_t number_of_pairs = 0;
+
+#ifdef __CUDACC__
+  /// The place of the first pair of sample i, and that behind its last.
+  __device__ uint2 row(const int4* points, unsigned size, unsigned i) const
+  {
+    return {unsigned(points[i].w), i + 1 < size ? unsigned(points[i + 1].w) : unsigned(number_of_pairs)};
+  }
+#endif
 };
 
-/// Waits for the device. The lists are taken from the arena.
+/// Waits for the device. The lists are taken from the arena; the points of the grid lose their cells.
 Neighbor_lists find_self_neighbors(const Workplace& workplace, const Cell_grid& grid, double radius);
 
 /// The weights of Algorithm 1, as `Minimization_parameters` of the CPU.
@@ -179,15 +205,14 @@ struct Vectors
 /// The arrays of a turn; they keep their place from turn to turn.
 struct Turn_arrays
 {
-  float* pair_weights;
   float4* z;
-  Vectors w, p, s, x, r;
+  Vectors p, s, r;
   float* blocks;
   double* partial_sums;
 };
 
 /// From the scratch arena.
-Turn_arrays take_turn_arrays(const Workplace& workplace, unsigned number_of_samples, std::size_t number_of_pairs);
+Turn_arrays take_turn_arrays(const Workplace& workplace, unsigned number_of_samples);
 
 /// One turn of Algorithm 1: moves the samples, in `samples` and in the points of `grid`, to the minimum of Eq. (10).
 /// \param samples in the order of `grid`
@@ -212,11 +237,18 @@ void repel_tangentially(const Workplace& workplace, const Cell_grid& sample_grid
 /// Moves the samples to what they were fitted to.
 void take_fitted_positions(const Workplace& workplace, const Samples& samples);
 
-/// Turns the normals of the samples to one side, outwards.
+/// What shares of the samples were oriented surely, and as hints say.
+struct Orientation
+{
+  double oriented_share, hinted_share;
+};
+
+/// Turns the normals of the samples to one side: that of the hints or the viewpoint where these are clear, else outwards.
 /// \param low, high corners of a box that holds the samples, but for a few
-/// \returns the share of the samples that were oriented surely; waits for the device
-double orient_normals(const Workplace& workplace, const double (&low)[3], const double (&high)[3],
-                      unsigned number_of_neighbors, double spacing, const Samples& samples);
+/// \param viewpoint null for none
+/// \returns as `orient_normals()` on the CPU; waits for the device
+Orientation orient_normals(const Workplace& workplace, const double (&low)[3], const double (&high)[3],
+                           unsigned number_of_neighbors, double spacing, const double* viewpoint, const Samples& samples);
 
 /// Takes the positions of the samples out of the frame, and puts their normals, xyz interleaved, in the place of the fit.
 void leave_frame(const Workplace& workplace, const Frame& frame, const Samples& samples);

@@ -152,9 +152,7 @@ Result<FT> resample_on_any_device(const Array_view& points, const Array_view* no
   if (parameters.device != Device::CPU)
   {
     std::string failure;
-    if (parameters.device == Device::AUTO && (parameters.keep_density || parameters.viewpoint || orientation_hints))
-      failure = "the device does not have keep_density, viewpoint and orientation_hints yet";
-    else if (!is_device_usable(failure))
+    if (!is_device_usable(failure))
     {
       if (parameters.device == Device::CUDA)
         throw CGAL::L0_resampling::Device_error("device='cuda': " + failure);

@@ -95,9 +95,7 @@ void call_with_solver(const Point_cloud& cloud, const Options& options, const Na
 bool is_device_usable(const Options& options, std::string& reason)
 {
 #ifdef CGAL_L0_LINKED_WITH_CUDA
-  if (options.keep_density || options.viewpoint || options.orient_by_normals)
-    reason = "the device does not have --keep-density, --viewpoint and --orient-by-normals yet";
-  else if (options.solver != Solver::BLOCK_CG || options.solver_iterations)
+  if (options.solver != Solver::BLOCK_CG || options.solver_iterations)
     reason = "the device has a solver of its own, and --solver or --solver-iterations asks for another";
   else
     return CGAL::L0_resampling::is_cuda_device_usable(&reason);

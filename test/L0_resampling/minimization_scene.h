@@ -37,7 +37,7 @@ struct Scene
     const Buffer<double> density_weights(1500, 1.5);
     samples.positions = start.points;
     samples.normals = to_buffer(permuted(start.order, cube.normals));
-    samples.fit_weights.resize(400);
+    samples.fit_weights.resize(400, 0.);
     samples.fit_centroids.resize(400);
     rows = gather_fit_rows<CGAL::Sequential_tag>(start.grid, start.points, input.grid, input.points, density_weights,
                                                  radius, 0, unwatched.progress);

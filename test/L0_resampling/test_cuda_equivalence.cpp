@@ -9,6 +9,8 @@
 
 #include <cmath>
 #include <iostream>
+#include <limits>
+#include <stdexcept>
 #include <string>
 
 // P7: the device and the CPU give one result, but for rounding. Both order it alike, so that it is compared point by point.
@@ -85,13 +87,15 @@ std::size_t check_agreement(const std::string& name, const PointRange& points, c
   CHECK(flipped_share <= 1e-3);
   CHECK(more_solver_iterations <= 2 + 0.1 * solver_iterations); // one stopping rule, but other roundings
   CHECK(std::abs(cpu_report.oriented_share - device_report.oriented_share) <= 1e-2);
+  CHECK(std::abs(cpu_report.hinted_share - device_report.hinted_share) <= 1e-2);
 
   const Comparison comparison = compare(on_cpu, on_device, cpu_report.neighbor_radius);
   std::cout << name << ": " << points.size() << " -> " << on_cpu.size() << ", radii median " << comparison.median
             << ", 99.9 % " << comparison.largest_but_a_thousandth << ", Hausdorff " << comparison.hausdorff
             << ", other normals " << comparison.largest_angle_share << ", flipped " << flipped_share << ", pairs "
             << pairs << " / " << device_report.number_of_self_neighbor_pairs << ", oriented "
-            << cpu_report.oriented_share << " / " << device_report.oriented_share << ", outliers "
+            << cpu_report.oriented_share << " / " << device_report.oriented_share << ", hinted "
+            << cpu_report.hinted_share << " / " << device_report.hinted_share << ", outliers "
             << cpu_report.number_of_outliers << " / " << device_report.number_of_outliers << ", degenerate "
             << cpu_report.number_of_degenerate_neighborhoods << " / " << device_report.number_of_degenerate_neighborhoods
             << ", iterations " << solver_iterations << " +- " << more_solver_iterations << std::endl;
@@ -115,6 +119,98 @@ void check_given_normals()
                           .normal_map(CGAL::Second_of_pair_property_map<Result::value_type>())
                           .select_percentage(50))
         > 0);
+}
+
+/// Of a sphere, the half below.
+Points noisy_bowl(std::size_t n, double noise, unsigned seed)
+{
+  Points points;
+  for (const Point& p : noisy_sphere(3 * n, noise, seed))
+    if (points.size() < n && p.z() < 0)
+      points.push_back(p);
+  return points;
+}
+
+/// Viewpoints that decide and others that do not, near and as far as numbers reach.
+template <typename NamedParameters>
+void check_viewpoints(const std::string& name, const NamedParameters& np)
+{
+  const Points bowl = noisy_bowl(6000, 0.005, 21), cube = noisy_cube(6000, 0.005, 22);
+  for (const double height : {0.5, -4., 1e6, 1e300})
+    check_agreement(name + "bowl seen from " + std::to_string(height), bowl,
+                    np.viewpoint(Point(0.1 * height, 0, height)).select_percentage(50));
+  for (const Point& viewpoint : {Point(0.3, -0.4, 0.2), Point(-40, 7, 0)})
+    check_agreement(name + "cube seen from " + std::to_string(viewpoint.x()), cube,
+                    np.viewpoint(viewpoint).select_percentage(50));
+  check_agreement(name + "bowl on a map", moved(bowl, {500000, 5000000, 100}),
+                  np.viewpoint(Point(500000, 5000000, 102)).select_percentage(50));
+}
+
+/// Hints, a third of them wrong, of points that come twice with two of them; of outliers, which are dropped; and of a part without any.
+template <typename NamedParameters>
+void check_hints(const std::string& name, const NamedParameters& np)
+{
+  const Points bowl = noisy_bowl(5000, 0.005, 23);
+  const Points points = with_outliers(duplicated(bowl), 24);
+  Result with_hints;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    with_hints.emplace_back(points[i], (i % 3 ? -1e-150 : 1e-150) * (points[i] - CGAL::ORIGIN));
+  for (const Point& p : noisy_cube(5000, 0.005, 25))
+    with_hints.emplace_back(p + Normal(4, 0, 0), CGAL::NULL_VECTOR);
+  const auto hints = np.orientation_hint_map(CGAL::Second_of_pair_property_map<Result::value_type>())
+                       .point_map(CGAL::First_of_pair_property_map<Result::value_type>());
+  CHECK(check_agreement(name + "hints", with_hints, hints.drop_outliers(true).select_percentage(50)) > 0);
+  const Result of_bowl(with_hints.begin(), with_hints.begin() + 10000);
+  check_agreement(name + "hints, upsampled", of_bowl, hints.drop_outliers(false).number_of_output_points(15000));
+
+  Report report;
+  Result result;
+  CGAL::l0_resample_point_set<CGAL::CUDA_tag>(with_hints, std::back_inserter(result),
+                                              hints.drop_outliers(true).resampling_report(&report).select_percentage(50));
+  std::size_t number_inwards = 0, number_on_bowl = 0;
+  for (const auto& [p, n] : result)
+    if (p.x() < 2 && p.z() < 0.1)
+    {
+      ++number_on_bowl;
+      number_inwards += n * (p - CGAL::ORIGIN) < 0;
+    }
+  CHECK(number_on_bowl > 0 && double(number_inwards) >= 0.98 * double(number_on_bowl));
+  CHECK(report.hinted_share > 0.05 && report.hinted_share < 0.95); // that of the cube has none
+}
+
+/// What the CPU refuses the device refuses, and an object that holds hints refuses a viewpoint beside them.
+void check_refusals()
+{
+  namespace parameters = CGAL::parameters;
+  const Points points = noisy_bowl(500, 0.005, 26);
+  Result with_hints;
+  for (const Point& p : points)
+    with_hints.emplace_back(p, CGAL::ORIGIN - p);
+  const auto hints = parameters::orientation_hint_map(CGAL::Second_of_pair_property_map<Result::value_type>())
+                       .point_map(CGAL::First_of_pair_property_map<Result::value_type>());
+  Result result;
+  CHECK_THROWS(CGAL::l0_resample_point_set<CGAL::CUDA_tag>(with_hints, std::back_inserter(result),
+                                                           hints.viewpoint(Point(0, 0, 3))),
+               std::invalid_argument);
+  CHECK_THROWS(CGAL::l0_resample_point_set<CGAL::CUDA_tag>(points, std::back_inserter(result),
+                                                           parameters::viewpoint(
+                                                             Point(0, std::numeric_limits<double>::infinity(), 3))),
+               std::invalid_argument);
+  CGAL::L0_resampling::CUDA_resampler<Kernel> resampler;
+  resampler.upload(with_hints, hints);
+  CHECK_THROWS(resampler.resample(std::back_inserter(result), parameters::viewpoint(Point(0, 0, 3))),
+               std::invalid_argument);
+  CHECK(result.empty());
+  Report report;
+  resampler.resample(std::back_inserter(result), parameters::resampling_report(&report));
+  CHECK(result.size() == 250 && report.hinted_share == 1);
+  result.clear();
+  resampler.upload(points);
+  resampler.resample(std::back_inserter(result), parameters::resampling_report(&report));
+  CHECK(result.size() == 250 && report.hinted_share == 0); // those of the points before are forgotten
+  result.clear();
+  resampler.resample(std::back_inserter(result), parameters::viewpoint(Point(0, 0, 3)).resampling_report(&report));
+  CHECK(result.size() == 250 && report.hinted_share == 1);
 }
 
 } // namespace
@@ -155,7 +251,12 @@ int main()
                             np.drop_outliers(true).select_percentage(60))
             > 500);
       check_agreement(kind + "density gradient", graded_sphere(20000, noise, 14), np.select_percentage(60));
+      check_agreement(kind + "kept density", graded_sphere(20000, noise, 19), np.keep_density(true).select_percentage(60));
     }
+    check_agreement(name + "kept density, upsampled", graded_sphere(4000, 0.005, 20),
+                    np.keep_density(true).number_of_output_points(7000));
+    check_viewpoints(name, np);
+    check_hints(name, np);
   }
   for (const double noise : {0., 0.005})
     check_agreement(noise > 0 ? "default noisy thin plate" : "default clean thin plate",
@@ -164,5 +265,6 @@ int main()
   check_agreement("default huge radius", noisy_cube(20000, 0.01, 18),
                   parameters::neighbor_radius(0.5).select_percentage(20));
   check_given_normals();
+  check_refusals();
   return test::result();
 }

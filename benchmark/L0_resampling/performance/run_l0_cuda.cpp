@@ -109,15 +109,18 @@ class Stage_times
 {
   std::vector<std::string> m_names;
   std::vector<std::vector<double>> m_seconds;
+  std::vector<std::size_t> m_peak_bytes;
 
 public:
   void add(const cuda::Call_report& report)
   {
     m_names.resize(report.number_of_stages);
     m_seconds.resize(report.number_of_stages);
+    m_peak_bytes.resize(report.number_of_stages);
     for (std::size_t s = 0; s < report.number_of_stages; ++s) {
       m_names[s] = report.stages[s].name;
       m_seconds[s].push_back(report.stages[s].seconds);
+      m_peak_bytes[s] = report.stages[s].peak_bytes;
     }
   }
 
@@ -125,7 +128,7 @@ public:
   {
     Json stages = Json::array();
     for (std::size_t s = 0; s < m_names.size(); ++s)
-      stages.push_back({{"name", m_names[s]}, {"seconds", median(m_seconds[s])}});
+      stages.push_back({{"name", m_names[s]}, {"seconds", median(m_seconds[s])}, {"peak_bytes", m_peak_bytes[s]}});
     return stages;
   }
 };
@@ -182,7 +185,7 @@ int main(int argc, char** argv)
     std::vector<float> normals(3 * m);
     demand(cuda::create(session));
     const auto upload = [&]() {
-      demand(cuda::upload(*session, coordinates.data(), points.size(), nullptr, parameters.maximum_memory));
+      demand(cuda::upload(*session, coordinates.data(), points.size(), nullptr, nullptr, parameters.maximum_memory));
     };
     const auto resample = [&]() { demand(cuda::resample(*session, parameters, {}, report)); };
     const auto download = [&]() { demand(cuda::download(*session, positions.data(), normals.data())); };

@@ -62,7 +62,7 @@ public:
     CGAL_precondition(std::size_t(x.size()) == 3 * m);
     const Arrays_of_one_solve arrays(*this, m, problem.memory);
 
-    for_each_block(m, [&](std::size_t begin, std::size_t end) { factorize_blocks(problem, begin, end); });
+    for_each_block(m, [&](std::size_t begin, std::size_t end) { start(problem, begin, end); });
     const bool starts_at_zero =
       0 == sum_over_blocks(m, [&](std::size_t begin, std::size_t end) {
         return (x.segment(Eigen::Index(3 * begin), Eigen::Index(3 * (end - begin))).array() != FT(0)).count();
@@ -128,10 +128,10 @@ private:
       : Arrays_of_one_solve(s)
     {
       const internal::Counting_allocator<FT> allocator(memory);
-      solver.m_residuals = internal::filled_buffer(3 * m, FT(0), allocator);
-      solver.m_products = internal::filled_buffer(3 * m, FT(0), allocator);
-      solver.m_blocks = internal::filled_buffer(m, internal::Block_factorization<FT>(), allocator);
-      solver.m_directions = internal::filled_buffer(8 * m, FT(0), allocator);
+      solver.m_residuals = internal::Buffer<FT>(3 * m, allocator);
+      solver.m_products = internal::Buffer<FT>(3 * m, allocator);
+      solver.m_blocks = internal::Buffer<internal::Block_factorization<FT>>(m, allocator);
+      solver.m_directions = internal::Buffer<FT>(8 * m, allocator);
     }
     ~Arrays_of_one_solve()
     {
@@ -191,8 +191,8 @@ private:
 
   static FT dot(const FT* a, const FT* b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-  /// D_i = (W_i + sum of a_ik) I + beta * sum of (n_i n_i^T + n_k n_k^T)
-  void factorize_blocks(const Quadratic_problem<FT>& problem, std::size_t begin, std::size_t end)
+  /// D_i = (W_i + sum of a_ik) I + beta * sum of (n_i n_i^T + n_k n_k^T), and p_i = 0
+  void start(const Quadratic_problem<FT>& problem, std::size_t begin, std::size_t end)
   {
     for (std::size_t i = begin; i < end; ++i)
     {
@@ -201,6 +201,7 @@ private:
         weight += problem.pair_weights[Eigen::Index(e)];
       const FT* const spread = problem.normal_spreads.data() + 6 * i;
       const FT beta = problem.penalty;
+      std::fill_n(m_directions.begin() + std::ptrdiff_t(8 * i), 8, FT(0));
       m_blocks[i] = internal::factorize_block({weight + beta * spread[0], beta * spread[1], beta * spread[2],
                                                weight + beta * spread[3], beta * spread[4], weight + beta * spread[5]});
     }

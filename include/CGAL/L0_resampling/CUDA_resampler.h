@@ -103,6 +103,7 @@ inline void fill_report(const cuda::Call_report& call, Report& report)
   report.estimated_spacing = call.estimated_spacing;
   report.estimated_noise = call.estimated_noise;
   report.oriented_share = call.oriented_share;
+  report.hinted_share = call.hinted_share;
   report.peak_bytes = call.peak_bytes;
   for (std::size_t i = 0; i < call.number_of_stages; ++i)
     report.stages.push_back({call.stages[i].name, call.stages[i].seconds, call.stages[i].peak_bytes});
@@ -119,16 +120,6 @@ inline void fill_report(const cuda::Call_report& call, Report& report)
                                  {iteration.solver_iterations, iteration.relative_residual, iteration.converged}});
     report.converged = report.converged && iteration.converged;
   }
-}
-
-/// \throws std::invalid_argument for what the device cannot do yet
-template <typename NamedParameters>
-void check_device_can(const NamedParameters& np, const Parameters& parameters)
-{
-  check_parameter(!parameters.keep_density, "keep_density", true, "false: a CUDA device cannot do that yet");
-  check_parameter(!parameters.has_viewpoint, "viewpoint", "given", "none: a CUDA device cannot do that yet");
-  check_parameter(!is_given(np, internal_np::orientation_hint_map), "orientation_hint_map", "given",
-                  "none: a CUDA device cannot do that yet");
 }
 
 /// The confidences of a result of the device, computed by all threads of the host.
@@ -186,6 +177,7 @@ class CUDA_resampler
   std::unique_ptr<internal::cuda::Session, internal::Destroy_session> m_session;
   internal::Input m_box; // without points
   std::size_t m_size = 0, m_number_of_dropped_points = 0;
+  bool m_has_hints = false;
 
 public:
   /// \throws Device_error if there is no usable device
@@ -199,7 +191,8 @@ public:
 
   /// Brings points to the device, in place of those it holds.
   /// \param points as for `l0_resample_point_set()`
-  /// \param np `point_map`, `normal_map` and `drop_non_finite` of `l0_resample_point_set()`; `maximum_memory` is of the device; others are checked
+  /// \param np `point_map`, `normal_map`, `orientation_hint_map` and `drop_non_finite` of `l0_resample_point_set()`; `maximum_memory` is of the device; others
+  /// are checked
   /// \throws std::invalid_argument, std::bad_alloc, Device_error as `l0_resample_point_set()`; the object then holds no points
   template <typename PointRange, typename NamedParameters = parameters::Default_named_parameters>
   void upload(const PointRange& points, const NamedParameters& np = parameters::default_values())
@@ -272,7 +265,7 @@ private:
     report.number_of_input_points = m_size;
     report.number_of_dropped_points = m_number_of_dropped_points;
     const Parameters parameters = checked_parameters(np, m_size);
-    check_device_can(np, parameters);
+    check_parameter(!(parameters.has_viewpoint && m_has_hints), "viewpoint", "given", "no orientation_hint_map beside it");
     const std::size_t m = parameters.number_of_output_points;
     if (m == 0)
       return;
@@ -319,17 +312,20 @@ public:
     read_parameter(np, internal_np::drop_non_finite, drop_non_finite);
     // checked before any point is looked at
     const Parameters checked = checked_parameters(np, std::size_t(std::distance(points.begin(), points.end())));
-    check_device_can(np, checked);
     Input input;
     read_points(points, point_map, drop_non_finite, report, input);
     read_normals_if_given(points, normal_map, input);
+    if_given(np, internal_np::orientation_hint_map,
+             [&](const auto& map) { read_directions(points, map, input, input.hints); });
+    m_has_hints = !input.hints.empty();
     m_number_of_dropped_points = report.number_of_dropped_points;
     m_box.low = input.low;
     m_box.high = input.high;
     if (input.points.empty())
       return;
     throw_if_failed(cuda::upload(*m_session, coordinates(input.points), input.points.size(),
-                                 input.normals.empty() ? nullptr : input.normals.front().data(), checked.maximum_memory));
+                                 input.normals.empty() ? nullptr : input.normals.front().data(),
+                                 m_has_hints ? input.hints.front().data() : nullptr, checked.maximum_memory));
     m_size = input.points.size();
   }
   /// \endcond

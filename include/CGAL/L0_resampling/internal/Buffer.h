@@ -11,6 +11,7 @@
 #include <limits>
 #include <memory>
 #include <new>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -88,6 +89,19 @@ struct Counting_allocator
     std::allocator<T>().deallocate(p, n);
     if (counter)
       counter->release(n * sizeof(T));
+  }
+
+  /// Numbers that are given no value are left as they are: whoever makes an array of them writes all of it before it is read, which all threads can
+  /// do at the same time.
+  template <typename U>
+  void construct(U* p)
+  {
+    ::new (static_cast<void*>(p)) U;
+  }
+  template <typename U, typename... Arguments>
+  void construct(U* p, Arguments&&... arguments)
+  {
+    ::new (static_cast<void*>(p)) U(std::forward<Arguments>(arguments)...);
   }
 
   template <typename U>

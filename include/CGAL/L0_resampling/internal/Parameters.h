@@ -6,6 +6,7 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_PARAMETERS_H
 #define CGAL_L0_RESAMPLING_INTERNAL_PARAMETERS_H
 
+#include <CGAL/L0_resampling/internal/host_device.h>
 #include <CGAL/L0_resampling/tags.h>
 
 #include <algorithm>
@@ -140,7 +141,7 @@ struct Repulsion
 
   /// \param spacing of an even set of that many samples
   /// \param radius of the fit
-  Repulsion(double spacing, double radius) : strength(0.7)
+  CGAL_L0_HOST_DEVICE Repulsion(double spacing, double radius) : strength(0.7)
   {
     // Samples that a huge radius has made one point for it have no spacing to speak of; its square must not be zero.
     spacing = (std::max)(spacing, 1e-9 * radius);

@@ -213,7 +213,7 @@ public:
       return box_of_block;
     });
     const Short_keys short_key(cell_key(box.low, cell_size), cell_key(box.high, cell_size));
-    Buffer<Entry> entries = filled_buffer(points.size(), Entry(), points.get_allocator());
+    Buffer<Entry> entries(points.size(), points.get_allocator());
     for_each_block<ConcurrencyTag>(points.size(), block_size, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
         entries[i] = {short_key(points[i], cell_size), Index(i)};
@@ -227,8 +227,11 @@ public:
             return p[axis] < q[axis];
         return a.index < b.index;
       });
-    Buffer<Index> order = filled_buffer(points.size(), Index(0), points.get_allocator());
-    for_each_in_order(points.size(), [&](std::size_t i) { order[i] = entries[i].index; });
+    Buffer<Index> order(points.size(), points.get_allocator());
+    for_each_block<ConcurrencyTag>(points.size(), block_size, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        order[i] = entries[i].index;
+    });
     return order;
   }
 

@@ -92,13 +92,9 @@ public:
   {
     const Minimization_parameters& p = m_parameters;
     const std::size_t m = samples.positions.size(), number_of_pairs = neighbors.indices.size();
-    const Local_vector zero = Local_vector::Zero();
-    if (m_right_hand_side.size() != m)
-      fill_buffer(m, zero, m_right_hand_side);
-    fill_buffer(m, zero, m_displacements);
+    m_right_hand_side.resize(m);
+    fill_buffer(m, Local_vector(Local_vector::Zero()), m_displacements);
     m_normal_offsets.resize(SolverTraits::needs_explicit_rows ? number_of_pairs : 0);
-    if (m_pair_weights.size() < number_of_pairs)
-      fill_buffer(number_of_pairs, FT(0), m_pair_weights);
     m_pair_weights.resize(number_of_pairs);
 
     // Line 4, of the iteration before or of "Initialize"
@@ -106,7 +102,7 @@ public:
       fill_buffer(number_of_pairs, FT(0), m_pair_weights);
     else
     {
-      Buffer<FT> density_weights = filled_buffer(m, FT(1), samples.positions.get_allocator());
+      Buffer<FT> density_weights(m, samples.positions.get_allocator());
       update_weights<ConcurrencyTag>(samples.positions, neighbors, p.squared_bandwidth, p.squared_radius,
                                      p.regularization_weight, density_weights, m_pair_weights);
     }

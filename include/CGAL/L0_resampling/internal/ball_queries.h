@@ -112,7 +112,7 @@ public:
   /// \returns where it was
   Eigen::Matrix<T, 3, 1> take(std::size_t k)
   {
-    const Eigen::Matrix<T, 3, 1> place(x[k], y[k], z[k]);
+    Eigen::Matrix<T, 3, 1> place(x[k], y[k], z[k]);
     x[k] = far_away;
     return place;
   }

@@ -65,7 +65,7 @@ struct Call_report
   std::size_t number_of_lonely_samples;
   std::size_t number_of_self_neighbor_pairs;
   double neighbor_radius, normal_filter_radius, estimated_spacing, estimated_noise;
-  double oriented_share;
+  double oriented_share, hinted_share;
   std::size_t peak_bytes;
 
   std::size_t number_of_stages;
@@ -96,9 +96,10 @@ void destroy(Session* session) noexcept;
 /// Brings points to the device, in place of those it held before.
 /// \param points xyz interleaved, finite
 /// \param size from 1 to 2^32 - 2
-/// \param normals unit or zero vectors, xyz interleaved, or null
+/// \param normals, hints unit or zero vectors, xyz interleaved, or null
 /// \param maximum_memory that the session may hold on the device, in bytes; `resample()` has it among its parameters
-Answer upload(Session& session, const double* points, std::size_t size, const float* normals, std::size_t maximum_memory);
+Answer upload(Session& session, const double* points, std::size_t size, const float* normals, const float* hints,
+              std::size_t maximum_memory);
 
 /// Resamples the points of the session. The result stays on the device until the next call.
 /// \param parameters checked, in the unit of the input

@@ -30,7 +30,7 @@ class Nearest_samples
 
 public:
   Nearest_samples(std::size_t size, std::size_t k, const Counting_allocator<Index>& allocator)
-    : m_k(k), m_indices(filled_buffer(size * k, Index(0), allocator)), m_counts(filled_buffer(size, Index(0), allocator))
+    : m_k(k), m_indices(size * k, allocator), m_counts(filled_buffer(size, Index(0), allocator))
   {}
 
   const Index* begin(Index i) const { return m_indices.data() + i * m_k; }

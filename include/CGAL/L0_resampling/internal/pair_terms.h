@@ -42,7 +42,7 @@ void update_weights(const Buffer<Vector>& samples, const Neighborhoods& neighbor
   };
 
   const FT mean_number_of_sample_neighbors = FT(double(neighbors.indices.size()) / double(samples.size()));
-  Buffer<FT> inverses(samples.size(), FT(0), samples.get_allocator());
+  Buffer<FT> inverses(samples.size(), samples.get_allocator());
   for_each_block<ConcurrencyTag>(samples.size(), samples_per_block, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
@@ -79,8 +79,7 @@ void sum_normal_spreads(const Buffer<Eigen::Matrix<FT, 3, 1>>& normals, const Ne
   const auto add_outer_product = [](FT factor, const Eigen::Matrix<FT, 3, 1>& n, Upper_triangle<FT>& sum) {
     sum += factor * Upper_triangle<FT>(n[0] * n[0], n[0] * n[1], n[0] * n[2], n[1] * n[1], n[1] * n[2], n[2] * n[2]);
   };
-  if (spreads.size() != normals.size())
-    fill_buffer(normals.size(), Upper_triangle<FT>(Upper_triangle<FT>::Zero()), spreads);
+  spreads.resize(normals.size());
   for_each_block<ConcurrencyTag>(normals.size(), samples_per_block, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
     {

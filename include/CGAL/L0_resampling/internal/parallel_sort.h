@@ -80,7 +80,7 @@ std::vector<std::size_t> partition_into_buckets(std::size_t number_of_buckets, c
   }
   first_places.push_back(n);
 
-  Buffer<Value> partitioned = filled_buffer(n, Value(), values.get_allocator());
+  Buffer<Value> partitioned(n, values.get_allocator());
   for_each_block<ConcurrencyTag>(n, values_per_block, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       partitioned[places[begin / values_per_block * number_of_buckets + bucket_of(values[i])]++] = values[i];
