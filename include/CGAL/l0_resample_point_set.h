@@ -125,8 +125,8 @@ void resample_on_cpu(const PointRange& range, PointMap point_map, NormalMap norm
     n -= report.number_of_outliers;
     if (report.number_of_distinct_points < (std::min)(n, m))
       report.number_of_distinct_points = number_of_distinct_points(range, point_map, memory);
-    positions = rounded_positions<FT>(result.positions, input, report.neighbor_radius,
-                                      report.number_of_distinct_points >= (std::min)(n, m));
+    positions = rounded_positions<ConcurrencyTag, FT>(result.positions, input, report.neighbor_radius,
+                                                      report.number_of_distinct_points >= (std::min)(n, m));
     normals = std::move(result.normals);
     data.feature_confidences = std::move(result.feature_confidences);
     release(result.positions);

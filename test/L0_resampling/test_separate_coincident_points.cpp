@@ -44,7 +44,7 @@ void check_separation(const Points<FT>& points, FT margin, double units)
 {
   const Box<FT> box(points, margin);
   Buffer<std::array<FT, 3>> separated(points.begin(), points.end());
-  separate_coincident_points(box.low, box.high, box.length, separated);
+  separate_coincident_points<CGAL::Parallel_if_available_tag>(box.low, box.high, box.length, separated);
   const std::set<std::array<FT, 3>> before(points.begin(), points.end()), after(separated.begin(), separated.end());
   CHECK(separated.size() == points.size());
   CHECK(after.size() == points.size());
@@ -115,7 +115,7 @@ void check_corners()
   {
     const std::array<FT, 3> place{corners[corner % 2][0], corners[corner / 2 % 2][1], corners[corner / 4][2]};
     Buffer<std::array<FT, 3>> points(3000, place);
-    separate_coincident_points(corners[0], corners[1], FT(1), points);
+    separate_coincident_points<CGAL::Parallel_if_available_tag>(corners[0], corners[1], FT(1), points);
     CHECK((std::set<std::array<FT, 3>>(points.begin(), points.end()).size() == points.size()));
     CHECK(std::all_of(points.begin(), points.end(), [&](const std::array<FT, 3>& p) {
       for (std::size_t axis = 0; axis < 3; ++axis)
@@ -131,7 +131,8 @@ void check_full_box()
 {
   const double margin = 4 * std::numeric_limits<double>::epsilon();
   Buffer<std::array<double, 3>> points(3000, std::array<double, 3>{1, 1, 1});
-  separate_coincident_points({1 - margin, 1 - margin, 1 - margin}, {1 + margin, 1 + margin, 1 + margin}, margin, points);
+  separate_coincident_points<CGAL::Parallel_if_available_tag>({1 - margin, 1 - margin, 1 - margin},
+                                                              {1 + margin, 1 + margin, 1 + margin}, margin, points);
   CHECK((std::set<std::array<double, 3>>(points.begin(), points.end()).size() == points.size()));
   for (const std::array<double, 3>& p : points)
     for (double x : p)
@@ -146,7 +147,8 @@ void check_largest_numbers()
   const FT infinity = std::numeric_limits<FT>::infinity();
   const auto check_box = [&](FT low, FT length) {
     Buffer<std::array<FT, 3>> points(200, std::array<FT, 3>{largest, largest, -largest});
-    separate_coincident_points({low, low, -largest}, {largest, largest, -low}, length, points);
+    separate_coincident_points<CGAL::Parallel_if_available_tag>({low, low, -largest}, {largest, largest, -low}, length,
+                                                                points);
     CHECK((std::set<std::array<FT, 3>>(points.begin(), points.end()).size() == points.size()));
     for (const std::array<FT, 3>& p : points)
       for (FT x : p)
@@ -168,13 +170,13 @@ void check_order(Generator& generator)
   {
     std::shuffle(points.begin(), points.end(), generator);
     Buffer<std::array<double, 3>> separated(points.begin(), points.end());
-    separate_coincident_points(box.low, box.high, box.length, separated);
+    separate_coincident_points<CGAL::Parallel_if_available_tag>(box.low, box.high, box.length, separated);
     results.emplace(separated.begin(), separated.end());
   }
   CHECK(results.size() == 1);
 
   Buffer<std::array<double, 3>> none;
-  separate_coincident_points(box.low, box.high, box.length, none);
+  separate_coincident_points<CGAL::Parallel_if_available_tag>(box.low, box.high, box.length, none);
   CHECK(none.empty());
 }
 

@@ -35,7 +35,7 @@ struct Framed
   Framed(const std::vector<Vector>& input, double radius) : points(to_buffer(input))
   {
     frame.enter<CGAL::Parallel_if_available_tag>(points);
-    frame.scale_to(frame.length_in_frame(radius), points);
+    frame.scale_to<CGAL::Parallel_if_available_tag>(frame.length_in_frame(radius), points);
   }
 };
 
@@ -80,7 +80,7 @@ void check_frame(const std::vector<Vector>& cloud, double radius)
   }
   CHECK(largest <= 2);
   Framed again = framed; // a second radius, which is another scale of the same frame
-  const double factor = again.frame.scale_to(100 * radius_in_frame, again.points);
+  const double factor = again.frame.scale_to<CGAL::Parallel_if_available_tag>(100 * radius_in_frame, again.points);
   CHECK(again.frame.length_in_frame(radius) == factor * radius_in_frame && 100 * factor * radius_in_frame >= 1);
   CHECK(again.points.front() == factor * framed.points.front());
   CHECK(again.frame.leave(again.points.front()) == framed.frame.leave(framed.points.front()));

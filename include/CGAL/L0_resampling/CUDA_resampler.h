@@ -131,7 +131,7 @@ inline void estimate_feature_confidences(const Buffer<Vector>& result, const std
   frame.enter<Parallel_if_available_tag>(positions);
   double spacing = robust_diagonal<Parallel_if_available_tag>(positions) / std::sqrt(double(positions.size()));
   spacing = sensible_radius(spacing, positions);
-  spacing *= frame.scale_to(spacing, positions);
+  spacing *= frame.scale_to<Parallel_if_available_tag>(spacing, positions);
   Buffer<Local_vector> normals;
   for (std::size_t i = 0; i < positions.size(); ++i)
     normals.emplace_back(result_normals[3 * i], result_normals[3 * i + 1], result_normals[3 * i + 2]);
@@ -288,7 +288,8 @@ private:
     std::vector<float> normals(3 * m);
     throw_if_failed(cuda::download(*m_session, coordinates(positions), normals.data()));
     const bool separate = report.number_of_distinct_points >= (std::min)(m_size - report.number_of_outliers, m);
-    const Buffer<std::array<FT, 3>> rounded = rounded_positions<FT>(positions, m_box, report.neighbor_radius, separate);
+    const Buffer<std::array<FT, 3>> rounded =
+      rounded_positions<Parallel_if_available_tag, FT>(positions, m_box, report.neighbor_radius, separate);
     Point_data data;
     find_near(rounded, data.near_points);
     if (parameters.with_feature_confidences)

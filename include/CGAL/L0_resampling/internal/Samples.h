@@ -35,19 +35,19 @@ struct Samples
 };
 
 /// Puts sample `order[i]` in place `i`.
-template <typename FT>
+template <typename ConcurrencyTag = Sequential_tag, typename FT>
 void apply_order(const Buffer<Index>& order, Samples<FT>& samples)
 {
-  apply_order(order, samples.positions);
-  apply_order(order, samples.normals);
-  apply_order(order, samples.fit_weights);
-  apply_order(order, samples.fit_centroids);
+  apply_order<ConcurrencyTag>(order, samples.positions);
+  apply_order<ConcurrencyTag>(order, samples.normals);
+  apply_order<ConcurrencyTag>(order, samples.fit_weights);
+  apply_order<ConcurrencyTag>(order, samples.fit_centroids);
   if (!samples.outward_directions.empty())
-    apply_order(order, samples.outward_directions);
+    apply_order<ConcurrencyTag>(order, samples.outward_directions);
   if (!samples.spacings.empty())
-    apply_order(order, samples.spacings);
+    apply_order<ConcurrencyTag>(order, samples.spacings);
   if (!samples.hints.empty())
-    apply_order(order, samples.hints);
+    apply_order<ConcurrencyTag>(order, samples.hints);
 }
 
 } // namespace internal

@@ -313,12 +313,15 @@ private:
 };
 
 /// Puts `values[order[i]]` in place `i`.
-template <typename T>
+template <typename ConcurrencyTag = Sequential_tag, typename T>
 void apply_order(const Buffer<Index>& order, Buffer<T>& values)
 {
-  Buffer<T> sorted(values.get_allocator());
-  sorted.reserve(order.size());
-  for_each_in_order(order.size(), [&](std::size_t i) { sorted.push_back(values[order[i]]); });
+  const std::size_t values_per_block = 4096;
+  Buffer<T> sorted(order.size(), values.get_allocator());
+  for_each_block<ConcurrencyTag>(order.size(), values_per_block, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      sorted[i] = values[order[i]];
+  });
   values.swap(sorted);
 }
 

@@ -158,7 +158,7 @@ Nearest_samples find_nearest_samples(const Buffer<Vector>& positions, std::size_
     const double cell_size = std::ldexp(spacing_guess, doubling);
     const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(positions, cell_size);
     Buffer<Vector> sorted_positions = copy_of(positions);
-    apply_order(order, sorted_positions);
+    apply_order<ConcurrencyTag>(order, sorted_positions);
     const Search_grid_3 grid(sorted_positions, cell_size);
     for (int last = (std::min)(doubling + doublings_on_one_grid, number_of_doublings);
          doubling <= last && number_of_open > 0; ++doubling)

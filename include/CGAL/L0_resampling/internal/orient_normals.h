@@ -164,17 +164,21 @@ Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_o
     tree.votes.add(sign * normal(i), hint_of(i));
     number_of_oriented += sets.size_of_set(root) > 1 && sure_set_sizes[i] == tree.largest_sure_set;
   });
-  std::size_t number_of_hinted = 0;
-  for_each_in_order(m, [&](std::size_t place) {
-    const Index i = Index(place);
-    const auto [root, sign] = sets.find(i);
-    const Tree& tree = trees[root];
-    const bool is_hinted = tree.votes.are_clear();
-    const bool is_turned = is_hinted ? tree.votes.say_turn()
-                                     : is_turned_inwards(tree.flux, tree.largest_flux, tree.normal_sum);
-    number_of_hinted += is_hinted;
-    if (is_turned != (sign < 0))
-      normals[i] = -normals[i];
+  const std::size_t samples_per_task = 4096;
+  const auto number_of_hinted = block_sum<ConcurrencyTag>(m, samples_per_task, [&](std::size_t begin, std::size_t end) {
+    std::size_t number = 0;
+    for (Index i = Index(begin); i < end; ++i)
+    {
+      const auto [root, sign] = sets.find(i);
+      const Tree& tree = trees[root];
+      const bool is_hinted = tree.votes.are_clear();
+      const bool is_turned = is_hinted ? tree.votes.say_turn()
+                                       : is_turned_inwards(tree.flux, tree.largest_flux, tree.normal_sum);
+      number += is_hinted;
+      if (is_turned != (sign < 0))
+        normals[i] = -normals[i];
+    }
+    return number;
   });
   return {double(number_of_oriented) / double(m), double(number_of_hinted) / double(m)};
 }

@@ -174,7 +174,7 @@ std::size_t number_of_distinct_points(const PointRange& range, PointMap point_ma
 }
 
 /// The result's positions in the number type of the caller: inside the bounding box grown by `margin`, and no two equal if `separate`.
-template <typename FT>
+template <typename ConcurrencyTag, typename FT>
 Buffer<std::array<FT, 3>> rounded_positions(const Buffer<Vector>& positions, const Input& input, double margin,
                                             bool separate)
 {
@@ -194,7 +194,7 @@ Buffer<std::array<FT, 3>> rounded_positions(const Buffer<Vector>& positions, con
     rounded.push_back(r);
   });
   if (separate)
-    separate_coincident_points(low, high, FT(margin), rounded);
+    separate_coincident_points<ConcurrencyTag>(low, high, FT(margin), rounded);
   return rounded;
 }
 

@@ -165,7 +165,7 @@ Lengths choose_lengths(const Parameters& parameters, Buffer<Vector>& points, Wor
   const double n = double(points.size()), m = double(parameters.number_of_output_points);
   double diagonal = robust_diagonal<ConcurrencyTag>(points);
   const double paper_radius = sensible_radius(diagonal / std::cbrt(n), points);
-  diagonal *= frame.scale_to(paper_radius, points);
+  diagonal *= frame.scale_to<ConcurrencyTag>(paper_radius, points);
   const double scaled_paper_radius = std::ldexp(paper_radius, -std::ilogb(paper_radius));
 
   Lengths lengths;
@@ -186,7 +186,7 @@ Lengths choose_lengths(const Parameters& parameters, Buffer<Vector>& points, Wor
     lengths.radius = frame.length_in_frame(parameters.neighbor_radius);
   lengths.radius = sensible_radius(lengths.radius, points);
 
-  const double scale = frame.scale_to(lengths.radius, points);
+  const double scale = frame.scale_to<ConcurrencyTag>(lengths.radius, points);
   lengths.radius *= scale;
   lengths.noise *= scale;
   lengths.sample_spacing *= scale;
@@ -261,7 +261,7 @@ Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buff
   // Neighborhoods
   {
     const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(points, lengths.cell_size);
-    apply_order(order, points);
+    apply_order<ConcurrencyTag>(order, points);
     for (Buffer<Local_vector>* vectors : {&given_normals, &hints})
       if (!vectors->empty())
       {
@@ -377,7 +377,7 @@ Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buff
     {
       const double self_cell_size = (std::max)(lengths.self_neighbor_radius, lengths.smallest_cell_size);
       const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(samples.positions, self_cell_size);
-      apply_order(order, samples);
+      apply_order<ConcurrencyTag>(order, samples);
       if (SolverTraits::needs_explicit_rows)
         apply_order(order, fit_rows);
       const Search_grid_3 self_grid(samples.positions, self_cell_size);
@@ -409,7 +409,11 @@ Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buff
   }
   progress.end_stage();
 
-  for_each_in_order(m, [&](std::size_t i) { samples.positions[i] = frame.leave(samples.positions[i]); });
+  const std::size_t samples_per_task = 4096;
+  for_each_block<ConcurrencyTag>(m, samples_per_task, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      samples.positions[i] = frame.leave(samples.positions[i]);
+  });
   return {std::move(samples.positions), std::move(samples.normals), std::move(feature_confidences)};
 }
 

@@ -25,14 +25,14 @@ namespace internal {
 
 /// Whether two points are equal: true whenever they are, and next to never when they are not. Sorting one number a point is a tenth of the work of
 /// sorting the points.
-template <typename FT>
+template <typename ConcurrencyTag, typename FT>
 bool may_have_equal_points(const Buffer<std::array<FT, 3>>& points)
 {
   Buffer<std::size_t> hashes(points.get_allocator());
   hashes.reserve(points.size());
   for_each_in_order(points.size(),
                     [&](std::size_t i) { hashes.push_back(boost::hash_range(points[i].begin(), points[i].end())); });
-  sort_by_key<Sequential_tag>(
+  sort_by_key<ConcurrencyTag>(
     hashes, [](std::size_t hash) -> std::uint64_t { return hash; }, [](std::size_t, std::size_t) { return false; });
   return std::adjacent_find(hashes.begin(), hashes.end()) != hashes.end();
 }
@@ -42,11 +42,11 @@ bool may_have_equal_points(const Buffer<std::array<FT, 3>>& points)
 /// \param points finite; those that coincide with an earlier one in lexicographic order of (coordinates, index) are moved
 /// \param low, high corners of the box that they have to stay in, where it has room
 /// \param length below which coordinates count as zero: its rounding is the least step; may be infinite
-template <typename FT>
+template <typename ConcurrencyTag, typename FT>
 void separate_coincident_points(const std::array<FT, 3>& low, const std::array<FT, 3>& high, FT length,
                                 Buffer<std::array<FT, 3>>& points)
 {
-  if (!may_have_equal_points(points))
+  if (!may_have_equal_points<ConcurrencyTag>(points))
     return;
   using Point = std::array<FT, 3>;
   const auto allocator = points.get_allocator();

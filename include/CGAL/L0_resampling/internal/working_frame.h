@@ -53,23 +53,27 @@ public:
     if (largest > 0)
       m_first_exponent = -std::ilogb(largest) - 1;
 
-    for_each_in_order(points.size(), [&](std::size_t i) { points[i] = scaled(points[i], m_first_exponent); });
+    scale<ConcurrencyTag>(m_first_exponent, points);
     // a median is a coordinate of the cloud: differences to it are exact nearby, and outliers do not move it
     for_each_axis_of<ConcurrencyTag>(points, [&](int axis, Buffer<double>& coordinates) {
       const auto middle = coordinates.begin() + std::ptrdiff_t(coordinates.size() / 2);
       select_nth(coordinates.begin(), middle, coordinates.end());
       m_origin[axis] = *middle;
     });
-    for_each_in_order(points.size(), [&](std::size_t i) { points[i] -= m_origin; });
+    for_each_block<ConcurrencyTag>(points.size(), points_per_block, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        points[i] -= m_origin;
+    });
   }
 
   /// Scales the frame and `points` with it so that `radius`, a length in the frame, comes to lie in [1, 2).
   /// \returns the factor, a power of two
+  template <typename ConcurrencyTag>
   double scale_to(double radius, Buffer<Vector>& points)
   {
     const int exponent = -std::ilogb(radius);
     m_second_exponent += exponent;
-    for_each_in_order(points.size(), [&](std::size_t i) { points[i] = scaled(points[i], exponent); });
+    scale<ConcurrencyTag>(exponent, points);
     return std::ldexp(1., exponent);
   }
 
@@ -103,9 +107,22 @@ public:
   }
 
 private:
-  static Vector scaled(const Vector& v, int exponent)
+  static constexpr std::size_t points_per_block = 4096;
+
+  template <typename ConcurrencyTag>
+  static void scale(int exponent, Buffer<Vector>& points)
   {
-    const double factor = std::ldexp(1., exponent);
+    const double factor = std::ldexp(1., exponent); // once for all of them
+    for_each_block<ConcurrencyTag>(points.size(), points_per_block, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        points[i] = scaled(points[i], exponent, factor);
+    });
+  }
+
+  static Vector scaled(const Vector& v, int exponent) { return scaled(v, exponent, std::ldexp(1., exponent)); }
+
+  static Vector scaled(const Vector& v, int exponent, double factor)
+  {
     if (std::isnormal(factor))
       return factor * v;
     return {std::ldexp(v[0], exponent), std::ldexp(v[1], exponent), std::ldexp(v[2], exponent)};
