@@ -274,8 +274,8 @@ __global__ void turn_sets(Field field, unsigned* number_of_turns)
       for (unsigned b = 0; b < a && a < size; ++b)
         if (field.trees[a] == field.trees[b])
         {
-          const long long both = sum + with_others[b] - 2 * signs[a] * signs[b] * field.row(b)[a];
-          if (both < own.agreement)
+          const long long pair = signs[a] * signs[b] * field.row(b)[a], both = sum + with_others[b] - 2 * pair;
+          if (both < own.agreement && double(both) < -least_share_of_pair * double(pair))
           {
             own.agreement = both;
             own.partner = b;

@@ -152,7 +152,7 @@ Where there is no ratio, the best figure is zero. The pipelines, named with thei
 {rivals}.
 Where there are outliers, these pipelines get the points that CGAL's `remove_outliers()` leaves, which is told the share
 of outliers; the default method gets all points.
-"""
+{result.get("note", "")}"""
 
 
 def markdown(result):

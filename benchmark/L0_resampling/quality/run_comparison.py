@@ -65,6 +65,7 @@ def parse_arguments():
     parser.add_argument("--threads", type=int, default=1)
     parser.add_argument("--only-ours", action="store_true",
                         help="takes the figures of CGAL's pipelines from OUTPUT.json")
+    parser.add_argument("--note", help="what a reader of this run has to know, for the tables' heading")
     parser.add_argument("--keep-baselines", action="store_true",
                         help="the same, but measures these too on inputs that OUTPUT.json lacks")
     parser.add_argument("--full", action="store_true",
@@ -87,6 +88,8 @@ def main():
     arguments = parse_arguments()
     command = command_line("run_comparison.py", sys.argv[1:])
     result = {"commands": [command], "experiments": []}
+    if arguments.note:
+        result["note"] = f"\n{arguments.note}\n"
     planned, compared = plan(arguments), methods(arguments.radii)
     if arguments.only_ours or arguments.keep_baselines:
         previous = json.loads(arguments.output.with_suffix(".json").read_text(encoding="utf-8"))

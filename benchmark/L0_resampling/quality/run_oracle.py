@@ -41,7 +41,7 @@ def resample(bench, source, points, *options):
     result, report = bench.scratch / "result.ply", bench.scratch / "report.json"
     bench.run("l0_resample", source, result, "--points", points, "--threads", bench.threads, "--quiet", "--json", report,
               *options)
-    return result, json.loads(report.read_text(encoding="utf-8"))["neighbor_radius"]
+    return result, json.loads(report.read_text(encoding="utf-8"))["resampling"]["neighbor_radius"]
 
 
 def measure(bench, mesh, experiment):
@@ -73,7 +73,10 @@ def main():
             experiment["runs"] = measure(bench, mesh_of(shape, arguments.meshes), experiment)
             result["experiments"].append(experiment)
             print(f"{shape}, noise {experiment['noise_percent']:g} %", file=sys.stderr, flush=True)
-    write_result(arguments.output, result, oracle_tables.markdown(result))
+            if arguments.output is not None:   # a long run that is cut short leaves what it has
+                write_result(arguments.output, result, oracle_tables.markdown(result))
+    if arguments.output is None:
+        write_result(None, result, oracle_tables.markdown(result))
 
 
 if __name__ == "__main__":

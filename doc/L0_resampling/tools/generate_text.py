@@ -122,6 +122,7 @@ def main():
     sys.path += [str(benchmark / "quality"), str(benchmark / "performance")]
     sys.dont_write_bytecode = True   # the benchmarks lie in the source tree
     import comparison_tables
+    import oracle_tables
     import performance_tables
     import quality_tables
     import run_callback_latency
@@ -129,11 +130,12 @@ def main():
     import run_cuda_roofline
 
     quality = {name: load(benchmark / "quality" / "results" / f"{name}.json") for name in ("fandisk", "armadillo")}
-    comparison = load(benchmark / "quality" / "results" / "comparison.json")
+    comparison, oracle = (load(benchmark / "quality" / "results" / f"{name}.json") for name in ("comparison", "oracle"))
     speed, scaling, callback, device, roofline = (load(benchmark / "performance" / "results" / f"{name}.json")
                                                   for name in ("fandisk", "scaling", "callback", "cuda_h200", "cuda_roofline"))
     texts = {**{f"quality_{name}": quality_tables.markdown(result) for name, result in quality.items()},
-             "comparison": comparison_tables.markdown(comparison), "speed": performance_tables.markdown(speed), "scaling": performance_tables.markdown(scaling),
+             "comparison": comparison_tables.markdown(comparison), "oracle": oracle_tables.markdown(oracle),
+             "speed": performance_tables.markdown(speed), "scaling": performance_tables.markdown(scaling),
              "callback": run_callback_latency.markdown(callback),
              "device": run_cuda_performance.markdown(device["results"], device["beside"], device["beside_machine"],
                                                      device["command"]),

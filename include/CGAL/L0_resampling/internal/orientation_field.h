@@ -81,8 +81,9 @@ struct Field_of_sets
       if (first == none)
         for (std::size_t a = 0; a < n; ++a)
           for (std::size_t b = 0; b < a; ++b)
-            if (trees[a] == trees[b])
-              consider(with_others[a] + with_others[b] - 2 * agreement(a, b), a, b);
+            if (const double both = with_others[a] + with_others[b] - 2 * agreement(a, b);
+                trees[a] == trees[b] && both < -least_share_of_pair * agreement(a, b))
+              consider(both, a, b);
       if (first == none)
         return turn > 0;
       for (const std::size_t a : {first, second})
