@@ -125,16 +125,18 @@ def main():
     import comparison_tables
     import performance_tables
     import quality_tables
+    import run_callback_latency
     import run_cuda_performance
     import run_cuda_roofline
 
     quality = {name: load(benchmark / "quality" / "results" / f"{name}.json") for name in ("fandisk", "armadillo")}
     comparison = load(benchmark / "quality" / "results" / "comparison.json")
-    speed, scaling, device, roofline = (load(benchmark / "performance" / "results" / f"{name}.json")
-                                        for name in ("fandisk", "scaling", "cuda_h200", "cuda_roofline"))
+    speed, scaling, callback, device, roofline = (load(benchmark / "performance" / "results" / f"{name}.json")
+                                                  for name in ("fandisk", "scaling", "callback", "cuda_h200", "cuda_roofline"))
     report = load(benchmark / "report" / "results" / "small.json")
     texts = {**{f"quality_{name}": quality_tables.markdown(result) for name, result in quality.items()},
              "comparison": comparison_tables.markdown(comparison), "speed": performance_tables.markdown(speed), "scaling": performance_tables.markdown(scaling),
+             "callback": run_callback_latency.markdown(callback),
              "device": run_cuda_performance.markdown(device["results"], device["beside"], device["beside_machine"],
                                                      device["command"]),
              "roofline": run_cuda_roofline.table(roofline),

@@ -16,33 +16,72 @@ def load(name):
     return json.loads((HERE / "results" / name).read_text(encoding="utf-8"))
 
 
-def times_and_result(campaigns, kind):
-    if kind is None:
+def readers():
+    """What was found by libFuzzer, a file for each corpus, and by the campaigns before the readers were as they are now."""
+    runs = [json.loads(path.read_text(encoding="utf-8")) for path in sorted((HERE.parent / "fuzz" / "results").glob("*.json"))]
+    earlier = [run for run in load("campaigns.json")["readers"] if run["corpus"] not in {run["corpus"] for run in runs}]
+    times = [f"{run['executions']} {run['corpus']}" for run in runs] + [f"{run['executions']} {run['corpus']} (without other properties)" for run in earlier]
+    return ", ".join(times), sum(run["broken"] for run in runs + earlier)
+
+
+def attacks():
+    counts = {}
+    campaigns = load("campaigns.json")["function"]
+    for campaign in campaigns:
+        counts[campaign["kind"]] = counts.get(campaign["kind"], 0) + campaign["attacks"]
+    return ", ".join(f"{count} {name}" for name, count in counts.items()), sum(campaign["succeeded"] for campaign in campaigns)
+
+
+def latency():
+    """Of the runs with the most points, on one thread."""
+    path = HERE.parents[2] / "benchmark" / "L0_resampling" / "performance" / "results" / "callback.json"
+    runs = json.loads(path.read_text(encoding="utf-8"))["runs"]
+    most = max(run["points_in"] for run in runs)
+    of_most = [run for run in runs if run["points_in"] == most and run["threads"] == 1]
+    calls = sum(run["calls"] for run in of_most)
+    longest = max(run["busiest_gaps"][0]["cpu_seconds"] for run in of_most)
+    ends = [end["cpu_seconds"] for run in of_most for end in run["cancellations"]]
+    names = ", ".join(run["method"] for run in of_most)
+    return (f"in each run of the tests; {calls} calls of the callback at {most} points ({names})",
+            f"they pass; {1000 * longest:.0f} ms of processor time between two calls at most, and {1000 * max(ends):.0f} ms from `false` to the end of {len(ends)} calls")
+
+
+def times_and_result(campaign):
+    if campaign is None:
         return "in each run of the tests", "they pass"
-    if kind == "function":
-        attacks = {}
-        for campaign in campaigns[kind]:
-            attacks[campaign["kind"]] = attacks.get(campaign["kind"], 0) + campaign["attacks"]
-        times = ", ".join(f"{count} {name}" for name, count in attacks.items())
-        broken = sum(c["succeeded"] for c in campaigns[kind])
-    else:
-        times = ", ".join(f"{c['executions']} {c['corpus']} ({c['executions_since_other_properties_are_read']} since other properties are read)" for c in campaigns[kind])
-        broken = sum(c["broken"] for c in campaigns[kind])
+    if campaign == "latency":
+        return latency()
+    times, broken = readers() if campaign == "readers" else attacks()
     return times, "none broken" if broken == 0 else f"{broken} broken"
 
 
+def planted():
+    """What `planted_bugs/run.sh --json` has found."""
+    verdicts = load("planted_bugs_run.json")
+    caught = [bug for bug, verdict in verdicts.items() if verdict.startswith("caught")]
+    patches = list((HERE.parent / "planted_bugs").glob("*.patch"))
+    lines = ["", "## Planted bugs", "",
+             f"Of {len(patches)} patches in `test/L0_resampling/planted_bugs`, {len(verdicts)} were planted by its `run.sh` in this state of the tree; {len(caught)} were caught.", "",
+             "| bug | verdict |", "| --- | --- |"]
+    return lines + [f"| {bug} | {verdict} |" for bug, verdict in sorted(verdicts.items())]
+
+
+def sanitized():
+    lines = ["", "## Under sanitizers", "", "| what | result |", "| --- | --- |"]
+    return lines + [f"| {run['program']} | {run['result']} |" for run in load("sanitized_runs.json")]
+
+
 def main():
-    campaigns = load("campaigns.json")
     lines = ["# The promises under attack", "",
-             "Made by `test/L0_resampling/attack/promise_table.py` from the files in `results` beside it. Every failure that was ever found is in",
-             "`test/L0_resampling/attack/corpus` or `test/L0_resampling/fuzz/corpora`, which `ctest` replays.", "",
+             "Made by `test/L0_resampling/attack/promise_table.py` from the files in `results` beside it, and what the fuzzer and the benchmark of the callback have left. Every",
+             "failure that was ever found is in `test/L0_resampling/attack/corpus` or `test/L0_resampling/fuzz/corpora`, which `ctest` replays.", "",
              "| promise | tests | what was tried | how many times | result |", "| --- | --- | --- | --- | --- |"]
     for row in load("promises.json"):
-        times, result = times_and_result(campaigns, row["campaign"])
+        times, result = times_and_result(row["campaign"])
         tests = ", ".join(f"`{test}`" for test in row["tests"])
         lines.append(f"| {row['promise']} | {tests} | {row['tried']} | {times} | {result} |")
     target = HERE.parents[2] / "doc" / "L0_resampling" / "promises_under_attack.md"
-    target.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    target.write_text("\n".join(lines + planted() + sanitized()) + "\n", encoding="utf-8")
 
 
 if __name__ == "__main__":
