@@ -119,8 +119,9 @@ def device_figures(results):
 
 def main():
     defaults, benchmark, output = load(sys.argv[1]), Path(sys.argv[2]), Path(sys.argv[3])
-    sys.path += [str(benchmark / "quality"), str(benchmark / "performance")]
+    sys.path += [str(benchmark / "quality"), str(benchmark / "performance"), str(benchmark / "report")]
     sys.dont_write_bytecode = True   # the benchmarks lie in the source tree
+    import claims
     import comparison_tables
     import oracle_tables
     import performance_tables
@@ -133,13 +134,15 @@ def main():
     comparison, oracle = (load(benchmark / "quality" / "results" / f"{name}.json") for name in ("comparison", "oracle"))
     speed, scaling, callback, device, roofline = (load(benchmark / "performance" / "results" / f"{name}.json")
                                                   for name in ("fandisk", "scaling", "callback", "cuda_h200", "cuda_roofline"))
+    report = load(benchmark / "report" / "results" / "small.json")
     texts = {**{f"quality_{name}": quality_tables.markdown(result) for name, result in quality.items()},
              "comparison": comparison_tables.markdown(comparison), "oracle": oracle_tables.markdown(oracle),
              "speed": performance_tables.markdown(speed), "scaling": performance_tables.markdown(scaling),
              "callback": run_callback_latency.markdown(callback),
              "device": run_cuda_performance.markdown(device["results"], device["beside"], device["beside_machine"],
                                                      device["command"]),
-             "roofline": run_cuda_roofline.table(roofline)}
+             "roofline": run_cuda_roofline.table(roofline),
+             "claims": claims.claims_table(report["experiments"]).markdown()}
 
     figures = dict(code_figures(defaults))
     for name, result in quality.items():
