@@ -149,6 +149,8 @@ struct Voting_state
   unsigned table;           // which one holds them
   unsigned number_of_slots; // of it
   unsigned round;
+  unsigned number_of_doublings; // of the parts that the votes are counted in
+  unsigned is_full[16];         // for each such number, whether a part was too large for the tables
   unsigned is_changed[2 * maximum_number_of_rounds];
   unsigned counts[2 * maximum_number_of_rounds + 1]; // of votes, at the beginning of each round
 };

@@ -46,13 +46,21 @@ __device__ unsigned part_of(Wide pair, unsigned number_of_parts)
   return unsigned((mixed >> 32) * number_of_parts >> 32);
 }
 
+/// \param is_full null for a table that has room for all; else the vote may be left out, which is noted there
 /// \returns whether it is the first of its pair
-__device__ bool add_vote(Vote* table, unsigned number_of_slots, Wide pair, long long agreement, long long total)
+__device__ bool add_vote(Vote* table, unsigned number_of_slots, Wide pair, long long agreement, long long total,
+                         unsigned* is_full)
 {
+  const unsigned longest_search = 4096;
   unsigned s = unsigned((hash_of(pair) >> 32) * number_of_slots >> 32);
   Wide found;
-  for (;; s = s + 1 < number_of_slots ? s + 1 : 0)
+  for (unsigned search = 0;; ++search, s = s + 1 < number_of_slots ? s + 1 : 0)
   {
+    if (is_full != nullptr && search == min(longest_search, number_of_slots))
+    {
+      note(is_full);
+      return false;
+    }
     found = atomicCAS(&table[s].pair, 0ull, pair);
     if (found == 0 || found == pair)
       break;
@@ -155,9 +163,11 @@ __device__ void propose_votes(const Team& team, const Votes& votes, const Vote* 
 /// Counts the votes of the edges between sets, those of one part of the pairs.
 /// \param sets the root of each sample now
 /// \param count out: of pairs
+/// \param is_full as of `add_vote()`
 template <typename Team>
 __device__ void count_votes_of_edges(const Team& team, const Graph& graph, const Link* sets, unsigned part,
-                                     unsigned number_of_parts, Vote* table, unsigned number_of_slots, unsigned* count)
+                                     unsigned number_of_parts, Vote* table, unsigned number_of_slots, unsigned* count,
+                                     unsigned* is_full)
 {
   unsigned own_count = 0;
   for_each_pair_of_neighbors(graph, team.thread_rank(), team.size(), [&](unsigned i, unsigned other) {
@@ -168,7 +178,8 @@ __device__ void count_votes_of_edges(const Team& team, const Graph& graph, const
     if (number_of_parts > 1 && part_of(pair, number_of_parts) != part)
       return;
     const long long units = __double2ll_rn(agreement_of(graph, i, other) * units_per_vote);
-    own_count += add_vote(table, number_of_slots, pair, a.is_turned() == b.is_turned() ? units : -units, llabs(units));
+    own_count += add_vote(table, number_of_slots, pair, a.is_turned() == b.is_turned() ? units : -units, llabs(units),
+                          is_full);
   });
   add_count(count, own_count);
 }
@@ -191,21 +202,32 @@ __device__ bool run_rounds_over_edges(const cooperative_groups::grid_group& grid
       state.number_of_slots = slots_for(most_votes, votes.slots_of_table);
       clear_slots(grid, votes.table(0), state.number_of_slots);
       grid.sync();
-      count_votes_of_edges(grid, graph, joined, 0, 1, votes.table(0), state.number_of_slots, count);
+      count_votes_of_edges(grid, graph, joined, 0, 1, votes.table(0), state.number_of_slots, count, nullptr);
       grid.sync();
       return false;
     }
     const Wide number_of_slots = 2 * Wide(votes.slots_of_table); // both tables are one
-    const unsigned number_of_parts = unsigned((least_slots_for(most_votes) + number_of_slots - 1) / number_of_slots);
+    const unsigned fewest_parts = unsigned((least_slots_for(most_votes) + number_of_slots - 1) / number_of_slots);
     unsigned* const is_changed = &votes.state->is_changed[state.round];
-    for (unsigned part = 0; part < number_of_parts; ++part)
+    for (unsigned part = 0; part < fewest_parts << state.number_of_doublings;)
     {
+      unsigned* const is_full = &votes.state->is_full[state.number_of_doublings];
       clear_slots(grid, votes.slots, unsigned(number_of_slots));
       grid.sync();
-      count_votes_of_edges(grid, graph, joined, part, number_of_parts, votes.slots, unsigned(number_of_slots), count);
+      count_votes_of_edges(grid, graph, joined, part, fewest_parts << state.number_of_doublings, votes.slots,
+                           unsigned(number_of_slots), count, is_full);
       grid.sync();
+      if (__ldcg(is_full) != 0) // by an uneven hash: once more from the first part; what was proposed will be proposed again
+      {
+        ++state.number_of_doublings;
+        part = 0;
+        if (grid.thread_rank() == 0)
+          *count = 0;
+        continue;
+      }
       propose_votes(grid, votes, votes.slots, unsigned(number_of_slots), majority, is_changed);
       grid.sync();
+      ++part;
     }
     if (__ldcg(is_changed) == 0)
     {
@@ -264,7 +286,7 @@ __device__ bool run_rounds(const Team& team, const Votes& votes, double majority
       __stcg(&votes.best[b], 0ull);
       if (to_a.target() != to_b.target())
         own_count += add_vote(next_table, next_slots, pair_of(to_a.target(), to_b.target()),
-                              to_a.is_turned() == to_b.is_turned() ? agreement : -agreement, total);
+                              to_a.is_turned() == to_b.is_turned() ? agreement : -agreement, total, nullptr);
     });
     add_count(&votes.state->counts[state.round + 1], own_count);
     team.sync();
@@ -284,6 +306,7 @@ __global__ void __launch_bounds__(threads_of_voting_block, 2)
   state.table = __ldcg(&votes.state->table);
   state.number_of_slots = __ldcg(&votes.state->number_of_slots);
   state.round = __ldcg(&votes.state->round);
+  state.number_of_doublings = __ldcg(&votes.state->number_of_doublings);
   const auto grid = cooperative_groups::this_grid();
   const auto block = cooperative_groups::this_thread_block();
   if (!state.has_table)
@@ -303,6 +326,7 @@ __global__ void __launch_bounds__(threads_of_voting_block, 2)
     votes.state->table = state.table;
     votes.state->number_of_slots = state.number_of_slots;
     votes.state->round = state.round;
+    votes.state->number_of_doublings = state.number_of_doublings;
   }
 }
 

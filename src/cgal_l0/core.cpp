@@ -125,6 +125,11 @@ py::object resample_arrays(const py::array& points, const std::optional<py::arra
 PYBIND11_MODULE(_core, module)
 {
   using namespace l0_python;
+#if PYBIND11_VERSION_MAJOR == 2 && PYBIND11_VERSION_MINOR < 12
+  // It would read NumPy 2's descriptions of arrays as those of NumPy 1, and numbers of `double` as such of `float`.
+  if (py::module_::import("numpy").attr("__version__").cast<std::string>().substr(0, 2) != "1.")
+    throw py::import_error("cgal_l0 was built with a pybind11 before 2.12, which does not know NumPy 2");
+#endif
   module.doc() = "What cgal_l0 is made of. Use cgal_l0.l0_resample_point_set().";
   module.attr("__version__") = CGAL_L0_VERSION;
 

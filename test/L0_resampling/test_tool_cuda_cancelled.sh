@@ -23,7 +23,7 @@ if [ $? -ne 0 ]; then
   exit 77
 fi
 
-failures=0
+failures=0 cancelled=0
 for delay in 0.1 0.3 0.6 0.9 1.2 1.5 2; do
   timeout --foreground -s KILL 60 "$program" sphere.xyz result.ply --device cuda --neighbor-radius 0.5 --percentage 90 --quiet > /dev/null 2> message &
   job=$!
@@ -37,9 +37,18 @@ for delay in 0.1 0.3 0.6 0.9 1.2 1.5 2; do
   wait $job
   status=$?
   echo "after $delay s: status $status, $((($(date +%s%N) - start) / 1000000)) ms later"
+  if [ $status -eq 0 ] && [ -e result.ply ]; then
+    echo "the work was done before the signal came"
+    break
+  fi
+  cancelled=$((cancelled + 1))
   if [ $status -ne 130 ] || [ -e result.ply ] || [ -n "$(find . -name '*.tmp')" ]; then
     echo "failed: status $status after $delay s: $(cat message)" >&2
     failures=$((failures + 1))
   fi
 done
+if [ $cancelled -eq 0 ]; then
+  echo "failed: nothing was cancelled" >&2
+  failures=1
+fi
 exit $((failures > 0))

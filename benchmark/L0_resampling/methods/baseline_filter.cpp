@@ -21,9 +21,7 @@ using namespace L0_benchmark;
 
 constexpr std::uint64_t seed = 1;
 
-// As in CGAL's examples
-constexpr unsigned number_of_jet_neighbors = 24;
-constexpr unsigned number_of_bilateral_neighbors = 120;
+// As in CGAL's examples, but for the number of neighbors, which is an option
 constexpr unsigned number_of_bilateral_iterations = 3;
 constexpr double sharpness_angle = 25;
 
@@ -46,8 +44,8 @@ std::vector<Point> simplified_by_grid(const std::vector<Point>& points, std::siz
   return result;
 }
 
-void run_filter(const std::string& filter, std::vector<Point>& points, std::size_t count, Measurement& measurement,
-                Oriented_points& result)
+void run_filter(const std::string& filter, unsigned number_of_neighbors, std::vector<Point>& points, std::size_t count,
+                Measurement& measurement, Oriented_points& result)
 {
   if (filter == "random")
     measurement.phase(filter, [&] { keep_random_subset(points, count, seed); });
@@ -57,13 +55,13 @@ void run_filter(const std::string& filter, std::vector<Point>& points, std::size
         points, count, CGAL::compute_average_spacing<CGAL::Sequential_tag>(points, number_of_spacing_neighbors));
     });
   else if (filter == "jet")
-    measurement.phase(filter, [&] { CGAL::jet_smooth_point_set<CGAL::Sequential_tag>(points, number_of_jet_neighbors); });
+    measurement.phase(filter, [&] { CGAL::jet_smooth_point_set<CGAL::Sequential_tag>(points, number_of_neighbors); });
 
   add_normals(points, measurement, result);
   if (filter == "bilateral")
     measurement.phase(filter, [&] {
       for (unsigned i = 0; i < number_of_bilateral_iterations; ++i)
-        CGAL::bilateral_smooth_point_set<CGAL::Sequential_tag>(result, number_of_bilateral_neighbors,
+        CGAL::bilateral_smooth_point_set<CGAL::Sequential_tag>(result, number_of_neighbors,
                                                                point_and_normal_maps().sharpness_angle(sharpness_angle));
     });
   keep_random_subset(result, count, seed);
@@ -75,9 +73,11 @@ int main(int argc, char** argv)
 {
   Arguments arguments;
   std::string filter;
+  unsigned number_of_neighbors = 24;
   CLI::App app("CGAL's random and grid simplification, jet and bilateral smoothing");
   arguments.add_to(app);
   app.add_option("--filter", filter)->required()->check(CLI::IsMember({"random", "grid", "jet", "bilateral"}));
+  app.add_option("--neighbors", number_of_neighbors, "of each point, for jet and bilateral")->check(CLI::PositiveNumber);
 
   return run_program(app, argc, argv, [&] {
     std::vector<Point> points = read_positions(arguments.input);
@@ -85,10 +85,11 @@ int main(int argc, char** argv)
 
     Oriented_points result;
     Measurement measurement;
-    run_filter(filter, points, arguments.number_of_output_points, measurement, result);
+    run_filter(filter, number_of_neighbors, points, arguments.number_of_output_points, measurement, result);
     const Json measured = measurement.result();
 
     write_oriented_points(arguments.output, result);
-    print_result("baseline_filter", arguments, number_of_input_points, result.size(), {{"filter", filter}}, measured);
+    print_result("baseline_filter", arguments, number_of_input_points, result.size(),
+                 {{"filter", filter}, {"neighbors", number_of_neighbors}}, measured);
   });
 }

@@ -39,19 +39,24 @@ def projection(program, radius, *options):
     return Method(program, ("--radius-in-spacings", 2 * radius, *options))
 
 
-def simple_filter(name):
-    return Method("baseline_filter", ("--filter", name))
+def simple_filter(name, *options):
+    return Method("baseline_filter", ("--filter", name, *options))
+
+
+def at_numbers_of_neighbors(name, counts):
+    return {f"{count} neighbors": simple_filter(name, "--neighbors", count) for count in counts}
 
 
 @dataclass(frozen=True)
 class Row:
     """A method of the paper, or one of CGAL's, by its name in tables. Of its variants the best one counts.
 
-    Without variants it cannot be run, and `remark` says why.
+    `remark` says where it is from; without variants, why it cannot be run.
     """
     name: str
     variants: dict
     remark: str = ""
+    is_of_paper: bool = True
 
 
 RADII = (4, 6)    # in spacings of the input, as CGAL counts them
@@ -67,9 +72,9 @@ def projections(program, *options):
 
 
 ROWS = (
-    Row("LOR", {"": ours("lor")}),
-    Row("ALOR", {"": ours("alor")}),
-    Row("default", {"": ours("default")}),
+    Row("LOR", {"": ours("lor")}, "Section 3 of the paper, our implementation"),
+    Row("ALOR", {"": ours("alor")}, "Section 4 of the paper, our implementation"),
+    Row("default", {"": ours("default")}, "this package's own method, not the paper's"),
     Row("LOP", projections("baseline_lop"), "Lipman 2007, our implementation"),
     Row("KLOP", projections("baseline_lop", "--kernel-density-share", 30),
         "LOP on 30 % of the points, drawn from their kernel density estimate as in Liao 2013, our implementation"),
@@ -77,12 +82,12 @@ ROWS = (
                                         for radius in RADII}, "CGAL's"),
     Row("CLOP", projections("baseline_clop"),
         "Preiner 2014, our implementation"),
-    Row("PPU", {}, "trained network, weights cannot be had"),
+    Row("PPU", {}, "Wang 2019: a trained network, whose weights cannot be had"),
     Row("EAR", at_each_radius(lambda radius: ear("baseline_ear", radius)),
         "CGAL's functions in the paper's protocol: WLOP to two thirds of the points, then upsampling"),
     Row("LOD", {"": Method("baseline_lod", ())}, "Sun 2015 without its upsampling, our implementation"),
-    Row("jet smoothing", {"": simple_filter("jet")}, "CGAL's, on all points; then a random subset"),
-    Row("bilateral smoothing", {"": simple_filter("bilateral")}, "CGAL's, on all points; then a random subset"),
-    Row("random subset", {"": simple_filter("random")}),
-    Row("grid simplification", {"": simple_filter("grid")}, "CGAL's"),
+    Row("jet smoothing", at_numbers_of_neighbors("jet", (24, 48, 96)), "CGAL's, on all points; then a random subset", False),
+    Row("bilateral smoothing", at_numbers_of_neighbors("bilateral", (60, 120)), "CGAL's, on all points; then a random subset", False),
+    Row("random subset", {"": simple_filter("random")}, "of the input, as it is", False),
+    Row("grid simplification", {"": simple_filter("grid")}, "CGAL's", False),
 )

@@ -105,7 +105,8 @@ def table(data):
             lines.append(f"| {stage['name']} | {1e3 * stage['seconds']:.3g} | {stage['kernels']} | {stage['memory_bytes'] / 1e6:.3g} "
                          f"| {stage['cache_bytes'] / 1e6:.3g} | {(stage['float_operations'] + stage['double_operations']) / 1e6:.3g} "
                          + "".join(f"| {100 * b[kind]:.0f} % " for kind in ("memory", "cache", "operations", "issue")) + "|")
-        lines.append("")
+        least = sum(max(bound_of(stage, limits).values()) * stage["seconds"] for stage in run["stages"])
+        lines += ["", f"With the bytes and instructions that they have, the stages would take {1e3 * least:.3g} ms at these limits; the rest is waiting.", ""]
     return "\n".join(lines)
 
 

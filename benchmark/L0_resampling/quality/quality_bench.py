@@ -129,6 +129,16 @@ def reuse(previous, planned, methods, only):
         experiment["measurements"] = old["measurements"]
 
 
+def reuse_known(previous, planned, methods, only):
+    """Fills those of `planned` that an earlier run has with its measurements of all `methods` but those of `only`."""
+    names = set(methods) - set(only)
+    for _, experiment in planned:
+        for old in previous["experiments"]:
+            if settings(old) == settings(experiment) and names <= old["measurements"].keys():
+                experiment["measurements"] = {name: old["measurements"][name] for name in methods
+                                              if name in old["measurements"]}
+
+
 def command_line(program, arguments):
     """As it stands in the results: without the folders of this machine."""
     words = [os.path.basename(word) if os.path.isabs(word) else word for word in arguments]

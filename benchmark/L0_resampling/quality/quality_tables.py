@@ -20,17 +20,18 @@ NAMES = {"lor": "LOR", "alor": "ALOR", "default": "default",
 @dataclass(frozen=True)
 class Column:
     heading: str
-    group: str
+    group: str    # of the evaluation, or empty for what stands in none
     field: str
     digits: int
     scale: float = 1
     best: type(min) = min
 
     def value(self, evaluations):
-        """Mean over the seeds; None where the mesh has no feature edges."""
-        if any(evaluation[self.group] is None for evaluation in evaluations):
+        """Mean over the seeds; None where the mesh has no feature edges, or no point is near them."""
+        groups = [evaluation[self.group] if self.group else evaluation for evaluation in evaluations]
+        if any(group is None or group[self.field] is None for group in groups):
             return None
-        return statistics.fmean(evaluation[self.group][self.field] for evaluation in evaluations) * self.scale
+        return statistics.fmean(group[self.field] for group in groups) * self.scale
 
 
 COLUMNS = [Column("mean distance, %", "distance", "mean", 4),

@@ -61,18 +61,29 @@ class Variant_builder:
         return program
 
 
-def build_variants(scratch):
-    """Each variant's program and description; the whole method is the first."""
-    builder = Variant_builder(scratch)
+def variants_of(program_of):
+    """Each variant's program, which `program_of(name, patch)` gives, and description; the whole method is the first."""
     variants, descriptions = {}, {}
     for name, patch in [("full", None), *((patch.stem, patch) for patch in sorted(PATCHES.glob("*.patch")))]:
-        print(f"building {name}", file=sys.stderr, flush=True)
-        program = builder.patched_program(patch) if patch else builder.program(name)
-        variants[name] = Method(program, ("--method", "default"))
+        variants[name] = Method(program_of(name, patch), ("--method", "default"))
         descriptions[name] = "the whole method"
         if patch:
             descriptions[name] = patch.read_text(encoding="utf-8").splitlines()[0].removeprefix("# ")
     return variants, descriptions
+
+
+def build_variants(scratch):
+    builder = Variant_builder(scratch)
+
+    def program_of(name, patch):
+        print(f"building {name}", file=sys.stderr, flush=True)
+        return builder.patched_program(patch) if patch else builder.program(name)
+
+    return variants_of(program_of)
+
+
+def find_variants(folder):
+    return variants_of(lambda name, patch: folder.resolve() / f"run_l0_{name}")
 
 
 def parse_arguments():
@@ -80,6 +91,8 @@ def parse_arguments():
     parser.add_argument("build", type=Path, help="build folder; its bin/ has the programs that sample and measure")
     parser.add_argument("meshes", type=Path, metavar="mesh_folder", help="has the meshes of libcgal-demo")
     parser.add_argument("--output", type=Path, help="writes OUTPUT.json and OUTPUT.md; else the tables are printed")
+    parser.add_argument("--programs", type=Path, metavar="FOLDER",
+                        help="has run_l0_full and a run_l0_PATCH for each patch, built before; else they are built")
     parser.add_argument("--seeds", type=int, nargs="+", default=[1, 2, 3],
                         help="of the sampling; the tables show means")
     parser.add_argument("--input-points", type=int, default=12_000)
@@ -94,7 +107,8 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         scratch = Path(folder)
         bench = Bench(arguments.build.resolve() / "bin", scratch, arguments.threads)
-        variants, result["variants"] = build_variants(scratch)
+        variants, result["variants"] = (find_variants(arguments.programs) if arguments.programs
+                                        else build_variants(scratch))
         for shape, noise, outliers, gradient in INPUTS:
             for seed in arguments.seeds:
                 mesh = mesh_of(shape, arguments.meshes)
@@ -104,7 +118,10 @@ def main():
                 source = bench.sample(mesh, experiment)
                 bench.measure_all(mesh, experiment, variants, lambda name, source=source: source)
                 result["experiments"].append(experiment)
-    write_result(arguments.output, result, ablation_tables.markdown(result))
+                if arguments.output is not None:   # a long run that is cut short leaves what it has
+                    write_result(arguments.output, result, ablation_tables.markdown(result))
+    if arguments.output is None:
+        write_result(arguments.output, result, ablation_tables.markdown(result))
 
 
 if __name__ == "__main__":

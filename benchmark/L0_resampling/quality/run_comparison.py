@@ -18,7 +18,7 @@ import tempfile
 from pathlib import Path
 
 import comparison_tables
-from quality_bench import CGAL_SHAPES, OWN_SHAPES, Bench, command_line, mesh_of, reuse, write_result
+from quality_bench import CGAL_SHAPES, OWN_SHAPES, Bench, command_line, mesh_of, reuse, reuse_known, write_result
 
 sys.path.append(str(Path(__file__).resolve().parents[1] / "methods"))
 from methods import ear, ours, wlop
@@ -65,6 +65,8 @@ def parse_arguments():
     parser.add_argument("--threads", type=int, default=1)
     parser.add_argument("--only-ours", action="store_true",
                         help="takes the figures of CGAL's pipelines from OUTPUT.json")
+    parser.add_argument("--keep-baselines", action="store_true",
+                        help="the same, but measures these too on inputs that OUTPUT.json lacks")
     parser.add_argument("--full", action="store_true",
                         help="100000 points to 66000, three seeds, radii 4, 6 and 8: takes a night")
     parser.add_argument("--small", action="store_true",
@@ -76,8 +78,8 @@ def parse_arguments():
     if arguments.small:
         arguments.input_points, arguments.output_points = 2_000, 1_300
         arguments.shapes, arguments.noise, arguments.radii = ["staircase"], [0.5], [4]
-    if arguments.only_ours and arguments.output is None:
-        parser.error("--only-ours needs the --output of a complete run")
+    if (arguments.only_ours or arguments.keep_baselines) and arguments.output is None:
+        parser.error("--only-ours and --keep-baselines need the --output of an earlier run")
     return arguments
 
 
@@ -86,18 +88,21 @@ def main():
     command = command_line("run_comparison.py", sys.argv[1:])
     result = {"commands": [command], "experiments": []}
     planned, compared = plan(arguments), methods(arguments.radii)
-    measured = dict(compared)
-    if arguments.only_ours:
+    if arguments.only_ours or arguments.keep_baselines:
         previous = json.loads(arguments.output.with_suffix(".json").read_text(encoding="utf-8"))
-        reuse(previous, planned, compared, ["default"])
+        if arguments.only_ours:
+            reuse(previous, planned, compared, ["default"])
+        else:
+            reuse_known(previous, planned, compared, ["default"])
         result["commands"] = [old for old in previous["commands"] if old != command] + [command]
-        measured = {"default": compared["default"]}
     with tempfile.TemporaryDirectory() as scratch:
         bench = Bench(arguments.build / "bin", Path(scratch), arguments.threads)
         for mesh, experiment in planned:
             source = bench.sample(mesh, experiment)
+            measured = {name: method for name, method in compared.items()
+                        if name == "default" or name not in experiment["measurements"]}
             cleaned = source
-            if experiment["outliers_percent"] > 0 and not arguments.only_ours:
+            if experiment["outliers_percent"] > 0 and len(measured) > 1:
                 cleaned = bench.remove_outliers(source, experiment["outliers_percent"])
             bench.measure_all(mesh, experiment, measured,
                               lambda name, all_points=source, rest=cleaned: all_points if name == "default" else rest)

@@ -5,6 +5,7 @@
 """The experiments of a report, each named after what it reproduces. Each returns what stands in the report's JSON."""
 
 import json
+import sys
 from dataclasses import replace
 from pathlib import Path
 
@@ -38,15 +39,22 @@ def fastest(lab, source, points, method, solver):
 
 def table_1(lab, selection):
     """One run at a time, on one thread: these are timings."""
-    models = []
+    inputs = []
     for number, cloud in enumerate(selection.timed):
         experiment, _, source = lab.input(cloud.scaled(selection.factor), f"table_1_{number}")
+        inputs.append(({**experiment, "shape": cloud.shape}, source))
+    for scan in selection.scans:
+        experiment, source = lab.scan(scan, selection.scan_points, f"table_1_{scan.figure}")
+        inputs.append(({**experiment, "shape": scan.stands_for}, source))
+    models = []
+    for experiment, source in inputs:
         runs = []
         for name, method, solver in TIMED_RUNS:
             line = fastest(lab, source, experiment["output_points"], method, solver)
             runs.append({"method": name, "solver": solver, **columns(line["report"], method), "total": line["wall_seconds"],
                          "solver_iterations": line["report"]["solver_iterations"]})
-        models.append({**experiment, "shape": cloud.shape, "runs": runs})
+            print(f"Table 1: {experiment['mesh']}, {name}, {solver}: {line['wall_seconds']:.3g} s", file=sys.stderr, flush=True)
+        models.append({**experiment, "runs": runs})
     return models
 
 
@@ -94,56 +102,56 @@ def normal_weights(lab, selection):
     return {**experiment, "runs": lab.all_of(*(lambda w=w: one(w) for w in selection.normal_weights))}
 
 
-def comparison(lab, figure, cloud, names):
+def start_comparison(lab, figure, cloud, names=()):
+    """The known part of an experiment, and what waits for its measurements."""
     experiment, mesh, source = lab.input(cloud, f"fig_{figure}")
-    measured = lab.measure_rows(experiment, mesh, source, names, f"fig_{figure}", reconstruct=True)
-    return {**experiment, "figure": figure, "shape": cloud.shape, "input_scene": {"title": "input", "points": source.name},
-            "measurements": measured}
+    return ({**experiment, "figure": figure, "shape": cloud.shape, "input_scene": {"title": "input", "points": source.name}},
+            lab.start_rows(experiment, mesh, source, f"fig_{figure}", True, names))
+
+
+def finished(started):
+    return [{**experiment, "measurements": wait()} for experiment, wait in started]
 
 
 def comparisons(lab, selection):
     """Fig. 1, 7, 8 and 9: the methods beside each other."""
-    return [comparison(lab, c.figure, c.cloud.scaled(selection.factor), c.methods) for c in selection.comparisons]
+    return finished([start_comparison(lab, c.figure, c.cloud.scaled(selection.factor)) for c in selection.comparisons])
 
 
 def thin_plate(lab, selection):
     """Fig. 12: the paper's failure."""
-    return comparison(lab, "12", selection.thin_plate.scaled(selection.factor), ("LOR", "ALOR", "default"))
+    return finished([start_comparison(lab, "12", selection.thin_plate.scaled(selection.factor), ("LOR", "ALOR", "default"))])[0]
 
 
 def scans(lab, selection):
     """Fig. 10 and 11 on real scans: pictures only, since nobody knows the truth."""
-    results = []
+    started = []
     for scan in selection.scans:
-        path = lab.demo_data / "points_3" / scan.file if lab.demo_data else None
-        if path is None or not path.exists():
-            continue
-        source = lab.scratch / f"fig_{scan.figure}.ply"
-        thinned = json.loads(lab.run("baseline_filter", path, source, "--filter", "random", "--points", selection.scan_points))
-        count = thinned["number_of_output_points"]
-        experiment = {"mesh": scan.file, "input_points": count, "output_points": round(0.7 * count)}
-        measured = lab.measure_rows(experiment, None, source, scan.methods, f"fig_{scan.figure}", reconstruct=True)
-        results.append({**experiment, "figure": scan.figure, "stands_for": scan.stands_for,
-                        "input_scene": {"title": "input", "points": source.name, "is_raw": True}, "measurements": measured})
-    return results
+        experiment, source = lab.scan(scan, selection.scan_points, f"fig_{scan.figure}")
+        started.append(({**experiment, "figure": scan.figure, "input_scene": {"title": "input", "points": source.name, "is_raw": True}},
+                        lab.start_rows(experiment, None, source, f"fig_{scan.figure}", True)))
+    return finished(started)
 
 
 def noise(lab, selection):
     """The measures of all methods against the noise."""
-    results = []
+    started = []
     for number, cloud in enumerate(selection.noise_clouds):
         for percent in selection.noise:
             noisy = replace(cloud.scaled(selection.factor * selection.noise_factor), noise_percent=percent)
             experiment, mesh, source = lab.input(noisy, f"noise_{number}_{percent:g}")
-            measured = lab.measure_rows(experiment, mesh, source, (), f"noise_{number}_{percent:g}", reconstruct=False)
-            results.append({**experiment, "measurements": measured})
-    return results
+            started.append((experiment, lab.start_rows(experiment, mesh, source, f"noise_{number}_{percent:g}", False)))
+    return finished(started)
 
 
 def device_runs(_lab, _selection):
     """What was measured on a CUDA device, as committed with the command that made it."""
     path = Path(__file__).resolve().parents[1] / "performance" / "results" / "cuda_h200.json"
     recorded = json.loads(path.read_text(encoding="utf-8"))
-    return {"command": recorded["command"], "device": recorded["results"][0]["device"],
-            "runs": [{"points_in": r["points_in"], "points_out": r["points_out"], "method": r["method"],
-                      "seconds": r["device_resident_seconds"]["median"]} for r in recorded["results"]]}
+    runs = [{"input_points": run["points_in"], "output_points": run["points_out"], "method": run["method"],
+             **columns(run, run["method"]), "total": run["device_resident_seconds"]["median"]} for run in recorded["results"]]
+    beside = [{"input_points": run["number_of_input_points"], "output_points": run["number_of_output_points"],
+               "method": run["parameters"]["method"], "solver": run["parameters"]["solver"], "threads": run["threads"],
+               **columns(run["report"], run["parameters"]["method"]), "total": run["wall_seconds"]} for run in recorded["beside"]]
+    return {"command": recorded["command"], "device": recorded["results"][0]["device"], "runs": runs,
+            "machine": recorded["beside_machine"], "beside": beside}

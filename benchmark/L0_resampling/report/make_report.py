@@ -14,6 +14,7 @@ import json
 import os
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 from selections import SELECTIONS
@@ -35,18 +36,26 @@ EXPERIMENTS = ("table_1", "equations", "half_sampling", "interleaving", "normal_
 
 
 def measure(arguments, files, report):
-    """Runs the experiments, and writes the JSON after each, so that what a long run has is not lost."""
+    """Runs the experiments, and writes the JSON after each, so that what a long run has is not lost.
+
+    `--only` adds to the report of an earlier run, if there is one.
+    """
     selection = SELECTIONS[arguments.selection]
     lab = Laboratory(arguments.build, files, arguments.demo_data, arguments.jobs)
-    result = {"commands": [], "selection": selection.name, "machine": machine(arguments.build), "experiments": {}}
-    if arguments.only:
+    result = {"commands": [], "selection": selection.name, "machine": machine(arguments.build), "seconds": {}, "experiments": {}}
+    if arguments.only and report.with_suffix(".json").exists():
         result = json.loads(report.with_suffix(".json").read_text(encoding="utf-8"))
         if result["selection"] != selection.name:
             raise ValueError(f"--only: the earlier run was of the selection {result['selection']}")
     result["commands"].append(command_line("make_report.py", sys.argv[1:]))
-    for name in arguments.only or EXPERIMENTS:
-        result["experiments"][name] = getattr(experiments, name)(lab, selection)
-        write_json(report, result)
+    try:
+        for name in arguments.only or EXPERIMENTS:
+            start = time.monotonic()
+            result["experiments"][name] = getattr(experiments, name)(lab, selection)
+            result["seconds"][name] = time.monotonic() - start
+            write_json(report, result)
+    finally:
+        lab.pool.shutdown(cancel_futures=True)    # where one program fails, others need not begin
     return result
 
 
@@ -57,7 +66,7 @@ def parse_arguments():
     parser.add_argument("--selection", choices=SELECTIONS, default="small")
     parser.add_argument("--demo-data", type=Path, help="the data folder of libcgal-demo; without it, our own shapes")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="programs run beside each other, but where time is measured")
-    parser.add_argument("--only", nargs="+", choices=EXPERIMENTS, help="runs these anew and takes all others from OUTPUT/report.json")
+    parser.add_argument("--only", nargs="+", choices=EXPERIMENTS, help="runs these; others are in the report if OUTPUT/report.json has them")
     parser.add_argument("--page-only", action="store_true")
     return parser.parse_args()
 

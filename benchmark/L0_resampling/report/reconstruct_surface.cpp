@@ -7,6 +7,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/IO/read_points.h>
+#include <CGAL/Random.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/compute_average_spacing.h>
 #include <CGAL/poisson_surface_reconstruction.h>
@@ -23,10 +24,11 @@ using Point_with_normal = std::pair<Kernel::Point_3, Kernel::Vector_3>;
 
 int main(int argc, char* argv[])
 {
-  if (argc != 3) {
-    std::cerr << "usage: reconstruct_surface POINTS_WITH_NORMALS.ply MESH.off" << std::endl;
+  if (argc != 4) {
+    std::cerr << "usage: reconstruct_surface POINTS_WITH_NORMALS.ply MESH.off DISTANCE_IN_SPACINGS" << std::endl;
     return EXIT_FAILURE;
   }
+  CGAL::get_default_random() = CGAL::Random(1); // else it begins with the time, and each run gives another mesh
   const CGAL::First_of_pair_property_map<Point_with_normal> point_map;
   const CGAL::Second_of_pair_property_map<Point_with_normal> normal_map;
   std::vector<Point_with_normal> points;
@@ -37,9 +39,9 @@ int main(int argc, char* argv[])
   }
   const double spacing = CGAL::compute_average_spacing<CGAL::Sequential_tag>(points, 6,
                                                                              CGAL::parameters::point_map(point_map));
-  // Angle and size of the triangles are CGAL's defaults. They follow the surface more closely than its 0.375 spacings,
-  // so that distances measured on the mesh are those of the points.
-  constexpr double angle = 20, largest_triangle = 30, distance = 0.1;
+  // CGAL's defaults for angle and size of the triangles
+  constexpr double angle = 20, largest_triangle = 30;
+  const double distance = std::atof(argv[3]);
   CGAL::Surface_mesh<Kernel::Point_3> mesh;
   if (!CGAL::poisson_surface_reconstruction_delaunay(points.begin(), points.end(), point_map, normal_map, mesh, spacing,
                                                      angle, largest_triangle, distance)) {

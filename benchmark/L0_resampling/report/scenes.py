@@ -46,20 +46,20 @@ def packed(*arrays):
 
 
 class Frame:
-    """The box of all pictures of a figure, so that they have one camera. The viewer sees it as [-1, 1]^3."""
+    """The box of all pictures of a figure, so that they have one camera. The viewer sees it in a sphere of radius 1."""
 
     def __init__(self, positions):
         # what a few outliers reach does not count
         low, high = numpy.quantile(positions, [0.001, 0.999], axis=0)
-        self.center, self.half = (low + high) / 2, float((high - low).max()) * 0.55
+        self.center, self.radius = (low + high) / 2, float(numpy.linalg.norm(high - low)) / 2
 
     def quantized(self, positions):
-        inside = numpy.clip((positions - self.center) / self.half, -1, 1)
+        inside = numpy.clip((positions - self.center) / self.radius, -1, 1)
         return numpy.round(inside * 32767).astype("<i2")
 
     def spacing(self, positions):
         """Of so many points on a surface as large as half the box's, which is near enough to draw them."""
-        x, y, z = (positions.max(axis=0) - positions.min(axis=0)) / self.half
+        x, y, z = (positions.max(axis=0) - positions.min(axis=0)) / self.radius
         return float(numpy.sqrt((x * y + y * z + z * x) / len(positions)))
 
 
@@ -83,8 +83,14 @@ def pack_scene(scene, files, frame, largest_error):
     return result
 
 
-def pack_figure(scenes, files, noise_percent=None):
+# Where the eye is, and which way is up, of inputs that do not stand on the xy plane
+CAMERAS = {"armadillo.off": ((-0.9, 0.7, -3.7), (0, 1, 0)), "hippo1.ply": ((2.2, 1.9, 2.6), (0, 1, 0))}
+CAMERA = ((2.2, -2.6, 1.9), (0, 0, 1))
+
+
+def pack_figure(scenes, files, mesh, noise_percent=None):
     """All scenes of a figure, seen by one camera. The color of the largest error is twice the noise."""
     largest_error = 2 * noise_percent if noise_percent else 1
+    eye, up = CAMERAS.get(mesh, CAMERA)
     frame = Frame(numpy.concatenate([read_ply(files / scene["points"])[0] for scene in scenes]))
-    return {"largest_error": largest_error, "scenes": [pack_scene(scene, files, frame, largest_error) for scene in scenes]}
+    return {"largest_error": largest_error, "eye": eye, "up": up, "scenes": [pack_scene(scene, files, frame, largest_error) for scene in scenes]}

@@ -13,7 +13,7 @@ import markupsafe
 import plots
 import scenes
 import tables
-from claims import claims
+from claims import claims_table
 
 FOLDER = Path(__file__).resolve().parent
 THREE = Path("/usr/share/javascript/three")    # Debian: libjs-three
@@ -23,8 +23,9 @@ VERDICTS = {"holds": "holds", "does not hold": "fails"}    # in words, and the c
 
 @dataclass
 class Figure:
-    """Scenes for the viewer, all with one camera."""
+    """Scenes of a mesh or scan for the viewer, all with one camera."""
     scenes: list
+    mesh: str
     noise_percent: float = None
 
 
@@ -33,6 +34,7 @@ class Section:
     title: str
     text: list
     tables: list = field(default_factory=list)
+    further: list = field(default_factory=list)  # tables that the page folds
     plots: list = field(default_factory=list)    # SVG
     figure: Figure = None
     commands: list = field(default_factory=list)
@@ -43,48 +45,56 @@ MEASURES = (
     "point. A normal's error disregards its sign, which the next column counts. Edges are those of 30 degrees and more; recall is the share "
     "of their length with a point within two median spacings. NN6 cv is the coefficient of variation of the mean distance to the 6 nearest "
     "neighbors, density cv that of Eq. (5). Recall and evenness mean little where the distance is large. Seconds are wall-clock time beside other programs, "
-    "so they tell orders of magnitude only; MiB is what the resident memory grew by. Radii are multiples of the average spacing, as CGAL's WLOP "
-    "counts them; of several the one with the least mean distance counts, and is named. The best figure of a column is bold. "
-    "LOP, KLOP, WLOP and CLOP get PCA normals oriented over a spanning tree.")
+    "so they tell orders of magnitude only; MiB is what the resident memory grew by. The best figure of a column is bold. Poisson meshes are CGAL's, and a "
+    "column has their mean distance.")
 
 
 def introduction(result):
     machine = result["machine"]
-    selection = {"full": "The numbers of points are the paper's.", "small": "The numbers of points are a tenth of the paper's, and a fortieth in the tables of noise. "
+    minutes = sum(result["seconds"].values()) / 60
+    selection = {"full": "The numbers of points are the paper's.", "small": "The numbers of points are a tenth of the paper's, and a twentieth in the tables of noise. "
                  "The paper's radius grows as points get fewer, so that LOR and ALOR fare worse here than with the paper's numbers.",
                  "smoke": "As few points as make sense, to see that everything runs."}[result["selection"]]
     return Section("", [f"{selection} {machine['cores']} cores of {machine['processor']} (load average before: "
-                        f"{machine['load_average_before']:.1f}), {machine['compiler']}, {machine['flags']}.", MEASURES],
+                        f"{machine['load_average_before']:.1f}), {machine['compiler']}, {machine['flags']}. The experiments took {minutes:.1f} minutes.", MEASURES],
                    commands=result["commands"])
 
 
+def methods_section():
+    return Section("Methods", ["Of several radii or numbers of neighbors the one with the least mean distance counts, and is named; where no truth is known, the "
+                               "first. Radii are multiples of the average spacing, as CGAL's WLOP counts them. LOP, KLOP, WLOP, CLOP and the simplifications get "
+                               "PCA normals oriented over a spanning tree."], [tables.methods_table()])
+
+
 def claims_section(report):
-    rows = [[claim.where, claim.text, claim.measured, "holds" if claim.holds else "does not hold"] for claim in claims(report)]
-    return Section("What the paper says, and what was measured", [], [tables.Table(["where", "claim", "measured", "here"], rows, 4)])
+    return Section("What the paper says, and what was measured", ["The others are those that the paper names."], [claims_table(report)])
 
 
 def timing_section(report):
-    return Section("Table 1: seconds", [
+    return Section("Table 1", [
         "One thread, one run after the other, the fastest of three. The paper's times are from an Intel i7-4770 with a GTX 780, for its own noise. Init is all that is in no "
         "other column: neighbors, PCA, densities, orientation of the result. OLHS is the listing of the halved fit rows; where LOR lists all of them, "
-        "that counts for Init. Noise is 0.5 %."], [tables.table_1(report)])
+        "that counts for Init. Block CG solves the same problem with its fit term collapsed to one weight and one point a sample. Noise is 0.5 %. "
+        "FIFA, Box and Clock cannot be had, and real scans stand for them; Lord Quas cannot either, and Fig. 6 has the armadillo in its place."], [
+        tables.printed_table_1(), tables.table_1(report)])
 
 
 def study_section(title, experiment, text, plot):
-    return Section(title, [f"{tables.name_of_input(experiment)}. {text}"], [tables.study_table(experiment)], [plot] if plot else [],
-                   Figure([study["scene"] for study in experiment["studies"]], experiment["noise_percent"]))
+    return Section(title, [f"{tables.name_of_input(experiment)}. {text}"], [tables.study_table(experiment)],
+                   plots=[plot] if plot else [], figure=Figure([study["scene"] for study in experiment["studies"]], experiment["mesh"], experiment["noise_percent"]))
 
 
 def comparison_section(experiment, title, text):
     measured = [run for run in experiment["measurements"].values() if run]
-    return Section(title, [f"{tables.name_of_input(experiment)}. {text}"], [tables.comparison_table(experiment)],
-                   figure=Figure([experiment["input_scene"], *(run["scene"] for run in measured)], experiment.get("noise_percent")))
+    return Section(title, [f"{tables.name_of_input(experiment)}. {text}".strip()], [tables.comparison_table(experiment)],
+                   [tables.further_table(experiment)] if tables.has_truth(experiment) else [],
+                   figure=Figure([experiment["input_scene"], *(run["scene"] for run in measured)], experiment["mesh"], experiment.get("noise_percent")))
 
 
 def normal_weight_section(report):
     experiment = report["normal_weights"]
     return Section("Fig. 6: the normal weight λ", [f"{tables.name_of_input(experiment)}, ALOR."], [tables.normal_weight_table(experiment)],
-                   figure=Figure([run["scene"] for run in experiment["runs"]], experiment["noise_percent"]))
+                   figure=Figure([run["scene"] for run in experiment["runs"]], experiment["mesh"], experiment["noise_percent"]))
 
 
 def noise_sections(report):
@@ -98,28 +108,60 @@ def noise_sections(report):
                      plots.against_noise(experiments, "normal error, degrees", lambda e: e["normals"]["mean_error_degrees"])]
         yield Section(f"Noise: {Path(mesh).stem}", [], plots=drawn)
         for experiment in experiments:
-            yield Section("", [tables.name_of_input(experiment)], [tables.comparison_table(experiment)])
+            yield Section("", [tables.name_of_input(experiment)], [tables.comparison_table(experiment)],
+                          [tables.further_table(experiment)])
+
+
+def device_section(report):
+    return Section("Table 1 on a CUDA device",
+                   ["Not measured by this run, but committed. The columns are by the device's clock, the total by the host's."],
+                   [tables.device_table(report), tables.beside_device_table(report)], commands=[report["device_runs"]["command"]])
+
+
+def equations_section(report):
+    return study_section("Fig. 2: the local density after Eq. (3), (4) and (6)", report["equations"], "Eq. (3) and (4) run with the paper's rows.",
+                         plots.histograms(report["equations"]))
+
+
+def half_sampling_section(report):
+    return study_section("Fig. 4: fewer original neighbors", report["half_sampling"],
+                         "Half of the neighbors of each sample by a smaller radius (three quarters), at random, and by one pass of Algorithm 2.", None)
+
+
+def interleaving_section(report):
+    return study_section("Fig. 5: interleaved regularization", report["interleaving"], "The local density of three samples.",
+                         plots.densities_over_iterations(report["interleaving"]))
+
+
+def comparison_sections(report):
+    return [comparison_section(experiment, f"Fig. {experiment['figure']}: {Path(experiment['mesh']).stem}", "") for experiment in report["comparisons"]]
+
+
+def scan_sections(report):
+    return [comparison_section(experiment, f"Fig. {experiment['figure']}: {Path(experiment['mesh']).stem}, in place of {experiment['stands_for']}",
+                               "The paper's scan cannot be had. Of this one nobody knows the truth, so there are only pictures.")
+            for experiment in report["scans"]]
+
+
+def thin_plate_section(report):
+    return comparison_section(report["thin_plate"], "Fig. 12: a thin plate", "The paper's failure case.")
+
+
+# Experiments of a report, in the order of their sections
+SECTIONS = {"table_1": timing_section, "device_runs": device_section, "equations": equations_section, "half_sampling": half_sampling_section,
+            "interleaving": interleaving_section, "normal_weights": normal_weight_section, "comparisons": comparison_sections,
+            "scans": scan_sections, "thin_plate": thin_plate_section, "noise": noise_sections}
 
 
 def all_sections(result):
+    """Of the experiments that were run."""
     report = result["experiments"]
-    parts = [introduction(result), claims_section(report), timing_section(report),
-             Section("On a CUDA device", [f"Not measured here, but committed: one {report['device_runs']['device']}, points and result on the device."],
-                     [tables.device_table(report)], commands=[report["device_runs"]["command"]]),
-             study_section("Fig. 2: the local density after Eq. (3), (4) and (6)", report["equations"], "Eq. (3) and (4) run with the paper's rows.",
-                           plots.histograms(report["equations"])),
-             study_section("Fig. 4: fewer original neighbors", report["half_sampling"],
-                           "Half of the neighbors of each sample by a smaller radius (three quarters), at random, and by one pass of Algorithm 2.", None),
-             study_section("Fig. 5: interleaved regularization", report["interleaving"], "The local density of three samples.",
-                           plots.densities_over_iterations(report["interleaving"])),
-             normal_weight_section(report)]
-    for experiment in report["comparisons"]:
-        parts.append(comparison_section(experiment, f"Fig. {experiment['figure']}", ""))
-    for experiment in report["scans"]:
-        parts.append(comparison_section(experiment, f"Fig. {experiment['figure']}, on a real scan",
-                                        f"It stands for {experiment['stands_for']}, which cannot be had. Nobody knows the truth, so there are only pictures."))
-    parts.append(comparison_section(report["thin_plate"], "Fig. 12: a thin plate", "The paper's failure case."))
-    return [*parts, *noise_sections(report)]
+    parts = [introduction(result), claims_section(report), methods_section()]
+    for name, make in SECTIONS.items():
+        if name in report:
+            made = make(report)
+            parts += [made] if isinstance(made, Section) else made
+    return parts
 
 
 def markdown(parts):
@@ -129,7 +171,7 @@ def markdown(parts):
             lines.append(f"## {part.title}\n")
         lines += [f"{text}\n" for text in part.text]
         lines += ["".join(f"    {command}\n" for command in part.commands)] if part.commands else []
-        lines += [table.markdown() for table in part.tables]
+        lines += [table.markdown() for table in part.tables + part.further]
     return "\n".join(lines)
 
 
@@ -144,7 +186,7 @@ def page(parts, files):
     """One self-contained file. Only figures need the files of the run."""
     environment = jinja2.Environment(loader=jinja2.FileSystemLoader(FOLDER), undefined=jinja2.StrictUndefined)
     environment.filters["cell"] = cell
-    shown = [{**vars(part), "figure": part.figure and scenes.pack_figure(part.figure.scenes, files, part.figure.noise_percent)} for part in parts]
+    shown = [{**vars(part), "figure": part.figure and scenes.pack_figure(part.figure.scenes, files, part.figure.mesh, part.figure.noise_percent)} for part in parts]
     # "</script>" within a script would end it
     scripts = [path.read_text(encoding="utf-8").replace("</script", "<\\/script")
                for path in (THREE / "three.min.js", THREE / "examples/js/controls/OrbitControls.js", FOLDER / "viewer.js")]

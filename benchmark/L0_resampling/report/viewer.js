@@ -12,6 +12,7 @@ const PICTURE_SIZE = 340;          // pixels
 const BACKGROUND = 0xffffff;
 const UNKNOWN_NORMAL = 150;        // gray
 const FIELD_OF_VIEW = 30;          // degrees
+const SIZE_OF_POINTS = 1.4;        // spacings, so that little is seen through what lies in front
 
 const renderer = new THREE.WebGLRenderer({antialias: true, preserveDrawingBuffer: true});
 renderer.setSize(PICTURE_SIZE, PICTURE_SIZE, false);
@@ -54,7 +55,7 @@ async function pointsOf(scene) {
   geometry.setAttribute("position", attribute(new Int16Array(buffer, 0, 3 * count), 3, true));
   geometry.setAttribute("color", attribute(colorsOfNormals(normals, count), 3, true));
   // three.js sizes points as if the field of view were 90 degrees.
-  const size = scene.spacing / Math.tan(FIELD_OF_VIEW / 2 * Math.PI / 180);
+  const size = SIZE_OF_POINTS * scene.spacing / Math.tan(FIELD_OF_VIEW / 2 * Math.PI / 180);
   const material = new THREE.PointsMaterial({size, vertexColors: THREE.VertexColors});
   return new THREE.Points(geometry, material);
 }
@@ -74,10 +75,10 @@ async function meshesOf(scene) {
   return meshes;
 }
 
-function newCamera() {
+function newCamera(figure) {
   const camera = new THREE.PerspectiveCamera(FIELD_OF_VIEW, 1, 0.05, 50);
-  camera.position.set(2.2, -2.6, 1.9);
-  camera.up.set(0, 0, 1);
+  camera.position.set(...figure.eye);
+  camera.up.set(...figure.up);
   // A light that goes with the eye
   const light = new THREE.DirectionalLight(0xffffff, 0.85);
   light.position.set(-0.4, 0.6, 1);
@@ -120,7 +121,7 @@ class Picture {
 // Loads a figure once it is seen, and draws it whenever its camera or what it shows changes.
 async function showFigure(element) {
   const figure = JSON.parse(document.getElementById(element.dataset.figure).textContent);
-  const camera = newCamera();
+  const camera = newCamera(figure);
   let view = "points", isRequested = false;
   const pictures = [];
   const draw = () => { isRequested = false; pictures.forEach(picture => picture.draw(view)); };
