@@ -43,7 +43,7 @@ def latency():
     ends = [end["cpu_seconds"] for run in of_most for end in run["cancellations"]]
     names = ", ".join(run["method"] for run in of_most)
     return (f"in each run of the tests; {calls} calls of the callback at {most} points ({names})",
-            f"they pass; {1000 * longest:.0f} ms of processor time between two calls at most, and {1000 * max(ends):.0f} ms from `false` to the end of {len(ends)} calls")
+            f"they pass; {1000 * longest:.0f} ms of processor time between two calls at most, and {1000 * max(ends):.0f} ms from `false` to the end")
 
 
 def times_and_result(campaign):
