@@ -97,8 +97,8 @@ def compare(bench, source, points, repetitions, slow_repetitions):
     runs = {}
     number_of_slow_runs = 0
     for repetition in range(repetitions):
-        for threads in (1, 2):
-            for method in METHODS:
+        for method in METHODS:
+            for threads in (1, 2):   # one after the other, as a machine's speed drifts
                 runs.setdefault(f"{method}, {threads} threads" if threads > 1 else method, []).append(
                     bench.run_l0(source, points, method, threads))
         while number_of_slow_runs * repetitions < len(between) * (repetition + 1):
