@@ -106,14 +106,18 @@ void check_small_boxes()
   check_separation(Points<float>(100, {0, 0, 0}), 1e-41f, 1e3); // a margin of few digits
 }
 
-/// In a corner of the box all ways lead inwards, and there is room enough.
+/// In a corner of the box, or a few steps from it, all ways but those few lead inwards, and there is room enough.
 template <typename FT>
 void check_corners()
 {
   const std::array<FT, 3> corners[2] = {{-1, 2, -3}, {5, 4, 0}};
-  for (int corner = 0; corner < 8; ++corner)
+  for (int corner = 0; corner < 16; ++corner)
   {
-    const std::array<FT, 3> place{corners[corner % 2][0], corners[corner / 2 % 2][1], corners[corner / 4][2]};
+    const FT inset = corner < 8 ? FT(0) : 16 * std::numeric_limits<FT>::epsilon();
+    const auto coordinate = [&](std::size_t axis, int side) {
+      return corners[side][axis] + (side == 0 ? inset : -inset);
+    };
+    const std::array<FT, 3> place{coordinate(0, corner % 2), coordinate(1, corner / 2 % 2), coordinate(2, corner / 4 % 2)};
     Buffer<std::array<FT, 3>> points(3000, place);
     separate_coincident_points<CGAL::Parallel_if_available_tag>(corners[0], corners[1], FT(1), points);
     CHECK((std::set<std::array<FT, 3>>(points.begin(), points.end()).size() == points.size()));

@@ -84,29 +84,29 @@ void separate_coincident_points(const std::array<FT, 3>& low, const std::array<F
       node = 0;
     }
     Point step;
-    std::array<int, 3> bits;        // an axis has room for 2^bits nodes
-    std::array<bool, 3> is_at_side; // of the box, so that all nodes are on the other side
+    std::array<int, 3> bits; // an axis has room for 2^bits nodes
+    std::array<std::size_t, 3> steps_to_nearer_side;
     for (std::size_t a = 0; a < 3; ++a)
     {
       const FT size = (std::max)({std::abs(place[a]), length, (std::numeric_limits<FT>::min)()});
       step[a] = 2 * std::numeric_limits<FT>::epsilon() * (std::min)(size, (std::numeric_limits<FT>::max)());
-      const FT room_above = (high[a] - place[a]) / step[a], room_below = (place[a] - low[a]) / step[a];
-      const FT room = (std::min)(room_above, room_below); // steps to the nearer side
-      bits[a] = room >= 1 ? (std::min)(std::ilogb(room), 20) + 1 : 0;
-      is_at_side[a] = bits[a] == 0 && (std::max)(room_above, room_below) >= 1;
-      if (is_at_side[a])
-      {
-        bits[a] = (std::min)(std::ilogb((std::max)(room_above, room_below) + 1), 20);
-        step[a] = room_above >= room_below ? step[a] : -step[a];
-      }
+      const auto room = [&](FT distance) {
+        const FT many = FT(1 << 20);
+        return std::size_t((std::max)((std::min)(distance / step[a], many), FT(0)));
+      };
+      const std::size_t above = room(high[a] - place[a]), below = room(place[a] - low[a]);
+      bits[a] = std::ilogb(double(above + below + 1));
+      steps_to_nearer_side[a] = (std::min)(above, below);
+      if (above < below)
+        step[a] = -step[a];
     }
     const int most_bits = *std::max_element(bits.begin(), bits.end());
     Point moved;
     do
     {
       ++node;
-      // nodes 0, 1, -1, 2, -2 ... of each axis, or 0, 1, 2 ... at a side of the box; the counter's bits go round the axes that have room
-      // for one more, so that the lattice grows evenly, and round all axes once the box is full
+      // nodes 0, 1, -1, 2, -2 ... of each axis up to the nearer side of the box, those of the other side after that; the counter's bits go
+      // round the axes that have room for one more, so that the lattice grows evenly, and round all axes once the box is full
       std::array<std::size_t, 3> coordinates{};
       std::size_t rest = node;
       for (int bit = 0; rest > 0; ++bit)
@@ -118,9 +118,11 @@ void separate_coincident_points(const std::array<FT, 3>& low, const std::array<F
           }
       for (std::size_t a = 0; a < 3; ++a)
       {
-        const FT node_of_axis = is_at_side[a] ? FT(coordinates[a])
-                                              : FT((coordinates[a] + 1) / 2) * (coordinates[a] % 2 ? FT(1) : FT(-1));
-        moved[a] = place[a] + node_of_axis * step[a];
+        const std::size_t node_of_axis = coordinates[a], nearer = steps_to_nearer_side[a];
+        const bool is_on_both_sides = node_of_axis <= 2 * nearer;
+        const FT steps = is_on_both_sides ? FT((node_of_axis + 1) / 2) * (node_of_axis % 2 ? FT(1) : FT(-1))
+                                          : FT(node_of_axis - nearer);
+        moved[a] = place[a] + steps * step[a];
       }
     } while (!is_finite(moved) || !taken.insert(moved).second);
     points[i] = moved;
