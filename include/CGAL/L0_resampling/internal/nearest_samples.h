@@ -35,10 +35,8 @@ public:
 
   const Index* begin(Index i) const { return m_indices.data() + i * m_k; }
   const Index* end(Index i) const { return begin(i) + m_counts[i]; }
-  bool contains(Index i, Index k) const
-  {
-    return std::count(begin(i), end(i), k) > 0;
-  } // without branches, unlike a search
+  /// Counts, as that takes no branches, unlike a search.
+  bool contains(Index i, Index k) const { return std::count(begin(i), end(i), k) > 0; }
 
   void add(Index i, Index k) { m_indices[i * m_k + m_counts[i]++] = k; }
 };

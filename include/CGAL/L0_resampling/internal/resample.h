@@ -279,7 +279,7 @@ Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buff
 
   // Section 3.2: density weights of Q, Eq. (5), and the first S
   progress.begin_stage("density weights", 0.08, points.size());
-  Buffer<Local> input_density_weights = filled_buffer(points.size(), Local(1), allocator);
+  Buffer<Local> input_density_weights(allocator);
   compute_input_density_weights<ConcurrencyTag>(grid, points, lengths.filter_radius, squared_bandwidth, progress,
                                                 input_density_weights);
 
