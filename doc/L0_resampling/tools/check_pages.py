@@ -7,7 +7,7 @@
 
 - a formula that MathJax cannot draw, or has not drawn;
 - a picture that is not there;
-- a command of Doxygen or an alias that stands in the text;
+- a command of Doxygen, an alias or the stars of bold words that stand in the text;
 - something wider than the page;
 - a link to a place that does not exist.
 
@@ -56,6 +56,8 @@ for (const code of content.querySelectorAll("code, .fragment, pre, script, style
 const text = content.textContent;
 for (const command of text.match(/[\\@](?:cgal|l0|ref|cite|snippet|default_|lor_|constant_|quality_|speed_|solver_|f\$|f\[)\w*/g) || [])
   found.push("a command stands in the text: " + command);
+for (const words of text.match(/.{0,30}\*\*.{0,30}/g) || [])
+  found.push("stars stand in the text: " + words);
 return found;
 """
 
