@@ -61,13 +61,13 @@ def introduction(result):
 
 
 def methods_section():
-    return Section("Methods", ["Of several radii or numbers of neighbors the one with the least mean distance counts, and is named; where no truth is known, the "
-                               "first. Radii are multiples of the average spacing, as CGAL's WLOP counts them. LOP, KLOP, WLOP, CLOP and the simplifications get "
+    return Section("Methods", ["Some methods are run with several radii or numbers of neighbors. The one with the least mean distance counts, and is named; where no "
+                               "truth is known, the first. Radii are multiples of the average spacing, as CGAL's WLOP counts them. LOP, KLOP, WLOP, CLOP and the simplifications get "
                                "PCA normals oriented over a spanning tree."], [tables.methods_table()])
 
 
 def claims_section(report):
-    return Section("What the paper says, and what was measured", ["The others are those that the paper names."], [claims_table(report)])
+    return Section("What the paper says, and what was measured", ["The other methods are those that the paper names."], [claims_table(report)])
 
 
 def timing_section(report):
