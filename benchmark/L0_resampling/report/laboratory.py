@@ -26,12 +26,14 @@ from quality_bench import Bench, describe
 class Laboratory(Bench):
     """Programs of a build; files stay in the folder `files`.
 
-    `demo_data` is the data folder of libcgal-demo, or None.
+    `demo_data` is the data folder of libcgal-demo, or None. Meshes of the page have `picture_triangles` at most, where collapsing
+    edges makes them so small.
     """
 
-    def __init__(self, build, files, demo_data, jobs):
+    def __init__(self, build, files, demo_data, jobs, picture_triangles):
         super().__init__(build / "bin", files, threads=1)
         self.demo_data = demo_data
+        self.picture_triangles = picture_triangles
         self.pool = ThreadPoolExecutor(max_workers=jobs)
 
     def mesh(self, shape):
@@ -61,15 +63,16 @@ class Laboratory(Bench):
         """The results of functions without arguments, run beside each other."""
         return [future.result() for future in [self.pool.submit(call) for call in calls]]
 
-    def reconstruct(self, points, surface):
-        """Writes the Poisson mesh. Returns how closely it follows the Poisson surface, in spacings, or None if it cannot be made.
+    def reconstruct(self, points, surface, picture):
+        """Writes the Poisson mesh, and a coarser one for the page. Returns how closely the first follows the Poisson surface, in spacings, or None if it cannot be made.
 
         Where normals contradict each other, that surface is a tangle, and its mesh would grow until memory ends.
         """
         count = len(read_ply(points)[0])
         for distance in SURFACE_DISTANCES:
             limits = ("--cpu", str(20 + count // 300)), ("--as", str(4 << 30))
-            command = ["prlimit", *(f"{name}={value}" for name, value in limits), self.programs / "reconstruct_surface", points, surface, str(distance)]
+            command = ["prlimit", *(f"{name}={value}" for name, value in limits), self.programs / "reconstruct_surface", points, surface, str(distance),
+                       picture, str(self.picture_triangles)]
             if subprocess.run(command, stderr=subprocess.DEVNULL).returncode == 0:
                 return distance
         return None
@@ -79,17 +82,17 @@ class Laboratory(Bench):
         scene = {"title": title, "points": f"{name}.ply"}
         if not reconstruct:
             return scene
-        surface = self.scratch / f"{name}.off"
-        distance = self.reconstruct(self.scratch / f"{name}.ply", surface)
+        surface, picture = self.scratch / f"{name}.off", self.scratch / f"{name}_picture.off"
+        distance = self.reconstruct(self.scratch / f"{name}.ply", surface, picture)
         if distance is None:
             scene["remark"] = "CGAL's Poisson reconstruction fails"
             return scene
         if distance > SURFACE_DISTANCES[0]:
             scene["remark"] = f"mesh within {distance:g} spacings of CGAL's Poisson surface, as a closer one fails"
-        scene["mesh"] = surface.name
+        scene["mesh"] = picture.name
         if mesh is not None:
             values, samples = self.scratch / f"{name}.values", self.scratch / f"{name}_mesh.ply"
-            self.run("evaluate_point_set", surface, mesh, "--values", values)    # at the vertices, for the colors
+            self.run("evaluate_point_set", picture, mesh, "--values", values)    # at the vertices, for the colors
             # Most vertices are where the surface bends: its distance is that of points that are even by area.
             self.run("sample_mesh", surface, samples, "--points", SURFACE_SAMPLES)
             evaluation = json.loads(self.run("evaluate_point_set", samples, mesh))
@@ -120,15 +123,15 @@ class Laboratory(Bench):
         print(f"{where}: {row.name} {best}", file=sys.stderr, flush=True)
         return measured
 
-    def start_rows(self, experiment, mesh, source, name, reconstruct, names=()):
-        """All rows of these names, or all there are; one that cannot be run has None.
+    def start_rows(self, experiment, mesh, source, name, reconstructed):
+        """All rows, with the Poisson meshes of those named in `reconstructed`; a row that cannot be run has None.
 
         Returns what waits for them, so that those of several experiments can run beside each other.
         """
-        rows = [row for row in ROWS if not names or row.name in names]
-        measured = {row.name: self.pool.submit(self.measure_row, experiment, mesh, source, row, f"{name}_{row.name.replace(' ', '_')}", reconstruct)
-                    for row in rows if row.variants}
-        return lambda: {row.name: measured[row.name].result() if row.name in measured else None for row in rows}
+        measured = {row.name: self.pool.submit(self.measure_row, experiment, mesh, source, row, f"{name}_{row.name.replace(' ', '_')}",
+                                               row.name in reconstructed)
+                    for row in ROWS if row.variants}
+        return lambda: {row.name: measured[row.name].result() if row.name in measured else None for row in ROWS}
 
     def study(self, experiment, mesh, source, title, name, *options, reconstruct=False):
         """LOR with changes to its energy."""
