@@ -47,6 +47,7 @@ struct Field
   unsigned* trees; // that they belong to
   int* signs;      // relative to the tree
   long long* agreements; // a row of `maximum_number_of_sets` for each set; those of a and b, and of b and a, stand for each other
+  long long* links; // of groups of sets, as many
 
   __device__ long long* row(unsigned set) const { return agreements + Wide(set) * maximum_number_of_sets; }
   __device__ bool are_of_one_tree(unsigned a, unsigned b) const
@@ -212,27 +213,33 @@ __global__ void add_votes_between_sets(Field field, Graph graph, const Link* set
   });
 }
 
-/// One or two sets that disagree with all others, of those of equal agreement the first.
-struct Disagreement
+/// How far a set or a group of them, or two, agree; of those of equal agreement the first one is less.
+struct Agreement
 {
-  long long agreement;
-  unsigned set, partner; // `no_set` for a single one
+  long long units;
+  unsigned set, other; // the latter for two
 
-  __device__ bool operator<(const Disagreement& b) const
-  {
-    return agreement < b.agreement || (agreement == b.agreement && set < b.set);
-  }
+  __device__ bool operator<(const Agreement& b) const { return units < b.units || (units == b.units && set < b.set); }
+};
+
+/// What the threads of `turn_sets()` tell each other.
+struct Turning
+{
+  Agreement of_warps[threads_of_turning_block / 32];
+  int signs[maximum_number_of_sets];
+  unsigned char is_turned[maximum_number_of_sets];
+  long long rest_of_second, rest_of_whole; // how far groups that become one agree with all others
 };
 
 /// The least of a block, for all its threads.
 /// \param of_warps shared
-__device__ Disagreement least_of_block(Disagreement own, Disagreement* of_warps)
+__device__ Agreement least_of_block(Agreement own, Agreement* of_warps)
 {
   for (int offset = 16; offset > 0; offset /= 2)
   {
-    const Disagreement other = {__shfl_down_sync(0xffffffffu, own.agreement, offset),
-                                __shfl_down_sync(0xffffffffu, own.set, offset),
-                                __shfl_down_sync(0xffffffffu, own.partner, offset)};
+    const Agreement other = {__shfl_down_sync(0xffffffffu, own.units, offset),
+                             __shfl_down_sync(0xffffffffu, own.set, offset),
+                             __shfl_down_sync(0xffffffffu, own.other, offset)};
     if (other < own)
       own = other;
   }
@@ -240,66 +247,128 @@ __device__ Disagreement least_of_block(Disagreement own, Disagreement* of_warps)
   if (threadIdx.x % 32 == 0)
     of_warps[threadIdx.x / 32] = own;
   __syncthreads();
-  Disagreement least = of_warps[0];
+  Agreement least = of_warps[0];
   for (unsigned warp = 1; warp < threads_of_turning_block / 32; ++warp)
     if (of_warps[warp] < least)
       least = of_warps[warp];
   return least;
 }
 
-/// Turns the set that disagrees most, or the two, one after the other, until none does. Run by one block, with a thread for each set.
+/// Groups of sets, as on the CPU: the two that agree most become one, again and again. A group stands at one of its sets; each thread looks after one set,
+/// and after the group that stands there.
+struct Groups
+{
+  long long* links; // how far two groups agree, a row of `maximum_number_of_sets` for each; 0 where one of them has become part of another
+  unsigned size;       // number of sets
+  unsigned closest;    // the group that the thread's agrees most with, or `no_set`
+  long long link;      // to that
+  unsigned group;      // that the thread's set belongs to
+  long long with_rest; // how far the thread's group agrees with all others
+
+  __device__ long long& link_of(unsigned a, unsigned b) const { return links[Wide(a) * maximum_number_of_sets + b]; }
+
+  __device__ void find_closest(unsigned a)
+  {
+    closest = no_set;
+    link = 0;
+    for (unsigned b = 0; b < size; ++b)
+      if (const long long other = link_of(b, a); other > link)
+      {
+        link = other;
+        closest = b;
+      }
+  }
+
+  /// The second becomes part of the first.
+  __device__ void join(unsigned first, unsigned second, unsigned a)
+  {
+    if (a < size)
+    {
+      const long long sum = a == first || a == second ? 0 : link_of(first, a) + link_of(second, a);
+      link_of(first, a) = link_of(a, first) = sum;
+      link_of(second, a) = link_of(a, second) = 0;
+      if (group == second)
+        group = first;
+    }
+    __syncthreads();
+    if (a >= size)
+      return;
+    if (a == first || a == second || closest == first || closest == second)
+      find_closest(a);
+    else if (link_of(first, a) > link)
+    {
+      closest = first;
+      link = link_of(first, a);
+    }
+  }
+};
+
+/// Finds the group of sets that disagrees most with all others.
+/// \param with_others how far the thread's set agrees with all others
+/// \param turning shared
+/// \returns whether the thread's set is one of it
+__device__ bool is_in_disagreeing_group(const Field& field, long long with_others, Turning& turning)
+{
+  const unsigned a = threadIdx.x;
+  Groups groups = {field.links, *field.number_of_sets, no_set, 0, a, with_others};
+  if (a < groups.size)
+    for (unsigned b = 0; b < groups.size; ++b)
+      groups.link_of(b, a) = a == b ? 0 : turning.signs[a] * turning.signs[b] * field.row(b)[a];
+  if (a < groups.size)
+    groups.find_closest(a); // what it reads, this thread has written
+  long long least = -__double2ll_rn(least_disagreement_of_groups * units_per_vote);
+  bool is_in_least = false;
+  while (true)
+  {
+    const Agreement most = least_of_block({-groups.link, a, groups.closest}, turning.of_warps);
+    if (most.units >= 0)
+      return is_in_least;
+    const unsigned first = most.set, second = most.other;
+    if (a == second)
+      turning.rest_of_second = groups.with_rest;
+    groups.join(first, second, a);
+    if (a == first)
+      turning.rest_of_whole = groups.with_rest += turning.rest_of_second + 2 * most.units;
+    __syncthreads();
+    if (turning.rest_of_whole < least)
+    {
+      least = turning.rest_of_whole;
+      is_in_least = groups.group == first;
+    }
+  }
+}
+
+/// Turns the set that disagrees most, or the group of them, one after the other, until none does. Run by one block, with a thread for each set.
 __global__ void turn_sets(Field field, unsigned* number_of_turns)
 {
-  __shared__ Disagreement of_warps[threads_of_turning_block / 32];
-  __shared__ int signs[maximum_number_of_sets];
-  __shared__ long long with_others[maximum_number_of_sets];
+  __shared__ Turning turning;
   const unsigned size = *field.number_of_sets, a = threadIdx.x;
-  const long long limit = -__double2ll_rn(least_disagreement * units_per_vote);
   if (a < size)
-    signs[a] = field.signs[a];
+    turning.signs[a] = field.signs[a];
   __syncthreads();
-  long long sum = 0; // the agreement of the set with all others
+  const auto agreement_with = [&](unsigned b) { return turning.signs[a] * turning.signs[b] * field.row(b)[a]; };
+  long long with_others = 0; // the agreement of the thread's set with all others
   for (unsigned b = 0; b < size && a < size; ++b)
-    sum += signs[a] * signs[b] * field.row(b)[a];
+    with_others += agreement_with(b);
   for (unsigned turn = 0; turn < 10 * size; ++turn) // rounding might go round in circles
   {
-    Disagreement own = {a < size ? sum : 0, a, no_set};
-    Disagreement least = least_of_block(own, of_warps);
-    if (least.agreement >= limit)
-    {
-      if (a < size)
-        with_others[a] = sum;
-      __syncthreads();
-      own.agreement = 0;
-      for (unsigned b = 0; b < a && a < size; ++b)
-        if (field.trees[a] == field.trees[b])
-        {
-          const long long pair = signs[a] * signs[b] * field.row(b)[a], both = sum + with_others[b] - 2 * pair;
-          if (both < own.agreement && double(both) < -least_share_of_pair * double(pair))
-          {
-            own.agreement = both;
-            own.partner = b;
-          }
-        }
-      least = least_of_block(own, of_warps);
-    }
-    if (least.agreement >= limit)
+    const Agreement least = least_of_block({with_others, a, no_set}, turning.of_warps);
+    const bool turns = least.units < -__double2ll_rn(least_disagreement * units_per_vote)
+                         ? a == least.set
+                         : is_in_disagreeing_group(field, with_others, turning);
+    if (a < size)
+      turning.is_turned[a] = turns;
+    if (__syncthreads_or(turns) == 0)
       break;
-    for (unsigned turned : {least.set, least.partner})
-    {
-      if (turned == no_set)
-        break;
-      if (a == turned)
-      {
-        signs[a] = -signs[a];
-        field.signs[a] = signs[a];
-        sum = -sum;
-        ++*number_of_turns;
-      }
-      __syncthreads();
-      if (a < size && a != turned)
-        sum += 2 * signs[a] * signs[turned] * field.row(turned)[a];
-    }
+    if (a == 0)
+      ++*number_of_turns;
+    for (unsigned b = 0; b < size && a < size; ++b)
+      if (bool(turning.is_turned[b]) != turns)
+        with_others -= 2 * agreement_with(b);
+    __syncthreads(); // nobody reads the signs any more
+    if (turns)
+      field.signs[a] = turning.signs[a] = -turning.signs[a];
+    __syncthreads();
   }
 }
 
@@ -339,6 +408,7 @@ bool join_by_field(const Workplace& workplace, const Graph& graph, const Link* t
                        workplace.scratch.take<unsigned>(maximum_number_of_sets),
                        workplace.scratch.take<unsigned>(maximum_number_of_sets),
                        workplace.scratch.take<int>(maximum_number_of_sets),
+                       workplace.scratch.take<long long>(Wide(maximum_number_of_sets) * maximum_number_of_sets),
                        workplace.scratch.take<long long>(Wide(maximum_number_of_sets) * maximum_number_of_sets)};
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(field.set_of_root, 0xff, m * sizeof(unsigned), stream));
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(field.agreements, 0,

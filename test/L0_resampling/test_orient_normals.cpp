@@ -239,9 +239,9 @@ void check_field(Generator& generator)
     }
 }
 
-/// Two faces that are turned together, and whose edge would not let one turn alone, are turned back together; unless the field is weak beside what holds them
-/// together.
-void check_field_of_pairs(Generator& generator)
+/// Faces that are turned together, and whose edges would not let one turn alone, are turned back together; unless the edges to the others are for that they stay.
+/// \param first_turned of the faces that are
+void check_field_of_groups(std::size_t first_turned, Generator& generator)
 {
   const Oriented_points cube = cube_points(3000, 2, generator);
   Voting voting{Signed_union_find(cube.points.size(), {}), {}};
@@ -259,15 +259,22 @@ void check_field_of_pairs(Generator& generator)
   }
   Signed_union_find trees = voting.sets;
   for (std::size_t face = 1; face < 6; ++face)
-    trees.join(first[0], first[face], face >= 4 ? -1 : 1);
-  for (const double number_of_votes : {300., 2000.})
+    trees.join(first[0], first[face], face >= first_turned ? -1 : 1);
+  for (const double votes_for_others : {0., 1000.})
   {
     Voting with_votes = voting;
-    with_votes.votes.push_back({first[4], first[5], number_of_votes, number_of_votes});
+    for (std::size_t a = 0; a < 6; ++a)
+      for (std::size_t b = 0; b < a; ++b)
+      {
+        const bool are_of_one_group = a < first_turned || b >= first_turned;
+        const double number_of_votes = are_of_one_group ? 300 : votes_for_others;
+        with_votes.votes.push_back(
+          {first[b], first[a], are_of_one_group ? number_of_votes : -number_of_votes, number_of_votes});
+      }
     pass_votes_on<CGAL::Sequential_tag>(with_votes);
     const bool is_turned = join_by_field<CGAL::Parallel_if_available_tag>(trees, to_buffer(cube.points),
                                                                           to_buffer(cube.normals), 0.09, with_votes);
-    CHECK(is_turned == (number_of_votes < 1000));
+    CHECK(is_turned == (votes_for_others == 0));
     const auto sign_of = [&](std::size_t face) { return with_votes.sets.find(first[face]).second; };
     for (std::size_t face = 1; is_turned && face < 6; ++face)
       CHECK(sign_of(face) == sign_of(0));
@@ -345,7 +352,8 @@ int main()
   check_coarse_sets(generator);
   check_plane(generator);
   check_field(generator);
-  check_field_of_pairs(generator);
+  check_field_of_groups(4, generator);
+  check_field_of_groups(3, generator);
   for (const std::size_t n : {300, 1000}) // all take part, or too few
     check_field_of_spots(n, generator);
   check_field_of_single_samples(generator);

@@ -41,8 +41,8 @@ CGAL_L0_HOST_DEVICE inline bool stand_for_tree(std::size_t dipoles_of_sets, std:
 /// Sets of the field that disagree with the others by less than this, in edges, are left as they are: that is rounding.
 constexpr double least_disagreement = 1e-6;
 
-/// Two sets that only together disagree with the others do so by this share of what holds them together, at least: the field of few samples is not known to less.
-constexpr double least_share_of_pair = 0.25;
+/// Groups of sets that disagree with the others by less than this, in edges, are left as they are: the field of few samples is not known to less.
+constexpr double least_disagreement_of_groups = 5;
 
 /*!
 How far two samples agree about the side their normals point to: positive if the signs fit, negative if one has to turn; the

@@ -6,6 +6,7 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_ORIENTATION_FIELD_H
 #define CGAL_L0_RESAMPLING_INTERNAL_ORIENTATION_FIELD_H
 
+#include <CGAL/L0_resampling/internal/Field_of_sets.h>
 #include <CGAL/L0_resampling/internal/Search_grid_3.h>
 #include <CGAL/L0_resampling/internal/orientation_agreement.h>
 #include <CGAL/L0_resampling/internal/orientation_votes.h>
@@ -38,67 +39,6 @@ inline double dipole_agreement(const Dipole& a, const Dipole& b, double squared_
   return (a.normal.dot(b.normal) - 3 * a.normal.dot(d) * b.normal.dot(d) / squared_distance)
          / (squared_distance * std::sqrt(squared_distance));
 }
-
-/// The larger sets of samples, and how far they agree two by two.
-struct Field_of_sets
-{
-  std::vector<Index> roots;       // of the sets, ascending
-  std::vector<Index> trees;       // that they belong to
-  std::vector<int> signs;         // relative to the tree
-  std::vector<double> agreements; // a row for each set
-
-  /// Of two sets, as they are turned now.
-  double agreement(std::size_t a, std::size_t b) const
-  {
-    return signs[a] * signs[b] * agreements[a * roots.size() + b];
-  }
-
-  /// Turns the set that disagrees most with all others, one after the other, until none does; and where none does, the two that do so together, each of which
-  /// the other one keeps from turning.
-  /// \returns whether there was one
-  bool turn_what_disagrees()
-  {
-    const std::size_t n = roots.size(), none = n, most_turns = 10 * n;
-    std::vector<double> with_others(n, 0);
-    for (std::size_t a = 0; a < n; ++a)
-      for (std::size_t b = 0; b < n; ++b)
-        with_others[a] += agreement(a, b);
-    for (std::size_t turn = 0; turn < most_turns; ++turn)
-    {
-      look_at_loop();
-      double least = -least_disagreement;
-      std::size_t first = none, second = none;
-      const auto consider = [&](double with_rest, std::size_t a, std::size_t b) {
-        if (with_rest < least)
-        {
-          least = with_rest;
-          first = a;
-          second = b;
-        }
-      };
-      for (std::size_t a = 0; a < n; ++a)
-        consider(with_others[a], a, none);
-      if (first == none)
-        for (std::size_t a = 0; a < n; ++a)
-          for (std::size_t b = 0; b < a; ++b)
-            if (const double both = with_others[a] + with_others[b] - 2 * agreement(a, b);
-                trees[a] == trees[b] && both < -least_share_of_pair * agreement(a, b))
-              consider(both, a, b);
-      if (first == none)
-        return turn > 0;
-      for (const std::size_t a : {first, second})
-        if (a != none)
-        {
-          signs[a] = -signs[a];
-          with_others[a] = -with_others[a];
-          for (std::size_t b = 0; b < n; ++b)
-            if (b != a)
-              with_others[b] += 2 * agreement(a, b);
-        }
-    }
-    return true;
-  }
-};
 
 /// The sets of the field, of those that have dipoles: the larger ones of the trees that they stand for.
 /// \param roots of the sets of the dipoles, ascending
