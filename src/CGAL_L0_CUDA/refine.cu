@@ -3,6 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "Plane_fit.cuh"
 #include "Query.cuh"
 #include "stages.cuh"
 
@@ -28,6 +29,64 @@ struct Fit
   double largest_offset; // of the mean of the points, before the sample is drawn back from a border
 };
 
+/// What the points of a ball that agree with a normal add up to, as on the CPU.
+struct Compatible_points
+{
+  float all, weight, height;
+  float3 offset, normal;
+};
+
+/// The points around a sample, for the lanes that share it.
+struct Surroundings
+{
+  const Query& query;
+  const int4& center;
+  const Cell_grid& grid;
+  const Cell_blocks& blocks;
+  const float4* normals;
+  const Fit& fit;
+
+  /// \param visit called with the place of each point relative to the sample, its normal, and its scale in the ball
+  template <typename Visit>
+  __device__ void for_each(const Visit& visit) const
+  {
+    const float unit = grid.frame.unit(), squared_radius = fit.radius * fit.radius;
+    for_each_candidate(grid, blocks, center, query.lane, fit.radius, [&](unsigned j, const int4& point) {
+      const float3 d = difference(point, center, unit);
+      const float4 other = normals[j];
+      visit(d, xyz(other), dot(d, d) < squared_radius ? other.w : 0);
+    });
+  }
+
+  __device__ Compatible_points sum_compatible_points(const float3& normal) const
+  {
+    Compatible_points sums = {0, 0, 0, {0, 0, 0}, {0, 0, 0}};
+    for_each([&](const float3& d, const float3& other, float scale) {
+      const float cosine = dot(other, normal), sign = copysignf(1, cosine);
+      const float h = symmetric_height(dot(d, normal), sign * dot(d, other));
+      const float weight =
+        scale * sheet_weight(dot(d, d), fit.squared_bandwidth, cosine, fit.normal_bandwidth, h, fit.squared_sheet_height);
+      sums.all += scale;
+      sums.weight += weight;
+      sums.height += weight * h;
+      sums.offset += weight * d;
+      sums.normal += (sign * weight) * other;
+    });
+    return {group_sum<lanes>(sums.all), group_sum<lanes>(sums.weight), group_sum<lanes>(sums.height),
+            group_sum<lanes>(sums.offset), group_sum<lanes>(sums.normal)};
+  }
+
+  __device__ float3 normal_of_most() const
+  {
+    Moments moments;
+    for_each([&](const float3& d, const float3& other, float scale) {
+      moments.add(other, scale * gaussian_weight(dot(d, d), fit.squared_bandwidth));
+    });
+    moments.sum_over_group<lanes>();
+    return to_float(moments.all().main_direction());
+  }
+};
+
 /// The fit of the default method, as `fit_compatible_points()` on the CPU, which says why.
 __global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_blocks blocks, Cell_grid grid,
                             const float4* normals, Fit fit, Samples samples)
@@ -35,50 +94,37 @@ __global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_b
   const Query query(samples.size);
   const int4 center = sample_grid.points[query.index];
   const unsigned i = order ? order[query.index] : query.index;
-  const float3 normal = xyz(samples.normals[i]);
-  const float unit = grid.frame.unit(), radius = fit.radius, squared_radius = radius * radius;
-  float sum = 0, height = 0;
-  float3 offset_sum = {0, 0, 0}, normal_sum = {0, 0, 0};
-  for_each_candidate(grid, blocks, center, query.lane, radius, [&](unsigned j, const int4& point) {
-    const float3 d = difference(point, center, unit);
-    const float squared_distance = dot(d, d);
-    const float4 other = normals[j];
-    const float cosine = dot(xyz(other), normal);
-    const float sign = copysignf(1, cosine);
-    const float h = symmetric_height(dot(d, normal), sign * dot(d, xyz(other)));
-    const float of_sheet = other.w
-                           * sheet_weight(squared_distance, fit.squared_bandwidth, cosine, fit.normal_bandwidth, h,
-                                          fit.squared_sheet_height);
-    const float weight = squared_distance < squared_radius ? of_sheet : 0;
-    sum += weight;
-    height += weight * h;
-    offset_sum += weight * d;
-    normal_sum += (sign * weight) * xyz(other);
-  });
-  sum = group_sum<lanes>(sum);
-  height = group_sum<lanes>(height);
-  offset_sum = group_sum<lanes>(offset_sum);
-  normal_sum = group_sum<lanes>(normal_sum);
+  const Surroundings surroundings = {query, center, grid, blocks, normals, fit};
+  float3 normal = xyz(samples.normals[i]);
+  Compatible_points sums = surroundings.sum_compatible_points(normal);
+  const bool has_strayed = sums.weight < float(least_share_of_sheet) * sums.all;
+  if (__any_sync(0xffffffffu, has_strayed)) // the lanes of a warp add up together
+  {
+    const float3 normal_of_most = surroundings.normal_of_most();
+    if (has_strayed)
+      normal = normal_of_most;
+    sums = surroundings.sum_compatible_points(normal);
+  }
   if (!query.writes)
     return;
 
-  const double pi = 3.141592653589793, total = sum, largest_offset = fit.largest_offset;
-  samples.outward[i] = make_float4(0, 0, 0, 0);
+  const double pi = 3.141592653589793, total = sums.weight, largest_offset = fit.largest_offset;
+  samples.outward[i] = Direction::zero();
   if (!(total > 1e-3)) // nobody agrees: the sample is drawn to where it was last fitted, and keeps its normal
   {
     samples.fit[i].w = 1;
     return;
   }
-  const double3 old_normal = to_double(normal), mean = (1 / total) * to_double(offset_sum);
+  const double3 old_normal = to_double(normal), mean = (1 / total) * to_double(sums.offset);
   const double3 offset = mean - dot(old_normal, mean) * old_normal;
   const double distance = sqrt(dot(offset, offset));
-  double3 to_centroid = (height / total) * old_normal;
+  double3 to_centroid = (sums.height / total) * old_normal;
   if (distance > largest_offset)
     to_centroid = to_centroid + (pi / 2 * (distance - largest_offset) / distance) * offset;
   samples.fit[i] = with_w(to_float(to_centroid), float(fit_weight_factor * total));
   if (distance > largest_offset / 2)
-    samples.outward[i] = with_w(to_float((-1 / distance) * offset), 0);
-  const double3 mean_normal = to_double(normal_sum);
+    samples.outward[i] = Direction::of(to_float((-1 / distance) * offset));
+  const double3 mean_normal = to_double(sums.normal);
   const double length = sqrt(dot(mean_normal, mean_normal));
   if (length > 1e-3 * total)
     samples.normals[i] = with_w(to_float((1 / length) * mean_normal), 0);
@@ -117,7 +163,7 @@ __global__ void repel(Cell_frame frame, Neighbor_lists neighbors, Push push_rule
   push = group_sum<lanes>(push);
   if (!query.writes)
     return;
-  const float3 normal = xyz(samples.normals[i]), outward = xyz(samples.outward[i]);
+  const float3 normal = xyz(samples.normals[i]), outward = samples.outward[i].vector();
   push -= dot(normal, push) * normal;
   push -= fmaxf(dot(outward, push), 0) * outward;
   const float length = sqrtf(dot(push, push));

@@ -7,6 +7,8 @@
 
 #include <CGAL/L0_resampling/internal/fit_compatible_points.h>
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -72,6 +74,37 @@ double half_disk_offset()
   return sum / total;
 }
 
+/// The sums of the docstring for a sample.
+struct Naive_sums
+{
+  double all = 0, total = 0, height = 0;
+  Vector mean = Vector::Zero(), normal = Vector::Zero();
+  Eigen::Matrix3d normals = Eigen::Matrix3d::Zero();
+};
+
+Naive_sums sum_naively(const Oriented_points& input, const std::vector<double>& densities,
+                       const std::vector<Index>& neighbors, const Vector& p, const Vector& n)
+{
+  Naive_sums sums;
+  for (Index j : neighbors)
+  {
+    const Vector d = input.points[j] - p;
+    const double cosine = n.dot(input.normals[j]);
+    const Vector turned = (cosine < 0 ? -1 : 1) * input.normals[j];
+    const double h = 0.5 * (n + turned).dot(d);
+    const double near = std::exp(-d.squaredNorm() / (bandwidth * bandwidth)) / densities[j];
+    const double w = near * std::exp(-std::pow(1 - std::abs(cosine), 2) / normal_bandwidth(25))
+                     * std::exp(-h * h / squared_sheet_height);
+    sums.all += 1 / densities[j];
+    sums.total += w;
+    sums.height += w * h;
+    sums.mean += w * d;
+    sums.normal += w * turned;
+    sums.normals += near * turned * turned.transpose();
+  }
+  return sums;
+}
+
 /// The formulas of the docstring, sample by sample.
 Fitted fit_naively(const Oriented_points& input, const std::vector<double>& densities, const Oriented_points& start)
 {
@@ -79,31 +112,22 @@ Fitted fit_naively(const Oriented_points& input, const std::vector<double>& dens
   const auto neighbors = brute_force_neighbors(start.points, input.points, radius);
   for (std::size_t i = 0; i < start.points.size(); ++i)
   {
-    double total = 0, height = 0;
-    Vector mean = Vector::Zero(), mean_normal = Vector::Zero();
-    const Vector n = start.normals[i];
-    for (std::size_t j : neighbors[i])
+    Vector n = start.normals[i];
+    Naive_sums sums = sum_naively(input, densities, neighbors[i], start.points[i], n);
+    if (sums.total < least_share_of_sheet * sums.all)
     {
-      const Vector d = input.points[j] - start.points[i];
-      const double cosine = n.dot(input.normals[j]);
-      const Vector turned = (cosine < 0 ? -1 : 1) * input.normals[j];
-      const double h = 0.5 * (n + turned).dot(d);
-      const double w = std::exp(-d.squaredNorm() / (bandwidth * bandwidth))
-                       * std::exp(-std::pow(1 - std::abs(cosine), 2) / normal_bandwidth(25))
-                       * std::exp(-h * h / squared_sheet_height) / densities[j];
-      total += w;
-      height += w * h;
-      mean += w * d;
-      mean_normal += w * turned;
+      n = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(sums.normals).eigenvectors().col(2);
+      n *= n.dot(start.normals[i]) < 0 ? -1 : 1;
+      sums = sum_naively(input, densities, neighbors[i], start.points[i], n);
     }
-    result.weights.push_back(total > 1e-3 ? 0.3 * total : 1);
+    result.weights.push_back(sums.total > 1e-3 ? 0.3 * sums.total : 1);
     result.outward.push_back(Vector::Zero());
-    if (total <= 1e-3)
+    if (sums.total <= 1e-3)
       continue;
-    result.normals[i] = mean_normal.normalized();
-    const Vector offset = mean / total - n.dot(mean / total) * n;
+    result.normals[i] = sums.normal.normalized();
+    const Vector mean = sums.mean / sums.total, offset = mean - n.dot(mean) * n;
     const double largest_offset = border_allowance * half_disk_offset();
-    result.centroids[i] += height / total * n;
+    result.centroids[i] += sums.height / sums.total * n;
     if (offset.norm() > largest_offset)
       result.centroids[i] += EIGEN_PI / 2 * (offset.norm() - largest_offset) * offset.normalized();
     if (offset.norm() > largest_offset / 2)
@@ -126,6 +150,8 @@ void check_formulas(double tolerance, Generator& generator)
   }
   Oriented_points start{std::vector<Vector>(input.points.begin(), input.points.begin() + 300),
                         std::vector<Vector>(input.normals.begin(), input.normals.begin() + 300)};
+  for (std::size_t i = 0; i < 20; ++i) // has strayed
+    start.normals[i] = start.normals[i].unitOrthogonal();
   start.points.push_back(Vector(9, 9, 9)); // sees nobody
   start.normals.push_back(Vector::UnitX());
 
@@ -139,11 +165,39 @@ void check_formulas(double tolerance, Generator& generator)
   {
     worst = (std::max)(worst, std::abs(fitted.weights[i] / naive.weights[i] - 1));
     worst = (std::max)({worst, (fitted.centroids[i] - naive.centroids[i]).norm(),
-                        (fitted.normals[i] - naive.normals[i]).norm(), (fitted.outward[i] - naive.outward[i]).norm()});
+                        Eigen::MatrixXd(fitted.normals[i] * fitted.normals[i].transpose()
+                                        - naive.normals[i] * naive.normals[i].transpose())
+                          .norm(),
+                        (fitted.outward[i] - naive.outward[i]).norm()});
   }
   CHECK(worst < tolerance);
   // who sees nobody is drawn to where it was last fitted
   CHECK(fitted.centroids.back() == last_centroids.back() && fitted.normals.back() == start.normals.back());
+}
+
+/// A sample with the normal of nobody around takes that of the face; one with that of a few points, those of a rim, keeps it.
+void check_strays(Generator& generator)
+{
+  Oriented_points input;
+  for (int i = 0; i < 4000; ++i)
+  {
+    input.points.emplace_back(random_number(-1, 1, generator), random_number(-1, 1, generator), 0);
+    input.normals.push_back(Vector::UnitZ());
+  }
+  const Vector rim = Vector(0.5, 0.5, 0);
+  for (int i = 0; i < 60; ++i)
+  {
+    input.points.push_back(rim + Vector(0, random_number(-0.2, 0.2, generator), random_number(-0.05, 0.05, generator)));
+    input.normals.push_back(Vector::UnitX());
+  }
+  Oriented_points start;
+  start.points = {Vector(-0.4, 0.1, 0.05), Vector(-0.4, 0.1, 0.05), rim};
+  start.normals = {Vector(0.6, -0.8, 0), Vector(0.6, 0, -0.8), Vector::UnitX()};
+  const Fitted fitted = fit<float>(input, start);
+  CHECK(angle_of_lines(fitted.normals[0], Vector::UnitZ()) < 1e-3);
+  CHECK(std::abs(fitted.centroids[0][2]) < 1e-5);
+  CHECK(angle_of_lines(fitted.normals[1], Vector::UnitZ()) < 1e-3);
+  CHECK(angle_of_lines(fitted.normals[2], Vector::UnitX()) < 1e-3);
 }
 
 /// Two points of a sphere are at distance 0 in the symmetric sense: a sphere does not shrink.
@@ -230,6 +284,7 @@ int main()
   Generator generator(15);
   check_formulas<double>(1e-10, generator);
   check_formulas<float>(1e-4, generator);
+  check_strays(generator);
   check_sphere(generator);
   check_edge(generator);
   check_border();

@@ -76,6 +76,7 @@ void print_constants()
   object.add("gap_of_parts", gap_of_parts);
   object.add("number_of_normal_refits", number_of_normal_refits);
   object.add("self_neighbor_radius_per_spacing", self_neighbor_radius_per_spacing);
+  object.add("least_share_of_sheet", least_share_of_sheet);
   object.add("number_of_repulsion_steps", number_of_repulsion_steps);
   object.add("repulsion_squared_bandwidth", repulsion.squared_bandwidth);
   object.add("repulsion_strength", repulsion.strength);

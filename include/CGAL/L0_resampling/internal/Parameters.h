@@ -115,6 +115,10 @@ constexpr double border_allowance = 1.15;
 /// The fit against the normal term: how much of the points' weight counts.
 constexpr double fit_weight_factor = 0.3;
 
+/// A sample has strayed if the points that agree with it weigh less than this share of those in its ball. On a face it is a quarter, at an edge an
+/// eighth.
+constexpr double least_share_of_sheet = 0.02;
+
 /// The default method corrects its normals by the positions before each of the last filter passes, as many times.
 constexpr std::size_t number_of_normal_refits = 2;
 

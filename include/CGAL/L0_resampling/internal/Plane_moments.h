@@ -54,6 +54,13 @@ struct Plane_moments
       {xx / n - mx * mx, xy / n - mx * my, xz / n - mx * mz, yy / n - my * my, yz / n - my * mz, zz / n - mz * mz});
   }
 
+  /// The unit vector that most of the points lie along, as seen from the center, of any sign: the largest eigenvector of the second moments.
+  /// \pre `S` is a number
+  CGAL_L0_HOST_DEVICE Triple main_direction() const
+  {
+    return decompose({yy + zz, -xy, -xz, xx + zz, -yz, xx + yy}).smallest_vector;
+  }
+
   /// The plane through points of weight 1 in a ball. Points on a line give a normal across it; coincident points give (0, 0, 1).
   /// \param epsilon of the number type of the points' coordinates
   CGAL_L0_HOST_DEVICE Fitted_plane plane(double squared_radius, double epsilon) const

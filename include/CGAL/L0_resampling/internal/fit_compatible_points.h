@@ -8,6 +8,7 @@
 
 #include <CGAL/L0_resampling/internal/Local_normals.h>
 #include <CGAL/L0_resampling/internal/Parameters.h>
+#include <CGAL/L0_resampling/internal/Plane_moments.h>
 #include <CGAL/L0_resampling/internal/ball_queries.h>
 #include <CGAL/L0_resampling/internal/Samples.h>
 #include <CGAL/L0_resampling/internal/weights.h>
@@ -34,6 +35,74 @@ struct Fit_input
   double normal_bandwidth;          ///< \f$ (1 - \cos\sigma_n)^2 \f$
 };
 
+/// What weighs the points of a ball.
+template <typename T>
+struct Fit_kernel
+{
+  T squared_radius, squared_bandwidth, normal_bandwidth, squared_sheet_height;
+};
+
+/// Sums over the points of a ball.
+struct Compatible_points
+{
+  double all;    ///< \f$ \sum_j 1/v_j \f$
+  double weight; ///< \f$ \sum_j w_j \f$
+  double height; ///< \f$ \sum_j w_j h_{ij} \f$
+  Vector offset; ///< \f$ \sum_j w_j (q_j - p_i) \f$
+  Vector normal; ///< \f$ \sum_j w_j n_j \f$, turned to the side of \f$ n_i \f$
+};
+
+/// \param scales \f$ 1/v_j \f$ of the candidates
+template <typename T>
+Compatible_points sum_compatible_points(const Eigen::Matrix<T, 3, 1>& center, const Eigen::Matrix<T, 3, 1>& normal,
+                                        const Local_points<T>& candidates, const Local_normals<T>& normals,
+                                        const Aligned_vector<T>& scales, const Fit_kernel<T>& kernel)
+{
+  using L = Lanes<T>;
+  L all, sum, height, x, y, z, mean_nx, mean_ny, mean_nz;
+  candidates.for_each_run_in_ball(center, kernel.squared_radius, [&](std::size_t k, const L& squared_distance) {
+    const L dx = L::load(&candidates.x[k]) - center[0];
+    const L dy = L::load(&candidates.y[k]) - center[1];
+    const L dz = L::load(&candidates.z[k]) - center[2];
+    const L nx = L::load(&normals.x[k]), ny = L::load(&normals.y[k]), nz = L::load(&normals.z[k]);
+    const L cosine = nx * normal[0] + ny * normal[1] + nz * normal[2];
+    const L sign = with_sign_of(cosine, L(T(1)));
+    const L h = symmetric_height(dx * normal[0] + dy * normal[1] + dz * normal[2], sign * (dx * nx + dy * ny + dz * nz));
+    const L scale = where_less(squared_distance, kernel.squared_radius, L::load(&scales[k]));
+    const L weight = scale
+                     * sheet_weight(squared_distance, kernel.squared_bandwidth, cosine, kernel.normal_bandwidth, h,
+                                    kernel.squared_sheet_height);
+    const L signed_weight = sign * weight;
+    all += scale;
+    sum += weight;
+    height += weight * h;
+    x += weight * dx;
+    y += weight * dy;
+    z += weight * dz;
+    mean_nx += signed_weight * nx;
+    mean_ny += signed_weight * ny;
+    mean_nz += signed_weight * nz;
+  });
+  return {all.sum(), sum.sum(), height.sum(), Vector(x.sum(), y.sum(), z.sum()),
+          Vector(mean_nx.sum(), mean_ny.sum(), mean_nz.sum())};
+}
+
+/// The unit normal that most of the points of a ball agree with, of any sign: the largest eigenvector of \f$ \sum_j \theta n_j n_j^T / v_j \f$.
+template <typename T>
+Vector normal_of_most(const Eigen::Matrix<T, 3, 1>& center, const Local_points<T>& candidates,
+                      const Local_normals<T>& normals, const Aligned_vector<T>& scales, const Fit_kernel<T>& kernel)
+{
+  using L = Lanes<T>;
+  Plane_moments<L> lanes;
+  candidates.for_each_run_in_ball(center, kernel.squared_radius, [&](std::size_t k, const L& squared_distance) {
+    const L scale = where_less(squared_distance, kernel.squared_radius, L::load(&scales[k]));
+    lanes.add(L::load(&normals.x[k]), L::load(&normals.y[k]), L::load(&normals.z[k]),
+              scale * gaussian_weight(squared_distance, kernel.squared_bandwidth));
+  });
+  const Triple normal = sum_of_lanes(lanes).main_direction();
+  return {normal.x, normal.y, normal.z};
+}
+
 /*!
 The fit term of the default method. Where the paper draws a sample to the mean of all points of its ball, which cuts
 corners and shrinks what is curved, this one looks at points of its own side of an edge and its own sheet only, each weighted by
@@ -43,8 +112,8 @@ corners and shrinks what is curved, this one looks at points of its own side of 
 
 The sample is drawn to \f$ c_i = p_i + h_i n_i \f$: along its normal, so that it does not retreat from edges and borders. Only beyond them, where the weighted mean of
 the points lies further off in the plane than that of half a ball, and a little more, is it drawn back: the mean of a Gaussian cut
-off at x moves by \f$ 2x/\pi \f$ for small x, so that the way back is \f$ \pi/2 \f$ of what is too much. A sample that has strayed to where
-nobody agrees with it is drawn to the last \f$ c_i \f$ it had.
+off at x moves by \f$ 2x/\pi \f$ for small x, so that the way back is \f$ \pi/2 \f$ of what is too much. A sample that hardly any of its points agree with, as one that
+began at the noisiest of them, takes the normal of most of them before. Where still nobody does, it is drawn to the last \f$ c_i \f$ it had.
 
 The normal of the sample becomes the weighted mean of those points' normals.
 
@@ -59,49 +128,33 @@ void fit_compatible_points(const Fit_input<T>& input, Progress& progress, Sample
   apply_order(order, queries_in_order);
   const Search_grid_3 query_grid(queries_in_order, cell_size);
 
-  const T squared_radius = T(input.radius * input.radius);
-  const T squared_bandwidth = T(bandwidth * bandwidth), normal_bandwidth = T(input.normal_bandwidth);
-  const T squared_sheet_height = T(input.squared_sheet_height);
+  const Fit_kernel<T> kernel = {T(input.radius * input.radius), T(bandwidth * bandwidth), T(input.normal_bandwidth),
+                                T(input.squared_sheet_height)};
   const double largest_offset = border_allowance * mean_distance_in_half_disk(input.radius, bandwidth);
   const auto make_visitor = [&]() {
-    return [&, normals = Local_normals<T>(), weights = Aligned_vector<T>()](
+    return [&, normals = Local_normals<T>(), scales = Aligned_vector<T>()](
              Search_grid_3::Range queries, const Local_points<T>& candidates, const Vector& origin) mutable {
-      using L = Lanes<T>;
       normals.gather(candidates, input.normals);
-      weights.assign(candidates.padded_size(), T(0));
+      scales.assign(candidates.padded_size(), T(0));
       for (std::size_t k = 0; k < candidates.indices.size(); ++k)
-        weights[k] = 1 / input.density_weights[candidates.indices[k]];
+        scales[k] = 1 / input.density_weights[candidates.indices[k]];
 
       for (Index q = queries.first; q < queries.second; ++q)
       {
         const Index i = order[q];
-        const Eigen::Matrix<T, 3, 1> center = (queries_in_order[q] - origin).template cast<T>(),
-                                     normal = samples.normals[i].template cast<T>();
-        L sum, height, x, y, z, mean_nx, mean_ny, mean_nz;
-        candidates.for_each_run_in_ball(center, squared_radius, [&](std::size_t k, const L& squared_distance) {
-          const L dx = L::load(&candidates.x[k]) - center[0];
-          const L dy = L::load(&candidates.y[k]) - center[1];
-          const L dz = L::load(&candidates.z[k]) - center[2];
-          const L nx = L::load(&normals.x[k]), ny = L::load(&normals.y[k]), nz = L::load(&normals.z[k]);
-          const L cosine = nx * normal[0] + ny * normal[1] + nz * normal[2];
-          const L sign = with_sign_of(cosine, L(T(1)));
-          const L h = symmetric_height(dx * normal[0] + dy * normal[1] + dz * normal[2],
-                                       sign * (dx * nx + dy * ny + dz * nz));
-          const L weight = where_less(squared_distance, squared_radius, L::load(&weights[k]))
-                           * sheet_weight(squared_distance, squared_bandwidth, cosine, normal_bandwidth, h,
-                                          squared_sheet_height);
-          const L signed_weight = sign * weight;
-          sum += weight;
-          height += weight * h;
-          x += weight * dx;
-          y += weight * dy;
-          z += weight * dz;
-          mean_nx += signed_weight * nx;
-          mean_ny += signed_weight * ny;
-          mean_nz += signed_weight * nz;
-        });
+        const Eigen::Matrix<T, 3, 1> center = (queries_in_order[q] - origin).template cast<T>();
+        Vector old_normal = samples.normals[i].template cast<double>();
+        const auto sums_for_normal = [&]() {
+          return sum_compatible_points<T>(center, old_normal.cast<T>(), candidates, normals, scales, kernel);
+        };
+        Compatible_points sums = sums_for_normal();
+        if (sums.weight < least_share_of_sheet * sums.all)
+        {
+          old_normal = normal_of_most(center, candidates, normals, scales, kernel);
+          sums = sums_for_normal();
+        }
 
-        const double total = sum.sum();
+        const double total = sums.weight;
         samples.outward_directions[i].setZero();
         if (!(total > 1e-3))
         {
@@ -110,18 +163,16 @@ void fit_compatible_points(const Fit_input<T>& input, Progress& progress, Sample
         }
         samples.fit_weights[i] = FT(fit_weight_factor * total);
         samples.fit_centroids[i] = samples.positions[i];
-        const Vector old_normal = samples.normals[i].template cast<double>();
-        const Vector mean = Vector(x.sum(), y.sum(), z.sum()) / total;
+        const Vector mean = sums.offset / total;
         const Vector offset = mean - old_normal.dot(mean) * old_normal;
         const double distance = offset.norm();
-        samples.fit_centroids[i] += (height.sum() / total) * old_normal;
+        samples.fit_centroids[i] += (sums.height / total) * old_normal;
         if (distance > largest_offset)
           samples.fit_centroids[i] += (EIGEN_PI / 2 * (distance - largest_offset) / distance) * offset;
         if (distance > largest_offset / 2)
           samples.outward_directions[i] = (-offset / distance).template cast<FT>();
-        const Vector mean_normal(mean_nx.sum(), mean_ny.sum(), mean_nz.sum());
-        if (mean_normal.norm() > 1e-3 * total)
-          samples.normals[i] = mean_normal.normalized().template cast<FT>();
+        if (sums.normal.norm() > 1e-3 * total)
+          samples.normals[i] = sums.normal.normalized().template cast<FT>();
       }
     };
   };
