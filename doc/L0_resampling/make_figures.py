@@ -10,6 +10,8 @@ scripts/fetch_demo_data.sh brings. Needs Pillow (Debian: python3-pil) to make th
 Each figure is a row of pictures; what differs from one to the next stands below.
 """
 
+import math
+import random
 import subprocess
 import sys
 import tempfile
@@ -35,6 +37,23 @@ def sampled(mesh, **options):
 
 
 NOISY_STAIRCASE = sampled("staircase.off", points=10000, noise=1.5)
+ON_NOISY_STAIRCASE = "method=1,select_percentage=100,neighbor_radius=2"     # a radius that sees through the noise
+
+
+def corrugated_sheet():
+    """Points of a sheet with hills and valleys in strips that are apart from each other, as some scanners move. One strip alone has no side."""
+    generator = random.Random(2)
+    number_of_strips, strip_distance, points_across, points_along, step, height = 20, 0.15, 4, 125, 0.012, 0.12
+
+    def near(i):
+        return (i + generator.uniform(-0.3, 0.3)) * step
+
+    for strip in range(number_of_strips):
+        for across in range(points_across):
+            for along in range(points_along):
+                x, y = strip * strip_distance + near(across), near(along)
+                yield x, y, height * math.sin(2 * math.pi * x) + generator.gauss(0, 0.001)
+
 
 # name: (points, towards the eye, what is drawn, variants for draw_variants)
 FIGURE_LIST = {
@@ -51,12 +70,12 @@ FIGURE_LIST = {
     "number_of_normal_filter_iterations": ("bracket_noisy", CORNER, EVERYTHING,
                                            [f"number_of_normal_filter_iterations={n}" for n in (0, 1, 5, 40)]),
     "normal_weight": (NOISY_STAIRCASE, FRONT, STEPS,
-                      ["input", *(f"method=1,select_percentage=100,neighbor_radius=2,normal_weight={w}" for w in (0, 0.9, 20))]),
+                      ["input", *(f"{ON_NOISY_STAIRCASE},maximum_penalty=200,normal_weight={w}" for w in (0, 0.9, 50))]),
     "regularization_weight": ("bracket_noisy", ABOVE, FACE, ["input", *(f"regularization_weight={w}" for w in (0, 0.05, 5))]),
     "penalties": (NOISY_STAIRCASE, FRONT, STEPS,
-                  ["input", *(f"method=1,select_percentage=100,neighbor_radius=2,maximum_penalty={p}" for p in (0.1, 2, 200))]),
-    "number_of_orientation_neighbors": ("thin_plate_noisy", CORNER, EVERYTHING,
-                                        [f"number_of_orientation_neighbors={k}" for k in (3, 12, 100)]),
+                  ["input", *(f"{ON_NOISY_STAIRCASE},maximum_penalty={p}" for p in (0.1, 2, 200))]),
+    "number_of_orientation_neighbors": (corrugated_sheet, "0.3,-0.6,1", EVERYTHING,
+                                        ["input", *(f"number_of_orientation_neighbors={k}" for k in (12, 100))]),
     "random_seed": ("dodecahedron_noisy", CORNER, "-9,-9,1,9,9,9", [f"select_percentage=20,random_seed={s}" for s in (0, 1, 2)]),
     "keep_density": (sampled("dodecahedron.off", points=8000, noise=0.5, density_gradient=10), CORNER, EVERYTHING,
                      ["input", "default", "keep_density=1"]),
@@ -75,11 +94,20 @@ def file_of(name):
     return ROOT / folder / name.removeprefix("demo/")
 
 
+def write_ply(points, path):
+    lines = [f"{x:.6f} {y:.6f} {z:.6f}" for x, y, z in points]
+    header = ["ply", "format ascii 1.0", f"element vertex {len(lines)}", *(f"property float {axis}" for axis in "xyz"), "end_header"]
+    path.write_text("\n".join([*header, *lines, ""]), encoding="ascii")
+
+
 def input_file(points, programs, scratch):
     if isinstance(points, str):
         return file_of(points if points.endswith(".ply") else f"{points}.ply")
+    path = scratch / "input.ply"
+    if callable(points):
+        write_ply(points(), path)
+        return path
     mesh, options = points
-    path = scratch / "sampled.ply"
     subprocess.run([programs / "sample_mesh", file_of(mesh), path, *options], check=True, stdout=subprocess.DEVNULL)
     return path
 

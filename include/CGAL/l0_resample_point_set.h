@@ -399,7 +399,7 @@ chain, or are joined to one by `|`, one at a time: `parameters::neighbor_radius(
 \throws whatever the property maps, the callback and the output iterator throw. Nothing is written unless everything else succeeded.
 
 \cgalHeading{Complexity}
-With k neighbors in the ball of radius \f$ r_p \f$, time \cgalBigO{n k}; the default radius makes k grow like \f$ n^{1/3} \f$ on surfaces.
+With k neighbors in the ball of radius \f$ r_p \f$, time \cgalBigO{n k}; the radius of LOR and ALOR makes k grow like \f$ n^{1/3} \f$ on surfaces.
 */
 template <typename ConcurrencyTag, typename PointRange, typename OutputIterator,
           typename NamedParameters = parameters::Default_named_parameters>

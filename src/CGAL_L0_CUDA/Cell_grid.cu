@@ -327,15 +327,15 @@ Cell_frame Cell_frame::around(const double (&low)[3], const double (&high)[3], d
 int cells_in_reach(double radius, double cell_size) { return int(std::ceil(radius / cell_size)); }
 
 Cell_grid build_grid(const Positions& positions, const float* normals, const Cell_frame& frame, Device_arena& arena,
-                     Device_arena& scratch, cudaStream_t stream)
+                     Device_arena& arena_of_order, Device_arena& scratch, cudaStream_t stream)
 {
   const unsigned n = positions.size, blocks = blocks_for(n);
   Cell_grid grid;
   grid.frame = frame;
   grid.size = n;
   grid.points = arena.take<int4>(n);
-  grid.order = arena.take<unsigned>(n);
-  grid.is_first = arena.take<unsigned char>(n);
+  grid.order = arena_of_order.take<unsigned>(n);
+  grid.is_first = arena_of_order.take<unsigned char>(n);
 
   const Arena_scope scope(scratch);
   Grid_counts* const device_counts = scratch.take<Grid_counts>(1);

@@ -91,6 +91,13 @@ struct Cell_grid
   unsigned char* is_first = nullptr; // of the points that are equal to it
   Key* keys = nullptr;               // of the cells, ascending
   unsigned* begins = nullptr;        // the first point of each cell, and the number of points
+
+  /// Once nobody asks for it, and its arrays go.
+  void forget_order()
+  {
+    order = nullptr;
+    is_first = nullptr;
+  }
 };
 
 /// Of the cell in the middle of a block: where it begins, in fixed-point numbers.
@@ -113,8 +120,16 @@ struct Cell_blocks
 /// Sorts points into cells.
 /// \param normals of the points, xyz interleaved, or null: the order of points that are equal
 /// \param arena takes the arrays of the grid
+/// \param arena_of_order takes those of them that tell of the order before; it may be `scratch`
 Cell_grid build_grid(const Positions& positions, const float* normals, const Cell_frame& frame, Device_arena& arena,
-                     Device_arena& scratch, cudaStream_t stream);
+                     Device_arena& arena_of_order, Device_arena& scratch, cudaStream_t stream);
+
+/// The same, with one arena for all arrays of the grid.
+inline Cell_grid build_grid(const Positions& positions, const float* normals, const Cell_frame& frame,
+                            Device_arena& arena, Device_arena& scratch, cudaStream_t stream)
+{
+  return build_grid(positions, normals, frame, arena, arena, scratch, stream);
+}
 
 /// \param reach cells to each side
 /// \param maximum_number_of_candidates to look at in a block
@@ -196,6 +211,26 @@ __device__ inline float distance_to_cell(float offset, float cell_size, int step
   return step == 0 ? 0 : fmaxf(0, distance - 1e-5f * cell_size); // rounding
 }
 
+/// Where in its cell a point is, across the rows of cells.
+struct Offset_in_row
+{
+  float y, z;
+
+  __device__ Offset_in_row(const Block_center& block, int4 center, float unit)
+    : y(unit * float(int(unsigned(center.y) - unsigned(block.begin_y)))),
+      z(unit * float(int(unsigned(center.z) - unsigned(block.begin_z))))
+  {}
+
+  /// What a ball around the point has left of its squared radius at the distance of a row of the block; not positive if it does not reach it.
+  __device__ float squared_reach(float squared_radius, float cell_size, int reach, int row) const
+  {
+    const int width = 2 * reach + 1;
+    const float dy = distance_to_cell(y, cell_size, row % width - reach);
+    const float dz = distance_to_cell(z, cell_size, row / width - reach);
+    return squared_radius - dy * dy - dz * dz;
+  }
+};
+
 /*!
 Calls `f(j, point)` for the points around a point that may be within `radius`, those of one of `lanes` threads. Two points are read at a time. As long as `f` does not
 branch, what it reads of two points is under way at once, too; and a warp seldom has no thread whose point is within the radius.
@@ -214,10 +249,8 @@ __device__ inline void for_each_candidate(const Cell_grid& grid, const Cell_bloc
   const Block_center block = blocks.centers[center.w];
   const unsigned stride = block.stride, shift = unsigned(__ffs(int(stride))) - 1;
   const uint2* const ranges = blocks.ranges + (unsigned long long)(unsigned(center.w)) * blocks.number_of_rows;
-  const float unit = grid.frame.unit(), cell_size = float(grid.frame.cell_size);
-  const float y = unit * float(int(unsigned(center.y) - unsigned(block.begin_y)));
-  const float z = unit * float(int(unsigned(center.z) - unsigned(block.begin_z)));
-  const int width = 2 * blocks.reach + 1;
+  const float cell_size = float(grid.frame.cell_size);
+  const Offset_in_row offset(block, center, grid.frame.unit());
 
   for (int first_row = 0; first_row < blocks.number_of_rows; first_row += lanes)
   {
@@ -225,9 +258,7 @@ __device__ inline void for_each_candidate(const Cell_grid& grid, const Cell_bloc
     const int row = first_row + int(lane);
     if (row < blocks.number_of_rows)
     {
-      const float dy = distance_to_cell(y, cell_size, row % width - blocks.reach);
-      const float dz = distance_to_cell(z, cell_size, row / width - blocks.reach);
-      const float squared_reach = radius * radius - dy * dy - dz * dz;
+      const float squared_reach = offset.squared_reach(radius * radius, cell_size, blocks.reach, row);
       if (squared_reach > 0 || !block.is_inside)
       {
         range = ranges[row];

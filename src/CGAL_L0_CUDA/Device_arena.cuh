@@ -222,15 +222,23 @@ public:
   /// Gives everything back.
   void clear() { release({m_end == End::LOW ? 0 : m_block.m_size, 0}); }
 
-  /// A value of the device's memory. Waits for the device.
+  /// A value of the device's memory, which is there once the stream has done its work, and until the next one is fetched or read.
   template <typename T>
-  T read(const T* address, cudaStream_t stream)
+  const T* fetch(const T* address, cudaStream_t stream)
   {
     static_assert(sizeof(T) <= Device_block::size_of_staging, "no room for so large a value");
     T* const staging = static_cast<T*>(m_block.staging());
     CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(staging, address, sizeof(T), cudaMemcpyDeviceToHost, stream));
+    return staging;
+  }
+
+  /// A value of the device's memory. Waits for the device.
+  template <typename T>
+  T read(const T* address, cudaStream_t stream)
+  {
+    const T* const value = fetch(address, stream);
     CGAL_L0_CUDA_CHECK(cudaStreamSynchronize(stream));
-    return *staging;
+    return *value;
   }
 };
 

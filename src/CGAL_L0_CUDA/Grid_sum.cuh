@@ -27,7 +27,10 @@ class Grid_sum
   bool m_is_odd = false;
 
 public:
-  static constexpr unsigned size_of_shared(unsigned threads_of_block) { return threads_of_block / 32 * maximum_count; }
+  __host__ __device__ static constexpr unsigned size_of_shared(unsigned threads_of_block)
+  {
+    return threads_of_block / 32 * maximum_count;
+  }
 
   __device__ Grid_sum(double* partial_sums, double* shared) : m_partial_sums(partial_sums), m_shared(shared) {}
 

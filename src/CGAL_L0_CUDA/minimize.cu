@@ -145,14 +145,6 @@ __device__ float3 solve(const Block_factorization<float>& block, float3 r)
   return {y[0], y[1], y[2]};
 }
 
-__device__ float3 multiply(const Block_factorization<float>& block, float3 v)
-{
-  const float x[3] = {v.x, v.y, v.z};
-  float y[3];
-  multiply_block(block, x, y);
-  return {y[0], y[1], y[2]};
-}
-
 __device__ double wide_dot(float3 a, float3 b) { return double(a.x) * b.x + double(a.y) * b.y + double(a.z) * b.z; }
 
 struct Energy_sums
@@ -244,14 +236,13 @@ __device__ void linearize(const Turn& turn, Energy_sums& energy, double (&sums)[
   });
 }
 
-/// s = H z + ratio s, as (Hz)_i = D_i z_i - sum of [a_ik I + beta (n_i n_i^T + n_k n_k^T)] z_k. The weights a_ik are computed anew each time: that takes no longer than
-/// reading them, and they would be as many numbers as the lists of neighbors have.
+/// s = H z + ratio s, as (Hz)_i = D_i z_i - sum of [a_ik I + beta (n_i n_i^T + n_k n_k^T)] z_k, where D_i z_i is r_i. The weights a_ik are computed anew each
+/// time: that takes no longer than reading them, and they would be as many numbers as the lists of neighbors have.
 /// \param curvature out, of the thread: z^T H z
 __device__ void multiply(const Turn& turn, bool is_first, float ratio, double& curvature)
 {
   const float alpha = float(turn.parameters.regularization_weight);
   const float squared_radius = float(turn.parameters.squared_radius);
-  const Wide size = turn.samples.size;
   for_each_sample_of_group(turn.samples.size, [&](unsigned i, unsigned lane, bool is_sample) {
     float3 sum = {0, 0, 0}, product = {0, 0, 0};
     struct Other
@@ -278,7 +269,7 @@ __device__ void multiply(const Turn& turn, bool is_first, float ratio, double& c
     if (lane != 0 || !is_sample)
       return;
     const float3 n = xyz(turn.samples.normals[i]), z = xyz(turn.arrays.z[i]);
-    const float3 w = multiply(load_block(turn.arrays.blocks, size, i), z) - product - (turn.penalty * dot(n, sum)) * n;
+    const float3 w = turn.arrays.r.get(i) - product - (turn.penalty * dot(n, sum)) * n;
     turn.arrays.s.set(i, is_first ? w : w + ratio * turn.arrays.s.get(i));
     curvature += wide_dot(z, w);
   });

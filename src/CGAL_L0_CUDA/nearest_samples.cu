@@ -17,38 +17,54 @@ using Wide = unsigned long long;
 constexpr unsigned warps_per_block = 4;
 constexpr unsigned cache_size = 256; // candidates of a query that shared memory holds
 
-struct Candidate
+/// A squared distance, and behind it the index: the bits of floats that are not negative ascend, so that the nearest comes first.
+__device__ Wide rank_of(float squared_distance, unsigned index)
 {
-  float squared_distance;
-  unsigned index;
+  return Wide(__float_as_uint(squared_distance)) << 32 | index;
+}
 
-  __device__ bool operator<(const Candidate& b) const
-  {
-    return squared_distance < b.squared_distance || (squared_distance == b.squared_distance && index < b.index);
-  }
-};
-
-/// Calls `f(is_inside, candidate)` in all threads of the warp at once, for the points of the block around a cell.
+/// Calls `f(is_inside, squared_distance, j)` in all threads of the warp at once, for the points of the block around a cell, but for those of rows that the ball
+/// does not reach. The points of the rows are dealt out one after the other, as there may be fewer in a row than threads in a warp.
 template <typename F>
 __device__ void for_each_in_ball(const Cell_grid& grid, const Cell_blocks& blocks, int4 center, unsigned self,
                                  float squared_radius, const F& f)
 {
-  const unsigned lane = threadIdx.x % 32, stride = blocks.centers[center.w].stride;
-  const float unit = grid.frame.unit();
-  for (int row = 0; row < blocks.number_of_rows; ++row)
+  const unsigned lane = threadIdx.x % 32, all = 0xffffffffu;
+  const Block_center block = blocks.centers[center.w];
+  const unsigned shift = unsigned(__ffs(int(block.stride))) - 1;
+  const float unit = grid.frame.unit(), cell_size = float(grid.frame.cell_size);
+  const Offset_in_row offset(block, center, unit);
+  for (int first_row = 0; first_row < blocks.number_of_rows; first_row += 32)
   {
-    const uint2 range = blocks.ranges[Wide(unsigned(center.w)) * unsigned(blocks.number_of_rows) + unsigned(row)];
-    const Wide first = (Wide(range.x) + stride - 1) & ~Wide(stride - 1);
-    for (Wide begin = first; begin < range.y; begin += 32 * stride)
+    uint2 range = {0, 0};
+    const int row = first_row + int(lane);
+    if (row < blocks.number_of_rows
+        && (!block.is_inside || offset.squared_reach(squared_radius, cell_size, blocks.reach, row) > 0))
+      range = blocks.ranges[Wide(unsigned(center.w)) * unsigned(blocks.number_of_rows) + unsigned(row)];
+    const unsigned first = range.x + (0u - range.x & (block.stride - 1)); // the stride is a power of two
+    const unsigned count = range.x < range.y && first < range.y ? ((range.y - 1 - first) >> shift) + 1 : 0;
+    unsigned end = count; // how many points this row and those before it have
+    for (unsigned offset = 1; offset < 32; offset *= 2)
     {
-      const Wide j = begin + lane * stride;
-      Candidate candidate = {squared_radius, 0};
-      if (j < range.y && j != self)
+      const unsigned before = __shfl_up_sync(all, end, offset);
+      end += lane >= offset ? before : 0;
+    }
+    const unsigned begin =
+      first - ((end - count) << shift); // where the row would begin if it had the points of those before, too
+    const unsigned total = __shfl_sync(all, end, 31);
+    for (unsigned t = lane; t < total + lane; t += 32)
+    {
+      unsigned r = 0; // rows that end before the point
+      for (unsigned step = 16; step > 0; step /= 2)
+        r += __shfl_sync(all, end, r + step - 1) <= t ? step : 0;
+      const unsigned j = __shfl_sync(all, begin, r) + (t << shift); // modulo 2^32
+      float squared_distance = squared_radius;
+      if (t < total && j != self)
       {
         const float3 d = difference(grid.points[j], center, unit);
-        candidate = {dot(d, d), grid.order[j]};
+        squared_distance = dot(d, d);
       }
-      f(candidate.squared_distance < squared_radius, candidate);
+      f(squared_distance < squared_radius, squared_distance, j);
     }
   }
 }
@@ -59,8 +75,8 @@ __global__ void find_nearest(Cell_grid grid, Cell_blocks blocks, const unsigned*
                              unsigned number_of_open, float squared_radius, bool take_what_is_there, unsigned k,
                              unsigned* nearest, unsigned char* is_open)
 {
-  __shared__ Candidate caches[warps_per_block][cache_size];
-  Candidate* const cache = caches[threadIdx.x / 32];
+  __shared__ Wide caches[warps_per_block][cache_size];
+  Wide* const cache = caches[threadIdx.x / 32];
   const Wide q = thread_index() / 32;
   if (q >= number_of_open) // whole warps leave
     return;
@@ -71,11 +87,11 @@ __global__ void find_nearest(Cell_grid grid, Cell_blocks blocks, const unsigned*
   unsigned* const result = nearest + Wide(sample) * k;
 
   unsigned count = 0;
-  for_each_in_ball(grid, blocks, center, self, squared_radius, [&](bool is_inside, const Candidate& candidate) {
+  for_each_in_ball(grid, blocks, center, self, squared_radius, [&](bool is_inside, float squared_distance, unsigned j) {
     const unsigned found = __ballot_sync(0xffffffffu, is_inside);
     const unsigned place = count + unsigned(__popc(found & ((1u << lane) - 1)));
     if (is_inside && place < cache_size)
-      cache[place] = candidate;
+      cache[place] = rank_of(squared_distance, grid.order[j]);
     count += unsigned(__popc(found));
   });
   __syncwarp();
@@ -88,12 +104,12 @@ __global__ void find_nearest(Cell_grid grid, Cell_blocks blocks, const unsigned*
   {
     for (unsigned c = lane; c < count; c += 32)
     {
-      const Candidate candidate = cache[c];
+      const Wide own = cache[c];
       unsigned rank = 0;
       for (unsigned other = 0; other < count; ++other)
-        rank += cache[other] < candidate;
+        rank += cache[other] < own;
       if (rank < k)
-        result[rank] = candidate.index;
+        result[rank] = unsigned(own);
     }
     return;
   }
@@ -104,9 +120,9 @@ __global__ void find_nearest(Cell_grid grid, Cell_blocks blocks, const unsigned*
   {
     const unsigned middle = low + (high - low) / 2;
     unsigned number_below = 0;
-    for_each_in_ball(grid, blocks, center, self, squared_radius, [&](bool is_inside, const Candidate& candidate) {
+    for_each_in_ball(grid, blocks, center, self, squared_radius, [&](bool is_inside, float squared_distance, unsigned) {
       number_below += unsigned(
-        __popc(__ballot_sync(0xffffffffu, is_inside && __float_as_uint(candidate.squared_distance) <= middle)));
+        __popc(__ballot_sync(0xffffffffu, is_inside && __float_as_uint(squared_distance) <= middle)));
     });
     if (number_below >= k)
       high = middle;
@@ -116,13 +132,12 @@ __global__ void find_nearest(Cell_grid grid, Cell_blocks blocks, const unsigned*
   const float limit = __uint_as_float(low);
   unsigned size = 0;
   for (const bool is_tie : {false, true})
-    for_each_in_ball(grid, blocks, center, self, squared_radius, [&](bool is_inside, const Candidate& candidate) {
-      const bool is_taken = is_inside
-                            && (is_tie ? candidate.squared_distance == limit : candidate.squared_distance < limit);
+    for_each_in_ball(grid, blocks, center, self, squared_radius, [&](bool is_inside, float squared_distance, unsigned j) {
+      const bool is_taken = is_inside && (is_tie ? squared_distance == limit : squared_distance < limit);
       const unsigned found = __ballot_sync(0xffffffffu, is_taken);
       const unsigned place = size + unsigned(__popc(found & ((1u << lane) - 1)));
       if (is_taken && place < k)
-        result[place] = candidate.index;
+        result[place] = grid.order[j];
       size += unsigned(__popc(found));
     });
 }
@@ -158,7 +173,7 @@ __global__ void __launch_bounds__(threads_of_query)
   constexpr unsigned most_rows = (2 * largest_reach + 1) * (2 * largest_reach + 1);
   __shared__ uint2 ranges[most_rows];
   __shared__ unsigned number_of_ranges, number_of_candidates;
-  __shared__ Wide candidates[maximum_number_of_candidates + 1 + most_rows]; // squared distance and index, so that they ascend as candidates do
+  __shared__ Wide candidates[maximum_number_of_candidates + 1 + most_rows]; // `rank_of()`
   const unsigned sample = open ? open[blockIdx.x] : blockIdx.x;
   const unsigned self = places[sample];
   const int4 center = grid.points[self];
@@ -195,7 +210,7 @@ __global__ void __launch_bounds__(threads_of_query)
       const float3 d = difference(grid.points[j], center, unit);
       const float squared_distance = dot(d, d);
       if (j != self && squared_distance < squared_radius)
-        candidates[atomicAdd(&number_of_candidates, 1u)] = Wide(__float_as_uint(squared_distance)) << 32 | grid.order[j];
+        candidates[atomicAdd(&number_of_candidates, 1u)] = rank_of(squared_distance, grid.order[j]);
     }
   }
   __syncthreads();
@@ -205,7 +220,7 @@ __global__ void __launch_bounds__(threads_of_query)
   if (threadIdx.x == 0)
     is_open[sample] = 0;
 
-  // So small a ball that it is quick to rank what it holds. The bits of floats that are not negative ascend.
+  // So small a ball that it is quick to rank what it holds.
   const unsigned few = 2 * k + 64;
   unsigned low = 0, high = __float_as_uint(squared_radius), number_inside = count;
   unsigned middle = __float_as_uint(squared_radius * fminf(1, float(few) / 2 / float(max(count, 1u))));

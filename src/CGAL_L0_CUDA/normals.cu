@@ -32,8 +32,7 @@ __device__ Plane_fit fit_plane(int4 center, const Cell_grid& grid, const Cell_bl
   return moments.plane(squared_radius);
 }
 
-__global__ void fit_planes(Cell_grid grid, Cell_blocks blocks, float radius, float4* normals,
-                           unsigned char* is_degenerate, unsigned* number_of_degenerate)
+__global__ void fit_planes(Cell_grid grid, Cell_blocks blocks, float radius, float4* normals, unsigned char* is_degenerate)
 {
   const Query query(grid.size);
   const int4 center = grid.points[query.index];
@@ -42,8 +41,6 @@ __global__ void fit_planes(Cell_grid grid, Cell_blocks blocks, float radius, flo
     return;
   normals[query.index] = with_w(fit.normal, 0);
   is_degenerate[query.index] = !fit.spans_plane;
-  if (!fit.spans_plane)
-    atomicAdd(number_of_degenerate, 1u);
 }
 
 /// \param open points without a plane so far, in the order of the fine grid
@@ -101,31 +98,76 @@ __global__ void count_zeros(const float* vectors, unsigned size, unsigned* count
     atomicAdd(count, 1u);
 }
 
-/// Eq. (1): the mean of the normals in the ball, each turned to the side of the point's own first.
+/// Adds up integers over a block of threads, so that the order of the additions does not matter.
+__device__ void add_over_block(unsigned long long value, unsigned long long* total)
+{
+  __shared__ unsigned long long of_block;
+  if (threadIdx.x == 0)
+    of_block = 0;
+  __syncthreads();
+  if (value > 0)
+    atomicAdd(&of_block, value);
+  __syncthreads();
+  if (threadIdx.x == 0 && of_block > 0)
+    atomicAdd(total, of_block);
+}
+
+/// The sum of Eq. (5) over a ball, and how many points it has.
+struct Density
+{
+  float count = 0, sum = 0;
+
+  __device__ void add(bool is_inside, float squared_distance, float squared_bandwidth)
+  {
+    count += is_inside ? 1.f : 0.f;
+    sum += is_inside ? gaussian_weight(squared_distance, squared_bandwidth) : 0.f;
+  }
+
+  /// Without the point itself, for all threads of a block at once; the counts add up.
+  /// \param stride of the candidates: thinning may have left the point itself out
+  __device__ float finish(bool writes, unsigned stride, unsigned long long* total_count)
+  {
+    count = group_sum<lanes>(count);
+    sum = group_sum<lanes>(sum);
+    const float self = count > 0 ? 1.f : 0.f;
+    add_over_block(writes ? (unsigned long long)(count - self) * stride : 0, total_count);
+    return fmaxf(0, sum - self) * float(stride);
+  }
+};
+
+/// Eq. (1): the mean of the normals in the ball, each turned to the side of the point's own first. With `with_density`, the sum of Eq. (5), too, goes to
+/// the fourth number of the normal.
 /// \param squared_radius, squared_bandwidth `in_squared_units()`
+template <bool with_density>
 __global__ void filter_normals_kernel(Cell_grid grid, Cell_blocks blocks, float radius, float squared_radius,
                                       float squared_bandwidth, float normal_bandwidth, const float4* normals,
-                                      float4* filtered)
+                                      float4* filtered, unsigned long long* total_count)
 {
   const Query query(grid.size);
   const int4 center = grid.points[query.index];
   const float3 normal = xyz(normals[query.index]);
   float3 sum = {0, 0, 0};
+  Density density;
   for_each_candidate(grid, blocks, center, query.lane, radius, [&](unsigned j, const int4& point) {
     const float3 d = difference(point, center, 1);
     const float squared_distance = dot(d, d);
+    const bool is_inside = squared_distance < squared_radius;
     const float3 other = xyz(normals[j]);
     const float cosine = dot(normal, other);
     const float weight = bilateral_weight(squared_distance, squared_bandwidth, cosine, normal_bandwidth);
-    const bool counts = (squared_distance < squared_radius) & (cosine != 0);
-    sum += (counts ? copysignf(weight, cosine) : 0.f) * other;
+    sum += (is_inside & (cosine != 0) ? copysignf(weight, cosine) : 0.f) * other;
+    if constexpr (with_density)
+      density.add(is_inside, squared_distance, squared_bandwidth);
   });
   sum = group_sum<lanes>(sum);
+  float of_density = 0;
+  if constexpr (with_density)
+    of_density = density.finish(query.writes, blocks.centers[center.w].stride, total_count);
   if (!query.writes)
     return;
   const double3 mean = to_double(sum);
   const double length = sqrt(dot(mean, mean));
-  filtered[query.index] = with_w(length > 1e-3 ? to_float((1 / length) * mean) : normal, 0);
+  filtered[query.index] = with_w(length > 1e-3 ? to_float((1 / length) * mean) : normal, of_density);
 }
 
 /// As `refitted_normal()` on the CPU.
@@ -162,32 +204,15 @@ __global__ void sum_up_density(Cell_grid grid, Cell_blocks blocks, float radius,
 {
   const Query query(grid.size);
   const int4 center = grid.points[query.index];
-  float count = 0, sum = 0;
+  Density density;
   for_each_candidate(grid, blocks, center, query.lane, radius, [&](unsigned, const int4& point) {
     const float3 d = difference(point, center, 1);
     const float squared_distance = dot(d, d);
-    const bool is_inside = squared_distance < squared_radius;
-    count += is_inside ? 1.f : 0.f;
-    sum += is_inside ? gaussian_weight(squared_distance, squared_bandwidth) : 0.f;
+    density.add(squared_distance < squared_radius, squared_distance, squared_bandwidth);
   });
-  count = group_sum<lanes>(count);
-  sum = group_sum<lanes>(sum);
-  // thinning may have left the point itself out
-  const float self = count > 0 ? 1.f : 0.f;
-  const unsigned stride = blocks.centers[center.w].stride;
+  const float sum = density.finish(query.writes, blocks.centers[center.w].stride, total_count);
   if (query.writes)
-    normals[query.index].w = fmaxf(0, sum - self) * float(stride);
-
-  // integers, so that the order of the additions does not matter
-  __shared__ unsigned long long block_count;
-  if (threadIdx.x == 0)
-    block_count = 0;
-  __syncthreads();
-  if (query.writes)
-    atomicAdd(&block_count, (unsigned long long)(count - self) * stride);
-  __syncthreads();
-  if (threadIdx.x == 0 && block_count > 0)
-    atomicAdd(total_count, block_count);
+    normals[query.index].w = sum;
 }
 
 /// \param total_count of the neighbors of all points; null where density shall not count
@@ -219,23 +244,21 @@ std::size_t estimate_pca_normals(const Workplace& workplace, const Positions& po
   const cudaStream_t stream = workplace.stream;
   const Arena_scope scope(workplace.scratch);
   unsigned char* const is_degenerate = workplace.scratch.take<unsigned char>(n);
-  const Device_counter<unsigned> counter(workplace);
-  fit_planes<<<blocks_for_queries(n), threads_per_block, 0, stream>>>(grid, blocks, float(radius), normals,
-                                                                      is_degenerate, counter.address());
+  fit_planes<<<blocks_for_queries(n), threads_per_block, 0, stream>>>(grid, blocks, float(radius), normals, is_degenerate);
   check_launch("fit_planes");
-  const unsigned number_of_degenerate = counter.read();
-  if (number_of_degenerate == 0)
-    return 0;
 
   // Few points in a healthy cloud, which meet coarser and coarser grids.
   unsigned* const open = workplace.scratch.take<unsigned>(n);
+  unsigned number_of_open = list_flagged(is_degenerate, n, open, workplace.scratch, stream);
+  const unsigned number_of_degenerate = number_of_open;
+  if (number_of_degenerate == 0)
+    return 0;
+
   unsigned* const places = workplace.scratch.take<unsigned>(n);
   unsigned* const coarse_places = workplace.scratch.take<unsigned>(n);
-  for (int doubling = 1; doubling <= number_of_doublings; ++doubling)
+  for (int doubling = 1; doubling <= number_of_doublings && number_of_open > 0;
+       ++doubling, number_of_open = list_flagged(is_degenerate, n, open, workplace.scratch, stream))
   {
-    const unsigned number_of_open = list_flagged(is_degenerate, n, open, workplace.scratch, stream);
-    if (number_of_open == 0)
-      break;
     const double coarse_radius = std::ldexp(radius, doubling);
     if (number_of_open <= largest_number_of_single_queries
         && cells_in_reach(coarse_radius, grid.frame.cell_size) <= largest_reach)
@@ -289,11 +312,13 @@ void take_given_normals(const Workplace& workplace, const Cell_grid& grid, const
 }
 
 void filter_normals(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks, double radius,
-                    float squared_bandwidth, float normal_bandwidth, const float4* normals, float4* filtered)
+                    float squared_bandwidth, float normal_bandwidth, const float4* normals, float4* filtered,
+                    unsigned long long* total_count)
 {
-  filter_normals_kernel<<<blocks_for_queries(grid.size), threads_per_block, 0, workplace.stream>>>(
+  const auto kernel = total_count ? filter_normals_kernel<true> : filter_normals_kernel<false>;
+  kernel<<<blocks_for_queries(grid.size), threads_per_block, 0, workplace.stream>>>(
     grid, blocks, float(radius), in_squared_units(grid, float(radius) * float(radius)),
-    in_squared_units(grid, squared_bandwidth), normal_bandwidth, normals, filtered);
+    in_squared_units(grid, squared_bandwidth), normal_bandwidth, normals, filtered, total_count);
   check_launch("filter_normals_kernel");
 }
 
@@ -306,23 +331,18 @@ void refit_normals(const Workplace& workplace, const Cell_grid& grid, const Cell
   check_launch("refit_normals_kernel");
 }
 
-void take_equal_density_weights(const Workplace& workplace, unsigned size, float4* normals)
+void sum_up_input_density(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks, double radius,
+                          float squared_bandwidth, float4* normals, unsigned long long* total_count)
 {
-  invert_density<<<blocks_for(size), threads_per_block, 0, workplace.stream>>>(size, nullptr, normals);
-  check_launch("invert_density");
-}
-
-void compute_input_density_weights(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks,
-                                   double radius, float squared_bandwidth, float4* normals)
-{
-  const Arena_scope scope(workplace.scratch);
-  const Device_counter<unsigned long long> total_count(workplace);
   sum_up_density<<<blocks_for_queries(grid.size), threads_per_block, 0, workplace.stream>>>(
     grid, blocks, float(radius), in_squared_units(grid, float(radius) * float(radius)),
-    in_squared_units(grid, squared_bandwidth), normals, total_count.address());
+    in_squared_units(grid, squared_bandwidth), normals, total_count);
   check_launch("sum_up_density");
-  invert_density<<<blocks_for(grid.size), threads_per_block, 0, workplace.stream>>>(grid.size, total_count.address(),
-                                                                                    normals);
+}
+
+void invert_input_density(const Workplace& workplace, unsigned size, const unsigned long long* total_count, float4* normals)
+{
+  invert_density<<<blocks_for(size), threads_per_block, 0, workplace.stream>>>(size, total_count, normals);
   check_launch("invert_density");
 }
 

@@ -227,8 +227,9 @@ double squared_distance_to_box(const double (&low)[3], const double (&high)[3], 
 
 } // namespace
 
-Orientation orient_normals(const Workplace& workplace, const double (&low)[3], const double (&high)[3],
-                           unsigned number_of_neighbors, double spacing, const double* viewpoint, const Samples& samples)
+void orient_normals(const Workplace& workplace, const double (&low)[3], const double (&high)[3],
+                    unsigned number_of_neighbors, double spacing, const double* viewpoint, const Samples& samples,
+                    Sample_counts* counts)
 {
   const unsigned m = samples.size;
   const cudaStream_t stream = workplace.stream;
@@ -290,15 +291,12 @@ Orientation orient_normals(const Workplace& workplace, const double (&low)[3], c
     hints.viewpoint = {viewpoint[0], viewpoint[1], viewpoint[2]};
     hints.least_squared_distance = squared_distance_to_box(low, high, viewpoint) + hints.squared_spacing;
   }
-  const Device_counter<uint2> numbers(workplace); // of those oriented, and hinted
   find_centers<<<blocks_for(m), threads_per_block, 0, stream>>>(sides, samples, scale, trees);
   check_launch("find_centers");
-  find_fluxes<<<blocks_for(m), threads_per_block, 0, stream>>>(sides, samples, scale, hints, trees, &numbers.address()->x);
+  find_fluxes<<<blocks_for(m), threads_per_block, 0, stream>>>(sides, samples, scale, hints, trees, &counts->oriented);
   check_launch("find_fluxes");
-  turn_normals<<<blocks_for(m), threads_per_block, 0, stream>>>(roots, trees, samples, &numbers.address()->y);
+  turn_normals<<<blocks_for(m), threads_per_block, 0, stream>>>(roots, trees, samples, &counts->hinted);
   check_launch("turn_normals");
-  const uint2 counts = numbers.read();
-  return {double(counts.x) / m, double(counts.y) / m};
 }
 
 } // namespace cuda

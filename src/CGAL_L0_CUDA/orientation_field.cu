@@ -35,6 +35,7 @@ struct Field
 {
   Dipole* dipoles;
   unsigned* roots_of_dipoles;
+  unsigned* trees_of_dipoles;
   unsigned number_of_dipoles;
   unsigned* sizes_of_sets; // of each dipole that is the first one of its set: how many dipoles that has; of others 0
   unsigned* number_of_all_sets;  // that have a dipole
@@ -72,7 +73,7 @@ __global__ void place_dipoles(Field field, Samples samples, const Link* sets)
 }
 
 /// One warp for each dipole.
-__global__ void find_sets(Field field)
+__global__ void find_sets(Field field, const Link* trees)
 {
   const Wide k = thread_index() / 32;
   if (k >= field.number_of_dipoles) // whole warps leave
@@ -90,26 +91,28 @@ __global__ void find_sets(Field field)
   is_first = __all_sync(0xffffffffu, is_first);
   if (threadIdx.x % 32 != 0)
     return;
+  field.trees_of_dipoles[k] = trees[root].target();
   field.sizes_of_sets[k] = is_first ? count : 0;
   if (is_first)
     atomicAdd(field.number_of_all_sets, 1u);
 }
 
 /// The larger sets of the trees that these stand for. One warp for each dipole.
-__global__ void choose_sets(Field field, const Link* trees, unsigned number_of_samples)
+__global__ void choose_sets(Field field, unsigned number_of_samples)
 {
   const Wide k = thread_index() / 32;
   if (k >= field.number_of_dipoles) // whole warps leave
     return;
   const unsigned fewest = fewest_dipoles_of_a_set(number_of_samples, *field.number_of_all_sets);
   const bool is_large = field.sizes_of_sets[k] >= fewest;
-  const unsigned tree = trees[field.roots_of_dipoles[k]].target();
+  const unsigned tree = field.trees_of_dipoles[k];
+  const unsigned end = is_large ? field.number_of_dipoles : 0;
   unsigned count = 0, count_of_large_sets = 0;
-  for (unsigned other = threadIdx.x % 32; is_large && other < field.number_of_dipoles; other += 32)
+#pragma unroll 8 // so that the memory has several reads to do at once
+  for (unsigned other = threadIdx.x % 32; other < end; other += 32)
   {
-    const unsigned size = field.sizes_of_sets[other];
-    if (size == 0 || trees[field.roots_of_dipoles[other]].target() != tree)
-      continue;
+    const unsigned size_of_set = field.sizes_of_sets[other], other_tree = field.trees_of_dipoles[other];
+    const unsigned size = other_tree == tree ? size_of_set : 0;
     count += size;
     count_of_large_sets += size >= fewest ? size : 0;
   }
@@ -156,7 +159,7 @@ __global__ void find_trees_of_dipoles(Field field)
     field.dipoles[k].tree = field.trees[set];
 }
 
-/// One block for each dipole: its agreement with all others.
+/// One block for each dipole: its agreement with all those behind it.
 __global__ void add_dipoles(Field field)
 {
   __shared__ long long sums[maximum_number_of_sets];
@@ -166,7 +169,7 @@ __global__ void add_dipoles(Field field)
   for (unsigned set = threadIdx.x; set < maximum_number_of_sets; set += blockDim.x)
     sums[set] = 0;
   __syncthreads();
-  for (unsigned first = 0; first < field.number_of_dipoles; first += blockDim.x)
+  for (unsigned first = blockIdx.x + 1; first < field.number_of_dipoles; first += blockDim.x)
   {
     const unsigned k = first + threadIdx.x;
     long long units = 0;
@@ -193,7 +196,10 @@ __global__ void add_dipoles(Field field)
   __syncthreads();
   for (unsigned set = threadIdx.x; set < maximum_number_of_sets; set += blockDim.x)
     if (sums[set] != 0)
+    {
       add_to(&field.row(a.set)[set], sums[set]);
+      add_to(&field.row(set)[a.set], sums[set]);
+    }
 }
 
 __global__ void add_votes_between_sets(Field field, Graph graph, const Link* sets)
@@ -394,17 +400,18 @@ bool join_by_field(const Workplace& workplace, const Graph& graph, const Link* t
   const cudaStream_t stream = workplace.stream;
   const Arena_scope scope(workplace.scratch);
   const unsigned m = graph.size, number_of_dipoles = (std::min)(m, maximum_number_of_dipoles);
-  const Device_counter<unsigned> number_of_all_sets(workplace), number_of_sets(workplace), number_of_turns(workplace);
+  const Device_counter<uint3> numbers(workplace); // of all sets, of those of the field, and of turns
   const Field field = {workplace.scratch.take<Dipole>(number_of_dipoles),
+                       workplace.scratch.take<unsigned>(number_of_dipoles),
                        workplace.scratch.take<unsigned>(number_of_dipoles),
                        number_of_dipoles,
                        workplace.scratch.take<unsigned>(number_of_dipoles),
-                       number_of_all_sets.address(),
+                       &numbers.address()->x,
                        workplace.scratch.take<unsigned char>(number_of_dipoles),
                        spacing * spacing * double(m) / double(number_of_dipoles),
                        spacing,
                        workplace.scratch.take<unsigned>(m),
-                       number_of_sets.address(),
+                       &numbers.address()->y,
                        workplace.scratch.take<unsigned>(maximum_number_of_sets),
                        workplace.scratch.take<unsigned>(maximum_number_of_sets),
                        workplace.scratch.take<int>(maximum_number_of_sets),
@@ -415,9 +422,9 @@ bool join_by_field(const Workplace& workplace, const Graph& graph, const Link* t
                                      Wide(maximum_number_of_sets) * maximum_number_of_sets * sizeof(long long), stream));
   place_dipoles<<<blocks_for(number_of_dipoles), threads_per_block, 0, stream>>>(field, graph.samples, sets);
   check_launch("place_dipoles");
-  find_sets<<<blocks_for(32ull * number_of_dipoles), threads_per_block, 0, stream>>>(field);
+  find_sets<<<blocks_for(32ull * number_of_dipoles), threads_per_block, 0, stream>>>(field, trees);
   check_launch("find_sets");
-  choose_sets<<<blocks_for(32ull * number_of_dipoles), threads_per_block, 0, stream>>>(field, trees, m);
+  choose_sets<<<blocks_for(32ull * number_of_dipoles), threads_per_block, 0, stream>>>(field, m);
   check_launch("choose_sets");
   number_sets<<<blocks_for(32ull * number_of_dipoles), threads_per_block, 0, stream>>>(field, trees);
   check_launch("number_sets");
@@ -427,9 +434,9 @@ bool join_by_field(const Workplace& workplace, const Graph& graph, const Link* t
   check_launch("add_dipoles");
   add_votes_between_sets<<<blocks_for(Wide(m) * lanes_of_edges), threads_per_block, 0, stream>>>(field, graph, sets);
   check_launch("add_votes_between_sets");
-  turn_sets<<<1, threads_of_turning_block, 0, stream>>>(field, number_of_turns.address());
+  turn_sets<<<1, threads_of_turning_block, 0, stream>>>(field, &numbers.address()->z);
   check_launch("turn_sets");
-  if (number_of_turns.read() == 0)
+  if (numbers.read().z == 0)
     return false;
   join_field<<<blocks_for(m), threads_per_block, 0, stream>>>(field, m, sets);
   check_launch("join_field");

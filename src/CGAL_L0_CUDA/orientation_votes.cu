@@ -51,19 +51,27 @@ __device__ unsigned part_of(Wide pair, unsigned number_of_parts)
 __device__ bool add_vote(Vote* table, unsigned number_of_slots, Wide pair, long long agreement, long long total,
                          unsigned* is_full)
 {
-  const unsigned longest_search = 4096;
-  unsigned s = unsigned((hash_of(pair) >> 32) * number_of_slots >> 32);
+  // Strides of their own lead pairs away from places where many meet: a warp waits for the longest of its searches. One after the other, in the end, they
+  // see all slots.
+  const unsigned number_of_strides = 32, longest_search = 4096;
+  const Wide hash = hash_of(pair);
+  const unsigned stride = unsigned((hash & 0xffffffff) * number_of_slots >> 32);
+  unsigned s = unsigned((hash >> 32) * number_of_slots >> 32);
   Wide found;
-  for (unsigned search = 0;; ++search, s = s + 1 < number_of_slots ? s + 1 : 0)
+  for (unsigned search = 0;; ++search)
   {
     if (is_full != nullptr && search == min(longest_search, number_of_slots))
     {
       note(is_full);
       return false;
     }
-    found = atomicCAS(&table[s].pair, 0ull, pair);
+    found = __ldcg(&table[s].pair);
+    if (found == 0)
+      found = atomicCAS(&table[s].pair, 0ull, pair);
     if (found == 0 || found == pair)
       break;
+    s += search < number_of_strides ? stride : 1;
+    s = s < number_of_slots ? s : s - number_of_slots;
   }
   atomicAdd(reinterpret_cast<Wide*>(&table[s].agreement), Wide(agreement));
   atomicAdd(reinterpret_cast<Wide*>(&table[s].total), Wide(total));
@@ -160,6 +168,45 @@ __device__ void propose_votes(const Team& team, const Votes& votes, const Vote* 
   });
 }
 
+/*!
+Calls `f(i, other)` for each pair of neighbors that is wanted, once, for the threads of a team, in whole warps. Few of the pairs that a warp looks at
+are wanted: they wait until there is one for each thread.
+\param is_wanted called with the pairs
+*/
+template <typename Team, typename Is_wanted, typename F>
+__device__ void for_each_wanted_pair(const Team& team, const Graph& graph, const Is_wanted& is_wanted, const F& f)
+{
+  __shared__ uint2 queues[threads_of_voting_block / 32][64];
+  uint2* const queue = queues[threadIdx.x / 32];
+  const unsigned lane = threadIdx.x % 32, all = 0xffffffffu;
+  const Wide end = Wide(graph.size) * lanes_of_edges;
+  unsigned length = 0;
+  for (Wide first = team.thread_rank() - lane; first < end; first += team.size())
+  {
+    const Wide i = (first + lane) / lanes_of_edges;
+    for (unsigned first_edge = 0; first_edge < graph.k; first_edge += lanes_of_edges)
+    {
+      const unsigned e = first_edge + lane % lanes_of_edges;
+      const unsigned other = i < graph.size && e < graph.k ? graph.nearest[i * graph.k + e] : nobody;
+      const bool waits = other < is_listed_by_other && is_wanted(unsigned(i), other);
+      const unsigned waiting = __ballot_sync(all, waits);
+      if (waits)
+        queue[length + unsigned(__popc(waiting & ((1u << lane) - 1)))] = {unsigned(i), other};
+      length += unsigned(__popc(waiting));
+      __syncwarp();
+      if (length < 32)
+        continue;
+      length -= 32;
+      const uint2 pair = queue[length + lane];
+      __syncwarp();
+      f(pair.x, pair.y);
+    }
+  }
+  if (lane < length)
+    f(queue[lane].x, queue[lane].y);
+  __syncwarp();
+}
+
 /// Counts the votes of the edges between sets, those of one part of the pairs.
 /// \param sets the root of each sample now
 /// \param count out: of pairs
@@ -170,13 +217,13 @@ __device__ void count_votes_of_edges(const Team& team, const Graph& graph, const
                                      unsigned* is_full)
 {
   unsigned own_count = 0;
-  for_each_pair_of_neighbors(graph, team.thread_rank(), team.size(), [&](unsigned i, unsigned other) {
+  const auto is_wanted = [&](unsigned i, unsigned other) {
+    const unsigned a = load(sets + i).target(), b = load(sets + other).target();
+    return a != b && (number_of_parts == 1 || part_of(pair_of(a, b), number_of_parts) == part);
+  };
+  for_each_wanted_pair(team, graph, is_wanted, [&](unsigned i, unsigned other) {
     const Link a = load(sets + i), b = load(sets + other);
-    if (a.target() == b.target())
-      return;
     const Wide pair = pair_of(a.target(), b.target());
-    if (number_of_parts > 1 && part_of(pair, number_of_parts) != part)
-      return;
     const long long units = __double2ll_rn(agreement_of(graph, i, other) * units_per_vote);
     own_count += add_vote(table, number_of_slots, pair, a.is_turned() == b.is_turned() ? units : -units, llabs(units),
                           is_full);

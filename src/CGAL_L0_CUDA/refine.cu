@@ -109,7 +109,7 @@ __global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_b
     return;
 
   const double pi = 3.141592653589793, total = sums.weight, largest_offset = fit.largest_offset;
-  samples.outward[i] = make_float4(0, 0, 0, 0);
+  samples.outward[i] = Direction::zero();
   if (!(total > 1e-3)) // nobody agrees: the sample is drawn to where it was last fitted, and keeps its normal
   {
     samples.fit[i].w = 1;
@@ -123,7 +123,7 @@ __global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_b
     to_centroid = to_centroid + (pi / 2 * (distance - largest_offset) / distance) * offset;
   samples.fit[i] = with_w(to_float(to_centroid), float(fit_weight_factor * total));
   if (distance > largest_offset / 2)
-    samples.outward[i] = with_w(to_float((-1 / distance) * offset), 0);
+    samples.outward[i] = Direction::of(to_float((-1 / distance) * offset));
   const double3 mean_normal = to_double(sums.normal);
   const double length = sqrt(dot(mean_normal, mean_normal));
   if (length > 1e-3 * total)
@@ -163,7 +163,7 @@ __global__ void repel(Cell_frame frame, Neighbor_lists neighbors, Push push_rule
   push = group_sum<lanes>(push);
   if (!query.writes)
     return;
-  const float3 normal = xyz(samples.normals[i]), outward = xyz(samples.outward[i]);
+  const float3 normal = xyz(samples.normals[i]), outward = samples.outward[i].vector();
   push -= dot(normal, push) * normal;
   push -= fmaxf(dot(outward, push), 0) * outward;
   const float length = sqrtf(dot(push, push));

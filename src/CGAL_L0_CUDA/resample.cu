@@ -58,17 +58,17 @@ std::size_t estimate_memory(std::size_t n, std::size_t m, const Parameters& para
   const std::size_t slack = std::size_t(1) << 20, of_outliers = parameters.drop_outliers ? 4 * n : 0;
   // positions, normals and fit; what the default method adds; and what parameters ask for
   const std::size_t of_samples =
-    (56 + (is_default ? 16 : 0) + (is_default && parameters.keep_density ? 4 : 0) + (has_hints ? 16 : 0)) * m;
-  // points with their cells, and normals
-  const std::size_t of_points = of_outliers + 24 * n + 16 * n;
+    (56 + (is_default ? 6 : 0) + (is_default && parameters.keep_density ? 4 : 0) + (has_hints ? 16 : 0)) * m;
+  // points with their cells, and normals; and their order before
+  const std::size_t of_points = of_outliers + 18 * n + 16 * n, of_order = 5 * n;
   const std::size_t of_sorting = of_outliers + 24 * n + 76 * n;
-  const std::size_t of_filtering = of_points + 16 * n + (is_default ? 20 : 10) * n;
-  const std::size_t of_start = of_points + 24 * n + 16 * m + (has_hints ? 12 * n : 0);
-  const std::size_t of_sample_grid = 26 * m;
-  const std::size_t of_neighbors = is_default ? 100 * m : 64 * m;
-  const std::size_t of_sorting_samples = (is_default ? of_points : 0) + of_sample_grid + 76 * m;
-  const std::size_t of_fit = of_points + of_sample_grid + 10 * m;
-  const std::size_t of_minimization = (is_default ? of_points + of_sample_grid : 16 * m) + of_neighbors + 80 * m;
+  const std::size_t of_filtering = of_points + of_order + 16 * n + (is_default ? 20 : 10) * n;
+  const std::size_t of_start = of_points + of_order + 24 * n + 16 * m + (has_hints ? 12 * n : 0);
+  const std::size_t of_sample_grid = 19 * m;
+  const std::size_t of_neighbors = is_default ? 80 * m : 64 * m;
+  const std::size_t of_sorting_samples = (is_default ? of_points : 0) + of_sample_grid + 5 * m + 76 * m;
+  const std::size_t of_fit = of_points + of_sample_grid + 15 * m;
+  const std::size_t of_minimization = (is_default ? of_points : 0) + 16 * m + of_neighbors + 76 * m;
   const std::size_t k = parameters.number_of_orientation_neighbors;
   const std::size_t of_orientation = 4 * k * m + (std::max)(118 * m, 2 * k * m + 12 * m); // votes, or grades of the edges
   return slack + of_samples
@@ -86,7 +86,7 @@ struct Call
   Minimization minimization;
   std::vector<double> penalties;
   Turn_result* turn_results;                 // on the device, one for each penalty
-  unsigned* number_of_lonely_samples;        // on the device; LOR and ALOR only
+  Sample_counts* counts;                     // on the device
   std::vector<std::size_t> numbers_of_pairs; // of self neighbors, one for each penalty
   Samples samples;
 
@@ -94,12 +94,14 @@ struct Call
 
   Positions sample_positions() const { return {samples.positions, samples.size, Frame(), true}; }
 
-  /// Sorts the samples into cells, and puts them in that order.
+  /// Sorts the samples into cells, and puts them in that order; that before is forgotten.
   /// \param arena takes the arrays of the grid
   Cell_grid sort_samples(const Cell_frame& frame, Device_arena& arena, Device_arena& scratch)
   {
-    const Cell_grid grid = build_grid(sample_positions(), nullptr, frame, arena, scratch, workplace.stream);
+    const Arena_scope order_scope(scratch);
+    Cell_grid grid = build_grid(sample_positions(), nullptr, frame, arena, scratch, scratch, workplace.stream);
     reorder(workplace, grid.order, samples);
+    grid.forget_order();
     return grid;
   }
 
@@ -160,7 +162,7 @@ struct Prepared_points
   float4* normals; // filtered, and 1/v_j
 };
 
-/// Section 3.1 and Eq. (5): normals and density weights of the input.
+/// Section 3.1 and Eq. (5): normals and density weights of the input. What their grid tells of their order before is in the scratch arena.
 Prepared_points prepare_points(Call& call, const Input& input)
 {
   const Workplace& workplace = call.workplace;
@@ -170,7 +172,7 @@ Prepared_points prepare_points(Call& call, const Input& input)
   Prepared_points points;
   points.grid = build_grid(input.positions, input.normals,
                            Cell_frame::around(lengths.low, lengths.high, lengths.cell_size, longest_query),
-                           workplace.arena, workplace.scratch, workplace.stream);
+                           workplace.arena, workplace.scratch, workplace.scratch, workplace.stream);
   call.report.number_of_distinct_points = points.grid.number_of_distinct;
   points.normals = workplace.arena.take<float4>(points.grid.size);
 
@@ -180,7 +182,14 @@ Prepared_points prepare_points(Call& call, const Input& input)
     return find_blocks(points.grid, points.grid, cells_in_reach(radius, lengths.cell_size),
                        maximum_number_of_candidates, workplace.scratch, workplace.stream);
   };
+  const Device_counter<unsigned long long> number_of_neighbors(workplace);
   const Cell_blocks filter_blocks = blocks_for_radius(lengths.filter_radius);
+  const std::size_t number_of_passes = parameters.number_of_normal_filter_iterations;
+  const std::size_t number_of_refits = parameters.method == Method::DEFAULT
+                                         ? (std::min)(number_of_normal_refits, number_of_passes)
+                                         : 0;
+  if ((number_of_passes + number_of_refits) % 2 != 0) // so that the last pass writes where they are to be
+    std::swap(normals, filtered);
   if (!input.all_normals_given)
   {
     call.stages.begin("PCA normals", 0.1);
@@ -197,10 +206,7 @@ Prepared_points prepare_points(Call& call, const Input& input)
   call.stages.begin("filter normals", 0.4);
   const float squared_bandwidth = float(call.minimization.squared_bandwidth);
   const auto bandwidth = [&](double factor) { return float(normal_bandwidth(factor * parameters.sharpness_angle)); };
-  const std::size_t number_of_passes = parameters.number_of_normal_filter_iterations;
-  const std::size_t number_of_refits = parameters.method == Method::DEFAULT
-                                         ? (std::min)(number_of_normal_refits, number_of_passes)
-                                         : 0;
+  const bool counts_density = !parameters.keep_density || parameters.method == Method::DEFAULT;
   for (std::size_t i = 0; i < number_of_passes; ++i)
   {
     if (i + number_of_refits >= number_of_passes)
@@ -209,21 +215,19 @@ Prepared_points prepare_points(Call& call, const Input& input)
                     bandwidth(fit_angle_factor), float(lengths.squared_sheet_height()), normals, filtered);
       std::swap(normals, filtered);
     }
+    const bool is_last = i + 1 == number_of_passes;
     filter_normals(workplace, points.grid, filter_blocks, lengths.filter_radius, squared_bandwidth, bandwidth(1),
-                   normals, filtered);
+                   normals, filtered, is_last && counts_density ? number_of_neighbors.address() : nullptr);
     std::swap(normals, filtered);
     call.stages.ask(double(i + 1) / double(number_of_passes));
   }
-  if (normals != points.normals)
-    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(points.normals, normals, points.grid.size * sizeof(float4),
-                                       cudaMemcpyDeviceToDevice, workplace.stream));
 
   call.stages.begin("density weights", 0.08);
-  if (parameters.keep_density && parameters.method != Method::DEFAULT)
-    take_equal_density_weights(workplace, points.grid.size, points.normals);
-  else
-    compute_input_density_weights(workplace, points.grid, filter_blocks, lengths.filter_radius, squared_bandwidth,
-                                  points.normals);
+  if (number_of_passes == 0 && counts_density)
+    sum_up_input_density(workplace, points.grid, filter_blocks, lengths.filter_radius, squared_bandwidth,
+                         points.normals, number_of_neighbors.address());
+  invert_input_density(workplace, points.grid.size, counts_density ? number_of_neighbors.address() : nullptr,
+                       points.normals);
   return points;
 }
 
@@ -260,7 +264,34 @@ void fit_to_all_points(Call& call, const Prepared_points& points)
                                          cells_in_reach(call.lengths.radius, call.lengths.cell_size),
                                          maximum_number_of_candidates, workplace.arena, workplace.stream);
   collapse_fit_term(workplace, sample_grid, blocks, points.grid, points.normals, call.lengths.radius, call.samples,
-                    call.number_of_lonely_samples);
+                    call.counts);
+}
+
+/// The samples in the order of their grid, of which only the points are needed any further, and their self neighbors.
+struct Neighborhood
+{
+  Cell_grid points;
+  Neighbor_lists neighbors;
+};
+
+/// Takes the arrays from the arena.
+/// \param use_grid called with the grid of the samples as long as it is there
+template <typename F>
+Neighborhood find_neighborhood(Call& call, const Cell_frame& frame, const F& use_grid)
+{
+  const Workplace& workplace = call.workplace;
+  Neighborhood result;
+  result.points.size = call.samples.size;
+  result.points.frame = frame;
+  result.points.points = workplace.arena.take<int4>(result.points.size);
+  const Arena_scope grid_scope(workplace.scratch);
+  const Cell_grid grid = call.sort_samples(frame, workplace.scratch, workplace.arena);
+  use_grid(grid);
+  result.neighbors = find_self_neighbors(workplace, grid, call.lengths.self_neighbor_radius);
+  CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(result.points.points, grid.points, grid.size * sizeof(int4),
+                                     cudaMemcpyDeviceToDevice, workplace.stream));
+  call.report.number_of_self_neighbor_pairs = result.neighbors.number_of_pairs;
+  return result;
 }
 
 /// Section 3.3: Algorithm 1, with the self neighbors of the start.
@@ -269,20 +300,8 @@ void minimize_alternatingly(Call& call)
   const Workplace& workplace = call.workplace;
   call.stages.begin("self neighbors", 0.03);
   const Arena_scope arena_scope(workplace.arena);
-  // Of the grid only the points are needed any further.
-  Cell_grid points;
-  points.size = call.samples.size;
-  points.frame = call.self_frame((std::max)(call.lengths.self_neighbor_radius, call.lengths.smallest_cell_size));
-  points.points = workplace.arena.take<int4>(points.size);
-  Neighbor_lists neighbors;
-  {
-    const Arena_scope grid_scope(workplace.scratch);
-    const Cell_grid grid = call.sort_samples(points.frame, workplace.scratch, workplace.arena);
-    neighbors = find_self_neighbors(workplace, grid, call.lengths.self_neighbor_radius);
-    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(points.points, grid.points, points.size * sizeof(int4), cudaMemcpyDeviceToDevice,
-                                       workplace.stream));
-  }
-  call.report.number_of_self_neighbor_pairs = neighbors.number_of_pairs;
+  const Cell_frame frame = call.self_frame((std::max)(call.lengths.self_neighbor_radius, call.lengths.smallest_cell_size));
+  const auto [points, neighbors] = find_neighborhood(call, frame, [](const Cell_grid&) {});
   call.numbers_of_pairs.assign(call.penalties.size(), neighbors.number_of_pairs);
 
   call.stages.begin("L0 minimization", 0.12);
@@ -323,21 +342,20 @@ void minimize_with_refinement(Call& call, const Prepared_points& points)
   for (std::size_t i = 0; i < call.penalties.size(); ++i)
   {
     const Arena_scope scope(workplace.arena);
-    const Cell_grid grid = call.sort_samples(self_frame, workplace.arena, workplace.scratch);
-    if (one_grid_is_enough)
+    const auto [samples, neighbors] = find_neighborhood(call, self_frame, [&](const Cell_grid& grid) {
+      if (!one_grid_is_enough)
+        return fit_in_cells_of_points();
+      const Arena_scope fit_scope(workplace.arena);
       fit(grid, true);
-    else
-      fit_in_cells_of_points();
-    const Neighbor_lists neighbors = find_self_neighbors(workplace, grid, lengths.self_neighbor_radius);
-    call.report.number_of_self_neighbor_pairs = neighbors.number_of_pairs;
+    });
     call.numbers_of_pairs.push_back(neighbors.number_of_pairs);
     {
       const Arena_scope turn_scope(workplace.scratch);
       const Turn_arrays arrays = take_turn_arrays(workplace, call.samples.size);
-      minimize_once(workplace, call.minimization, call.penalties[i], true, neighbors, grid, call.samples, arrays,
+      minimize_once(workplace, call.minimization, call.penalties[i], true, neighbors, samples, call.samples, arrays,
                     call.last_turn_result(i), call.turn_results + i);
     }
-    repel_tangentially(workplace, grid, neighbors, lengths.sample_spacing, lengths.radius, number_of_repulsion_steps,
+    repel_tangentially(workplace, samples, neighbors, lengths.sample_spacing, lengths.radius, number_of_repulsion_steps,
                        call.samples);
     call.stages.ask(double(i + 1) / double(call.penalties.size()));
   }
@@ -377,14 +395,20 @@ void run(Session& session, const Parameters& parameters, Stages& stages, Call_re
                Samples()};
   std::vector<Turn_result> results(call.penalties.size());
   call.turn_results = session.arena.take<Turn_result>(results.size());
-  call.number_of_lonely_samples = session.arena.take<unsigned>(1);
+  call.counts = session.arena.take<Sample_counts>(1);
+  CGAL_L0_CUDA_CHECK(cudaMemsetAsync(call.counts, 0, sizeof(Sample_counts), session.stream));
   call.samples = take_samples(session.arena, m,
                               {is_default, is_default && parameters.keep_density, session.hints != nullptr});
   {
     const Arena_scope points_scope(session.arena);
     const Input input = take_input(session, call);
-    const Prepared_points points = prepare_points(call, input);
-    choose_samples(call, input, points);
+    const Prepared_points points = [&]() {
+      const Arena_scope order_scope(session.scratch);
+      Prepared_points prepared = prepare_points(call, input);
+      choose_samples(call, input, prepared);
+      prepared.grid.forget_order();
+      return prepared;
+    }();
     if (is_default)
       minimize_with_refinement(call, points);
     else
@@ -396,18 +420,17 @@ void run(Session& session, const Parameters& parameters, Stages& stages, Call_re
   double viewpoint[3];
   for (int axis = 0; axis < 3; ++axis)
     viewpoint[axis] = lengths.frame.enter_clamped(parameters.viewpoint[axis], axis);
-  const Orientation orientation =
-    orient_normals(workplace, lengths.low, lengths.high, unsigned(parameters.number_of_orientation_neighbors),
-                   call.lengths.sample_spacing, parameters.has_viewpoint ? viewpoint : nullptr, call.samples);
-  report.oriented_share = orientation.oriented_share;
-  report.hinted_share = orientation.hinted_share;
+  orient_normals(workplace, lengths.low, lengths.high, unsigned(parameters.number_of_orientation_neighbors),
+                 call.lengths.sample_spacing, parameters.has_viewpoint ? viewpoint : nullptr, call.samples, call.counts);
   leave_frame(workplace, lengths.frame, call.samples);
   // not before: the device would have nothing to do while the host takes them
+  const Sample_counts* const counts = session.scratch.fetch(call.counts, session.stream);
   CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(results.data(), call.turn_results, results.size() * sizeof(Turn_result),
                                      cudaMemcpyDeviceToHost, session.stream));
   stages.end();
-  if (!is_default)
-    report.number_of_lonely_samples = session.scratch.read(call.number_of_lonely_samples, session.stream);
+  report.number_of_lonely_samples = counts->lonely;
+  report.oriented_share = double(counts->oriented) / m;
+  report.hinted_share = double(counts->hinted) / m;
 
   session.iterations.clear();
   for (std::size_t i = 0; i < results.size(); ++i)

@@ -18,7 +18,7 @@ namespace {
 using Wide = unsigned long long;
 
 __global__ void collapse(Cell_grid sample_grid, Cell_blocks blocks, Cell_grid grid, const float4* normals, float radius,
-                         Samples samples, unsigned* number_of_lonely_samples)
+                         Samples samples, Sample_counts* counts)
 {
   const Query query(samples.size);
   const int4 center = sample_grid.points[query.index];
@@ -39,7 +39,7 @@ __global__ void collapse(Cell_grid sample_grid, Cell_blocks blocks, Cell_grid gr
   const bool is_lonely = !(weight_sum > 0);
   samples.fit[i] = is_lonely ? make_float4(0, 0, 0, 1) : with_w((1 / weight_sum) * sum, weight_sum);
   if (is_lonely)
-    atomicAdd(number_of_lonely_samples, 1u);
+    atomicAdd(&counts->lonely, 1u);
 }
 
 __global__ void reorder_samples(const unsigned* order, Samples from, Samples to)
@@ -156,7 +156,7 @@ Samples take_samples(Device_arena& arena, unsigned size, const Kinds_of_sample_d
   samples.positions = arena.take<double>(3 * std::size_t(size));
   samples.normals = arena.take<float4>(size);
   samples.fit = arena.take<float4>(size);
-  samples.outward = kinds.outward_directions ? arena.take<float4>(size) : nullptr;
+  samples.outward = kinds.outward_directions ? arena.take<Direction>(size) : nullptr;
   samples.spacings = kinds.spacings ? arena.take<float>(size) : nullptr;
   samples.hints = kinds.hints ? arena.take<float4>(size) : nullptr;
   return samples;
@@ -185,11 +185,10 @@ void reorder(const Workplace& workplace, const unsigned* order, const Samples& s
 
 void collapse_fit_term(const Workplace& workplace, const Cell_grid& sample_grid, const Cell_blocks& blocks,
                        const Cell_grid& grid, const float4* normals, double radius, const Samples& samples,
-                       unsigned* number_of_lonely_samples)
+                       Sample_counts* counts)
 {
-  CGAL_L0_CUDA_CHECK(cudaMemsetAsync(number_of_lonely_samples, 0, sizeof(unsigned), workplace.stream));
   collapse<<<blocks_for_queries(samples.size), threads_per_block, 0, workplace.stream>>>(
-    sample_grid, blocks, grid, normals, float(radius), samples, number_of_lonely_samples);
+    sample_grid, blocks, grid, normals, float(radius), samples, counts);
   check_launch("collapse");
 }
 

@@ -76,20 +76,24 @@ void take_listed(const Workplace& workplace, const float* vectors, const unsigne
 bool has_zero(const Workplace& workplace, const float* vectors, unsigned size);
 
 /// Eq. (1), (2) for all points, once.
+/// \param total_count out, on the device, if not null: the sum of Eq. (5), too, goes to the fourth number of each normal, and here adds up how many neighbors there are
 void filter_normals(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks, double radius,
-                    float squared_bandwidth, float normal_bandwidth, const float4* normals, float4* filtered);
+                    float squared_bandwidth, float normal_bandwidth, const float4* normals, float4* filtered,
+                    unsigned long long* total_count);
 
 /// Corrects filtered normals by the positions, as `refit_normals()` on the CPU.
 void refit_normals(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks, double radius,
                    float squared_bandwidth, float normal_bandwidth, float squared_sheet_height, const float4* normals,
                    float4* refitted);
 
-/// In place of Eq. (5), where sparse points shall not count more than dense ones: writes 1 to the fourth number of each normal.
-void take_equal_density_weights(const Workplace& workplace, unsigned size, float4* normals);
+/// The sums of Eq. (5), as `filter_normals()`, where no pass of the filter is run.
+void sum_up_input_density(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks, double radius,
+                          float squared_bandwidth, float4* normals, unsigned long long* total_count);
 
-/// Eq. (5) for the input: writes 1/v_j to the fourth number of each normal.
-void compute_input_density_weights(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks,
-                                   double radius, float squared_bandwidth, float4* normals);
+/// Eq. (5) for the input: turns the sums of Eq. (5) into 1/v_j.
+/// \param total_count null where sparse points shall not count more than dense ones: all are 1 then
+void invert_input_density(const Workplace& workplace, unsigned size, const unsigned long long* total_count,
+                          float4* normals);
 
 /// The areas of the surface that points stand for, as `areas_of_points()` on the CPU, to the bit.
 struct Areas
@@ -107,12 +111,19 @@ Areas areas_of_points(const Workplace& workplace, const Cell_grid& grid, double 
 struct Samples
 {
   unsigned size = 0;
-  double* positions = nullptr; // xyz interleaved, in the frame
-  float4* normals = nullptr;   // and a number that a stage may use
-  float4* fit = nullptr;       // from the sample to c_i, and W_i
-  float4* outward = nullptr;   // default method only
-  float* spacings = nullptr;   // as on the CPU: null unless the density of the input is kept
-  float4* hints = nullptr;     // as on the CPU: null if the caller has none
+  double* positions = nullptr;  // xyz interleaved, in the frame
+  float4* normals = nullptr;    // and a number that a stage may use
+  float4* fit = nullptr;        // from the sample to c_i, and W_i
+  Direction* outward = nullptr; // default method only
+  float* spacings = nullptr;    // as on the CPU: null unless the density of the input is kept
+  float4* hints = nullptr;      // as on the CPU: null if the caller has none
+};
+
+/// How many of the samples are so, counted on the device.
+struct Sample_counts
+{
+  unsigned lonely;           // without an original neighbor; LOR and ALOR only
+  unsigned oriented, hinted; // surely, and as hints say
 };
 
 /// What samples may have beside positions, normals and fit.
@@ -141,10 +152,10 @@ void initialize_samples(const Workplace& workplace, const Positions& positions, 
 
 /// The fit term of LOR and ALOR: weight and centroid of the original neighbors.
 /// \param blocks of `grid` around the cells of `sample_grid`
-/// \param number_of_lonely_samples out, on the device: how many have no original neighbor
+/// \param counts out, on the device; 0 at first
 void collapse_fit_term(const Workplace& workplace, const Cell_grid& sample_grid, const Cell_blocks& blocks,
                        const Cell_grid& grid, const float4* normals, double radius, const Samples& samples,
-                       unsigned* number_of_lonely_samples);
+                       Sample_counts* counts);
 
 /// The self neighbors in compressed rows. Where the row of a sample begins stands in the fourth number of its point, in place of the cell.
 struct Neighbor_lists
@@ -237,18 +248,13 @@ void repel_tangentially(const Workplace& workplace, const Cell_grid& sample_grid
 /// Moves the samples to what they were fitted to.
 void take_fitted_positions(const Workplace& workplace, const Samples& samples);
 
-/// What shares of the samples were oriented surely, and as hints say.
-struct Orientation
-{
-  double oriented_share, hinted_share;
-};
-
 /// Turns the normals of the samples to one side: that of the hints or the viewpoint where these are clear, else outwards.
 /// \param low, high corners of a box that holds the samples, but for a few
 /// \param viewpoint null for none
-/// \returns as `orient_normals()` on the CPU; waits for the device
-Orientation orient_normals(const Workplace& workplace, const double (&low)[3], const double (&high)[3],
-                           unsigned number_of_neighbors, double spacing, const double* viewpoint, const Samples& samples);
+/// \param counts out, on the device: what `orient_normals()` on the CPU returns; 0 at first
+void orient_normals(const Workplace& workplace, const double (&low)[3], const double (&high)[3],
+                    unsigned number_of_neighbors, double spacing, const double* viewpoint, const Samples& samples,
+                    Sample_counts* counts);
 
 /// Takes the positions of the samples out of the frame, and puts their normals, xyz interleaved, in the place of the fit.
 void leave_frame(const Workplace& workplace, const Frame& frame, const Samples& samples);

@@ -31,6 +31,49 @@ __host__ __device__ inline float3 to_float(double3 a) { return {float(a.x), floa
 
 #ifdef __CUDACC__
 
+/// A unit vector or 0 in 6 bytes, with the digits of a `float`: its place on an octahedron that is unfolded to a square, to 24 bits on each axis.
+struct Direction
+{
+  unsigned short words[3];
+
+  __device__ static Direction zero() { return {{0x8000, 0, 0}}; } // which is no place: x is less than the least
+
+  __device__ static Direction of(float3 v)
+  {
+    const float sum = fabsf(v.x) + fabsf(v.y) + fabsf(v.z);
+    float x = v.x / sum, y = v.y / sum;
+    if (v.z < 0)
+    {
+      const float folded = copysignf(1 - fabsf(y), x);
+      y = copysignf(1 - fabsf(x), y);
+      x = folded;
+    }
+    const unsigned a = unsigned(__float2int_rn(x * steps)) << 8, b = unsigned(__float2int_rn(y * steps)) << 8;
+    return {{static_cast<unsigned short>(a >> 16), static_cast<unsigned short>((a & 0xff00u) | b >> 24),
+             static_cast<unsigned short>(b >> 8)}};
+  }
+
+  __device__ float3 vector() const
+  {
+    const unsigned a = unsigned(words[0]) << 16 | (words[1] & 0xff00u),
+                   b = unsigned(words[1]) << 24 | unsigned(words[2]) << 8;
+    if (a == 0x80000000u)
+      return {0, 0, 0};
+    float3 v = {float(int(a) >> 8) / steps, float(int(b) >> 8) / steps, 0};
+    v.z = 1 - fabsf(v.x) - fabsf(v.y);
+    if (v.z < 0)
+    {
+      const float unfolded = copysignf(1 - fabsf(v.y), v.x);
+      v.y = copysignf(1 - fabsf(v.x), v.y);
+      v.x = unfolded;
+    }
+    return (1 / sqrtf(dot(v, v))) * v;
+  }
+
+private:
+  static constexpr float steps = 8388607;
+};
+
 /// The index of the thread in the launch.
 __device__ inline unsigned long long thread_index()
 {
@@ -56,6 +99,8 @@ __device__ inline float3 group_sum(float3 v)
 template <typename T>
 __device__ inline T peer_sum(unsigned peers, T value)
 {
+  if (peers == 0xffffffffu)
+    return group_sum<32>(value);
   T sum = 0;
   for (unsigned rest = peers; rest; rest &= rest - 1)
     sum += __shfl_sync(peers, value, __ffs(int(rest)) - 1);

@@ -246,6 +246,12 @@ mkfifo silent.xyz
 sleep 60 > silent.xyz &   # an input that never comes
 sleeper=$!
 check_failure 1 "--timeout" silent.xyz old.ply --timeout 0.2
+(
+  ulimit -v 150000   # in units of 1 KiB: less than the points of the result would take
+  "$program" --version > /dev/null 2>&1 || exit "$failures"   # the shadow memory of a sanitizer alone is more
+  check_failure 1 "not enough memory" cube.xyz old.ply --points 20000000 --device cpu
+  exit "$failures"
+) || failures=$((failures + 1))
 check "a failed run writes nothing" is_old old.ply
 
 # Output not written: 4

@@ -3,7 +3,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Measures what a CUDA device can do at most: bytes a second from its memory and from its cache, and operations a second. Prints one JSON object.
+// Measures what a CUDA device can do at most: bytes a second from its memory and from its cache, and operations a second; and how long it takes at least to launch a
+// kernel, to wait for a number, and to add up over all threads of a launch. Prints one JSON object.
+
+#include "../../../src/CGAL_L0_CUDA/Grid_sum.cuh"
 
 #include <cuda_runtime.h>
 
@@ -82,6 +85,69 @@ double operations_a_second(unsigned blocks, void* memory)
   return 2. * operations_of_thread * blocks * 256 / seconds;
 }
 
+__global__ void do_nothing() {}
+
+/// Seconds from one kernel to the next, which has nothing to do.
+double seconds_of_launch()
+{
+  const int number_of_launches = 1000;
+  const double seconds = seconds_of([&]() {
+    for (int i = 0; i < number_of_launches; ++i)
+      do_nothing<<<1, 32>>>();
+  });
+  return seconds / number_of_launches;
+}
+
+/// Seconds from the end of a kernel to the begin of the next one, if the host reads a number in between.
+/// \param number on the device
+double seconds_of_read(const int* number, double of_launch)
+{
+  const int number_of_reads = 200;
+  int* staging = nullptr;
+  demand(cudaMallocHost(&staging, sizeof(int)));
+  const double seconds = seconds_of([&]() {
+    for (int i = 0; i < number_of_reads; ++i) {
+      do_nothing<<<1, 32>>>();
+      demand(cudaMemcpyAsync(staging, number, sizeof(int), cudaMemcpyDeviceToHost));
+      demand(cudaStreamSynchronize(nullptr));
+    }
+  });
+  demand(cudaFreeHost(staging));
+  return seconds / number_of_reads - of_launch;
+}
+
+constexpr unsigned threads_of_sum = 512; // as many as the solver has
+
+/// The sum of two numbers of each thread, again and again.
+__global__ void __launch_bounds__(threads_of_sum, 2) add_up(int times, double* partial_sums, double* result)
+{
+  using Sum = CGAL::L0_resampling::internal::cuda::Grid_sum<2>;
+  __shared__ double shared[Sum::size_of_shared(threads_of_sum)];
+  Sum sum(partial_sums, shared);
+  double values[2] = {1, 2};
+  for (int i = 0; i < times; ++i) {
+    sum(values);
+    values[0] = 1 + 1e-9 * values[0]; // so that each waits for the one before
+    values[1] = 2;
+  }
+  if (blockIdx.x == 0 && threadIdx.x == 0)
+    *result = values[0];
+}
+
+/// Seconds of a sum over all threads of a launch that fills the device as the solver's does.
+double seconds_of_sum(int number_of_multiprocessors, void* memory)
+{
+  double *result = static_cast<double*>(memory), *partial_sums = result + 32;
+  const auto run = [&](int times) {
+    void* arguments[] = {&times, &partial_sums, &result};
+    return seconds_of([&]() {
+      demand(cudaLaunchCooperativeKernel(reinterpret_cast<void*>(add_up), dim3(2 * number_of_multiprocessors),
+                                         dim3(threads_of_sum), arguments, 0, nullptr));
+    });
+  };
+  return (run(1100) - run(100)) / 1000;
+}
+
 } // namespace
 
 int main()
@@ -100,12 +166,15 @@ int main()
     const double reads = seconds_of([&]() {
       read_again_and_again<<<blocks, 256>>>(reinterpret_cast<const float4*>(from), size, reinterpret_cast<float*>(to));
     });
+    const double launch = seconds_of_launch();
     std::cout << "{\"device\": \"" << device.name << "\", \"multiprocessors\": " << device.multiProcessorCount
               << ", \"memory_bytes_a_second\": " << 2. * double(bytes) / copy
               << ", \"cache_bytes_a_second\": " << double(bytes_in_cache) * blocks / reads
               << ", \"float_operations_a_second\": " << operations_a_second<float>(blocks * 16, to)
-              << ", \"double_operations_a_second\": " << operations_a_second<double>(blocks * 16, to) << "}"
-              << std::endl;
+              << ", \"double_operations_a_second\": " << operations_a_second<double>(blocks * 16, to)
+              << ", \"launch_seconds\": " << launch
+              << ", \"read_seconds\": " << seconds_of_read(reinterpret_cast<const int*>(from), launch)
+              << ", \"sum_seconds\": " << seconds_of_sum(device.multiProcessorCount, to) << "}" << std::endl;
     demand(cudaFree(from));
     demand(cudaFree(to));
     return 0;

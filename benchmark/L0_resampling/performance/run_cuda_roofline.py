@@ -74,6 +74,7 @@ def measure(programs, mesh):
             for precision in ("float", "double"):
                 stage[precision + "_operations"] = sum(weight * c.get(name, 0) for name, (p, weight) in OPERATIONS.items() if p == precision)
         yield {"points_in": points_in, "points_out": points_out, "method": method, "stages": timed["stages"],
+               "turns": timed["turns"], "solver_iterations": timed["solver_iterations"],
                "device_resident_seconds": timed["device_resident_seconds"]["median"]}
 
 
@@ -87,6 +88,13 @@ def bound_of(stage, limits):
             "issue": stage["instructions"] / limits["instructions_a_second"] / seconds}
 
 
+def waits_of(run, limits):
+    """Seconds that launches and the solver's barriers take at least, however little there is to do."""
+    kernels = sum(stage["kernels"] for stage in run["stages"])
+    sums = 2 * (run["turns"] + run["solver_iterations"])   # weights and right-hand side of a turn; two of conjugate gradients
+    return {"kernels": kernels, "launches": kernels * limits["launch_seconds"], "sums": sums, "barriers": sums * limits["sum_seconds"]}
+
+
 def table(data):
     limits = data["limits"]
     lines = ["# Stages on a CUDA device against its limits", "",
@@ -95,7 +103,10 @@ def table(data):
              f"second cache; {limits['float_operations_a_second'] / 1e12:.3g} and {limits['double_operations_a_second'] / 1e12:.3g} TFLOP/s of `float` and "
              "`double`; one instruction a cycle and scheduler, as many as the multiplications and additions of `float` at their limit. Of the "
              "time of a stage, the *shares* are what its bytes, operations and instructions would take at these limits: the largest one is what holds "
-             "the stage up, and where all are small it waits: for barriers, for dependent reads, for launches and for the host.", ""]
+             "the stage up, and where all are small it waits: for barriers, for dependent reads, for launches and for the host. "
+             f"The host takes {1e6 * limits['launch_seconds']:.2g} microseconds to launch a kernel, and {1e6 * limits['read_seconds']:.2g} pass until it has "
+             "read a number and launched the next one, which it does wherever the size of an array depends on the points; a sum over all "
+             f"threads takes {1e6 * limits['sum_seconds']:.2g}.", ""]
     for run in data["runs"]:
         lines += [f"## {run['points_in']} points to {run['points_out']}, {run['method']}: {1e3 * run['device_resident_seconds']:.3g} ms", "",
                   "| stage | ms | kernels | MB of memory | MB of cache | MFLOP | share of memory | of cache | of operations | of instructions |",
@@ -106,7 +117,10 @@ def table(data):
                          f"| {stage['cache_bytes'] / 1e6:.3g} | {(stage['float_operations'] + stage['double_operations']) / 1e6:.3g} "
                          + "".join(f"| {100 * b[kind]:.0f} % " for kind in ("memory", "cache", "operations", "issue")) + "|")
         least = sum(max(bound_of(stage, limits).values()) * stage["seconds"] for stage in run["stages"])
-        lines += ["", f"With the bytes and instructions that they have, the stages would take {1e3 * least:.3g} ms at these limits; the rest is waiting.", ""]
+        waits = waits_of(run, limits)
+        lines += ["", f"With the bytes and instructions that they have, the stages would take {1e3 * least:.3g} ms at these limits; the rest is waiting. "
+                  f"To launch the {waits['kernels']} kernels one after the other takes {1e3 * waits['launches']:.3g} ms, were they empty, and the "
+                  f"{waits['sums']} barriers of the solver, with their sums, {1e3 * waits['barriers']:.3g} ms.", ""]
     return "\n".join(lines)
 
 

@@ -228,6 +228,7 @@ int main(int argc, char** argv)
                    {"stages", stages.result()},
                    {"neighbor_radius", report.neighbor_radius},
                    {"number_of_self_neighbor_pairs", report.number_of_self_neighbor_pairs},
+                   {"turns", report.number_of_iterations},
                    {"solver_iterations", solver_iterations},
                    {"oriented_share", report.oriented_share},
                    {"degenerate_neighborhoods", report.number_of_degenerate_neighborhoods},

@@ -3,15 +3,19 @@
 # All rights reserved.
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Opens a report in headless Chromium and checks that its pictures are drawn, turn, zoom and change: check_page.py PAGE.html SCREENSHOT.png
+"""Opens a report in headless Chromium and checks that its pictures are drawn, turn, zoom and change, and that its meshes are as small as its
+selection asks for: check_page.py PAGE.html SCREENSHOT.png
 
 Exit status 77 if Debian's chromium-driver or python3-selenium is not installed, or what the page needs, so that there is none.
 """
 
+import json
 import shutil
 import sys
 import time
 from pathlib import Path
+
+from selections import SELECTIONS
 
 try:
     from selenium import webdriver
@@ -36,6 +40,12 @@ for (let i = 0; i < data.length; i += 4)
 return [drawn, sum];
 """
 
+# Triangles of each mesh
+MESH_SIZES = """
+const scenes = JSON.parse(document.getElementById(arguments[0]).textContent).scenes;
+return scenes.filter(scene => scene.mesh).map(scene => scene.mesh.triangles);
+"""
+
 
 def browser():
     options = webdriver.ChromeOptions()
@@ -51,6 +61,7 @@ def browser():
 class Page:
     def __init__(self, driver, path):
         self.driver = driver
+        self.selection = SELECTIONS[json.loads(path.with_suffix(".json").read_text(encoding="utf-8"))["selection"]]
         driver.get(path.resolve().as_uri())
 
     def wait_until(self, condition, what):
@@ -70,6 +81,9 @@ class Page:
         self.wait_until(lambda: figure.get_attribute("data-state") == "shown", f"{name} is shown")
         canvases = figure.find_elements(By.TAG_NAME, "canvas")
         assert canvases, f"{name} has no pictures"
+        sizes = sorted(self.driver.execute_script(MESH_SIZES, name))
+        # A mesh of many small closed parts, as of a thin plate whose sides are mixed, cannot be made so coarse.
+        assert not sizes or sizes[len(sizes) // 2] <= self.selection.picture_triangles, f"{name} has meshes of {sizes} triangles"
         first = [self.look(canvas) for canvas in canvases]
         for canvas, (drawn, _) in zip(canvases, first):
             pixels = int(canvas.get_attribute("width")) * int(canvas.get_attribute("height"))

@@ -17,6 +17,8 @@ ROOT = Path(__file__).resolve().parents[3]
 SURFACE_SAMPLES = 20_000
 # CGAL's default is the second. The first is preferred, so that distances measured on the mesh are those of the points.
 SURFACE_DISTANCES = (0.1, 0.375, 1)
+# Shares of normals inwards between which there is no surface: its mesh would be a tangle, which takes minutes. All inwards is as good as none.
+MIXED_NORMALS = (0.4, 0.6)
 SHARE_OF_SCANS = 0.7    # of points that are left; in the paper, 0.69 of FIFA's and 0.73 of Clock's
 sys.path += [str(Path(__file__).resolve().parents[1] / folder) for folder in ("methods", "quality")]
 from methods import ROWS, Method
@@ -26,12 +28,14 @@ from quality_bench import Bench, describe
 class Laboratory(Bench):
     """Programs of a build; files stay in the folder `files`.
 
-    `demo_data` is the data folder of libcgal-demo, or None.
+    `demo_data` is the data folder of libcgal-demo, or None. Meshes of the page have `picture_triangles` at most, where collapsing
+    edges makes them so small.
     """
 
-    def __init__(self, build, files, demo_data, jobs):
+    def __init__(self, build, files, demo_data, jobs, picture_triangles):
         super().__init__(build / "bin", files, threads=1)
         self.demo_data = demo_data
+        self.picture_triangles = picture_triangles
         self.pool = ThreadPoolExecutor(max_workers=jobs)
 
     def mesh(self, shape):
@@ -61,15 +65,16 @@ class Laboratory(Bench):
         """The results of functions without arguments, run beside each other."""
         return [future.result() for future in [self.pool.submit(call) for call in calls]]
 
-    def reconstruct(self, points, surface):
-        """Writes the Poisson mesh. Returns how closely it follows the Poisson surface, in spacings, or None if it cannot be made.
+    def reconstruct(self, points, surface, picture):
+        """Writes the Poisson mesh, and a coarser one for the page. Returns how closely the first follows the Poisson surface, in spacings, or None if it cannot be made.
 
         Where normals contradict each other, that surface is a tangle, and its mesh would grow until memory ends.
         """
         count = len(read_ply(points)[0])
         for distance in SURFACE_DISTANCES:
             limits = ("--cpu", str(20 + count // 300)), ("--as", str(4 << 30))
-            command = ["prlimit", *(f"{name}={value}" for name, value in limits), self.programs / "reconstruct_surface", points, surface, str(distance)]
+            command = ["prlimit", *(f"{name}={value}" for name, value in limits), self.programs / "reconstruct_surface", points, surface, str(distance),
+                       picture, str(self.picture_triangles)]
             if subprocess.run(command, stderr=subprocess.DEVNULL).returncode == 0:
                 return distance
         return None
@@ -79,17 +84,17 @@ class Laboratory(Bench):
         scene = {"title": title, "points": f"{name}.ply"}
         if not reconstruct:
             return scene
-        surface = self.scratch / f"{name}.off"
-        distance = self.reconstruct(self.scratch / f"{name}.ply", surface)
+        surface, picture = self.scratch / f"{name}.off", self.scratch / f"{name}_picture.off"
+        distance = self.reconstruct(self.scratch / f"{name}.ply", surface, picture)
         if distance is None:
             scene["remark"] = "CGAL's Poisson reconstruction fails"
             return scene
         if distance > SURFACE_DISTANCES[0]:
             scene["remark"] = f"mesh within {distance:g} spacings of CGAL's Poisson surface, as a closer one fails"
-        scene["mesh"] = surface.name
+        scene["mesh"] = picture.name
         if mesh is not None:
             values, samples = self.scratch / f"{name}.values", self.scratch / f"{name}_mesh.ply"
-            self.run("evaluate_point_set", surface, mesh, "--values", values)    # at the vertices, for the colors
+            self.run("evaluate_point_set", picture, mesh, "--values", values)    # at the vertices, for the colors
             # Most vertices are where the surface bends: its distance is that of points that are even by area.
             self.run("sample_mesh", surface, samples, "--points", SURFACE_SAMPLES)
             evaluation = json.loads(self.run("evaluate_point_set", samples, mesh))
@@ -115,17 +120,21 @@ class Laboratory(Bench):
             variants[variant] = stem, self.measure_variant(experiment, mesh, source, method, stem)
         best = min(variants, key=lambda v: variants[v][1]["evaluation"]["distance"]["mean"]) if mesh else next(iter(variants))
         stem, measured = variants[best]
-        measured |= {"variant": best, "scene": self.scene(row.name, stem, mesh, reconstruct)}
+        is_mixed = mesh is not None and MIXED_NORMALS[0] < measured["evaluation"]["normals"]["share_inwards"] < MIXED_NORMALS[1]
+        scene = self.scene(row.name, stem, mesh, reconstruct and not is_mixed)
+        if reconstruct and is_mixed:
+            scene["remark"] = "no mesh: the normals contradict each other"
+        measured |= {"variant": best, "scene": scene}
         where = describe(experiment) if mesh else experiment["mesh"]
         print(f"{where}: {row.name} {best}", file=sys.stderr, flush=True)
         return measured
 
-    def start_rows(self, experiment, mesh, source, name, reconstruct, names=()):
-        """All rows of these names, or all there are; one that cannot be run has None.
+    def start_rows(self, experiment, mesh, source, name, reconstruct, left_out=()):
+        """All rows but those named in `left_out`; a row that cannot be run has None.
 
         Returns what waits for them, so that those of several experiments can run beside each other.
         """
-        rows = [row for row in ROWS if not names or row.name in names]
+        rows = [row for row in ROWS if row.name not in left_out]
         measured = {row.name: self.pool.submit(self.measure_row, experiment, mesh, source, row, f"{name}_{row.name.replace(' ', '_')}", reconstruct)
                     for row in rows if row.variants}
         return lambda: {row.name: measured[row.name].result() if row.name in measured else None for row in rows}

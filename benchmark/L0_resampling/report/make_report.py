@@ -41,7 +41,7 @@ def measure(arguments, files, report):
     `--only` adds to the report of an earlier run, if there is one.
     """
     selection = SELECTIONS[arguments.selection]
-    lab = Laboratory(arguments.build, files, arguments.demo_data, arguments.jobs)
+    lab = Laboratory(arguments.build, files, arguments.demo_data, arguments.jobs, selection.picture_triangles)
     result = {"commands": [], "selection": selection.name, "machine": machine(arguments.build), "seconds": {}, "experiments": {}}
     if arguments.only and report.with_suffix(".json").exists():
         result = json.loads(report.with_suffix(".json").read_text(encoding="utf-8"))

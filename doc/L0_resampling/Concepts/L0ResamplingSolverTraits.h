@@ -23,7 +23,7 @@ a model may reuse what it has allocated.
 class L0ResamplingSolverTraits
 {
 public:
-  /// The number type of the problems it solves, `double` or `float`. `CGAL::l0_resample_point_set()` asks for `double`.
+  /// The number type of the problems it solves, `double` or `float`. `CGAL::l0_resample_point_set()` makes the problems in this type.
   typedef unspecified_type FT;
 
   /// Whether `solve()` reads `Quadratic_problem::rows`. Making them costs time and, with many neighbors, much memory;

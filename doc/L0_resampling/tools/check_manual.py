@@ -67,6 +67,8 @@ def typed_by_hand(name, page):
     for sentence in re.split(r"(?<=[.;:])\s", re.sub(r"\\\w+", "", text)):
         if re.search(r"\bdefault (?:is|of)\b|\b[Bb]y default\b", sentence) and re.search(r"\d", sentence):
             yield f"{name} types a default: {' '.join(sentence.split())}"
+    for alias in re.findall(r"^[ \t]*(\\[a-z]+_\w+)\. ", text, re.MULTILINE):
+        yield f"{name} begins a line with {alias} and a full stop, which makes it an item of a list"
     for command in re.findall(r"[\\@](?:code|verbatim)\b|```|~~~", text):
         yield f"{name} types code behind {command}: show an example with \\snippet"
 

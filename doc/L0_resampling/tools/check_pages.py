@@ -7,8 +7,8 @@
 
 - a formula that MathJax cannot draw, or has not drawn;
 - a picture that is not there;
-- a command of Doxygen or an alias that stands in the text;
-- something wider than the page;
+- a command of Doxygen, an alias or the stars of bold words that stand in the text;
+- something wider than the page, or a name in a list that is broken into many lines;
 - a link to a place that does not exist.
 
 With SCREENSHOT_DIRECTORY, a picture of each page lies there for people to look at.
@@ -51,11 +51,16 @@ for (const picture of content.querySelectorAll("img"))
 for (const wide of content.querySelectorAll("p, li, table, img, .l0Figure, svg"))
   if (wide.getBoundingClientRect().right > document.documentElement.clientWidth + 1)
     found.push("wider than the page: " + wide.tagName + " " + wide.textContent.trim().slice(0, 60));
+for (const name of content.querySelectorAll(".directory td.entry a.el"))
+  if (name.getBoundingClientRect().height > 60)
+    found.push("a name has many lines: " + name.textContent);
 for (const code of content.querySelectorAll("code, .fragment, pre, script, style, .MathJax_Preview, .MathJax_SVG, .MathJax_SVG_Display"))
   code.remove();
 const text = content.textContent;
 for (const command of text.match(/[\\@](?:cgal|l0|ref|cite|snippet|default_|lor_|constant_|quality_|speed_|solver_|f\$|f\[)\w*/g) || [])
   found.push("a command stands in the text: " + command);
+for (const words of text.match(/.{0,30}\*\*.{0,30}/g) || [])
+  found.push("stars stand in the text: " + words);
 return found;
 """
 

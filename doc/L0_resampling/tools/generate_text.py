@@ -31,13 +31,25 @@ def is_table_line(line):
 
 
 def cell(text):
-    text = html.escape(text.strip(), quote=False)
+    text = html.escape(text, quote=False)
     text = re.sub(r"\*\*(.+?)\*\*", r"<b>\1</b>", text)
     return re.sub(r"`(.+?)`", r"<code>\1</code>", text)
 
 
-def row(line, tag):
-    return "<tr>" + "".join(f"<{tag}>{cell(text)}</{tag}>" for text in line.strip()[1:-1].split("|")) + "</tr>"
+def cells(line):
+    return [text.strip() for text in line.strip()[1:-1].split("|")]
+
+
+LONGEST_UNBROKEN_CELL = 16    # characters; a longer one may have several lines
+
+
+def row(line, tag, are_numbers):
+    parts = []
+    for text, is_number in zip(cells(line), are_numbers, strict=True):
+        classes = [name for name, applies in (("l0Number", is_number), ("l0Unbroken", tag == "td" and len(text) <= LONGEST_UNBROKEN_CELL)) if applies]
+        attribute = f' class="{" ".join(classes)}"' if classes else ""
+        parts.append(f"<{tag}{attribute}>{cell(text)}</{tag}>")
+    return "<tr>" + "".join(parts) + "</tr>"
 
 
 def html_tables(markdown):
@@ -47,8 +59,9 @@ def html_tables(markdown):
         if is_table_line(line):
             lines.append(line)
         elif lines:
-            header, _, *body = lines
-            rows = [row(header, "th"), *(row(b, "td") for b in body)]
+            header, alignment, *body = lines
+            are_numbers = [text.endswith(":") for text in cells(alignment)]
+            rows = [row(header, "th", are_numbers), *(row(b, "td", are_numbers) for b in body)]
             tables.append("\n".join(['<table class="l0Table">', *rows, "</table>"]) + "\n")
             lines = []
     return tables

@@ -34,10 +34,13 @@ struct Parameters
   Solver solver = Solver::BLOCK_CONJUGATE_GRADIENT;
   bool in_single_precision = false; // the kernel of the caller
   bool with_normals = false;
+  bool with_hints = false;      // of the side of the normals; the same vectors
+  bool with_point_data = false; // indices of the nearest points, and confidences
 
   std::optional<double> number_of_output_points, neighbor_radius, normal_filter_radius;
   std::optional<double> regularization_weight, penalty_growth; // the default depends on the method
   std::optional<bool> drop_outliers;                           // likewise
+  std::optional<double> viewpoint;                             // x of a point off all axes
   double select_percentage = 50;
   double sharpness_angle = 15;
   double number_of_normal_filter_iterations = 5;
@@ -47,6 +50,7 @@ struct Parameters
   double number_of_orientation_neighbors = 12;
   std::size_t random_seed = 0;
   bool drop_non_finite = false;
+  bool keep_density = false;
   std::size_t maximum_memory = (std::numeric_limits<std::size_t>::max)();
 
   // The first access to the point map, and the first point written, that throws. None if it is never reached.
@@ -62,12 +66,16 @@ void for_each_parameter(const F& f)
   f("solver", &Parameters::solver);
   f("in_single_precision", &Parameters::in_single_precision);
   f("with_normals", &Parameters::with_normals);
+  f("with_hints", &Parameters::with_hints);
+  f("with_point_data", &Parameters::with_point_data);
   f("number_of_output_points", &Parameters::number_of_output_points);
   f("neighbor_radius", &Parameters::neighbor_radius);
   f("normal_filter_radius", &Parameters::normal_filter_radius);
   f("regularization_weight", &Parameters::regularization_weight);
   f("penalty_growth", &Parameters::penalty_growth);
   f("drop_outliers", &Parameters::drop_outliers);
+  f("viewpoint", &Parameters::viewpoint);
+  f("keep_density", &Parameters::keep_density);
   f("select_percentage", &Parameters::select_percentage);
   f("sharpness_angle", &Parameters::sharpness_angle);
   f("number_of_normal_filter_iterations", &Parameters::number_of_normal_filter_iterations);

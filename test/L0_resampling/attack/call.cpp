@@ -12,10 +12,11 @@
 
 #include <boost/iterator/function_output_iterator.hpp>
 
+#include <algorithm>
 #include <cstring>
 #include <functional>
 #include <numeric>
-#include <type_traits>
+#include <optional>
 #include <utility>
 
 namespace attack {
@@ -46,6 +47,31 @@ struct Map_of_indices
   }
 };
 
+/// Takes values in the order of their keys.
+template <typename Value>
+struct Map_to_vector
+{
+  using key_type = std::size_t;
+  using value_type = Value;
+  using reference = Value&;
+  using category = boost::writable_property_map_tag;
+
+  std::vector<Value>* values;
+
+  friend void put(const Map_to_vector& map, std::size_t i, Value value)
+  {
+    map.values->resize((std::max)(map.values->size(), i + 1));
+    (*map.values)[i] = value;
+  }
+};
+
+/// A parameter that is passed, or not.
+template <typename Value>
+std::optional<Value> given_if(bool is_given, const Value& value)
+{
+  return is_given ? std::optional<Value>(value) : std::nullopt;
+}
+
 template <typename Value>
 std::vector<Value> converted(const std::vector<Vector>& vectors)
 {
@@ -66,6 +92,7 @@ void call_with(const Attack& attack, const SolverTraits& solver, Answer& answer)
 {
   using Point = typename Kernel::Point_3;
   using Normal = typename Kernel::Vector_3;
+  using FT = typename Kernel::FT;
   const Parameters& p = attack.parameters;
   const std::vector<Point> points = converted<Point>(attack.points), points_before = points;
   const std::vector<Normal> normals = converted<Normal>(attack.normals), normals_before = normals;
@@ -86,8 +113,13 @@ void call_with(const Attack& attack, const SolverTraits& solver, Answer& answer)
     answer.normals.emplace_back(pair.second.x(), pair.second.y(), pair.second.z());
   });
 
+  const Vector eye = viewpoint(p);
+  const Map_of_indices<Normal> directions{&normals, &normals_left};
   const auto np = params::resampling_method(CGAL::L0_resampling::Method(p.method))
                     .point_map(Map_of_indices<Point>{&points, &accesses_left})
+                    .normal_map(given_if(p.with_normals, directions))
+                    .orientation_hint_map(given_if(p.with_hints, directions))
+                    .viewpoint(given_if(p.viewpoint.has_value(), Point(FT(eye[0]), FT(eye[1]), FT(eye[2]))))
                     .geom_traits(Kernel())
                     .sparse_linear_solver(solver)
                     .number_of_output_points(p.number_of_output_points)
@@ -105,19 +137,15 @@ void call_with(const Attack& attack, const SolverTraits& solver, Answer& answer)
                     .random_seed(p.random_seed)
                     .drop_non_finite(p.drop_non_finite)
                     .drop_outliers(p.drop_outliers)
+                    .keep_density(p.keep_density)
+                    .source_index_map(given_if(p.with_point_data, Map_to_vector<std::size_t>{&answer.sources}))
+                    .feature_confidence_map(given_if(p.with_point_data, Map_to_vector<float>{&answer.confidences}))
                     .maximum_memory(p.maximum_memory)
                     .callback(callback)
                     .resampling_report(&answer.report);
-  const auto resample = [&](const auto& all) { CGAL::l0_resample_point_set<ConcurrencyTag>(range, write, all); };
   try
   {
-    // from the package's own solver only, as each kind of call is one more instance of the whole function
-    constexpr bool can_have_normals = std::is_same_v<typename SolverTraits::FT, float>;
-    if constexpr (can_have_normals)
-      if (p.with_normals)
-        resample(np.normal_map(Map_of_indices<Normal>{&normals, &normals_left}));
-    if (!can_have_normals || !p.with_normals)
-      resample(np);
+    CGAL::l0_resample_point_set<ConcurrencyTag>(range, write, np);
   }
   catch (const std::invalid_argument& e)
   {
@@ -156,6 +184,12 @@ void call_with(const Attack& attack, const SolverTraits& solver, Answer& answer)
 }
 
 } // namespace
+
+Vector viewpoint(const Parameters& parameters)
+{
+  const double x = parameters.viewpoint.value_or(0);
+  return {x, -x, x / 2};
+}
 
 Answer call(const Attack& attack, bool in_parallel)
 {

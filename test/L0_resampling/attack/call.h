@@ -31,10 +31,15 @@ struct Answer
   Ending ending = Ending::COMPLETED;
   std::string message;                 // of the exception
   std::vector<Vector> points, normals; // what was written
+  std::vector<std::size_t> sources;    // likewise, if asked for
+  std::vector<float> confidences;      // likewise
   bool input_is_unchanged = true;
   bool progress_is_sound = true; // in [0, 1] and never falling
   CGAL::L0_resampling::Report report;
 };
+
+/// The caller's point of view; of use if the parameters have one.
+Vector viewpoint(const Parameters& parameters);
 
 /// Calls the function as the attack says: sequentially, or in parallel where TBB was found and the solver is the package's own.
 Answer call(const Attack& attack, bool in_parallel);

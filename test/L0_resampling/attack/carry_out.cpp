@@ -53,6 +53,10 @@ std::string difference(const Answer& a, const Answer& b)
     return "other points";
   if (!are_same_bits(a.normals, b.normals))
     return "other normals";
+  if (a.sources != b.sources)
+    return "other nearest points";
+  if (a.confidences != b.confidences)
+    return "other confidences";
   return numbers(a.report) == numbers(b.report) ? "" : "another report";
 }
 
@@ -73,7 +77,7 @@ bool can_be_larger(const Attack& attack)
                         [](const Vector& p) { return p.allFinite() && !p.isZero(0); })
          && std::all_of(attack.points.begin(), attack.points.end(),
                         [&](const Vector& p) { return has_room(p[0]) && has_room(p[1]) && has_room(p[2]); })
-         && has_room(attack.parameters.neighbor_radius.value_or(1))
+         && has_room(attack.parameters.viewpoint.value_or(1)) && has_room(attack.parameters.neighbor_radius.value_or(1))
          && has_room(attack.parameters.normal_filter_radius.value_or(1));
 }
 
@@ -81,7 +85,8 @@ std::string difference_of_larger(const Attack& attack, Answer answer)
 {
   Attack large = attack;
   std::transform(large.points.begin(), large.points.end(), large.points.begin(), larger);
-  for (std::optional<double>* length : {&large.parameters.neighbor_radius, &large.parameters.normal_filter_radius})
+  for (std::optional<double>* length :
+       {&large.parameters.neighbor_radius, &large.parameters.normal_filter_radius, &large.parameters.viewpoint})
     if (*length)
       **length = std::ldexp(**length, exponent);
   const Answer answer_of_large = call(large, false);
@@ -92,6 +97,10 @@ std::string difference_of_larger(const Attack& attack, Answer answer)
   std::transform(answer.points.begin(), answer.points.end(), answer.points.begin(), larger);
   if (!are_same_bits(answer.points, answer_of_large.points))
     return "other points";
+  if (answer.sources != answer_of_large.sources)
+    return "other nearest points";
+  if (answer.confidences != answer_of_large.confidences)
+    return "other confidences";
   return are_same_bits(answer.normals, answer_of_large.normals) ? "" : "other normals";
 }
 
@@ -120,7 +129,8 @@ std::string difference_of_shuffled(const Attack& attack, const Answer& answer)
   for (std::size_t i = 0; i < order.size(); ++i)
   {
     shuffled.points[i] = attack.points[order[i]];
-    shuffled.normals[i] = (i % 2 ? 1. : -1.) * attack.normals[order[i]];
+    const bool sign_matters = attack.parameters.with_hints;
+    shuffled.normals[i] = (sign_matters || i % 2 ? 1. : -1.) * attack.normals[order[i]];
   }
   const Answer answer_of_shuffled = call(shuffled, false);
   if (may_differ(answer, answer_of_shuffled))
@@ -148,7 +158,7 @@ std::string carry_out(const Attack& attack)
   if (can_be_larger(attack))
     add("the larger cloud", difference_of_larger(attack, answer));
   // which point is the first that is refused, or at which a map throws, does depend on the order
-  if (answer.ending == Ending::COMPLETED && p.throwing_access >= 2 * attack.points.size())
+  if (answer.ending == Ending::COMPLETED && p.throwing_access >= most_readings * attack.points.size())
     add("another order", difference_of_shuffled(attack, answer));
   return faults.empty() ? faults : faults.substr(2) + (answer.message.empty() ? "" : " (" + answer.message + ")");
 }

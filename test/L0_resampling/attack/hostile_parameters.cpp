@@ -154,6 +154,36 @@ std::vector<Named_parameters> hostile_parameter_sets(std::size_t size, double di
        p.method = 1;
      })},
     {"dropping no outliers", with([](P& p) { p.drop_outliers = false; })},
+    {"keeping the density", with([](P& p) { p.keep_density = true; })},
+    {"keeping the density, LOR, more points", with([=](P& p) {
+       p.keep_density = true;
+       p.method = 1;
+       p.number_of_output_points = 2 * n;
+     })},
+    {"a viewpoint among the points", with([](P& p) { p.viewpoint = 0; })},
+    {"a viewpoint next to the points", with([=](P& p) { p.viewpoint = diagonal; })},
+    {"a viewpoint at the largest number", with([](P& p) { p.viewpoint = largest; })},
+    {"a viewpoint at the least number", with([](P& p) { p.viewpoint = Limits::denorm_min(); })},
+    {"viewpoint NaN", with([](P& p) { p.viewpoint = nan; })},
+    {"viewpoint infinity", with([](P& p) { p.viewpoint = infinity; })},
+    {"hints", with([](P& p) { p.with_hints = true; })},
+    {"hints, given normals, ALOR", with([](P& p) {
+       p.with_hints = p.with_normals = true;
+       p.method = 2;
+     })},
+    {"hints and a viewpoint", with([](P& p) {
+       p.with_hints = true;
+       p.viewpoint = 1;
+     })},
+    {"nearest points and confidences", with([](P& p) { p.with_point_data = true; })},
+    {"nearest points and confidences, LOR", with([](P& p) {
+       p.with_point_data = true;
+       p.method = 1;
+     })},
+    {"nearest points and confidences, single precision, more points", with([=](P& p) {
+       p.with_point_data = p.in_single_precision = true;
+       p.number_of_output_points = 2 * n;
+     })},
     {"no memory", with([](P& p) { p.maximum_memory = 0; })},
     {"4 KiB", with([](P& p) { p.maximum_memory = 4096; })},
     {"64 KiB", with([](P& p) { p.maximum_memory = 65536; })},
@@ -223,9 +253,17 @@ Parameters random_parameters(std::size_t n, double diagonal, Generator& generato
     p.throwing_access = std::size_t(random(0, 2 * double(n) + 1));
   if (one_in(40))
     p.throwing_write = std::size_t(random(0, double(n) + 1));
-  // where everybody is everybody's neighbor, a factorization takes the cube of the number of samples
+  if (one_in(6))
+    p.keep_density = true;
+  if (one_in(8))
+    p.viewpoint = (one_in(2) ? 1 : -1) * number(1e-3, 1e3) * diagonal;
+  if (one_in(p.viewpoint ? 60 : 8))
+    p.with_hints = true;
+  if (one_in(6))
+    p.with_point_data = true;
+  // where everybody is everybody's neighbor, a factorization takes the cube of the number of samples, in each of hundreds of iterations
   if (p.solver != Solver::BLOCK_CONJUGATE_GRADIENT)
-    p.number_of_output_points = (std::min)(p.number_of_output_points.value_or(100), 200.);
+    p.number_of_output_points = (std::min)(p.number_of_output_points.value_or(100), 100.);
   return p;
 }
 

@@ -43,12 +43,13 @@ std::vector<Vector> finite_points(const Attack& attack)
   return points;
 }
 
-bool parameters_are_good(const Parameters& p)
+bool parameters_are_good(const Attack& attack)
 {
+  const Parameters& p = attack.parameters;
   // the default method's growth is a larger one
   const double steps = (std::log(p.maximum_penalty) - std::log(p.initial_penalty))
                        / std::log(p.penalty_growth.value_or(1.5));
-  return p.method >= 0 && p.method <= 2
+  return p.method >= 0 && p.method <= 2 && !(p.viewpoint && p.with_hints) && given(attack, viewpoint(p)).allFinite()
          && (!p.number_of_output_points || is_count(*p.number_of_output_points, 0, 4294967294.))
          && is_positive(p.neighbor_radius.value_or(1)) && is_positive(p.normal_filter_radius.value_or(1))
          && is_not_negative(p.regularization_weight.value_or(1)) && is_positive(p.penalty_growth.value_or(2) - 1)
@@ -73,6 +74,50 @@ std::size_t number_of_distinct(const std::vector<Vector>& points)
     rows.push_back({p[0], p[1], p[2]});
   std::sort(rows.begin(), rows.end());
   return std::size_t(std::unique(rows.begin(), rows.end()) - rows.begin());
+}
+
+/// Whether the point of the input is as near to `query` as any, but for rounding, and for distances whose squares, in the unit of the cloud, are none.
+bool is_nearest(const std::vector<Vector>& points, std::size_t index, const Vector& query)
+{
+  const auto distance = [&](const Vector& p) {
+    const Vector half = p / 2 - query / 2; // as the largest numbers have no difference
+    return half.stableNorm();
+  };
+  if (index >= points.size() || !points[index].allFinite())
+    return false;
+  double largest = 0;
+  for (const Vector& p : points)
+    if (p.allFinite())
+      largest = (std::max)(largest, p.cwiseAbs().maxCoeff());
+  const double tolerance = 4 * std::numeric_limits<double>::epsilon() * query.cwiseAbs().maxCoeff() + 1e-150 * largest
+                           + 8 * std::numeric_limits<double>::denorm_min();
+  const double bound = distance(points[index]);
+  return std::none_of(points.begin(), points.end(),
+                      [&](const Vector& p) { return p.allFinite() && distance(p) * (1 + 1e-9) + tolerance < bound; });
+}
+
+std::string faults_of_point_data(const Attack& attack, const Answer& answer)
+{
+  std::ostringstream faults;
+  const std::size_t size = attack.parameters.with_point_data ? answer.points.size() : 0;
+  if (answer.sources.size() != size || answer.confidences.size() != size)
+  {
+    faults << "; " << answer.sources.size() << " nearest points and " << answer.confidences.size()
+           << " confidences instead of " << size;
+    return faults.str();
+  }
+  std::vector<Vector> input;
+  for (const Vector& p : attack.points)
+    input.push_back(given(attack, p));
+  std::size_t not_nearest = 0, out_of_range = 0;
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    not_nearest += std::size_t(!is_nearest(input, answer.sources[i], answer.points[i]));
+    out_of_range += std::size_t(!(answer.confidences[i] >= 0 && answer.confidences[i] <= 1));
+  }
+  if (not_nearest + out_of_range > 0)
+    faults << "; " << not_nearest << " points are not the nearest, " << out_of_range << " confidences out of [0, 1]";
+  return faults.str();
 }
 
 std::string faults_of_result(const Attack& attack, const Answer& answer)
@@ -164,7 +209,7 @@ std::string broken_promises(const Attack& attack, const Answer& answer)
   const bool is_limited = p.maximum_memory != unlimited;
   if (ended(Ending::INVALID_ARGUMENT) && answer.message.compare(0, 23, "l0_resample_point_set: ") != 0)
     faults << "; the message does not say who refuses";
-  if (!parameters_are_good(p))
+  if (!parameters_are_good(attack))
   {
     if (!ended(Ending::INVALID_ARGUMENT))
       faults << "; bad parameters were not refused";
@@ -193,11 +238,13 @@ std::string broken_promises(const Attack& attack, const Answer& answer)
     faults << "; the solver has no answer to sensible weights";
   if (p.throwing_write < m && !ended(Ending::EXCEPTION_OF_CALLER) && !ended(Ending::SOLVER_ERROR))
     faults << "; the exception of the output did not come through";
-  // the map is read once more where points coincide
-  if (ended(Ending::EXCEPTION_OF_CALLER) && !(p.throwing_write < m) && !(p.throwing_access < 2 * attack.points.size()))
+  if (ended(Ending::EXCEPTION_OF_CALLER) && !(p.throwing_write < m)
+      && !(p.throwing_access < most_readings * attack.points.size()))
     faults << "; an exception that nobody threw";
   if (ended(Ending::COMPLETED))
-    faults << faults_of_result(attack, answer);
+    faults << faults_of_result(attack, answer) << faults_of_point_data(attack, answer);
+  else if (!(p.throwing_write < m) && !(answer.sources.empty() && answer.confidences.empty()))
+    faults << "; nearest points were written although the call failed";
   return faults.str();
 }
 

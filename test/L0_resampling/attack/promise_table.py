@@ -4,12 +4,13 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Writes doc/L0_resampling/promises_under_attack.md from results/promises.json, what is tried where, results/campaigns.json, how often the
-function was attacked and with what result, and ../fuzz/results, the same of the readers."""
+function was attacked and with what result, ../fuzz/results, the same of the readers, and what the benchmarks of callback and tool have left."""
 
 import json
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
+MEASURED = HERE.parents[2] / "benchmark" / "L0_resampling" / "performance" / "results"
 
 
 def load(name):
@@ -35,27 +36,58 @@ def attacks(promise):
     return ", ".join(f"{count} {name}" for name, count in counts.items()), sum(campaign["broke"].get(promise, 0) for campaign in campaigns)
 
 
+def measured(name):
+    return json.loads((MEASURED / f"{name}.json").read_text(encoding="utf-8"))["runs"]
+
+
 def latency():
-    """Of the runs with the most points, on one thread."""
-    path = HERE.parents[2] / "benchmark" / "L0_resampling" / "performance" / "results" / "callback.json"
-    runs = json.loads(path.read_text(encoding="utf-8"))["runs"]
-    most = max(run["points_in"] for run in runs)
-    of_most = [run for run in runs if run["points_in"] == most and run["threads"] == 1]
-    calls = sum(run["calls"] for run in of_most)
-    longest = max(run["busiest_gaps"][0]["cpu_seconds"] for run in of_most)
-    ends = [end["cpu_seconds"] for run in of_most for end in run["cancellations"]]
-    names = ", ".join(run["method"] for run in of_most)
-    return (f"in each run of the tests; {calls} calls of the callback at {most} points ({names})",
-            f"they pass; {1000 * longest:.0f} ms of processor time between two calls at most, and {1000 * max(ends):.0f} ms from `false` to the end")
+    """Of each method with the most points it was run with."""
+    runs = measured("callback")
+    most = {}
+    for run in runs:
+        most[run["method"]] = max(most.get(run["method"], 0), run["points_in"])
+    times, results = [], []
+    for run in runs:
+        if run["points_in"] < most[run["method"]]:
+            continue
+        threads = "1 thread" if run["threads"] == 1 else f"{run['threads']} threads"
+        times.append(f"{run['calls']} calls of the callback at {run['points_in']} points by {run['method']} on {threads}")
+        gap = max(gap["cpu_seconds"] for gap in run["busiest_gaps"])
+        ends = [end["cpu_seconds"] for end in run["cancellations"]]
+        results.append(f"{1000 * gap:.0f} ms between two calls and {1000 * max(ends):.0f} ms from `false` to the end by {run['method']} on {threads}")
+    return ("in each run of the tests; " + ", ".join(times), "they pass; at most, in processor time of all threads, " + ", ".join(results))
+
+
+def memory():
+    """Bytes a point on one thread, beside an index and two numbers for each pair of self neighbors."""
+    peaks = {}
+    for run in measured("callback"):
+        if run["threads"] == 1:
+            peaks.setdefault(run["method"], []).append((run["points_in"], run["peak_bytes"], run["peak_bytes"] - 12 * run["self_neighbor_pairs"]))
+    cells = [f"{peak / points:.0f} ({beside / points:.0f} beside the lists of neighbors) at {points} by {method}"
+             for method, runs in peaks.items() for points, peak, beside in sorted(runs)]
+    return "in each run of the tests; " + str(len(cells)) + " clouds of up to ten million points", "they pass; bytes a point: " + ", ".join(cells)
+
+
+def streaming():
+    runs = measured("tool_streaming")
+    if not all(run["is_monotonic"] for run in runs):
+        raise ValueError("the progress of reading falls")
+    times = ", ".join(f"{run['points']} points of {run['file']}" for run in runs)
+    return times, ", ".join(f"{run['file']}: progress drawn {len(run['shares'])} times while it is read, and never falls; {run['peak_bytes'] / run['points']:.0f} bytes a point at most"
+                            for run in runs)
 
 
 def times_and_result(campaign, promise):
     if campaign is None:
         return "in each run of the tests", "they pass"
-    if campaign == "latency":
-        return latency()
+    if campaign in MEASUREMENTS:
+        return MEASUREMENTS[campaign]()
     times, broken = readers() if campaign == "readers" else attacks(promise)
     return times, "none broken" if broken == 0 else f"{broken} broken, mended since"
+
+
+MEASUREMENTS = {"latency": latency, "memory": memory, "streaming": streaming}
 
 
 def planted():

@@ -6,10 +6,8 @@
 #include "sandbox.h"
 
 #include <cerrno>
-#include <chrono>
 #include <cstring>
 #include <exception>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -21,8 +19,6 @@
 
 namespace attack {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 bool write_all(int pipe, const void* bytes, std::size_t size)
 {
@@ -43,19 +39,20 @@ enum class Reading
   TOO_LATE
 };
 
-Reading read_all(int pipe, void* bytes, std::size_t size, std::optional<Clock::time_point> deadline = std::nullopt)
+/// \param seconds_left counted down while this process waits; without end if there are none to count. The time for which somebody has
+/// stopped both processes does not count.
+Reading read_all(int pipe, void* bytes, std::size_t size, std::size_t* seconds_left = nullptr)
 {
   for (std::size_t done = 0; done < size;)
   {
-    if (deadline)
+    if (seconds_left)
     {
-      const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(*deadline - Clock::now()).count();
       pollfd ready{pipe, POLLIN, 0};
-      const int events = left > 0 ? poll(&ready, 1, int(left)) : 0;
-      if (events == 0)
+      const int events = poll(&ready, 1, 1000);
+      if (events == 0 && (*seconds_left)-- == 0)
         return Reading::TOO_LATE;
-      if (events < 0)
-        continue; // a signal
+      if (events <= 0)
+        continue;
     }
     const ssize_t n = read(pipe, static_cast<char*>(bytes) + done, size - done);
     if (n == 0 || (n < 0 && errno != EINTR))
@@ -159,15 +156,15 @@ std::string Sandbox::operator()(std::size_t i)
 {
   if (m_child < 0)
     start_child();
-  const Clock::time_point deadline = Clock::now() + std::chrono::seconds(m_limits.wall_seconds);
+  std::size_t seconds_left = m_limits.wall_seconds;
   write_all(m_questions, &i, sizeof(i));
   std::size_t size = 0;
   std::string answer;
-  Reading reading = read_all(m_answers, &size, sizeof(size), deadline);
+  Reading reading = read_all(m_answers, &size, sizeof(size), &seconds_left);
   if (reading == Reading::DONE)
   {
     answer.resize(size);
-    reading = read_all(m_answers, &answer[0], size, deadline);
+    reading = read_all(m_answers, &answer[0], size, &seconds_left);
   }
   if (reading == Reading::DONE)
     return answer;

@@ -3,7 +3,7 @@
 #
 #   run.sh [--json FILE] [NAME...]     all patches, or NAME.patch only; the verdicts go into FILE as they come, beside those of other patches that it has
 #
-# A patch is a unified diff (-p1). Its first line names the test, a program and its arguments: "# caught by: test_x". A test counts only if it passes without the bug;
+# A patch is a unified diff (-p1). Its first line names the test, a program and its arguments, or test_tool_cli: "# caught by: test_x". A test counts only if it passes without the bug;
 # one that does not end within TIME_LIMIT seconds (default 600) has caught a hang. FLAGS="-O1 -DNDEBUG" compiles faster than the default. Ends with 0 if every bug was caught.
 set -euo pipefail
 
@@ -24,16 +24,22 @@ if command -v ccache > /dev/null; then
   launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
   export CCACHE_BASEDIR=$scratch CCACHE_NOHASHDIR=1   # what one run compiles serves the next
 fi
-cmake -S "$scratch/tree" -B "$scratch/build" -DCMAKE_BUILD_TYPE=Release -DCGAL_L0_BUILD_TOOL=OFF -DCGAL_L0_BUILD_EXAMPLES=OFF \
+cmake -S "$scratch/tree" -B "$scratch/build" -DCMAKE_BUILD_TYPE=Release -DCGAL_L0_BUILD_EXAMPLES=OFF \
       -DCGAL_L0_BUILD_BENCHMARKS=OFF -DCGAL_L0_WITH_PYTHON=OFF -DCGAL_L0_WITH_DOCUMENTATION=OFF -DCGAL_L0_WITH_CUDA=OFF \
       -DCMAKE_CXX_FLAGS_RELEASE="${FLAGS:--O3 -DNDEBUG}" "${launcher[@]}" > "$scratch/log"
 
 # Both take the program and its arguments as one word.
-build() { cmake --build "$scratch/build" --target "${1%% *}"; } > "$scratch/log" 2>&1
+build()
+{
+  local target=${1%% *}
+  [[ $target != test_tool_cli ]] || target=l0_resample   # a script runs it
+  cmake --build "$scratch/build" --target "$target"
+} > "$scratch/log" 2>&1
 runs()
 {
   local words
   read -ra words <<< "$scratch/build/bin/$1"
+  [[ $1 != test_tool_cli ]] || words=(bash "$scratch/tree/test/L0_resampling/test_tool_cli.sh" "$scratch/build/bin/l0_resample")
   timeout "${TIME_LIMIT:-600}" "${words[@]}"
 } > "$scratch/log" 2>&1
 
