@@ -134,6 +134,7 @@ def main():
     defaults, benchmark, output = load(sys.argv[1]), Path(sys.argv[2]), Path(sys.argv[3])
     sys.path += [str(benchmark / "quality"), str(benchmark / "performance"), str(benchmark / "report")]
     sys.dont_write_bytecode = True   # the benchmarks lie in the source tree
+    import ablation_tables
     import claims
     import comparison_tables
     import oracle_tables
@@ -144,12 +145,14 @@ def main():
     import run_cuda_roofline
 
     quality = {name: load(benchmark / "quality" / "results" / f"{name}.json") for name in ("fandisk", "armadillo")}
-    comparison, oracle = (load(benchmark / "quality" / "results" / f"{name}.json") for name in ("comparison", "oracle"))
+    comparison, oracle, ablation = (load(benchmark / "quality" / "results" / f"{name}.json")
+                                    for name in ("comparison", "oracle", "ablation"))
     speed, scaling, callback, device, roofline = (load(benchmark / "performance" / "results" / f"{name}.json")
                                                   for name in ("fandisk", "scaling", "callback", "cuda_h200", "cuda_roofline"))
     report = load(benchmark / "report" / "results" / "small.json")
     texts = {**{f"quality_{name}": quality_tables.markdown(result) for name, result in quality.items()},
              "comparison": comparison_tables.markdown(comparison), "oracle": oracle_tables.markdown(oracle),
+             "ablation": ablation_tables.markdown(ablation),
              "speed": performance_tables.markdown(speed), "scaling": performance_tables.markdown(scaling),
              "callback": run_callback_latency.markdown(callback),
              "device": run_cuda_performance.markdown(device["results"], device["beside"], device["beside_machine"],

@@ -1,0 +1,111 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026  The CGAL::L0_resampling authors.
+# All rights reserved.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Measures the Poisson mesh of each method's result: of the default method, and of CGAL's pipelines.
+
+Inputs and pipelines are those of run_comparison.py. All results of an input become meshes by CGAL's
+poisson_surface_reconstruction_delaunay() with the same parameters. OUTPUT.json keeps all that was measured, OUTPUT.md
+has a row for each input, and what is met of the goals.
+"""
+
+import argparse
+import json
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import poisson_tables
+from quality_bench import CGAL_SHAPES, OWN_SHAPES, Bench, command_line, describe, mesh_of, write_result
+from run_comparison import methods
+
+# How far triangles may be off the Poisson surface, in spacings of the points. The first keeps the distances of that
+# surface; it fails where normals contradict each other and the surface is a tangle.
+SURFACE_DISTANCES = (0.1, 0.375, 1)
+SURFACE_SAMPLES = 50_000
+SECONDS, BYTES = 300, 4 << 30    # of a reconstruction, at most
+ALL_TRIANGLES = 10**9            # of the copy that a report shows: it is not simplified
+
+
+class Poisson_bench(Bench):
+    """What is measured of a result is its mesh."""
+
+    def distances(self, source, target):
+        """From area-uniform samples of one mesh to another: mean and maximum, times a hundred as `evaluate_point_set` has
+        them in % of the diagonal, and that diagonal."""
+        samples = self.scratch / "samples.ply"
+        self.run("sample_mesh", source, samples, "--points", SURFACE_SAMPLES)
+        evaluation = json.loads(self.run("evaluate_point_set", samples, target))
+        diagonal = evaluation["diagonal_length"]
+        return evaluation["distance"]["mean"] * diagonal, evaluation["distance"]["max"] * diagonal, diagonal
+
+    def reconstruct(self, points, surface):
+        """Writes the mesh. Returns how closely it follows the Poisson surface, in spacings, or None if it cannot be made."""
+        for distance in SURFACE_DISTANCES:
+            command = ["prlimit", f"--cpu={SECONDS}", f"--as={BYTES}", self.programs / "reconstruct_surface", points,
+                       surface, str(distance), self.scratch / "picture.off", str(ALL_TRIANGLES)]
+            if subprocess.run(command, stderr=subprocess.DEVNULL).returncode == 0:
+                return distance
+        return None
+
+    def measure(self, mesh, source, method, points):
+        result, surface = self.scratch / "result.ply", self.scratch / "surface.off"
+        line = self.resample(source, method, points, result)
+        surface_distance = self.reconstruct(result, surface)
+        measured = {"program": line["program"], "cgal_version": line["cgal_version"], "parameters": line["parameters"],
+                    "surface_distance": surface_distance, "surface": None}
+        if surface_distance is not None:
+            mean, largest, diagonal = self.distances(surface, mesh)
+            mean_of_truth, largest_of_truth, _ = self.distances(mesh, surface)
+            measured["surface"] = {"mean_distance": mean / diagonal, "mean_coverage": mean_of_truth / diagonal,
+                                   "hausdorff": max(largest, largest_of_truth) / diagonal}
+        return measured
+
+
+def parse_arguments():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("build", type=Path, help="build folder; its bin/ has the programs")
+    parser.add_argument("meshes", type=Path, metavar="mesh_folder", help="has the meshes of libcgal-demo")
+    parser.add_argument("--output", type=Path, required=True, help="writes OUTPUT.json and OUTPUT.md")
+    parser.add_argument("--shapes", nargs="+", choices=CGAL_SHAPES + OWN_SHAPES, default=CGAL_SHAPES + OWN_SHAPES)
+    parser.add_argument("--noise", type=float, nargs="+", default=(0.5, 1.5), help="standard deviations, %% of the diagonal")
+    parser.add_argument("--radii", type=float, nargs="+", default=[4, 6], help="of CGAL's pipelines, in spacings")
+    parser.add_argument("--input-points", type=int, default=12_000)
+    parser.add_argument("--output-points", type=int, default=8_000)
+    parser.add_argument("--small", action="store_true",
+                        help="one shape of our own, one noise, one radius, 2000 points to 1300")
+    arguments = parser.parse_args()
+    if arguments.small:
+        arguments.input_points, arguments.output_points = 2_000, 1_300
+        arguments.shapes, arguments.noise, arguments.radii = ["dodecahedron"], [0.5], [4]
+    return arguments
+
+
+def main():
+    arguments = parse_arguments()
+    result = {"commands": [command_line("run_poisson.py", sys.argv[1:])], "experiments": []}
+    with tempfile.TemporaryDirectory() as scratch:
+        bench = Poisson_bench(arguments.build / "bin", Path(scratch), 1)
+        for noise in arguments.noise:
+            for shape in arguments.shapes:
+                mesh = mesh_of(shape, arguments.meshes)
+                experiment = {"mesh": mesh.name, "noise_percent": noise, "outliers_percent": 0, "density_gradient": 1,
+                              "seed": 1, "input_points": arguments.input_points,
+                              "output_points": arguments.output_points}
+                source = bench.sample(mesh, experiment)
+                experiment["measurements"] = {}
+                for name, method in methods(arguments.radii).items():
+                    measured = bench.measure(mesh, source, method, experiment["output_points"])
+                    experiment["measurements"][name] = measured
+                    print(f"{describe(experiment)}, {name}: {measured['surface']}", file=sys.stderr, flush=True)
+                result["experiments"].append(experiment)
+                write_result(arguments.output, result, poisson_tables.markdown(result))  # a long run that fails leaves what it has
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except (ValueError, OSError, subprocess.CalledProcessError) as error:
+        sys.exit(f"run_poisson.py: {error}")
