@@ -96,7 +96,7 @@ def planted():
     caught = [bug for bug, verdict in verdicts.items() if verdict.startswith("caught")]
     patches = list((HERE.parent / "planted_bugs").glob("*.patch"))
     lines = ["", "## Planted bugs", "",
-             f"Of {len(patches)} patches in `test/L0_resampling/planted_bugs`, {len(verdicts)} were planted by its `run.sh` in this state of the tree; {len(caught)} were caught.", "",
+             f"Of {len(patches)} patches in `test/L0_resampling/planted_bugs`, {len(verdicts)} were planted by its `run.sh`, or by hand where the verdict says so; {len(caught)} were caught. The others have no verdict here.", "",
              "| bug | verdict |", "| --- | --- |"]
     return lines + [f"| {bug} | {verdict} |" for bug, verdict in sorted(verdicts.items())]
 
