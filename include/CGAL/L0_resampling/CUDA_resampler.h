@@ -196,7 +196,8 @@ public:
   /// \throws std::invalid_argument for what `l0_resample_point_set()` refuses
   /// \throws std::bad_alloc if the device has not enough memory for the points, or is not allowed it
   /// \throws Device_error if the device fails
-  /// \throws whatever the property maps throw. In all of these cases the object then holds no points.
+  ///
+  /// What the property maps throw passes through. In all of these cases the object then holds no points.
   template <typename PointRange, typename NamedParameters = parameters::Default_named_parameters>
   void upload(const PointRange& points, const NamedParameters& np = parameters::default_values())
   {
@@ -219,7 +220,8 @@ public:
   /// \throws std::invalid_argument for a parameter out of its range
   /// \throws std::bad_alloc if memory does not suffice, on the device or here
   /// \throws Device_error if the device fails
-  /// \throws whatever the callback and the output iterator throw
+  ///
+  /// What the callback, `feature_confidence_map` and the output iterator throw passes through.
   template <typename OutputIterator, typename NamedParameters = parameters::Default_named_parameters>
   OutputIterator resample(OutputIterator out, const NamedParameters& np = parameters::default_values())
   {

@@ -43,6 +43,8 @@ What the rows of Eq. (11) need beyond the collapsed form of `Quadratic_problem`;
 - \f$ x_i = q_j - o_i \f$, weight \f$ 1/v_j \f$, for each fit row of sample i (three rows);
 - \f$ x_i - x_k = -(o_i - o_k) \f$, weight \f$ a_{ik} \f$, for each unordered pair of self neighbors (three rows);
 - \f$ n_i^T (x_i - x_k) = \delta_{ik} - n_i^T (o_i - o_k) \f$, weight \f$ \beta \f$, for each ordered pair (one row).
+
+\tparam FT `float` or `double`
 */
 template <typename FT>
 struct Explicit_rows
