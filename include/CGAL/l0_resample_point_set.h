@@ -396,7 +396,9 @@ chain, or are joined to one by `|`, one at a time: `parameters::neighbor_radius(
 \throws std::invalid_argument for a parameter out of its range, or a point that is not finite, before any work
 \throws CGAL::L0_resampling::Solver_error if the solver has no answer
 \throws std::bad_alloc if memory does not suffice
-\throws whatever the property maps, the callback and the output iterator throw. Nothing is written unless everything else succeeded.
+\throws CGAL::L0_resampling::Device_error with `CUDA_tag`, if there is no usable device, or it failed
+
+What the property maps, the callback and the output iterator throw passes through. Nothing is written unless everything else succeeded.
 
 \cgalHeading{Complexity}
 With k neighbors in the ball of radius \f$ r_p \f$, time \cgalBigO{n k}; the radius of LOR and ALOR makes k grow like \f$ n^{1/3} \f$ on surfaces.

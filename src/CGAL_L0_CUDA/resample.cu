@@ -331,7 +331,8 @@ void minimize_with_refinement(Call& call, const Prepared_points& points)
     const Cell_blocks blocks = find_blocks(sample_grid, points.grid, reach, maximum_number_of_candidates,
                                            workplace.arena, workplace.stream);
     fit_compatible_points(workplace, sample_grid, is_in_order, blocks, points.grid, points.normals, lengths.radius,
-                          lengths.squared_sheet_height(), bandwidth, call.samples);
+                          lengths.squared_sheet_height(), bandwidth, border_allowance(lengths.noise, lengths.radius),
+                          call.samples);
   };
   const auto fit_in_cells_of_points = [&]() {
     const Arena_scope scope(workplace.arena);

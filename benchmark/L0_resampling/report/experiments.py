@@ -50,7 +50,8 @@ def table_1(lab, selection):
     for experiment, source in inputs:
         runs = []
         for name, method, solver in TIMED_RUNS:
-            line = fastest(lab, source, experiment["output_points"], method, solver)
+            line = lab.once(f"{source.stem}_{method}_{solver}", experiment,
+                            lambda: fastest(lab, source, experiment["output_points"], method, solver))
             runs.append({"method": name, "solver": solver, **columns(line["report"], method), "total": line["wall_seconds"],
                          "solver_iterations": line["report"]["solver_iterations"]})
             print(f"Table 1: {experiment['mesh']}, {name}, {solver}: {line['wall_seconds']:.3g} s", file=sys.stderr, flush=True)
@@ -99,7 +100,8 @@ def normal_weights(lab, selection):
                                        Method("run_l0", ("--method", "alor", "--normal-weight", weight)), name)
         return {"normal_weight": weight, **measured, "scene": lab.scene(f"λ = {weight:g}", name, mesh, True)}
 
-    return {**experiment, "runs": lab.all_of(*(lambda w=w: one(w) for w in selection.normal_weights))}
+    return {**experiment, "runs": lab.all_of(*(lambda w=w: lab.once(f"fig_6_{w:g}", experiment, lambda: one(w))
+                                             for w in selection.normal_weights))}
 
 
 def start_comparison(lab, figure, cloud, left_out=()):

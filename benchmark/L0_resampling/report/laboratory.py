@@ -4,6 +4,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs programs for a report, several at a time, and keeps what its pictures need."""
 
+import hashlib
 import json
 import subprocess
 import sys
@@ -25,18 +26,43 @@ from methods import ROWS, Method
 from quality_bench import Bench, describe
 
 
+def digest_of_programs(folder):
+    """Measurements of other programs do not belong into the same report."""
+    names = {variant.program for row in ROWS for variant in row.variants.values()}
+    digest = hashlib.sha256()
+    for name in sorted(names | {"sample_mesh", "evaluate_point_set", "study_l0", "reconstruct_surface"}):
+        digest.update((folder / name).read_bytes())
+    return digest.hexdigest()
+
+
 class Laboratory(Bench):
     """Programs of a build; files stay in the folder `files`.
 
     `demo_data` is the data folder of libcgal-demo, or None. Meshes of the page have `picture_triangles` at most, where collapsing
-    edges makes them so small.
+    edges makes them so small. With `resume`, what an interrupted run has measured is not measured again.
     """
 
-    def __init__(self, build, files, demo_data, jobs, picture_triangles):
+    def __init__(self, build, files, demo_data, jobs, picture_triangles, resume):
         super().__init__(build / "bin", files, threads=1)
         self.demo_data = demo_data
         self.picture_triangles = picture_triangles
+        self.resume = resume
+        self.digest_of_programs = digest_of_programs(build / "bin")
         self.pool = ThreadPoolExecutor(max_workers=jobs)
+
+    def once(self, name, asked, measure):
+        """What `measure` returns, which is kept in NAME.json; a resumed run takes it from there, if programs and `asked` are the same."""
+        path = self.scratch / f"{name}.json"
+        asked = json.loads(json.dumps([self.digest_of_programs, self.picture_triangles, asked], default=vars))
+        if self.resume and path.exists():
+            kept = json.loads(path.read_text(encoding="utf-8"))
+            if kept["asked"] == asked:
+                return kept["measured"]
+        measured = measure()
+        unfinished = path.with_suffix(".unfinished")
+        unfinished.write_text(json.dumps({"asked": asked, "measured": measured}), encoding="utf-8")
+        unfinished.replace(path)    # at once, so that an interrupted run leaves no half of it
+        return measured
 
     def mesh(self, shape):
         own = ROOT / "data"
@@ -113,6 +139,9 @@ class Laboratory(Bench):
 
     def measure_row(self, experiment, mesh, source, row, name, reconstruct):
         """A row of the table of methods, by its best variant: that of least mean distance, or the first without a truth."""
+        return self.once(name, [experiment, row.variants, reconstruct], lambda: self.measure_row_now(experiment, mesh, source, row, name, reconstruct))
+
+    def measure_row_now(self, experiment, mesh, source, row, name, reconstruct):
         variants = {}
         # without a truth there is no best one to look for
         for variant, method in list(row.variants.items())[:None if mesh else 1]:
@@ -141,6 +170,10 @@ class Laboratory(Bench):
 
     def study(self, experiment, mesh, source, title, name, *options, reconstruct=False):
         """LOR with changes to its energy."""
+        return self.once(name, [experiment, options, reconstruct],
+                         lambda: self.study_now(experiment, mesh, source, title, name, *options, reconstruct=reconstruct))
+
+    def study_now(self, experiment, mesh, source, title, name, *options, reconstruct):
         method = Method("study_l0", options)
         line = self.resample(source, method, experiment["output_points"], self.scratch / f"{name}.ply")
         values = self.scratch / f"{name}.densities"

@@ -38,22 +38,25 @@ EXPERIMENTS = ("table_1", "equations", "half_sampling", "interleaving", "normal_
 def measure(arguments, files, report):
     """Runs the experiments, and writes the JSON after each, so that what a long run has is not lost.
 
-    `--only` adds to the report of an earlier run, if there is one.
+    `--only` and `--resume` add to the report of an earlier run, if there is one.
     """
     selection = SELECTIONS[arguments.selection]
-    lab = Laboratory(arguments.build, files, arguments.demo_data, arguments.jobs, selection.picture_triangles)
+    lab = Laboratory(arguments.build, files, arguments.demo_data, arguments.jobs, selection.picture_triangles, arguments.resume)
     result = {"commands": [], "selection": selection.name, "machine": machine(arguments.build), "seconds": {}, "experiments": {}}
-    if arguments.only and report.with_suffix(".json").exists():
+    if (arguments.only or arguments.resume) and report.with_suffix(".json").exists():
         result = json.loads(report.with_suffix(".json").read_text(encoding="utf-8"))
         if result["selection"] != selection.name:
-            raise ValueError(f"--only: the earlier run was of the selection {result['selection']}")
+            raise ValueError(f"the earlier run was of the selection {result['selection']}")
     result["commands"].append(command_line("make_report.py", sys.argv[1:]))
     try:
         for name in arguments.only or EXPERIMENTS:
             start = time.monotonic()
-            result["experiments"][name] = getattr(experiments, name)(lab, selection)
-            result["seconds"][name] = time.monotonic() - start
-            write_json(report, result)
+            earlier = result["seconds"].get(name, 0) if arguments.resume else 0
+            try:
+                result["experiments"][name] = getattr(experiments, name)(lab, selection)
+            finally:
+                result["seconds"][name] = earlier + time.monotonic() - start
+                write_json(report, result)
     finally:
         lab.pool.shutdown(cancel_futures=True)    # where one program fails, others need not begin
     return result
@@ -67,6 +70,7 @@ def parse_arguments():
     parser.add_argument("--demo-data", type=Path, help="the data folder of libcgal-demo; without it, our own shapes")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="programs run beside each other, but where time is measured")
     parser.add_argument("--only", nargs="+", choices=EXPERIMENTS, help="runs these; others are in the report if OUTPUT/report.json has them")
+    parser.add_argument("--resume", action="store_true", help="what an interrupted run of the same programs has measured is not measured again")
     parser.add_argument("--page-only", action="store_true")
     return parser.parse_args()
 

@@ -5,9 +5,12 @@
 
 /*!
 \ingroup PkgL0ResamplingConcepts
+
+Solves Eq. (10), the quadratic step of Algorithm 1.
+
 \cgalConcept
 
-Solves Eq. (10), the quadratic step of Algorithm 1. A model is passed to `CGAL::l0_resample_point_set()` with the named
+A model is passed to `CGAL::l0_resample_point_set()` with the named
 parameter `sparse_linear_solver`. The function works on a copy, which it keeps from the first step to the last, so that
 a model may reuse what it has allocated.
 

@@ -45,6 +45,8 @@ public:
   using FT = FT_;
   static constexpr bool needs_explicit_rows = true;
 
+  /// \param tolerance when to stop: relative residual as in `L0ResamplingSolverTraits::solve()`
+  /// \param maximum_number_of_iterations of one solve
   /// \throws std::invalid_argument if `tolerance` is not in (0, 1)
   explicit CUDA_least_squares_solver_traits(double tolerance = 1e-5, std::size_t maximum_number_of_iterations = 100)
     : m_tolerance(internal::checked_tolerance(tolerance)), m_maximum_number_of_iterations(maximum_number_of_iterations)

@@ -193,7 +193,11 @@ public:
   /// \param points as for `l0_resample_point_set()`
   /// \param np `point_map`, `normal_map`, `orientation_hint_map` and `drop_non_finite` of `l0_resample_point_set()`; `maximum_memory` is of the device; others
   /// are checked
-  /// \throws std::invalid_argument, std::bad_alloc, Device_error as `l0_resample_point_set()`; the object then holds no points
+  /// \throws std::invalid_argument for what `l0_resample_point_set()` refuses
+  /// \throws std::bad_alloc if the device has not enough memory for the points, or is not allowed it
+  /// \throws Device_error if the device fails
+  ///
+  /// What the property maps throw passes through. In all of these cases the object then holds no points.
   template <typename PointRange, typename NamedParameters = parameters::Default_named_parameters>
   void upload(const PointRange& points, const NamedParameters& np = parameters::default_values())
   {
@@ -208,11 +212,16 @@ public:
       upload(points, point_map, parameters::get_parameter(np, internal_np::normal_map), np);
   }
 
-  /// Resamples the points. A named parameter that is not given has its default, whatever an earlier call had.
+  /// Resamples the points that the last `upload()` brought; of none, the result is empty. A named parameter that is not given has its default,
+  /// whatever an earlier call had.
   /// \param out takes one `std::pair<Point_3, Vector_3>` for each point of the result
-  /// \param np as for `l0_resample_point_set()`, but those that `upload()` reads, `sparse_linear_solver` and `source_index_map`
+  /// \param np as for `l0_resample_point_set()`, without those that `upload()` reads, and without `sparse_linear_solver` and `source_index_map`
   /// \returns the output iterator behind the last pair written
-  /// \throws what `l0_resample_point_set()` throws
+  /// \throws std::invalid_argument for a parameter out of its range
+  /// \throws std::bad_alloc if memory does not suffice, on the device or here
+  /// \throws Device_error if the device fails
+  ///
+  /// What the callback, `feature_confidence_map` and the output iterator throw passes through.
   template <typename OutputIterator, typename NamedParameters = parameters::Default_named_parameters>
   OutputIterator resample(OutputIterator out, const NamedParameters& np = parameters::default_values())
   {

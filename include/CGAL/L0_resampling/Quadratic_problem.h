@@ -25,6 +25,7 @@ using Index = std::uint32_t;
 template <typename FT>
 using Matrix_3X = Eigen::Matrix<FT, 3, Eigen::Dynamic>;
 
+/// \ingroup PkgL0ResamplingRef
 /// Lists of indices in compressed rows: list `i` is `indices[offsets[i]]` to `indices[offsets[i+1] - 1]`, ascending.
 struct Neighborhoods_view
 {
@@ -42,6 +43,8 @@ What the rows of Eq. (11) need beyond the collapsed form of `Quadratic_problem`;
 - \f$ x_i = q_j - o_i \f$, weight \f$ 1/v_j \f$, for each fit row of sample i (three rows);
 - \f$ x_i - x_k = -(o_i - o_k) \f$, weight \f$ a_{ik} \f$, for each unordered pair of self neighbors (three rows);
 - \f$ n_i^T (x_i - x_k) = \delta_{ik} - n_i^T (o_i - o_k) \f$, weight \f$ \beta \f$, for each ordered pair (one row).
+
+\tparam FT `float` or `double`
 */
 template <typename FT>
 struct Explicit_rows
@@ -78,8 +81,11 @@ Every \f$ W_i \f$ is positive. Self neighbors are symmetric: \f$ k \in N_i \Left
 template <typename FT>
 struct Quadratic_problem
 {
+  /// one number for each sample or pair
   using Scalars = Eigen::Map<const Eigen::Matrix<FT, Eigen::Dynamic, 1>>;
+  /// one column for each sample
   using Vectors = Eigen::Map<const Matrix_3X<FT>>;
+  /// one symmetric 3 x 3 matrix for each sample, by its upper triangle
   using Spreads = Eigen::Map<const Eigen::Matrix<FT, 6, Eigen::Dynamic>>;
 
   Scalars fit_weights;               ///< \f$ W_i \f$, m entries
@@ -87,7 +93,7 @@ struct Quadratic_problem
   Vectors sample_normals;            ///< \f$ n_i \f$, 3 x m, unit length
   Scalars pair_weights;              ///< \f$ a_{ik} \f$, one for each entry of `self_neighbors.indices`
   Vectors right_hand_side;           ///< \f$ g_i \f$, 3 x m
-  FT penalty;                        ///< \f$ \beta \f$
+  FT penalty;                        ///< \f$ \beta \f$ of this iteration
   /// 6 x m: upper triangles xx, xy, xz, yy, yz, zz of \f$ \sum_{k \in N_i} (n_i n_i^T + n_k n_k^T) \f$. With \f$ \beta \f$ before it, and
   /// \f$ W_i + \sum_k a_{ik} \f$ on its diagonal, it is the diagonal block of \f$ H \f$.
   Spreads normal_spreads;
@@ -101,6 +107,7 @@ struct Quadratic_problem
   /// Where a solver may book its arrays, so that they count for the caller's `maximum_memory`; may be null.
   internal::Memory_counter* memory = nullptr;
 
+  /// m
   std::size_t number_of_samples() const { return self_neighbors.size; }
 };
 

@@ -43,7 +43,7 @@ struct Iteration_report
   double penalty = 0;               ///< \f$ \beta \f$
   bool regularized = true;          ///< `false` in the iterations that interleaved regularization skips
   double fit_energy = 0;            ///< \f$ \sum W_i \|p_i - c_i\|^2 \f$
-  double regularization_energy = 0; ///< 0 where not `regularized`
+  double regularization_energy = 0; ///< the second term of Eq. (7); 0 where not `regularized`
   double normal_energy = 0;         ///< \f$ \beta \sum (n_i^T(p_i - p_{i'}) - \delta_{ii'})^2 \f$
   double sparsity_energy = 0;       ///< \f$ \lambda \|\delta\|_0 \f$, \f$ \lambda \f$ as in Eq. (8)
   double active_pair_share = 0;     ///< share of pairs with \f$ \delta_{ii'} \neq 0 \f$
