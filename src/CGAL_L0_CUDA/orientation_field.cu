@@ -178,9 +178,9 @@ __global__ void add_dipoles(Field field)
     {
       const Dipole& b = field.dipoles[k];
       const double3 d = {b.position.x - a.position.x, b.position.y - a.position.y, b.position.z - a.position.z};
-      const double squared_distance = dot(d, d) + field.area, inverse = rsqrt(squared_distance);
-      const double agreement = (dot(a.normal, b.normal) - 3 * dot(a.normal, d) * dot(b.normal, d) * (inverse * inverse))
-                               * (inverse * inverse * inverse) * (field.area * field.area / field.spacing);
+      const double agreement = dipole_agreement(dot(a.normal, b.normal), dot(a.normal, d) * dot(b.normal, d), dot(d, d),
+                                                squared_core_of_dipole(field.area))
+                               * (field.area * field.area / field.spacing);
       set = b.set;
       if (isfinite(agreement))
         units = __double2ll_rn(agreement * units_per_vote);

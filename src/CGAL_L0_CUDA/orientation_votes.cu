@@ -387,8 +387,7 @@ __global__ void tell_joined(const Link* sets, const Link* hooks, unsigned size, 
 /// As many as the votes of all edges need, but no more than there is room for anyway, or than twice the samples. How many there are changes no result.
 unsigned slots_of_table(const Device_arena& arena, unsigned number_of_samples, unsigned number_of_edges)
 {
-  const std::size_t of_others = 20 * std::size_t(number_of_samples)
-                                + (std::size_t(5) << 18); // what `Voting` and the field take beside them
+  const std::size_t of_others = 20 * std::size_t(number_of_samples) + bytes_of_field; // `Voting` and the field take it
   const std::size_t room = arena.room() > of_others ? (arena.room() - of_others) / (2 * sizeof(Vote)) : 0;
   const Wide most = (std::min)((std::max)(Wide(room), 2 * Wide(number_of_samples)), Wide(0x7fffffff));
   return unsigned((std::max)((std::min)(least_slots_for(number_of_edges), most), Wide(fewest_slots)));

@@ -133,7 +133,7 @@ struct Ball
 {
   double count;    // of points
   double variance; // across their plane
-  double single_sheet_index;
+  Shape_of_heights shape;
 };
 
 /// One block of threads for each query, which are every so manieth point.
@@ -162,7 +162,7 @@ __global__ void __launch_bounds__(threads_per_query)
   Ball& ball = balls[blockIdx.x];
   ball.count = n * surroundings.stride();
   ball.variance = n > 3 ? fit.variance * n / (n - 3) : fit.variance; // the plane took three degrees of freedom
-  ball.single_sheet_index = Height_moments<double>{sums[0], sums[1], sums[2], sums[3]}.single_sheet_index(n);
+  ball.shape = Height_moments<double>{sums[0], sums[1], sums[2], sums[3]}.shape(n);
 }
 
 /// \param value of a ball
@@ -202,7 +202,7 @@ Scales estimate_scales(const Workplace& workplace, const Positions& positions, c
   const unsigned size = (positions.size + stride - 1) / stride;
   Ball* const device_balls = workplace.scratch.take<Ball>(size);
   std::vector<Ball> balls(size);
-  const auto noise = [&]() { return std::sqrt(quantile(balls, 0.3, [](const Ball& ball) { return ball.variance; })); };
+  const auto median_count = [&]() { return quantile(balls, 0.5, [](const Ball& ball) { return ball.count; }); };
   Scales scales = {cell_size, 0};
   for (const int reach : reaches)
   {
@@ -212,18 +212,23 @@ Scales estimate_scales(const Workplace& workplace, const Positions& positions, c
     CGAL_L0_CUDA_CHECK(
       cudaMemcpyAsync(balls.data(), device_balls, size * sizeof(Ball), cudaMemcpyDeviceToHost, workplace.stream));
     CGAL_L0_CUDA_CHECK(cudaStreamSynchronize(workplace.stream));
-    const double count = quantile(balls, 0.5, [](const Ball& ball) { return ball.count; });
-    if (count < fewest_points && reach < 32)
+    if (median_count() < fewest_points && reach < 32)
       continue;
-    scales.spacing = radius * std::sqrt(pi / (std::max)(count, 1.));
-    scales.noise = noise();
+    const auto set_scales = [&]() {
+      scales = {radius * std::sqrt(pi / (std::max)(median_count(), 1.)),
+                std::sqrt(quantile(balls, 0.3, [](const Ball& ball) { return ball.variance; }))};
+    };
+    set_scales();
     if (scales.noise > surely_flat * radius
-        && quantile(balls, 0.5, [](const Ball& ball) { return ball.single_sheet_index; }) < two_sheets)
+        && quantile(balls, 0.5, [](const Ball& ball) { return ball.shape.single_sheet_index(); }) < two_sheets)
     {
       for (Ball& ball : balls)
-        ball.variance *= share_of_noise(ball.single_sheet_index);
-      scales.noise = noise();
-      scales.spacing *= std::sqrt(2.);
+      {
+        const Two_sheets sheets = two_sheets_of(ball.shape);
+        ball.variance *= sheets.noise;
+        ball.count *= sheets.larger_sheet;
+      }
+      set_scales();
       break;
     }
     if (scales.noise < flat * radius)

@@ -197,7 +197,8 @@ __global__ void move_onto_fit(Samples samples)
 
 void fit_compatible_points(const Workplace& workplace, const Cell_grid& sample_grid, bool is_in_order,
                            const Cell_blocks& blocks, const Cell_grid& grid, const float4* normals, double radius,
-                           double squared_sheet_height, double normal_bandwidth, const Samples& samples)
+                           double squared_sheet_height, double normal_bandwidth, double border_allowance,
+                           const Samples& samples)
 {
   const double bandwidth = fit_bandwidth_factor * radius;
   const Fit fit = {float(radius), float(bandwidth * bandwidth), float(normal_bandwidth), float(squared_sheet_height),

@@ -5,6 +5,7 @@
 
 #include "Lengths.cuh"
 #include "Session.cuh"
+#include "orientation.cuh"
 
 #include <cmath>
 
@@ -70,7 +71,8 @@ std::size_t estimate_memory(std::size_t n, std::size_t m, const Parameters& para
   const std::size_t of_fit = of_points + of_sample_grid + 15 * m;
   const std::size_t of_minimization = (is_default ? of_points : 0) + 16 * m + of_neighbors + 76 * m;
   const std::size_t k = parameters.number_of_orientation_neighbors;
-  const std::size_t of_orientation = 4 * k * m + (std::max)(118 * m, 2 * k * m + 12 * m); // votes, or grades of the edges
+  const std::size_t of_orientation = // votes and the field, or grades of the edges
+    4 * k * m + (std::max)(118 * m + bytes_of_field, 2 * k * m + 12 * m);
   return slack + of_samples
          + (std::max)({of_sorting, of_filtering, of_start, of_sorting_samples, of_fit, of_minimization, of_orientation});
 }
@@ -329,7 +331,8 @@ void minimize_with_refinement(Call& call, const Prepared_points& points)
     const Cell_blocks blocks = find_blocks(sample_grid, points.grid, reach, maximum_number_of_candidates,
                                            workplace.arena, workplace.stream);
     fit_compatible_points(workplace, sample_grid, is_in_order, blocks, points.grid, points.normals, lengths.radius,
-                          lengths.squared_sheet_height(), bandwidth, call.samples);
+                          lengths.squared_sheet_height(), bandwidth, border_allowance(lengths.noise, lengths.radius),
+                          call.samples);
   };
   const auto fit_in_cells_of_points = [&]() {
     const Arena_scope scope(workplace.arena);

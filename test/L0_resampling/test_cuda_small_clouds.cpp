@@ -10,8 +10,11 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <string>
+#include <vector>
 
-// P4, P5 on the device. Small enough to run under compute-sanitizer.
+// P4, P5 on the device. Small enough to run under compute-sanitizer; for that, arguments are the numbers of points of the clouds, so that
+// processes can share them.
 
 namespace {
 
@@ -44,9 +47,9 @@ bool is_clean(const Result& result, const Points& points, double margin)
 }
 
 /// P4, P5: smallest clouds, of all shapes.
-void check_small_clouds()
+void check_small_clouds(const std::vector<std::size_t>& sizes)
 {
-  for (const std::size_t n : {1, 2, 3, 31, 32, 33, 1000})
+  for (const std::size_t n : sizes)
   {
     Points line, plane, lattice, one_place(n, Point(1, 2, 3)), clusters;
     for (std::size_t i = 0; i < n; ++i)
@@ -94,10 +97,13 @@ void check_small_clouds()
 
 } // namespace
 
-int main()
+int main(int argc, char* argv[])
 {
   if (!has_device())
     return number_of_skip;
-  check_small_clouds();
+  std::vector<std::size_t> sizes;
+  for (int i = 1; i < argc; ++i)
+    sizes.push_back(std::stoul(argv[i]));
+  check_small_clouds(sizes.empty() ? std::vector<std::size_t>{1, 2, 3, 31, 32, 33, 1000} : sizes);
   return test::result();
 }

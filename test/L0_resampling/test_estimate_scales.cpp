@@ -7,7 +7,9 @@
 
 #include <CGAL/L0_resampling/internal/estimate_scales.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 
 using namespace test;
 
@@ -50,9 +52,24 @@ void check_plate(double thickness, double noise, Generator& generator)
     points.push_back(p + Vector(0, 0, thickness * spacing));
   add_gaussian_noise(points, noise * spacing, generator);
   const Scales scales = scales_of(points);
-  CHECK(is_close(scales.spacing, spacing, 0.25));
-  CHECK(scales.noise < (noise + 0.4) * spacing); // and not half the thickness
+  CHECK(is_close(scales.spacing, spacing, 0.08)); // the balls hold less of the other sheet than of their own
+  CHECK(scales.noise < (noise + 0.4) * spacing);  // and not half the thickness
   CHECK(scales.noise > 0.6 * noise * spacing);
+}
+
+/// Two sheets are known again from the moments of their heights, whatever their shares.
+void check_two_sheets(double share, double noise, Generator& generator)
+{
+  const double distance = 3;
+  const int n = 200000;
+  Height_moments<double> moments;
+  std::normal_distribution<double> gaussian(0, noise);
+  for (int i = 0; i < n; ++i)
+    moments.add(1 + (i < share * n ? distance : 0) + gaussian(generator), 1);
+  const Two_sheets sheets = two_sheets_of(moments.shape(n));
+  const double squared_noise = noise * noise, of_distance = share * (1 - share) * distance * distance;
+  CHECK(std::abs(sheets.noise - squared_noise / (squared_noise + of_distance)) < 0.01);
+  CHECK(std::abs(sheets.larger_sheet - (std::max)(share, 1 - share)) < 0.01);
 }
 
 /// Scales are lengths: they double with the cloud, bit by bit.
@@ -74,6 +91,9 @@ int main()
     check_scales(plane_points(n, 3, generator).points, 9, generator);
     check_scales(sphere_points(n, 1, generator).points, 4 * EIGEN_PI, generator);
   }
+  for (const double share : {0.5, 0.7, 0.2})
+    for (const double noise : {1e-3, 0.5, 1.})
+      check_two_sheets(share, noise, generator);
   check_plate(3, 0, generator);
   check_plate(4, 0.5, generator);
   check_plate(6, 1, generator);

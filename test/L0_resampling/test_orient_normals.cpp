@@ -69,6 +69,18 @@ void check_nearest(const Oriented_points& cloud, double spacing_guess)
   CHECK(are_nearest);
 }
 
+/// Samples are sorted by place, as the stage before leaves them.
+Oriented_points in_order_of_cells(const Oriented_points& cloud, double cell_size)
+{
+  Oriented_points result;
+  for (const Index i : Search_grid_3::sorted_order<CGAL::Sequential_tag>(to_buffer(cloud.points), cell_size))
+  {
+    result.points.push_back(cloud.points[i]);
+    result.normals.push_back(cloud.normals[i]);
+  }
+  return result;
+}
+
 /// Samples without the clusters and holes of chance, as resampling leaves them: of twelve candidates the one furthest
 /// from the rest.
 Oriented_points evenly(std::size_t n, const std::function<Oriented_points(std::size_t)>& candidates)
@@ -187,6 +199,48 @@ void check_plane(Generator& generator)
     CHECK(std::count(results.back().begin(), results.back().end(), results.back().front()) == 500);
     CHECK(results.back() == results.front());
   }
+}
+
+/// A dipole has no field through a wide sheet, neither in its own plane nor over it; with what lies on the other side of a line it agrees.
+void check_dipole_and_sheet()
+{
+  const double step = 0.2, reach = 100, squared_core = squared_core_of_dipole(1);
+  const auto agreement = [&](double height, double first) {
+    double sum = 0;
+    for (double x = first; x <= reach; x += step)
+      for (double y = -reach; y <= reach; y += step)
+        if (const double squared_distance = x * x + y * y + height * height; squared_distance <= reach * reach)
+          sum += step * step * dipole_agreement(1., height * height, squared_distance, squared_core);
+    return sum;
+  };
+  for (const double height : {0., 0.25, 0.5, 1., 2., 4.})
+    CHECK(std::abs(agreement(height, -reach)) < 0.1);
+  const double to_line = 0.5;
+  CHECK(std::abs(agreement(0, to_line + step / 2) - 2 * to_line / (to_line * to_line + squared_core)) < 0.1); // Biot and Savart
+}
+
+/// The sheets of a plate, of so many samples that each dipole stands for an area wider than the plate is thick.
+void check_wide_plate(double thickness_in_spacings, Generator& generator)
+{
+  const double width = 2, spacing = width / 128, thickness = thickness_in_spacings * spacing;
+  const Vector size(width, width, thickness);
+  Oriented_points plate;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double sign : {-1., 1.})
+    {
+      const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+      for (double x = spacing / 2; x < size[u]; x += spacing)
+        for (double y = spacing / 2; y < size[v]; y += spacing)
+        {
+          Vector p;
+          p[axis] = sign > 0 ? size[axis] : 0;
+          p[u] = x + random_number(-0.2, 0.2, generator) * spacing;
+          p[v] = y + random_number(-0.2, 0.2, generator) * spacing;
+          plate.points.push_back(p);
+          plate.normals.push_back(sign * Vector::Unit(axis));
+        }
+    }
+  check_orientation(in_order_of_cells(plate, 4 * spacing), spacing, generator);
 }
 
 /// Six faces, each of one mind but of any sign. Few votes between them, all of them wrong, do not keep the field from turning each outwards; many do.
@@ -351,6 +405,9 @@ int main()
     check_orientation(even_cube, factor * 0.14, generator);
   check_coarse_sets(generator);
   check_plane(generator);
+  check_dipole_and_sheet();
+  for (const double thickness_in_spacings : {2., 3., 4., 8.})
+    check_wide_plate(thickness_in_spacings, generator);
   check_field(generator);
   check_field_of_groups(4, generator);
   check_field_of_groups(3, generator);

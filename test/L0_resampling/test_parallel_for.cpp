@@ -197,6 +197,11 @@ void test_buffers_and_sorts_are_watched()
   CHECK_THROWS(filled_buffer(size, 3, allocator), std::runtime_error);
   CHECK_THROWS(copy_of(numbers), std::runtime_error);
   CHECK_THROWS(std::sort(numbers.begin(), numbers.end(), watched_order(less, number_of_comparisons)), std::runtime_error);
+  memory.take_peak();
+  resize_to_overwrite(size + 1, numbers);
+  CHECK(numbers.size() == size + 1 && memory.take_peak() == (size + 1) * sizeof(int)); // not beside what was there
+  resize_to_overwrite(size, numbers);
+  CHECK(numbers.size() == size && memory.peak() == (size + 1) * sizeof(int)); // the room of before
   release(numbers);
   CHECK(memory.take_peak() > 0 && memory.peak() == 0); // what was begun is given back
 }

@@ -171,9 +171,10 @@ if command -v script > /dev/null; then
 fi
 
 # Report and picture
-run cube.xyz out.ply --json report.json --snapshot picture.png --device auto
+CUDA_VISIBLE_DEVICES=-1 run cube.xyz out.ply --json report.json --snapshot picture.png --device auto
 check "report and picture" test "$status" -eq 0
-for key in '"exit_status": 0' '"points": 9600' '"points": 4800' '"used": "cpu"' '"reason": "' \
+check "why the processor was taken" grep -qE '"reason": "[^"]*(CUDA|device|driver)' report.json
+for key in '"exit_status": 0' '"points": 9600' '"points": 4800' '"used": "cpu"' \
            '"name": "filter normals"' '"penalty": 0.1,'; do
   check "$key in the report" grep -qF "$key" report.json
 done

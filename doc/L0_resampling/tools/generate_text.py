@@ -110,6 +110,11 @@ def speed_figures(performance_tables, comparison, scaling):
         points = [(line["number_of_input_points"], line["cpu_seconds"]) for line in scaling
                   if line["parameters"]["method"] == method]
         yield f"speed_{method}_exponent", f"{performance_tables.fitted_exponent(points):.2f}"
+        most = max(points)[0]
+        yield (f"speed_{method}_bytes_of_most_points",
+               performance_tables.memory_cells([line for line in scaling if line["parameters"]["method"] == method
+                                                and line["number_of_input_points"] == most])[1])
+        yield "speed_most_points", str(most)
     yield "speed_half_sampling_gain", f"{median(comparison['lor']) / median(comparison['alor']):.2f}"
     yield "speed_points_in", str(comparison["lor"][0]["number_of_input_points"])
     yield "speed_points_out", str(comparison["lor"][0]["number_of_output_points"])

@@ -68,7 +68,7 @@ void print_constants()
   object.add("area_radius_factor", area_radius_factor);
   object.add("fit_bandwidth_factor", fit_bandwidth_factor);
   object.add("fit_weight_factor", fit_weight_factor);
-  object.add("border_allowance", border_allowance);
+  object.add("border_allowance_for_noise", border_allowance_for_noise);
   object.add("sheet_height_per_noise", sheet_height_per_noise);
   object.add("sheet_height_per_radius", sheet_height_per_radius);
   object.add("outlier_share_of_surroundings", outlier_share_of_surroundings);

@@ -18,22 +18,31 @@ def load(name):
 
 
 def readers():
-    """What was found by libFuzzer, a file for each corpus, and by the campaigns before the readers were as they are now."""
+    """What was found by libFuzzer, a file for each corpus."""
     runs = [json.loads(path.read_text(encoding="utf-8")) for path in sorted((HERE.parent / "fuzz" / "results").glob("*.json"))]
-    earlier = [run for run in load("campaigns.json")["readers"] if run["corpus"] not in {run["corpus"] for run in runs}]
-    times = [f"{run['executions']} {run['corpus']}" for run in runs] + [f"{run['executions']} {run['corpus']} (without other properties)" for run in earlier]
-    return ", ".join(times), sum(run["broken"] for run in runs + earlier)
+    return ", ".join(f"{run['executions']} {run['corpus']}" for run in runs), result_of(sum(run["broken"] for run in runs))
+
+
+def result_of(broken):
+    return "none broken" if broken == 0 else f"{broken} broken, mended since"
 
 
 def attacks(promise):
-    """Each campaign names the promises that it broke; what it found is mended, and in the corpus."""
+    """Each campaign names the promises that it broke, and the code that it attacked; what it found is mended, and in the corpus."""
     counts = {}
     campaigns = load("campaigns.json")["function"]
     for campaign in campaigns:
-        counts[campaign["kind"]] = counts.get(campaign["kind"], 0) + campaign["attacks"]
+        what = f"{campaign['kind']}, on {campaign['code']}"
+        counts[what] = counts.get(what, 0) + campaign["attacks"]
     if any(sum(campaign["broke"].values()) != campaign["succeeded"] for campaign in campaigns):
         raise ValueError("campaigns.json does not say of each success which promise it broke")
-    return ", ".join(f"{count} {name}" for name, count in counts.items()), sum(campaign["broke"].get(promise, 0) for campaign in campaigns)
+    return "; ".join(f"{count} {what}" for what, count in counts.items()), result_of(sum(campaign["broke"].get(promise, 0) for campaign in campaigns))
+
+
+def remarks():
+    """What the campaigns found that broke no promise."""
+    return [f"Of {campaign['attacks']} attacks from seed {campaign['seed']}, {campaign['remark']}." for campaign in load("campaigns.json")["function"]
+            if "remark" in campaign]
 
 
 def measured(name):
@@ -83,8 +92,7 @@ def times_and_result(campaign, promise):
         return "in each run of the tests", "they pass"
     if campaign in MEASUREMENTS:
         return MEASUREMENTS[campaign]()
-    times, broken = readers() if campaign == "readers" else attacks(promise)
-    return times, "none broken" if broken == 0 else f"{broken} broken, mended since"
+    return readers() if campaign == "readers" else attacks(promise)
 
 
 MEASUREMENTS = {"latency": latency, "memory": memory, "streaming": streaming}
@@ -93,12 +101,17 @@ MEASUREMENTS = {"latency": latency, "memory": memory, "streaming": streaming}
 def planted():
     """What `planted_bugs/run.sh --json` has found."""
     verdicts = load("planted_bugs_run.json")
-    caught = [bug for bug, verdict in verdicts.items() if verdict.startswith("caught")]
-    patches = list((HERE.parent / "planted_bugs").glob("*.patch"))
+    patches = {path.stem for path in (HERE.parent / "planted_bugs").glob("*.patch")}
+    if not patches >= set(verdicts):
+        raise ValueError(f"there are verdicts on bugs that are not there: {sorted(set(verdicts) - patches)}")
+    caught = [bug for bug, found in verdicts.items() if found["verdict"].startswith("caught")]
+    commits = list(dict.fromkeys(found["code"] for found in verdicts.values()))
+    counts = ", ".join(f"{sum(found['code'] == commit for found in verdicts.values())} in that of commit {commit}" for commit in commits)
     lines = ["", "## Planted bugs", "",
-             f"Of {len(patches)} patches in `test/L0_resampling/planted_bugs`, {len(verdicts)} were planted by its `run.sh`, or by hand where the verdict says so; {len(caught)} were caught. The others have no verdict here.", "",
+             f"Of {len(patches)} patches in `test/L0_resampling/planted_bugs`, {len(verdicts)} were planted by its `run.sh`, or by hand where the verdict says so: "
+             f"{counts}. {len(caught)} were caught." + (" The others have no verdict here." if len(verdicts) < len(patches) else ""), "",
              "| bug | verdict |", "| --- | --- |"]
-    return lines + [f"| {bug} | {verdict} |" for bug, verdict in sorted(verdicts.items())]
+    return lines + [f"| {bug} | {found['verdict']} |" for bug, found in sorted(verdicts.items())]
 
 
 def sanitized():
@@ -115,6 +128,7 @@ def main():
         times, result = times_and_result(row["campaign"], row["promise"])
         tests = ", ".join(f"`{test}`" for test in row["tests"])
         lines.append(f"| {row['promise']} | {tests} | {row['tried']} | {times} | {result} |")
+    lines += ["", *remarks()]
     target = HERE.parents[2] / "doc" / "L0_resampling" / "promises_under_attack.md"
     target.write_text("\n".join(lines + planted() + sanitized()) + "\n", encoding="utf-8")
 

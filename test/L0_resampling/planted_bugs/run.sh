@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Plants each bug of this folder, one at a time, in a temporary copy of the tree and runs the test that has to catch it.
 #
-#   run.sh [--json FILE] [NAME...]     all patches, or NAME.patch only; the verdicts go into FILE as they come, beside those of other patches that it has
+#   run.sh [--json FILE] [NAME...]     all patches, or NAME.patch only; the verdicts go into FILE as they come, with the commit whose code it was,
+#                                      beside those of other patches that it has
 #
 # A patch is a unified diff (-p1). Its first line names the test, a program and its arguments, or test_tool_cli: "# caught by: test_x". A test counts only if it passes without the bug;
 # one that does not end within TIME_LIMIT seconds (default 600) has caught a hang. FLAGS="-O1 -DNDEBUG" compiles faster than the default. Ends with 0 if every bug was caught.
@@ -17,6 +18,7 @@ fi
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
+commit=$(git -C "$root" rev-parse --short HEAD 2> /dev/null || echo unknown)
 mkdir "$scratch/tree"
 tar -C "$root" --exclude=./.git --exclude='./build*' -cf - . | tar -C "$scratch/tree" -xf -
 launcher=()
@@ -88,11 +90,11 @@ for patch in "${patches[@]}"; do
     missed=$((missed + 1))
   fi
   if [[ -n $results ]]; then
-    python3 - "$results" "$(basename "$patch" .patch)" "$(cat "$scratch/verdict")" << 'END'
+    python3 - "$results" "$(basename "$patch" .patch)" "$(cat "$scratch/verdict")" "$commit" << 'END'
 import json, pathlib, sys
-path, bug, verdict = pathlib.Path(sys.argv[1]), sys.argv[2], sys.argv[3]
+path, bug, verdict, commit = pathlib.Path(sys.argv[1]), *sys.argv[2:]
 verdicts = json.loads(path.read_text()) if path.exists() else {}
-verdicts[bug] = verdict
+verdicts[bug] = {"verdict": verdict, "code": commit}
 path.write_text(json.dumps(verdicts, indent=1, sort_keys=True) + "\n")
 END
   fi

@@ -127,6 +127,16 @@ void release(Buffer<T>& buffer)
   Buffer<T>(buffer.get_allocator()).swap(buffer);
 }
 
+/// Makes it an array of `n` values that are all written before they are read. `resize()` would keep those it has: take room for twice as many beside
+/// them, and copy them while nobody asks the callback.
+template <typename T>
+void resize_to_overwrite(std::size_t n, Buffer<T>& buffer)
+{
+  if (n > buffer.capacity())
+    release(buffer);
+  buffer.resize(n);
+}
+
 } // namespace internal
 } // namespace L0_resampling
 } // namespace CGAL

@@ -14,7 +14,17 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// The moments of the heights of points over a plane, up to the fourth, and whether they tell of one sheet or of two.
+/// What the distribution of heights looks like, whatever their mean and variance: Pearson's \f$ \beta_1 \f$ and \f$ \beta_2 \f$.
+struct Shape_of_heights
+{
+  double squared_skewness, kurtosis;
+
+  /// \f$ \beta_2 - \beta_1 \f$: 3 for one sheet with Gaussian noise, about 2.5 for points that fill a ball, and 1, the least there is, for two sheets
+  /// without noise, whatever their shares.
+  CGAL_L0_HOST_DEVICE double single_sheet_index() const { return kurtosis - squared_skewness; }
+};
+
+/// The moments of the heights of points over a plane, up to the fourth.
 /// \tparam S a number, or lanes of numbers
 template <typename S>
 struct Height_moments
@@ -31,26 +41,41 @@ struct Height_moments
     fourth += square * square;
   }
 
-  /// Pearson's \f$ \beta_2 - \beta_1 \f$, kurtosis less squared skewness: 3 for one sheet with Gaussian noise, about 2.5 for points that fill a ball, and 1,
-  /// the least there is, for two sheets without noise, whatever their shares. 3 where all heights are equal.
+  /// That of Gaussian noise where all heights are equal.
   /// \param n number of points
   /// \pre `S` is a number
-  CGAL_L0_HOST_DEVICE double single_sheet_index(double n) const
+  CGAL_L0_HOST_DEVICE Shape_of_heights shape(double n) const
   {
     const double a = first / n, b = second / n, c = third / n, d = fourth / n, variance = b - a * a;
     if (!(variance > 1e-12 * b))
-      return 3;
+      return {0, 3};
     const double skewness = c - 3 * a * b + 2 * a * a * a, tails = d - 4 * a * c + 6 * a * a * b - 3 * a * a * a * a;
-    return tails / (variance * variance) - skewness * skewness / (variance * variance * variance);
+    return {skewness * skewness / (variance * variance * variance), tails / (variance * variance)};
   }
 };
 
-/// Two equal sheets at \f$ \pm t/2 \f$ with Gaussian noise: the share of the noise in the variance of all, from their index, which then is
-/// \f$ 3 - 2 (t^2/4 / \mathrm{variance})^2 \f$.
-CGAL_L0_HOST_DEVICE inline double share_of_noise(double single_sheet_index)
+/// What two sheets with the same Gaussian noise are made of.
+struct Two_sheets
 {
-  const double distance = 3 - single_sheet_index, share = distance > 0 ? 1 - std::sqrt(distance / 2) : 1;
-  return share > 0 ? share : 0;
+  double noise;        ///< share in the variance of all
+  double larger_sheet; ///< share of the points
+};
+
+/*!
+The two sheets that heights of such a shape are of. If they hold the shares p and q of the points, and the share x of the variance is that of the distance of the
+sheets, then \f$ \beta_1 = x^3 (1/pq - 4) \f$ and \f$ \beta_2 - 3 = x^2 (1/pq - 6) \f$, so that \f$ 2 x^3 + (\beta_2 - 3) x = \beta_1 \f$. That has one root
+above 0, which is at most 1 since \f$ \beta_2 \ge \beta_1 + 1 \f$.
+*/
+CGAL_L0_HOST_DEVICE inline Two_sheets two_sheets_of(const Shape_of_heights& shape)
+{
+  double low = 0, high = 1;
+  for (int step = 0; step < 40; ++step)
+  {
+    const double x = (low + high) / 2;
+    (2 * x * x * x + (shape.kurtosis - 3) * x < shape.squared_skewness ? low : high) = x;
+  }
+  const double inverse_product = 4 + shape.squared_skewness / (high * high * high);
+  return {1 - high, (1 + std::sqrt(1 - 4 / inverse_product)) / 2};
 }
 
 /// The moments of all lanes.

@@ -108,9 +108,15 @@ constexpr double outlier_share_of_median = 0.05;
 /// join outliers to the cloud.
 constexpr double gap_of_parts = 0.6;
 
-/// A sample is drawn back from beyond a border or an edge only if the mean of its points lies this much further away than half a ball's does. Noise takes
-/// points from a border; to where they begin to thin would leave a gap along every edge.
-constexpr double border_allowance = 1.15;
+/// A sample is drawn back from beyond a border or an edge only if the mean of its points lies further away than half a ball's does, by this share where r_p is as
+/// wide as it is for noise alone. Noise takes points from a border; to where they begin to thin would leave a gap along every edge. Clean points reach up to it.
+constexpr double border_allowance_for_noise = 0.15;
+
+/// How far away that mean may lie, per that of half a ball.
+inline double border_allowance(double noise, double radius)
+{
+  return 1 + border_allowance_for_noise * (std::min)(radius_per_noise * noise / radius, 1.);
+}
 
 /// The fit against the normal term: how much of the points' weight counts.
 constexpr double fit_weight_factor = 0.3;

@@ -94,8 +94,8 @@ public:
     const std::size_t m = samples.positions.size(), number_of_pairs = neighbors.indices.size();
     m_right_hand_side.resize(m);
     fill_buffer(m, Local_vector(Local_vector::Zero()), m_displacements);
-    m_normal_offsets.resize(SolverTraits::needs_explicit_rows ? number_of_pairs : 0);
-    m_pair_weights.resize(number_of_pairs);
+    resize_to_overwrite(SolverTraits::needs_explicit_rows ? number_of_pairs : 0, m_normal_offsets);
+    resize_to_overwrite(number_of_pairs, m_pair_weights);
 
     // Line 4, of the iteration before or of "Initialize"
     if (!regularize)

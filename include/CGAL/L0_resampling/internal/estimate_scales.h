@@ -46,8 +46,8 @@ Estimates the scales from plane fits around a thousand points, in balls that gro
 the standard deviation across it is below a quarter of the radius, half of what a filled ball has. That deviation is the noise, and the
 number of points gives the spacing. Of the noise of all balls the third tenth counts: edges, curvature and thin parts only ever raise it.
 
-Balls that hold two sheets, as those of a thin plate do, would grow for ever and find its thickness. They are known by `single_sheet_index()`; then the noise is
-that of one sheet.
+Balls that hold two sheets, as those of a thin plate do, would grow for ever and find its thickness. They are known by `single_sheet_index()`; then the noise
+and the number of points are those of one sheet.
 
 \param initial_radius where the largest ball is 8 times as large; the paper's r_p is a good one
 */
@@ -74,6 +74,7 @@ Scales estimate_scales(const Buffer<Vector>& unsorted_points, double initial_rad
   };
   Scales scales{cell_size, 0};
   std::vector<double> variances(queries.size()), counts(queries.size()), indices(queries.size());
+  std::vector<Shape_of_heights> shapes(queries.size());
   for (const int reach : {1, 2, 3, 4, 6, 8, 12, 16, 24, 32})
   {
     const double radius = reach * cell_size;
@@ -86,21 +87,27 @@ Scales estimate_scales(const Buffer<Vector>& unsorted_points, double initial_rad
           const double n = double(fit.number_of_points);
           counts[i] = n * double(candidates.stride);
           variances[i] = n > 3 ? fit.variance * n / (n - 3) : fit.variance; // the plane took three degrees of freedom
-          indices[i] = moments_over_plane(center, fit.normal, candidates, T(radius * radius)).single_sheet_index(n);
+          shapes[i] = moments_over_plane(center, fit.normal, candidates, T(radius * radius)).shape(n);
+          indices[i] = shapes[i].single_sheet_index();
         }
       };
     });
-    const double count = quantile(counts, 0.5);
-    if (count < double(fewest_points) && reach < 32)
+    if (quantile(counts, 0.5) < double(fewest_points) && reach < 32)
       continue;
-    scales.spacing = double(radius * std::sqrt(EIGEN_PI / (std::max)(count, 1.)));
-    scales.noise = std::sqrt(quantile(variances, 0.3));
+    const auto set_scales = [&]() {
+      scales = {double(radius * std::sqrt(EIGEN_PI / (std::max)(quantile(counts, 0.5), 1.))),
+                std::sqrt(quantile(variances, 0.3))};
+    };
+    set_scales();
     if (scales.noise > surely_flat * radius && quantile(indices, 0.5) < two_sheets)
     {
       for (std::size_t i = 0; i < queries.size(); ++i)
-        variances[i] *= share_of_noise(indices[i]);
-      scales.noise = std::sqrt(quantile(variances, 0.3));
-      scales.spacing *= std::sqrt(2.);
+      {
+        const Two_sheets sheets = two_sheets_of(shapes[i]);
+        variances[i] *= sheets.noise;
+        counts[i] *= sheets.larger_sheet;
+      }
+      set_scales();
       break;
     }
     if (scales.noise < flat * radius)

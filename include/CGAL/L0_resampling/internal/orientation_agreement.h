@@ -70,6 +70,31 @@ CGAL_L0_HOST_DEVICE inline T orientation_agreement(T cosine, T height, T other_h
          + weight_of_folds * (1 - one_sheet) * 2 * height * other_height / (squared_heights + squared_noise);
 }
 
+/*!
+How far two dipoles agree, as those do whose field has the least energy. On a flat or bent sheet, across an edge and from one side of a solid to the other,
+that is when both point outwards. Their energy is that of \f$ -n_i^T B_k \f$, where the flux density B of a dipole is spread out near it, as that of a disk is,
+
+\f[ B = \nabla \times \frac{n \times d}{r^3} = \frac{1}{r^3} \left( \frac{3 a^2}{r^2} n - n + 3 \frac{n^T d}{r^2} d \right), \qquad r^2 = d^T d + a^2 . \f]
+
+It is that of a current and has no sources: through a plane of any height over the dipole flows as much one way as the other. So the dipoles of a wide sheet have
+no field beyond it, however close, and one of two sheets leaves it to the rims to say on which side the other one is.
+
+\param cosine \f$ n_i^T n_k \f$
+\param product_of_heights \f$ (n_i^T d)(n_k^T d) \f$
+\param squared_distance \f$ d^T d \f$
+\param squared_core \f$ a^2 \f$
+*/
+template <typename T>
+CGAL_L0_HOST_DEVICE inline T dipole_agreement(T cosine, T product_of_heights, T squared_distance, T squared_core)
+{
+  using std::sqrt;
+  const T softened = squared_distance + squared_core;
+  return (cosine - 3 * (squared_core * cosine + product_of_heights) / softened) / (softened * sqrt(softened));
+}
+
+/// \f$ a^2 \f$ of a dipole that stands for a disk of that area: with the radius of the disk for \f$ a \f$, the two have the same flux density at their centers.
+CGAL_L0_HOST_DEVICE inline double squared_core_of_dipole(double area) { return area / 3.141592653589793; }
+
 } // namespace internal
 } // namespace L0_resampling
 } // namespace CGAL

@@ -29,17 +29,6 @@ struct Dipole
   Vector position, normal;
 };
 
-/// How far two dipoles agree, as those do whose field has the least energy. On a flat or bent sheet, across an edge and from one side of a solid to the
-/// other, that is when both point outwards.
-/// \param squared_spacing of the dipoles: what is nearer than that counts as if it were not
-inline double dipole_agreement(const Dipole& a, const Dipole& b, double squared_spacing)
-{
-  const Vector d = b.position - a.position;
-  const double squared_distance = d.squaredNorm() + squared_spacing;
-  return (a.normal.dot(b.normal) - 3 * a.normal.dot(d) * b.normal.dot(d) / squared_distance)
-         / (squared_distance * std::sqrt(squared_distance));
-}
-
 /// The sets of the field, of those that have dipoles: the larger ones of the trees that they stand for.
 /// \param roots of the sets of the dipoles, ascending
 /// \returns their roots, ascending
@@ -124,6 +113,7 @@ bool join_by_field(const Signed_union_find& trees, const Buffer<Vector>& positio
     if (const auto [root, sign] = sets.find(i); is_in_field(root))
       dipoles[place_of(root)].push_back({positions[i], double(sign) * normals[i].template cast<double>()});
   const double area = spacing * spacing * double(m) / double(number_of_dipoles);
+  const double squared_core = squared_core_of_dipole(area);
   field.agreements.assign(number_of_sets * number_of_sets, 0);
   for_each_block<ConcurrencyTag>(number_of_sets, 1, [&](std::size_t a, std::size_t) {
     for (std::size_t b = 0; b < a; ++b)
@@ -132,7 +122,11 @@ bool join_by_field(const Signed_union_find& trees, const Buffer<Vector>& positio
         double sum = 0;
         for (const Dipole& dipole : dipoles[a])
           for (const Dipole& other : dipoles[b])
-            sum += dipole_agreement(dipole, other, area);
+          {
+            const Vector d = other.position - dipole.position;
+            sum += dipole_agreement(dipole.normal.dot(other.normal), dipole.normal.dot(d) * other.normal.dot(d),
+                                    d.squaredNorm(), squared_core);
+          }
         field.agreements[a * number_of_sets + b] = field.agreements[b * number_of_sets + a] = sum * area * area / spacing;
       }
   });

@@ -341,7 +341,8 @@ Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buff
                                      input_density_weights,
                                      lengths.radius,
                                      squared_sheet_height(lengths),
-                                     normal_bandwidth(fit_angle_factor * parameters.sharpness_angle)};
+                                     normal_bandwidth(fit_angle_factor * parameters.sharpness_angle),
+                                     border_allowance(lengths.noise, lengths.radius)};
     const Refinement_parameters refinement{lengths.self_neighbor_radius, lengths.sample_spacing,
                                            number_of_repulsion_steps};
     report.number_of_self_neighbor_pairs = minimize_with_refinement<ConcurrencyTag>(
