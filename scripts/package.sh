@@ -8,3 +8,8 @@ cmake -S . -B build-package -DCMAKE_BUILD_TYPE=Release -DCGAL_L0_WITH_NATIVE_INS
       -DCGAL_L0_BUILD_TESTS=OFF -DCGAL_L0_BUILD_EXAMPLES=OFF -DCGAL_L0_BUILD_BENCHMARKS=OFF -DCGAL_L0_WITH_DOCUMENTATION=OFF
 cmake --build build-package -j "$(nproc)"
 cpack --config build-package/CPackConfig.cmake -B build-package
+
+cat <<END
+
+To install it with what it needs:  sudo apt install ./build-package/cgal-l0-resampling_*.deb
+END

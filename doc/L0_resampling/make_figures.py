@@ -71,7 +71,7 @@ FIGURE_LIST = {
                                            [f"number_of_normal_filter_iterations={n}" for n in (0, 1, 5, 40)]),
     "normal_weight": (NOISY_STAIRCASE, FRONT, STEPS,
                       ["input", *(f"{ON_NOISY_STAIRCASE},maximum_penalty=200,normal_weight={w}" for w in (0, 0.9, 50))]),
-    "regularization_weight": ("bracket_noisy", ABOVE, FACE, ["input", *(f"regularization_weight={w}" for w in (0, 0.05, 5))]),
+    "regularization_weight": ("bracket_noisy", ABOVE, FACE, ["input", *(f"regularization_weight={w}" for w in (0, 0.05, 0.5))]),
     "penalties": (NOISY_STAIRCASE, FRONT, STEPS,
                   ["input", *(f"{ON_NOISY_STAIRCASE},maximum_penalty={p}" for p in (0.1, 2, 200))]),
     "number_of_orientation_neighbors": (corrugated_sheet, "0.3,-0.6,1", EVERYTHING,
@@ -112,6 +112,14 @@ def input_file(points, programs, scratch):
     return path
 
 
+def check_pictures(row, number):
+    """Raises ValueError if one of the pictures of a row shows nothing, as when no point of a result lies in the part that is drawn."""
+    width = row.width // number
+    for i in range(number):
+        if row.crop((i * width, 0, (i + 1) * width, row.height)).convert("L").getextrema()[0] > 240:
+            raise ValueError(f"picture {i + 1} of {number} is empty")
+
+
 def main():
     programs = Path(sys.argv[1]) / "bin"
     with tempfile.TemporaryDirectory() as scratch:
@@ -120,6 +128,10 @@ def main():
             figure = FIGURES / f"{name}.png"
             subprocess.run([programs / "draw_variants", input_file(points, programs, Path(scratch)), figure, eye, box, *variants],
                            check=True)
+            try:
+                check_pictures(Image.open(figure), len(variants))
+            except ValueError as error:
+                sys.exit(f"make_figures.py: {figure.name}: {error}")
             Image.open(figure).quantize(256, Image.Quantize.MAXCOVERAGE).save(figure, optimize=True)
 
 

@@ -8,7 +8,7 @@
 - a formula that MathJax cannot draw, or has not drawn;
 - a picture that is not there;
 - a command of Doxygen, an alias or the stars of bold words that stand in the text;
-- something wider than the page, or a name in a list that is broken into many lines;
+- something wider than the page, a list without entries, or a name in a list that is broken into many lines;
 - a link to a place that does not exist.
 
 With SCREENSHOT_DIRECTORY, a picture of each page lies there for people to look at.
@@ -51,6 +51,9 @@ for (const picture of content.querySelectorAll("img"))
 for (const wide of content.querySelectorAll("p, li, table, img, .l0Figure, svg"))
   if (wide.getBoundingClientRect().right > document.documentElement.clientWidth + 1)
     found.push("wider than the page: " + wide.tagName + " " + wide.textContent.trim().slice(0, 60));
+for (const list of content.querySelectorAll(".directory"))
+  if (!list.querySelector("td.entry"))
+    found.push("a list has no entries");
 for (const name of content.querySelectorAll(".directory td.entry a.el"))
   if (name.getBoundingClientRect().height > 60)
     found.push("a name has many lines: " + name.textContent);
