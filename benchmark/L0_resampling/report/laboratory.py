@@ -9,6 +9,7 @@ import json
 import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 from pathlib import Path
 
 from scenes import read_ply
@@ -159,11 +160,11 @@ class Laboratory(Bench):
         return measured
 
     def start_rows(self, experiment, mesh, source, name, reconstruct, left_out=()):
-        """All rows but those named in `left_out`; a row that cannot be run has None.
+        """All rows, without the variants named in `left_out`; a row that cannot be run has None.
 
         Returns what waits for them, so that those of several experiments can run beside each other.
         """
-        rows = [row for row in ROWS if row.name not in left_out]
+        rows = [replace(row, variants={name: method for name, method in row.variants.items() if name not in left_out}) for row in ROWS]
         measured = {row.name: self.pool.submit(self.measure_row, experiment, mesh, source, row, f"{name}_{row.name.replace(' ', '_')}", reconstruct)
                     for row in rows if row.variants}
         return lambda: {row.name: measured[row.name].result() if row.name in measured else None for row in rows}
