@@ -99,14 +99,15 @@ void test_calls_at_once()
     CHECK(are_identical(expected[i], results[i]));
 }
 
-/// The seed is what chooses among the possible results, and the only thing.
-void test_seed()
+/// The seed is what chooses among the possible results, and the only thing. Samples start by area in the default method and by number in the paper's.
+void test_seed(Method method)
 {
   const Points points = cloud(1500);
   const auto with_seed = [&](auto seed) {
-    return test::resample<Kernel, CGAL::Sequential_tag>(points, params::random_seed(seed));
+    return test::resample<Kernel, CGAL::Sequential_tag>(points, params::resampling_method(method).random_seed(seed));
   };
-  const test::Resampled<Kernel> without = test::resample<Kernel, CGAL::Sequential_tag>(points, params::default_values());
+  const test::Resampled<Kernel> without =
+    test::resample<Kernel, CGAL::Sequential_tag>(points, params::resampling_method(method));
   CHECK(are_identical(without, with_seed(0)));
   CHECK(are_identical(with_seed(7), with_seed(7u)));
   CHECK(!are_identical(with_seed(7), with_seed(8)));
@@ -132,6 +133,7 @@ int main()
     "least squares", few,
     params::sparse_linear_solver(CGAL::L0_resampling::Eigen_least_squares_solver_traits<double>()).neighbor_radius(0.2));
   test_calls_at_once();
-  test_seed();
+  test_seed(Method::DEFAULT);
+  test_seed(Method::LOR);
   return test::result();
 }

@@ -110,13 +110,17 @@ def planted():
     lines = ["", "## Planted bugs", "",
              f"Of {len(patches)} patches in `test/L0_resampling/planted_bugs`, {len(verdicts)} were planted by its `run.sh`, or by hand where the verdict says so: "
              f"{counts}. {len(caught)} were caught." + (" The others have no verdict here." if len(verdicts) < len(patches) else ""), "",
-             "| bug | verdict |", "| --- | --- |"]
-    return lines + [f"| {bug} | {found['verdict']} |" for bug, found in sorted(verdicts.items())]
+             "| bug | verdict | code |", "| --- | --- | --- |"]
+    return lines + [f"| {bug} | {found['verdict']} | {found['code']} |" for bug, found in sorted(verdicts.items())]
 
 
 def sanitized():
-    lines = ["", "## Under sanitizers", "", "| what | result |", "| --- | --- |"]
-    return lines + [f"| {run['program']} | {run['result']} |" for run in load("sanitized_runs.json")]
+    """What of the presets `asan` and `tsan` was run, beside the tests named `*_asan` and `*_tsan`, which are in each run of the tests."""
+    lines = ["", "## Under sanitizers", "",
+             "In each run of the tests: `attack_asan`, `attack_asan_corpus`, `attack_tsan`, `attack_tsan_large`, and `test_parallel_for` and `test_search_grid` "
+             "under both. `scripts/test_sanitized.sh` runs the whole suite; of that, this was run:", "",
+             "| what | on | result |", "| --- | --- | --- |"]
+    return lines + [f"| {run['program']} | {run['code']} | {run['result']} |" for run in load("sanitized_runs.json")]
 
 
 def main():
@@ -127,7 +131,8 @@ def main():
     for row in load("promises.json"):
         times, result = times_and_result(row["campaign"], row["promise"])
         tests = ", ".join(f"`{test}`" for test in row["tests"])
-        lines.append(f"| {row['promise']} | {tests} | {row['tried']} | {times} | {result} |")
+        remark = f"; {row['remark']}" if "remark" in row else ""
+        lines.append(f"| {row['promise']} | {tests} | {row['tried']} | {times} | {result}{remark} |")
     lines += ["", *remarks()]
     target = HERE.parents[2] / "doc" / "L0_resampling" / "promises_under_attack.md"
     target.write_text("\n".join(lines + planted() + sanitized()) + "\n", encoding="utf-8")
