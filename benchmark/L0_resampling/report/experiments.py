@@ -98,7 +98,7 @@ def normal_weights(lab, selection):
         name = f"fig_6_{weight:g}"
         measured = lab.measure_variant(experiment, mesh, source,
                                        Method("run_l0", ("--method", "alor", "--normal-weight", weight)), name)
-        return {"normal_weight": weight, **measured, "scene": lab.scene(f"λ = {weight:g}", name, mesh, True)}
+        return {"normal_weight": weight, **measured, "scene": lab.scene(f"λ = {weight:g}", name, mesh, True, measured["evaluation"])}
 
     return {**experiment, "runs": lab.all_of(*(lambda w=w: lab.once(f"fig_6_{w:g}", experiment, lambda: one(w))
                                              for w in selection.normal_weights))}
