@@ -60,7 +60,7 @@ def half_sampling_claims(report):
     errors = {study["title"]: mesh_distance(study["scene"]) for study in report["half_sampling"]["studies"]}
     text = "Algorithm 2 loses less than a smaller radius or a random half."
     if None in errors.values():
-        return [Claim("Fig. 4", text, "One mesh could not be made.", False)]
+        return [Claim("Fig. 4", text, "One of the results has no Poisson mesh.", False)]
     listed = ", ".join(f"{title} {error:.4f} %" for title, error in errors.items())
     merged = errors["Algorithm 2"]
     return [Claim("Fig. 4", text, f"Mean distance of the Poisson mesh: {listed}.",

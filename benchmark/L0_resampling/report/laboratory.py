@@ -9,6 +9,7 @@ import json
 import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 from pathlib import Path
 
 from scenes import read_ply
@@ -105,10 +106,16 @@ class Laboratory(Bench):
                 return distance
         return None
 
-    def scene(self, title, name, mesh=None, reconstruct=False):
-        """What the viewer shows of NAME.ply: its points and, if asked for, its Poisson mesh with distances to the truth."""
+    def scene(self, title, name, mesh=None, reconstruct=False, of_points=None):
+        """What the viewer shows of NAME.ply: its points and, if asked for, its Poisson mesh with distances to the truth.
+
+        There is none where `of_points`, their evaluation, says that the normals are mixed.
+        """
         scene = {"title": title, "points": f"{name}.ply"}
         if not reconstruct:
+            return scene
+        if of_points is not None and MIXED_NORMALS[0] < of_points["normals"]["share_inwards"] < MIXED_NORMALS[1]:
+            scene["remark"] = "no mesh: the normals contradict each other"
             return scene
         surface, picture = self.scratch / f"{name}.off", self.scratch / f"{name}_picture.off"
         distance = self.reconstruct(self.scratch / f"{name}.ply", surface, picture)
@@ -149,21 +156,18 @@ class Laboratory(Bench):
             variants[variant] = stem, self.measure_variant(experiment, mesh, source, method, stem)
         best = min(variants, key=lambda v: variants[v][1]["evaluation"]["distance"]["mean"]) if mesh else next(iter(variants))
         stem, measured = variants[best]
-        is_mixed = mesh is not None and MIXED_NORMALS[0] < measured["evaluation"]["normals"]["share_inwards"] < MIXED_NORMALS[1]
-        scene = self.scene(row.name, stem, mesh, reconstruct and not is_mixed)
-        if reconstruct and is_mixed:
-            scene["remark"] = "no mesh: the normals contradict each other"
+        scene = self.scene(row.name, stem, mesh, reconstruct, measured.get("evaluation"))
         measured |= {"variant": best, "scene": scene}
         where = describe(experiment) if mesh else experiment["mesh"]
         print(f"{where}: {row.name} {best}", file=sys.stderr, flush=True)
         return measured
 
     def start_rows(self, experiment, mesh, source, name, reconstruct, left_out=()):
-        """All rows but those named in `left_out`; a row that cannot be run has None.
+        """All rows, without the variants named in `left_out`; a row that cannot be run has None.
 
         Returns what waits for them, so that those of several experiments can run beside each other.
         """
-        rows = [row for row in ROWS if row.name not in left_out]
+        rows = [replace(row, variants={name: method for name, method in row.variants.items() if name not in left_out}) for row in ROWS]
         measured = {row.name: self.pool.submit(self.measure_row, experiment, mesh, source, row, f"{name}_{row.name.replace(' ', '_')}", reconstruct)
                     for row in rows if row.variants}
         return lambda: {row.name: measured[row.name].result() if row.name in measured else None for row in rows}
@@ -181,4 +185,4 @@ class Laboratory(Bench):
         print(f"{describe(experiment)}: {title}", file=sys.stderr, flush=True)
         return {"title": title, "evaluation": evaluation, "densities_over_iterations": line["densities"],
                 "wall_seconds": line["wall_seconds"], "values": values.name,
-                "scene": self.scene(title, name, mesh, reconstruct)}
+                "scene": self.scene(title, name, mesh, reconstruct, evaluation)}

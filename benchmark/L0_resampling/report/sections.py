@@ -144,7 +144,9 @@ def scan_sections(report):
 
 
 def thin_plate_section(report):
-    return comparison_section(report["thin_plate"], "Fig. 12: a thin plate", "The paper's failure case. The methods that take longest are left out.")
+    left_out = report["thin_plate"]["left_out"]
+    return comparison_section(report["thin_plate"], "Fig. 12: a thin plate",
+                              "The paper's failure case." + (f" Left out for the time they take: {', '.join(left_out)}." if left_out else ""))
 
 
 # Experiments of a report, in the order of their sections
