@@ -11,10 +11,9 @@
 #include <cmath>
 #include <iomanip>
 #include <string>
-#include <vector>
 
-// P4, P5 on the device. Small enough to run under compute-sanitizer; for that, arguments are the numbers of points of the clouds, so that
-// processes can share them.
+// P4, P5 on the device. Small enough to run under compute-sanitizer; for that, the first argument may be the number of points, and the second one the shape,
+// so that processes can share the clouds.
 
 namespace {
 
@@ -46,11 +45,16 @@ bool is_clean(const Result& result, const Points& points, double margin)
   return true;
 }
 
-/// P4, P5: smallest clouds, of all shapes.
-void check_small_clouds(const std::vector<std::size_t>& sizes)
+/// P4, P5: smallest clouds.
+/// \param only_size, only_shape 0 and "" for all
+/// \returns whether there are such clouds
+bool check_small_clouds(std::size_t only_size, const std::string& only_shape)
 {
-  for (const std::size_t n : sizes)
+  bool is_any = false;
+  for (const std::size_t n : {1, 2, 3, 31, 32, 33, 1000})
   {
+    if (only_size != 0 && n != only_size)
+      continue;
     Points line, plane, lattice, one_place(n, Point(1, 2, 3)), clusters;
     for (std::size_t i = 0; i < n; ++i)
     {
@@ -66,6 +70,10 @@ void check_small_clouds(const std::vector<std::size_t>& sizes)
                                                      {"one place", one_place},
                                                      {"clusters", clusters}};
     for (const auto& [name, points] : shapes)
+    {
+      if (!only_shape.empty() && name != only_shape)
+        continue;
+      is_any = true;
       for (const Method method : methods)
       {
         const std::size_t failures_before = test::number_of_failures();
@@ -92,7 +100,9 @@ void check_small_clouds(const std::vector<std::size_t>& sizes)
           std::cout << name << " of " << n << " points, method " << int(method) << ", radius " << report.neighbor_radius
                     << std::endl;
       }
+    }
   }
+  return is_any;
 }
 
 } // namespace
@@ -101,9 +111,6 @@ int main(int argc, char* argv[])
 {
   if (!has_device())
     return number_of_skip;
-  std::vector<std::size_t> sizes;
-  for (int i = 1; i < argc; ++i)
-    sizes.push_back(std::stoul(argv[i]));
-  check_small_clouds(sizes.empty() ? std::vector<std::size_t>{1, 2, 3, 31, 32, 33, 1000} : sizes);
+  CHECK(check_small_clouds(argc > 1 ? std::stoul(argv[1]) : 0, argc > 2 ? argv[2] : ""));
   return test::result();
 }
