@@ -7,6 +7,7 @@
 #include "stages.cuh"
 
 #include <CGAL/L0_resampling/internal/block_factorization.h>
+#include <CGAL/L0_resampling/internal/negligible_displacement.h>
 #include <CGAL/L0_resampling/internal/shrinkage.h>
 #include <CGAL/L0_resampling/internal/weights.h>
 
@@ -346,7 +347,8 @@ __global__ void __launch_bounds__(threads_per_large_block, 2) run_turn(Turn turn
     turn.result->number_of_active_pairs = Wide(first_sums[5]);
   }
   // As on the CPU: where the samples have come a long way, what is left of it need not be known better than the way itself.
-  const double squared_rhs = sums[0], last_scale = turn.last_result ? turn.last_result->right_hand_side_scale : 0;
+  const double squared_rhs = sums[0], last_scale = turn.last_result ? turn.last_result->right_hand_side_scale
+                                                                           : negligible_displacement;
   const double scale = max(last_scale, sqrt(squared_rhs)), squared_limit = tolerance * tolerance * scale * scale;
 
   double squared_residual = squared_rhs, gamma = sums[1], last_gamma = 0, last_step = 0;
@@ -379,7 +381,7 @@ __global__ void __launch_bounds__(threads_per_large_block, 2) run_turn(Turn turn
   if (thread_index() == 0)
   {
     turn.result->right_hand_side_scale = scale;
-    turn.result->relative_residual = scale > 0 ? sqrt(squared_residual) / scale : 0;
+    turn.result->relative_residual = sqrt(squared_residual) / scale;
     turn.result->solver_iterations = iterations;
     turn.result->converged = squared_residual <= squared_limit;
     turn.result->is_finite = is_finite;

@@ -99,7 +99,7 @@ struct Quadratic_problem
   Spreads normal_spreads;
   const Explicit_rows<FT>* rows; ///< null unless the solver declares `needs_explicit_rows`
 
-  /// The largest \f$ \|g\| \f$ of the solves before this one in the same call, or 0: solvers take their tolerance relative to this or to that of
+  /// The largest \f$ \|g\| \f$ of the solves before this one in the same call, or what does not matter: solvers take their tolerance relative to this or to that of
   /// their own \f$ g \f$, whichever is larger. Where the samples have come a long way, what is left of it need not be known better
   /// than the way itself.
   double right_hand_side_scale = 0;

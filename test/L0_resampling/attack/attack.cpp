@@ -72,6 +72,12 @@ Options parsed(int argc, char** argv)
   return options;
 }
 
+/// Time grows with the turns of Algorithm 1; the limits are for a hundred of them.
+std::size_t patience_with(const Attack& attack)
+{
+  return 1 + number_of_turns(attack.parameters) / 100;
+}
+
 /// Carries attacks out, the first `count` that `make` gives, and counts those that succeed.
 /// \returns the exit status
 int carry_out_all(const Options& options, std::size_t count, const std::function<Attack(std::size_t)>& make)
@@ -90,12 +96,12 @@ int carry_out_all(const Options& options, std::size_t count, const std::function
   Sandbox sandbox([&](std::size_t i) { return carry_out(make(i)); }, options.limits);
   while (attacks < count)
   {
-    const std::string faults = sandbox(attacks);
+    const Attack attack = make(attacks);
+    const std::string faults = sandbox(attacks, patience_with(attack));
     if (!faults.empty())
     {
       sandbox.end_child(); // whatever the attack has left behind
       ++successes;
-      const Attack attack = make(attacks);
       std::cerr << "failed: " << attack.name << ": " << faults << std::endl;
       if (!options.folder.empty())
         write_attack(options.folder + "/" + options.words.front() + "_" + std::to_string(options.seed + attacks) + ".txt",
@@ -167,7 +173,7 @@ int minimize(const Options& options)
   Attack attack = read_attack(path);
   const auto begin_of_faults = [&](const Attack& a) {
     Sandbox sandbox([&](std::size_t) { return carry_out(a); }, options.limits);
-    return sandbox(0).substr(0, 12);
+    return sandbox(0, patience_with(a)).substr(0, 12);
   };
   const std::string expected = begin_of_faults(attack);
   if (expected.empty())

@@ -267,6 +267,13 @@ Parameters random_parameters(std::size_t n, double diagonal, Generator& generato
   return p;
 }
 
+std::size_t number_of_turns(const Parameters& p)
+{
+  const double growth = p.penalty_growth.value_or(p.method == 0 ? 2.3 : 1.5);
+  const double turns = 1 + (std::log(p.maximum_penalty) - std::log(p.initial_penalty)) / std::log(growth);
+  return turns >= 1 && turns <= 1e5 ? std::size_t(turns) : 0;
+}
+
 double diagonal_of(const std::vector<Vector>& points)
 {
   Vector low = Vector::Zero(), high = Vector::Zero();

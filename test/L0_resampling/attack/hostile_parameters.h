@@ -25,6 +25,9 @@ std::vector<Named_parameters> hostile_parameter_sets(std::size_t size, double di
 /// Some of the parameters from the same sources as above, the others at their defaults.
 Parameters random_parameters(std::size_t n, double diagonal, Generator& generator);
 
+/// How often Algorithm 1 repeats its steps, roughly; 0 where the penalties are refused.
+std::size_t number_of_turns(const Parameters& parameters);
+
 /// Of the bounding box of the finite points, and finite itself.
 double diagonal_of(const std::vector<Vector>& points);
 

@@ -32,6 +32,11 @@ bool write_all(int pipe, const void* bytes, std::size_t size)
   return true;
 }
 
+struct Question
+{
+  std::size_t index, patience;
+};
+
 enum class Reading
 {
   DONE,
@@ -84,13 +89,13 @@ void limit_seconds(std::size_t seconds)
   const rlimit none{0, 0};
   setrlimit(RLIMIT_CORE, &none);
   limit_bytes(limits.bytes);
-  for (std::size_t i; read_all(questions, &i, sizeof(i)) == Reading::DONE;)
+  for (Question question; read_all(questions, &question, sizeof(question)) == Reading::DONE;)
   {
-    limit_seconds(limits.cpu_seconds);
+    limit_seconds(question.patience * limits.cpu_seconds);
     std::string answer;
     try
     {
-      answer = f(i);
+      answer = f(question.index);
     }
     catch (const std::exception& e)
     {
@@ -152,12 +157,13 @@ int Sandbox::wait_for_end()
   return status;
 }
 
-std::string Sandbox::operator()(std::size_t i)
+std::string Sandbox::operator()(std::size_t i, std::size_t patience)
 {
   if (m_child < 0)
     start_child();
-  std::size_t seconds_left = m_limits.wall_seconds;
-  write_all(m_questions, &i, sizeof(i));
+  std::size_t seconds_left = patience * m_limits.wall_seconds;
+  const Question question{i, patience};
+  write_all(m_questions, &question, sizeof(question));
   std::size_t size = 0;
   std::string answer;
   Reading reading = read_all(m_answers, &size, sizeof(size), &seconds_left);

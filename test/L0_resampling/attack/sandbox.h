@@ -36,8 +36,9 @@ public:
   Sandbox(const Sandbox&) = delete;
   Sandbox& operator=(const Sandbox&) = delete;
 
-  /// \returns `f(i)`, or how the child died. Each call has all of the time limits; memory that an earlier one has lost is missing in the later ones.
-  std::string operator()(std::size_t i);
+  /// \param patience how often each call has the limits of time
+  /// \returns `f(i)`, or how the child died. Memory that an earlier call has lost is missing in the later ones.
+  std::string operator()(std::size_t i, std::size_t patience = 1);
 
   /// Has the next call come to a new child.
   void end_child();

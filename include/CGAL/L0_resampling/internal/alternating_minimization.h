@@ -8,6 +8,7 @@
 
 #include <CGAL/L0_resampling/Quadratic_problem.h>
 #include <CGAL/L0_resampling/internal/Fit_rows.h>
+#include <CGAL/L0_resampling/internal/negligible_displacement.h>
 #include <CGAL/L0_resampling/internal/pair_terms.h>
 
 #include <algorithm>
@@ -72,7 +73,7 @@ class Minimization_step
   Progress& m_progress;
   Buffer<FT> m_pair_weights, m_normal_offsets;
   Buffer<Local_vector> m_right_hand_side, m_displacements;
-  double m_right_hand_side_scale = 0; // of the turns so far
+  double m_right_hand_side_scale = negligible_displacement; // the largest of the turns so far
 
 public:
   Minimization_step(const Minimization_parameters& parameters, SolverTraits& solver, Progress& progress,
