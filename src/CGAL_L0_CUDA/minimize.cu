@@ -347,8 +347,8 @@ __global__ void __launch_bounds__(threads_per_large_block, 2) run_turn(Turn turn
     turn.result->number_of_active_pairs = Wide(first_sums[5]);
   }
   // As on the CPU: where the samples have come a long way, what is left of it need not be known better than the way itself.
-  const double squared_rhs = sums[0], last_scale = turn.last_result ? turn.last_result->right_hand_side_scale
-                                                                           : negligible_displacement;
+  const double squared_rhs = sums[0],
+               last_scale = turn.last_result ? turn.last_result->right_hand_side_scale : negligible_displacement;
   const double scale = max(last_scale, sqrt(squared_rhs)), squared_limit = tolerance * tolerance * scale * scale;
 
   double squared_residual = squared_rhs, gamma = sums[1], last_gamma = 0, last_step = 0;

@@ -73,10 +73,7 @@ Options parsed(int argc, char** argv)
 }
 
 /// Time grows with the turns of Algorithm 1; the limits are for a hundred of them.
-std::size_t patience_with(const Attack& attack)
-{
-  return 1 + number_of_turns(attack.parameters) / 100;
-}
+std::size_t patience_with(const Attack& attack) { return 1 + number_of_turns(attack.parameters) / 100; }
 
 /// Carries attacks out, the first `count` that `make` gives, and counts those that succeed.
 /// \returns the exit status
