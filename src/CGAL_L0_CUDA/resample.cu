@@ -47,7 +47,7 @@ std::vector<double> penalties(const Parameters& parameters)
   do
   {
     values.push_back(penalty);
-    penalty *= parameters.penalty_growth;
+    penalty = next_penalty(penalty, parameters.penalty_growth);
   } while (penalty <= parameters.maximum_penalty);
   return values;
 }

@@ -140,6 +140,8 @@ void test_extreme_values_are_not_refused()
   check("normal_weight 0, regularization_weight 0", params::normal_weight(0).regularization_weight(0));
   check("maximum_penalty below initial_penalty", params::maximum_penalty(0.01));
   check("initial_penalty least", params::initial_penalty(least).maximum_penalty(least));
+  check("initial_penalty least, that growth leaves as it is",
+        params::initial_penalty(least).maximum_penalty(100 * least).penalty_growth(1.4));
   check("initial_penalty 1e-300 to 1e300", params::initial_penalty(1e-300).maximum_penalty(1e300).penalty_growth(1e10));
   check("initial_penalty 1e12", params::initial_penalty(1e12));
   check("penalty_growth largest", params::penalty_growth(largest));

@@ -134,6 +134,12 @@ constexpr double default_regularization_weight = 0.05;
 /// \f$ \mu \f$ of the default method: half as many turns as the paper's 1.5 makes, each of which fits anew.
 constexpr double default_penalty_growth = 2.3;
 
+/// Line 5 of Algorithm 1. The product of a subnormal number and a growth near 1 can be that number again: then it is the next one.
+inline double next_penalty(double penalty, double growth)
+{
+  return (std::max)(penalty * growth, std::nextafter(penalty, std::numeric_limits<double>::infinity()));
+}
+
 /// Radius of the self neighbors, per spacing of the samples, at least.
 constexpr double self_neighbor_radius_per_spacing = 2.5;
 

@@ -8,6 +8,7 @@
 
 #include <CGAL/L0_resampling/Quadratic_problem.h>
 #include <CGAL/L0_resampling/internal/Fit_rows.h>
+#include <CGAL/L0_resampling/internal/Parameters.h>
 #include <CGAL/L0_resampling/internal/negligible_displacement.h>
 #include <CGAL/L0_resampling/internal/pair_terms.h>
 
@@ -36,7 +37,8 @@ struct Minimization_parameters
   std::size_t number_of_turns() const
   {
     std::size_t number = 0;
-    for (double penalty = initial_penalty; number == 0 || penalty <= maximum_penalty; penalty *= penalty_growth)
+    for (double penalty = initial_penalty; number == 0 || penalty <= maximum_penalty;
+         penalty = next_penalty(penalty, penalty_growth))
       ++number;
     return number;
   }
@@ -159,7 +161,7 @@ void minimize_alternatingly(const Minimization_parameters& p, const Neighborhood
   do
   {
     reports.push_back(step(penalty, regularize, neighbors, normal_spreads, fit_rows, samples)); // Lines 2 to 4
-    penalty *= p.penalty_growth;                                                                // Line 5
+    penalty = next_penalty(penalty, p.penalty_growth);                                          // Line 5
     regularize = !p.interleave_regularization || !regularize;
   } while (penalty <= p.maximum_penalty); // Line 6
 }

@@ -74,7 +74,7 @@ std::size_t minimize_with_refinement(const Minimization_parameters& p, const Ref
     reports.push_back(step(penalty, true, neighbors, normal_spreads, fit_rows, samples));
     repel_tangentially<ConcurrencyTag>(neighbors, refinement.spacing, input.radius,
                                        refinement.number_of_repulsion_steps, samples);
-    penalty *= p.penalty_growth;
+    penalty = next_penalty(penalty, p.penalty_growth);
   } while (penalty <= p.maximum_penalty);
 
   fit_compatible_points<ConcurrencyTag>(input, progress, samples);
