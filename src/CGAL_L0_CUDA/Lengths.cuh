@@ -45,13 +45,6 @@ struct Lengths
     sample_spacing = spacing;
     self_neighbor_radius = (std::min)(self_neighbor_radius_per_spacing * spacing, radius);
   }
-
-  /// How far from a sheet points are of that sheet.
-  double squared_sheet_height() const
-  {
-    const double of_noise = sheet_height_per_noise * noise, of_radius = sheet_height_per_radius * radius;
-    return of_noise * of_noise + of_radius * of_radius;
-  }
 };
 
 /// Chooses the lengths that the caller left open, as the CPU does.

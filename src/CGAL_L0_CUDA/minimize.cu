@@ -414,7 +414,8 @@ void minimize_once(const Workplace& workplace, const Minimization& parameters, d
                    const Neighbor_lists& neighbors, const Cell_grid& grid, const Samples& samples,
                    const Turn_arrays& arrays, const Turn_result* last_result, Turn_result* result)
 {
-  const double threshold = parameters.sparsity_unit * std::sqrt(parameters.normal_weight / penalty);
+  const double threshold = shrinkage_threshold(parameters.normal_weight, penalty, parameters.sparsity_unit,
+                                               parameters.largest_shrunk_jump);
   Turn turn = {parameters, float(penalty), float(threshold), regularize, grid.frame.unit(), grid.frame.units_per_length,
                neighbors,  samples,        grid.points,      arrays,     last_result,       result};
   void* arguments[] = {&turn};

@@ -58,14 +58,14 @@ struct Surroundings
     });
   }
 
-  __device__ Compatible_points sum_compatible_points(const float3& normal) const
+  __device__ Compatible_points sum_compatible_points(const float3& normal, float squared_sheet_height) const
   {
     Compatible_points sums = {0, 0, 0, {0, 0, 0}, {0, 0, 0}};
     for_each([&](const float3& d, const float3& other, float scale) {
       const float cosine = dot(other, normal), sign = copysignf(1, cosine);
       const float h = symmetric_height(dot(d, normal), sign * dot(d, other));
       const float weight =
-        scale * sheet_weight(dot(d, d), fit.squared_bandwidth, cosine, fit.normal_bandwidth, h, fit.squared_sheet_height);
+        scale * sheet_weight(dot(d, d), fit.squared_bandwidth, cosine, fit.normal_bandwidth, h, squared_sheet_height);
       sums.all += scale;
       sums.weight += weight;
       sums.height += weight * h;
@@ -96,14 +96,14 @@ __global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_b
   const unsigned i = order ? order[query.index] : query.index;
   const Surroundings surroundings = {query, center, grid, blocks, normals, fit};
   float3 normal = xyz(samples.normals[i]);
-  Compatible_points sums = surroundings.sum_compatible_points(normal);
+  Compatible_points sums = surroundings.sum_compatible_points(normal, fit.squared_sheet_height);
   const bool has_strayed = sums.weight < float(least_share_of_sheet) * sums.all;
   if (__any_sync(0xffffffffu, has_strayed)) // the lanes of a warp add up together
   {
     const float3 normal_of_most = surroundings.normal_of_most();
     if (has_strayed)
       normal = normal_of_most;
-    sums = surroundings.sum_compatible_points(normal);
+    sums = surroundings.sum_compatible_points(normal, has_strayed ? fit.radius * fit.radius : fit.squared_sheet_height);
   }
   if (!query.writes)
     return;

@@ -214,7 +214,8 @@ Prepared_points prepare_points(Call& call, const Input& input)
     if (i + number_of_refits >= number_of_passes)
     {
       refit_normals(workplace, points.grid, filter_blocks, lengths.filter_radius, squared_bandwidth,
-                    bandwidth(fit_angle_factor), float(lengths.squared_sheet_height()), normals, filtered);
+                    bandwidth(fit_angle_factor), float(square(sheet_height(lengths.noise, lengths.radius))), normals,
+                    filtered);
       std::swap(normals, filtered);
     }
     const bool is_last = i + 1 == number_of_passes;
@@ -331,8 +332,8 @@ void minimize_with_refinement(Call& call, const Prepared_points& points)
     const Cell_blocks blocks = find_blocks(sample_grid, points.grid, reach, maximum_number_of_candidates,
                                            workplace.arena, workplace.stream);
     fit_compatible_points(workplace, sample_grid, is_in_order, blocks, points.grid, points.normals, lengths.radius,
-                          lengths.squared_sheet_height(), bandwidth, border_allowance(lengths.noise, lengths.radius),
-                          call.samples);
+                          square(sheet_height(lengths.noise, lengths.radius)), bandwidth,
+                          border_allowance(lengths.noise, lengths.radius), call.samples);
   };
   const auto fit_in_cells_of_points = [&]() {
     const Arena_scope scope(workplace.arena);
@@ -390,7 +391,9 @@ void run(Session& session, const Parameters& parameters, Stages& stages, Call_re
                report,
                lengths,
                {square(lengths.radius), square(spatial_bandwidth_factor * lengths.filter_radius),
-                sparsity_unit_factor * lengths.radius, parameters.normal_weight, parameters.regularization_weight},
+                sparsity_unit_factor * lengths.radius,
+                largest_shrunk_jump(parameters.method, lengths.noise, lengths.radius), parameters.normal_weight,
+                parameters.regularization_weight},
                penalties(parameters),
                nullptr,
                nullptr,

@@ -178,7 +178,7 @@ Neighbor_lists find_self_neighbors(const Workplace& workplace, const Cell_grid& 
 /// The weights of Algorithm 1, as `Minimization_parameters` of the CPU.
 struct Minimization
 {
-  double squared_radius, squared_bandwidth, sparsity_unit;
+  double squared_radius, squared_bandwidth, sparsity_unit, largest_shrunk_jump;
   double normal_weight, regularization_weight;
 };
 

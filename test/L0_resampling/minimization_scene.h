@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace test {
@@ -20,8 +21,16 @@ namespace test {
 struct Scene
 {
   static constexpr double radius = 0.8;
-  Minimization_parameters parameters{
-    std::pow(radius, 2), std::pow(0.4 * radius, 2), 0.25 * radius, 0.9, 0.15, 0.1, 2, 1.5, false};
+  Minimization_parameters parameters{std::pow(radius, 2),
+                                     std::pow(0.4 * radius, 2),
+                                     0.25 * radius,
+                                     std::numeric_limits<double>::infinity(),
+                                     0.9,
+                                     0.15,
+                                     0.1,
+                                     2,
+                                     1.5,
+                                     false};
   Samples<double> samples{Counting_allocator<Vector>()};
   Neighborhoods neighbors;
   Fit_rows rows;

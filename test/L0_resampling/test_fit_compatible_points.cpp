@@ -83,7 +83,7 @@ struct Naive_sums
 };
 
 Naive_sums sum_naively(const Oriented_points& input, const std::vector<double>& densities,
-                       const std::vector<Index>& neighbors, const Vector& p, const Vector& n)
+                       const std::vector<Index>& neighbors, const Vector& p, const Vector& n, double squared_height)
 {
   Naive_sums sums;
   for (Index j : neighbors)
@@ -94,7 +94,7 @@ Naive_sums sum_naively(const Oriented_points& input, const std::vector<double>& 
     const double h = 0.5 * (n + turned).dot(d);
     const double near = std::exp(-d.squaredNorm() / (bandwidth * bandwidth)) / densities[j];
     const double w = near * std::exp(-std::pow(1 - std::abs(cosine), 2) / normal_bandwidth(25))
-                     * std::exp(-h * h / squared_sheet_height);
+                     * std::exp(-h * h / squared_height);
     sums.all += 1 / densities[j];
     sums.total += w;
     sums.height += w * h;
@@ -113,12 +113,12 @@ Fitted fit_naively(const Oriented_points& input, const std::vector<double>& dens
   for (std::size_t i = 0; i < start.points.size(); ++i)
   {
     Vector n = start.normals[i];
-    Naive_sums sums = sum_naively(input, densities, neighbors[i], start.points[i], n);
+    Naive_sums sums = sum_naively(input, densities, neighbors[i], start.points[i], n, squared_sheet_height);
     if (sums.total < least_share_of_sheet * sums.all)
     {
       n = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(sums.normals).eigenvectors().col(2);
       n *= n.dot(start.normals[i]) < 0 ? -1 : 1;
-      sums = sum_naively(input, densities, neighbors[i], start.points[i], n);
+      sums = sum_naively(input, densities, neighbors[i], start.points[i], n, radius * radius);
     }
     result.weights.push_back(sums.total > 1e-3 ? 0.3 * sums.total : 1);
     result.outward.push_back(Vector::Zero());
@@ -175,7 +175,8 @@ void check_formulas(double tolerance, Generator& generator)
   CHECK(fitted.centroids.back() == last_centroids.back() && fitted.normals.back() == start.normals.back());
 }
 
-/// A sample with the normal of nobody around takes that of the face; one with that of a few points, those of a rim, keeps it.
+/// A sample with the normal of nobody around takes that of the face; one with that of a few points, those of a rim, keeps it. One that is as far off the
+/// face as another sheet finds it.
 void check_strays(Generator& generator)
 {
   Oriented_points input;
@@ -191,13 +192,14 @@ void check_strays(Generator& generator)
     input.normals.push_back(Vector::UnitX());
   }
   Oriented_points start;
-  start.points = {Vector(-0.4, 0.1, 0.05), Vector(-0.4, 0.1, 0.05), rim};
-  start.normals = {Vector(0.6, -0.8, 0), Vector(0.6, 0, -0.8), Vector::UnitX()};
+  start.points = {Vector(-0.4, 0.1, 0.05), Vector(-0.4, 0.1, 0.05), rim, Vector(-0.4, 0.1, 0.9 * radius)};
+  start.normals = {Vector(0.6, -0.8, 0), Vector(0.6, 0, -0.8), Vector::UnitX(), Vector::UnitZ()};
   const Fitted fitted = fit<float>(input, start);
   CHECK(angle_of_lines(fitted.normals[0], Vector::UnitZ()) < 1e-3);
   CHECK(std::abs(fitted.centroids[0][2]) < 1e-5);
   CHECK(angle_of_lines(fitted.normals[1], Vector::UnitZ()) < 1e-3);
   CHECK(angle_of_lines(fitted.normals[2], Vector::UnitX()) < 1e-3);
+  CHECK(std::abs(fitted.centroids[3][2]) < 1e-5);
 }
 
 /// Two points of a sphere are at distance 0 in the symmetric sense: a sphere does not shrink.

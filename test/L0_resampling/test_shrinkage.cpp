@@ -8,9 +8,11 @@
 #include <CGAL/L0_resampling/internal/shrinkage.h>
 
 #include <cmath>
+#include <limits>
 
 using namespace test;
 using CGAL::L0_resampling::internal::shrink;
+using CGAL::L0_resampling::internal::shrinkage_threshold;
 
 /// One term of Eq. (8).
 double cost(double distance, double offset, double normal_weight, double penalty)
@@ -43,6 +45,11 @@ int main()
   for (double penalty : {0.1, 0.5, 2.}) // where Algorithm 1 starts, passes and ends
     for (double normal_weight : {0.01, 0.9, 30.})
       check_minimum(normal_weight, penalty, generator);
+
+  const double infinity = std::numeric_limits<double>::infinity();
+  CHECK(is_close(shrinkage_threshold(0.9, 0.1, 0.5, infinity), 1.5, 1e-15));
+  CHECK(shrinkage_threshold(0.9, 0.1, 0.5, 1.4) == 1.4);
+  CHECK(is_close(shrinkage_threshold(0.9, 0.4, 0.5, 1.4), 0.75, 1e-15)); // the bound matters only while the penalty is small
 
   // Without a price nothing is zeroed, and just below and at the threshold the two candidates change places.
   CHECK(shrink(1e-300, 0.) == 1e-300);

@@ -71,6 +71,7 @@ void print_constants()
   object.add("border_allowance_for_noise", border_allowance_for_noise);
   object.add("sheet_height_per_noise", sheet_height_per_noise);
   object.add("sheet_height_per_radius", sheet_height_per_radius);
+  object.add("largest_shrunk_jump_per_sheet_height", largest_shrunk_jump_per_sheet_height);
   object.add("outlier_share_of_surroundings", outlier_share_of_surroundings);
   object.add("outlier_share_of_median", outlier_share_of_median);
   object.add("gap_of_parts", gap_of_parts);

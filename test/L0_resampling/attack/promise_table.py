@@ -34,7 +34,8 @@ def attacks(promise):
     for campaign in campaigns:
         what = f"{campaign['kind']}, on {campaign['code']}"
         counts[what] = counts.get(what, 0) + campaign["attacks"]
-    if any(sum(campaign["broke"].values()) != campaign["succeeded"] for campaign in campaigns):
+    known = {row["promise"] for row in load("promises.json")} | {"none"}
+    if any(sum(campaign["broke"].values()) != campaign["succeeded"] or not known.issuperset(campaign["broke"]) for campaign in campaigns):
         raise ValueError("campaigns.json does not say of each success which promise it broke")
     return "; ".join(f"{count} {what}" for what, count in counts.items()), result_of(sum(campaign["broke"].get(promise, 0) for campaign in campaigns))
 
@@ -123,6 +124,14 @@ def sanitized():
     return lines + [f"| {run['program']} | {run['code']} | {run['result']} |" for run in load("sanitized_runs.json")]
 
 
+def on_device():
+    """What the continuous integration, which has no device, skips."""
+    lines = ["", "## On a device", "",
+             "The tests `test_cuda_*` are skipped where there is no device. On one, and under the tools of `compute-sanitizer`, with the smallest clouds:", "",
+             "| what | device, code | result |", "| --- | --- | --- |"]
+    return lines + [f"| {run['program']} | {run['device']}, {run['code']} | {run['result']} |" for run in load("device_runs.json")]
+
+
 def main():
     lines = ["# The promises under attack", "",
              "Made by `test/L0_resampling/attack/promise_table.py` from the files in `results` beside it, and what the fuzzer and the benchmark of the callback have left. Every",
@@ -135,7 +144,7 @@ def main():
         lines.append(f"| {row['promise']} | {tests} | {row['tried']} | {times} | {result}{remark} |")
     lines += ["", *remarks()]
     target = HERE.parents[2] / "doc" / "L0_resampling" / "promises_under_attack.md"
-    target.write_text("\n".join(lines + planted() + sanitized()) + "\n", encoding="utf-8")
+    target.write_text("\n".join(lines + planted() + sanitized() + on_device()) + "\n", encoding="utf-8")
 
 
 if __name__ == "__main__":

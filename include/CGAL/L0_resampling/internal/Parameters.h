@@ -95,9 +95,26 @@ constexpr double fit_angle_factor = 2;
 constexpr double fit_bandwidth_factor = 0.6;
 
 /// Points of the other sheet of a thin plate agree with a normal too. The default method weighs points by their height over the
-/// sheet, \f$ e^{-h^2/H^2} \f$, where H is this many standard deviations of the noise and this share of r_p; the two add up as squares.
-constexpr double sheet_height_per_noise = 3;
-constexpr double sheet_height_per_radius = 0.25;
+/// sheet, \f$ e^{-h^2/H^2} \f$, where H is this many standard deviations of the noise and this share of r_p; the two add up as squares. A larger share
+/// would make one of two clean sheets, a smaller one takes points of a curved sheet for another.
+constexpr double sheet_height_per_noise = 2;
+constexpr double sheet_height_per_radius = 0.2;
+
+inline double sheet_height(double noise, double radius)
+{
+  return std::hypot(sheet_height_per_noise * noise, sheet_height_per_radius * radius);
+}
+
+/// A jump between two samples of more than this share of H is one to another sheet, or across an edge, and no noise: the default method shrinks no such
+/// jump, however small the penalty still is.
+constexpr double largest_shrunk_jump_per_sheet_height = 0.5;
+
+/// \returns a length, infinite in LOR and ALOR
+inline double largest_shrunk_jump(Method method, double noise, double radius)
+{
+  return method == Method::DEFAULT ? largest_shrunk_jump_per_sheet_height * sheet_height(noise, radius)
+                                   : std::numeric_limits<double>::infinity();
+}
 
 /// A point is an outlier if its ball holds fewer points than this share of the mean ball around it, or of the median ball. At a border and its corners a ball
 /// is a half or a quarter full; between the ends of a scan densities may differ by ten.
@@ -123,7 +140,7 @@ constexpr double fit_weight_factor = 0.3;
 
 /// A sample has strayed if the points that agree with it weigh less than this share of those in its ball. On a face it is a quarter, at an edge an
 /// eighth.
-constexpr double least_share_of_sheet = 0.02;
+constexpr double least_share_of_sheet = 0.05;
 
 /// The default method corrects its normals by the positions before each of the last filter passes, as many times.
 constexpr std::size_t number_of_normal_refits = 2;

@@ -11,6 +11,7 @@
 #include <CGAL/L0_resampling/internal/Parameters.h>
 #include <CGAL/L0_resampling/internal/negligible_displacement.h>
 #include <CGAL/L0_resampling/internal/pair_terms.h>
+#include <CGAL/L0_resampling/internal/shrinkage.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,6 +29,7 @@ struct Minimization_parameters
   double squared_radius;                                   ///< \f$ r_p^2 \f$
   double squared_bandwidth;                                ///< \f$ \sigma_q^2 \f$
   double sparsity_unit;                                    ///< length in which \f$ \sqrt{\lambda/\beta} \f$ is read
+  double largest_shrunk_jump;                              ///< a length; infinite in LOR and ALOR
   double normal_weight;                                    ///< \f$ \lambda \f$
   double regularization_weight;                            ///< \f$ \alpha \f$
   double initial_penalty, maximum_penalty, penalty_growth; ///< \f$ \beta, \beta_{max}, \mu \f$
@@ -113,7 +115,7 @@ public:
 
     // Line 2: Eq. (8), (9). Beyond these bounds one term of Eq. (7) is lost in the rounding of the others, whatever the penalty.
     const FT bounded_penalty = FT((std::min)((std::max)(penalty, 1e-15), 1e15));
-    const double threshold = p.sparsity_unit * std::sqrt(p.normal_weight / penalty);
+    const double threshold = shrinkage_threshold(p.normal_weight, penalty, p.sparsity_unit, p.largest_shrunk_jump);
     const Energy_sums sums = shrink_normal_offsets<ConcurrencyTag, FT>(
       samples, neighbors, m_pair_weights, bounded_penalty, FT(threshold), m_right_hand_side, m_normal_offsets);
     m_progress.advance(0);

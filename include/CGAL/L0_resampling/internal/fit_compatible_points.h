@@ -114,7 +114,8 @@ corners and shrinks what is curved, this one looks at points of its own side of 
 The sample is drawn to \f$ c_i = p_i + h_i n_i \f$: along its normal, so that it does not retreat from edges and borders. Only beyond them, where the weighted mean of
 the points lies further off in the plane than that of half a ball, and a little more where there is noise, is it drawn back: the mean of a Gaussian cut
 off at x moves by \f$ 2x/\pi \f$ for small x, so that the way back is \f$ \pi/2 \f$ of what is too much. A sample that hardly any of its points agree with, as one that
-began at the noisiest of them, takes the normal of most of them before. Where still nobody does, it is drawn to the last \f$ c_i \f$ it had.
+began at the noisiest of them or at an outlier, takes the normal of most of them before, and a sheet as high as the ball, in which it finds the others. Where still nobody
+agrees, it is drawn to the last \f$ c_i \f$ it had.
 
 The normal of the sample becomes the weighted mean of those points' normals.
 
@@ -131,6 +132,8 @@ void fit_compatible_points(const Fit_input<T>& input, Progress& progress, Sample
 
   const Fit_kernel<T> kernel = {T(input.radius * input.radius), T(bandwidth * bandwidth), T(input.normal_bandwidth),
                                 T(input.squared_sheet_height)};
+  Fit_kernel<T> kernel_of_strays = kernel;
+  kernel_of_strays.squared_sheet_height = kernel.squared_radius;
   const double largest_offset = input.border_allowance * mean_distance_in_half_disk(input.radius, bandwidth);
   const auto make_visitor = [&]() {
     return [&, normals = Local_normals<T>(), scales = Aligned_vector<T>()](
@@ -145,14 +148,14 @@ void fit_compatible_points(const Fit_input<T>& input, Progress& progress, Sample
         const Index i = order[q];
         const Eigen::Matrix<T, 3, 1> center = (queries_in_order[q] - origin).template cast<T>();
         Vector old_normal = samples.normals[i].template cast<double>();
-        const auto sums_for_normal = [&]() {
-          return sum_compatible_points<T>(center, old_normal.cast<T>(), candidates, normals, scales, kernel);
+        const auto sums_with = [&](const Fit_kernel<T>& own_kernel) {
+          return sum_compatible_points<T>(center, old_normal.cast<T>(), candidates, normals, scales, own_kernel);
         };
-        Compatible_points sums = sums_for_normal();
+        Compatible_points sums = sums_with(kernel);
         if (sums.weight < least_share_of_sheet * sums.all)
         {
           old_normal = normal_of_most(center, candidates, normals, scales, kernel);
-          sums = sums_for_normal();
+          sums = sums_with(kernel_of_strays);
         }
 
         const double total = sums.weight;

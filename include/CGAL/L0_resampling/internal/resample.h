@@ -81,12 +81,6 @@ inline double normal_bandwidth(double angle)
   return (std::max)(square(double(1 - std::cos(angle * EIGEN_PI / 180))), 1e-12);
 }
 
-/// \f$ H^2 \f$: how far from a sheet points are of that sheet.
-inline double squared_sheet_height(const Lengths& lengths)
-{
-  return square(sheet_height_per_noise * lengths.noise) + square(sheet_height_per_radius * lengths.radius);
-}
-
 /// The default method's range of the terms between samples. Beyond r_p the surface may bend away, and the fit could not hold a sample that the other
 /// terms carry off.
 inline double self_neighbor_radius_of_spacing(const Lengths& lengths)
@@ -150,7 +144,8 @@ Buffer<Local_vector> compute_filtered_normals(const Search_grid_3& grid, const B
   filter_normals<ConcurrencyTag>(grid, points, filter, number_of_iterations - number_of_refits, progress, normals);
   for (std::size_t refit = 0; refit < number_of_refits; ++refit)
   {
-    refit_normals<ConcurrencyTag>(grid, points, plane, Local(squared_sheet_height(lengths)), progress, normals);
+    refit_normals<ConcurrencyTag>(grid, points, plane, Local(square(sheet_height(lengths.noise, lengths.radius))),
+                                  progress, normals);
     filter_normals<ConcurrencyTag>(grid, points, filter, 1, progress, normals);
   }
   return normals;
@@ -326,6 +321,7 @@ Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buff
   const Minimization_parameters minimization{square(lengths.radius),
                                              squared_bandwidth,
                                              sparsity_unit_factor * lengths.radius,
+                                             largest_shrunk_jump(parameters.method, lengths.noise, lengths.radius),
                                              parameters.normal_weight,
                                              parameters.regularization_weight,
                                              parameters.initial_penalty,
@@ -340,7 +336,7 @@ Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buff
                                      normals,
                                      input_density_weights,
                                      lengths.radius,
-                                     squared_sheet_height(lengths),
+                                     square(sheet_height(lengths.noise, lengths.radius)),
                                      normal_bandwidth(fit_angle_factor * parameters.sharpness_angle),
                                      border_allowance(lengths.noise, lengths.radius)};
     const Refinement_parameters refinement{lengths.self_neighbor_radius, lengths.sample_spacing,
