@@ -50,7 +50,7 @@ def table_1(lab, selection):
     for experiment, source in inputs:
         runs = []
         for name, method, solver in TIMED_RUNS:
-            line = lab.once(f"{source.stem}_{method}_{solver}", experiment,
+            line = lab.once(f"{source.stem}_{method}_{solver}", {"run_l0"}, experiment,
                             lambda: fastest(lab, source, experiment["output_points"], method, solver))
             runs.append({"method": name, "solver": solver, **columns(line["report"], method), "total": line["wall_seconds"],
                          "solver_iterations": line["report"]["solver_iterations"]})
@@ -100,7 +100,7 @@ def normal_weights(lab, selection):
                                        Method("run_l0", ("--method", "alor", "--normal-weight", weight)), name)
         return {"normal_weight": weight, **measured, "scene": lab.scene(f"λ = {weight:g}", name, mesh, True, measured["evaluation"])}
 
-    return {**experiment, "runs": lab.all_of(*(lambda w=w: lab.once(f"fig_6_{w:g}", experiment, lambda: one(w))
+    return {**experiment, "runs": lab.all_of(*(lambda w=w: lab.once(f"fig_6_{w:g}", {"run_l0"}, experiment, lambda: one(w))
                                              for w in selection.normal_weights))}
 
 

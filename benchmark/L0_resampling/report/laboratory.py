@@ -10,6 +10,7 @@ import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 
 from scenes import read_ply
@@ -27,11 +28,11 @@ from methods import ROWS, Method
 from quality_bench import Bench, describe
 
 
-def digest_of_programs(folder):
-    """Measurements of other programs do not belong into the same report."""
-    names = {variant.program for row in ROWS for variant in row.variants.values()}
+@cache
+def digest_of_programs(folder, names):
+    """Measurements of other programs do not belong into the same report; those of a method that has not changed do."""
     digest = hashlib.sha256()
-    for name in sorted(names | {"sample_mesh", "evaluate_point_set", "study_l0", "reconstruct_surface"}):
+    for name in sorted(names | {"sample_mesh", "evaluate_point_set", "reconstruct_surface"}):
         digest.update((folder / name).read_bytes())
     return digest.hexdigest()
 
@@ -48,13 +49,12 @@ class Laboratory(Bench):
         self.demo_data = demo_data
         self.picture_triangles = picture_triangles
         self.resume = resume
-        self.digest_of_programs = digest_of_programs(build / "bin")
         self.pool = ThreadPoolExecutor(max_workers=jobs)
 
-    def once(self, name, asked, measure):
-        """What `measure` returns, which is kept in NAME.json; a resumed run takes it from there, if programs and `asked` are the same."""
+    def once(self, name, programs, asked, measure):
+        """What `measure` returns, which is kept in NAME.json; a resumed run takes it from there, if the programs that it runs, by name, and `asked` are the same."""
         path = self.scratch / f"{name}.json"
-        asked = json.loads(json.dumps([self.digest_of_programs, self.picture_triangles, asked], default=vars))
+        asked = json.loads(json.dumps([digest_of_programs(self.programs, frozenset(programs)), self.picture_triangles, asked], default=vars))
         if self.resume and path.exists():
             kept = json.loads(path.read_text(encoding="utf-8"))
             if kept["asked"] == asked:
@@ -146,7 +146,8 @@ class Laboratory(Bench):
 
     def measure_row(self, experiment, mesh, source, row, name, reconstruct):
         """A row of the table of methods, by its best variant: that of least mean distance, or the first without a truth."""
-        return self.once(name, [experiment, row.variants, reconstruct], lambda: self.measure_row_now(experiment, mesh, source, row, name, reconstruct))
+        return self.once(name, {variant.program for variant in row.variants.values()}, [experiment, row.variants, reconstruct],
+                         lambda: self.measure_row_now(experiment, mesh, source, row, name, reconstruct))
 
     def measure_row_now(self, experiment, mesh, source, row, name, reconstruct):
         variants = {}
@@ -174,7 +175,7 @@ class Laboratory(Bench):
 
     def study(self, experiment, mesh, source, title, name, *options, reconstruct=False):
         """LOR with changes to its energy."""
-        return self.once(name, [experiment, options, reconstruct],
+        return self.once(name, {"study_l0"}, [experiment, options, reconstruct],
                          lambda: self.study_now(experiment, mesh, source, title, name, *options, reconstruct=reconstruct))
 
     def study_now(self, experiment, mesh, source, title, name, *options, reconstruct):

@@ -4,7 +4,7 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Writes doc/L0_resampling/promises_under_attack.md from results/promises.json, what is tried where, results/campaigns.json, how often the
-function was attacked and with what result, ../fuzz/results, the same of the readers, and what the benchmarks of callback and tool have left."""
+function was attacked and with what result, results/device_runs.json, what was run on a device, ../fuzz/results, the same of the readers, and what the benchmarks of callback and tool have left."""
 
 import json
 from pathlib import Path
