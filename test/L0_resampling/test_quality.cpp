@@ -273,11 +273,16 @@ void test_uneven_density(const Surface& torus)
 }
 
 /// The sheets of the plate are half the radius of the default method apart: 1.8 spacings without noise, and 2.3 with. They stay two, each with
-/// its side.
+/// its side. A radius that holds a single sheet brings clean points back to it.
 void test_thin_plate()
 {
   const Surface plate("thin_plate");
   const std::vector<Point_3> points = read_data("thin_plate_clean");
+  const Measures small_radius = resample_and_measure(plate, points, Method::DEFAULT, share(points, 50),
+                                                     params::neighbor_radius(0.015));
+  report({CHECK(small_radius.distance.mean < 0.02),    // 0.014
+          CHECK(small_radius.normals.mean_error < 6)}, // 5.23
+         {small_radius});
   const Measures clean = resample_and_measure(plate, points, Method::DEFAULT, share(points, 50), params::random_seed(0));
   report({CHECK(clean.distance.mean < 0.11),          // 0.080
           CHECK(clean.normals.mean_error < 4.5),      // 3.29

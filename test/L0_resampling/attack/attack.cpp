@@ -73,7 +73,11 @@ Options parsed(int argc, char** argv)
 }
 
 /// Time grows with the turns of Algorithm 1; the limits are for a hundred of them.
-std::size_t patience_with(const Attack& attack) { return 1 + number_of_turns(attack.parameters) / 100; }
+std::size_t patience_with(const Attack& attack)
+{
+  const double growths = number_of_growths(attack.parameters);
+  return growths > 0 && growths <= 10000 ? 1 + std::size_t(growths / 100) : 1; // more are refused
+}
 
 /// Carries attacks out, the first `count` that `make` gives, and counts those that succeed.
 /// \returns the exit status

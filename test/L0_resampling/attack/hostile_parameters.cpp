@@ -267,11 +267,10 @@ Parameters random_parameters(std::size_t n, double diagonal, Generator& generato
   return p;
 }
 
-std::size_t number_of_turns(const Parameters& p)
+double number_of_growths(const Parameters& p)
 {
   const double growth = p.penalty_growth.value_or(p.method == 0 ? 2.3 : 1.5);
-  const double turns = 1 + (std::log(p.maximum_penalty) - std::log(p.initial_penalty)) / std::log(growth);
-  return turns >= 1 && turns <= 1e5 ? std::size_t(turns) : 0;
+  return (std::log(p.maximum_penalty) - std::log(p.initial_penalty)) / std::log(growth);
 }
 
 double diagonal_of(const std::vector<Vector>& points)

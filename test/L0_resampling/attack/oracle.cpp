@@ -5,6 +5,8 @@
 
 #include "oracle.h"
 
+#include "hostile_parameters.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -46,9 +48,7 @@ std::vector<Vector> finite_points(const Attack& attack)
 bool parameters_are_good(const Attack& attack)
 {
   const Parameters& p = attack.parameters;
-  // the default method's growth is a larger one
-  const double steps = (std::log(p.maximum_penalty) - std::log(p.initial_penalty))
-                       / std::log(p.penalty_growth.value_or(1.5));
+  const double steps = number_of_growths(p);
   return p.method >= 0 && p.method <= 2 && !(p.viewpoint && p.with_hints) && given(attack, viewpoint(p)).allFinite()
          && (!p.number_of_output_points || is_count(*p.number_of_output_points, 0, 4294967294.))
          && is_positive(p.neighbor_radius.value_or(1)) && is_positive(p.normal_filter_radius.value_or(1))

@@ -140,8 +140,7 @@ def main():
     for row in load("promises.json"):
         times, result = times_and_result(row["campaign"], row["promise"])
         tests = ", ".join(f"`{test}`" for test in row["tests"])
-        remark = f"; {row['remark']}" if "remark" in row else ""
-        lines.append(f"| {row['promise']} | {tests} | {row['tried']} | {times} | {result}{remark} |")
+        lines.append(f"| {row['promise']} | {tests} | {row['tried']} | {times} | {result} |")
     lines += ["", *remarks()]
     target = HERE.parents[2] / "doc" / "L0_resampling" / "promises_under_attack.md"
     target.write_text("\n".join(lines + planted() + sanitized() + on_device()) + "\n", encoding="utf-8")
