@@ -3,9 +3,9 @@
 # All rights reserved.
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Interrupts a run of the report and checks that --resume measures what is missing and nothing else: check_resume.py BUILD SMOKE SCRATCH
+"""Interrupts a run of the report and checks that --resume measures what is missing and nothing else: check_resume.py BUILD REPORT SCRATCH
 
-SMOKE is the output of a finished run of the selection smoke; it stays as it is. Times tell what was measured again, since no two are equal.
+REPORT is the output of a finished run of the small version; it stays as it is. Times tell what was measured again, since no two are equal.
 """
 
 import json
@@ -21,7 +21,7 @@ MISSING = "LOR"    # the row of Fig. 1 that the interrupted run did not come to
 def run(build, output, experiment, *options):
     """The whole report, and what it has of one experiment."""
     program = Path(__file__).resolve().parent / "make_report.py"
-    status = subprocess.run([sys.executable, "-B", program, build, output, "--selection", "smoke", "--only", experiment, *options]).returncode
+    status = subprocess.run([sys.executable, "-B", program, build, output, "--selection", "small", "--only", experiment, *options]).returncode
     if status == SKIPPED:
         sys.exit(SKIPPED)
     assert status == 0, f"make_report.py ends with {status}"
@@ -30,12 +30,12 @@ def run(build, output, experiment, *options):
 
 
 def main():
-    build, smoke, output = map(Path, sys.argv[1:])
-    if not (smoke / "report.json").exists():
+    build, finished, output = map(Path, sys.argv[1:])
+    if not (finished / "report.json").exists():
         print("skipped: there is no report")
         return SKIPPED
     shutil.rmtree(output, ignore_errors=True)
-    shutil.copytree(smoke, output)
+    shutil.copytree(finished, output)
     before = json.loads((output / "report.json").read_text(encoding="utf-8"))
     measured = before["experiments"].pop("comparisons")[0]["measurements"]
     (output / "report.json").write_text(json.dumps(before), encoding="utf-8")

@@ -157,7 +157,7 @@ def main():
     rounding, rounding_of_device = (load(benchmark / "quality" / "results" / f"{name}.json") for name in ("rounding", "rounding_h200"))
     speed, scaling, callback, device, roofline = (load(benchmark / "performance" / "results" / f"{name}.json")
                                                   for name in ("fandisk", "scaling", "callback", "cuda_h200", "cuda_roofline"))
-    report = load(benchmark / "report" / "results" / "small.json")
+    report = load(benchmark / "report" / "results" / "full.json")
     texts = {**{f"quality_{name}": quality_tables.markdown(result) for name, result in quality.items()},
              "comparison": comparison_tables.markdown(comparison), "oracle": oracle_tables.markdown(oracle),
              "ablation": ablation_tables.markdown(ablation), "thin_plates": run_thin_plates.markdown(thin_plates),
