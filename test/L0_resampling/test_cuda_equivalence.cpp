@@ -13,9 +13,9 @@
 #include <stdexcept>
 #include <string>
 
-// P7: the device and the CPU give one result, but for rounding. Filtering normals again and again, and Eq. (9), decide some few places by less than a
-// rounding, see benchmark/L0_resampling/quality/run_rounding.py: there the CPU's own result moves when the coordinates are scaled by 1 plus or minus
-// 1e-9. Everywhere else the bounds of P7 hold.
+// P7: the device and the CPU give one result, but for rounding. The refit of normals, strays and Eq. (9) decide some few places by less than a rounding,
+// see benchmark/L0_resampling/quality/run_rounding.py: there the CPU's own result moves when the coordinates are scaled by 1 plus or minus 1e-9.
+// Everywhere else the bounds of P7 hold.
 
 namespace {
 
