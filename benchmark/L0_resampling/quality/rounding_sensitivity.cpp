@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // How far a result moves when nothing changes but roundings: the coordinates are scaled by numbers that differ from 1 by about 1e-9, or the CUDA device
-// computes it. Prints one JSON object; lengths are in radii.
+// computes it. Prints a JSON list, an object for each comparison; lengths are in radii.
 
 #include "../methods/method_program.h"
 
