@@ -38,7 +38,8 @@ constexpr int number_of_sums = 6;
 struct Turn
 {
   Minimization parameters;
-  float penalty, threshold;
+  float penalty;
+  Shrunk_jumps<float> jumps;
   bool regularize;
   float unit;
   double units_per_length;
@@ -186,8 +187,8 @@ __device__ void linearize(const Turn& turn, Energy_sums& energy, double (&sums)[
       const float a = turn.regularize ? alpha * stretch_weight(squared_distance, squared_radius) * (own.w + other.w)
                                       : 0.f;
       const float distance_i = dot(n, d), distance_k = dot(nk, d);
-      const float offset_i = shrink(distance_i, turn.threshold);
-      const float misfit_i = distance_i - offset_i, misfit_k = distance_k - shrink(distance_k, turn.threshold);
+      const float offset_i = shrink(distance_i, turn.jumps);
+      const float misfit_i = distance_i - offset_i, misfit_k = distance_k - shrink(distance_k, turn.jumps);
       g -= a * d + (penalty * misfit_i) * n + (penalty * misfit_k) * nk;
       weight += a;
       xx += nk.x * nk.x;
@@ -416,8 +417,10 @@ void minimize_once(const Workplace& workplace, const Minimization& parameters, d
 {
   const double threshold = shrinkage_threshold(parameters.normal_weight, penalty, parameters.sparsity_unit,
                                                parameters.largest_shrunk_jump);
-  Turn turn = {parameters, float(penalty), float(threshold), regularize, grid.frame.unit(), grid.frame.units_per_length,
-               neighbors,  samples,        grid.points,      arrays,     last_result,       result};
+  Turn turn = {parameters, float(penalty),    {threshold, parameters.half_width_of_shrinkage},
+               regularize, grid.frame.unit(), grid.frame.units_per_length,
+               neighbors,  samples,           grid.points,
+               arrays,     last_result,       result};
   void* arguments[] = {&turn};
   const unsigned useful_blocks = unsigned((Wide(samples.size) * lanes_per_sample + threads_per_large_block - 1)
                                           / threads_per_large_block);

@@ -128,6 +128,50 @@ __global__ void __launch_bounds__(threads_per_query)
   is_degenerate[i] = !fit.spans_plane;
 }
 
+__global__ void take_points(const int4* points, const unsigned* list, unsigned size, int4* taken)
+{
+  const Wide i = thread_index();
+  if (i < size)
+    taken[i] = points[list[i]];
+}
+
+/// Makes places in the whole array places in the list.
+__global__ void count_listed_before(const unsigned* list, unsigned size, unsigned* places, unsigned number_of_places)
+{
+  const Wide k = thread_index();
+  if (k >= number_of_places)
+    return;
+  const unsigned place = places[k];
+  unsigned first = 0;
+  for (unsigned rest = size; rest > 0;)
+  {
+    const unsigned half = rest / 2;
+    const bool is_before = list[first + half] < place;
+    first = is_before ? first + half + 1 : first;
+    rest = is_before ? rest - half - 1 : half;
+  }
+  places[k] = first;
+}
+
+/// Leaves one of the points at each place, in memory of the scratch arena.
+void keep_one_of_equal_points(const Workplace& workplace, Cell_grid& grid)
+{
+  const unsigned size = grid.number_of_distinct, number_of_places = grid.number_of_cells + 1;
+  if (size == grid.size)
+    return;
+  unsigned* const list = workplace.scratch.take<unsigned>(grid.size);
+  list_flagged(grid.is_first, grid.size, list, workplace.scratch, workplace.stream);
+  int4* const points = workplace.scratch.take<int4>(size);
+  take_points<<<blocks_for(size), threads_per_block, 0, workplace.stream>>>(grid.points, list, size, points);
+  check_launch("take_points");
+  count_listed_before<<<blocks_for(number_of_places), threads_per_block, 0, workplace.stream>>>(list, size, grid.begins,
+                                                                                                number_of_places);
+  check_launch("count_listed_before");
+  grid.points = points;
+  grid.size = size;
+  grid.forget_order();
+}
+
 /// What a ball tells of the scales.
 struct Ball
 {
@@ -196,10 +240,11 @@ Scales estimate_scales(const Workplace& workplace, const Positions& positions, c
   const double cell_size = initial_radius / 4, pi = 3.141592653589793;
 
   const Arena_scope arena_scope(workplace.arena), scratch_scope(workplace.scratch);
-  const Cell_grid grid = build_grid(positions, nullptr, Cell_frame::around(low, high, cell_size, 32 * cell_size),
-                                    workplace.arena, workplace.scratch, workplace.stream);
-  const unsigned stride = (std::max)(positions.size / number_of_queries, 1u);
-  const unsigned size = (positions.size + stride - 1) / stride;
+  Cell_grid grid = build_grid(positions, nullptr, Cell_frame::around(low, high, cell_size, 32 * cell_size),
+                              workplace.arena, workplace.scratch, workplace.stream);
+  keep_one_of_equal_points(workplace, grid);
+  const unsigned stride = (std::max)(grid.size / number_of_queries, 1u);
+  const unsigned size = (grid.size + stride - 1) / stride;
   Ball* const device_balls = workplace.scratch.take<Ball>(size);
   std::vector<Ball> balls(size);
   const auto median_count = [&]() { return quantile(balls, 0.5, [](const Ball& ball) { return ball.count; }); };

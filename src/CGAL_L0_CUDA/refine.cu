@@ -54,7 +54,7 @@ struct Surroundings
     for_each_candidate(grid, blocks, center, query.lane, fit.radius, [&](unsigned j, const int4& point) {
       const float3 d = difference(point, center, unit);
       const float4 other = normals[j];
-      visit(d, xyz(other), dot(d, d) < squared_radius ? other.w : 0);
+      visit(d, xyz(other), share_in_ball(dot(d, d), squared_radius) * other.w);
     });
   }
 
@@ -76,14 +76,16 @@ struct Surroundings
             group_sum<lanes>(sums.offset), group_sum<lanes>(sums.normal)};
   }
 
-  __device__ float3 normal_of_most() const
+  __device__ float3 normal_of_most(const float3& own, double weight_of_own) const
   {
     Moments moments;
     for_each([&](const float3& d, const float3& other, float scale) {
       moments.add(other, scale * gaussian_weight(dot(d, d), fit.squared_bandwidth));
     });
     moments.sum_over_group<lanes>();
-    return to_float(moments.all().main_direction());
+    Plane_moments<double> all = moments.all();
+    all.add(own.x, own.y, own.z, weight_of_own);
+    return to_float(all.main_direction());
   }
 };
 
@@ -97,19 +99,19 @@ __global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_b
   const Surroundings surroundings = {query, center, grid, blocks, normals, fit};
   float3 normal = xyz(samples.normals[i]);
   Compatible_points sums = surroundings.sum_compatible_points(normal, fit.squared_sheet_height);
-  const bool has_strayed = sums.weight < float(least_share_of_sheet) * sums.all;
-  if (__any_sync(0xffffffffu, has_strayed)) // the lanes of a warp add up together
+  const Stray stray(sums.weight, sums.all, fit.squared_sheet_height, fit.radius * fit.radius);
+  if (__any_sync(0xffffffffu, stray.has_strayed)) // the lanes of a warp add up together
   {
-    const float3 normal_of_most = surroundings.normal_of_most();
-    if (has_strayed)
+    const float3 normal_of_most = surroundings.normal_of_most(normal, stray.weight_of_own_normal);
+    if (stray.has_strayed)
       normal = normal_of_most;
-    sums = surroundings.sum_compatible_points(normal, has_strayed ? fit.radius * fit.radius : fit.squared_sheet_height);
+    sums = surroundings.sum_compatible_points(normal, float(stray.squared_sheet_height));
   }
   if (!query.writes)
     return;
 
   const double pi = 3.141592653589793, total = sums.weight, largest_offset = fit.largest_offset;
-  samples.outward[i] = Direction::zero();
+  samples.outward[i] = Short_vector::zero();
   if (!(total > 1e-3)) // nobody agrees: the sample is drawn to where it was last fitted, and keeps its normal
   {
     samples.fit[i].w = 1;
@@ -122,8 +124,9 @@ __global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_b
   if (distance > largest_offset)
     to_centroid = to_centroid + (pi / 2 * (distance - largest_offset) / distance) * offset;
   samples.fit[i] = with_w(to_float(to_centroid), float(fit_weight_factor * total));
-  if (distance > largest_offset / 2)
-    samples.outward[i] = Direction::of(to_float((-1 / distance) * offset));
+  const double held_back = share_held_back(distance / largest_offset);
+  if (held_back > 0)
+    samples.outward[i] = Short_vector::of(to_float((-sqrt(held_back) / distance) * offset));
   const double3 mean_normal = to_double(sums.normal);
   const double length = sqrt(dot(mean_normal, mean_normal));
   if (length > 1e-3 * total)

@@ -156,7 +156,7 @@ Samples take_samples(Device_arena& arena, unsigned size, const Kinds_of_sample_d
   samples.positions = arena.take<double>(3 * std::size_t(size));
   samples.normals = arena.take<float4>(size);
   samples.fit = arena.take<float4>(size);
-  samples.outward = kinds.outward_directions ? arena.take<Direction>(size) : nullptr;
+  samples.outward = kinds.outward_directions ? arena.take<Short_vector>(size) : nullptr;
   samples.spacings = kinds.spacings ? arena.take<float>(size) : nullptr;
   samples.hints = kinds.hints ? arena.take<float4>(size) : nullptr;
   return samples;

@@ -111,12 +111,12 @@ Areas areas_of_points(const Workplace& workplace, const Cell_grid& grid, double 
 struct Samples
 {
   unsigned size = 0;
-  double* positions = nullptr;  // xyz interleaved, in the frame
-  float4* normals = nullptr;    // and a number that a stage may use
-  float4* fit = nullptr;        // from the sample to c_i, and W_i
-  Direction* outward = nullptr; // default method only
-  float* spacings = nullptr;    // as on the CPU: null unless the density of the input is kept
-  float4* hints = nullptr;      // as on the CPU: null if the caller has none
+  double* positions = nullptr;     // xyz interleaved, in the frame
+  float4* normals = nullptr;       // and a number that a stage may use
+  float4* fit = nullptr;           // from the sample to c_i, and W_i
+  Short_vector* outward = nullptr; // as on the CPU; default method only
+  float* spacings = nullptr;       // as on the CPU: null unless the density of the input is kept
+  float4* hints = nullptr;         // as on the CPU: null if the caller has none
 };
 
 /// How many of the samples are so, counted on the device.
@@ -178,7 +178,7 @@ Neighbor_lists find_self_neighbors(const Workplace& workplace, const Cell_grid& 
 /// The weights of Algorithm 1, as `Minimization_parameters` of the CPU.
 struct Minimization
 {
-  double squared_radius, squared_bandwidth, sparsity_unit, largest_shrunk_jump;
+  double squared_radius, squared_bandwidth, sparsity_unit, largest_shrunk_jump, half_width_of_shrinkage;
   double normal_weight, regularization_weight;
 };
 

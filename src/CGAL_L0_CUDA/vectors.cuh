@@ -31,47 +31,31 @@ __host__ __device__ inline float3 to_float(double3 a) { return {float(a.x), floa
 
 #ifdef __CUDACC__
 
-/// A unit vector or 0 in 6 bytes, with the digits of a `float`: its place on an octahedron that is unfolded to a square, to 24 bits on each axis.
-struct Direction
+/// A vector no longer than 1 in 8 bytes: 21 bits for each coordinate.
+struct Short_vector
 {
-  unsigned short words[3];
+  unsigned long long bits;
 
-  __device__ static Direction zero() { return {{0x8000, 0, 0}}; } // which is no place: x is less than the least
+  __device__ static Short_vector zero() { return {0}; }
 
-  __device__ static Direction of(float3 v)
+  __device__ static Short_vector of(float3 v)
   {
-    const float sum = fabsf(v.x) + fabsf(v.y) + fabsf(v.z);
-    float x = v.x / sum, y = v.y / sum;
-    if (v.z < 0)
-    {
-      const float folded = copysignf(1 - fabsf(y), x);
-      y = copysignf(1 - fabsf(x), y);
-      x = folded;
-    }
-    const unsigned a = unsigned(__float2int_rn(x * steps)) << 8, b = unsigned(__float2int_rn(y * steps)) << 8;
-    return {{static_cast<unsigned short>(a >> 16), static_cast<unsigned short>((a & 0xff00u) | b >> 24),
-             static_cast<unsigned short>(b >> 8)}};
+    const auto fixed = [](float x) { return static_cast<unsigned long long>(__float2int_rn(x * steps)) & mask; };
+    return {fixed(v.x) << (2 * width) | fixed(v.y) << width | fixed(v.z)};
   }
 
-  __device__ float3 vector() const
-  {
-    const unsigned a = unsigned(words[0]) << 16 | (words[1] & 0xff00u),
-                   b = unsigned(words[1]) << 24 | unsigned(words[2]) << 8;
-    if (a == 0x80000000u)
-      return {0, 0, 0};
-    float3 v = {float(int(a) >> 8) / steps, float(int(b) >> 8) / steps, 0};
-    v.z = 1 - fabsf(v.x) - fabsf(v.y);
-    if (v.z < 0)
-    {
-      const float unfolded = copysignf(1 - fabsf(v.y), v.x);
-      v.y = copysignf(1 - fabsf(v.x), v.y);
-      v.x = unfolded;
-    }
-    return (1 / sqrtf(dot(v, v))) * v;
-  }
+  __device__ float3 vector() const { return {coordinate(2), coordinate(1), coordinate(0)}; }
 
 private:
-  static constexpr float steps = 8388607;
+  static constexpr int width = 21;
+  static constexpr unsigned long long mask = (1ull << width) - 1;
+  static constexpr float steps = float((1 << (width - 1)) - 1);
+
+  __device__ float coordinate(int place) const
+  {
+    const int unused = 64 - width;
+    return float(static_cast<long long>(bits << (unused - place * width)) >> unused) * (1 / steps);
+  }
 };
 
 /// The index of the thread in the launch.

@@ -72,6 +72,18 @@ void check_two_sheets(double share, double noise, Generator& generator)
   CHECK(std::abs(sheets.larger_sheet - (std::max)(share, 1 - share)) < 0.01);
 }
 
+/// However many points there are at one place: they count as one.
+void check_equal_points(std::vector<Vector> points)
+{
+  const Scales scales = scales_of(points);
+  const std::size_t n = points.size();
+  for (std::size_t i = 0; i < n; ++i)
+    points.insert(points.end(), i % 5, points[i]);
+  const Scales of_copies = scales_of(points); // looks at other balls
+  CHECK(is_close(of_copies.spacing, scales.spacing, 0.05));
+  CHECK(is_close(of_copies.noise, scales.noise, 0.1));
+}
+
 /// Scales are lengths: they double with the cloud, bit by bit.
 void check_unit(std::vector<Vector> points)
 {
@@ -99,6 +111,7 @@ int main()
   check_plate(6, 1, generator);
   std::vector<Vector> noisy = cube_points(3000, 2, generator).points;
   add_gaussian_noise(noisy, 0.03, generator);
+  check_equal_points(noisy);
   check_unit(noisy);
 
   // no surface, and still a length

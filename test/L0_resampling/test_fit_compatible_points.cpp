@@ -74,6 +74,8 @@ double half_disk_offset()
   return sum / total;
 }
 
+double clamped(double x) { return (std::min)((std::max)(x, 0.), 1.); }
+
 /// The sums of the docstring for a sample.
 struct Naive_sums
 {
@@ -92,10 +94,11 @@ Naive_sums sum_naively(const Oriented_points& input, const std::vector<double>& 
     const double cosine = n.dot(input.normals[j]);
     const Vector turned = (cosine < 0 ? -1 : 1) * input.normals[j];
     const double h = 0.5 * (n + turned).dot(d);
-    const double near = std::exp(-d.squaredNorm() / (bandwidth * bandwidth)) / densities[j];
+    const double share = clamped((1 - d.squaredNorm() / (radius * radius)) / 0.1) / densities[j];
+    const double near = share * std::exp(-d.squaredNorm() / (bandwidth * bandwidth));
     const double w = near * std::exp(-std::pow(1 - std::abs(cosine), 2) / normal_bandwidth(25))
                      * std::exp(-h * h / squared_height);
-    sums.all += 1 / densities[j];
+    sums.all += share;
     sums.total += w;
     sums.height += w * h;
     sums.mean += w * d;
@@ -114,11 +117,14 @@ Fitted fit_naively(const Oriented_points& input, const std::vector<double>& dens
   {
     Vector n = start.normals[i];
     Naive_sums sums = sum_naively(input, densities, neighbors[i], start.points[i], n, squared_sheet_height);
-    if (sums.total < least_share_of_sheet * sums.all)
+    const double strayed = sums.all > 0 ? clamped((0.07 - sums.total / sums.all) / 0.02) : 0;
+    if (strayed > 0)
     {
+      sums.normals += (1 / strayed - 1) * sums.all * n * n.transpose();
       n = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(sums.normals).eigenvectors().col(2);
       n *= n.dot(start.normals[i]) < 0 ? -1 : 1;
-      sums = sum_naively(input, densities, neighbors[i], start.points[i], n, radius * radius);
+      const double squared_height = std::pow(squared_sheet_height, 1 - strayed) * std::pow(radius, 2 * strayed);
+      sums = sum_naively(input, densities, neighbors[i], start.points[i], n, squared_height);
     }
     result.weights.push_back(sums.total > 1e-3 ? 0.3 * sums.total : 1);
     result.outward.push_back(Vector::Zero());
@@ -130,8 +136,7 @@ Fitted fit_naively(const Oriented_points& input, const std::vector<double>& dens
     result.centroids[i] += sums.height / sums.total * n;
     if (offset.norm() > largest_offset)
       result.centroids[i] += EIGEN_PI / 2 * (offset.norm() - largest_offset) * offset.normalized();
-    if (offset.norm() > largest_offset / 2)
-      result.outward[i] = -offset.normalized();
+    result.outward[i] = -std::sqrt(clamped((offset.norm() / largest_offset - 0.3) / 0.2)) * offset.normalized();
   }
   return result;
 }
@@ -164,11 +169,11 @@ void check_formulas(double tolerance, Generator& generator)
   for (std::size_t i = 0; i < start.points.size(); ++i)
   {
     worst = (std::max)(worst, std::abs(fitted.weights[i] / naive.weights[i] - 1));
-    worst = (std::max)({worst, (fitted.centroids[i] - naive.centroids[i]).norm(),
-                        Eigen::MatrixXd(fitted.normals[i] * fitted.normals[i].transpose()
-                                        - naive.normals[i] * naive.normals[i].transpose())
-                          .norm(),
-                        (fitted.outward[i] - naive.outward[i]).norm()});
+    worst = (std::max)(
+      {worst, (fitted.centroids[i] - naive.centroids[i]).norm(),
+       Eigen::MatrixXd(fitted.normals[i] * fitted.normals[i].transpose() - naive.normals[i] * naive.normals[i].transpose())
+         .norm(),
+       (fitted.outward[i].norm() * fitted.outward[i] - naive.outward[i].norm() * naive.outward[i]).norm()});
   }
   CHECK(worst < tolerance);
   // who sees nobody is drawn to where it was last fitted
@@ -200,6 +205,26 @@ void check_strays(Generator& generator)
   CHECK(angle_of_lines(fitted.normals[1], Vector::UnitZ()) < 1e-3);
   CHECK(angle_of_lines(fitted.normals[2], Vector::UnitX()) < 1e-3);
   CHECK(std::abs(fitted.centroids[3][2]) < 1e-5);
+}
+
+/// A sample strays by and by: turned a little further, it is drawn a little further.
+void check_no_step(Generator& generator)
+{
+  const Oriented_points plane = plane_points(4000, 2, generator);
+  const int steps = 4000;
+  Oriented_points start;
+  for (int k = 0; k < steps; ++k)
+  {
+    const double angle = EIGEN_PI / 2 * k / steps;
+    start.points.emplace_back(0.1, 0.2, 0.05);
+    start.normals.emplace_back(std::sin(angle), 0, std::cos(angle));
+  }
+  const Fitted fitted = fit<double>(plane, start);
+  double largest_step = 0;
+  for (int k = 1; k < steps; ++k)
+    largest_step = (std::max)(largest_step, (fitted.centroids[k] - fitted.centroids[k - 1]).norm());
+  CHECK(largest_step < 0.001);
+  CHECK(std::abs(fitted.centroids[steps - 1][2]) < 1e-6); // has strayed
 }
 
 /// Two points of a sphere are at distance 0 in the symmetric sense: a sphere does not shrink.
@@ -242,7 +267,7 @@ void check_allowance()
 }
 
 /// On the border of half a plane a sample stays; further in too, and as far beyond as is allowed; from further out it comes back to there. It knows where
-/// the border is.
+/// the border is, less and less of it further in.
 void check_border(double allowance)
 {
   Oriented_points half_plane;
@@ -252,7 +277,7 @@ void check_border(double allowance)
       half_plane.points.push_back(0.02 * (p - Vector(-0.5, 40, 0)));
       half_plane.normals.push_back(Vector::UnitZ());
     }
-  const std::vector<double> places{0, 0.05, 0.2, 0.8, -0.02, -0.05};
+  const std::vector<double> places{0, 0.05, 0.14, 0.8, -0.02, -0.05};
   Oriented_points start;
   for (double x : places)
   {
@@ -267,7 +292,19 @@ void check_border(double allowance)
     const double expected = (std::max)(places[i], -allowed);
     CHECK(std::abs(fitted.centroids[i][0] - expected) < 0.01 * radius + 0.15 * (expected - places[i]));
     CHECK(std::abs(fitted.centroids[i][1]) < 1e-6);
-    CHECK((fitted.outward[i] - (places[i] < 0.15 ? Vector(-1, 0, 0) : Vector(0, 0, 0))).norm() < 1e-5);
+    Vector sum = Vector::Zero();
+    double total = 0;
+    for (const Vector& p : half_plane.points)
+    {
+      const Vector d = p - start.points[i];
+      const double weight = clamped((1 - d.squaredNorm() / (radius * radius)) / 0.1)
+                            * std::exp(-d.squaredNorm() / (bandwidth * bandwidth));
+      sum += weight * d;
+      total += weight;
+    }
+    const double held_back = clamped((sum.norm() / total / (allowance * half_disk_offset()) - 0.3) / 0.2);
+    CHECK(places[i] == 0.14 ? held_back > 0.1 && held_back < 0.9 : held_back == (places[i] < 0.1));
+    CHECK((fitted.outward[i] - Vector(-std::sqrt(held_back), 0, 0)).norm() < 1e-3);
   }
 }
 
@@ -297,6 +334,7 @@ int main()
   check_formulas<double>(1e-10, generator);
   check_formulas<float>(1e-4, generator);
   check_strays(generator);
+  check_no_step(generator);
   check_sphere(generator);
   check_edge(generator);
   check_allowance();

@@ -78,6 +78,11 @@ void print_constants()
   object.add("number_of_normal_refits", number_of_normal_refits);
   object.add("self_neighbor_radius_per_spacing", self_neighbor_radius_per_spacing);
   object.add("least_share_of_sheet", least_share_of_sheet);
+  object.add("share_of_sheet_of_strays", share_of_sheet_of_strays);
+  object.add("held_back_from", held_back_from);
+  object.add("held_back_to", held_back_to);
+  object.add("least_gap_of_plane", least_gap_of_plane);
+  object.add("half_width_of_firm_shrinkage", half_width_of_firm_shrinkage);
   object.add("number_of_repulsion_steps", number_of_repulsion_steps);
   object.add("repulsion_squared_bandwidth", repulsion.squared_bandwidth);
   object.add("repulsion_strength", repulsion.strength);

@@ -116,6 +116,15 @@ inline double largest_shrunk_jump(Method method, double noise, double radius)
                                    : std::numeric_limits<double>::infinity();
 }
 
+/// How far from the threshold, and per threshold, the default method begins and ends to shrink jumps. A step, as in Eq. (9), would put a sample here or there by a
+/// rounding.
+constexpr double half_width_of_firm_shrinkage = 0.1;
+
+inline double half_width_of_shrinkage(Method method)
+{
+  return method == Method::DEFAULT ? half_width_of_firm_shrinkage : 0;
+}
+
 /// A point is an outlier if its ball holds fewer points than this share of the mean ball around it, or of the median ball. At a border and its corners a ball
 /// is a half or a quarter full; between the ends of a scan densities may differ by ten.
 constexpr double outlier_share_of_surroundings = 0.3;
@@ -138,9 +147,50 @@ inline double border_allowance(double noise, double radius)
 /// The fit against the normal term: how much of the points' weight counts.
 constexpr double fit_weight_factor = 0.3;
 
-/// A sample has strayed if the points that agree with it weigh less than this share of those in its ball. On a face it is a quarter, at an edge an
-/// eighth.
-constexpr double least_share_of_sheet = 0.05;
+/// A sample has strayed if the points that agree with it weigh less than the first share of those in its ball, and begins to at the second. On a face it is a quarter, at
+/// an edge an eighth.
+constexpr double share_of_sheet_of_strays = 0.05, least_share_of_sheet = 0.07;
+
+/// Whether a sample has strayed, and how it finds its points: by the normal of most of them and its own, in a sheet that is higher than that of others.
+struct Stray
+{
+  bool has_strayed;
+  double weight_of_own_normal = 0; ///< beside those of the points
+  double squared_sheet_height;
+
+  /// \param weight of the points that agree with it
+  /// \param all the weight of all points of its ball
+  /// \param sheet_height H, squared, as of samples that have not strayed
+  CGAL_L0_HOST_DEVICE Stray(double weight, double all, double sheet_height, double squared_radius)
+    : squared_sheet_height(sheet_height)
+  {
+    const double t = (least_share_of_sheet * all - weight) / ((least_share_of_sheet - share_of_sheet_of_strays) * all);
+    has_strayed = t > 0;
+    if (t >= 1)
+      squared_sheet_height = squared_radius;
+    else if (has_strayed)
+    {
+      weight_of_own_normal = all * (1 - t) / t;
+      squared_sheet_height *= std::pow(squared_radius / sheet_height, t);
+    }
+  }
+};
+
+/// A sample is pushed less and less outwards where the mean of its points lies further away than the first of these shares of what it does in half a ball, and from
+/// the second on not at all.
+constexpr double held_back_from = 0.3, held_back_to = 0.5;
+
+/// The share of the outward part of a push that is left out.
+/// \param distance of the mean of the points, per that in half a ball
+CGAL_L0_HOST_DEVICE inline double share_held_back(double distance)
+{
+  const double t = (distance - held_back_from) / (held_back_to - held_back_from);
+  return t > 1 ? 1 : t > 0 ? t : 0;
+}
+
+/// The plane that corrects a normal counts in full if its two smaller variances differ by this share of the largest, and the less the nearer they are: points
+/// in a strip have no plane.
+constexpr double least_gap_of_plane = 0.1;
 
 /// The default method corrects its normals by the positions before each of the last filter passes, as many times.
 constexpr std::size_t number_of_normal_refits = 2;

@@ -81,17 +81,20 @@ struct Plane_moments
 };
 
 /// The unit normal halfway between `own` and that of the plane through the points that agree with it, whose moments these are; `own` where hardly anybody
-/// does, or where they lie in a strip or a clump.
+/// does, or where they lie in a strip or a clump, whose two smaller variances are equal: of these a rounding would choose.
 /// \param own of unit length but for rounding
 CGAL_L0_HOST_DEVICE inline Triple halfway_to_plane(const Plane_moments<double>& moments, const Triple& own)
 {
   if (!(moments.sum > 2))
     return own;
-  const Triple n = moments.eigen_decomposition().smallest_vector, unit = normalized(own);
+  const Eigen_decomposition eigen = moments.eigen_decomposition();
+  const Triple n = eigen.smallest_vector, unit = normalized(own);
   const double cosine = dot(n, own), least_cosine = 0.5, sign = cosine < 0 ? -1 : 1;
   if (!(cosine * sign > least_cosine))
     return own;
-  return normalized({unit.x + sign * n.x, unit.y + sign * n.y, unit.z + sign * n.z});
+  const double gap = (eigen.values[1] - eigen.values[0]) / (least_gap_of_plane * eigen.values[2]);
+  const double weight = gap > 1 ? sign : gap > 0 ? sign * gap : 0;
+  return normalized({unit.x + weight * n.x, unit.y + weight * n.y, unit.z + weight * n.z});
 }
 
 /// The moments of all lanes.

@@ -19,11 +19,11 @@ struct Samples
 {
   using Local_vector = Eigen::Matrix<FT, 3, 1>;
 
-  Buffer<Vector> positions;     ///< \f$ p_i \f$
-  Buffer<Local_vector> normals; ///< \f$ n_i \f$, unit length
-  Buffer<FT> fit_weights;       ///< \f$ W_i \f$
-  Buffer<Vector> fit_centroids; ///< \f$ c_i \f$
-  Buffer<Local_vector> outward_directions; ///< default method only: where an edge or a border is near, the unit vector towards it, else zero
+  Buffer<Vector> positions;                ///< \f$ p_i \f$
+  Buffer<Local_vector> normals;            ///< \f$ n_i \f$, unit length
+  Buffer<FT> fit_weights;                  ///< \f$ W_i \f$
+  Buffer<Vector> fit_centroids;            ///< \f$ c_i \f$
+  Buffer<Local_vector> outward_directions; ///< default method only: where an edge or a border is near, the way towards it, whose squared length is the share of a push there that is left out; else zero
 
   Buffer<FT> spacings; ///< where the density of the input is kept: how far apart the samples around are to be; else none
   Buffer<Local_vector> hints; ///< unit or zero vectors on the side that the normals shall point to, if the caller has some; else none

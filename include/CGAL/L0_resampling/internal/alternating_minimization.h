@@ -30,6 +30,7 @@ struct Minimization_parameters
   double squared_bandwidth;                                ///< \f$ \sigma_q^2 \f$
   double sparsity_unit;                                    ///< length in which \f$ \sqrt{\lambda/\beta} \f$ is read
   double largest_shrunk_jump;                              ///< a length; infinite in LOR and ALOR
+  double half_width_of_shrinkage;                          ///< see `Shrunk_jumps`; 0 in LOR and ALOR
   double normal_weight;                                    ///< \f$ \lambda \f$
   double regularization_weight;                            ///< \f$ \alpha \f$
   double initial_penalty, maximum_penalty, penalty_growth; ///< \f$ \beta, \beta_{max}, \mu \f$
@@ -117,7 +118,8 @@ public:
     const FT bounded_penalty = FT((std::min)((std::max)(penalty, 1e-15), 1e15));
     const double threshold = shrinkage_threshold(p.normal_weight, penalty, p.sparsity_unit, p.largest_shrunk_jump);
     const Energy_sums sums = shrink_normal_offsets<ConcurrencyTag, FT>(
-      samples, neighbors, m_pair_weights, bounded_penalty, FT(threshold), m_right_hand_side, m_normal_offsets);
+      samples, neighbors, m_pair_weights, bounded_penalty, Shrunk_jumps<FT>(threshold, p.half_width_of_shrinkage),
+      m_right_hand_side, m_normal_offsets);
     m_progress.advance(0);
 
     // Line 3: Eq. (10), for the displacements

@@ -21,7 +21,7 @@ namespace internal {
 /// How far apart the points lie within the surface, and how far off it. Lengths.
 struct Scales
 {
-  double spacing; ///< square root of the area a point
+  double spacing; ///< square root of the area a place
   double noise;   ///< standard deviation across the surface
 };
 
@@ -46,6 +46,8 @@ Estimates the scales from plane fits around a thousand points, in balls that gro
 the standard deviation across it is below a quarter of the radius, half of what a filled ball has. That deviation is the noise, and the
 number of points gives the spacing. Of the noise of all balls the third tenth counts: edges, curvature and thin parts only ever raise it.
 
+Of points at one place one counts, however many there are: they tell nothing of a plane, and balls would shrink to a few places.
+
 Balls that hold two sheets, as those of a thin plate do, would grow for ever and find its thickness. They are known by `single_sheet_index()`; then the noise
 and the number of points are those of one sheet.
 
@@ -60,6 +62,7 @@ Scales estimate_scales(const Buffer<Vector>& unsorted_points, double initial_rad
   const double cell_size = initial_radius / 4;
   Buffer<Vector> points = copy_of(unsorted_points);
   apply_order(Search_grid_3::sorted_order<ConcurrencyTag>(points, cell_size), points);
+  points.resize(std::size_t(std::unique(points.begin(), points.end()) - points.begin()));
   const Search_grid_3 grid(points, cell_size);
   Buffer<Vector> queries(points.get_allocator());
   const std::size_t stride = (std::max)(points.size() / number_of_queries, std::size_t(1));

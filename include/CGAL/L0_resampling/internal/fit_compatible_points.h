@@ -69,7 +69,7 @@ Compatible_points sum_compatible_points(const Eigen::Matrix<T, 3, 1>& center, co
     const L cosine = nx * normal[0] + ny * normal[1] + nz * normal[2];
     const L sign = with_sign_of(cosine, L(T(1)));
     const L h = symmetric_height(dx * normal[0] + dy * normal[1] + dz * normal[2], sign * (dx * nx + dy * ny + dz * nz));
-    const L scale = where_less(squared_distance, kernel.squared_radius, L::load(&scales[k]));
+    const L scale = share_in_ball(squared_distance, kernel.squared_radius) * L::load(&scales[k]);
     const L weight = scale
                      * sheet_weight(squared_distance, kernel.squared_bandwidth, cosine, kernel.normal_bandwidth, h,
                                     kernel.squared_sheet_height);
@@ -88,20 +88,25 @@ Compatible_points sum_compatible_points(const Eigen::Matrix<T, 3, 1>& center, co
           Vector(mean_nx.sum(), mean_ny.sum(), mean_nz.sum())};
 }
 
-/// The unit normal that most of the points of a ball agree with, of any sign: the largest eigenvector of \f$ \sum_j \theta n_j n_j^T / v_j \f$.
+/// The unit normal that most of the points of a ball agree with, of any sign, and the sample's own: the largest eigenvector of
+/// \f$ w n_i n_i^T + \sum_j \theta n_j n_j^T / v_j \f$.
+/// \param weight \f$ w \f$ of the sample's own
 template <typename T>
-Vector normal_of_most(const Eigen::Matrix<T, 3, 1>& center, const Local_points<T>& candidates,
-                      const Local_normals<T>& normals, const Aligned_vector<T>& scales, const Fit_kernel<T>& kernel)
+Vector normal_of_most(const Eigen::Matrix<T, 3, 1>& center, const Vector& normal, double weight,
+                      const Local_points<T>& candidates, const Local_normals<T>& normals,
+                      const Aligned_vector<T>& scales, const Fit_kernel<T>& kernel)
 {
   using L = Lanes<T>;
   Plane_moments<L> lanes;
   candidates.for_each_run_in_ball(center, kernel.squared_radius, [&](std::size_t k, const L& squared_distance) {
-    const L scale = where_less(squared_distance, kernel.squared_radius, L::load(&scales[k]));
+    const L scale = share_in_ball(squared_distance, kernel.squared_radius) * L::load(&scales[k]);
     lanes.add(L::load(&normals.x[k]), L::load(&normals.y[k]), L::load(&normals.z[k]),
               scale * gaussian_weight(squared_distance, kernel.squared_bandwidth));
   });
-  const Triple normal = sum_of_lanes(lanes).main_direction();
-  return {normal.x, normal.y, normal.z};
+  Plane_moments<double> moments = sum_of_lanes(lanes);
+  moments.add(normal.x(), normal.y(), normal.z(), weight);
+  const Triple most = moments.main_direction();
+  return {most.x, most.y, most.z};
 }
 
 /*!
@@ -114,8 +119,8 @@ corners and shrinks what is curved, this one looks at points of its own side of 
 The sample is drawn to \f$ c_i = p_i + h_i n_i \f$: along its normal, so that it does not retreat from edges and borders. Only beyond them, where the weighted mean of
 the points lies further off in the plane than that of half a ball, and a little more where there is noise, is it drawn back: the mean of a Gaussian cut
 off at x moves by \f$ 2x/\pi \f$ for small x, so that the way back is \f$ \pi/2 \f$ of what is too much. A sample that hardly any of its points agree with, as one that
-began at the noisiest of them or at an outlier, takes the normal of most of them before, and a sheet as high as the ball, in which it finds the others. Where still nobody
-agrees, it is drawn to the last \f$ c_i \f$ it had.
+began at the noisiest of them or at an outlier, takes the normal of most of them before, and a sheet as high as the ball, in which it finds the others (`Stray`). Where still
+nobody agrees, it is drawn to the last \f$ c_i \f$ it had. Nothing of this sets in with a step, so that roundings stay roundings.
 
 The normal of the sample becomes the weighted mean of those points' normals.
 
@@ -132,8 +137,6 @@ void fit_compatible_points(const Fit_input<T>& input, Progress& progress, Sample
 
   const Fit_kernel<T> kernel = {T(input.radius * input.radius), T(bandwidth * bandwidth), T(input.normal_bandwidth),
                                 T(input.squared_sheet_height)};
-  Fit_kernel<T> kernel_of_strays = kernel;
-  kernel_of_strays.squared_sheet_height = kernel.squared_radius;
   const double largest_offset = input.border_allowance * mean_distance_in_half_disk(input.radius, bandwidth);
   const auto make_visitor = [&]() {
     return [&, normals = Local_normals<T>(), scales = Aligned_vector<T>()](
@@ -152,10 +155,13 @@ void fit_compatible_points(const Fit_input<T>& input, Progress& progress, Sample
           return sum_compatible_points<T>(center, old_normal.cast<T>(), candidates, normals, scales, own_kernel);
         };
         Compatible_points sums = sums_with(kernel);
-        if (sums.weight < least_share_of_sheet * sums.all)
+        const Stray stray(sums.weight, sums.all, input.squared_sheet_height, input.radius * input.radius);
+        if (stray.has_strayed)
         {
-          old_normal = normal_of_most(center, candidates, normals, scales, kernel);
-          sums = sums_with(kernel_of_strays);
+          old_normal = normal_of_most(center, old_normal, stray.weight_of_own_normal, candidates, normals, scales, kernel);
+          Fit_kernel<T> own_kernel = kernel;
+          own_kernel.squared_sheet_height = T(stray.squared_sheet_height);
+          sums = sums_with(own_kernel);
         }
 
         const double total = sums.weight;
@@ -173,8 +179,9 @@ void fit_compatible_points(const Fit_input<T>& input, Progress& progress, Sample
         samples.fit_centroids[i] += (sums.height / total) * old_normal;
         if (distance > largest_offset)
           samples.fit_centroids[i] += (EIGEN_PI / 2 * (distance - largest_offset) / distance) * offset;
-        if (distance > largest_offset / 2)
-          samples.outward_directions[i] = (-offset / distance).template cast<FT>();
+        const double held_back = share_held_back(distance / largest_offset);
+        if (held_back > 0)
+          samples.outward_directions[i] = (-std::sqrt(held_back) / distance * offset).template cast<FT>();
         if (sums.normal.norm() > 1e-3 * total)
           samples.normals[i] = sums.normal.normalized().template cast<FT>();
       }

@@ -121,13 +121,13 @@ at the current positions,
 
 Only differences of neighbors enter, so that neither the place of the cloud nor a far outlier costs digits.
 
-\param threshold \f$ \sqrt{\lambda/\beta} \f$, a length
+\param jumps by \f$ \sqrt{\lambda/\beta} \f$, as lengths
 \param right_hand_side out: \f$ g_i \f$, one vector a sample
 \param normal_offsets out: \f$ \delta_{ik} \f$ for each pair if not empty, for solvers that want the rows of Eq. (11)
 */
 template <typename ConcurrencyTag, typename FT>
 Energy_sums shrink_normal_offsets(const Samples<FT>& samples, const Neighborhoods& neighbors,
-                                  const Buffer<FT>& pair_weights, FT penalty, FT threshold,
+                                  const Buffer<FT>& pair_weights, FT penalty, const Shrunk_jumps<FT>& jumps,
                                   Buffer<Eigen::Matrix<FT, 3, 1>>& right_hand_side, Buffer<FT>& normal_offsets)
 {
   using Local_vector = Eigen::Matrix<FT, 3, 1>;
@@ -152,9 +152,9 @@ Energy_sums shrink_normal_offsets(const Samples<FT>& samples, const Neighborhood
                  z = FT(position[2] - other_position[2]);
         const FT distance_i = normal[0] * x + normal[1] * y + normal[2] * z;
         const FT distance_k = other_normal[0] * x + other_normal[1] * y + other_normal[2] * z;
-        const FT offset_i = shrink(distance_i, threshold);
+        const FT offset_i = shrink(distance_i, jumps);
         // delta_ki is minus this one, as p_k - p_i is minus the difference
-        const FT offset_k = shrink(distance_k, threshold);
+        const FT offset_k = shrink(distance_k, jumps);
         const FT misfit_i = distance_i - offset_i, pull_k = penalty * (distance_k - offset_k);
         const FT weight = pair_weights[e];
         pull_x += weight * x + pull_k * other_normal[0];

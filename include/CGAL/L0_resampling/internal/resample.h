@@ -322,6 +322,7 @@ Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buff
                                              squared_bandwidth,
                                              sparsity_unit_factor * lengths.radius,
                                              largest_shrunk_jump(parameters.method, lengths.noise, lengths.radius),
+                                             half_width_of_shrinkage(parameters.method),
                                              parameters.normal_weight,
                                              parameters.regularization_weight,
                                              parameters.initial_penalty,

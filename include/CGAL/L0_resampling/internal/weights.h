@@ -68,6 +68,14 @@ CGAL_L0_HOST_DEVICE inline T bilateral_weight(const T& squared_distance, S squar
   return decay(T(squared_distance * (1 / squared_bandwidth) + T(difference * difference) * (1 / normal_bandwidth)));
 }
 
+/// The weight of a point in a ball whose end is soft, so that no rounding decides whether the point counts: 1, falling to 0 over the last tenth of the squared radius, and
+/// 0 beyond.
+template <typename T, typename S>
+CGAL_L0_HOST_DEVICE inline T share_in_ball(const T& squared_distance, S squared_radius)
+{
+  return at_most(at_least(T((squared_radius - squared_distance) * (10 / squared_radius)), S(0)), S(1));
+}
+
 /// \f$ \bar\theta(d) = e^{d^2/r_p^2} \f$ of Eq. (4): grows with the distance, from 1.
 /// Self neighbors start closer than r_p/2 but are kept while they move. Beyond r_p the weight stays at e, where the
 /// printed form would overflow for pairs that drift apart.
