@@ -136,7 +136,7 @@ Fitted fit_naively(const Oriented_points& input, const std::vector<double>& dens
     result.centroids[i] += sums.height / sums.total * n;
     if (offset.norm() > largest_offset)
       result.centroids[i] += EIGEN_PI / 2 * (offset.norm() - largest_offset) * offset.normalized();
-    result.outward[i] = -std::sqrt(clamped((offset.norm() / largest_offset - 0.3) / 0.2)) * offset.normalized();
+    result.outward[i] = -std::sqrt(clamped((offset.norm() / largest_offset - 0.35) / 0.2)) * offset.normalized();
   }
   return result;
 }
@@ -277,7 +277,7 @@ void check_border(double allowance)
       half_plane.points.push_back(0.02 * (p - Vector(-0.5, 40, 0)));
       half_plane.normals.push_back(Vector::UnitZ());
     }
-  const std::vector<double> places{0, 0.05, 0.14, 0.8, -0.02, -0.05};
+  const std::vector<double> places{0, 0.05, 0.12, 0.8, -0.02, -0.05};
   Oriented_points start;
   for (double x : places)
   {
@@ -302,8 +302,8 @@ void check_border(double allowance)
       sum += weight * d;
       total += weight;
     }
-    const double held_back = clamped((sum.norm() / total / (allowance * half_disk_offset()) - 0.3) / 0.2);
-    CHECK(places[i] == 0.14 ? held_back > 0.1 && held_back < 0.9 : held_back == (places[i] < 0.1));
+    const double held_back = clamped((sum.norm() / total / (allowance * half_disk_offset()) - 0.35) / 0.2);
+    CHECK(places[i] == 0.12 ? held_back > 0.1 && held_back < 0.9 : held_back == (places[i] < 0.1));
     CHECK((fitted.outward[i] - Vector(-std::sqrt(held_back), 0, 0)).norm() < 1e-3);
   }
 }

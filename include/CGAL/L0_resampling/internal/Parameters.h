@@ -178,7 +178,7 @@ struct Stray
 
 /// A sample is pushed less and less outwards where the mean of its points lies further away than the first of these shares of what it does in half a ball, and from
 /// the second on not at all.
-constexpr double held_back_from = 0.3, held_back_to = 0.5;
+constexpr double held_back_from = 0.35, held_back_to = 0.55;
 
 /// The share of the outward part of a push that is left out.
 /// \param distance of the mean of the points, per that in half a ball
