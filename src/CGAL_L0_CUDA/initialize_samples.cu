@@ -234,13 +234,15 @@ __device__ float4 unit_normal(float4 n)
 
 /// \param source the point in the grid, whose number among the distinct ones is `number`
 __device__ void start_on_point(const Samples& samples, Wide i, double3 position, const Heritage& heritage,
-                               const Cell_grid& grid, unsigned source, Wide number)
+                               const Cell_grid& grid, unsigned source, Wide number, bool is_voter)
 {
   samples.positions[3 * i] = position.x;
   samples.positions[3 * i + 1] = position.y;
   samples.positions[3 * i + 2] = position.z;
   samples.normals[i] = unit_normal(heritage.normals[source]);
   samples.fit[i] = make_float4(0, 0, 0, 1);
+  if (samples.are_voters)
+    samples.are_voters[i] = is_voter;
   if (samples.spacings)
     samples.spacings[i] = float(sqrt(double(heritage.areas[grid.points[source].w]) * heritage.squared_spacing_per_area));
   if (samples.hints)
@@ -308,24 +310,26 @@ __global__ void place_between_points(Positions positions, Cell_grid grid, Cell_b
   // never the middle, where the way back from the partner would put another one
   const double share = 0.2
                        + 0.25 * scalbn(double(random_bits(seed + source, (number_before << 32) | 0xffffffff) >> 11), -53);
-  start_on_point(samples, e, start + share * (positions(grid.order[partner]) - start), heritage, grid, source, number);
+  start_on_point(samples, e, start + share * (positions(grid.order[partner]) - start), heritage, grid, source, number,
+                 false);
 }
 
 /// \param first of the samples that start so
 __global__ void place_on_points(Positions positions, Cell_grid grid, Some distinct, Some sources, unsigned first,
-                                Heritage heritage, Samples samples)
+                                Heritage heritage, Choice_of_voters voters, Samples samples)
 {
   const Wide k = thread_index();
   if (k >= sources.size)
     return;
   const unsigned number = sources[k], source = distinct[number];
-  start_on_point(samples, first + k, positions(grid.order[source]), heritage, grid, source, number);
+  start_on_point(samples, first + k, positions(grid.order[source]), heritage, grid, source, number, voters.takes(source));
 }
 
 } // namespace
 
 void initialize_samples(const Workplace& workplace, const Positions& positions, const Cell_grid& grid,
-                        const Sources_of_samples& points, double radius, std::size_t seed, const Samples& samples)
+                        const Sources_of_samples& points, double radius, double spacing, std::size_t seed,
+                        const Samples& samples)
 {
   const cudaStream_t stream = workplace.stream;
   const Arena_scope scope(workplace.scratch);
@@ -354,8 +358,9 @@ void initialize_samples(const Workplace& workplace, const Positions& positions, 
       positions, grid, blocks, distinct, sources.between_points, float(radius), seed, heritage, samples);
     check_launch("place_between_points");
   }
+  const Choice_of_voters voters(seed, radius, spacing, samples.size, sources.on_points.size);
   place_on_points<<<blocks_for(sources.on_points.size), threads_per_block, 0, stream>>>(
-    positions, grid, distinct, sources.on_points, number_of_new, heritage, samples);
+    positions, grid, distinct, sources.on_points, number_of_new, heritage, voters, samples);
   check_launch("place_on_points");
 }
 

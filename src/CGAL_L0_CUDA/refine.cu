@@ -32,7 +32,7 @@ struct Fit
 /// What the points of a ball that agree with a normal add up to, as on the CPU.
 struct Compatible_points
 {
-  float all, weight, height;
+  float all, weight, squared_weights, height, squared_heights;
   float3 offset, normal;
 };
 
@@ -60,7 +60,7 @@ struct Surroundings
 
   __device__ Compatible_points sum_compatible_points(const float3& normal, float squared_sheet_height) const
   {
-    Compatible_points sums = {0, 0, 0, {0, 0, 0}, {0, 0, 0}};
+    Compatible_points sums = {0, 0, 0, 0, 0, {0, 0, 0}, {0, 0, 0}};
     for_each([&](const float3& d, const float3& other, float scale) {
       const float cosine = dot(other, normal), sign = copysignf(1, cosine);
       const float h = symmetric_height(dot(d, normal), sign * dot(d, other));
@@ -68,12 +68,16 @@ struct Surroundings
         scale * sheet_weight(dot(d, d), fit.squared_bandwidth, cosine, fit.normal_bandwidth, h, squared_sheet_height);
       sums.all += scale;
       sums.weight += weight;
+      sums.squared_weights += weight * weight;
       sums.height += weight * h;
+      sums.squared_heights += weight * h * h;
       sums.offset += weight * d;
       sums.normal += (sign * weight) * other;
     });
-    return {group_sum<lanes>(sums.all), group_sum<lanes>(sums.weight), group_sum<lanes>(sums.height),
-            group_sum<lanes>(sums.offset), group_sum<lanes>(sums.normal)};
+    return {
+      group_sum<lanes>(sums.all),    group_sum<lanes>(sums.weight),          group_sum<lanes>(sums.squared_weights),
+      group_sum<lanes>(sums.height), group_sum<lanes>(sums.squared_heights), group_sum<lanes>(sums.offset),
+      group_sum<lanes>(sums.normal)};
   }
 
   __device__ float3 normal_of_most(const float3& own, double weight_of_own) const
@@ -115,6 +119,7 @@ __global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_b
   if (!(total > 1e-3)) // nobody agrees: the sample is drawn to where it was last fitted, and keeps its normal
   {
     samples.fit[i].w = 1;
+    samples.normals[i].w = 0;
     return;
   }
   const double3 old_normal = to_double(normal), mean = (1 / total) * to_double(sums.offset);
@@ -129,8 +134,9 @@ __global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_b
     samples.outward[i] = Short_vector::of(to_float((-sqrt(held_back) / distance) * offset));
   const double3 mean_normal = to_double(sums.normal);
   const double length = sqrt(dot(mean_normal, mean_normal));
-  if (length > 1e-3 * total)
-    samples.normals[i] = with_w(to_float((1 / length) * mean_normal), 0);
+  const float3 new_normal = length > 1e-3 * total ? to_float((1 / length) * mean_normal) : xyz(samples.normals[i]);
+  samples.normals[i] = with_w(new_normal,
+                              float(variance_of_mean(total, sums.squared_weights, sums.height, sums.squared_heights)));
 }
 
 /// `Repulsion` in `float`.

@@ -59,7 +59,7 @@ std::size_t estimate_memory(std::size_t n, std::size_t m, const Parameters& para
   const std::size_t slack = std::size_t(1) << 20, of_outliers = parameters.drop_outliers ? 4 * n : 0;
   // positions, normals and fit; what the default method adds; and what parameters ask for
   const std::size_t of_samples =
-    (56 + (is_default ? 6 : 0) + (is_default && parameters.keep_density ? 4 : 0) + (has_hints ? 16 : 0)) * m;
+    (56 + (is_default ? 7 : 0) + (is_default && parameters.keep_density ? 4 : 0) + (has_hints ? 16 : 0)) * m;
   // points with their cells, and normals; and their order before
   const std::size_t of_points = of_outliers + 18 * n + 16 * n, of_order = 5 * n;
   const std::size_t of_sorting = of_outliers + 24 * n + 76 * n;
@@ -70,11 +70,13 @@ std::size_t estimate_memory(std::size_t n, std::size_t m, const Parameters& para
   const std::size_t of_sorting_samples = (is_default ? of_points : 0) + of_sample_grid + 5 * m + 76 * m;
   const std::size_t of_fit = of_points + of_sample_grid + 15 * m;
   const std::size_t of_minimization = (is_default ? of_points : 0) + 16 * m + of_neighbors + 76 * m;
+  const std::size_t of_planes = 2 * of_sample_grid + 20 * m + 76 * m;
   const std::size_t k = parameters.number_of_orientation_neighbors;
   const std::size_t of_orientation = // votes and the field, or grades of the edges
     4 * k * m + (std::max)(118 * m + bytes_of_field, 2 * k * m + 12 * m);
   return slack + of_samples
-         + (std::max)({of_sorting, of_filtering, of_start, of_sorting_samples, of_fit, of_minimization, of_orientation});
+         + (std::max)({of_sorting, of_filtering, of_start, of_sorting_samples, of_fit, of_minimization, of_planes,
+                       of_orientation});
 }
 
 /// What a call carries from stage to stage.
@@ -251,8 +253,8 @@ void choose_samples(Call& call, const Input& input, const Prepared_points& point
   }
   const Sources_of_samples sources = {points.normals, is_default ? &areas : nullptr, !call.parameters.keep_density,
                                       input.hints};
-  initialize_samples(workplace, input.positions, points.grid, sources, lengths.radius, call.parameters.random_seed,
-                     call.samples);
+  initialize_samples(workplace, input.positions, points.grid, sources, lengths.radius, lengths.sample_spacing,
+                     call.parameters.random_seed, call.samples);
 }
 
 /// Section 3.2: the fit term of LOR and ALOR, collapsed.
@@ -342,7 +344,7 @@ void minimize_with_refinement(Call& call, const Prepared_points& points)
         false);
   };
 
-  call.stages.begin("L0 minimization", 0.35);
+  call.stages.begin("L0 minimization", 0.32);
   for (std::size_t i = 0; i < call.penalties.size(); ++i)
   {
     const Arena_scope scope(workplace.arena);
@@ -365,6 +367,18 @@ void minimize_with_refinement(Call& call, const Prepared_points& points)
   }
   fit_in_cells_of_points();
   take_fitted_positions(workplace, call.samples);
+}
+
+/// Where the default method ends, see `settle_on_planes()` on the CPU. The points are not needed any more.
+void settle_on_planes(Call& call)
+{
+  const Lengths& lengths = call.lengths;
+  call.stages.begin("settle on planes", 0.03);
+  const double radius = plane_radius_factor * lengths.radius;
+  const Cell_frame frame = Cell_frame::around(lengths.low, lengths.high,
+                                              (std::max)(radius / 2, lengths.smallest_cell_size), radius);
+  settle_on_planes(call.workplace, frame, radius, square(sheet_height(lengths.noise, lengths.radius)),
+                   normal_bandwidth(fit_angle_factor * call.parameters.sharpness_angle), call.samples);
 }
 
 } // namespace
@@ -428,6 +442,8 @@ void run(Session& session, const Parameters& parameters, Stages& stages, Call_re
     viewpoint[axis] = lengths.frame.enter_clamped(parameters.viewpoint[axis], axis);
   orient_normals(workplace, lengths.low, lengths.high, unsigned(parameters.number_of_orientation_neighbors),
                  call.lengths.sample_spacing, parameters.has_viewpoint ? viewpoint : nullptr, call.samples, call.counts);
+  if (is_default)
+    settle_on_planes(call);
   leave_frame(workplace, lengths.frame, call.samples);
   // not before: the device would have nothing to do while the host takes them
   const Sample_counts* const counts = session.scratch.fetch(call.counts, session.stream);

@@ -52,6 +52,8 @@ __global__ void reorder_samples(const unsigned* order, Samples from, Samples to)
     to.positions[3 * i + axis] = from.positions[3 * k + axis];
   to.normals[i] = from.normals[k];
   to.fit[i] = from.fit[k];
+  if (to.are_voters)
+    to.are_voters[i] = from.are_voters[k];
   if (to.spacings)
     to.spacings[i] = from.spacings[k];
   if (to.hints)
@@ -156,7 +158,8 @@ Samples take_samples(Device_arena& arena, unsigned size, const Kinds_of_sample_d
   samples.positions = arena.take<double>(3 * std::size_t(size));
   samples.normals = arena.take<float4>(size);
   samples.fit = arena.take<float4>(size);
-  samples.outward = kinds.outward_directions ? arena.take<Short_vector>(size) : nullptr;
+  samples.outward = kinds.of_default_method ? arena.take<Short_vector>(size) : nullptr;
+  samples.are_voters = kinds.of_default_method ? arena.take<unsigned char>(size) : nullptr;
   samples.spacings = kinds.spacings ? arena.take<float>(size) : nullptr;
   samples.hints = kinds.hints ? arena.take<float4>(size) : nullptr;
   return samples;
@@ -177,6 +180,7 @@ void reorder(const Workplace& workplace, const unsigned* order, const Samples& s
   copy(before.positions, 3 * m);
   copy(before.normals, m);
   copy(before.fit, m);
+  copy(before.are_voters, m);
   copy(before.spacings, m);
   copy(before.hints, m);
   reorder_samples<<<blocks_for(m), threads_per_block, 0, workplace.stream>>>(order, before, samples);

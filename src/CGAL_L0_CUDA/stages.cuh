@@ -111,12 +111,13 @@ Areas areas_of_points(const Workplace& workplace, const Cell_grid& grid, double 
 struct Samples
 {
   unsigned size = 0;
-  double* positions = nullptr;     // xyz interleaved, in the frame
-  float4* normals = nullptr;       // and a number that a stage may use
-  float4* fit = nullptr;           // from the sample to c_i, and W_i
-  Short_vector* outward = nullptr; // as on the CPU; default method only
-  float* spacings = nullptr;       // as on the CPU: null unless the density of the input is kept
-  float4* hints = nullptr;         // as on the CPU: null if the caller has none
+  double* positions = nullptr;         // xyz interleaved, in the frame
+  float4* normals = nullptr;           // and a number that a stage may use
+  float4* fit = nullptr;               // from the sample to c_i, and W_i
+  Short_vector* outward = nullptr;     // as on the CPU; default method only
+  unsigned char* are_voters = nullptr; // as on the CPU; default method only
+  float* spacings = nullptr;           // as on the CPU: null unless the density of the input is kept
+  float4* hints = nullptr;             // as on the CPU: null if the caller has none
 };
 
 /// How many of the samples are so, counted on the device.
@@ -129,7 +130,7 @@ struct Sample_counts
 /// What samples may have beside positions, normals and fit.
 struct Kinds_of_sample_data
 {
-  bool outward_directions, spacings, hints;
+  bool of_default_method, spacings, hints;
 };
 
 Samples take_samples(Device_arena& arena, unsigned size, const Kinds_of_sample_data& kinds);
@@ -147,8 +148,10 @@ struct Sources_of_samples
 };
 
 /// The first S, chosen as the CPU chooses it.
+/// \param spacing of an even set of samples
 void initialize_samples(const Workplace& workplace, const Positions& positions, const Cell_grid& grid,
-                        const Sources_of_samples& points, double radius, std::size_t seed, const Samples& samples);
+                        const Sources_of_samples& points, double radius, double spacing, std::size_t seed,
+                        const Samples& samples);
 
 /// The fit term of LOR and ALOR: weight and centroid of the original neighbors.
 /// \param blocks of `grid` around the cells of `sample_grid`
@@ -234,7 +237,7 @@ void minimize_once(const Workplace& workplace, const Minimization& parameters, d
 
 // The default method
 
-/// The fit to compatible points; normals of the samples change.
+/// The fit to compatible points; normals of the samples change, and have the variance of the fit as their fourth number.
 /// \param sample_grid of the same cells as `grid`
 /// \param is_in_order whether the samples are in the order of their grid
 void fit_compatible_points(const Workplace& workplace, const Cell_grid& sample_grid, bool is_in_order,
@@ -248,6 +251,13 @@ void repel_tangentially(const Workplace& workplace, const Cell_grid& sample_grid
 
 /// Moves the samples to what they were fitted to.
 void take_fitted_positions(const Workplace& workplace, const Samples& samples);
+
+/// Moves the samples into planes, as `settle_on_planes()` on the CPU. Waits for the device.
+/// \param frame of cells half as large as the ball
+/// \param radius of the ball
+/// \param samples with the variances of the fit
+void settle_on_planes(const Workplace& workplace, const Cell_frame& frame, double radius, double squared_sheet_height,
+                      double normal_bandwidth, const Samples& samples);
 
 /// Turns the normals of the samples to one side: that of the hints or the viewpoint where these are clear, else outwards.
 /// \param low, high corners of a box that holds the samples, but for a few

@@ -20,7 +20,7 @@ set(level_1   # what several stages share, and what works on the arrays of one n
 set(level_2   # stages and solvers
   internal/working_frame.h internal/estimate_scales.h internal/find_outliers.h internal/estimate_pca_normals.h internal/filter_normals.h internal/refit_normals.h
   internal/density_weights.h internal/areas_of_points.h internal/initialize_samples.h internal/collapse_fit_term.h internal/Fit_rows.h
-  internal/pair_terms.h internal/fit_compatible_points.h internal/tangential_repulsion.h internal/orient_normals.h
+  internal/pair_terms.h internal/fit_compatible_points.h internal/tangential_repulsion.h internal/settle_on_planes.h internal/orient_normals.h
   internal/separate_coincident_points.h internal/estimate_feature_confidences.h internal/find_near_points.h
   Block_conjugate_gradient_solver_traits.h Eigen_cholesky_solver_traits.h Eigen_least_squares_solver_traits.h
   CUDA_least_squares_solver_traits.h)

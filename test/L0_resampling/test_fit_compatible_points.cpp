@@ -21,7 +21,7 @@ const double radius = 0.4, bandwidth = 0.6 * radius, squared_sheet_height = 0.08
 struct Fitted
 {
   std::vector<Vector> normals, centroids, outward;
-  std::vector<double> weights;
+  std::vector<double> weights, variances;
 };
 
 /// The stage, for input and samples in any order.
@@ -39,6 +39,7 @@ Fitted fit(const Oriented_points& input, const std::vector<double>& densities, c
   samples.positions = to_buffer(start.points);
   samples.normals = to_buffer(start.normals);
   samples.fit_weights.resize(start.points.size());
+  samples.fit_variances.resize(start.points.size());
   samples.fit_centroids = to_buffer(last_centroids);
   samples.outward_directions.resize(start.points.size());
   Unwatched unwatched;
@@ -51,7 +52,8 @@ Fitted fit(const Oriented_points& input, const std::vector<double>& densities, c
   return {vector(samples.normals),
           vector(samples.fit_centroids),
           vector(samples.outward_directions),
-          {samples.fit_weights.begin(), samples.fit_weights.end()}};
+          {samples.fit_weights.begin(), samples.fit_weights.end()},
+          {samples.fit_variances.begin(), samples.fit_variances.end()}};
 }
 
 template <typename T>
@@ -79,7 +81,7 @@ double clamped(double x) { return (std::min)((std::max)(x, 0.), 1.); }
 /// The sums of the docstring for a sample.
 struct Naive_sums
 {
-  double all = 0, total = 0, height = 0;
+  double all = 0, total = 0, squared_weights = 0, height = 0, squared_heights = 0;
   Vector mean = Vector::Zero(), normal = Vector::Zero();
   Eigen::Matrix3d normals = Eigen::Matrix3d::Zero();
 };
@@ -100,6 +102,8 @@ Naive_sums sum_naively(const Oriented_points& input, const std::vector<double>& 
                      * std::exp(-h * h / squared_height);
     sums.all += share;
     sums.total += w;
+    sums.squared_weights += w * w;
+    sums.squared_heights += w * h * h;
     sums.height += w * h;
     sums.mean += w * d;
     sums.normal += w * turned;
@@ -111,7 +115,7 @@ Naive_sums sum_naively(const Oriented_points& input, const std::vector<double>& 
 /// The formulas of the docstring, sample by sample.
 Fitted fit_naively(const Oriented_points& input, const std::vector<double>& densities, const Oriented_points& start)
 {
-  Fitted result{start.normals, start.points, {}, {}};
+  Fitted result{start.normals, start.points, {}, {}, {}};
   const auto neighbors = brute_force_neighbors(start.points, input.points, radius);
   for (std::size_t i = 0; i < start.points.size(); ++i)
   {
@@ -127,6 +131,10 @@ Fitted fit_naively(const Oriented_points& input, const std::vector<double>& dens
       sums = sum_naively(input, densities, neighbors[i], start.points[i], n, squared_height);
     }
     result.weights.push_back(sums.total > 1e-3 ? 0.3 * sums.total : 1);
+    const double mean_height = sums.height / sums.total;
+    result.variances.push_back(sums.total > 1e-3 ? (sums.squared_heights / sums.total - mean_height * mean_height)
+                                                     * sums.squared_weights / (sums.total * sums.total)
+                                                 : 0);
     result.outward.push_back(Vector::Zero());
     if (sums.total <= 1e-3)
       continue;
@@ -169,6 +177,7 @@ void check_formulas(double tolerance, Generator& generator)
   for (std::size_t i = 0; i < start.points.size(); ++i)
   {
     worst = (std::max)(worst, std::abs(fitted.weights[i] / naive.weights[i] - 1));
+    worst = (std::max)(worst, std::abs(fitted.variances[i] - naive.variances[i]));
     // Outward directions begin as a square root, and a push takes them twice.
     worst = (std::max)(
       {worst, (fitted.centroids[i] - naive.centroids[i]).norm(),

@@ -82,6 +82,11 @@ void print_constants()
   object.add("held_back_from", held_back_from);
   object.add("held_back_to", held_back_to);
   object.add("least_gap_of_plane", least_gap_of_plane);
+  object.add("plane_radius_factor", plane_radius_factor);
+  object.add("largest_roughness", largest_roughness);
+  object.add("fewest_voters", fewest_voters);
+  object.add("enough_voters", enough_voters);
+  object.add("least_voters_in_ball", least_voters_in_ball);
   object.add("half_width_of_firm_shrinkage", half_width_of_firm_shrinkage);
   object.add("number_of_repulsion_steps", number_of_repulsion_steps);
   object.add("repulsion_squared_bandwidth", repulsion.squared_bandwidth);

@@ -7,11 +7,14 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_PARAMETERS_H
 
 #include <CGAL/L0_resampling/internal/host_device.h>
+#include <CGAL/L0_resampling/internal/random_bits.h>
+#include <CGAL/L0_resampling/internal/weights.h>
 #include <CGAL/L0_resampling/tags.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 
 namespace CGAL {
@@ -184,13 +187,45 @@ constexpr double held_back_from = 0.35, held_back_to = 0.55;
 /// \param distance of the mean of the points, per that in half a ball
 CGAL_L0_HOST_DEVICE inline double share_held_back(double distance)
 {
-  const double t = (distance - held_back_from) / (held_back_to - held_back_from);
-  return t > 1 ? 1 : t > 0 ? t : 0;
+  return as_share((distance - held_back_from) / (held_back_to - held_back_from));
 }
 
 /// The plane that corrects a normal counts in full if its two smaller variances differ by this share of the largest, and the less the nearer they are: points
 /// in a strip have no plane.
 constexpr double least_gap_of_plane = 0.1;
+
+/// At the end the default method looks for planes in balls of this many r_p. In wider ones more surfaces bend; smaller ones average less noise away.
+constexpr double plane_radius_factor = 4;
+
+/// How far from a plane samples may be that lie in it, per what noise leaves of the fit.
+constexpr double largest_roughness = 3;
+
+/// Of how few samples a plane is not believed, and of how many it is; in between the more of them, the more. Through a handful of points there is always a plane.
+constexpr double fewest_voters = 8, enough_voters = 16;
+
+/// How many samples of a ball are asked for its plane, at least, if it has as many.
+constexpr double least_voters_in_ball = 64;
+
+/// Chooses the samples that are asked, among those that start on a point each: by that point, so that no rounding of where they are now has a part in it.
+struct Choice_of_voters
+{
+  std::uint64_t seed;
+  std::uint64_t stride = 1; ///< one in so many is asked
+
+  /// \param spacing of an even set of samples
+  Choice_of_voters(std::uint64_t random_seed, double radius, double spacing, std::size_t number_of_samples,
+                   std::size_t number_on_points)
+    : seed(random_seed)
+  {
+    const double pi = 3.141592653589793, reach = plane_radius_factor * radius / spacing;
+    const double in_ball = pi * reach * reach * double(number_on_points) / double(number_of_samples);
+    // a power of two, since few numbers are so near to one that a rounding decides
+    while (double(2 * stride) * least_voters_in_ball <= in_ball && stride < (std::uint64_t(1) << 20))
+      stride *= 2;
+  }
+
+  CGAL_L0_HOST_DEVICE bool takes(std::uint64_t source) const { return random_bits(seed, ~source) % stride == 0; }
+};
 
 /// The default method corrects its normals by the positions before each of the last filter passes, as many times.
 constexpr std::size_t number_of_normal_refits = 2;

@@ -23,14 +23,17 @@ struct Samples
   Buffer<Local_vector> normals;            ///< \f$ n_i \f$, unit length
   Buffer<FT> fit_weights;                  ///< \f$ W_i \f$
   Buffer<Vector> fit_centroids;            ///< \f$ c_i \f$
+  Buffer<FT> fit_variances;                ///< default method only: of the height of \f$ c_i \f$
   Buffer<Local_vector> outward_directions; ///< default method only: where an edge or a border is near, the way towards it, whose squared length is the share of a push there that is left out; else zero
 
+  Buffer<unsigned char> are_voters; ///< default method only: whether planes are fitted to the sample, which few of many are
   Buffer<FT> spacings; ///< where the density of the input is kept: how far apart the samples around are to be; else none
   Buffer<Local_vector> hints; ///< unit or zero vectors on the side that the normals shall point to, if the caller has some; else none
 
   explicit Samples(const Counting_allocator<Vector>& allocator)
     : positions(allocator), normals(allocator), fit_weights(allocator), fit_centroids(allocator),
-      outward_directions(allocator), spacings(allocator), hints(allocator)
+      fit_variances(allocator), outward_directions(allocator), are_voters(allocator), spacings(allocator),
+      hints(allocator)
   {}
 };
 
@@ -42,12 +45,15 @@ void apply_order(const Buffer<Index>& order, Samples<FT>& samples)
   apply_order<ConcurrencyTag>(order, samples.normals);
   apply_order<ConcurrencyTag>(order, samples.fit_weights);
   apply_order<ConcurrencyTag>(order, samples.fit_centroids);
-  if (!samples.outward_directions.empty())
-    apply_order<ConcurrencyTag>(order, samples.outward_directions);
-  if (!samples.spacings.empty())
-    apply_order<ConcurrencyTag>(order, samples.spacings);
-  if (!samples.hints.empty())
-    apply_order<ConcurrencyTag>(order, samples.hints);
+  const auto apply_to_what_there_is = [&](auto& values) {
+    if (!values.empty())
+      apply_order<ConcurrencyTag>(order, values);
+  };
+  apply_to_what_there_is(samples.fit_variances);
+  apply_to_what_there_is(samples.outward_directions);
+  apply_to_what_there_is(samples.are_voters);
+  apply_to_what_there_is(samples.spacings);
+  apply_to_what_there_is(samples.hints);
 }
 
 } // namespace internal

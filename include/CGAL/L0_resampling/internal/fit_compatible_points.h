@@ -46,11 +46,13 @@ struct Fit_kernel
 /// Sums over the points of a ball.
 struct Compatible_points
 {
-  double all;    ///< \f$ \sum_j 1/v_j \f$
-  double weight; ///< \f$ \sum_j w_j \f$
-  double height; ///< \f$ \sum_j w_j h_{ij} \f$
-  Vector offset; ///< \f$ \sum_j w_j (q_j - p_i) \f$
-  Vector normal; ///< \f$ \sum_j w_j n_j \f$, turned to the side of \f$ n_i \f$
+  double all;             ///< \f$ \sum_j 1/v_j \f$
+  double weight;          ///< \f$ \sum_j w_j \f$
+  double squared_weights; ///< \f$ \sum_j w_j^2 \f$
+  double height;          ///< \f$ \sum_j w_j h_{ij} \f$
+  double squared_heights; ///< \f$ \sum_j w_j h_{ij}^2 \f$
+  Vector offset;          ///< \f$ \sum_j w_j (q_j - p_i) \f$
+  Vector normal;          ///< \f$ \sum_j w_j n_j \f$, turned to the side of \f$ n_i \f$
 };
 
 /// \param scales \f$ 1/v_j \f$ of the candidates
@@ -60,7 +62,7 @@ Compatible_points sum_compatible_points(const Eigen::Matrix<T, 3, 1>& center, co
                                         const Aligned_vector<T>& scales, const Fit_kernel<T>& kernel)
 {
   using L = Lanes<T>;
-  L all, sum, height, x, y, z, mean_nx, mean_ny, mean_nz;
+  L all, sum, squared_weights, height, squared_heights, x, y, z, mean_nx, mean_ny, mean_nz;
   candidates.for_each_run_in_ball(center, kernel.squared_radius, [&](std::size_t k, const L& squared_distance) {
     const L dx = L::load(&candidates.x[k]) - center[0];
     const L dy = L::load(&candidates.y[k]) - center[1];
@@ -76,7 +78,9 @@ Compatible_points sum_compatible_points(const Eigen::Matrix<T, 3, 1>& center, co
     const L signed_weight = sign * weight;
     all += scale;
     sum += weight;
+    squared_weights += weight * weight;
     height += weight * h;
+    squared_heights += weight * h * h;
     x += weight * dx;
     y += weight * dy;
     z += weight * dz;
@@ -84,7 +88,12 @@ Compatible_points sum_compatible_points(const Eigen::Matrix<T, 3, 1>& center, co
     mean_ny += signed_weight * ny;
     mean_nz += signed_weight * nz;
   });
-  return {all.sum(), sum.sum(), height.sum(), Vector(x.sum(), y.sum(), z.sum()),
+  return {all.sum(),
+          sum.sum(),
+          squared_weights.sum(),
+          height.sum(),
+          squared_heights.sum(),
+          Vector(x.sum(), y.sum(), z.sum()),
           Vector(mean_nx.sum(), mean_ny.sum(), mean_nz.sum())};
 }
 
@@ -124,7 +133,7 @@ nobody agrees, it is drawn to the last \f$ c_i \f$ it had. Nothing of this sets 
 
 The normal of the sample becomes the weighted mean of those points' normals.
 
-\param samples in: positions, normals and the last fit centroids; out: normals, fit weights, fit centroids and outward directions
+\param samples in: positions, normals and the last fit centroids; out: normals, fit weights and variances, fit centroids and outward directions
 */
 template <typename ConcurrencyTag, typename T, typename FT>
 void fit_compatible_points(const Fit_input<T>& input, Progress& progress, Samples<FT>& samples)
@@ -169,9 +178,11 @@ void fit_compatible_points(const Fit_input<T>& input, Progress& progress, Sample
         if (!(total > 1e-3))
         {
           samples.fit_weights[i] = 1;
+          samples.fit_variances[i] = 0;
           continue;
         }
         samples.fit_weights[i] = FT(fit_weight_factor * total);
+        samples.fit_variances[i] = FT(variance_of_mean(total, sums.squared_weights, sums.height, sums.squared_heights));
         samples.fit_centroids[i] = samples.positions[i];
         const Vector mean = sums.offset / total;
         const Vector offset = mean - old_normal.dot(mean) * old_normal;

@@ -53,6 +53,7 @@ std::size_t minimize_with_refinement(const Minimization_parameters& p, const Ref
   const double cell_size = (std::max)(input.grid.cell_size(), refinement.self_neighbor_radius);
   using Local_vector = typename Samples<typename SolverTraits::FT>::Local_vector;
   fill_buffer(samples.positions.size(), Local_vector(Local_vector::Zero()), samples.outward_directions);
+  fill_buffer(samples.positions.size(), typename SolverTraits::FT(0), samples.fit_variances);
   Minimization_step<ConcurrencyTag, SolverTraits> step(p, solver, progress, allocator);
   Fit_rows fit_rows{Buffer<std::size_t>(allocator), Buffer<Vector>(allocator), Buffer<double>(allocator)};
   Buffer<Upper_triangle<typename SolverTraits::FT>> normal_spreads(allocator);

@@ -21,6 +21,7 @@
 #include <CGAL/L0_resampling/internal/orient_normals.h>
 #include <CGAL/L0_resampling/internal/refining_minimization.h>
 #include <CGAL/L0_resampling/internal/refit_normals.h>
+#include <CGAL/L0_resampling/internal/settle_on_planes.h>
 #include <CGAL/L0_resampling/internal/working_frame.h>
 
 #include <algorithm>
@@ -309,6 +310,17 @@ Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buff
       for_each_source([&](Index source) {
         samples.spacings.push_back(FT(std::sqrt(areas.of_point(source) * double(points.size()) / double(m))));
       });
+    if (parameters.method == Method::DEFAULT)
+    {
+      const auto starts_on_point = [&](std::size_t i) { return samples.positions[i] == points[start.sources[i]]; };
+      std::size_t number_on_points = 0;
+      for_each_in_order(m, [&](std::size_t i) { number_on_points += starts_on_point(i); });
+      const Choice_of_voters choice(parameters.random_seed, lengths.radius, lengths.sample_spacing, m, number_on_points);
+      samples.are_voters.reserve(m);
+      for_each_in_order(m, [&](std::size_t i) {
+        samples.are_voters.push_back(starts_on_point(i) && choice.takes(start.sources[i]));
+      });
+    }
     if (!hints.empty())
       for_each_source([&](Index source) { samples.hints.push_back(hints[source].template cast<FT>()); });
     release(hints);
@@ -329,16 +341,18 @@ Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buff
                                              parameters.maximum_penalty,
                                              parameters.penalty_growth,
                                              parameters.method == Method::ALOR};
+  const double compatible_bandwidth = normal_bandwidth(fit_angle_factor * parameters.sharpness_angle);
+  const double squared_sheet_height = square(sheet_height(lengths.noise, lengths.radius));
   if (parameters.method == Method::DEFAULT)
   {
-    progress.begin_stage("L0 minimization", 0.35, (3 * minimization.number_of_turns() + 1) * m);
+    progress.begin_stage("L0 minimization", 0.32, (3 * minimization.number_of_turns() + 1) * m);
     const Fit_input<Local> fit_input{grid,
                                      points,
                                      normals,
                                      input_density_weights,
                                      lengths.radius,
-                                     square(sheet_height(lengths.noise, lengths.radius)),
-                                     normal_bandwidth(fit_angle_factor * parameters.sharpness_angle),
+                                     squared_sheet_height,
+                                     compatible_bandwidth,
                                      border_allowance(lengths.noise, lengths.radius)};
     const Refinement_parameters refinement{lengths.self_neighbor_radius, lengths.sample_spacing,
                                            number_of_repulsion_steps};
@@ -397,13 +411,21 @@ Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buff
   report.oriented_share = orientation.oriented_share;
   report.hinted_share = orientation.hinted_share;
 
+  if (parameters.method == Method::DEFAULT)
+  {
+    // not before the signs, which pass from face to face through normals that lean over the edge: planes leave none of these
+    progress.begin_stage("settle on planes", 0.03, m);
+    settle_on_planes<ConcurrencyTag, Local>({plane_radius_factor * lengths.radius, compatible_bandwidth,
+                                             squared_sheet_height},
+                                            lengths.smallest_cell_size, progress, samples);
+  }
+
   Buffer<float> feature_confidences(allocator);
   if (parameters.with_feature_confidences)
   {
     progress.begin_stage("feature confidences", 0.05, m);
     estimate_feature_confidences<ConcurrencyTag>(samples.positions, samples.normals, lengths.sample_spacing,
-                                                 normal_bandwidth(fit_angle_factor * parameters.sharpness_angle),
-                                                 progress, feature_confidences);
+                                                 compatible_bandwidth, progress, feature_confidences);
   }
   progress.end_stage();
 

@@ -1,0 +1,146 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_SETTLE_ON_PLANES_H
+#define CGAL_L0_RESAMPLING_INTERNAL_SETTLE_ON_PLANES_H
+
+#include <CGAL/L0_resampling/internal/Local_normals.h>
+#include <CGAL/L0_resampling/internal/Parameters.h>
+#include <CGAL/L0_resampling/internal/Plane_moments.h>
+#include <CGAL/L0_resampling/internal/Samples.h>
+#include <CGAL/L0_resampling/internal/ball_queries.h>
+#include <CGAL/L0_resampling/internal/weights.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/// What decides which samples of a wide ball lie in one plane with another.
+struct Plane_kernel
+{
+  double radius;               ///< of the wide ball
+  double normal_bandwidth;     ///< \f$ (1 - \cos\sigma_n)^2 \f$
+  double squared_sheet_height; ///< \f$ H^2 \f$
+};
+
+/// The samples that planes are fitted to.
+template <typename T>
+struct Voters
+{
+  Buffer<Vector> positions;
+  Buffer<Eigen::Matrix<T, 3, 1>> normals;
+  Buffer<T> variances; ///< \f$ u_k \f$, `Samples::fit_variances`
+
+  template <typename FT>
+  explicit Voters(const Samples<FT>& samples)
+    : positions(samples.positions.get_allocator()), normals(positions.get_allocator()),
+      variances(positions.get_allocator())
+  {
+    for_each_in_order(samples.positions.size(), [&](std::size_t i) {
+      if (!samples.are_voters[i])
+        return;
+      positions.push_back(samples.positions[i]);
+      normals.push_back(samples.normals[i].template cast<T>());
+      variances.push_back(T(samples.fit_variances[i]));
+    });
+  }
+};
+
+/// Sums over the voters of a wide ball that agree with a sample.
+struct Agreeing_voters
+{
+  Plane_moments<double> moments;
+  double variance; ///< \f$ \sum_k w_k u_k \f$
+};
+
+template <typename T>
+Agreeing_voters sum_agreeing_voters(const Eigen::Matrix<T, 3, 1>& center, const Eigen::Matrix<T, 3, 1>& normal,
+                                    const Local_points<T>& candidates, const Local_normals<T>& normals,
+                                    const Aligned_vector<T>& variances, const Plane_kernel& kernel)
+{
+  using L = Lanes<T>;
+  const T squared_radius = T(kernel.radius * kernel.radius), normal_bandwidth = T(kernel.normal_bandwidth),
+          squared_sheet_height = T(kernel.squared_sheet_height);
+  Plane_moments<L> lanes;
+  L variance;
+  candidates.for_each_run_in_ball(center, squared_radius, [&](std::size_t k, const L& squared_distance) {
+    const L dx = L::load(&candidates.x[k]) - center[0];
+    const L dy = L::load(&candidates.y[k]) - center[1];
+    const L dz = L::load(&candidates.z[k]) - center[2];
+    const L nx = L::load(&normals.x[k]), ny = L::load(&normals.y[k]), nz = L::load(&normals.z[k]);
+    const L cosine = nx * normal[0] + ny * normal[1] + nz * normal[2];
+    const L height = symmetric_height(dx * normal[0] + dy * normal[1] + dz * normal[2],
+                                      with_sign_of(cosine, L(T(1))) * (dx * nx + dy * ny + dz * nz));
+    const L weight = share_in_ball(squared_distance, squared_radius)
+                     * sheet_weight(L(T(0)), T(1), cosine, normal_bandwidth, height, squared_sheet_height);
+    lanes.add(dx, dy, dz, weight);
+    variance += weight * L::load(&variances[k]);
+  });
+  return {sum_of_lanes(lanes), variance.sum()};
+}
+
+/*!
+Where the surface is flat, a wider ball tells more of it than the fit's does. A sample moves along its normal towards the plane through the samples of a ball
+\f$ R = 4 r_p \f$ that agree with it, weighted by \f$ w_k = \psi \, e^{-h_{ik}^2/H^2} \f$, by the share
+
+\f[ b_i = e^{-(s^2 / 9 \tau^2)^2}, \qquad s^2 = \lambda_0 \frac{W}{W - 3}, \quad \tau^2 = \sum_k w_k u_k / W, \quad W = \sum_k w_k, \f]
+
+and its normal turns to the plane's by as much. \f$ \lambda_0 \f$, the smallest eigenvalue of the covariance, is how far they are from the plane, and \f$ \tau \f$ how
+far the noise of the points lets the fit be: the choice between a small ball and a large one is Lepski's (1991), who takes the largest estimate that does not
+contradict the smaller ones. Where the surface bends or has detail that stands out from the noise, \f$ b_i \f$ is zero. Clean points have no \f$ \tau \f$, and stay.
+
+Neighboring fits share most of their points, so few of the samples tell as much of a plane as all do: only `Samples::are_voters` are asked.
+
+\param samples positions and normals, in and out
+*/
+template <typename ConcurrencyTag, typename T, typename FT>
+void settle_on_planes(const Plane_kernel& kernel, double smallest_cell_size, Progress& progress, Samples<FT>& samples)
+{
+  const double cell_size = (std::max)(kernel.radius / 2, smallest_cell_size);
+  Voters<T> voters(samples);
+  {
+    const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(voters.positions, cell_size);
+    apply_order(order, voters.positions);
+    apply_order(order, voters.normals);
+    apply_order(order, voters.variances);
+  }
+  const Search_grid_3 voter_grid(voters.positions, cell_size);
+  const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(samples.positions, cell_size);
+  Buffer<Vector> queries_in_order = copy_of(samples.positions);
+  apply_order(order, queries_in_order);
+  const Search_grid_3 query_grid(queries_in_order, cell_size);
+
+  const auto make_visitor = [&]() {
+    return [&, normals = Local_normals<T>(), variances = Aligned_vector<T>()](
+             Search_grid_3::Range queries, const Local_points<T>& candidates, const Vector& origin) mutable {
+      normals.gather(candidates, voters.normals);
+      variances.assign(candidates.padded_size(), T(0));
+      for (std::size_t k = 0; k < candidates.indices.size(); ++k)
+        variances[k] = voters.variances[candidates.indices[k]];
+      for (Index q = queries.first; q < queries.second; ++q)
+      {
+        const Index i = order[q];
+        const Eigen::Matrix<T, 3, 1> center = (queries_in_order[q] - origin).template cast<T>();
+        const Vector normal = samples.normals[i].template cast<double>();
+        const Agreeing_voters sums = sum_agreeing_voters<T>(center, normal.cast<T>(), candidates, normals, variances,
+                                                            kernel);
+        const Settled_sample settled = settle_on_plane(sums.moments, sums.variance, {normal.x(), normal.y(), normal.z()});
+        samples.positions[i] += settled.height * normal;
+        samples.normals[i] = Vector(settled.normal.x, settled.normal.y, settled.normal.z).template cast<FT>();
+      }
+    };
+  };
+  for_each_cell<T, ConcurrencyTag>(query_grid, queries_in_order, voter_grid, voters.positions,
+                                   cells_in_reach(kernel.radius, cell_size), progress, make_visitor);
+}
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_SETTLE_ON_PLANES_H

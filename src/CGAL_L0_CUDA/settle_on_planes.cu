@@ -1,0 +1,99 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Plane_fit.cuh"
+#include "Query.cuh"
+#include "stages.cuh"
+
+#include <CGAL/L0_resampling/internal/Parameters.h>
+#include <CGAL/L0_resampling/internal/weights.h>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+namespace cuda {
+
+namespace {
+
+/// `Plane_kernel` on the CPU.
+struct Plane_kernel
+{
+  float radius, normal_bandwidth, squared_sheet_height;
+};
+
+/// \param listed the voters, in the order before that of their grid
+__global__ void gather_normals_of_voters(Cell_grid grid, const unsigned* listed, const float4* normals, float4* of_voters)
+{
+  const unsigned long long k = thread_index();
+  if (k < grid.size)
+    of_voters[k] = normals[listed[grid.order[k]]];
+}
+
+/// \param grid of the voters
+/// \param normals of the voters, and the variances of their fits
+__global__ void settle(Cell_grid sample_grid, Cell_blocks blocks, Cell_grid grid, const float4* normals,
+                       Plane_kernel kernel, Samples samples)
+{
+  const Query query(samples.size);
+  const int4 center = sample_grid.points[query.index];
+  const unsigned long long i = sample_grid.order[query.index];
+  const float3 normal = xyz(samples.normals[i]);
+  const float unit = grid.frame.unit(), squared_radius = kernel.radius * kernel.radius;
+  Moments moments;
+  float variance = 0;
+  for_each_candidate(grid, blocks, center, query.lane, kernel.radius, [&](unsigned k, const int4& point) {
+    const float3 d = difference(point, center, unit);
+    const float4 other = normals[k];
+    const float cosine = dot(normal, xyz(other));
+    const float height = symmetric_height(dot(d, normal), copysignf(1, cosine) * dot(d, xyz(other)));
+    const float weight = share_in_ball(dot(d, d), squared_radius)
+                         * sheet_weight(0.f, 1.f, cosine, kernel.normal_bandwidth, height, kernel.squared_sheet_height);
+    moments.add(d, weight);
+    variance += weight * other.w;
+  });
+  moments.sum_over_group<lanes>();
+  variance = group_sum<lanes>(variance);
+  if (!query.writes)
+    return;
+  const Settled_sample settled = settle_on_plane(moments.all(), variance, {normal.x, normal.y, normal.z});
+  samples.positions[3 * i] += settled.height * normal.x;
+  samples.positions[3 * i + 1] += settled.height * normal.y;
+  samples.positions[3 * i + 2] += settled.height * normal.z;
+  samples.normals[i] = with_w(to_float(settled.normal), 0);
+}
+
+} // namespace
+
+void settle_on_planes(const Workplace& workplace, const Cell_frame& frame, double radius, double squared_sheet_height,
+                      double normal_bandwidth, const Samples& samples)
+{
+  const Arena_scope scope(workplace.scratch);
+  unsigned* const listed = workplace.scratch.take<unsigned>(samples.size);
+  const unsigned number_of_voters = list_flagged(samples.are_voters, samples.size, listed, workplace.scratch,
+                                                 workplace.stream);
+  if (number_of_voters == 0)
+    return;
+  const Arena_scope arena_scope(workplace.arena);
+  const auto grid_of = [&](const unsigned* list, unsigned size) {
+    return build_grid({samples.positions, size, Frame(), true, list}, nullptr, frame, workplace.arena,
+                      workplace.scratch, workplace.stream);
+  };
+  const Cell_grid voters = grid_of(listed, number_of_voters), all = grid_of(nullptr, samples.size);
+  float4* const normals = workplace.arena.take<float4>(number_of_voters);
+  gather_normals_of_voters<<<blocks_for(number_of_voters), threads_per_block, 0, workplace.stream>>>(
+    voters, listed, samples.normals, normals);
+  check_launch("gather_normals_of_voters");
+  const Cell_blocks blocks = find_blocks(all, voters, cells_in_reach(radius, frame.cell_size),
+                                         maximum_number_of_candidates, workplace.arena, workplace.stream);
+  const Plane_kernel kernel = {float(radius), float(normal_bandwidth), float(squared_sheet_height)};
+  settle<<<blocks_for_queries(samples.size), threads_per_block, 0, workplace.stream>>>(all, blocks, voters, normals,
+                                                                                       kernel, samples);
+  check_launch("settle");
+}
+
+} // namespace cuda
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
