@@ -8,10 +8,14 @@
 
 #include "stage_support.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
 namespace test {
+
+/// The nearest number to x in [0, 1].
+inline double clamped(double x) { return (std::min)((std::max)(x, 0.), 1.); }
 
 /// \f$ (1 - \cos\sigma_n)^2 \f$ of Eq. (2), for an angle in degrees.
 inline double normal_bandwidth(double sharpness_angle)

@@ -76,8 +76,6 @@ double half_disk_offset()
   return sum / total;
 }
 
-double clamped(double x) { return (std::min)((std::max)(x, 0.), 1.); }
-
 /// The sums of the docstring for a sample.
 struct Naive_sums
 {

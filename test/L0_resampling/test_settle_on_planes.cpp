@@ -53,8 +53,6 @@ Samples<double> settled(const Oriented_points& points, double own_deviation = de
   return settled<T>(all_voters(points, own_deviation));
 }
 
-double clamped(double x) { return (std::min)((std::max)(x, 0.), 1.); }
-
 /// The formulas of the docstring, sample by sample.
 Samples<double> settled_naively(Samples<double> samples)
 {

@@ -13,8 +13,8 @@
 #include <CGAL/L0_resampling/internal/ball_queries.h>
 #include <CGAL/L0_resampling/internal/weights.h>
 
+#include <algorithm>
 #include <cstddef>
-#include <vector>
 
 namespace CGAL {
 namespace L0_resampling {
