@@ -234,8 +234,8 @@ void refit_planes_of(const Workplace& workplace, const Cell_grid& grid, const un
 Scales estimate_scales(const Workplace& workplace, const Positions& positions, const double (&low)[3],
                        const double (&high)[3], double initial_radius)
 {
-  const unsigned number_of_queries = 1000; // as on the CPU, and so are the next five
-  const double fewest_points = 30, flat = 0.25, surely_flat = 0.15, two_sheets = 2;
+  const unsigned number_of_queries = 1000; // as on the CPU, and so are the next four
+  const double fewest_points = 30, flat = 0.25, surely_flat = 0.15;
   const int reaches[] = {1, 2, 3, 4, 6, 8, 12, 16, 24, 32};
   const double cell_size = initial_radius / 4, pi = 3.141592653589793;
 
@@ -264,8 +264,9 @@ Scales estimate_scales(const Workplace& workplace, const Positions& positions, c
                 std::sqrt(quantile(balls, 0.3, [](const Ball& ball) { return ball.variance; }))};
     };
     set_scales();
-    if (scales.noise > surely_flat * radius
-        && quantile(balls, 0.5, [](const Ball& ball) { return ball.shape.single_sheet_index(); }) < two_sheets)
+    if (scales.noise > surely_flat * radius && quantile(balls, 0.5, [](const Ball& ball) {
+                                                 return ball.shape.single_sheet_index();
+                                               }) < largest_index_of_two_sheets)
     {
       for (Ball& ball : balls)
       {

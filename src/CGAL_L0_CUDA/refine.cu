@@ -104,13 +104,19 @@ __global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_b
   float3 normal = xyz(samples.normals[i]);
   Compatible_points sums = surroundings.sum_compatible_points(normal, fit.squared_sheet_height);
   const Stray stray(sums.weight, sums.all, fit.squared_sheet_height, fit.radius * fit.radius);
-  if (__any_sync(0xffffffffu, stray.has_strayed)) // the lanes of a warp add up together
+  const double sheet_height =
+    stray.has_strayed ? stray.squared_sheet_height
+                      : squared_sheet_height_among(fit.squared_sheet_height,
+                                                   weighted_variance(sums.weight, sums.height, sums.squared_heights));
+  // the lanes of a warp add up together
+  if (__any_sync(0xffffffffu, stray.has_strayed))
   {
     const float3 normal_of_most = surroundings.normal_of_most(normal, stray.weight_of_own_normal);
     if (stray.has_strayed)
       normal = normal_of_most;
-    sums = surroundings.sum_compatible_points(normal, float(stray.squared_sheet_height));
   }
+  if (__any_sync(0xffffffffu, sheet_height != fit.squared_sheet_height))
+    sums = surroundings.sum_compatible_points(normal, float(sheet_height));
   if (!query.writes)
     return;
 

@@ -16,8 +16,6 @@ namespace cuda {
 
 namespace {
 
-double square(double x) { return x * x; }
-
 double normal_bandwidth(double angle)
 {
   const double pi = 3.141592653589793;
@@ -70,12 +68,12 @@ std::size_t estimate_memory(std::size_t n, std::size_t m, const Parameters& para
   const std::size_t of_sorting_samples = (is_default ? of_points : 0) + of_sample_grid + 5 * m + 76 * m;
   const std::size_t of_fit = of_points + of_sample_grid + 15 * m;
   const std::size_t of_minimization = (is_default ? of_points : 0) + 16 * m + of_neighbors + 76 * m;
-  const std::size_t of_planes = 2 * of_sample_grid + 20 * m + 76 * m;
+  const std::size_t of_quadrics = 2 * of_sample_grid + 20 * m + 76 * m;
   const std::size_t k = parameters.number_of_orientation_neighbors;
   const std::size_t of_orientation = // votes and the field, or grades of the edges
     4 * k * m + (std::max)(118 * m + bytes_of_field, 2 * k * m + 12 * m);
   return slack + of_samples
-         + (std::max)({of_sorting, of_filtering, of_start, of_sorting_samples, of_fit, of_minimization, of_planes,
+         + (std::max)({of_sorting, of_filtering, of_start, of_sorting_samples, of_fit, of_minimization, of_quadrics,
                        of_orientation});
 }
 
@@ -369,16 +367,16 @@ void minimize_with_refinement(Call& call, const Prepared_points& points)
   take_fitted_positions(workplace, call.samples);
 }
 
-/// Where the default method ends, see `settle_on_planes()` on the CPU. The points are not needed any more.
-void settle_on_planes(Call& call)
+/// Where the default method ends, see `settle_on_quadrics()` on the CPU. The points are not needed any more.
+void settle_on_quadrics(Call& call)
 {
   const Lengths& lengths = call.lengths;
-  call.stages.begin("settle on planes", 0.03);
-  const double radius = plane_radius_factor * lengths.radius;
+  call.stages.begin("settle on quadrics", 0.03);
+  const double radius = quadric_radius_factor * lengths.radius;
   const Cell_frame frame = Cell_frame::around(lengths.low, lengths.high,
                                               (std::max)(radius / 2, lengths.smallest_cell_size), radius);
-  settle_on_planes(call.workplace, frame, radius, square(sheet_height(lengths.noise, lengths.radius)),
-                   normal_bandwidth(fit_angle_factor * call.parameters.sharpness_angle), call.samples);
+  settle_on_quadrics(call.workplace, frame, radius, square(sheet_height(lengths.noise, lengths.radius)),
+                     normal_bandwidth(fit_angle_factor * call.parameters.sharpness_angle), call.samples);
 }
 
 } // namespace
@@ -443,7 +441,7 @@ void run(Session& session, const Parameters& parameters, Stages& stages, Call_re
   orient_normals(workplace, lengths.low, lengths.high, unsigned(parameters.number_of_orientation_neighbors),
                  call.lengths.sample_spacing, parameters.has_viewpoint ? viewpoint : nullptr, call.samples, call.counts);
   if (is_default)
-    settle_on_planes(call);
+    settle_on_quadrics(call);
   leave_frame(workplace, lengths.frame, call.samples);
   // not before: the device would have nothing to do while the host takes them
   const Sample_counts* const counts = session.scratch.fetch(call.counts, session.stream);

@@ -252,12 +252,12 @@ void repel_tangentially(const Workplace& workplace, const Cell_grid& sample_grid
 /// Moves the samples to what they were fitted to.
 void take_fitted_positions(const Workplace& workplace, const Samples& samples);
 
-/// Moves the samples into planes, as `settle_on_planes()` on the CPU. Waits for the device.
+/// Moves the samples onto quadrics, as `settle_on_quadrics()` on the CPU. Waits for the device.
 /// \param frame of cells half as large as the ball
 /// \param radius of the ball
 /// \param samples with the variances of the fit
-void settle_on_planes(const Workplace& workplace, const Cell_frame& frame, double radius, double squared_sheet_height,
-                      double normal_bandwidth, const Samples& samples);
+void settle_on_quadrics(const Workplace& workplace, const Cell_frame& frame, double radius, double squared_sheet_height,
+                        double normal_bandwidth, const Samples& samples);
 
 /// Turns the normals of the samples to one side: that of the hints or the viewpoint where these are clear, else outwards.
 /// \param low, high corners of a box that holds the samples, but for a few

@@ -22,6 +22,7 @@ struct Fitted
 {
   std::vector<Vector> normals, centroids, outward;
   std::vector<double> weights, variances;
+  std::size_t number_of_scattered = 0; ///< samples with a sheet that is lower, but not by as much as it may
 };
 
 /// The stage, for input and samples in any order.
@@ -53,7 +54,8 @@ Fitted fit(const Oriented_points& input, const std::vector<double>& densities, c
           vector(samples.fit_centroids),
           vector(samples.outward_directions),
           {samples.fit_weights.begin(), samples.fit_weights.end()},
-          {samples.fit_variances.begin(), samples.fit_variances.end()}};
+          {samples.fit_variances.begin(), samples.fit_variances.end()},
+          0};
 }
 
 template <typename T>
@@ -113,7 +115,7 @@ Naive_sums sum_naively(const Oriented_points& input, const std::vector<double>& 
 /// The formulas of the docstring, sample by sample.
 Fitted fit_naively(const Oriented_points& input, const std::vector<double>& densities, const Oriented_points& start)
 {
-  Fitted result{start.normals, start.points, {}, {}, {}};
+  Fitted result{start.normals, start.points, {}, {}, {}, 0};
   const auto neighbors = brute_force_neighbors(start.points, input.points, radius);
   for (std::size_t i = 0; i < start.points.size(); ++i)
   {
@@ -127,6 +129,14 @@ Fitted fit_naively(const Oriented_points& input, const std::vector<double>& dens
       n *= n.dot(start.normals[i]) < 0 ? -1 : 1;
       const double squared_height = std::pow(squared_sheet_height, 1 - strayed) * std::pow(radius, 2 * strayed);
       sums = sum_naively(input, densities, neighbors[i], start.points[i], n, squared_height);
+    }
+    else if (sums.total > 0)
+    {
+      const double mean = sums.height / sums.total, variance = sums.squared_heights / sums.total - mean * mean;
+      const double scattered = clamped((variance / squared_sheet_height - 1. / 6) / (1. / 5 - 1. / 6));
+      result.number_of_scattered += scattered > 0 && scattered < 1;
+      sums = sum_naively(input, densities, neighbors[i], start.points[i], n,
+                         squared_sheet_height * (1 - scattered * (1 - 0.7 * 0.7)));
     }
     result.weights.push_back(sums.total > 1e-3 ? 0.3 * sums.total : 1);
     const double mean_height = sums.height / sums.total;
@@ -152,6 +162,9 @@ void check_formulas(double tolerance, Generator& generator)
 {
   Oriented_points input = wedge_points(1500, generator);
   add_gaussian_noise(input.points, 0.02, generator);
+  for (Vector& p : input.points)
+    if (p.x() < 0.5)
+      p.z() += random_number(-0.1, 0.1, generator);
   input.normals = noisy_normals(input.normals, 0.2, generator);
   std::vector<double> densities;
   for (Vector& n : input.normals)
@@ -184,6 +197,7 @@ void check_formulas(double tolerance, Generator& generator)
        (fitted.outward[i].norm() * fitted.outward[i] - naive.outward[i].norm() * naive.outward[i]).norm()});
   }
   CHECK(worst < tolerance);
+  CHECK(naive.number_of_scattered > 10);
   // who sees nobody is drawn to where it was last fitted
   CHECK(fitted.centroids.back() == last_centroids.back() && fitted.normals.back() == start.normals.back());
 }
@@ -336,6 +350,28 @@ void check_plate(Generator& generator)
   CHECK(worst < 0.001);
 }
 
+/// Where two sheets are so near that each weighs much in the other, their points scatter more than those of one, and the sheets draw each other less.
+void check_close_sheets(Generator& generator)
+{
+  Oriented_points sheets = plane_points(6000, 2, generator);
+  const double distance = 0.09;
+  for (std::size_t i = 0; i < sheets.points.size(); ++i)
+    sheets.points[i].z() = (i % 2 ? distance : 0) + std::normal_distribution<>(0, 0.02)(generator);
+  Oriented_points start = plane_points(100, 1, generator);
+  const Fitted fitted = fit<float>(sheets, start);
+  const auto neighbors = brute_force_neighbors(start.points, sheets.points, radius);
+  double drawn = 0, drawn_by_all = 0;
+  for (std::size_t i = 0; i < start.points.size(); ++i)
+  {
+    const Naive_sums all = sum_naively(sheets, std::vector<double>(sheets.points.size(), 1), neighbors[i],
+                                       start.points[i], Vector::UnitZ(), squared_sheet_height);
+    drawn += fitted.centroids[i].z();
+    drawn_by_all += all.height / all.total;
+  }
+  CHECK(drawn_by_all > 0.01 * double(start.points.size()));
+  CHECK(drawn < 0.5 * drawn_by_all);
+}
+
 int main()
 {
   Generator generator(15);
@@ -349,5 +385,6 @@ int main()
   for (double allowance : {1., 1 + border_allowance_for_noise})
     check_border(allowance);
   check_plate(generator);
+  check_close_sheets(generator);
   return result();
 }

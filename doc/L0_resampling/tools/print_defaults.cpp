@@ -8,6 +8,7 @@
 
 #include <CGAL/L0_resampling/internal/checked_parameters.h>
 #include <CGAL/L0_resampling/internal/orientation_agreement.h>
+#include <CGAL/L0_resampling/internal/Height_moments.h>
 #include <CGAL/L0_resampling/internal/ball_queries.h>
 
 #include <cstdlib>
@@ -63,6 +64,7 @@ void print_constants()
   object.add("sparsity_unit_factor", sparsity_unit_factor);
   object.add("radius_per_spacing", radius_per_spacing);
   object.add("radius_per_noise", radius_per_noise);
+  object.add("largest_index_of_two_sheets", largest_index_of_two_sheets);
   object.add("default_filter_radius_factor", default_filter_radius_factor);
   object.add("fit_angle_factor", fit_angle_factor);
   object.add("area_radius_factor", area_radius_factor);
@@ -70,6 +72,7 @@ void print_constants()
   object.add("fit_weight_factor", fit_weight_factor);
   object.add("border_allowance_for_noise", border_allowance_for_noise);
   object.add("sheet_height_per_noise", sheet_height_per_noise);
+  object.add("height_among_two_sheets", height_among_two_sheets);
   object.add("sheet_height_per_radius", sheet_height_per_radius);
   object.add("largest_shrunk_jump_per_sheet_height", largest_shrunk_jump_per_sheet_height);
   object.add("outlier_share_of_surroundings", outlier_share_of_surroundings);
@@ -82,10 +85,12 @@ void print_constants()
   object.add("held_back_from", held_back_from);
   object.add("held_back_to", held_back_to);
   object.add("least_gap_of_plane", least_gap_of_plane);
-  object.add("plane_radius_factor", plane_radius_factor);
-  object.add("largest_roughness", largest_roughness);
-  object.add("fewest_voters", fewest_voters);
-  object.add("enough_voters", enough_voters);
+  object.add("quadric_radius_factor", quadric_radius_factor);
+  object.add("largest_roughness_of_plane", largest_roughness_of_plane);
+  object.add("largest_roughness_of_quadric", largest_roughness_of_quadric);
+  object.add("largest_leverage", largest_leverage);
+  object.add("fewest_voters_per_unknown", fewest_voters_per_unknown);
+  object.add("enough_voters_per_unknown", enough_voters_per_unknown);
   object.add("least_voters_in_ball", least_voters_in_ball);
   object.add("half_width_of_firm_shrinkage", half_width_of_firm_shrinkage);
   object.add("number_of_repulsion_steps", number_of_repulsion_steps);

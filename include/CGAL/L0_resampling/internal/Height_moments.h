@@ -24,6 +24,10 @@ struct Shape_of_heights
   CGAL_L0_HOST_DEVICE double single_sheet_index() const { return kurtosis - squared_skewness; }
 };
 
+/// Heights are of two sheets where the median of their `single_sheet_index()` is less than this: that of sheets four standard deviations apart is 2, and outliers raise it a little;
+/// where points fill the balls it is 2.5, and on noisy shapes with edges more.
+constexpr double largest_index_of_two_sheets = 2.2;
+
 /// The moments of the heights of points over a plane, up to the fourth.
 /// \tparam S a number, or lanes of numbers
 template <typename S>

@@ -147,6 +147,20 @@ inline double border_allowance(double noise, double radius)
   return 1 + border_allowance_for_noise * (std::min)(radius_per_noise * noise / radius, 1.);
 }
 
+/// Points of one sheet that scatter about it by H/2, with the weights \f$ e^{-h^2/H^2} \f$, have the first of these variances, in units of \f$ H^2 \f$. Those of two sheets have
+/// more, and from the second on their sheets are as much lower as the third says: this share of H.
+constexpr double variance_of_one_sheet = 1. / 6, variance_of_two_sheets = 1. / 5, height_among_two_sheets = 0.7;
+
+/// \f$ H^2 \f$ of a sample whose points scatter.
+/// \param squared_sheet_height \f$ H^2 \f$ of all
+/// \param variance of the heights of its points, weighted with that
+CGAL_L0_HOST_DEVICE inline double squared_sheet_height_among(double squared_sheet_height, double variance)
+{
+  const double t = as_share((variance / squared_sheet_height - variance_of_one_sheet)
+                            / (variance_of_two_sheets - variance_of_one_sheet));
+  return squared_sheet_height * (1 - t * (1 - height_among_two_sheets * height_among_two_sheets));
+}
+
 /// The fit against the normal term: how much of the points' weight counts.
 constexpr double fit_weight_factor = 0.3;
 
@@ -194,17 +208,22 @@ CGAL_L0_HOST_DEVICE inline double share_held_back(double distance)
 /// in a strip have no plane.
 constexpr double least_gap_of_plane = 0.1;
 
-/// At the end the default method looks for planes in balls of this many r_p. In wider ones more surfaces bend; smaller ones average less noise away.
-constexpr double plane_radius_factor = 4;
+/// At the end the default method looks for planes and quadrics in balls of this many r_p. In wider ones more surfaces are neither; smaller ones average less noise away.
+constexpr double quadric_radius_factor = 4;
 
-/// How far from a plane samples may be that lie in it, per what noise leaves of the fit.
-constexpr double largest_roughness = 3;
+/// How far from a plane samples may be that lie in it, and from a quadric, per what noise leaves of the fit. A quadric follows what noise is left, so less remains.
+constexpr double largest_roughness_of_plane = 3, largest_roughness_of_quadric = 2.5;
 
-/// Of how few samples a plane is not believed, and of how many it is; in between the more of them, the more. Through a handful of points there is always a plane.
-constexpr double fewest_voters = 8, enough_voters = 16;
+/// Of how few samples a plane or a quadric is not believed, and of how many it is, per unknown of it; in between the more of them, the more. Through a handful of points
+/// there always is one.
+constexpr double fewest_voters_per_unknown = 3, enough_voters_per_unknown = 6;
 
-/// How many samples of a ball are asked for its plane, at least, if it has as many.
-constexpr double least_voters_in_ball = 64;
+/// From where on a plane or a quadric counts less, and at twice this not at all: what variance its height has at the sample, per that of the mean height of the voters. Inside of a
+/// surface it is 1 and 4 to 5, at an edge 4 and 9 to 16; where the voters are all on one side and further off it grows fast.
+constexpr double largest_leverage = 10;
+
+/// How many samples of a ball are asked for its quadric, at least, if it has as many.
+constexpr double least_voters_in_ball = 128;
 
 /// Chooses the samples that are asked, among those that start on a point each: by that point, so that no rounding of where they are now has a part in it.
 struct Choice_of_voters
@@ -217,7 +236,7 @@ struct Choice_of_voters
                    std::size_t number_on_points)
     : seed(random_seed)
   {
-    const double pi = 3.141592653589793, reach = plane_radius_factor * radius / spacing;
+    const double pi = 3.141592653589793, reach = quadric_radius_factor * radius / spacing;
     const double in_ball = pi * reach * reach * double(number_on_points) / double(number_of_samples);
     // a power of two, since few numbers are so near to one that a rounding decides
     while (double(2 * stride) * least_voters_in_ball <= in_ball && stride < (std::uint64_t(1) << 20))

@@ -104,38 +104,6 @@ CGAL_L0_HOST_DEVICE inline Triple halfway_to_plane(const Plane_moments<double>& 
   return normalized({unit.x + weight * n.x, unit.y + weight * n.y, unit.z + weight * n.z});
 }
 
-/// What becomes of a sample among others that agree with it.
-struct Settled_sample
-{
-  double height; ///< by which it moves along its normal
-  Triple normal;
-};
-
-/// See `settle_on_planes()`.
-/// \param moments of the others, relative to the sample
-/// \param noise \f$ W \tau^2 \f$
-/// \param own normal, of unit length but for rounding
-CGAL_L0_HOST_DEVICE inline Settled_sample settle_on_plane(const Plane_moments<double>& moments, double noise,
-                                                          const Triple& own)
-{
-  const double number = moments.sum, number_of_unknowns = 3, least_cosine = 0.5;
-  if (!(number > fewest_voters && noise > 0))
-    return {0, own};
-  const Eigen_decomposition eigen = moments.eigen_decomposition();
-  const Triple n = eigen.smallest_vector, unit = normalized(own);
-  const double cosine = dot(n, unit), sign = cosine < 0 ? -1 : 1;
-  if (!(cosine * sign > least_cosine))
-    return {0, own};
-  const double variance = eigen.values[0] < 0 ? 0 : eigen.values[0] * number / (number - number_of_unknowns);
-  const double excess = variance * number / (largest_roughness * largest_roughness * noise);
-  const double share = as_share((number - fewest_voters) / (enough_voters - fewest_voters)) * share_of_plane(eigen)
-                       * decay(excess * excess);
-  const double height = dot(n, {moments.x / number, moments.y / number, moments.z / number}) / cosine;
-  const double of_own = 1 - share, of_plane = sign * share;
-  return {share * height, normalized({of_own * unit.x + of_plane * n.x, of_own * unit.y + of_plane * n.y,
-                                      of_own * unit.z + of_plane * n.z})};
-}
-
 /// The moments of all lanes.
 template <typename L>
 Plane_moments<double> sum_of_lanes(const Plane_moments<L>& m)

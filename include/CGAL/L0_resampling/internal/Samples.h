@@ -26,7 +26,7 @@ struct Samples
   Buffer<FT> fit_variances;                ///< default method only: of the height of \f$ c_i \f$
   Buffer<Local_vector> outward_directions; ///< default method only: where an edge or a border is near, the way towards it, whose squared length is the share of a push there that is left out; else zero
 
-  Buffer<unsigned char> are_voters; ///< default method only: whether planes are fitted to the sample, which few of many are
+  Buffer<unsigned char> are_voters; ///< default method only: whether quadrics are fitted to the sample, which few of many are
   Buffer<FT> spacings; ///< where the density of the input is kept: how far apart the samples around are to be; else none
   Buffer<Local_vector> hints; ///< unit or zero vectors on the side that the normals shall point to, if the caller has some; else none
 

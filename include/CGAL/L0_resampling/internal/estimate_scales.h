@@ -57,7 +57,7 @@ template <typename ConcurrencyTag, typename T>
 Scales estimate_scales(const Buffer<Vector>& unsorted_points, double initial_radius, Progress& progress)
 {
   const std::size_t number_of_queries = 1000, fewest_points = 30;
-  const double flat = 0.25, surely_flat = 0.15, two_sheets = 2;
+  const double flat = 0.25, surely_flat = 0.15;
 
   const double cell_size = initial_radius / 4;
   Buffer<Vector> points = copy_of(unsorted_points);
@@ -102,7 +102,7 @@ Scales estimate_scales(const Buffer<Vector>& unsorted_points, double initial_rad
                 std::sqrt(quantile(variances, 0.3))};
     };
     set_scales();
-    if (scales.noise > surely_flat * radius && quantile(indices, 0.5) < two_sheets)
+    if (scales.noise > surely_flat * radius && quantile(indices, 0.5) < largest_index_of_two_sheets)
     {
       for (std::size_t i = 0; i < queries.size(); ++i)
       {

@@ -128,8 +128,9 @@ corners and shrinks what is curved, this one looks at points of its own side of 
 The sample is drawn to \f$ c_i = p_i + h_i n_i \f$: along its normal, so that it does not retreat from edges and borders. Only beyond them, where the weighted mean of
 the points lies further off in the plane than that of half a ball, and a little more where there is noise, is it drawn back: the mean of a Gaussian cut
 off at x moves by \f$ 2x/\pi \f$ for small x, so that the way back is \f$ \pi/2 \f$ of what is too much. A sample that hardly any of its points agree with, as one that
-began at the noisiest of them or at an outlier, takes the normal of most of them before, and a sheet as high as the ball, in which it finds the others (`Stray`). Where still
-nobody agrees, it is drawn to the last \f$ c_i \f$ it had. Nothing of this sets in with a step, so that roundings stay roundings.
+began at the noisiest of them or at an outlier, takes the normal of most of them before, and a sheet as high as the ball, in which it finds the others (`Stray`). One whose
+points scatter more than those of one sheet do looks again at a lower sheet (`squared_sheet_height_among()`). Where still nobody agrees, it is drawn to the last \f$ c_i \f$
+it had. Nothing of this sets in with a step, so that roundings stay roundings.
 
 The normal of the sample becomes the weighted mean of those points' normals.
 
@@ -165,11 +166,16 @@ void fit_compatible_points(const Fit_input<T>& input, Progress& progress, Sample
         };
         Compatible_points sums = sums_with(kernel);
         const Stray stray(sums.weight, sums.all, input.squared_sheet_height, input.radius * input.radius);
+        double own_sheet_height = stray.squared_sheet_height;
         if (stray.has_strayed)
-        {
           old_normal = normal_of_most(center, old_normal, stray.weight_of_own_normal, candidates, normals, scales, kernel);
+        else
+          own_sheet_height = squared_sheet_height_among(
+            input.squared_sheet_height, weighted_variance(sums.weight, sums.height, sums.squared_heights));
+        if (own_sheet_height != input.squared_sheet_height)
+        {
           Fit_kernel<T> own_kernel = kernel;
-          own_kernel.squared_sheet_height = T(stray.squared_sheet_height);
+          own_kernel.squared_sheet_height = T(own_sheet_height);
           sums = sums_with(own_kernel);
         }
 

@@ -21,7 +21,7 @@
 #include <CGAL/L0_resampling/internal/orient_normals.h>
 #include <CGAL/L0_resampling/internal/refining_minimization.h>
 #include <CGAL/L0_resampling/internal/refit_normals.h>
-#include <CGAL/L0_resampling/internal/settle_on_planes.h>
+#include <CGAL/L0_resampling/internal/settle_on_quadrics.h>
 #include <CGAL/L0_resampling/internal/working_frame.h>
 
 #include <algorithm>
@@ -73,8 +73,6 @@ struct Lengths
   double cell_size;          ///< of the grid of the points
   double smallest_cell_size; ///< of any grid
 };
-
-inline double square(double x) { return x * x; }
 
 /// \f$ (1 - \cos\sigma_n)^2 \f$ of Eq. (2), for an angle in degrees; never so small that its inverse is not finite.
 inline double normal_bandwidth(double angle)
@@ -413,11 +411,11 @@ Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buff
 
   if (parameters.method == Method::DEFAULT)
   {
-    // not before the signs, which pass from face to face through normals that lean over the edge: planes leave none of these
-    progress.begin_stage("settle on planes", 0.03, m);
-    settle_on_planes<ConcurrencyTag, Local>({plane_radius_factor * lengths.radius, compatible_bandwidth,
-                                             squared_sheet_height},
-                                            lengths.smallest_cell_size, progress, samples);
+    // not before the signs, which pass from face to face through normals that lean over the edge: planes and quadrics leave none of these
+    progress.begin_stage("settle on quadrics", 0.03, m);
+    settle_on_quadrics<ConcurrencyTag, Local>({quadric_radius_factor * lengths.radius, compatible_bandwidth,
+                                               squared_sheet_height},
+                                              lengths.smallest_cell_size, progress, samples);
   }
 
   Buffer<float> feature_confidences(allocator);

@@ -38,6 +38,8 @@ CGAL_L0_HOST_DEVICE inline T at_most(const T& x, S high)
     return x.min(typename T::Scalar(high));
 }
 
+CGAL_L0_HOST_DEVICE inline double square(double x) { return x * x; }
+
 /// The nearest number to x that is a share of 1.
 CGAL_L0_HOST_DEVICE inline double as_share(double x) { return x > 1 ? 1 : x > 0 ? x : 0; }
 
@@ -111,13 +113,20 @@ CGAL_L0_HOST_DEVICE inline T symmetric_height(const T& own_height, const T& turn
   return T(T(own_height + turned_other_height) * 0.5f);
 }
 
-/// The variance of a weighted mean: that of the numbers themselves, by how they scatter about it, and what is left of it in a mean so weighted.
-/// \param weight, squared_weights \f$ \sum_j w_j \f$ and \f$ \sum_j w_j^2 \f$
-/// \param sum, squares \f$ \sum_j w_j h_j \f$ and \f$ \sum_j w_j h_j^2 \f$
-CGAL_L0_HOST_DEVICE inline double variance_of_mean(double weight, double squared_weights, double sum, double squares)
+/// The variance of numbers about their weighted mean.
+/// \param weight, sum, squares \f$ \sum_j w_j \f$, \f$ \sum_j w_j h_j \f$ and \f$ \sum_j w_j h_j^2 \f$
+CGAL_L0_HOST_DEVICE inline double weighted_variance(double weight, double sum, double squares)
 {
   const double variance = squares / weight - sum * sum / (weight * weight);
-  return variance > 0 ? variance * squared_weights / (weight * weight) : 0;
+  return variance > 0 ? variance : 0;
+}
+
+/// The variance of a weighted mean: that of the numbers themselves, and what is left of it in a mean so weighted.
+/// \param weight, sum, squares as of `weighted_variance()`
+/// \param squared_weights \f$ \sum_j w_j^2 \f$
+CGAL_L0_HOST_DEVICE inline double variance_of_mean(double weight, double squared_weights, double sum, double squares)
+{
+  return weighted_variance(weight, sum, squares) * squared_weights / (weight * weight);
 }
 
 /// How far from its straight side the mean of a half disk lies, weighted by \f$ e^{-d^2/\sigma^2} \f$. With

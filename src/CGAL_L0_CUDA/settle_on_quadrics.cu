@@ -7,7 +7,8 @@
 #include "Query.cuh"
 #include "stages.cuh"
 
-#include <CGAL/L0_resampling/internal/Parameters.h>
+#include <CGAL/L0_resampling/internal/Quadric_moments.h>
+#include <CGAL/L0_resampling/internal/settle_on_quadric.h>
 #include <CGAL/L0_resampling/internal/weights.h>
 
 namespace CGAL {
@@ -17,8 +18,8 @@ namespace cuda {
 
 namespace {
 
-/// `Plane_kernel` on the CPU.
-struct Plane_kernel
+/// `Quadric_kernel` on the CPU.
+struct Quadric_kernel
 {
   float radius, normal_bandwidth, squared_sheet_height;
 };
@@ -34,30 +35,32 @@ __global__ void gather_normals_of_voters(Cell_grid grid, const unsigned* listed,
 /// \param grid of the voters
 /// \param normals of the voters, and the variances of their fits
 __global__ void settle(Cell_grid sample_grid, Cell_blocks blocks, Cell_grid grid, const float4* normals,
-                       Plane_kernel kernel, Samples samples)
+                       Quadric_kernel kernel, Samples samples)
 {
   const Query query(samples.size);
   const int4 center = sample_grid.points[query.index];
   const unsigned long long i = sample_grid.order[query.index];
   const float3 normal = xyz(samples.normals[i]);
-  const float unit = grid.frame.unit(), squared_radius = kernel.radius * kernel.radius;
-  Moments moments;
+  const Tangent_frame frame({normal.x, normal.y, normal.z});
+  const float3 u = to_float(frame.u), v = to_float(frame.v), w = to_float(frame.normal);
+  const float unit = grid.frame.unit(), squared_radius = kernel.radius * kernel.radius, per_radius = 1 / kernel.radius;
+  Quadric_moments<float> moments;
   float variance = 0;
   for_each_candidate(grid, blocks, center, query.lane, kernel.radius, [&](unsigned k, const int4& point) {
     const float3 d = difference(point, center, unit);
     const float4 other = normals[k];
-    const float cosine = dot(normal, xyz(other));
-    const float height = symmetric_height(dot(d, normal), copysignf(1, cosine) * dot(d, xyz(other)));
+    const float cosine = dot(w, xyz(other)), own_height = dot(d, w);
+    const float height = symmetric_height(own_height, copysignf(1, cosine) * dot(d, xyz(other)));
     const float weight = share_in_ball(dot(d, d), squared_radius)
                          * sheet_weight(0.f, 1.f, cosine, kernel.normal_bandwidth, height, kernel.squared_sheet_height);
-    moments.add(d, weight);
+    moments.add(dot(d, u) * per_radius, dot(d, v) * per_radius, own_height * per_radius, weight);
     variance += weight * other.w;
   });
-  moments.sum_over_group<lanes>();
+  const Quadric_moments<double> sums(moments, [](float sum) { return double(group_sum<lanes>(sum)); });
   variance = group_sum<lanes>(variance);
   if (!query.writes)
     return;
-  const Settled_sample settled = settle_on_plane(moments.all(), variance, {normal.x, normal.y, normal.z});
+  const Settled_sample settled = settle_on_quadric(sums, variance / square(kernel.radius), frame, kernel.radius);
   samples.positions[3 * i] += settled.height * normal.x;
   samples.positions[3 * i + 1] += settled.height * normal.y;
   samples.positions[3 * i + 2] += settled.height * normal.z;
@@ -66,8 +69,8 @@ __global__ void settle(Cell_grid sample_grid, Cell_blocks blocks, Cell_grid grid
 
 } // namespace
 
-void settle_on_planes(const Workplace& workplace, const Cell_frame& frame, double radius, double squared_sheet_height,
-                      double normal_bandwidth, const Samples& samples)
+void settle_on_quadrics(const Workplace& workplace, const Cell_frame& frame, double radius, double squared_sheet_height,
+                        double normal_bandwidth, const Samples& samples)
 {
   const Arena_scope scope(workplace.scratch);
   unsigned* const listed = workplace.scratch.take<unsigned>(samples.size);
@@ -87,7 +90,7 @@ void settle_on_planes(const Workplace& workplace, const Cell_frame& frame, doubl
   check_launch("gather_normals_of_voters");
   const Cell_blocks blocks = find_blocks(all, voters, cells_in_reach(radius, frame.cell_size),
                                          maximum_number_of_candidates, workplace.arena, workplace.stream);
-  const Plane_kernel kernel = {float(radius), float(normal_bandwidth), float(squared_sheet_height)};
+  const Quadric_kernel kernel = {float(radius), float(normal_bandwidth), float(squared_sheet_height)};
   settle<<<blocks_for_queries(samples.size), threads_per_block, 0, workplace.stream>>>(all, blocks, voters, normals,
                                                                                        kernel, samples);
   check_launch("settle");

@@ -3,14 +3,15 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_L0_RESAMPLING_INTERNAL_SETTLE_ON_PLANES_H
-#define CGAL_L0_RESAMPLING_INTERNAL_SETTLE_ON_PLANES_H
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_SETTLE_ON_QUADRICS_H
+#define CGAL_L0_RESAMPLING_INTERNAL_SETTLE_ON_QUADRICS_H
 
 #include <CGAL/L0_resampling/internal/Local_normals.h>
 #include <CGAL/L0_resampling/internal/Parameters.h>
-#include <CGAL/L0_resampling/internal/Plane_moments.h>
+#include <CGAL/L0_resampling/internal/Quadric_moments.h>
 #include <CGAL/L0_resampling/internal/Samples.h>
 #include <CGAL/L0_resampling/internal/ball_queries.h>
+#include <CGAL/L0_resampling/internal/settle_on_quadric.h>
 #include <CGAL/L0_resampling/internal/weights.h>
 
 #include <algorithm>
@@ -20,15 +21,15 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// What decides which samples of a wide ball lie in one plane with another.
-struct Plane_kernel
+/// What decides which samples of a wide ball agree with another.
+struct Quadric_kernel
 {
   double radius;               ///< of the wide ball
   double normal_bandwidth;     ///< \f$ (1 - \cos\sigma_n)^2 \f$
   double squared_sheet_height; ///< \f$ H^2 \f$
 };
 
-/// The samples that planes are fitted to.
+/// The samples that planes and quadrics are fitted to.
 template <typename T>
 struct Voters
 {
@@ -51,55 +52,58 @@ struct Voters
   }
 };
 
-/// Sums over the voters of a wide ball that agree with a sample.
+/// Sums over the voters of a wide ball that agree with a sample, lengths in units of its radius.
 struct Agreeing_voters
 {
-  Plane_moments<double> moments;
+  Quadric_moments<double> moments;
   double variance; ///< \f$ \sum_k w_k u_k \f$
 };
 
 template <typename T>
-Agreeing_voters sum_agreeing_voters(const Eigen::Matrix<T, 3, 1>& center, const Eigen::Matrix<T, 3, 1>& normal,
+Agreeing_voters sum_agreeing_voters(const Eigen::Matrix<T, 3, 1>& center, const Tangent_frame& frame,
                                     const Local_points<T>& candidates, const Local_normals<T>& normals,
-                                    const Aligned_vector<T>& variances, const Plane_kernel& kernel)
+                                    const Aligned_vector<T>& variances, const Quadric_kernel& kernel)
 {
   using L = Lanes<T>;
-  const T squared_radius = T(kernel.radius * kernel.radius), normal_bandwidth = T(kernel.normal_bandwidth),
-          squared_sheet_height = T(kernel.squared_sheet_height);
-  Plane_moments<L> lanes;
+  const T squared_radius = T(kernel.radius * kernel.radius), unit = T(1 / kernel.radius);
+  const T normal_bandwidth = T(kernel.normal_bandwidth), squared_sheet_height = T(kernel.squared_sheet_height);
+  const auto dot = [](const L& x, const L& y, const L& z, const Triple& a) {
+    return x * T(a.x) + y * T(a.y) + z * T(a.z);
+  };
+  Quadric_moments<L> lanes;
   L variance;
   candidates.for_each_run_in_ball(center, squared_radius, [&](std::size_t k, const L& squared_distance) {
     const L dx = L::load(&candidates.x[k]) - center[0];
     const L dy = L::load(&candidates.y[k]) - center[1];
     const L dz = L::load(&candidates.z[k]) - center[2];
     const L nx = L::load(&normals.x[k]), ny = L::load(&normals.y[k]), nz = L::load(&normals.z[k]);
-    const L cosine = nx * normal[0] + ny * normal[1] + nz * normal[2];
-    const L height = symmetric_height(dx * normal[0] + dy * normal[1] + dz * normal[2],
-                                      with_sign_of(cosine, L(T(1))) * (dx * nx + dy * ny + dz * nz));
+    const L cosine = dot(nx, ny, nz, frame.normal), own_height = dot(dx, dy, dz, frame.normal);
+    const L height = symmetric_height(own_height, with_sign_of(cosine, L(T(1))) * (dx * nx + dy * ny + dz * nz));
     const L weight = share_in_ball(squared_distance, squared_radius)
                      * sheet_weight(L(T(0)), T(1), cosine, normal_bandwidth, height, squared_sheet_height);
-    lanes.add(dx, dy, dz, weight);
+    lanes.add(dot(dx, dy, dz, frame.u) * unit, dot(dx, dy, dz, frame.v) * unit, own_height * unit, weight);
     variance += weight * L::load(&variances[k]);
   });
-  return {sum_of_lanes(lanes), variance.sum()};
+  return {Quadric_moments<double>(lanes, [](const L& sum) { return sum.sum(); }), variance.sum() / square(kernel.radius)};
 }
 
 /*!
-Where the surface is flat, a wider ball tells more of it than the fit's does. A sample moves along its normal towards the plane through the samples of a ball
-\f$ R = 4 r_p \f$ that agree with it, weighted by \f$ w_k = \psi \, e^{-h_{ik}^2/H^2} \f$, by the share
+Where the surface is flat, or bends evenly, a wider ball tells more of it than the fit's does. A sample looks at the samples of a ball \f$ R = 4 r_p \f$ that agree with it,
+weighted by \f$ w_k = \psi \, e^{-h_{ik}^2/H^2} \f$, and at two surfaces through them: the plane of least squared distances, and the quadric of least squared heights over the sample's
+tangent plane. Either has d unknowns, 3 or 6. The sample moves along its normal towards it by the share
 
-\f[ b_i = e^{-(s^2 / 9 \tau^2)^2}, \qquad s^2 = \lambda_0 \frac{W}{W - 3}, \quad \tau^2 = \sum_k w_k u_k / W, \quad W = \sum_k w_k, \f]
+\f[ b = e^{-(s^2 / (\rho \tau)^2)^2}, \qquad s^2 = \frac{1}{W - d} \sum_k w_k r_k^2, \quad \tau^2 = \sum_k w_k u_k / W, \quad W = \sum_k w_k, \f]
 
-and its normal turns to the plane's by as much. \f$ \lambda_0 \f$, the smallest eigenvalue of the covariance, is how far they are from the plane, and \f$ \tau \f$ how
+to the quadric first, \f$ \rho = 2.5 \f$, then to the plane, \f$ \rho = 3 \f$, and its normal turns to the surface's by as much. \f$ r_k \f$ are the residuals, so that s is how far they are from it, and \f$ \tau \f$ how
 far the noise of the points lets the fit be: the choice between a small ball and a large one is Lepski's (1991), who takes the largest estimate that does not
-contradict the smaller ones. Where the surface bends or has detail that stands out from the noise, \f$ b_i \f$ is zero. Clean points have no \f$ \tau \f$, and stay.
+contradict the smaller ones. Where detail stands out from the noise, both shares are zero. Clean points have no \f$ \tau \f$, and stay.
 
-Neighboring fits share most of their points, so few of the samples tell as much of a plane as all do: only `Samples::are_voters` are asked.
+Neighboring fits share most of their points, so few of the samples tell as much as all do: only `Samples::are_voters` are asked.
 
 \param samples positions and normals, in and out
 */
 template <typename ConcurrencyTag, typename T, typename FT>
-void settle_on_planes(const Plane_kernel& kernel, double smallest_cell_size, Progress& progress, Samples<FT>& samples)
+void settle_on_quadrics(const Quadric_kernel& kernel, double smallest_cell_size, Progress& progress, Samples<FT>& samples)
 {
   const double cell_size = (std::max)(kernel.radius / 2, smallest_cell_size);
   Voters<T> voters(samples);
@@ -127,9 +131,9 @@ void settle_on_planes(const Plane_kernel& kernel, double smallest_cell_size, Pro
         const Index i = order[q];
         const Eigen::Matrix<T, 3, 1> center = (queries_in_order[q] - origin).template cast<T>();
         const Vector normal = samples.normals[i].template cast<double>();
-        const Agreeing_voters sums = sum_agreeing_voters<T>(center, normal.cast<T>(), candidates, normals, variances,
-                                                            kernel);
-        const Settled_sample settled = settle_on_plane(sums.moments, sums.variance, {normal.x(), normal.y(), normal.z()});
+        const Tangent_frame frame({normal.x(), normal.y(), normal.z()});
+        const Agreeing_voters sums = sum_agreeing_voters<T>(center, frame, candidates, normals, variances, kernel);
+        const Settled_sample settled = settle_on_quadric(sums.moments, sums.variance, frame, kernel.radius);
         samples.positions[i] += settled.height * normal;
         samples.normals[i] = Vector(settled.normal.x, settled.normal.y, settled.normal.z).template cast<FT>();
       }
@@ -143,4 +147,4 @@ void settle_on_planes(const Plane_kernel& kernel, double smallest_cell_size, Pro
 } // namespace L0_resampling
 } // namespace CGAL
 
-#endif // CGAL_L0_RESAMPLING_INTERNAL_SETTLE_ON_PLANES_H
+#endif // CGAL_L0_RESAMPLING_INTERNAL_SETTLE_ON_QUADRICS_H
