@@ -8,7 +8,7 @@
 One oracle tells it the best radius, of several times its own, by the error that is measured against the mesh; one gives
 each point the normal of the nearest face in place of PCA; a third does both. What an oracle does not reach is not a matter of the
 choice of radius, nor of the first normals. OUTPUT.json keeps all that was measured, OUTPUT.md has the figures beside
-the best of CGAL's pipelines, from the results of run_comparison.py on the same inputs.
+the best of CGAL's pipelines, from the results of run_comparison.py on the same inputs, of which it takes the first sampling.
 """
 
 import argparse
@@ -64,9 +64,11 @@ def main():
     result = {"commands": [command_line("run_oracle.py", sys.argv[1:])], "experiments": []}
     with tempfile.TemporaryDirectory() as scratch:
         bench = Bench(arguments.build / "bin", Path(scratch), 1)
+        first_seed = comparison["experiments"][0]["seed"]
         for compared in comparison["experiments"]:
             shape = Path(compared["mesh"]).stem
-            if shape not in arguments.shapes or compared["outliers_percent"] or compared["density_gradient"] != 1:
+            if (shape not in arguments.shapes or compared["outliers_percent"] or compared["density_gradient"] != 1
+                    or compared["seed"] != first_seed):
                 continue
             experiment = {key: value for key, value in compared.items() if key != "measurements"}
             experiment["best_of_cgal"] = oracle_tables.best_of_cgal(compared)

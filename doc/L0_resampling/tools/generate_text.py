@@ -173,6 +173,7 @@ def main():
     for name, result in quality.items():
         figures.update(quality_figures(quality_tables, name, result))
     figures["comparison_points_in"] = str(comparison["experiments"][0]["input_points"])
+    figures["comparison_samplings"] = str(len({experiment["seed"] for experiment in comparison["experiments"]}))
     figures["comparison_points_out"] = str(comparison["experiments"][0]["output_points"])
     figures.update(speed_figures(performance_tables, speed["comparison"], scaling["scaling"]))
     figures.update(solver_figures(performance_tables, speed["solvers"]))
