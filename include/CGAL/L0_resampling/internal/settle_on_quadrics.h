@@ -14,6 +14,8 @@
 #include <CGAL/L0_resampling/internal/settle_on_quadric.h>
 #include <CGAL/L0_resampling/internal/weights.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <cstddef>
 
@@ -87,6 +89,13 @@ Agreeing_voters sum_agreeing_voters(const Eigen::Matrix<T, 3, 1>& center, const 
   return {Quadric_moments<double>(lanes, [](const L& sum) { return sum.sum(); }), variance.sum() / square(kernel.radius)};
 }
 
+/// `settle_on_quadric()`, compiled by itself: where it is a part of what surrounds it, compilers fuse other sums of products with it than without, and two programs of one
+/// source would differ in the last bit.
+BOOST_NOINLINE inline Settled_sample settled_sample(const Agreeing_voters& sums, const Tangent_frame& frame, double radius)
+{
+  return settle_on_quadric(sums.moments, sums.variance, frame, radius);
+}
+
 /*!
 Where the surface is flat, or bends evenly, a wider ball tells more of it than the fit's does. A sample looks at the samples of a ball \f$ R = 4 r_p \f$ that agree with it,
 weighted by \f$ w_k = \psi \, e^{-h_{ik}^2/H^2} \f$, and at two surfaces through them: the plane of least squared distances, and the quadric of least squared heights over the sample's
@@ -133,7 +142,7 @@ void settle_on_quadrics(const Quadric_kernel& kernel, double smallest_cell_size,
         const Vector normal = samples.normals[i].template cast<double>();
         const Tangent_frame frame({normal.x(), normal.y(), normal.z()});
         const Agreeing_voters sums = sum_agreeing_voters<T>(center, frame, candidates, normals, variances, kernel);
-        const Settled_sample settled = settle_on_quadric(sums.moments, sums.variance, frame, kernel.radius);
+        const Settled_sample settled = settled_sample(sums, frame, kernel.radius);
         samples.positions[i] += settled.height * normal;
         samples.normals[i] = Vector(settled.normal.x, settled.normal.y, settled.normal.z).template cast<FT>();
       }
