@@ -254,7 +254,7 @@ chain, or are joined to one by `|`, one at a time: `parameters::neighbor_radius(
   \cgalParamNEnd
   \cgalParamNBegin{neighbor_radius}
     \cgalParamDescription{\f$ r_p \f$: the fit looks at the input points within \f$ r_p \f$ of a sample. The other terms look at the samples within \f$ r_p / 2 \f$
-      (`LOR`, `ALOR`) or within 2.5 spacings of the samples, at most \f$ r_p \f$ (`DEFAULT`).}
+      (`LOR`, `ALOR`) or within 2 spacings of the samples, at most \f$ r_p \f$ (`DEFAULT`).}
     \cgalParamType{`double`, a length in the unit of the points}
     \cgalParamDefault{`LOR` and `ALOR`: \f$ l_{diag} / \sqrt[3]{n} \f$, where far outliers do not count for the diagonal of the bounding box. `DEFAULT`:
       \f$ \sqrt{(4s)^2 + (4.2\sigma)^2} \f$ with the spacing s and the noise \f$ \sigma \f$ estimated from the points}
@@ -289,7 +289,7 @@ chain, or are joined to one by `|`, one at a time: `parameters::neighbor_radius(
   \cgalParamNBegin{regularization_weight}
     \cgalParamDescription{\f$ \alpha \f$ of Eq. (6): larger values draw neighbors together more}
     \cgalParamType{`double`}
-    \cgalParamDefault{0.15; `DEFAULT`: 0.05}
+    \cgalParamDefault{0.15; `DEFAULT`: 0.13}
     \cgalParamExtra{`std::invalid_argument` if negative or not finite}
   \cgalParamNEnd
   \cgalParamNBegin{initial_penalty}
@@ -307,7 +307,7 @@ chain, or are joined to one by `|`, one at a time: `parameters::neighbor_radius(
   \cgalParamNBegin{penalty_growth}
     \cgalParamDescription{\f$ \mu \f$, the factor between one \f$ \beta \f$ and the next}
     \cgalParamType{`double`}
-    \cgalParamDefault{1.5; 2.3 for `Method::DEFAULT`}
+    \cgalParamDefault{1.5; 2 for `Method::DEFAULT`}
     \cgalParamExtra{`std::invalid_argument` if not finite, not above 1, or if it asks for more than 10000 iterations}
   \cgalParamNEnd
   \cgalParamNBegin{keep_density}

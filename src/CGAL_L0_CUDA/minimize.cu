@@ -149,6 +149,29 @@ __device__ float3 solve(const Block_factorization<float>& block, float3 r)
 
 __device__ double wide_dot(float3 a, float3 b) { return double(a.x) * b.x + double(a.y) * b.y + double(a.z) * b.z; }
 
+/// \f$ a_{ik} \f$ of Eq. (7), as `update_weights()` on the CPU.
+struct Pair_weights
+{
+  bool regularize;
+  float regularization_weight, squared_radius, squared_jump;
+
+  __device__ explicit Pair_weights(const Turn& turn)
+    : regularize(turn.regularize), regularization_weight(float(turn.parameters.regularization_weight)),
+      squared_radius(float(turn.parameters.squared_radius)),
+      squared_jump(float(turn.parameters.regularized_jump * turn.parameters.regularized_jump))
+  {}
+
+  /// \param squared_distance, height_i, height_k of \f$ d = p_i - p_k \f$: its square, \f$ n_i^T d \f$ and \f$ n_k^T d \f$
+  /// \param inverses \f$ 1/w_i + 1/w_k \f$
+  __device__ float operator()(float squared_distance, float height_i, float height_k, float inverses) const
+  {
+    const float squared_height = fmaxf(height_i * height_i, height_k * height_k);
+    return regularize ? regularization_weight
+                          * pair_weight(squared_distance, squared_radius, squared_height, squared_jump) * inverses
+                      : 0.f;
+  }
+};
+
 struct Energy_sums
 {
   double fit = 0, regularization = 0, squared_normal_misfit = 0;
@@ -161,8 +184,8 @@ struct Energy_sums
 /// \param sums out, of the thread: g^T g and r^T z
 __device__ void linearize(const Turn& turn, Energy_sums& energy, double (&sums)[2])
 {
-  const float penalty = turn.penalty, alpha = float(turn.parameters.regularization_weight);
-  const float squared_radius = float(turn.parameters.squared_radius);
+  const float penalty = turn.penalty;
+  const Pair_weights weight_of_pair(turn);
   const Wide size = turn.samples.size;
   for_each_sample_of_group(turn.samples.size, [&](unsigned i, unsigned lane, bool is_sample) {
     const uint2 row = turn.neighbors.row(turn.points, turn.samples.size, i);
@@ -184,9 +207,8 @@ __device__ void linearize(const Turn& turn, Energy_sums& energy, double (&sums)[
       const float4 other = loaded.normal;
       const float3 nk = xyz(other);
       const float squared_distance = dot(d, d);
-      const float a = turn.regularize ? alpha * stretch_weight(squared_distance, squared_radius) * (own.w + other.w)
-                                      : 0.f;
       const float distance_i = dot(n, d), distance_k = dot(nk, d);
+      const float a = weight_of_pair(squared_distance, distance_i, distance_k, own.w + other.w);
       const float offset_i = shrink(distance_i, turn.jumps);
       const float misfit_i = distance_i - offset_i, misfit_k = distance_k - shrink(distance_k, turn.jumps);
       g -= a * d + (penalty * misfit_i) * n + (penalty * misfit_k) * nk;
@@ -243,8 +265,7 @@ __device__ void linearize(const Turn& turn, Energy_sums& energy, double (&sums)[
 /// \param curvature out, of the thread: z^T H z
 __device__ void multiply(const Turn& turn, bool is_first, float ratio, double& curvature)
 {
-  const float alpha = float(turn.parameters.regularization_weight);
-  const float squared_radius = float(turn.parameters.squared_radius);
+  const Pair_weights weight_of_pair(turn);
   for_each_sample_of_group(turn.samples.size, [&](unsigned i, unsigned lane, bool is_sample) {
     float3 sum = {0, 0, 0}, product = {0, 0, 0};
     struct Other
@@ -255,14 +276,14 @@ __device__ void multiply(const Turn& turn, bool is_first, float ratio, double& c
     };
     const uint2 row = turn.neighbors.row(turn.points, turn.samples.size, i);
     const int4 center = turn.points[i];
-    const float own_weight = turn.samples.normals[i].w;
+    const float4 own = turn.samples.normals[i];
+    const float3 n = xyz(own);
     const auto load_other = [&](unsigned k, Wide) {
       return Other{turn.arrays.z[k], turn.samples.normals[k], turn.points[k]};
     };
     for_each_pair<2>(turn.neighbors, row, lane, load_other, [&](const Other& other, Wide) {
       const float3 d = difference(center, other.point, turn.unit);
-      const float a = turn.regularize ? alpha * stretch_weight(dot(d, d), squared_radius) * (own_weight + other.normal.w)
-                                      : 0.f;
+      const float a = weight_of_pair(dot(d, d), dot(n, d), dot(xyz(other.normal), d), own.w + other.normal.w);
       sum += xyz(other.z);
       product += a * xyz(other.z) + other.z.w * xyz(other.normal);
     });
@@ -270,7 +291,7 @@ __device__ void multiply(const Turn& turn, bool is_first, float ratio, double& c
     product = group_sum<lanes_per_sample>(product);
     if (lane != 0 || !is_sample)
       return;
-    const float3 n = xyz(turn.samples.normals[i]), z = xyz(turn.arrays.z[i]);
+    const float3 z = xyz(turn.arrays.z[i]);
     const float3 w = turn.arrays.r.get(i) - product - (turn.penalty * dot(n, sum)) * n;
     turn.arrays.s.set(i, is_first ? w : w + ratio * turn.arrays.s.get(i));
     curvature += wide_dot(z, w);

@@ -134,7 +134,7 @@ __global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_b
   double3 to_centroid = (sums.height / total) * old_normal;
   if (distance > largest_offset)
     to_centroid = to_centroid + (pi / 2 * (distance - largest_offset) / distance) * offset;
-  samples.fit[i] = with_w(to_float(to_centroid), float(fit_weight_factor * total));
+  samples.fit[i] = with_w(to_float(to_centroid), float(total));
   const double held_back = share_held_back(distance / largest_offset);
   if (held_back > 0)
     samples.outward[i] = Short_vector::of(to_float((-sqrt(held_back) / distance) * offset));
@@ -212,12 +212,11 @@ __global__ void move_onto_fit(Samples samples)
 
 void fit_compatible_points(const Workplace& workplace, const Cell_grid& sample_grid, bool is_in_order,
                            const Cell_blocks& blocks, const Cell_grid& grid, const float4* normals, double radius,
-                           double squared_sheet_height, double normal_bandwidth, double border_allowance,
-                           const Samples& samples)
+                           double squared_sheet_height, double normal_bandwidth, const Samples& samples)
 {
   const double bandwidth = fit_bandwidth_factor * radius;
   const Fit fit = {float(radius), float(bandwidth * bandwidth), float(normal_bandwidth), float(squared_sheet_height),
-                   border_allowance * mean_distance_in_half_disk(radius, bandwidth)};
+                   mean_distance_in_half_disk(radius, bandwidth)};
   fit_samples<<<blocks_for_queries(samples.size), threads_per_block, 0, workplace.stream>>>(
     sample_grid, is_in_order ? nullptr : sample_grid.order, blocks, grid, normals, fit, samples);
   check_launch("fit_samples");

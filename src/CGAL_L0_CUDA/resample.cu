@@ -332,8 +332,7 @@ void minimize_with_refinement(Call& call, const Prepared_points& points)
     const Cell_blocks blocks = find_blocks(sample_grid, points.grid, reach, maximum_number_of_candidates,
                                            workplace.arena, workplace.stream);
     fit_compatible_points(workplace, sample_grid, is_in_order, blocks, points.grid, points.normals, lengths.radius,
-                          square(sheet_height(lengths.noise, lengths.radius)), bandwidth,
-                          border_allowance(lengths.noise, lengths.radius), call.samples);
+                          square(sheet_height(lengths.noise, lengths.radius)), bandwidth, call.samples);
   };
   const auto fit_in_cells_of_points = [&]() {
     const Arena_scope scope(workplace.arena);
@@ -405,6 +404,7 @@ void run(Session& session, const Parameters& parameters, Stages& stages, Call_re
                {square(lengths.radius), square(spatial_bandwidth_factor * lengths.filter_radius),
                 sparsity_unit_factor * lengths.radius,
                 largest_shrunk_jump(parameters.method, lengths.noise, lengths.radius),
+                regularized_jump(parameters.method, lengths.noise, lengths.radius),
                 half_width_of_shrinkage(parameters.method), parameters.normal_weight, parameters.regularization_weight},
                penalties(parameters),
                nullptr,

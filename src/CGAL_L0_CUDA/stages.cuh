@@ -181,7 +181,7 @@ Neighbor_lists find_self_neighbors(const Workplace& workplace, const Cell_grid& 
 /// The weights of Algorithm 1, as `Minimization_parameters` of the CPU.
 struct Minimization
 {
-  double squared_radius, squared_bandwidth, sparsity_unit, largest_shrunk_jump, half_width_of_shrinkage;
+  double squared_radius, squared_bandwidth, sparsity_unit, largest_shrunk_jump, regularized_jump, half_width_of_shrinkage;
   double normal_weight, regularization_weight;
 };
 
@@ -242,8 +242,7 @@ void minimize_once(const Workplace& workplace, const Minimization& parameters, d
 /// \param is_in_order whether the samples are in the order of their grid
 void fit_compatible_points(const Workplace& workplace, const Cell_grid& sample_grid, bool is_in_order,
                            const Cell_blocks& blocks, const Cell_grid& grid, const float4* normals, double radius,
-                           double squared_sheet_height, double normal_bandwidth, double border_allowance,
-                           const Samples& samples);
+                           double squared_sheet_height, double normal_bandwidth, const Samples& samples);
 
 /// Spreads the samples within the surface, by steps that the radius of the fit limits. The points of the grid are used up.
 void repel_tangentially(const Workplace& workplace, const Cell_grid& sample_grid, const Neighbor_lists& neighbors,

@@ -25,6 +25,7 @@ struct Scene
                                      std::pow(0.4 * radius, 2),
                                      0.25 * radius,
                                      std::numeric_limits<double>::infinity(),
+                                     std::numeric_limits<double>::infinity(),
                                      0,
                                      0.9,
                                      0.15,

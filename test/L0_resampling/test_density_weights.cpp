@@ -8,7 +8,9 @@
 #include <CGAL/L0_resampling/internal/density_weights.h>
 #include <CGAL/L0_resampling/internal/pair_terms.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 using namespace test;
 
@@ -58,8 +60,8 @@ void check_input(const std::vector<Vector>& points, double radius)
   }
 }
 
-/// w_i of Eq. (5) for the samples, and with it the weights of the pairs of Eq. (4), once for each of the two.
-void check_samples(const std::vector<Vector>& points, double radius, double bandwidth)
+/// w_i of Eq. (5) for the samples, and with it the weights of the pairs of Eq. (4), once for each of the two; less where there is a jump between them.
+void check_samples(const std::vector<Vector>& points, double radius, double bandwidth, double jump, Generator& generator)
 {
   const double regularization_weight = 0.15;
   const Gridded_points sorted(points, radius);
@@ -67,20 +69,29 @@ void check_samples(const std::vector<Vector>& points, double radius, double band
   const Neighborhoods neighbors = find_self_neighbors<CGAL::Sequential_tag>(sorted.grid, sorted.points, radius / 2,
                                                                             unwatched.progress);
   Buffer<double> weights(points.size()), pair_weights(neighbors.indices.size());
-  update_weights<CGAL::Parallel_if_available_tag>(sorted.points, neighbors, bandwidth * bandwidth, radius * radius,
-                                                  regularization_weight, weights, pair_weights);
+  Buffer<Vector> normals;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    normals.push_back(random_unit_vector(generator));
+  update_weights<CGAL::Parallel_if_available_tag>(sorted.points, normals, neighbors, bandwidth * bandwidth,
+                                                  radius * radius, jump * jump, regularization_weight, weights,
+                                                  pair_weights);
   const std::vector<double> naive = naive_density_weights(sorted.vector, radius / 2, bandwidth);
   CHECK(largest_relative_difference(std::vector<double>(weights.begin(), weights.end()), naive) < 1e-12);
 
   std::vector<double> naive_pair_weights;
+  std::size_t number_of_low_weights = 0;
   for (std::size_t i = 0; i < points.size(); ++i)
     for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
     {
       const std::size_t k = neighbors.indices[e];
-      const double stretch = std::exp((sorted.vector[i] - sorted.vector[k]).squaredNorm() / (radius * radius));
-      naive_pair_weights.push_back(regularization_weight * stretch / naive[i]
-                                   + regularization_weight * stretch / naive[k]);
+      const Vector d = sorted.vector[i] - sorted.vector[k];
+      const double height = (std::max)(std::abs(normals[i].dot(d)), std::abs(normals[k].dot(d)));
+      const double decay_across_jump = std::exp(-height * height / (jump * jump));
+      const double weight = std::exp(d.squaredNorm() / (radius * radius)) * decay_across_jump;
+      naive_pair_weights.push_back(regularization_weight * weight / naive[i] + regularization_weight * weight / naive[k]);
+      number_of_low_weights += decay_across_jump < 0.5;
     }
+  CHECK(std::isinf(jump) == (number_of_low_weights == 0));
   CHECK(largest_relative_difference(std::vector<double>(pair_weights.begin(), pair_weights.end()), naive_pair_weights)
         < 1e-12);
 }
@@ -94,7 +105,8 @@ void check_loners()
   Unwatched unwatched;
   const Neighborhoods none = find_self_neighbors<CGAL::Sequential_tag>(apart.grid, apart.points, 1, unwatched.progress);
   Buffer<double> weights(27, 0.), no_pair_weights;
-  update_weights<CGAL::Sequential_tag>(apart.points, none, 0.25, 1, 0.15, weights, no_pair_weights);
+  const Buffer<Vector> normals(27, Vector::UnitZ());
+  update_weights<CGAL::Sequential_tag>(apart.points, normals, none, 0.25, 1, 0.04, 0.15, weights, no_pair_weights);
   CHECK(std::vector<double>(weights.begin(), weights.end()) == ones);
 }
 
@@ -111,7 +123,8 @@ int main()
   points.emplace_back(1e9, 0, 0); // in an outermost cell, so that balls are looked at one by one
   check_input(points, 0.3);
   points.pop_back();
-  check_samples(points, 0.6, 0.3);
+  for (double jump : {0.1, std::numeric_limits<double>::infinity()})
+    check_samples(points, 0.6, 0.3, jump, generator);
   check_loners();
   return result();
 }

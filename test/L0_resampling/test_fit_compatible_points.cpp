@@ -28,7 +28,7 @@ struct Fitted
 /// The stage, for input and samples in any order.
 template <typename T>
 Fitted fit(const Oriented_points& input, const std::vector<double>& densities, const Oriented_points& start,
-           const std::vector<Vector>& last_centroids, double allowance)
+           const std::vector<Vector>& last_centroids)
 {
   const Gridded_points sorted(input.points, radius / 2);
   const auto normals = to_local_vectors<T>(permuted(sorted.order, input.normals));
@@ -46,7 +46,7 @@ Fitted fit(const Oriented_points& input, const std::vector<double>& densities, c
   Unwatched unwatched;
   fit_compatible_points<CGAL::Parallel_if_available_tag>(Fit_input<T>{sorted.grid, sorted.points, normals,
                                                                       density_weights, radius, squared_sheet_height,
-                                                                      normal_bandwidth(25), allowance},
+                                                                      normal_bandwidth(25)},
                                                          unwatched.progress, samples);
   CHECK(samples.positions == to_buffer(start.points));
   const auto vector = [](const Buffer<Vector>& b) { return std::vector<Vector>(b.begin(), b.end()); };
@@ -59,9 +59,9 @@ Fitted fit(const Oriented_points& input, const std::vector<double>& densities, c
 }
 
 template <typename T>
-Fitted fit(const Oriented_points& input, const Oriented_points& start, double allowance = 1.15)
+Fitted fit(const Oriented_points& input, const Oriented_points& start)
 {
-  return fit<T>(input, std::vector<double>(input.points.size(), 1), start, start.points, allowance);
+  return fit<T>(input, std::vector<double>(input.points.size(), 1), start, start.points);
 }
 
 /// How far from its straight side the mean of a half disk lies, by quadrature.
@@ -138,7 +138,7 @@ Fitted fit_naively(const Oriented_points& input, const std::vector<double>& dens
       sums = sum_naively(input, densities, neighbors[i], start.points[i], n,
                          squared_sheet_height * (1 - scattered * (1 - 0.7 * 0.7)));
     }
-    result.weights.push_back(sums.total > 1e-3 ? 0.3 * sums.total : 1);
+    result.weights.push_back(sums.total > 1e-3 ? sums.total : 1);
     const double mean_height = sums.height / sums.total;
     result.variances.push_back(sums.total > 1e-3 ? (sums.squared_heights / sums.total - mean_height * mean_height)
                                                      * sums.squared_weights / (sums.total * sums.total)
@@ -148,7 +148,7 @@ Fitted fit_naively(const Oriented_points& input, const std::vector<double>& dens
       continue;
     result.normals[i] = sums.normal.normalized();
     const Vector mean = sums.mean / sums.total, offset = mean - n.dot(mean) * n;
-    const double largest_offset = 1.15 * half_disk_offset();
+    const double largest_offset = half_disk_offset();
     result.centroids[i] += sums.height / sums.total * n;
     if (offset.norm() > largest_offset)
       result.centroids[i] += EIGEN_PI / 2 * (offset.norm() - largest_offset) * offset.normalized();
@@ -181,7 +181,7 @@ void check_formulas(double tolerance, Generator& generator)
 
   std::vector<Vector> last_centroids = start.points;
   last_centroids.back() = Vector(1, 2, 3);
-  const Fitted fitted = fit<T>(input, densities, start, last_centroids, 1.15);
+  const Fitted fitted = fit<T>(input, densities, start, last_centroids);
   Fitted naive = fit_naively(input, densities, start);
   naive.centroids.back() = last_centroids.back();
   double worst = 0;
@@ -278,19 +278,9 @@ void check_edge(Generator& generator)
   CHECK(turned < 0.01);
 }
 
-/// Clean points hold a sample at their border; where all of the radius is for noise it may go a little beyond, and no further with still more noise.
-void check_allowance()
-{
-  CHECK(border_allowance(0, radius) == 1);
-  CHECK(border_allowance(radius / radius_per_noise, radius) == 1 + border_allowance_for_noise);
-  CHECK(border_allowance(radius, radius) == 1 + border_allowance_for_noise);
-  const double half_way = border_allowance(0.5 * radius / radius_per_noise, radius);
-  CHECK(half_way > 1 && half_way < 1 + border_allowance_for_noise);
-}
-
-/// On the border of half a plane a sample stays; further in too, and as far beyond as is allowed; from further out it comes back to there. It knows where
-/// the border is, less and less of it further in.
-void check_border(double allowance)
+/// On the border of half a plane a sample stays, and further in too; from further out it comes back to there. It knows where the border is, less and less of it
+/// further in.
+void check_border()
 {
   Oriented_points half_plane;
   for (const Vector& p : lattice_points(81, 1))
@@ -306,12 +296,10 @@ void check_border(double allowance)
     start.points.emplace_back(x, 0, 0);
     start.normals.push_back(Vector::UnitZ());
   }
-  const Fitted fitted = fit<float>(half_plane, start, allowance);
-  const double allowed = EIGEN_PI / 2 * (allowance - 1) * half_disk_offset();
-  CHECK(allowance == 1 || (allowed > 0.02 && allowed < 0.04));
+  const Fitted fitted = fit<float>(half_plane, start);
   for (std::size_t i = 0; i < places.size(); ++i)
   {
-    const double expected = (std::max)(places[i], -allowed);
+    const double expected = (std::max)(places[i], 0.);
     CHECK(std::abs(fitted.centroids[i][0] - expected) < 0.01 * radius + 0.15 * (expected - places[i]));
     CHECK(std::abs(fitted.centroids[i][1]) < 1e-6);
     Vector sum = Vector::Zero();
@@ -324,7 +312,7 @@ void check_border(double allowance)
       sum += weight * d;
       total += weight;
     }
-    const double held_back = clamped((sum.norm() / total / (allowance * half_disk_offset()) - 0.35) / 0.2);
+    const double held_back = clamped((sum.norm() / total / half_disk_offset() - 0.35) / 0.2);
     CHECK(places[i] == 0.12 ? held_back > 0.1 && held_back < 0.9 : held_back == (places[i] < 0.1));
     CHECK((fitted.outward[i] - Vector(-std::sqrt(held_back), 0, 0)).norm() < 1e-5);
   }
@@ -381,9 +369,7 @@ int main()
   check_no_step(generator);
   check_sphere(generator);
   check_edge(generator);
-  check_allowance();
-  for (double allowance : {1., 1 + border_allowance_for_noise})
-    check_border(allowance);
+  check_border();
   check_plate(generator);
   check_close_sheets(generator);
   return result();

@@ -24,9 +24,17 @@ void check_known_values()
   CHECK(is_close(gaussian_weight(T(4), T(4)), 1 / e, tolerance));
   CHECK(is_close(gaussian_weight(T(8), T(4)), 1 / (e * e), tolerance));
 
-  CHECK(stretch_weight(T(0), T(4)) == 1);
-  CHECK(is_close(stretch_weight(T(1), T(4)), std::pow(e, 0.25), tolerance)); // at r_p/2, where self neighbors end
-  CHECK(is_close(stretch_weight(T(4), T(4)), e, tolerance));
+  const T infinity = std::numeric_limits<T>::infinity();
+  for (T squared_jump : {T(4), infinity})
+  {
+    CHECK(pair_weight(T(0), T(4), T(0), squared_jump) == 1);
+    // at r_p/2, where self neighbors end
+    CHECK(is_close(pair_weight(T(1), T(4), T(0), squared_jump), std::pow(e, 0.25), tolerance));
+    CHECK(is_close(pair_weight(T(4), T(4), T(0), squared_jump), e, tolerance));
+  }
+  CHECK(is_close(pair_weight(T(4), T(4), T(4), T(4)), 1, tolerance));
+  CHECK(is_close(pair_weight(T(4), T(4), T(4), T(2)), 1 / e, tolerance));
+  CHECK(pair_weight(T(4), T(4), T(4), infinity) == pair_weight(T(4), T(4), T(0), T(1)));
 
   const T bandwidth = T(normal_bandwidth(15));
   CHECK(bilateral_weight(T(0), T(4), T(1), bandwidth) == 1);
@@ -38,20 +46,24 @@ void check_known_values()
   CHECK(bilateral_weight(T(1), T(4), T(-cosine), bandwidth) == bilateral_weight(T(1), T(4), cosine, bandwidth));
 }
 
-/// Weights fall (Eq. 2) or grow (Eq. 4) with the distance, stay normal numbers, and end in a plateau.
+/// Weights fall (Eq. 2) or grow (Eq. 4) with the distance, and fall with the height, stay normal numbers, and end in a plateau.
 template <typename T>
 void check_clamps()
 {
-  T last_gaussian = 2, last_stretch = 0;
+  T last_gaussian = 2, last_stretch = 0, last_across_jump = 2;
   for (T squared_distance = 0; squared_distance < T(1e30); squared_distance = squared_distance * T(1.5) + T(0.01))
   {
-    const T gaussian = gaussian_weight(squared_distance, T(1)), stretch = stretch_weight(squared_distance, T(1));
+    const T gaussian = gaussian_weight(squared_distance, T(1));
+    const T stretch = pair_weight(squared_distance, T(1), T(0), T(1));
+    const T across_jump = pair_weight(T(0), T(1), squared_distance, T(1));
     CHECK(gaussian <= last_gaussian && gaussian >= T(std::exp(-41.)));
     CHECK(stretch >= last_stretch && stretch <= T(e * (1 + 1e-6)));
     CHECK(bilateral_weight(squared_distance, T(1), T(0.5), T(1e-3)) <= gaussian);
     CHECK(bilateral_weight(squared_distance, T(1), T(0), T(1e-3)) >= T(std::exp(-41.)));
+    CHECK(across_jump <= last_across_jump && across_jump >= T(std::exp(-41.)));
     last_gaussian = gaussian;
     last_stretch = stretch;
+    last_across_jump = across_jump;
   }
   CHECK(last_gaussian <= T(std::exp(-39.)));
   CHECK(is_close(last_stretch, e, 1e-6));
@@ -74,7 +86,7 @@ void check_lanes(Generator& generator)
     }
     const L d = L::load(squared_distances), c = L::load(cosines);
     const T bandwidth = T(normal_bandwidth(round % 3 ? 30 : 80));
-    const L gaussian = gaussian_weight(d, T(2)), stretch = stretch_weight(d, T(2));
+    const L gaussian = gaussian_weight(d, T(2));
     const L bilateral = bilateral_weight(d, T(2), c, bandwidth);
     const L near = where_less(d, T(2), gaussian), turned = with_sign_of(c, bilateral);
     double sum = 0;
@@ -83,7 +95,6 @@ void check_lanes(Generator& generator)
       const T scalar_gaussian = gaussian_weight(squared_distances[k], T(2));
       const T scalar_bilateral = bilateral_weight(squared_distances[k], T(2), cosines[k], bandwidth);
       CHECK(is_close(gaussian.packet[k], scalar_gaussian, tolerance));
-      CHECK(is_close(stretch.packet[k], stretch_weight(squared_distances[k], T(2)), tolerance));
       CHECK(is_close(bilateral.packet[k], scalar_bilateral, tolerance));
       CHECK(near.packet[k] == (squared_distances[k] < 2 ? gaussian.packet[k] : 0));
       CHECK(turned.packet[k] == (cosines[k] < 0 ? -1 : 1) * bilateral.packet[k]);

@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <random>
 #include <string>
 #include <vector>
@@ -147,12 +148,12 @@ private:
     if (m_change.equation == 3 || is_skipped)
       std::fill(pair_weights.begin(), pair_weights.end(), 0.);
     else if (m_change.equation == 4) {
-      // a_ik with w_i = w_k = 1
-      const double squared_radius = radius() * radius();
+      // a_ik of LOR, with w_i = w_k = 1
+      const double squared_radius = radius() * radius(), infinite = std::numeric_limits<double>::infinity();
       for_each_pair(problem, Eigen::VectorXd::Zero(3 * Eigen::Index(problem.number_of_samples())),
                     [&](std::size_t, std::size_t e, double squared_distance) {
                       pair_weights[e] = 2 * m_change.regularization_weight
-                                        * l0::internal::stretch_weight(squared_distance, squared_radius);
+                                        * l0::internal::pair_weight(squared_distance, squared_radius, 0., infinite);
                     });
     }
     return pair_weights;

@@ -69,12 +69,11 @@ void print_constants()
   object.add("fit_angle_factor", fit_angle_factor);
   object.add("area_radius_factor", area_radius_factor);
   object.add("fit_bandwidth_factor", fit_bandwidth_factor);
-  object.add("fit_weight_factor", fit_weight_factor);
-  object.add("border_allowance_for_noise", border_allowance_for_noise);
   object.add("sheet_height_per_noise", sheet_height_per_noise);
   object.add("height_among_two_sheets", height_among_two_sheets);
   object.add("sheet_height_per_radius", sheet_height_per_radius);
   object.add("largest_shrunk_jump_per_sheet_height", largest_shrunk_jump_per_sheet_height);
+  object.add("regularized_jump_per_sheet_height", regularized_jump_per_sheet_height);
   object.add("outlier_share_of_surroundings", outlier_share_of_surroundings);
   object.add("outlier_share_of_median", outlier_share_of_median);
   object.add("gap_of_parts", gap_of_parts);

@@ -119,6 +119,17 @@ inline double largest_shrunk_jump(Method method, double noise, double radius)
                                    : std::numeric_limits<double>::infinity();
 }
 
+/// The regularization of the default method lets go of pairs with a jump of more than this many H between them. Those of two sheets would draw the sheets together. With a
+/// lower limit pairs across edges would go too, and the samples of a face would draw each other away from its edges.
+constexpr double regularized_jump_per_sheet_height = 2;
+
+/// \returns a length, infinite in LOR and ALOR
+inline double regularized_jump(Method method, double noise, double radius)
+{
+  return method == Method::DEFAULT ? regularized_jump_per_sheet_height * sheet_height(noise, radius)
+                                   : std::numeric_limits<double>::infinity();
+}
+
 /// How far from the threshold, and per threshold, the default method begins and ends to shrink jumps. A step, as in Eq. (9), would put a sample here or there by a
 /// rounding.
 constexpr double half_width_of_firm_shrinkage = 0.1;
@@ -137,16 +148,6 @@ constexpr double outlier_share_of_median = 0.05;
 /// join outliers to the cloud.
 constexpr double gap_of_parts = 0.6;
 
-/// A sample is drawn back from beyond a border or an edge only if the mean of its points lies further away than half a ball's does, by this share where r_p is as
-/// wide as it is for noise alone. Noise takes points from a border; to where they begin to thin would leave a gap along every edge. Clean points reach up to it.
-constexpr double border_allowance_for_noise = 0.15;
-
-/// How far away that mean may lie, per that of half a ball.
-inline double border_allowance(double noise, double radius)
-{
-  return 1 + border_allowance_for_noise * (std::min)(radius_per_noise * noise / radius, 1.);
-}
-
 /// Points of one sheet that scatter about it by H/2, with the weights \f$ e^{-h^2/H^2} \f$, have the first of these variances, in units of \f$ H^2 \f$. Those of two sheets have
 /// more, and from the second on their sheets are as much lower as the third says: this share of H.
 constexpr double variance_of_one_sheet = 1. / 6, variance_of_two_sheets = 1. / 5, height_among_two_sheets = 0.7;
@@ -160,9 +161,6 @@ CGAL_L0_HOST_DEVICE inline double squared_sheet_height_among(double squared_shee
                             / (variance_of_two_sheets - variance_of_one_sheet));
   return squared_sheet_height * (1 - t * (1 - height_among_two_sheets * height_among_two_sheets));
 }
-
-/// The fit against the normal term: how much of the points' weight counts.
-constexpr double fit_weight_factor = 0.3;
 
 /// A sample has strayed if the points that agree with it weigh less than the first share of those in its ball, and begins to at the second. On a face it is a quarter, at
 /// an edge an eighth.
@@ -249,11 +247,11 @@ struct Choice_of_voters
 /// The default method corrects its normals by the positions before each of the last filter passes, as many times.
 constexpr std::size_t number_of_normal_refits = 2;
 
-/// \f$ \alpha \f$ of the default method, where repulsion does what regularization is for.
-constexpr double default_regularization_weight = 0.05;
+/// \f$ \alpha \f$ of the default method, where repulsion makes the samples even, and regularization smooth.
+constexpr double default_regularization_weight = 0.13;
 
-/// \f$ \mu \f$ of the default method: half as many turns as the paper's 1.5 makes, each of which fits anew.
-constexpr double default_penalty_growth = 2.3;
+/// \f$ \mu \f$ of the default method: fewer turns than the paper's 1.5 makes, each of which fits anew.
+constexpr double default_penalty_growth = 2;
 
 /// Line 5 of Algorithm 1. The product of a subnormal number and a growth near 1 can be that number again: then it is the next one.
 inline double next_penalty(double penalty, double growth)
@@ -262,7 +260,7 @@ inline double next_penalty(double penalty, double growth)
 }
 
 /// Radius of the self neighbors, per spacing of the samples, at least.
-constexpr double self_neighbor_radius_per_spacing = 2.5;
+constexpr double self_neighbor_radius_per_spacing = 2;
 
 constexpr std::size_t number_of_repulsion_steps = 3;
 

@@ -30,6 +30,7 @@ struct Minimization_parameters
   double squared_bandwidth;                                ///< \f$ \sigma_q^2 \f$
   double sparsity_unit;                                    ///< length in which \f$ \sqrt{\lambda/\beta} \f$ is read
   double largest_shrunk_jump;                              ///< a length; infinite in LOR and ALOR
+  double regularized_jump;                                 ///< J of `pair_weight()`, a length; infinite in LOR and ALOR
   double half_width_of_shrinkage;                          ///< see `Shrunk_jumps`; 0 in LOR and ALOR
   double normal_weight;                                    ///< \f$ \lambda \f$
   double regularization_weight;                            ///< \f$ \alpha \f$
@@ -109,8 +110,9 @@ public:
     else
     {
       Buffer<FT> density_weights(m, samples.positions.get_allocator());
-      update_weights<ConcurrencyTag>(samples.positions, neighbors, p.squared_bandwidth, p.squared_radius,
-                                     p.regularization_weight, density_weights, m_pair_weights);
+      update_weights<ConcurrencyTag>(samples.positions, samples.normals, neighbors, p.squared_bandwidth,
+                                     p.squared_radius, p.regularized_jump * p.regularized_jump, p.regularization_weight,
+                                     density_weights, m_pair_weights);
     }
     m_progress.advance(0);
 

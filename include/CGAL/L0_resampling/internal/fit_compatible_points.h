@@ -33,7 +33,6 @@ struct Fit_input
   double radius;                    ///< \f$ r_p \f$
   double squared_sheet_height;      ///< \f$ H^2 \f$
   double normal_bandwidth;          ///< \f$ (1 - \cos\sigma_n)^2 \f$
-  double border_allowance;          ///< at least 1
 };
 
 /// What weighs the points of a ball.
@@ -126,7 +125,7 @@ corners and shrinks what is curved, this one looks at points of its own side of 
 \f[ h_i = \sum_j w_j h_{ij} / \sum_j w_j, \qquad h_{ij} = \tfrac12 (n_i + n_j)^T (q_j - p_i). \f]
 
 The sample is drawn to \f$ c_i = p_i + h_i n_i \f$: along its normal, so that it does not retreat from edges and borders. Only beyond them, where the weighted mean of
-the points lies further off in the plane than that of half a ball, and a little more where there is noise, is it drawn back: the mean of a Gaussian cut
+the points lies further off in the plane than that of half a ball, is it drawn back: the mean of a Gaussian cut
 off at x moves by \f$ 2x/\pi \f$ for small x, so that the way back is \f$ \pi/2 \f$ of what is too much. A sample that hardly any of its points agree with, as one that
 began at the noisiest of them or at an outlier, takes the normal of most of them before, and a sheet as high as the ball, in which it finds the others (`Stray`). One whose
 points scatter more than those of one sheet do looks again at a lower sheet (`squared_sheet_height_among()`). Where still nobody agrees, it is drawn to the last \f$ c_i \f$
@@ -147,7 +146,7 @@ void fit_compatible_points(const Fit_input<T>& input, Progress& progress, Sample
 
   const Fit_kernel<T> kernel = {T(input.radius * input.radius), T(bandwidth * bandwidth), T(input.normal_bandwidth),
                                 T(input.squared_sheet_height)};
-  const double largest_offset = input.border_allowance * mean_distance_in_half_disk(input.radius, bandwidth);
+  const double largest_offset = mean_distance_in_half_disk(input.radius, bandwidth);
   const auto make_visitor = [&]() {
     return [&, normals = Local_normals<T>(), scales = Aligned_vector<T>()](
              Search_grid_3::Range queries, const Local_points<T>& candidates, const Vector& origin) mutable {
@@ -187,7 +186,7 @@ void fit_compatible_points(const Fit_input<T>& input, Progress& progress, Sample
           samples.fit_variances[i] = 0;
           continue;
         }
-        samples.fit_weights[i] = FT(fit_weight_factor * total);
+        samples.fit_weights[i] = FT(total);
         samples.fit_variances[i] = FT(variance_of_mean(total, sums.squared_weights, sums.height, sums.squared_heights));
         samples.fit_centroids[i] = samples.positions[i];
         const Vector mean = sums.offset / total;

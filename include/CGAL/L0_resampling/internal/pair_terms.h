@@ -14,6 +14,7 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace CGAL {
@@ -24,15 +25,16 @@ namespace internal {
 constexpr std::size_t samples_per_block = 256;
 
 /// Line 4 of Algorithm 1: updates \f$ w_i \f$ of Eq. (5), with the mean number of neighbors of all samples as \f$ \eta_S \f$, and the
-/// weights of the pairs in Eq. (7), \f$ a_{ik} = \alpha \bar\theta_{ik} (1/w_i + 1/w_k) \f$: the pair comes once with i and once with k.
+/// weights of the pairs in Eq. (7), \f$ a_{ik} = \alpha \bar\theta_{ik} e^{-h_{ik}^2/J^2} (1/w_i + 1/w_k) \f$: the pair comes once with i and once with k.
 /// \param squared_bandwidth \f$ \sigma_q^2 \f$
 /// \param squared_radius \f$ r_p^2 \f$
+/// \param squared_jump \f$ J^2 \f$, infinite in LOR and ALOR
 /// \param density_weights out: one number a sample, at least 1
 /// \param pair_weights out: one number a pair
 template <typename ConcurrencyTag, typename FT>
-void update_weights(const Buffer<Vector>& samples, const Neighborhoods& neighbors, double squared_bandwidth,
-                    double squared_radius, double regularization_weight, Buffer<FT>& density_weights,
-                    Buffer<FT>& pair_weights)
+void update_weights(const Buffer<Vector>& samples, const Buffer<Eigen::Matrix<FT, 3, 1>>& normals,
+                    const Neighborhoods& neighbors, double squared_bandwidth, double squared_radius, double squared_jump,
+                    double regularization_weight, Buffer<FT>& density_weights, Buffer<FT>& pair_weights)
 {
   using Array = Eigen::Array<FT, Eigen::Dynamic, 1>;
   using Values = Eigen::Map<Array>;
@@ -41,14 +43,24 @@ void update_weights(const Buffer<Vector>& samples, const Neighborhoods& neighbor
                   Eigen::Index(neighbors.offsets[end] - neighbors.offsets[begin]));
   };
 
+  const bool has_jumps = std::isfinite(squared_jump);
   const FT mean_number_of_sample_neighbors = FT(double(neighbors.indices.size()) / double(samples.size()));
   Buffer<FT> inverses(samples.size(), samples.get_allocator());
   for_each_block<ConcurrencyTag>(samples.size(), samples_per_block, [&](std::size_t begin, std::size_t end) {
+    const Values squared_distances = pairs_of(begin, end);
+    Array squared_heights = Array::Zero(squared_distances.size());
     for (std::size_t i = begin; i < end; ++i)
       for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
-        pair_weights[e] = FT((samples[i] - samples[neighbors.indices[e]]).squaredNorm());
-
-    const Values squared_distances = pairs_of(begin, end);
+      {
+        const Index k = neighbors.indices[e];
+        const Vector d = samples[i] - samples[k];
+        pair_weights[e] = FT(d.squaredNorm());
+        if (!has_jumps)
+          continue;
+        const Eigen::Matrix<FT, 3, 1> local = d.cast<FT>();
+        const FT height_i = normals[i].dot(local), height_k = normals[k].dot(local);
+        squared_heights[Eigen::Index(e - neighbors.offsets[begin])] = (std::max)(height_i * height_i, height_k * height_k);
+      }
     const Array theta = gaussian_weight(Array(squared_distances), FT(squared_bandwidth));
     for (std::size_t i = begin; i < end; ++i)
     {
@@ -58,7 +70,7 @@ void update_weights(const Buffer<Vector>& samples, const Neighborhoods& neighbor
       density_weights[i] = count > 0 ? 1 + sum / mean_number_of_sample_neighbors : 1;
       inverses[i] = FT(regularization_weight) / density_weights[i];
     }
-    pairs_of(begin, end) = stretch_weight(Array(squared_distances), FT(squared_radius));
+    pairs_of(begin, end) = pair_weight(Array(squared_distances), FT(squared_radius), squared_heights, FT(squared_jump));
   });
   for_each_block<ConcurrencyTag>(samples.size(), samples_per_block, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)

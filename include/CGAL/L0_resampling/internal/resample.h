@@ -332,6 +332,7 @@ Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buff
                                              squared_bandwidth,
                                              sparsity_unit_factor * lengths.radius,
                                              largest_shrunk_jump(parameters.method, lengths.noise, lengths.radius),
+                                             regularized_jump(parameters.method, lengths.noise, lengths.radius),
                                              half_width_of_shrinkage(parameters.method),
                                              parameters.normal_weight,
                                              parameters.regularization_weight,
@@ -344,14 +345,8 @@ Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buff
   if (parameters.method == Method::DEFAULT)
   {
     progress.begin_stage("L0 minimization", 0.32, (3 * minimization.number_of_turns() + 1) * m);
-    const Fit_input<Local> fit_input{grid,
-                                     points,
-                                     normals,
-                                     input_density_weights,
-                                     lengths.radius,
-                                     squared_sheet_height,
-                                     compatible_bandwidth,
-                                     border_allowance(lengths.noise, lengths.radius)};
+    const Fit_input<Local> fit_input{
+      grid, points, normals, input_density_weights, lengths.radius, squared_sheet_height, compatible_bandwidth};
     const Refinement_parameters refinement{lengths.self_neighbor_radius, lengths.sample_spacing,
                                            number_of_repulsion_steps};
     report.number_of_self_neighbor_pairs = minimize_with_refinement<ConcurrencyTag>(

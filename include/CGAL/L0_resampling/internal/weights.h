@@ -81,14 +81,19 @@ CGAL_L0_HOST_DEVICE inline T share_in_ball(const T& squared_distance, S squared_
   return at_most(at_least(T((squared_radius - squared_distance) * (10 / squared_radius)), S(0)), S(1));
 }
 
-/// \f$ \bar\theta(d) = e^{d^2/r_p^2} \f$ of Eq. (4): grows with the distance, from 1.
-/// Self neighbors start closer than r_p/2 but are kept while they move. Beyond r_p the weight stays at e, where the
+/// \f$ \bar\theta e^{-h^2/J^2} \f$, where \f$ \bar\theta(d) = e^{d^2/r_p^2} \f$ of Eq. (4) grows with the distance, from 1, and the other factor is 1 in LOR and ALOR: in the default method it
+/// lets go of pairs with a jump between them, to another sheet or across an edge.
+/// Self neighbors start closer than r_p/2 but are kept while they move. Beyond r_p the first weight stays at e, where the
 /// printed form would overflow for pairs that drift apart.
+/// \param squared_height \f$ h^2 \f$, with the larger of the heights of each sample over the plane of the other
+/// \param squared_jump \f$ J^2 \f$, may be infinite
 template <typename T, typename S>
-CGAL_L0_HOST_DEVICE inline T stretch_weight(const T& squared_distance, S squared_radius)
+CGAL_L0_HOST_DEVICE inline T pair_weight(const T& squared_distance, S squared_radius, const T& squared_height,
+                                         S squared_jump)
 {
   using std::exp;
-  return T(exp(at_most(T(squared_distance * (1 / squared_radius)), 1)));
+  return T(exp(
+    T(at_most(T(squared_distance * (1 / squared_radius)), 1) - at_most(T(squared_height * (1 / squared_jump)), 40))));
 }
 
 /// \f$ \theta \psi e^{-h^2/H^2} \f$: `bilateral_weight()` for the points of one sheet only.
