@@ -82,7 +82,7 @@ CGAL_L0_HOST_DEVICE inline T share_in_ball(const T& squared_distance, S squared_
 }
 
 /// \f$ \bar\theta e^{-h^2/J^2} \f$, where \f$ \bar\theta(d) = e^{d^2/r_p^2} \f$ of Eq. (4) grows with the distance, from 1, and the other factor is 1 in LOR and ALOR: in the default method it
-/// lets go of pairs with a jump between them, to another sheet or across an edge.
+/// lets go of pairs with a wide jump between them, such as those of two sheets.
 /// Self neighbors start closer than r_p/2 but are kept while they move. Beyond r_p the first weight stays at e, where the
 /// printed form would overflow for pairs that drift apart.
 /// \param squared_height \f$ h^2 \f$, with the larger of the heights of each sample over the plane of the other
