@@ -86,7 +86,7 @@ void check_lanes(Generator& generator)
     }
     const L d = L::load(squared_distances), c = L::load(cosines);
     const T bandwidth = T(normal_bandwidth(round % 3 ? 30 : 80));
-    const L gaussian = gaussian_weight(d, T(2));
+    const L gaussian = gaussian_weight(d, T(2)), pair = pair_weight(d, T(2), d, T(3));
     const L bilateral = bilateral_weight(d, T(2), c, bandwidth);
     const L near = where_less(d, T(2), gaussian), turned = with_sign_of(c, bilateral);
     double sum = 0;
@@ -95,6 +95,8 @@ void check_lanes(Generator& generator)
       const T scalar_gaussian = gaussian_weight(squared_distances[k], T(2));
       const T scalar_bilateral = bilateral_weight(squared_distances[k], T(2), cosines[k], bandwidth);
       CHECK(is_close(gaussian.packet[k], scalar_gaussian, tolerance));
+      const T scalar_pair = pair_weight(squared_distances[k], T(2), squared_distances[k], T(3));
+      CHECK(is_close(pair.packet[k], scalar_pair, tolerance));
       CHECK(is_close(bilateral.packet[k], scalar_bilateral, tolerance));
       CHECK(near.packet[k] == (squared_distances[k] < 2 ? gaussian.packet[k] : 0));
       CHECK(turned.packet[k] == (cosines[k] < 0 ? -1 : 1) * bilateral.packet[k]);
