@@ -117,7 +117,7 @@ constexpr unsigned maximum_number_of_rounds = 80;
 void launch_cooperatively(const Workplace& workplace, void* kernel, unsigned long long size, unsigned threads,
                           int most_blocks, void** arguments);
 
-/// Grades the edges, marks the pairs that are listed twice, and joins the samples over those beyond doubt.
+/// Grades the edges, marks the pairs that are listed twice, and joins the samples over those beyond doubt until sets are large.
 /// \param faces out: the root of each sample
 /// \returns the number of edges between different sets; waits for the device
 unsigned grow_forest(const Workplace& workplace, const Graph& graph, Link* faces);

@@ -64,7 +64,7 @@ __global__ void place_dipoles(Field field, Samples samples, const Link* sets)
   const Wide k = thread_index();
   if (k >= field.number_of_dipoles)
     return;
-  const unsigned i = unsigned((2 * k + 1) * samples.size / (2 * field.number_of_dipoles));
+  const unsigned i = unsigned(sample_of_dipole(k, samples.size, field.number_of_dipoles));
   const Link link = sets[i];
   const double* const p = samples.positions + 3 * Wide(i);
   field.dipoles[k] = {

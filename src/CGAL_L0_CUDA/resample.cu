@@ -71,7 +71,7 @@ std::size_t estimate_memory(std::size_t n, std::size_t m, const Parameters& para
   const std::size_t of_quadrics = 2 * of_sample_grid + 20 * m + 76 * m;
   const std::size_t k = parameters.number_of_orientation_neighbors;
   const std::size_t of_orientation = // votes and the field, or grades of the edges
-    4 * k * m + (std::max)(118 * m + bytes_of_field, 2 * k * m + 12 * m);
+    4 * k * m + (std::max)(118 * m + bytes_of_field, 2 * k * m + 16 * m);
   return slack + of_samples
          + (std::max)({of_sorting, of_filtering, of_start, of_sorting_samples, of_fit, of_minimization, of_quadrics,
                        of_orientation});
@@ -341,6 +341,9 @@ void minimize_with_refinement(Call& call, const Prepared_points& points)
         false);
   };
 
+  const Sample_refit_kernel kernel(lengths.self_neighbor_radius,
+                                   normal_bandwidth(sample_refit_angle_factor * call.parameters.sharpness_angle));
+
   call.stages.begin("L0 minimization", 0.32);
   for (std::size_t i = 0; i < call.penalties.size(); ++i)
   {
@@ -352,6 +355,7 @@ void minimize_with_refinement(Call& call, const Prepared_points& points)
       fit(grid, true);
     });
     call.numbers_of_pairs.push_back(neighbors.number_of_pairs);
+    refit_sample_normals(workplace, kernel, samples, neighbors, number_of_sample_refits, call.samples);
     {
       const Arena_scope turn_scope(workplace.scratch);
       const Turn_arrays arrays = take_turn_arrays(workplace, call.samples.size);
@@ -360,10 +364,14 @@ void minimize_with_refinement(Call& call, const Prepared_points& points)
     }
     repel_tangentially(workplace, samples, neighbors, lengths.sample_spacing, lengths.radius, number_of_repulsion_steps,
                        call.samples);
+    if (i + 1 == call.penalties.size()) // while the neighbors are there
+    {
+      fit_in_cells_of_points();
+      take_fitted_positions(workplace, call.samples);
+      refit_sample_normals(workplace, kernel, samples, neighbors, number_of_sample_refits, call.samples);
+    }
     call.stages.ask(double(i + 1) / double(call.penalties.size()));
   }
-  fit_in_cells_of_points();
-  take_fitted_positions(workplace, call.samples);
 }
 
 /// Where the default method ends, see `settle_on_quadrics()` on the CPU. The points are not needed any more.
@@ -396,21 +404,22 @@ void run(Session& session, const Parameters& parameters, Stages& stages, Call_re
     return session.scales;
   };
   const Lengths lengths = choose_lengths(session.extent, n, parameters, scales_in, report);
-  Call call = {parameters,
-               workplace,
-               stages,
-               report,
-               lengths,
-               {square(lengths.radius), square(spatial_bandwidth_factor * lengths.filter_radius),
-                sparsity_unit_factor * lengths.radius,
-                largest_shrunk_jump(parameters.method, lengths.noise, lengths.radius),
-                regularized_jump(parameters.method, lengths.noise, lengths.radius),
-                half_width_of_shrinkage(parameters.method), parameters.normal_weight, parameters.regularization_weight},
-               penalties(parameters),
-               nullptr,
-               nullptr,
-               {},
-               Samples()};
+  Call call = {
+    parameters,
+    workplace,
+    stages,
+    report,
+    lengths,
+    {square(lengths.radius), square(spatial_bandwidth_factor * lengths.filter_radius),
+     sparsity_unit_factor * lengths.radius,
+     jump_in_sheet_heights(parameters.method, largest_shrunk_jump_per_sheet_height, lengths.noise, lengths.radius),
+     jump_in_sheet_heights(parameters.method, regularized_jump_per_sheet_height, lengths.noise, lengths.radius),
+     half_width_of_shrinkage(parameters.method), parameters.normal_weight, parameters.regularization_weight},
+    penalties(parameters),
+    nullptr,
+    nullptr,
+    {},
+    Samples()};
   std::vector<Turn_result> results(call.penalties.size());
   call.turn_results = session.arena.take<Turn_result>(results.size());
   call.counts = session.arena.take<Sample_counts>(1);

@@ -24,11 +24,13 @@ constexpr unsigned short doubtful = 0xffff;
 /// Trees whose signs are fixed relative to each other.
 struct Forest
 {
-  Link* roots;                  // of each sample: the root of its tree, and whether it is turned against it
-  Link* hooks;                  // of each root: where it is hooked to in this round
-  Wide* best;                   // of each root: the edge that it joins another tree by
-  const unsigned short* grades; // of the edges, see `grade_edges()`
-  unsigned* is_changed;         // one for each round
+  Link* roots;                     // of each sample: the root of its tree, and whether it is turned against it
+  Link* hooks;                     // of each root: where it is hooked to in this round
+  Wide* best;                      // of each root: the edge that it joins another tree by
+  const unsigned short* grades;    // of the edges, see `grade_edges()`
+  unsigned* is_changed;            // one for each round
+  unsigned* dipoles_of_sets;       // of each root, 0 but while they are counted
+  unsigned* dipoles_of_large_sets; // one for each round
 };
 
 /// Marks each pair in the list of the higher sample, if both list it.
@@ -103,12 +105,31 @@ __device__ void join_trees(const cooperative_groups::grid_group& grid, const Gra
   grid.sync();
 }
 
+/// Whether large sets hold most of the samples, see `are_sets_large()`. For all threads of the launch, once a round.
+__device__ bool are_sets_large(const cooperative_groups::grid_group& grid, const Graph& graph, const Forest& forest,
+                               unsigned round)
+{
+  const unsigned number_of_dipoles = min(graph.size, maximum_number_of_dipoles);
+  const auto count_of_dipole = [&](Wide k) {
+    return &forest.dipoles_of_sets[load(&forest.roots[sample_of_dipole(k, graph.size, number_of_dipoles)]).target()];
+  };
+  for_each(number_of_dipoles, [&](Wide k) { atomicAdd(count_of_dipole(k), 1u); });
+  grid.sync();
+  for_each(number_of_dipoles, [&](Wide k) {
+    if (__ldcg(count_of_dipole(k)) >= dipoles_of_large_set)
+      atomicAdd(&forest.dipoles_of_large_sets[round], 1u);
+  });
+  grid.sync();
+  for_each(number_of_dipoles, [&](Wide k) { __stcg(count_of_dipole(k), 0u); });
+  return internal::are_sets_large(__ldcg(&forest.dipoles_of_large_sets[round]), number_of_dipoles);
+}
+
 /// The edges of a sample that are looked at together, so that the memory has several reads to do at once.
 constexpr unsigned edges_of_batch = 4;
 
 /*!
-The maximum spanning forest over the edges beyond doubt, by the rounds of Boruvka (1926): every tree takes the best edge that leads out of it,
-all at once. The order of the edges is total, so that the forest is the one that Kruskal's algorithm finds for that order.
+Joins samples over the edges beyond doubt, by the rounds of Boruvka (1926), as `grow_forest()` on the CPU: every tree takes the best edge that leads out of it,
+all at once. The order of the edges is total.
 */
 __global__ void __launch_bounds__(threads_per_block) join_by_best_edges(Graph graph, Forest forest)
 {
@@ -163,6 +184,8 @@ __global__ void __launch_bounds__(threads_per_block) join_by_best_edges(Graph gr
     if (__ldcg(&forest.is_changed[round]) == 0)
       break;
     join_trees(grid, graph, forest);
+    if (are_sets_large(grid, graph, forest, round))
+      break;
   }
 }
 
@@ -198,9 +221,17 @@ unsigned grow_forest(const Workplace& workplace, const Graph& graph, Link* faces
   unsigned short* const grades = workplace.scratch.take<unsigned short>(Wide(m) * graph.k);
   grade_edges<<<blocks_of_edges, threads_per_block, 0, stream>>>(graph, grades);
   check_launch("grade_edges");
-  Forest forest = {faces, workplace.scratch.take<Link>(m), workplace.scratch.take<Wide>(m), grades,
+  Forest forest = {faces,
+                   workplace.scratch.take<Link>(m),
+                   workplace.scratch.take<Wide>(m),
+                   grades,
+                   workplace.scratch.take<unsigned>(maximum_number_of_rounds),
+                   workplace.scratch.take<unsigned>(m),
                    workplace.scratch.take<unsigned>(maximum_number_of_rounds)};
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(forest.is_changed, 0, maximum_number_of_rounds * sizeof(unsigned), stream));
+  CGAL_L0_CUDA_CHECK(cudaMemsetAsync(forest.dipoles_of_sets, 0, m * sizeof(unsigned), stream));
+  CGAL_L0_CUDA_CHECK(
+    cudaMemsetAsync(forest.dipoles_of_large_sets, 0, maximum_number_of_rounds * sizeof(unsigned), stream));
   Graph argument = graph;
   void* arguments[] = {&argument, &forest};
   launch_cooperatively(workplace, reinterpret_cast<void*>(join_by_best_edges), m, threads_per_block, 4, arguments);

@@ -8,6 +8,7 @@
 
 #include "Cell_grid.cuh"
 
+#include <CGAL/L0_resampling/internal/Parameters.h>
 #include <CGAL/L0_resampling/internal/cuda_interface.h>
 
 #include <cstddef>
@@ -243,6 +244,12 @@ void minimize_once(const Workplace& workplace, const Minimization& parameters, d
 void fit_compatible_points(const Workplace& workplace, const Cell_grid& sample_grid, bool is_in_order,
                            const Cell_blocks& blocks, const Cell_grid& grid, const float4* normals, double radius,
                            double squared_sheet_height, double normal_bandwidth, const Samples& samples);
+
+/// Corrects the normals of the samples by their positions, as `refit_sample_normals()` on the CPU.
+/// \param sample_grid that the neighbors were found in; its points may have moved, and be used up
+/// \param samples with the variances of the fit
+void refit_sample_normals(const Workplace& workplace, const Sample_refit_kernel& kernel, const Cell_grid& sample_grid,
+                          const Neighbor_lists& neighbors, std::size_t number_of_passes, const Samples& samples);
 
 /// Spreads the samples within the surface, by steps that the radius of the fit limits. The points of the grid are used up.
 void repel_tangentially(const Workplace& workplace, const Cell_grid& sample_grid, const Neighbor_lists& neighbors,

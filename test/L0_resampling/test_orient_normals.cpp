@@ -219,6 +219,80 @@ void check_dipole_and_sheet()
   CHECK(std::abs(agreement(0, to_line + step / 2) - 2 * to_line / (to_line * to_line + squared_core)) < 0.1); // Biot and Savart
 }
 
+/// Sets grow by the surest edges until they are large, and no further; but as far as they can, if they stay small.
+void check_forest(Generator& generator)
+{
+  const Index columns = 90, n = columns * columns;
+  std::vector<int> signs;
+  for (Index i = 0; i < n; ++i)
+    signs.push_back(std::bernoulli_distribution()(generator) ? -1 : 1);
+  const auto forest_of = [&](double doubtful_share) {
+    Buffer<Edge> edges;
+    Signed_union_find whole(n, {});
+    const auto add = [&](Index i, Index k) {
+      const bool is_doubtful = random_number(0, 1, generator) < doubtful_share;
+      const double agreement = is_doubtful ? random_number(0, 0.97, generator) : random_number(0.985, 1, generator);
+      edges.push_back({float(signs[i] * signs[k] * agreement), i, k});
+      if (!is_doubtful)
+        whole.join(i, k, 1);
+    };
+    for (Index i = 0; i < n; ++i)
+    {
+      if (i % columns > 0)
+        add(i, i - 1);
+      if (i >= columns)
+        add(i, i - columns);
+      if (doubtful_share == 0 && i > columns) // less sure than all others, and wrong
+        edges.push_back({float(-0.981 * signs[i] * signs[i - columns - 1]), i, i - columns - 1});
+    }
+    const Signed_union_find sets = grow_forest<CGAL::Parallel_if_available_tag>(edges, n);
+    const Signed_union_find again = grow_forest<CGAL::Sequential_tag>(edges, n);
+    bool are_signs_right = true, are_within_whole = true, are_whole = true, are_same = true;
+    for (Index i = 0; i < n; ++i)
+    {
+      const auto [root, sign] = sets.find(i);
+      are_signs_right = are_signs_right && sign == signs[i] * signs[root];
+      are_within_whole = are_within_whole && whole.find(i).first == whole.find(root).first;
+      are_whole = are_whole && sets.size_of_set(root) == whole.size_of_set(whole.find(i).first);
+      are_same = are_same && again.find(i) == sets.find(i);
+    }
+    CHECK(are_signs_right);
+    CHECK(are_within_whole);
+    CHECK(are_same);
+    CHECK(are_sets_large(samples_of_dipoles(n), sets) != are_whole);
+  };
+  forest_of(0);
+  forest_of(0.3); // most are one set
+  forest_of(0.8); // few are more than two or three
+}
+
+/// A chain of samples on an edge of a cube, whose normals lead over edges beyond doubt from the outside of one face to the inside of the other. It must
+/// not turn one of them.
+void check_misleading_chain(const Oriented_points& even_cube, Generator& generator)
+{
+  const double spacing = std::sqrt(24. / double(even_cube.points.size()));
+  const std::size_t length = 10;
+  Oriented_points cloud = even_cube;
+  for (std::size_t j = 0; j < length; ++j)
+  {
+    const double angle = (double(j) + 0.5) / double(length) * EIGEN_PI / 2;
+    cloud.points.push_back(Vector(1, 0.02 * spacing * double(j), 1));
+    cloud.normals.push_back(Vector(-std::sin(angle), 0, std::cos(angle)));
+  }
+  cloud = in_order_of_cells(cloud, 4 * spacing);
+  Buffer<Vector> normals = to_buffer(cloud.normals);
+  for (Vector& n : normals)
+    if (std::bernoulli_distribution()(generator))
+      n = -n;
+  Unwatched unwatched;
+  orient_normals<CGAL::Parallel_if_available_tag>(to_buffer(cloud.points), 12, spacing, no_hint, unwatched.progress,
+                                                  normals);
+  std::size_t number_outward = 0;
+  for (std::size_t i = 0; i < normals.size(); ++i)
+    number_outward += normals[i].dot(cloud.normals[i]) > 0;
+  CHECK(number_outward >= even_cube.points.size());
+}
+
 /// The sheets of a plate, of so many samples that each dipole stands for an area wider than the plate is thick.
 void check_wide_plate(double thickness_in_spacings, Generator& generator)
 {
@@ -403,6 +477,8 @@ int main()
   check_orientation(together(even_sphere, even_cube, Vector(5, 1, 0)), 0.13, generator);
   for (double factor : {0.5, 2.}) // the spacing need not be known well
     check_orientation(even_cube, factor * 0.14, generator);
+  check_forest(generator);
+  check_misleading_chain(even_cube, generator);
   check_coarse_sets(generator);
   check_plane(generator);
   check_dipole_and_sheet();

@@ -18,7 +18,7 @@ import tempfile
 from pathlib import Path
 
 import poisson_tables
-from quality_bench import CGAL_SHAPES, OWN_SHAPES, Bench, command_line, describe, mesh_of, write_result
+from quality_bench import CGAL_SHAPES, OWN_SHAPES, Bench, command_line, describe, mesh_of, reuse_known, write_result
 from run_comparison import methods
 
 # How far triangles may be off the Poisson surface, in spacings of the points. The first keeps the distances of that
@@ -74,6 +74,8 @@ def parse_arguments():
     parser.add_argument("--radii", type=float, nargs="+", default=[4, 6], help="of CGAL's pipelines, in spacings")
     parser.add_argument("--input-points", type=int, default=12_000)
     parser.add_argument("--output-points", type=int, default=8_000)
+    parser.add_argument("--keep-baselines", action="store_true",
+                        help="takes the meshes of CGAL's pipelines that an earlier run with that --output has measured from there")
     parser.add_argument("--small", action="store_true",
                         help="one shape of our own, one noise, one radius, 2000 points to 1300")
     arguments = parser.parse_args()
@@ -83,25 +85,38 @@ def parse_arguments():
     return arguments
 
 
+def plan(arguments):
+    """Each mesh, and what is measured on it."""
+    planned = []
+    for noise in arguments.noise:
+        for shape in arguments.shapes:
+            mesh = mesh_of(shape, arguments.meshes)
+            planned.append((mesh, {"mesh": mesh.name, "noise_percent": noise, "outliers_percent": 0, "density_gradient": 1,
+                                   "seed": 1, "input_points": arguments.input_points,
+                                   "output_points": arguments.output_points, "measurements": {}}))
+    return planned
+
+
 def main():
     arguments = parse_arguments()
-    result = {"commands": [command_line("run_poisson.py", sys.argv[1:])], "experiments": []}
+    command = command_line("run_poisson.py", sys.argv[1:])
+    result = {"commands": [command], "experiments": []}
+    planned, compared = plan(arguments), methods(arguments.radii)
+    if arguments.keep_baselines:
+        previous = json.loads(arguments.output.with_suffix(".json").read_text(encoding="utf-8"))
+        reuse_known(previous, planned, compared, ["default"])
+        result["commands"] = [old for old in previous["commands"] if old != command] + [command]
     with tempfile.TemporaryDirectory() as scratch:
         bench = Poisson_bench(arguments.build / "bin", Path(scratch), 1)
-        for noise in arguments.noise:
-            for shape in arguments.shapes:
-                mesh = mesh_of(shape, arguments.meshes)
-                experiment = {"mesh": mesh.name, "noise_percent": noise, "outliers_percent": 0, "density_gradient": 1,
-                              "seed": 1, "input_points": arguments.input_points,
-                              "output_points": arguments.output_points}
-                source = bench.sample(mesh, experiment)
-                experiment["measurements"] = {}
-                for name, method in methods(arguments.radii).items():
+        for mesh, experiment in planned:
+            source = bench.sample(mesh, experiment)
+            for name, method in compared.items():
+                if name == "default" or name not in experiment["measurements"]:
                     measured = bench.measure(mesh, source, method, experiment["output_points"])
                     experiment["measurements"][name] = measured
                     print(f"{describe(experiment)}, {name}: {measured['surface']}", file=sys.stderr, flush=True)
-                result["experiments"].append(experiment)
-                write_result(arguments.output, result, poisson_tables.markdown(result))  # a long run that fails leaves what it has
+            result["experiments"].append(experiment)
+            write_result(arguments.output, result, poisson_tables.markdown(result))  # a long run that fails leaves what it has
 
 
 if __name__ == "__main__":

@@ -108,26 +108,18 @@ inline double sheet_height(double noise, double radius)
   return std::hypot(sheet_height_per_noise * noise, sheet_height_per_radius * radius);
 }
 
-/// A jump between two samples of more than this share of H is one to another sheet, or across an edge, and no noise: the default method shrinks no such
+/// A jump between two samples of more than this many H is one to another sheet, or across an edge, and no noise: the default method shrinks no such
 /// jump, however small the penalty still is.
 constexpr double largest_shrunk_jump_per_sheet_height = 0.5;
-
-/// \returns a length, infinite in LOR and ALOR
-inline double largest_shrunk_jump(Method method, double noise, double radius)
-{
-  return method == Method::DEFAULT ? largest_shrunk_jump_per_sheet_height * sheet_height(noise, radius)
-                                   : std::numeric_limits<double>::infinity();
-}
 
 /// The regularization of the default method lets go of pairs with a jump of more than this many H between them. Those of two sheets would draw the sheets together. With a
 /// lower limit pairs across edges would go too, and the samples of a face would draw each other away from its edges.
 constexpr double regularized_jump_per_sheet_height = 2;
 
-/// \returns a length, infinite in LOR and ALOR
-inline double regularized_jump(Method method, double noise, double radius)
+/// \returns a jump of that many H, a length; infinite in LOR and ALOR, which know no sheets
+inline double jump_in_sheet_heights(Method method, double number, double noise, double radius)
 {
-  return method == Method::DEFAULT ? regularized_jump_per_sheet_height * sheet_height(noise, radius)
-                                   : std::numeric_limits<double>::infinity();
+  return method == Method::DEFAULT ? number * sheet_height(noise, radius) : std::numeric_limits<double>::infinity();
 }
 
 /// How far from the threshold, and per threshold, the default method begins and ends to shrink jumps. A step, as in Eq. (9), would put a sample here or there by a
@@ -246,6 +238,27 @@ struct Choice_of_voters
 
 /// The default method corrects its normals by the positions before each of the last filter passes, as many times.
 constexpr std::size_t number_of_normal_refits = 2;
+
+/// After each fit the default method corrects the normals of the samples by the positions of their self neighbors, in so many passes.
+constexpr std::size_t number_of_sample_refits = 2;
+
+/// The self neighbors count there that look like samples of one face: \f$ \sigma_n \f$ in sharpness angles, and \f$ \sigma \f$ and H per radius of the self neighbors. A wider angle follows details of
+/// rough surfaces more closely and rounds edges more.
+constexpr double sample_refit_angle_factor = 2.5, sample_refit_bandwidth_factor = 0.7, sample_refit_sheet_factor = 0.125;
+
+/// What decides how far a self neighbor counts there.
+struct Sample_refit_kernel
+{
+  double radius; ///< R, of the self neighbors
+  double squared_bandwidth;
+  double normal_bandwidth; ///< \f$ (1 - \cos\sigma_n)^2 \f$
+  double squared_sheet_height;
+
+  Sample_refit_kernel(double self_neighbor_radius, double bandwidth_of_normals)
+    : radius(self_neighbor_radius), squared_bandwidth(square(sample_refit_bandwidth_factor * radius)),
+      normal_bandwidth(bandwidth_of_normals), squared_sheet_height(square(sample_refit_sheet_factor * radius))
+  {}
+};
 
 /// \f$ \alpha \f$ of the default method, where repulsion makes the samples even, and regularization smooth.
 constexpr double default_regularization_weight = 0.13;

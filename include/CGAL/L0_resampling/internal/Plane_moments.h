@@ -104,6 +104,51 @@ CGAL_L0_HOST_DEVICE inline Triple halfway_to_plane(const Plane_moments<double>& 
   return normalized({unit.x + weight * n.x, unit.y + weight * n.y, unit.z + weight * n.z});
 }
 
+/// A unit vector near `own` across the plane of the points whose moments these are: two steps of inverse iteration from `own` towards the smallest eigenvector of their covariance. Where the
+/// points have no plane, as in a strip, it hardly moves from `own`.
+/// \param own of unit length but for rounding
+/// \pre `moments.sum` is positive
+CGAL_L0_HOST_DEVICE inline Triple normal_of_plane_near(const Plane_moments<double>& moments, const Triple& own)
+{
+  const Plane_moments<double>& m = moments;
+  const double n = m.sum, ridge = 0.01; // of the trace: smaller eigenvalues are rounding
+  double xx = m.xx / n - square(m.x / n), yy = m.yy / n - square(m.y / n), zz = m.zz / n - square(m.z / n);
+  const double trace = xx + yy + zz;
+  if (!(trace > 0))
+    return own;
+  xx = xx / trace + ridge, yy = yy / trace + ridge, zz = zz / trace + ridge;
+  const double xy = (m.xy / n - m.x / n * (m.y / n)) / trace, xz = (m.xz / n - m.x / n * (m.z / n)) / trace;
+  const double yz = (m.yz / n - m.y / n * (m.z / n)) / trace;
+  // the adjugate is the inverse but for a factor
+  const Triple row_x = {yy * zz - yz * yz, xz * yz - xy * zz, xy * yz - xz * yy};
+  const Triple row_y = {row_x.y, xx * zz - xz * xz, xy * xz - xx * yz};
+  const Triple row_z = {row_x.z, row_y.z, xx * yy - xy * xy};
+  Triple v = own;
+  for (int step = 0; step < 2; ++step)
+    v = normalized({dot(row_x, v), dot(row_y, v), dot(row_z, v)});
+  return v;
+}
+
+/// The unit normal between `own` and halfway to that of the plane through the samples that agree with it, whose moments these are. It stays where it is as far as the two differ
+/// by no more than noise explains: with \f$ \delta \f$ for the angle between them, and \f$ \tau^2 \f$ for the variance that noise leaves of a sample's height, the share is
+/// \f$ 1 - e^{-(\delta R / \tau)^4} \f$. It falls to 0 where hardly anybody agrees, and for a plane that lies across.
+/// \param own of unit length but for rounding
+/// \param variance \f$ \tau^2 \f$
+/// \param radius R, of the ball of the samples
+CGAL_L0_HOST_DEVICE inline Triple lean_to_plane(const Plane_moments<double>& moments, const Triple& own,
+                                                double variance, double radius)
+{
+  const double fewest = 2, enough = 4, least_cosine = 0.5, full_cosine = 0.6, squared_rounding = 1e-12;
+  if (!(moments.sum > fewest))
+    return own;
+  const Triple unit = normalized(own), n = normal_of_plane_near(moments, unit);
+  const double cosine = dot(n, unit), squared_angle = at_least(2 * (1 - cosine), 0.);
+  const double x = squared_angle / (variance / square(radius) + squared_rounding);
+  const double weight = as_share((moments.sum - fewest) / (enough - fewest))
+                        * as_share((cosine - least_cosine) / (full_cosine - least_cosine)) * (1 - decay(x * x));
+  return normalized({unit.x + weight * n.x, unit.y + weight * n.y, unit.z + weight * n.z});
+}
+
 /// The moments of all lanes.
 template <typename L>
 Plane_moments<double> sum_of_lanes(const Plane_moments<L>& m)

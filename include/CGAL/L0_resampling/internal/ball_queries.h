@@ -167,6 +167,29 @@ private:
   static constexpr T far_away = T(1e12); // its square is finite in `float`
 };
 
+/// Queries in any order, sorted into the cells of a grid, so that those near each other share their candidates.
+class Sorted_queries
+{
+public:
+  const Buffer<Index> order; ///< which query stands where
+  const Buffer<Vector> points;
+  const Search_grid_3 grid;
+
+  template <typename ConcurrencyTag>
+  Sorted_queries(ConcurrencyTag, const Buffer<Vector>& unsorted_points, double cell_size)
+    : order(Search_grid_3::sorted_order<ConcurrencyTag>(unsorted_points, cell_size)),
+      points(in_order(unsorted_points, order)), grid(points, cell_size)
+  {}
+
+private:
+  static Buffer<Vector> in_order(const Buffer<Vector>& unsorted_points, const Buffer<Index>& order)
+  {
+    Buffer<Vector> points = copy_of(unsorted_points);
+    apply_order(order, points);
+    return points;
+  }
+};
+
 /// Calls `visitor(cell, ranges, count)` for each occupied cell of a row, with the runs of points that the cursor finds around it, and their
 /// number. Runs ascend.
 template <typename Visitor>

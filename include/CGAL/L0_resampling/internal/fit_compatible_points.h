@@ -139,10 +139,7 @@ template <typename ConcurrencyTag, typename T, typename FT>
 void fit_compatible_points(const Fit_input<T>& input, Progress& progress, Samples<FT>& samples)
 {
   const double cell_size = input.grid.cell_size(), bandwidth = fit_bandwidth_factor * input.radius;
-  const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(samples.positions, cell_size);
-  Buffer<Vector> queries_in_order = copy_of(samples.positions);
-  apply_order(order, queries_in_order);
-  const Search_grid_3 query_grid(queries_in_order, cell_size);
+  const Sorted_queries sorted_queries(ConcurrencyTag(), samples.positions, cell_size);
 
   const Fit_kernel<T> kernel = {T(input.radius * input.radius), T(bandwidth * bandwidth), T(input.normal_bandwidth),
                                 T(input.squared_sheet_height)};
@@ -157,8 +154,8 @@ void fit_compatible_points(const Fit_input<T>& input, Progress& progress, Sample
 
       for (Index q = queries.first; q < queries.second; ++q)
       {
-        const Index i = order[q];
-        const Eigen::Matrix<T, 3, 1> center = (queries_in_order[q] - origin).template cast<T>();
+        const Index i = sorted_queries.order[q];
+        const Eigen::Matrix<T, 3, 1> center = (sorted_queries.points[q] - origin).template cast<T>();
         Vector old_normal = samples.normals[i].template cast<double>();
         const auto sums_with = [&](const Fit_kernel<T>& own_kernel) {
           return sum_compatible_points<T>(center, old_normal.cast<T>(), candidates, normals, scales, own_kernel);
@@ -203,7 +200,7 @@ void fit_compatible_points(const Fit_input<T>& input, Progress& progress, Sample
       }
     };
   };
-  for_each_cell<T, ConcurrencyTag>(query_grid, queries_in_order, input.grid, input.points,
+  for_each_cell<T, ConcurrencyTag>(sorted_queries.grid, sorted_queries.points, input.grid, input.points,
                                    cells_in_reach(input.radius, cell_size), progress, make_visitor);
 }
 

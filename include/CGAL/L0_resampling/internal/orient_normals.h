@@ -11,11 +11,12 @@
 #include <CGAL/L0_resampling/internal/orientation_agreement.h>
 #include <CGAL/L0_resampling/internal/orientation_field.h>
 #include <CGAL/L0_resampling/internal/orientation_votes.h>
+#include <CGAL/L0_resampling/internal/spanning_forest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -50,28 +51,6 @@ Buffer<Edge> rated_edges(const Buffer<Vector>& positions, const Buffer<Eigen::Ma
                                           });
 }
 
-/// The edges beyond doubt, sorted by how sure they are, in steps of 1/1024, which is all that a spanning forest of noisy normals needs.
-template <typename ConcurrencyTag>
-Buffer<Edge> sure_edges(const Buffer<Edge>& edges)
-{
-  Buffer<Edge> sure = append_by_blocks<ConcurrencyTag>(edges.size(), edges_per_block, edges.get_allocator(),
-                                                       [&](std::size_t begin, std::size_t end, Buffer<Edge>& sure_ones) {
-                                                         for (std::size_t e = begin; e < end; ++e)
-                                                           if (std::abs(edges[e].agreement) >= beyond_doubt)
-                                                             sure_ones.push_back(edges[e]);
-                                                       });
-  const std::size_t number_of_steps = 1024;
-  const auto step = [&](const Edge& e) {
-    return std::size_t((1 - (std::min)(std::abs(e.agreement), 1.f)) * (number_of_steps - 1));
-  };
-  std::vector<std::size_t> places(number_of_steps + 1, 0);
-  for_each_in_order(sure.size(), [&](std::size_t e) { ++places[step(sure[e]) + 1]; });
-  std::partial_sum(places.begin(), places.end(), places.begin());
-  Buffer<Edge> sorted = filled_buffer(sure.size(), Edge(), edges.get_allocator());
-  for_each_in_order(sure.size(), [&](std::size_t e) { sorted[places[step(sure[e])]++] = sure[e]; });
-  return sorted;
-}
-
 /// The hints of samples that have none.
 inline Vector no_hint(Index) { return Vector::Zero(); }
 
@@ -95,8 +74,8 @@ struct Orientation
 
 /*!
 Turns the normals of the samples to one side. Over the edges of the graph of nearest neighbors where `orientation_agreement()` is beyond
-doubt, sets of samples grow as the maximum spanning forest of Hoppe et al. does. Where sets touch, across a sharp edge or through noise, one edge
-may well err, and would turn a whole face; there, all edges between two sets vote. Then the sets that hang together are turned
+doubt, sets of samples grow as the maximum spanning forest of Hoppe et al. does, until most samples are in large sets. Where these touch, within a face, across a sharp
+edge or through noise, one edge may well err, and would turn a whole face; there, all edges between two sets vote. Then the sets that hang together are turned
 as a whole: to the side of the hints where these are clear, else outwards, in the sense of the divergence theorem: \f$ \sum n_i^T (p_i - \bar p) > 0 \f$. Works on indices; no sample changes its
 place.
 
@@ -111,15 +90,12 @@ Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_o
 {
   const auto normal = [&](Index i) -> Vector { return normals[i].template cast<double>(); };
   const std::size_t m = positions.size();
-  Voting faces{Signed_union_find(m, positions.get_allocator()), Buffer<Vote>(positions.get_allocator())};
-  {
+  Voting faces = [&] {
     const Buffer<Edge> edges = rated_edges<ConcurrencyTag>(positions, normals, number_of_neighbors, spacing, progress);
-    const Buffer<Edge> sure = sure_edges<ConcurrencyTag>(edges);
-    for_each_in_order(sure.size(),
-                      [&](std::size_t e) { faces.sets.join(sure[e].i, sure[e].k, sure[e].agreement < 0 ? -1 : 1); });
-    faces.sets.compress();
-    faces.votes = votes_of_edges<ConcurrencyTag>(edges, faces.sets);
-  }
+    Signed_union_find sets = grow_forest<ConcurrencyTag>(edges, m);
+    Buffer<Vote> votes = votes_of_edges<ConcurrencyTag>(edges, sets);
+    return Voting{std::move(sets), std::move(votes)};
+  }();
   const auto joined_by_votes = [](double sure, const Voting& before) {
     Voting voting{before.sets, copy_of(before.votes)};
     join_by_votes<ConcurrencyTag>(sure, voting);

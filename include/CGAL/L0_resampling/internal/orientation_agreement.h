@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 namespace CGAL {
 namespace L0_resampling {
@@ -24,11 +25,29 @@ constexpr double clear_majority = 0.5;
 /// The field of sets is that of so many samples, evenly spread, and of so many sets at most.
 constexpr unsigned maximum_number_of_dipoles = 2048, maximum_number_of_sets = 341;
 
-/// How many of the samples that are dipoles a set has to have to be one of the field: all sets are, if they are few and each sample is a dipole; else so
-/// many as leave no more than `maximum_number_of_sets`.
+/// The k-th of the samples that are dipoles. Samples are sorted by place: every so-maniest of them are spread evenly.
+CGAL_L0_HOST_DEVICE inline std::size_t sample_of_dipole(std::size_t k, std::size_t number_of_samples,
+                                                        std::size_t number_of_dipoles)
+{
+  return std::size_t((2 * std::uint64_t(k) + 1) * number_of_samples / (2 * number_of_dipoles));
+}
+
+/// Sets of so many dipoles are large: there are no more of them than `maximum_number_of_sets`.
+constexpr unsigned dipoles_of_large_set = 6;
+
+/// How many dipoles a set has to have to be one of the field: all sets are, if they are few and each sample is a dipole; else the large ones.
 CGAL_L0_HOST_DEVICE inline unsigned fewest_dipoles_of_a_set(std::size_t number_of_samples, std::size_t number_of_sets)
 {
-  return number_of_samples <= maximum_number_of_dipoles && number_of_sets <= maximum_number_of_sets ? 1 : 6;
+  return number_of_samples <= maximum_number_of_dipoles && number_of_sets <= maximum_number_of_sets
+           ? 1
+           : dipoles_of_large_set;
+}
+
+/// Whether sets are large enough for the field to tell most samples what side they are on, by the dipoles of large sets. They grow no further by single edges: a
+/// wrong one between two large sets would turn a whole face, and the field could not part the two any more.
+CGAL_L0_HOST_DEVICE inline bool are_sets_large(std::size_t dipoles_of_large_sets, std::size_t number_of_dipoles)
+{
+  return 10 * dipoles_of_large_sets >= 9 * number_of_dipoles;
 }
 
 /// Whether the field of the larger sets is that of their tree, by its dipoles. That of the minority, single flat spots of a surface that bends within few spacings,

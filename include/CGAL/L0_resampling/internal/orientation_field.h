@@ -8,6 +8,7 @@
 
 #include <CGAL/L0_resampling/internal/Field_of_sets.h>
 #include <CGAL/L0_resampling/internal/Search_grid_3.h>
+#include <CGAL/L0_resampling/internal/dipoles_of_sets.h>
 #include <CGAL/L0_resampling/internal/orientation_agreement.h>
 #include <CGAL/L0_resampling/internal/orientation_votes.h>
 #include <CGAL/L0_resampling/internal/parallel_for.h>
@@ -15,7 +16,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <map>
 #include <vector>
 
@@ -30,21 +30,10 @@ struct Dipole
 };
 
 /// The sets of the field, of those that have dipoles: the larger ones of the trees that they stand for.
-/// \param roots of the sets of the dipoles, ascending
+/// \param sets by their roots
 /// \returns their roots, ascending
-inline std::vector<Index> sets_of_field(const Signed_union_find& trees, const std::vector<Index>& roots)
+inline std::vector<Index> sets_of_field(const Signed_union_find& trees, const std::vector<Dipoles_of_set>& sets)
 {
-  struct Dipoles_of_set
-  {
-    Index root;
-    std::size_t count;
-  };
-  std::vector<Dipoles_of_set> sets;
-  for (Index root : roots)
-    if (!sets.empty() && sets.back().root == root)
-      ++sets.back().count;
-    else
-      sets.push_back({root, 1});
   const std::size_t fewest = fewest_dipoles_of_a_set(trees.size(), sets.size());
   struct Dipoles_of_tree
   {
@@ -80,18 +69,9 @@ bool join_by_field(const Signed_union_find& trees, const Buffer<Vector>& positio
 {
   Signed_union_find& sets = voting.sets;
   const double weight_of_votes = 3; // of an edge, against the field of two faces of one spacing each
-  const std::size_t m = positions.size(), number_of_dipoles = (std::min)(m, std::size_t(maximum_number_of_dipoles));
-
-  // Samples are sorted by place: every so-maniest of them are spread evenly.
-  std::vector<Index> samples, roots;
-  for (std::uint64_t k = 0; k < number_of_dipoles; ++k)
-  {
-    samples.push_back(Index((2 * k + 1) * m / (2 * number_of_dipoles)));
-    roots.push_back(sets.find(samples.back()).first);
-  }
-  std::sort(roots.begin(), roots.end());
+  const std::vector<Index> samples = samples_of_dipoles(positions.size());
   Field_of_sets field;
-  field.roots = sets_of_field(trees, roots);
+  field.roots = sets_of_field(trees, dipoles_of_sets(samples, sets));
   const std::size_t number_of_sets = field.roots.size();
   if (number_of_sets < 2)
     return false;
@@ -112,7 +92,7 @@ bool join_by_field(const Signed_union_find& trees, const Buffer<Vector>& positio
   for (Index i : samples)
     if (const auto [root, sign] = sets.find(i); is_in_field(root))
       dipoles[place_of(root)].push_back({positions[i], double(sign) * normals[i].template cast<double>()});
-  const double area = spacing * spacing * double(m) / double(number_of_dipoles);
+  const double area = spacing * spacing * double(positions.size()) / double(samples.size());
   const double squared_core = squared_core_of_dipole(area);
   field.agreements.assign(number_of_sets * number_of_sets, 0);
   for_each_block<ConcurrencyTag>(number_of_sets, 1, [&](std::size_t a, std::size_t) {

@@ -8,6 +8,7 @@
 
 #include <CGAL/L0_resampling/internal/alternating_minimization.h>
 #include <CGAL/L0_resampling/internal/fit_compatible_points.h>
+#include <CGAL/L0_resampling/internal/refit_sample_normals.h>
 #include <CGAL/L0_resampling/internal/tangential_repulsion.h>
 
 #include <cstddef>
@@ -23,6 +24,8 @@ struct Refinement_parameters
   double self_neighbor_radius;           ///< in place of r_p/2, so that a sample has neighbors at any number of samples
   double spacing;                        ///< of an even set of that many samples
   std::size_t number_of_repulsion_steps; ///< after each turn
+  Sample_refit_kernel refit_kernel;
+  std::size_t number_of_sample_refits; ///< after each fit
 };
 
 /// The fit term of the default method as rows: one a sample.
@@ -37,7 +40,7 @@ inline Fit_rows collapsed_fit_rows(const Samples<double>& samples)
 
 /*!
 Algorithm 1 as the default method runs it: every turn looks for the neighbors anew where the samples are now, fits to compatible points
-only, and spreads the samples within the surface. Ends on the fitted surface.
+only, corrects normals by the samples around, and spreads the samples within the surface. Ends on the fitted surface.
 
 \param input the points to fit to
 \param samples positions and normals in and out; the order changes
@@ -58,16 +61,17 @@ std::size_t minimize_with_refinement(const Minimization_parameters& p, const Ref
   Fit_rows fit_rows{Buffer<std::size_t>(allocator), Buffer<Vector>(allocator), Buffer<double>(allocator)};
   Buffer<Upper_triangle<typename SolverTraits::FT>> normal_spreads(allocator);
 
-  std::size_t number_of_pairs = 0;
+  Neighborhoods neighbors{Buffer<std::size_t>(allocator), Buffer<Index>(allocator)};
   double penalty = p.initial_penalty;
   do
   {
+    release(neighbors.offsets);
+    release(neighbors.indices);
     fit_compatible_points<ConcurrencyTag>(input, progress, samples);
     apply_order(Search_grid_3::sorted_order<ConcurrencyTag>(samples.positions, cell_size), samples);
     const Search_grid_3 grid(samples.positions, cell_size);
-    const Neighborhoods neighbors = find_self_neighbors<ConcurrencyTag>(grid, samples.positions,
-                                                                        refinement.self_neighbor_radius, progress);
-    number_of_pairs = neighbors.indices.size();
+    neighbors = find_self_neighbors<ConcurrencyTag>(grid, samples.positions, refinement.self_neighbor_radius, progress);
+    refit_sample_normals<ConcurrencyTag>(refinement.refit_kernel, neighbors, refinement.number_of_sample_refits, samples);
     if constexpr (SolverTraits::needs_explicit_rows)
       fit_rows = collapsed_fit_rows(samples);
 
@@ -80,7 +84,8 @@ std::size_t minimize_with_refinement(const Minimization_parameters& p, const Ref
 
   fit_compatible_points<ConcurrencyTag>(input, progress, samples);
   samples.positions = copy_of(samples.fit_centroids);
-  return number_of_pairs;
+  refit_sample_normals<ConcurrencyTag>(refinement.refit_kernel, neighbors, refinement.number_of_sample_refits, samples);
+  return neighbors.indices.size();
 }
 
 } // namespace internal

@@ -328,18 +328,19 @@ Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buff
   }
 
   // Section 3.2 and 3.3: Eq. (6) by Algorithm 1
-  const Minimization_parameters minimization{square(lengths.radius),
-                                             squared_bandwidth,
-                                             sparsity_unit_factor * lengths.radius,
-                                             largest_shrunk_jump(parameters.method, lengths.noise, lengths.radius),
-                                             regularized_jump(parameters.method, lengths.noise, lengths.radius),
-                                             half_width_of_shrinkage(parameters.method),
-                                             parameters.normal_weight,
-                                             parameters.regularization_weight,
-                                             parameters.initial_penalty,
-                                             parameters.maximum_penalty,
-                                             parameters.penalty_growth,
-                                             parameters.method == Method::ALOR};
+  const Minimization_parameters minimization{
+    square(lengths.radius),
+    squared_bandwidth,
+    sparsity_unit_factor * lengths.radius,
+    jump_in_sheet_heights(parameters.method, largest_shrunk_jump_per_sheet_height, lengths.noise, lengths.radius),
+    jump_in_sheet_heights(parameters.method, regularized_jump_per_sheet_height, lengths.noise, lengths.radius),
+    half_width_of_shrinkage(parameters.method),
+    parameters.normal_weight,
+    parameters.regularization_weight,
+    parameters.initial_penalty,
+    parameters.maximum_penalty,
+    parameters.penalty_growth,
+    parameters.method == Method::ALOR};
   const double compatible_bandwidth = normal_bandwidth(fit_angle_factor * parameters.sharpness_angle);
   const double squared_sheet_height = square(sheet_height(lengths.noise, lengths.radius));
   if (parameters.method == Method::DEFAULT)
@@ -347,8 +348,11 @@ Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buff
     progress.begin_stage("L0 minimization", 0.32, (3 * minimization.number_of_turns() + 1) * m);
     const Fit_input<Local> fit_input{
       grid, points, normals, input_density_weights, lengths.radius, squared_sheet_height, compatible_bandwidth};
-    const Refinement_parameters refinement{lengths.self_neighbor_radius, lengths.sample_spacing,
-                                           number_of_repulsion_steps};
+    const Refinement_parameters refinement{
+      lengths.self_neighbor_radius, lengths.sample_spacing, number_of_repulsion_steps,
+      Sample_refit_kernel(lengths.self_neighbor_radius,
+                          normal_bandwidth(sample_refit_angle_factor * parameters.sharpness_angle)),
+      number_of_sample_refits};
     report.number_of_self_neighbor_pairs = minimize_with_refinement<ConcurrencyTag>(
       minimization, refinement, fit_input, solver, progress, samples, report.iterations);
     release(points);

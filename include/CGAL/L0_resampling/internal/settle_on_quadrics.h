@@ -123,10 +123,7 @@ void settle_on_quadrics(const Quadric_kernel& kernel, double smallest_cell_size,
     apply_order(order, voters.variances);
   }
   const Search_grid_3 voter_grid(voters.positions, cell_size);
-  const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(samples.positions, cell_size);
-  Buffer<Vector> queries_in_order = copy_of(samples.positions);
-  apply_order(order, queries_in_order);
-  const Search_grid_3 query_grid(queries_in_order, cell_size);
+  const Sorted_queries sorted_queries(ConcurrencyTag(), samples.positions, cell_size);
 
   const auto make_visitor = [&]() {
     return [&, normals = Local_normals<T>(), variances = Aligned_vector<T>()](
@@ -137,8 +134,8 @@ void settle_on_quadrics(const Quadric_kernel& kernel, double smallest_cell_size,
         variances[k] = voters.variances[candidates.indices[k]];
       for (Index q = queries.first; q < queries.second; ++q)
       {
-        const Index i = order[q];
-        const Eigen::Matrix<T, 3, 1> center = (queries_in_order[q] - origin).template cast<T>();
+        const Index i = sorted_queries.order[q];
+        const Eigen::Matrix<T, 3, 1> center = (sorted_queries.points[q] - origin).template cast<T>();
         const Vector normal = samples.normals[i].template cast<double>();
         const Tangent_frame frame({normal.x(), normal.y(), normal.z()});
         const Agreeing_voters sums = sum_agreeing_voters<T>(center, frame, candidates, normals, variances, kernel);
@@ -148,7 +145,7 @@ void settle_on_quadrics(const Quadric_kernel& kernel, double smallest_cell_size,
       }
     };
   };
-  for_each_cell<T, ConcurrencyTag>(query_grid, queries_in_order, voter_grid, voters.positions,
+  for_each_cell<T, ConcurrencyTag>(sorted_queries.grid, sorted_queries.points, voter_grid, voters.positions,
                                    cells_in_reach(kernel.radius, cell_size), progress, make_visitor);
 }
 
