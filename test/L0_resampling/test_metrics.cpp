@@ -176,12 +176,13 @@ void test_normals()
     return summarize(normal_deviations(points, std::vector<Vector_3>(points.size(), normal), truth));
   };
   for (double sign : {1., -1.})
-    for (double degrees : {0., 1e-6, 14.9, 15.1, 80.})
+    for (double degrees : {0., 1e-6, 14.9, 15.1, 59.9, 60.1, 80.})
     {
       const Normal_statistics statistics = measured(degrees, sign);
       check_close(statistics.mean_error, degrees, 1e-9);
       check_close(statistics.share_above_15_degrees, degrees > 15, 0);
       check_close(statistics.share_inwards, sign < 0, 0);
+      check_close(statistics.share_turned, sign < 0 && degrees < 60, 0);
     }
 
   std::vector<Vector_3> mixed(points.size(), Vector_3(0, 0, 1));

@@ -60,7 +60,8 @@ Json to_json(const Evaluation& e, const L0_benchmark::Ground_truth& truth)
   if (e.normals)
     json["normals"] = {{"mean_error_degrees", e.normals->mean_error},
                        {"share_above_15_degrees", e.normals->share_above_15_degrees},
-                       {"share_inwards", e.normals->share_inwards}};
+                       {"share_inwards", e.normals->share_inwards},
+                       {"share_turned", e.normals->share_turned}};
   json["uniformity"] = {{"median_spacing", e.uniformity.median_spacing / truth.diagonal() * 100},
                         {"spacing_variation", e.uniformity.spacing_variation},
                         {"density_variation", e.uniformity.density_variation}};

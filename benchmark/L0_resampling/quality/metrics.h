@@ -43,6 +43,7 @@ struct Normal_statistics
   double mean_error = 0; ///< degrees, without regard to the sign
   double share_above_15_degrees = 0;
   double share_inwards = 0; ///< share of normals that point to the wrong side
+  double share_turned = 0;  ///< of these, by more than 120 degrees, which no edge of a right angle explains
 };
 
 struct Uniformity
@@ -157,11 +158,13 @@ inline Normal_statistics summarize(const std::vector<Normal_deviation>& deviatio
     statistics.mean_error += deviation.angle;
     statistics.share_above_15_degrees += deviation.angle > 15;
     statistics.share_inwards += deviation.inwards;
+    statistics.share_turned += deviation.inwards && deviation.angle < 60;
   }
   const double count = double(deviations.size());
   statistics.mean_error /= count;
   statistics.share_above_15_degrees /= count;
   statistics.share_inwards /= count;
+  statistics.share_turned /= count;
   return statistics;
 }
 

@@ -10,9 +10,10 @@ import sys
 from pathlib import Path
 
 from comparison_tables import DISTANCE, INWARDS, NORMALS
-from quality_tables import is_ours, table
+from quality_tables import Column, is_ours, table
 
 COLUMNS = (DISTANCE, NORMALS)
+TURNED = Column("of these, more than 120 degrees off, %", "normals", "share_turned", 2, scale=100)
 HEADER = ("input", "best of CGAL", "default", "best radius", "true normals", "both")
 
 
@@ -40,8 +41,9 @@ def rows(result, column):
 
 def inwards_rows(result):
     for experiment in result["experiments"]:
-        yield [f"{Path(experiment['mesh']).stem}, {experiment['noise_percent']:g} %",
-               *(f"{value:.{INWARDS.digits}f}" for value in figures(experiment, INWARDS))]
+        turned = figures(experiment, TURNED)[0]
+        inwards, *of_oracles = (f"{value:.{INWARDS.digits}f}" for value in figures(experiment, INWARDS))
+        yield [f"{Path(experiment['mesh']).stem}, {experiment['noise_percent']:g} %", inwards, f"{turned:.{TURNED.digits}f}", *of_oracles]
 
 
 def markdown(result):
@@ -59,7 +61,7 @@ nearest to it, in place of PCA. In parentheses, the ratio to the best of CGAL's 
 """]
     for column in COLUMNS:
         parts.append(f"## {column.heading}\n\n{table(HEADER, rows(result, column))}")
-    parts.append(f"## {INWARDS.heading}\n\n{table([HEADER[0], *HEADER[2:]], inwards_rows(result))}")
+    parts.append(f"## {INWARDS.heading}\n\n{table([HEADER[0], HEADER[2], TURNED.heading, *HEADER[3:]], inwards_rows(result))}")
     return "\n".join(parts)
 
 
