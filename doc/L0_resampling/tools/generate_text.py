@@ -144,6 +144,7 @@ def main():
     import comparison_tables
     import oracle_tables
     import performance_tables
+    import poisson_tables
     import quality_tables
     import run_callback_latency
     import run_cuda_performance
@@ -152,14 +153,16 @@ def main():
     import run_thin_plates
 
     quality = {name: load(benchmark / "quality" / "results" / f"{name}.json") for name in ("fandisk", "armadillo")}
-    comparison, oracle, ablation, thin_plates = (load(benchmark / "quality" / "results" / f"{name}.json")
-                                                 for name in ("comparison", "oracle", "ablation", "thin_plates"))
+    comparison, oracle, poisson, ablation, thin_plates = (
+        load(benchmark / "quality" / "results" / f"{name}.json")
+        for name in ("comparison", "oracle", "poisson", "ablation", "thin_plates"))
     rounding, rounding_of_device = (load(benchmark / "quality" / "results" / f"{name}.json") for name in ("rounding", "rounding_h200"))
     speed, scaling, callback, device, roofline = (load(benchmark / "performance" / "results" / f"{name}.json")
                                                   for name in ("fandisk", "scaling", "callback", "cuda_h200", "cuda_roofline"))
     report = load(benchmark / "report" / "results" / "full.json")
     texts = {**{f"quality_{name}": quality_tables.markdown(result) for name, result in quality.items()},
              "comparison": comparison_tables.markdown(comparison), "oracle": oracle_tables.markdown(oracle),
+             "poisson": poisson_tables.markdown(poisson),
              "ablation": ablation_tables.markdown(ablation), "thin_plates": run_thin_plates.markdown(thin_plates),
              "rounding": run_rounding.markdown(rounding), "rounding_of_device": run_rounding.markdown(rounding_of_device),
              "speed": performance_tables.markdown(speed), "scaling": performance_tables.markdown(scaling),
