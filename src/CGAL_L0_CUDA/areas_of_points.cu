@@ -15,8 +15,6 @@ namespace cuda {
 
 namespace {
 
-using Wide = unsigned long long;
-
 __global__ void share_balls(Cell_grid grid, Cell_blocks blocks, float radius, Exact_ball ball, unsigned* units)
 {
   const Query query(grid.size);

@@ -15,8 +15,6 @@ namespace cuda {
 
 namespace {
 
-using Wide = unsigned long long;
-
 /// Of the points in the ball of each point, itself included.
 /// \param wide_counts out: the same numbers
 __global__ void count_points_in_balls(Cell_grid grid, Cell_blocks blocks, float radius, float squared_radius,

@@ -16,8 +16,6 @@ namespace cuda {
 
 namespace {
 
-using Wide = unsigned long long;
-
 /// Some of the numbers from 0 on, ascending; `list` is null where they are the first `size`.
 struct Some
 {

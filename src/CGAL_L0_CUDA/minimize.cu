@@ -20,8 +20,6 @@ namespace cuda {
 
 namespace {
 
-using Wide = unsigned long long;
-
 // Threads that share a sample: it has some 10 to 50 self neighbors.
 constexpr int lanes_per_sample = 2;
 

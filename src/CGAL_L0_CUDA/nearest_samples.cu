@@ -12,8 +12,6 @@ namespace cuda {
 
 namespace {
 
-using Wide = unsigned long long;
-
 constexpr unsigned warps_per_block = 4;
 constexpr unsigned cache_size = 256; // candidates of a query that shared memory holds
 

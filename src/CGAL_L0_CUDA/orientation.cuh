@@ -16,8 +16,6 @@ namespace L0_resampling {
 namespace internal {
 namespace cuda {
 
-using Wide = unsigned long long;
-
 /// Samples that links can tell apart.
 constexpr unsigned maximum_number_of_linked_samples = (1u << 31) - 1;
 

@@ -18,8 +18,6 @@ namespace cuda {
 
 namespace {
 
-using Wide = unsigned long long;
-
 constexpr unsigned threads_per_query = 512;
 
 /// Sums over a block of `threads_per_query` threads, for its first thread.

@@ -20,8 +20,6 @@ namespace cuda {
 
 namespace {
 
-using Wide = unsigned long long;
-
 /// What the fit needs beside the points.
 struct Fit
 {

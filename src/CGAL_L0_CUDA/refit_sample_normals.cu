@@ -18,8 +18,6 @@ namespace cuda {
 
 namespace {
 
-using Wide = unsigned long long;
-
 /// `Sample_refit_kernel` in `float`.
 struct Kernel
 {

@@ -15,8 +15,6 @@ namespace cuda {
 
 namespace {
 
-using Wide = unsigned long long;
-
 __global__ void collapse(Cell_grid sample_grid, Cell_blocks blocks, Cell_grid grid, const float4* normals, float radius,
                          Samples samples, Sample_counts* counts)
 {

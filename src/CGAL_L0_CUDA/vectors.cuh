@@ -58,6 +58,9 @@ private:
   }
 };
 
+/// Indices of what there may be more of than samples: pairs, and places in arrays of several numbers each.
+using Wide = unsigned long long;
+
 /// The index of the thread in the launch.
 __device__ inline unsigned long long thread_index()
 {
