@@ -257,7 +257,7 @@ chain, or are joined to one by `|`, one at a time: `parameters::neighbor_radius(
       (`LOR`, `ALOR`) or within 2 spacings of the samples, at most \f$ r_p \f$ (`DEFAULT`).}
     \cgalParamType{`double`, a length in the unit of the points}
     \cgalParamDefault{`LOR` and `ALOR`: \f$ l_{diag} / \sqrt[3]{n} \f$, where far outliers do not count for the diagonal of the bounding box. `DEFAULT`:
-      \f$ \sqrt{(4s)^2 + (4.2\sigma)^2} \f$ with the spacing s and the noise \f$ \sigma \f$ estimated from the points}
+      \f$ ((3.5s)^{3/2} + (3.8\sigma)^{3/2})^{2/3} \f$ with the spacing s and the noise \f$ \sigma \f$ estimated from the points}
     \cgalParamExtra{`std::invalid_argument` if not finite or not positive; values beyond the diagonal are taken as the diagonal}
   \cgalParamNEnd
   \cgalParamNBegin{normal_filter_radius}

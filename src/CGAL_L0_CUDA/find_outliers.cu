@@ -15,24 +15,42 @@ namespace cuda {
 
 namespace {
 
-/// Of the points in the ball of each point, itself included.
+/// Of the points in the ball of each query, itself included, and in the one of half the radius.
 /// \param wide_counts out: the same numbers
-__global__ void count_points_in_balls(Cell_grid grid, Cell_blocks blocks, float radius, float squared_radius,
-                                      unsigned* counts, Wide* wide_counts)
+__global__ void count_points_in_balls(Cell_grid queries, Cell_grid grid, Cell_blocks blocks, float radius,
+                                      float squared_radius, unsigned* counts, unsigned* half_counts, Wide* wide_counts)
 {
-  const Query query(grid.size);
-  const int4 center = grid.points[query.index];
-  const float unit = grid.frame.unit();
-  unsigned count = 0;
+  const Query query(queries.size);
+  const int4 center = queries.points[query.index];
+  const float unit = grid.frame.unit(), squared_half_radius = squared_radius / 4;
+  unsigned count = 0, half_count = 0;
   for_each_candidate(grid, blocks, center, query.lane, radius, [&](unsigned, const int4& point) {
     const float3 d = difference(point, center, unit);
-    count += dot(d, d) < squared_radius;
+    const float squared_distance = dot(d, d);
+    count += squared_distance < squared_radius;
+    half_count += squared_distance < squared_half_radius;
   });
-  count = group_sum<lanes>(count) * blocks.centers[center.w].stride;
+  const unsigned stride = blocks.centers[center.w].stride;
+  count = group_sum<lanes>(count) * stride;
+  half_count = group_sum<lanes>(half_count) * stride;
   if (!query.writes)
     return;
   counts[query.index] = count;
+  half_counts[query.index] = half_count;
   wide_counts[query.index] = count;
+}
+
+/// The sum over the points of the block of cells around a cell.
+/// \param sums over all points before each point
+__device__ Wide sum_around(const Cell_blocks& blocks, Wide cell, const Wide* sums)
+{
+  Wide sum = 0;
+  for (int row = 0; row < blocks.number_of_rows; ++row)
+  {
+    const uint2 range = blocks.ranges[cell * unsigned(blocks.number_of_rows) + unsigned(row)];
+    sum += sums[range.y] - sums[range.x];
+  }
+  return sum;
 }
 
 /// For each cell, how many points the balls of its points have to hold: a share of the mean ball in the block of cells around, and of the
@@ -44,23 +62,72 @@ __global__ void find_least_counts(Cell_blocks blocks, unsigned number_of_cells, 
   const Wide cell = thread_index();
   if (cell >= number_of_cells)
     return;
-  Wide sum = 0, count = 0;
+  Wide count = 0;
   for (int row = 0; row < blocks.number_of_rows; ++row)
   {
     const uint2 range = blocks.ranges[cell * unsigned(blocks.number_of_rows) + unsigned(row)];
-    sum += sums[range.y] - sums[range.x];
     count += range.y - range.x;
   }
-  least_counts[cell] = fmax(outlier_share_of_surroundings * (double(sum) / double(count)),
+  least_counts[cell] = fmax(outlier_share_of_surroundings * (double(sum_around(blocks, cell, sums)) / double(count)),
                             outlier_share_of_median * double(*median));
 }
 
-/// \param is_kept out: in the order of the positions that the grid was built of
-__global__ void keep_dense(Cell_grid grid, const unsigned* counts, const double* least_counts, unsigned char* is_kept)
+/// Which points may be kept, and which are sparse. Arrays on the device, one number a position, but for the last two.
+struct Dense_points
+{
+  unsigned char *is_kept, *is_sparse;
+  unsigned* half_counts;
+  unsigned* median;             // of the counts of all balls
+  unsigned* is_any_sparse_kept; // 0 before
+};
+
+__global__ void keep_dense(Cell_grid grid, const unsigned* counts, const unsigned* half_counts,
+                           const double* least_counts, Dense_points result)
 {
   const Wide i = thread_index();
-  if (i < grid.size)
-    is_kept[grid.order[i]] = double(counts[i]) >= least_counts[grid.points[i].w];
+  if (i >= grid.size)
+    return;
+  const unsigned position = grid.order[i];
+  const double count = double(counts[i]);
+  const bool is_kept = count >= least_counts[grid.points[i].w];
+  const bool is_sparse = count < share_of_sparse_points * double(*result.median);
+  result.is_kept[position] = is_kept;
+  result.is_sparse[position] = is_sparse;
+  result.half_counts[position] = half_counts[i];
+  if (is_kept && is_sparse)
+    *result.is_any_sparse_kept = 1;
+}
+
+/// The others in the two balls of each sparse point.
+/// \param list the positions that the grid of the sparse points was built of
+/// \param half_counts of the positions, in the balls of a fourth of the radius of `counts`
+/// \param inner, outer out
+__global__ void count_others(Cell_grid sparse, const unsigned* list, const unsigned* half_counts,
+                             const unsigned* counts, Wide* inner, Wide* outer)
+{
+  const Wide i = thread_index();
+  if (i >= sparse.size)
+    return;
+  inner[i] = half_counts[list[sparse.order[i]]] - 1;
+  outer[i] = counts[i] - 1;
+}
+
+/// \param inner_sums, outer_sums over all points before each point
+__global__ void find_filled_cells(Cell_blocks blocks, unsigned number_of_cells, const Wide* inner_sums,
+                                  const Wide* outer_sums, unsigned char* is_filled)
+{
+  const Wide cell = thread_index();
+  if (cell < number_of_cells)
+    is_filled[cell] = double(sum_around(blocks, cell, outer_sums))
+                      > growth_of_space * (double(sum_around(blocks, cell, inner_sums)) + points_of_doubt);
+}
+
+__global__ void drop_points_of_filled_cells(Cell_grid sparse, const unsigned* list, const unsigned char* is_filled,
+                                            unsigned char* is_kept)
+{
+  const Wide i = thread_index();
+  if (i < sparse.size && is_filled[sparse.points[i].w])
+    is_kept[list[sparse.order[i]]] = 0;
 }
 
 __global__ void make_parts(unsigned number_of_cells, unsigned* parents)
@@ -139,9 +206,9 @@ __global__ void keep_large_parts(Cell_grid grid, unsigned* parents, const unsign
 }
 
 /// Keeps the points with enough others around.
-/// \param median out: of the counts of all balls
+/// \param result out
 void find_dense_points(const Workplace& workplace, const Positions& positions, const double (&low)[3],
-                       const double (&high)[3], double radius, unsigned char* is_kept, unsigned* median)
+                       const double (&high)[3], double radius, const Dense_points& result)
 {
   const unsigned n = positions.size;
   const cudaStream_t stream = workplace.stream;
@@ -149,11 +216,11 @@ void find_dense_points(const Workplace& workplace, const Positions& positions, c
   const Cell_grid grid = build_grid(positions, nullptr, Cell_frame::around(low, high, radius, radius), workplace.arena,
                                     workplace.scratch, stream);
   const Cell_blocks blocks = find_blocks(grid, grid, 1, maximum_number_of_candidates, workplace.arena, stream);
-  unsigned* const counts = workplace.arena.take<unsigned>(n);
+  unsigned *const counts = workplace.arena.take<unsigned>(n), *const half_counts = workplace.arena.take<unsigned>(n);
   Wide* const sums = workplace.scratch.take<Wide>(Wide(n) + 1);
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(sums + n, 0, sizeof(Wide), stream));
-  count_points_in_balls<<<blocks_for_queries(n), threads_per_block, 0, stream>>>(grid, blocks, float(radius),
-                                                                                 float(radius * radius), counts, sums);
+  count_points_in_balls<<<blocks_for_queries(n), threads_per_block, 0, stream>>>(
+    grid, grid, blocks, float(radius), float(radius * radius), counts, half_counts, sums);
   check_launch("count_points_in_balls");
   sum_up(sums, n, sums, workplace.scratch, stream);
   {
@@ -161,14 +228,54 @@ void find_dense_points(const Workplace& workplace, const Positions& positions, c
     unsigned *const values = workplace.scratch.take<unsigned>(n), *const other = workplace.scratch.take<unsigned>(n);
     CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(values, counts, n * sizeof(unsigned), cudaMemcpyDeviceToDevice, stream));
     const unsigned* const sorted = sort_values(values, other, n, workplace.scratch, stream);
-    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(median, sorted + n / 2, sizeof(unsigned), cudaMemcpyDeviceToDevice, stream));
+    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(result.median, sorted + n / 2, sizeof(unsigned), cudaMemcpyDeviceToDevice, stream));
   }
   double* const least_counts = workplace.scratch.take<double>(grid.number_of_cells);
-  find_least_counts<<<blocks_for(grid.number_of_cells), threads_per_block, 0, stream>>>(blocks, grid.number_of_cells,
-                                                                                        sums, median, least_counts);
+  find_least_counts<<<blocks_for(grid.number_of_cells), threads_per_block, 0, stream>>>(
+    blocks, grid.number_of_cells, sums, result.median, least_counts);
   check_launch("find_least_counts");
-  keep_dense<<<blocks_for(n), threads_per_block, 0, stream>>>(grid, counts, least_counts, is_kept);
+  keep_dense<<<blocks_for(n), threads_per_block, 0, stream>>>(grid, counts, half_counts, least_counts, result);
   check_launch("keep_dense");
+}
+
+/// Of the sparse points, drops those that fill space, as `fill_space()` on the CPU.
+void drop_points_that_fill_space(const Workplace& workplace, const Positions& positions, const double (&low)[3],
+                                 const double (&high)[3], double radius, const Dense_points& points)
+{
+  const cudaStream_t stream = workplace.stream;
+  const double large_radius = 2 * radius;
+  const Arena_scope arena_scope(workplace.arena), scratch_scope(workplace.scratch);
+  unsigned* const list = workplace.arena.take<unsigned>(positions.size);
+  Positions sparse_positions = positions;
+  sparse_positions.size = list_flagged(points.is_sparse, positions.size, list, workplace.scratch, stream);
+  sparse_positions.list = list;
+  const Cell_frame frame = Cell_frame::around(low, high, large_radius, large_radius);
+  const Cell_grid grid = build_grid(positions, nullptr, frame, workplace.arena, workplace.scratch, stream);
+  const Cell_grid sparse = build_grid(sparse_positions, nullptr, frame, workplace.arena, workplace.scratch, stream);
+
+  const unsigned n = sparse.size;
+  Wide *const inner = workplace.scratch.take<Wide>(Wide(n) + 1), *const outer = workplace.scratch.take<Wide>(Wide(n) + 1);
+  {
+    const Cell_blocks blocks = find_blocks(sparse, grid, 1, maximum_number_of_candidates, workplace.arena, stream);
+    unsigned *const counts = workplace.scratch.take<unsigned>(n), *const unused = workplace.scratch.take<unsigned>(n);
+    count_points_in_balls<<<blocks_for_queries(n), threads_per_block, 0, stream>>>(
+      sparse, grid, blocks, float(large_radius), float(large_radius * large_radius), counts, unused, outer);
+    check_launch("count_points_in_balls");
+    count_others<<<blocks_for(n), threads_per_block, 0, stream>>>(sparse, list, points.half_counts, counts, inner, outer);
+    check_launch("count_others");
+  }
+  for (Wide* const sums : {inner, outer})
+  {
+    CGAL_L0_CUDA_CHECK(cudaMemsetAsync(sums + n, 0, sizeof(Wide), stream));
+    sum_up(sums, n, sums, workplace.scratch, stream);
+  }
+  const Cell_blocks blocks = find_blocks(sparse, sparse, 1, maximum_number_of_candidates, workplace.arena, stream);
+  unsigned char* const is_filled = workplace.scratch.take<unsigned char>(sparse.number_of_cells);
+  find_filled_cells<<<blocks_for(sparse.number_of_cells), threads_per_block, 0, stream>>>(blocks, sparse.number_of_cells,
+                                                                                          inner, outer, is_filled);
+  check_launch("find_filled_cells");
+  drop_points_of_filled_cells<<<blocks_for(n), threads_per_block, 0, stream>>>(sparse, list, is_filled, points.is_kept);
+  check_launch("drop_points_of_filled_cells");
 }
 
 /// Of the points that are kept, keeps those whose part of the cloud, where cells that touch hang together, has half as many points as the median ball.
@@ -204,11 +311,16 @@ unsigned find_outliers(const Workplace& workplace, const Positions& positions, c
                        const double (&high)[3], double radius, unsigned* kept)
 {
   const Arena_scope scope(workplace.scratch);
-  unsigned char* const is_kept = workplace.scratch.take<unsigned char>(positions.size);
-  unsigned* const median = workplace.scratch.take<unsigned>(1);
-  find_dense_points(workplace, positions, low, high, radius, is_kept, median);
-  find_large_parts(workplace, positions, low, high, gap_of_parts * radius, median, is_kept);
-  const unsigned number_of_kept = list_flagged(is_kept, positions.size, kept, workplace.scratch, workplace.stream);
+  Device_arena& scratch = workplace.scratch;
+  const Device_counter<unsigned> is_any_sparse_kept(workplace);
+  const Dense_points points = {scratch.take<unsigned char>(positions.size), scratch.take<unsigned char>(positions.size),
+                               scratch.take<unsigned>(positions.size), scratch.take<unsigned>(1),
+                               is_any_sparse_kept.address()};
+  find_dense_points(workplace, positions, low, high, radius, points);
+  if (is_any_sparse_kept.read())
+    drop_points_that_fill_space(workplace, positions, low, high, radius, points);
+  find_large_parts(workplace, positions, low, high, gap_of_parts * radius, points.median, points.is_kept);
+  const unsigned number_of_kept = list_flagged(points.is_kept, positions.size, kept, workplace.scratch, workplace.stream);
   return number_of_kept > 0 ? positions.size - number_of_kept : 0;
 }
 

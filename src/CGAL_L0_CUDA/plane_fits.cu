@@ -7,6 +7,7 @@
 #include "plane_fits.cuh"
 
 #include <CGAL/L0_resampling/internal/Height_moments.h>
+#include <CGAL/L0_resampling/internal/deviation_in_ball.h>
 
 #include <algorithm>
 #include <cmath>
@@ -262,9 +263,8 @@ Scales estimate_scales(const Workplace& workplace, const Positions& positions, c
                 std::sqrt(quantile(balls, 0.3, [](const Ball& ball) { return ball.variance; }))};
     };
     set_scales();
-    if (scales.noise > surely_flat * radius && quantile(balls, 0.5, [](const Ball& ball) {
-                                                 return ball.shape.single_sheet_index();
-                                               }) < largest_index_of_two_sheets)
+    const double index = quantile(balls, 0.5, [](const Ball& ball) { return ball.shape.single_sheet_index(); });
+    if (scales.noise > surely_flat * radius && index < largest_index_of_two_sheets)
     {
       for (Ball& ball : balls)
       {
@@ -275,8 +275,13 @@ Scales estimate_scales(const Workplace& workplace, const Positions& positions, c
       set_scales();
       break;
     }
-    if (scales.noise < flat * radius)
+    if (scales.noise < largest_deviation_of_sheet(median_count()) * radius
+        && (scales.noise < flat * radius || index > least_index_of_one_sheet))
+    {
+      const Sheet_in_ball sheet = sheet_of_deviations(scales.noise / radius);
+      scales = {scales.spacing * std::sqrt(sheet.share_of_points), sheet.noise * radius};
       break;
+    }
   }
   return scales;
 }

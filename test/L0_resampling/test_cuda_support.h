@@ -118,6 +118,19 @@ inline Points with_outliers(Points points, unsigned seed)
   return points;
 }
 
+/// With a crowd of outliers in a box of side 4 around the origin.
+inline Points with_crowd(Points points, std::size_t size, unsigned seed)
+{
+  test::Generator generator(seed);
+  const auto coordinate = [&] { return test::random_number(-2, 2, generator); };
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    const double x = coordinate(), y = coordinate(), z = coordinate();
+    points.emplace_back(x, y, z);
+  }
+  return points;
+}
+
 /// Of a sphere, ten times as dense at one pole as at the other.
 inline Points graded_sphere(std::size_t n, double noise, unsigned seed)
 {

@@ -81,6 +81,33 @@ void check_outliers(Generator& generator)
   CHECK(outliers_of_reversed == outliers);
 }
 
+/// A crowd of outliers that fills space is found even if each has enough others around that no comparison with its surroundings tells it; a
+/// sheet as sparse as the crowd stays.
+void check_crowd(Generator& generator)
+{
+  const double radius = 0.45;
+  std::vector<Vector> points = sphere_points(9000, 1, generator).points;
+  add_gaussian_noise(points, 0.08, generator);
+  for (const Vector& p : plane_points(1500, 4, generator).points)
+    points.push_back(p + Vector(6, 0, 0));
+  const std::size_t size = points.size();
+  for (int n = 0; n < 6000; ++n)
+    points.emplace_back(random_number(-2, 2, generator), random_number(-2, 2, generator), random_number(-2, 2, generator));
+
+  const std::vector<bool> outliers = outliers_of(points, radius);
+  std::size_t number_far = 0, number_found = 0;
+  for (std::size_t i = size; i < points.size(); ++i)
+    if (points[i].norm() > 1 + 2 * radius)
+    {
+      ++number_far;
+      number_found += outliers[i];
+    }
+  CHECK(number_far > 1000);
+  CHECK(double(number_found) > 0.99 * double(number_far));
+  const auto number_lost = std::count(outliers.begin(), outliers.begin() + std::ptrdiff_t(size), true);
+  CHECK(number_lost <= 75); // at the border of the sparse sheet
+}
+
 /// Where nobody has neighbors, or all are one, nobody is apart from the others. A few parts of equal size are no outliers to each other.
 void check_no_cloud(Generator& generator)
 {
@@ -101,6 +128,7 @@ int main()
   Generator generator(17);
   check_surfaces(generator);
   check_outliers(generator);
+  check_crowd(generator);
   check_no_cloud(generator);
   return result();
 }

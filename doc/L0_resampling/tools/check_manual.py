@@ -49,7 +49,7 @@ def wrong_defaults(parameters, values):
             yield f"the docstring of {name} quotes {quoted} as default, the code has {expected}"
         if values["alor"][name] != lor[name]:
             yield f"LOR and ALOR have different defaults of {name}: the manual takes them for one"
-    radius = f"({constant['radius_per_spacing']:g}s)^2 + ({constant['radius_per_noise']:g}\\sigma)^2"
+    radius = f"({constant['radius_per_spacing']:g}s)^{{3/2}} + ({constant['radius_per_noise']:g}\\sigma)^{{3/2}}"
     phrases = [("neighbor_radius", radius),
                ("neighbor_radius", f"r_p / {1 / constant['self_neighbor_radius_factor']:g} "),
                ("neighbor_radius", f"within {constant['self_neighbor_radius_per_spacing']:g} spacings"),

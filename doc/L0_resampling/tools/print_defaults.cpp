@@ -65,6 +65,7 @@ void print_constants()
   object.add("radius_per_spacing", radius_per_spacing);
   object.add("radius_per_noise", radius_per_noise);
   object.add("largest_index_of_two_sheets", largest_index_of_two_sheets);
+  object.add("least_index_of_one_sheet", least_index_of_one_sheet);
   object.add("default_filter_radius_factor", default_filter_radius_factor);
   object.add("fit_angle_factor", fit_angle_factor);
   object.add("area_radius_factor", area_radius_factor);
@@ -76,6 +77,8 @@ void print_constants()
   object.add("regularized_jump_per_sheet_height", regularized_jump_per_sheet_height);
   object.add("outlier_share_of_surroundings", outlier_share_of_surroundings);
   object.add("outlier_share_of_median", outlier_share_of_median);
+  object.add("share_of_sparse_points", share_of_sparse_points);
+  object.add("growth_of_space", growth_of_space);
   object.add("gap_of_parts", gap_of_parts);
   object.add("number_of_normal_refits", number_of_normal_refits);
   object.add("number_of_sample_refits", number_of_sample_refits);

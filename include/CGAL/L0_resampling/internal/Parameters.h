@@ -71,17 +71,20 @@ constexpr double sparsity_unit_factor = 0.25;
 
 // The default method
 
-/// r_p covers this many spacings of clean points, and this many standard deviations of the noise of dense ones; in between the two
-/// add up as squares. Smaller radii follow finer detail, larger ones average more noise away.
-constexpr double radius_per_spacing = 4;
-constexpr double radius_per_noise = 4.2;
+/// r_p covers this many spacings of clean points, and this many standard deviations of the noise of dense ones; in between their powers of 3/2 add
+/// up: with a little noise already, more points than three and a half spacings hold gain more than detail loses. Smaller radii follow finer detail, larger ones average more noise
+/// away.
+constexpr double radius_per_spacing = 3.5;
+constexpr double radius_per_noise = 3.8;
 
 /// In steps of 0.2 to 0.4 %, which is less than spacing and noise are known to: processors that round differently find the same radius, and with it the
 /// same cells and the same first samples.
 inline double default_radius(double spacing, double noise)
 {
   int exponent = 0;
-  const double mantissa = std::frexp(std::hypot(radius_per_spacing * spacing, radius_per_noise * noise), &exponent);
+  const double of_spacing = radius_per_spacing * spacing, of_noise = radius_per_noise * noise;
+  const double mantissa =
+    std::frexp(std::cbrt(square(std::sqrt(of_spacing) * of_spacing + std::sqrt(of_noise) * of_noise)), &exponent);
   return std::ldexp(std::floor(512 * mantissa + 0.5), exponent - 9);
 }
 
@@ -100,7 +103,7 @@ constexpr double fit_bandwidth_factor = 0.6;
 /// Points of the other sheet of a thin plate agree with a normal too. The default method weighs points by their height over the
 /// sheet, \f$ e^{-h^2/H^2} \f$, where H is this many standard deviations of the noise and this share of r_p; the two add up as squares. A larger share
 /// would make one of two clean sheets, a smaller one takes points of a curved sheet for another.
-constexpr double sheet_height_per_noise = 2;
+constexpr double sheet_height_per_noise = 1.9;
 constexpr double sheet_height_per_radius = 0.2;
 
 inline double sheet_height(double noise, double radius)
@@ -135,6 +138,15 @@ inline double half_width_of_shrinkage(Method method)
 /// is a half or a quarter full; between the ends of a scan densities may differ by ten.
 constexpr double outlier_share_of_surroundings = 0.3;
 constexpr double outlier_share_of_median = 0.05;
+
+/// Points whose ball holds less than this share of the median ball are of the sparse end of a scan, or of a crowd of outliers that has enough of its own around each.
+constexpr double share_of_sparse_points = 0.15;
+
+/// Sparse points fill space, and are outliers, if balls of 2 r_p hold more than this many times as many of the others as those of r_p/2 do. It is 16 in a sheet, up to 40 if the sheet is noisy or
+/// becomes denser, and 64 where points fill space.
+constexpr double growth_of_space = 50;
+/// So many are added to the points in the small balls: a handful of points tells nothing.
+constexpr double points_of_doubt = 3;
 
 /// Parts of the cloud are apart if a layer of cells of this size, per r_p, lies empty between them. Smaller cells would tear sparse regions to pieces, larger ones
 /// join outliers to the cloud.

@@ -7,6 +7,7 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_ESTIMATE_SCALES_H
 
 #include <CGAL/L0_resampling/internal/Height_moments.h>
+#include <CGAL/L0_resampling/internal/deviation_in_ball.h>
 #include <CGAL/L0_resampling/internal/estimate_plane.h>
 
 #include <algorithm>
@@ -43,8 +44,9 @@ Height_moments<double> moments_over_plane(const Eigen::Matrix<T, 3, 1>& center, 
 
 /*!
 Estimates the scales from plane fits around a thousand points, in balls that grow until their points lie in a plane rather than fill the ball: until
-the standard deviation across it is below a quarter of the radius, half of what a filled ball has. That deviation is the noise, and the
-number of points gives the spacing. Of the noise of all balls the third tenth counts: edges, curvature and thin parts only ever raise it.
+the standard deviation across it is surely below what it is in a filled ball. That deviation tells the noise, see `sheet_of_deviations()`, and the
+number of points gives the spacing. Of the deviations of all balls the third tenth counts: edges, curvature, thin parts and outliers only ever raise them, and the more the larger the balls
+are; so the balls should not grow for longer than they have to.
 
 Of points at one place one counts, however many there are: they tell nothing of a plane, and balls would shrink to a few places.
 
@@ -102,7 +104,8 @@ Scales estimate_scales(const Buffer<Vector>& unsorted_points, double initial_rad
                 std::sqrt(quantile(variances, 0.3))};
     };
     set_scales();
-    if (scales.noise > surely_flat * radius && quantile(indices, 0.5) < largest_index_of_two_sheets)
+    const double index = quantile(indices, 0.5);
+    if (scales.noise > surely_flat * radius && index < largest_index_of_two_sheets)
     {
       for (std::size_t i = 0; i < queries.size(); ++i)
       {
@@ -113,8 +116,13 @@ Scales estimate_scales(const Buffer<Vector>& unsorted_points, double initial_rad
       set_scales();
       break;
     }
-    if (scales.noise < flat * radius)
+    if (scales.noise < largest_deviation_of_sheet(quantile(counts, 0.5)) * radius
+        && (scales.noise < flat * radius || index > least_index_of_one_sheet))
+    {
+      const Sheet_in_ball sheet = sheet_of_deviations(scales.noise / radius);
+      scales = {scales.spacing * std::sqrt(sheet.share_of_points), sheet.noise * radius};
       break;
+    }
   }
   return scales;
 }

@@ -20,48 +20,120 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// The number of points in the ball of each point, itself included.
-/// \param points sorted for `grid`, whose cells are no smaller than `radius`
-template <typename T, typename ConcurrencyTag>
-Buffer<double> count_points_in_balls(const Search_grid_3& grid, const Buffer<Vector>& points, double radius,
-                                     Progress& progress)
+/// The number of points in the ball of each query, itself included, and in the one of half the radius.
+struct Counts_in_balls
 {
-  const T squared_radius = T(radius * radius);
-  Buffer<double> counts = filled_buffer(points.size(), 0., points.get_allocator());
-  for_each_cell<T, ConcurrencyTag>(grid, points, grid, points, 1, progress, [&]() {
-    return [&](Search_grid_3::Range queries, const Local_points<T>& candidates, const Vector& origin) {
+  Buffer<double> in_ball, in_half_ball;
+};
+
+/// \param queries sorted for `query_grid`
+/// \param points sorted for `grid`; neither has cells smaller than `radius`
+template <typename T, typename ConcurrencyTag>
+Counts_in_balls count_points_in_balls(const Search_grid_3& query_grid, const Buffer<Vector>& queries,
+                                      const Search_grid_3& grid, const Buffer<Vector>& points, double radius,
+                                      Progress& progress)
+{
+  const T squared_radius = T(radius * radius), squared_half_radius = squared_radius / 4;
+  Counts_in_balls counts{filled_buffer(queries.size(), 0., queries.get_allocator()),
+                         filled_buffer(queries.size(), 0., queries.get_allocator())};
+  for_each_cell<T, ConcurrencyTag>(query_grid, queries, grid, points, 1, progress, [&]() {
+    return [&](Search_grid_3::Range range, const Local_points<T>& candidates, const Vector& origin) {
       using L = Lanes<T>;
-      for (Index i = queries.first; i < queries.second; ++i)
+      for (Index i = range.first; i < range.second; ++i)
       {
-        L count;
-        candidates.for_each_run_in_ball((points[i] - origin).template cast<T>(), squared_radius,
+        L in_ball, in_half_ball;
+        candidates.for_each_run_in_ball((queries[i] - origin).template cast<T>(), squared_radius,
                                         [&](std::size_t, const L& squared_distance) {
-                                          count += where_less(squared_distance, squared_radius, L(T(1)));
+                                          in_ball += where_less(squared_distance, squared_radius, L(T(1)));
+                                          in_half_ball += where_less(squared_distance, squared_half_radius, L(T(1)));
                                         });
-        counts[i] = double(count.sum()) * double(candidates.stride);
+        counts.in_ball[i] = double(in_ball.sum()) * double(candidates.stride);
+        counts.in_half_ball[i] = double(in_half_ball.sum()) * double(candidates.stride);
       }
     };
   });
   return counts;
 }
 
+/// Sums of values of points, over ranges of the points.
+class Range_sums
+{
+  Buffer<double> m_sums; // of the values before each point
+
+public:
+  explicit Range_sums(const Buffer<double>& values) : m_sums(1, 0., values.get_allocator())
+  {
+    m_sums.reserve(values.size() + 1);
+    for_each_in_order(values.size(), [&](std::size_t i) { m_sums.push_back(m_sums.back() + values[i]); });
+  }
+
+  double operator()(const std::vector<Search_grid_3::Range>& ranges) const
+  {
+    double sum = 0;
+    for (const Search_grid_3::Range& range : ranges)
+      sum += m_sums[range.second] - m_sums[range.first];
+    return sum;
+  }
+};
+
 /// The mean of the values of the points in the block of cells around the cell of each point.
 template <typename ConcurrencyTag>
 Buffer<double> means_around(const Search_grid_3& grid, const Buffer<double>& values, Progress& progress)
 {
-  Buffer<double> sums(1, 0., values.get_allocator()), means = filled_buffer(values.size(), 0., values.get_allocator());
-  sums.reserve(values.size() + 1);
-  for_each_in_order(values.size(), [&](std::size_t i) { sums.push_back(sums.back() + values[i]); });
+  const Range_sums sums(values);
+  Buffer<double> means = filled_buffer(values.size(), 0., values.get_allocator());
   for_each_cell_block<ConcurrencyTag>(grid, grid, 1, progress, [&]() {
     return [&](Index cell, const std::vector<Search_grid_3::Range>& ranges, std::size_t count) {
-      double sum = 0;
-      for (const Search_grid_3::Range& range : ranges)
-        sum += sums[range.second] - sums[range.first];
       const Search_grid_3::Range own = grid.points_of_cell(cell);
-      std::fill(means.begin() + own.first, means.begin() + own.second, sum / double(count));
+      std::fill(means.begin() + own.first, means.begin() + own.second, sums(ranges) / double(count));
     };
   });
   return means;
+}
+
+/*!
+Whether sparse points fill space, as a crowd of outliers does, rather than lie in a sheet, as the sparse end of a scan: by how the numbers of points grow from their balls of r_p/2 to those of
+2 r_p, in sum over the sparse points in the block of cells of 2 r_p around each. A point alone has too few others to tell.
+
+\param counts_in_half_balls of the sparse points
+\param radius \f$ r_p \f$
+*/
+template <typename T, typename ConcurrencyTag>
+Buffer<unsigned char> fill_space(const Buffer<Vector>& unsorted_points, const Buffer<Vector>& unsorted_sparse_points,
+                                 const Buffer<double>& counts_in_half_balls, double radius, Progress& progress)
+{
+  const double cell_size = 2 * radius;
+  const auto sort = [&](const Buffer<Index>& order, const auto& unsorted) {
+    auto values = copy_of(unsorted);
+    apply_order(order, values);
+    return values;
+  };
+  const Buffer<Vector> points = sort(Search_grid_3::sorted_order<ConcurrencyTag>(unsorted_points, cell_size),
+                                     unsorted_points);
+  const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(unsorted_sparse_points, cell_size);
+  const Buffer<Vector> sparse_points = sort(order, unsorted_sparse_points);
+  const Search_grid_3 grid(points, cell_size), sparse_grid(sparse_points, cell_size);
+
+  // the point itself is none of the others
+  const auto others = [](Buffer<double> counts) {
+    for (double& count : counts)
+      --count;
+    return counts;
+  };
+  const Range_sums inner_sums(others(sort(order, counts_in_half_balls)));
+  const Range_sums outer_sums(others(
+    count_points_in_balls<T, ConcurrencyTag>(sparse_grid, sparse_points, grid, points, cell_size, progress).in_ball));
+  Buffer<unsigned char> result = filled_buffer(sparse_points.size(), static_cast<unsigned char>(0),
+                                               unsorted_points.get_allocator());
+  for_each_cell_block<Sequential_tag>(sparse_grid, sparse_grid, 1, progress, [&]() {
+    return [&](Index cell, const std::vector<Search_grid_3::Range>& ranges, std::size_t) {
+      const bool fills = outer_sums(ranges) > growth_of_space * (inner_sums(ranges) + points_of_doubt);
+      const Search_grid_3::Range own = sparse_grid.points_of_cell(cell);
+      for (Index i = own.first; i < own.second; ++i)
+        result[order[i]] = fills;
+    };
+  });
+  return result;
 }
 
 /// The number of points of the connected part that each point is in, where cells that touch are connected.
@@ -96,9 +168,17 @@ Buffer<Index> sizes_of_parts(const Buffer<Vector>& unsorted_points, double cell_
   return sizes_of_points;
 }
 
+/// The middle one of the values, the upper of two.
+inline double median_of(Buffer<double> values)
+{
+  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+  select_nth(values.begin(), middle, values.end());
+  return *middle;
+}
+
 /*!
-Finds the points that lie off the cloud: those whose ball holds far fewer points than the balls around them do, or than the median ball of the cloud; and, among the
-others, those of parts that hang together and have fewer points than half a median ball, such as clusters of outliers. The first
+Finds the points that lie off the cloud: those whose ball holds far fewer points than the balls around them do, or than the median ball of the cloud; sparse ones that fill
+space; and, among the others, those of parts that hang together and have fewer points than half a median ball, such as clusters of outliers. The first
 comparison is with the surroundings so that a sparse region of a surface stays. If that would be all points, there are none.
 
 \param radius of the ball, \f$ r_p \f$
@@ -111,36 +191,52 @@ Buffer<unsigned char> find_outliers(const Buffer<Vector>& unsorted_points, doubl
   const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(unsorted_points, radius);
   Buffer<Vector> points = copy_of(unsorted_points);
   apply_order(order, points);
-  const Search_grid_3 grid(points, radius);
-
-  const Buffer<double> counts = count_points_in_balls<T, ConcurrencyTag>(grid, points, radius, progress);
-  const Buffer<double> surroundings = means_around<ConcurrencyTag>(grid, counts, progress);
-  Buffer<double> sorted_counts = copy_of(counts);
-  const auto middle = sorted_counts.begin() + std::ptrdiff_t(sorted_counts.size() / 2);
-  select_nth(sorted_counts.begin(), middle, sorted_counts.end());
-  const double median = *middle;
+  Buffer<unsigned char> is_outlier(points.size(), 1, allocator);
+  Buffer<Index> sparse(allocator);
+  Buffer<Vector> sparse_points(allocator);
+  Buffer<double> counts_in_half_balls(allocator);
+  double median;
+  bool is_any_sparse_kept = false;
+  {
+    const Search_grid_3 grid(points, radius);
+    const Counts_in_balls counts = count_points_in_balls<T, ConcurrencyTag>(grid, points, grid, points, radius, progress);
+    const Buffer<double> surroundings = means_around<ConcurrencyTag>(grid, counts.in_ball, progress);
+    median = median_of(copy_of(counts.in_ball));
+    for_each_in_order(points.size(), [&](std::size_t i) {
+      const double count = counts.in_ball[i];
+      const bool is_kept = count >= (std::max)(outlier_share_of_surroundings * surroundings[i],
+                                               outlier_share_of_median * median);
+      is_outlier[order[i]] = !is_kept;
+      if (count < share_of_sparse_points * median)
+      {
+        sparse.push_back(order[i]);
+        sparse_points.push_back(points[i]);
+        counts_in_half_balls.push_back(counts.in_half_ball[i]);
+        is_any_sparse_kept = is_any_sparse_kept || is_kept;
+      }
+    });
+  }
+  if (is_any_sparse_kept)
+  {
+    const Buffer<unsigned char> fills = fill_space<T, ConcurrencyTag>(unsorted_points, sparse_points,
+                                                                      counts_in_half_balls, radius, progress);
+    for_each_in_order(sparse.size(), [&](std::size_t k) { is_outlier[sparse[k]] = is_outlier[sparse[k]] || fills[k]; });
+  }
 
   Buffer<Index> rest(allocator);
   Buffer<Vector> rest_points(allocator);
-  rest.reserve(points.size());
-  rest_points.reserve(points.size());
   for_each_in_order(points.size(), [&](std::size_t i) {
-    if (counts[i] >= (std::max)(outlier_share_of_surroundings * surroundings[i], outlier_share_of_median * median))
+    if (!is_outlier[order[i]])
     {
       rest.push_back(order[i]);
       rest_points.push_back(points[i]);
     }
   });
   const Buffer<Index> sizes = sizes_of_parts<ConcurrencyTag>(rest_points, gap_of_parts * radius, progress);
-
-  Buffer<unsigned char> is_outlier(points.size(), 1, allocator);
   bool is_any_left = false;
   for_each_in_order(rest.size(), [&](std::size_t k) {
-    if (sizes[k] >= median / 2)
-    {
-      is_outlier[rest[k]] = 0;
-      is_any_left = true;
-    }
+    is_outlier[rest[k]] = sizes[k] < median / 2;
+    is_any_left = is_any_left || !is_outlier[rest[k]];
   });
   if (!is_any_left)
     is_outlier.assign(points.size(), 0);
