@@ -114,6 +114,8 @@ public:
   double diagonal() const { return m_diagonal; }
   const std::vector<Segment_3>& feature_edges() const { return m_features; }
 
+  Point_3 nearest_point(const Point_3& p) const { return m_triangle_tree.closest_point(p); }
+
   double distance(const Point_3& p) const { return std::sqrt(m_triangle_tree.squared_distance(p)); }
 
   /// \pre there is a feature edge

@@ -9,10 +9,10 @@ import json
 import sys
 from pathlib import Path
 
-from comparison_tables import DISTANCE, INWARDS, NORMALS
+from comparison_tables import DISTANCE, INWARDS, NORMALS, RECALL
 from quality_tables import Column, is_ours, table
 
-COLUMNS = (DISTANCE, NORMALS)
+COLUMNS = (DISTANCE, NORMALS, RECALL)
 TURNED = Column("of these, more than 120 degrees off, %", "normals", "share_turned", 2, scale=100)
 HEADER = ("input", "best of CGAL", "default", "best radius", "true normals", "both")
 
@@ -24,11 +24,11 @@ def best_of_cgal(experiment):
 
 def figures(experiment, column):
     """Of the method itself and of the three oracles, in the order of the header."""
-    def least(normals, factors=None):
-        return min(column.value([run["evaluation"]]) for run in experiment["runs"]
-                   if run["normals"] == normals and (factors is None or run["radius_factor"] in factors))
+    def best(normals, factors=None):
+        return column.best(column.value([run["evaluation"]]) for run in experiment["runs"]
+                           if run["normals"] == normals and (factors is None or run["radius_factor"] in factors))
 
-    return [least("own normals", [1]), least("own normals"), least("true normals", [1]), least("true normals")]
+    return [best("own normals", [1]), best("own normals"), best("true normals", [1]), best("true normals")]
 
 
 def rows(result, column):

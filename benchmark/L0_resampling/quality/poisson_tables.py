@@ -13,21 +13,23 @@ from quality_tables import is_ours, table
 
 MEASURES = {"mean_distance": "mesh to truth, mean, %", "mean_coverage": "truth to mesh, mean, %", "hausdorff": "Hausdorff, %"}
 
+EXACT = "surface_of_exact_points"
+
 
 def name_of(experiment):
     return f"{Path(experiment['mesh']).stem}, {experiment['noise_percent']:g} %"
 
 
-def own_and_best(experiment, measure):
+def own_and_best(experiment, measure, surface="surface"):
     """The figure of the default method and the best of CGAL's pipelines; None where no mesh could be made."""
     runs = experiment["measurements"].values()
-    own = next(run["surface"] for run in runs if is_ours([run]))
+    own = next(run[surface] for run in runs if is_ours([run]))
     rivals = [run["surface"][measure] for run in runs if not is_ours([run]) and run["surface"]]
     return own[measure] if own else None, min(rivals, default=None)
 
 
-def cell(experiment, measure):
-    own, best = own_and_best(experiment, measure)
+def cell(experiment, measure, surface="surface"):
+    own, best = own_and_best(experiment, measure, surface)
     if own is None:
         return "fails"
     return f"{own:.3f} ({own / best:.2f})" if best else f"{own:.3f}"
@@ -46,9 +48,9 @@ def remark_cell(experiment, finest):
     return "; ".join(f"{word}: {', '.join(names)}" for word, names in (("coarser", coarser), ("failed", failed)) if names) or "-"
 
 
-def goal_rows(result):
+def goal_rows(result, surface="surface"):
     for measure, heading in MEASURES.items():
-        figures = [(own_and_best(experiment, measure), name_of(experiment)) for experiment in result["experiments"]]
+        figures = [(own_and_best(experiment, measure, surface), name_of(experiment)) for experiment in result["experiments"]]
         ratios = sorted(((own / best if own is not None else float("inf"), name) for (own, best), name in figures if best),
                         reverse=True)
         met = sum(ratio < 1 for ratio, _ in ratios)
@@ -61,6 +63,7 @@ def markdown(result):
     runs, finest = experiment["measurements"], finest_distance(result)
     commands = "".join(f"    {command}\n" for command in result["commands"])
     rows = [[name_of(e), *(cell(e, measure) for measure in MEASURES), remark_cell(e, finest)] for e in result["experiments"]]
+    exact_rows = [[name_of(e), *(cell(e, measure, EXACT) for measure in MEASURES)] for e in result["experiments"]]
     return "\n".join([f"""# Poisson meshes of the results
 
 Made by
@@ -72,7 +75,12 @@ mesh can be made; the last column names the others. Distances are taken at point
 mesh. In parentheses, the ratio to the best figure of CGAL's pipelines in that row and column:
 {", ".join(name for name, run in runs.items() if not is_ours([run]))}.
 """, table(["input", *MEASURES.values(), "coarser meshes"], rows), "## Goals\n",
-                      table(["goal", "", "rows", "worst"], goal_rows(result))])
+                      table(["goal", "", "rows", "worst"], goal_rows(result)), """## Meshes of exact points
+
+The same points once more, each moved to the nearest one of the true mesh, with its normal there: what a method without any
+error would make of them.
+""", table(["input", *MEASURES.values()], exact_rows), """## Goals for exact points
+""", table(["goal", "", "rows", "worst"], goal_rows(result, EXACT))])
 
 
 if __name__ == "__main__":

@@ -5,8 +5,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Compares the default method with the best that CGAL's pipelines reach, on many shapes and kinds of input.
 
-Each shape is sampled with each noise, and once more with outliers and with a density gradient. Where there are
-outliers, CGAL's pipelines get the points that its remove_outliers() leaves, which is told their share; ours gets all.
+Each shape is sampled with each noise, and each of these once more with outliers and with a density gradient. Where there
+are outliers, CGAL's pipelines get the points that its remove_outliers() leaves, which is told their share; ours gets all.
 OUTPUT.json keeps all that was measured, OUTPUT.md has a row for each input, and what is met of the goals.
 """
 
@@ -24,7 +24,6 @@ sys.path.append(str(Path(__file__).resolve().parents[1] / "methods"))
 from methods import ear, ours, wlop
 
 NOISE_PERCENT = (0, 0.25, 0.5, 1, 1.5)
-SPECIAL_NOISE_PERCENT = 0.5    # of the inputs with outliers, and with a density gradient
 OUTLIERS_PERCENT = 5
 DENSITY_GRADIENT = 10
 
@@ -41,8 +40,9 @@ def methods(radii):
 
 def plan(arguments):
     """The experiments of this command line, each with its mesh, without measurements."""
-    inputs = [(noise, 0, 1) for noise in arguments.noise]
-    inputs += [(SPECIAL_NOISE_PERCENT, OUTLIERS_PERCENT, 1), (SPECIAL_NOISE_PERCENT, 0, DENSITY_GRADIENT)]
+    inputs = [(noise, outliers, gradient)
+              for outliers, gradient in ((0, 1), (OUTLIERS_PERCENT, 1), (0, DENSITY_GRADIENT))
+              for noise in arguments.noise]
     return [(mesh_of(shape, arguments.meshes),
              {"mesh": f"{shape}.off", "noise_percent": noise, "outliers_percent": outliers,
               "density_gradient": gradient, "seed": seed, "input_points": arguments.input_points,

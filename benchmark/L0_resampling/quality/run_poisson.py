@@ -50,17 +50,29 @@ class Poisson_bench(Bench):
                 return distance
         return None
 
+    def measure_mesh(self, mesh, points):
+        """How closely the mesh of the points follows its Poisson surface, and its distances; both None if it cannot be made."""
+        surface = self.scratch / "surface.off"
+        surface_distance = self.reconstruct(points, surface)
+        if surface_distance is None:
+            return None, None
+        mean, largest, diagonal = self.distances(surface, mesh)
+        mean_of_truth, largest_of_truth, _ = self.distances(mesh, surface)
+        return surface_distance, {"mean_distance": mean / diagonal, "mean_coverage": mean_of_truth / diagonal,
+                                  "hausdorff": max(largest, largest_of_truth) / diagonal}
+
     def measure(self, mesh, source, method, points):
-        result, surface = self.scratch / "result.ply", self.scratch / "surface.off"
+        result = self.scratch / "result.ply"
         line = self.resample(source, method, points, result)
-        surface_distance = self.reconstruct(result, surface)
-        measured = {"program": line["program"], "cgal_version": line["cgal_version"], "parameters": line["parameters"],
-                    "surface_distance": surface_distance, "surface": None}
-        if surface_distance is not None:
-            mean, largest, diagonal = self.distances(surface, mesh)
-            mean_of_truth, largest_of_truth, _ = self.distances(mesh, surface)
-            measured["surface"] = {"mean_distance": mean / diagonal, "mean_coverage": mean_of_truth / diagonal,
-                                   "hausdorff": max(largest, largest_of_truth) / diagonal}
+        surface_distance, surface = self.measure_mesh(mesh, result)
+        return {"program": line["program"], "cgal_version": line["cgal_version"], "parameters": line["parameters"],
+                "surface_distance": surface_distance, "surface": surface}
+
+    def measure_ours(self, mesh, source, method, points):
+        """Beside it, the mesh of the same points without any error: moved to the truth, with its normals."""
+        measured, exact = self.measure(mesh, source, method, points), self.scratch / "exact.ply"
+        self.run("attach_true_normals", self.scratch / "result.ply", mesh, exact, "--move-to-surface")
+        _, measured["surface_of_exact_points"] = self.measure_mesh(mesh, exact)
         return measured
 
 
@@ -112,7 +124,8 @@ def main():
             source = bench.sample(mesh, experiment)
             for name, method in compared.items():
                 if name == "default" or name not in experiment["measurements"]:
-                    measured = bench.measure(mesh, source, method, experiment["output_points"])
+                    measure = bench.measure_ours if name == "default" else bench.measure
+                    measured = measure(mesh, source, method, experiment["output_points"])
                     experiment["measurements"][name] = measured
                     print(f"{describe(experiment)}, {name}: {measured['surface']}", file=sys.stderr, flush=True)
             result["experiments"].append(experiment)
