@@ -118,11 +118,11 @@ inline Points with_outliers(Points points, unsigned seed)
   return points;
 }
 
-/// With a crowd of outliers in a box of side 4 around the origin.
+/// With a crowd of outliers in a box of side 2.6 around the origin: so many that each has others around it.
 inline Points with_crowd(Points points, std::size_t size, unsigned seed)
 {
   test::Generator generator(seed);
-  const auto coordinate = [&] { return test::random_number(-2, 2, generator); };
+  const auto coordinate = [&] { return test::random_number(-1.3, 1.3, generator); };
   for (std::size_t i = 0; i < size; ++i)
   {
     const double x = coordinate(), y = coordinate(), z = coordinate();
