@@ -72,7 +72,7 @@ class Poisson_bench(Bench):
         """Beside it, the mesh of the same points without any error: moved to the truth, with its normals."""
         measured, exact = self.measure(mesh, source, method, points), self.scratch / "exact.ply"
         self.run("attach_true_normals", self.scratch / "result.ply", mesh, exact, "--move-to-surface")
-        _, measured["surface_of_exact_points"] = self.measure_mesh(mesh, exact)
+        _, measured[poisson_tables.EXACT] = self.measure_mesh(mesh, exact)
         return measured
 
 
