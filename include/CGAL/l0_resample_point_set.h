@@ -378,8 +378,8 @@ chain, or are joined to one by `|`, one at a time: `parameters::neighbor_radius(
     \cgalParamExtra{`std::bad_alloc` if it does not suffice; where the numbers of points alone say so, before any point is read}
   \cgalParamNEnd
   \cgalParamNBegin{callback}
-    \cgalParamDescription{called every now and then, from one thread at a time, with the progress, in [0, 1] and never falling; it may read
-      the name of the last stage in the report. Once it returns `false` the
+    \cgalParamDescription{called every now and then, on the CPU also at the begin of each stage, from one thread at a time, with the progress,
+      in [0, 1] and never falling; it may read the name of the last stage in the report. Once it returns `false` the
       function returns and nothing is written to `out`.}
     \cgalParamType{`std::function<bool(double)>`}
     \cgalParamDefault{none}

@@ -29,7 +29,7 @@ struct Interrupted
 {};
 
 /// Tells the caller's callback how far the call is, and keeps the time and memory of the stages. As long as it lives it watches the loops of the
-/// thread that has made it.
+/// thread that has made it. It asks the callback at the begin of each stage, so that short calls can be ended too, and every `interval()` inside.
 class Progress final : public Loop_watcher
 {
   using Clock = std::chrono::steady_clock;
@@ -59,7 +59,8 @@ public:
     : m_callback(std::move(callback)), m_report(report), m_memory(memory)
   {}
 
-  /// Starts a stage of `total` steps that makes up `share` of the whole call.
+  /// Starts a stage of `total` steps that makes up `share` of the whole call. Not to be called from a loop.
+  /// \throws Interrupted as `look()` does
   void begin_stage(const std::string& name, double share, std::size_t total)
   {
     end_stage();
@@ -69,7 +70,10 @@ public:
     m_done = 0;
     m_stage_start = Clock::now();
     m_report.stages.push_back({name, 0, 0});
-    advance(0);
+    if (!m_callback)
+      return;
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    ask();
   }
 
   /// Books the running stage. Starting the next one does it too.
@@ -109,6 +113,13 @@ public:
     std::unique_lock<std::mutex> lock(m_mutex, std::try_to_lock);
     if (!lock.owns_lock() || m_interrupted || Clock::now() - m_last_call < interval())
       return;
+    ask();
+  }
+
+private:
+  /// Calls the callback; the mutex is held.
+  void ask()
+  {
     const double in_stage = (std::min)(1., double(m_done) / double(m_total));
     m_last_value = (std::max)(m_last_value, (std::min)(1., m_stage_begin + m_stage_share * in_stage));
     try
