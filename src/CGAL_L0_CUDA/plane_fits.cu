@@ -6,11 +6,8 @@
 #include "Plane_fit.cuh"
 #include "plane_fits.cuh"
 
-#include <CGAL/L0_resampling/internal/Height_moments.h>
-#include <CGAL/L0_resampling/internal/deviation_in_ball.h>
-
 #include <algorithm>
-#include <cmath>
+#include <vector>
 
 namespace CGAL {
 namespace L0_resampling {
@@ -39,15 +36,17 @@ __device__ void sum_over_block(T (&values)[count])
         values[c] += shared[w][c];
 }
 
-/// The points around a query, for a block of threads: queries are few, so that each has to be short. A thread finds a row of cells, and a warp looks
-/// at its points.
+/// The points around a query, for a block of threads: queries are few, so that
+/// each has to be short. A thread finds a row of cells, and a warp looks at its
+/// points.
 class Surroundings
 {
   const Cell_grid& m_grid;
   int4 m_center;
   uint3 m_cell;
   int m_reach;
-  Wide m_stride; // where there are too many points, every so manieth of them is looked at
+  Wide m_stride; // where there are too many points, every so manieth of them is
+                 // looked at
 
 public:
   __device__ Surroundings(const Cell_grid& grid, unsigned query, int reach)
@@ -73,7 +72,8 @@ public:
 
   __device__ unsigned stride() const { return unsigned(m_stride); }
 
-  /// Calls `f(d)` for the points of the thread in the ball, with the way to them. For all threads of the block.
+  /// Calls `f(d)` for the points of the thread in the ball, with the way to
+  /// them. For all threads of the block.
   template <typename F>
   __device__ void for_each_in_ball(float radius, const F& f) const
   {
@@ -171,17 +171,9 @@ void keep_one_of_equal_points(const Workplace& workplace, Cell_grid& grid)
   grid.forget_order();
 }
 
-/// What a ball tells of the scales.
-struct Ball
-{
-  double count;    // of points
-  double variance; // across their plane
-  Shape_of_heights shape;
-};
-
 /// One block of threads for each query, which are every so manieth point.
 __global__ void __launch_bounds__(threads_per_query)
-  look_at_balls(Cell_grid grid, unsigned stride_of_queries, int reach, float radius, Ball* balls)
+  look_at_balls(Cell_grid grid, unsigned stride_of_queries, int reach, float radius, Ball_of_points* balls)
 {
   const Surroundings surroundings(grid, blockIdx.x * stride_of_queries, reach);
   const Plane_fit fit = surroundings.fit_plane(radius);
@@ -201,23 +193,8 @@ __global__ void __launch_bounds__(threads_per_query)
   sum_over_block(sums);
   if (threadIdx.x != 0)
     return;
-  const double n = fit.number_of_points;
-  Ball& ball = balls[blockIdx.x];
-  ball.count = n * surroundings.stride();
-  ball.variance = n > 3 ? fit.variance * n / (n - 3) : fit.variance; // the plane took three degrees of freedom
-  ball.shape = Height_moments<double>{sums[0], sums[1], sums[2], sums[3]}.shape(n);
-}
-
-/// \param value of a ball
-template <typename Value>
-double quantile(const std::vector<Ball>& balls, double share, const Value& value)
-{
-  std::vector<double> values;
-  for (const Ball& ball : balls)
-    values.push_back(value(ball));
-  const auto place = values.begin() + std::ptrdiff_t(share * double(values.size() - 1));
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
+  balls[blockIdx.x] = ball_of_points(fit.number_of_points, surroundings.stride(), fit.variance,
+                                     {sums[0], sums[1], sums[2], sums[3]});
 }
 
 } // namespace
@@ -233,57 +210,24 @@ void refit_planes_of(const Workplace& workplace, const Cell_grid& grid, const un
 Scales estimate_scales(const Workplace& workplace, const Positions& positions, const double (&low)[3],
                        const double (&high)[3], double initial_radius)
 {
-  const unsigned number_of_queries = 1000; // as on the CPU, and so are the next four
-  const double fewest_points = 30, flat = 0.25, surely_flat = 0.15;
-  const int reaches[] = {1, 2, 3, 4, 6, 8, 12, 16, 24, 32};
-  const double cell_size = initial_radius / 4, pi = 3.141592653589793;
-
+  const double cell_size = initial_radius / 4; // as on the CPU
   const Arena_scope arena_scope(workplace.arena), scratch_scope(workplace.scratch);
-  Cell_grid grid = build_grid(positions, nullptr, Cell_frame::around(low, high, cell_size, 32 * cell_size),
+  Cell_grid grid = build_grid(positions, nullptr,
+                              Cell_frame::around(low, high, cell_size, largest_reach_of_balls * cell_size),
                               workplace.arena, workplace.scratch, workplace.stream);
   keep_one_of_equal_points(workplace, grid);
-  const unsigned stride = (std::max)(grid.size / number_of_queries, 1u);
+  const unsigned stride = (std::max)(grid.size / unsigned(number_of_balls), 1u);
   const unsigned size = (grid.size + stride - 1) / stride;
-  Ball* const device_balls = workplace.scratch.take<Ball>(size);
-  std::vector<Ball> balls(size);
-  const auto median_count = [&]() { return quantile(balls, 0.5, [](const Ball& ball) { return ball.count; }); };
-  Scales scales = {cell_size, 0};
-  for (const int reach : reaches)
-  {
-    const double radius = reach * cell_size;
+  Ball_of_points* const device_balls = workplace.scratch.take<Ball_of_points>(size);
+  std::vector<Ball_of_points> balls(size);
+  return scales_of_growing_balls(cell_size, [&](int reach, double radius) {
     look_at_balls<<<size, threads_per_query, 0, workplace.stream>>>(grid, stride, reach, float(radius), device_balls);
     check_launch("look_at_balls");
-    CGAL_L0_CUDA_CHECK(
-      cudaMemcpyAsync(balls.data(), device_balls, size * sizeof(Ball), cudaMemcpyDeviceToHost, workplace.stream));
+    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(balls.data(), device_balls, size * sizeof(Ball_of_points),
+                                       cudaMemcpyDeviceToHost, workplace.stream));
     CGAL_L0_CUDA_CHECK(cudaStreamSynchronize(workplace.stream));
-    if (median_count() < fewest_points && reach < 32)
-      continue;
-    const auto set_scales = [&]() {
-      scales = {radius * std::sqrt(pi / (std::max)(median_count(), 1.)),
-                std::sqrt(quantile(balls, 0.3, [](const Ball& ball) { return ball.variance; }))};
-    };
-    set_scales();
-    const double index = quantile(balls, 0.5, [](const Ball& ball) { return ball.shape.single_sheet_index(); });
-    if (scales.noise > surely_flat * radius && index < largest_index_of_two_sheets)
-    {
-      for (Ball& ball : balls)
-      {
-        const Two_sheets sheets = two_sheets_of(ball.shape);
-        ball.variance *= sheets.noise;
-        ball.count *= sheets.larger_sheet;
-      }
-      set_scales();
-      break;
-    }
-    if (scales.noise < largest_deviation_of_sheet(median_count()) * radius
-        && (scales.noise < flat * radius || index > least_index_of_one_sheet))
-    {
-      const Sheet_in_ball sheet = sheet_of_deviations(scales.noise / radius);
-      scales = {scales.spacing * std::sqrt(sheet.share_of_points), sheet.noise * radius};
-      break;
-    }
-  }
-  return scales;
+    return balls;
+  });
 }
 
 } // namespace cuda

@@ -8,6 +8,8 @@
 
 #include "stages.cuh"
 
+#include <CGAL/L0_resampling/internal/scales_of_balls.h>
+
 namespace CGAL {
 namespace L0_resampling {
 namespace internal {
@@ -18,13 +20,8 @@ namespace cuda {
 void refit_planes_of(const Workplace& workplace, const Cell_grid& grid, const unsigned* open, unsigned number_of_open,
                      double radius, float4* normals, unsigned char* is_degenerate);
 
-/// As `Scales` and `estimate_scales()` on the CPU. Lengths in the frame.
-struct Scales
-{
-  double spacing, noise;
-};
-
-/// Waits for the device.
+/// As `estimate_scales()` on the CPU. Lengths in the frame. Waits for the
+/// device.
 Scales estimate_scales(const Workplace& workplace, const Positions& positions, const double (&low)[3],
                        const double (&high)[3], double initial_radius);
 

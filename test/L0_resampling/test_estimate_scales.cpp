@@ -90,6 +90,16 @@ void check_tube(double radius, double noise, std::size_t number_of_outliers, Gen
   CHECK(estimate > 0.8 * noise && estimate < 1.25 * noise);
 }
 
+/// Nor do the balls around far outliers count, which hold nothing else, though they are more than the third tenth.
+void check_crowd(double noise, Generator& generator)
+{
+  std::vector<Vector> points = sphere_points(20000, 1, generator).points;
+  add_gaussian_noise(points, noise, generator);
+  for (int i = 0; i < 12000; ++i)
+    points.emplace_back(random_number(-2, 2, generator), random_number(-2, 2, generator), random_number(-2, 2, generator));
+  CHECK(is_close(scales_of(points).noise, noise, 0.15));
+}
+
 /// What a ball holds of a noisy sheet tells the noise and the share of the points.
 void check_sheet_in_ball(double noise, Generator& generator)
 {
@@ -161,6 +171,8 @@ int main()
   CHECK(sheet_of_deviations(0).noise < 1e-6 && sheet_of_deviations(1).noise <= 2);
   for (const std::size_t number_of_outliers : {0, 1000})
     check_tube(0.1, 0.03, number_of_outliers, generator);
+  for (const double noise : {0.05, 0.08})
+    check_crowd(noise, generator);
   check_plate(3, 0, generator);
   check_plate(3.6, 0.6, generator);
   check_plate(4, 0.5, generator);

@@ -8,7 +8,7 @@
 
 #include <CGAL/L0_resampling/internal/checked_parameters.h>
 #include <CGAL/L0_resampling/internal/orientation_agreement.h>
-#include <CGAL/L0_resampling/internal/Height_moments.h>
+#include <CGAL/L0_resampling/internal/scales_of_balls.h>
 #include <CGAL/L0_resampling/internal/ball_queries.h>
 
 #include <cstdlib>
@@ -64,6 +64,7 @@ void print_constants()
   object.add("sparsity_unit_factor", sparsity_unit_factor);
   object.add("radius_per_spacing", radius_per_spacing);
   object.add("radius_per_noise", radius_per_noise);
+  object.add("least_share_of_points_in_ball", least_share_of_points_in_ball);
   object.add("largest_index_of_two_sheets", largest_index_of_two_sheets);
   object.add("least_index_of_one_sheet", least_index_of_one_sheet);
   object.add("default_filter_radius_factor", default_filter_radius_factor);
