@@ -47,8 +47,15 @@ class Ablation:
         found = (self.ratio(variant, key, column) for key in self.inputs)
         return [ratio for ratio in found if ratio is not None]
 
+    def mean_time(self, variant):
+        """Relative to the whole method's."""
+        return statistics.geometric_mean(experiment["measurements"][variant]["relative_time"]
+                                         for experiments in self.experiments.values() for experiment in experiments)
+
     def mean_ratio(self, variant, column):
-        return statistics.geometric_mean(self.ratios(variant, column))
+        """Geometric; arithmetic for recall, which may be zero."""
+        mean = statistics.fmean if column is RECALL else statistics.geometric_mean
+        return mean(self.ratios(variant, column))
 
     def worst_ratio(self, variant, column):
         """The one that speaks most for the ingredient."""
@@ -57,10 +64,10 @@ class Ablation:
 
 def overview(ablation):
     header = ["in place of the whole method",
-              *(f"{column.heading.split(',')[0]}: mean (worst)" for column in RELATIVE)]
+              *(f"{column.heading.split(',')[0]}: mean (worst)" for column in RELATIVE), "time"]
     rows = [[ablation.descriptions[variant],
              *(f"{ablation.mean_ratio(variant, column):.2f} ({ablation.worst_ratio(variant, column):.2f})"
-               for column in RELATIVE)]
+               for column in RELATIVE), f"{ablation.mean_time(variant):.2f}"]
             for variant in ablation.variants]
     return table(header, rows)
 
@@ -96,8 +103,9 @@ Made by
 with {experiment['input_points']} points in, {experiment['output_points']} out, seeds: {seeds}.
 Each row has one ingredient switched off, or the paper's form of it, and all others as they are. Figures are relative to
 those of the whole method: above 1, the ingredient gains that much; for recall, below 1. The first table has the
-geometric mean over the inputs and, in parentheses, the figure of the input that speaks most for the ingredient. The
-others have each input, and the figures of the whole method in the first row.
+geometric mean over the inputs (for recall, which may be zero, the arithmetic mean) and, in parentheses, the figure of
+the input that speaks most for the ingredient; its last column is the CPU time, of runs side by side, and below 1 the
+ingredient costs that much. The others have each input, and the figures of the whole method in the first row.
 """
     return "\n".join([introduction, "## Overview\n", overview(ablation),
                       *(f"## {column.heading}\n\n{relative_table(ablation, column)}" for column in RELATIVE),

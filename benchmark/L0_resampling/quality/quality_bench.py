@@ -9,6 +9,7 @@ import math
 import os
 import re
 import shlex
+import statistics
 import subprocess
 import sys
 from pathlib import Path
@@ -78,6 +79,13 @@ class Bench:
         """Runs the method, which writes `result`, and returns what it prints."""
         return json.loads(self.run(method.program, source, result, "--points", points, "--threads", self.threads,
                                    *method.options))
+
+    def relative_time(self, source, method, reference, points, pairs):
+        """CPU time relative to the reference's, the median of `pairs` of runs side by side."""
+        def seconds(timed):
+            return self.resample(source, timed, points, self.scratch / "timed.ply")["cpu_seconds"]
+
+        return statistics.median(seconds(method) / seconds(reference) for _ in range(pairs))
 
     def evaluate(self, mesh, method, points, result, *options):
         evaluation = parse_finite(self.run("evaluate_point_set", result, mesh, *options))

@@ -6,8 +6,9 @@
 """Measures what each ingredient of the default method gains.
 
 Each patch of the folder `ablation` switches one off, or puts the paper's form in its place; its first line says what is
-left. Patches are applied one at a time to a temporary copy of the tree, where run_l0 alone is built. All variants get
-the same points. OUTPUT.json keeps all that was measured, OUTPUT.md has the figures relative to the whole method's.
+left. Patches are applied one at a time to a temporary copy of the tree, where run_l0 alone is built. LOR stands beside
+them. All variants get the same points, and each is timed beside the whole method. OUTPUT.json keeps all that was
+measured, OUTPUT.md has the figures relative to the whole method's.
 """
 
 import argparse
@@ -25,7 +26,8 @@ from methods import Method
 
 # Shape, noise in %, share of outliers in %, density gradient: what each ingredient is for occurs once at least.
 INPUTS = (("fandisk", 0.5, 0, 1), ("fandisk", 1, 0, 1), ("fandisk", 1.5, 0, 1), ("anchor_dense", 0.5, 5, 1),
-          ("anchor_dense", 0.5, 0, 10), ("armadillo", 0.5, 0, 1), ("thin_plate", 0.5, 0, 1))
+          ("anchor_dense", 1.5, 10, 1), ("anchor_dense", 0.5, 0, 10), ("armadillo", 0.5, 0, 1),
+          ("thin_plate", 0.5, 0, 1))
 
 PATCHES = Path(__file__).resolve().parent / "ablation"
 
@@ -69,6 +71,8 @@ def variants_of(program_of):
         descriptions[name] = "the whole method"
         if patch:
             descriptions[name] = patch.read_text(encoding="utf-8").splitlines()[0].removeprefix("# ")
+    variants["lor"] = Method(variants["full"].program, ("--method", "lor"))
+    descriptions["lor"] = "LOR, as it stands in the paper"
     return variants, descriptions
 
 
@@ -98,6 +102,8 @@ def parse_arguments():
     parser.add_argument("--input-points", type=int, default=12_000)
     parser.add_argument("--output-points", type=int, default=8_000)
     parser.add_argument("--threads", type=int, default=1)
+    parser.add_argument("--timed-pairs", type=int, default=1, metavar="COUNT",
+                        help="how often a variant and the whole method are timed side by side on each input")
     return parser.parse_args()
 
 
@@ -117,6 +123,9 @@ def main():
                               "output_points": arguments.output_points, "measurements": {}}
                 source = bench.sample(mesh, experiment)
                 bench.measure_all(mesh, experiment, variants, lambda name, source=source: source)
+                for name in variants.keys() - {"full"}:
+                    experiment["measurements"][name]["relative_time"] = bench.relative_time(
+                        source, variants[name], variants["full"], arguments.output_points, arguments.timed_pairs)
                 result["experiments"].append(experiment)
                 if arguments.output is not None:   # a long run that is cut short leaves what it has
                     write_result(arguments.output, result, ablation_tables.markdown(result))
