@@ -26,7 +26,7 @@ Scales scales_of(const std::vector<Vector>& points)
     to_buffer(points), (high - low).norm() / std::cbrt(double(points.size())), unwatched.progress);
 }
 
-/// Spacing and noise of a surface come out within 15 %. Where there is no noise, its bending is not taken for much.
+/// Spacing and noise of a surface come out within 15 %, the spacing within 20 % where the noise is twice as large. Where there is no noise, its bending is not taken for much.
 void check_scales(std::vector<Vector> points, double area, Generator& generator)
 {
   const double spacing = std::sqrt(area / double(points.size()));
@@ -38,9 +38,21 @@ void check_scales(std::vector<Vector> points, double area, Generator& generator)
     points = clean;
     add_gaussian_noise(points, noise, generator);
     const Scales scales = scales_of(points);
-    CHECK(is_close(scales.spacing, spacing, 0.15));
+    // balls around points that are off the sheet, or at its border, hold fewer, and stand for more of the area
+    CHECK(is_close(scales.spacing, spacing, noise < 2 * spacing ? 0.15 : 0.2));
     CHECK(is_close(scales.noise, noise, 0.15));
   }
+}
+
+/// The spacing is that of half of the surface, though most points lie where they are dense.
+void check_uneven_density(Generator& generator)
+{
+  std::vector<Vector> points = plane_points(9000, 1, generator).points; // the unit square around the origin
+  for (const Vector& p : plane_points(3000, 1, generator).points)
+    points.push_back(p + Vector(1, 0, 0));
+  for (const Vector& p : plane_points(3000, 1, generator).points)
+    points.push_back(p + Vector(2, 0, 0));
+  CHECK(is_close(scales_of(points).spacing, std::sqrt(1. / 3000), 0.1));
 }
 
 /// The two sheets of a thin plate, closer than the first balls are wide, are not taken for one noisy sheet.
@@ -171,6 +183,7 @@ int main()
   CHECK(sheet_of_deviations(0).noise < 1e-6 && sheet_of_deviations(1).noise <= 2);
   for (const std::size_t number_of_outliers : {0, 1000})
     check_tube(0.1, 0.03, number_of_outliers, generator);
+  check_uneven_density(generator);
   for (const double noise : {0.05, 0.08})
     check_crowd(noise, generator);
   check_plate(3, 0, generator);

@@ -71,7 +71,7 @@ struct Report
 
   double neighbor_radius = 0;      ///< \f$ r_p \f$, in the unit of the input
   double normal_filter_radius = 0; ///< \f$ r_q \f$, in the unit of the input
-  double estimated_spacing = 0;    ///< square root of the area a point, in the unit of the input; default method only
+  double estimated_spacing = 0; ///< square root of the area a point mid-surface, in the unit of the input; default method only
   double estimated_noise = 0; ///< standard deviation across the surface, in the unit of the input; default method only
   double oriented_share = 0;  ///< share of samples whose sign was propagated with confidence, in [0, 1]
   double hinted_share = 0;    ///< share of samples whose side `viewpoint` or `orientation_hint_map` decided, in [0, 1]

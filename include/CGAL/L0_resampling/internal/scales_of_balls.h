@@ -74,11 +74,30 @@ inline void drop_sparse_balls(std::vector<Ball_of_points>& balls)
               balls.end());
 }
 
+/// Around half of the surface balls hold fewer points than this. Each ball stands for the area that its points have in the mean: samples are spread by
+/// area, and a sparse part of it shall count for as much as a dense one of its size, though it has fewer points.
+inline double median_count_by_area(std::vector<Ball_of_points> balls)
+{
+  std::sort(balls.begin(), balls.end(),
+            [](const Ball_of_points& a, const Ball_of_points& b) { return a.count < b.count; });
+  const auto area = [](const Ball_of_points& ball) { return 1 / (std::max)(ball.count, 1.); };
+  double whole = 0, part = 0;
+  for (const Ball_of_points& ball : balls)
+    whole += area(ball);
+  for (const Ball_of_points& ball : balls)
+  {
+    part += area(ball);
+    if (part >= whole / 2)
+      return ball.count;
+  }
+  return balls.back().count;
+}
+
 /// \param radius of the balls
 inline Scales scales_of_balls(const std::vector<Ball_of_points>& balls, double radius)
 {
   const double pi = 3.141592653589793;
-  return {radius * std::sqrt(pi / (std::max)(median_count(balls), 1.)),
+  return {radius * std::sqrt(pi / (std::max)(median_count_by_area(balls), 1.)),
           std::sqrt(quantile(balls, 0.3, [](const Ball_of_points& ball) { return ball.variance; }))};
 }
 
@@ -88,7 +107,7 @@ constexpr int largest_reach_of_balls = 32;    // in cells
 /*!
 Estimates the scales from plane fits around a thousand points, in balls that grow until their points lie in a plane rather than fill the ball: until
 the standard deviation across it is surely below what it is in a filled ball. That deviation tells the noise, see `sheet_of_deviations()`, and the
-number of points gives the spacing. Of the deviations the third tenth counts: edges, curvature, thin parts and outliers only ever raise them, and the
+number of points gives the spacing, which is that of the middle of the surface. Of the deviations the third tenth counts: edges, curvature, thin parts and outliers only ever raise them, and the
 more the larger the balls are; so the balls should not grow for longer than they have to.
 
 Balls that hold two sheets, as those of a thin plate do, would grow for ever and find its thickness. They are known by `single_sheet_index()`; then the
