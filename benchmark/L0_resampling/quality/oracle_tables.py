@@ -31,36 +31,19 @@ def figures(experiment, column):
     return [best("own normals", [1]), best("own normals"), best("true normals", [1]), best("true normals")]
 
 
-def name(experiment):
-    gradient = f", gradient {experiment['density_gradient']:g}" if experiment["density_gradient"] != 1 else ""
-    return f"{Path(experiment['mesh']).stem}, {experiment['noise_percent']:g} %{gradient}"
-
-
-def even(result):
-    return [experiment for experiment in result["experiments"] if experiment["density_gradient"] == 1]
-
-
-def rows(experiments, column):
-    for experiment in experiments:
+def rows(result, column):
+    for experiment in result["experiments"]:
         best = experiment["best_of_cgal"][column.heading]
-        yield [name(experiment), f"{best:.{column.digits}f}",
+        yield [f"{Path(experiment['mesh']).stem}, {experiment['noise_percent']:g} %", f"{best:.{column.digits}f}",
                *(f"{value:.{column.digits}f} ({value / best:.2f})" if best else f"{value:.{column.digits}f}"
                  for value in figures(experiment, column))]
 
 
-def inwards_rows(experiments):
-    for experiment in experiments:
+def inwards_rows(result):
+    for experiment in result["experiments"]:
         turned = figures(experiment, TURNED)[0]
         inwards, *of_oracles = (f"{value:.{INWARDS.digits}f}" for value in figures(experiment, INWARDS))
-        yield [name(experiment), inwards, f"{turned:.{TURNED.digits}f}", *of_oracles]
-
-
-def radius_rows(experiments, factors):
-    """Recall, and mean distance relative to that of the method's own radius; with own normals."""
-    for experiment in experiments:
-        runs = {run["radius_factor"]: [run["evaluation"]] for run in experiment["runs"] if run["normals"] == "own normals"}
-        yield [name(experiment), *(f"{RECALL.value(runs[factor]):.3f}, {DISTANCE.value(runs[factor]) / DISTANCE.value(runs[1]):.2f}"
-                                   for factor in factors)]
+        yield [f"{Path(experiment['mesh']).stem}, {experiment['noise_percent']:g} %", inwards, f"{turned:.{TURNED.digits}f}", *of_oracles]
 
 
 def markdown(result):
@@ -74,19 +57,11 @@ Made by
 {commands}
 with {experiment['input_points']} points in, {experiment['output_points']} out. *Best radius*: the one of the least
 error against the mesh, of {factors[0]:g} to {factors[-1]:g} times the method's own. *True normals*: each point has that of the face
-nearest to it, in place of PCA. In parentheses, the ratio to the best of CGAL's pipelines. Of points with a density gradient, those with little noise are
-shown with the recall of edges.
+nearest to it, in place of PCA. In parentheses, the ratio to the best of CGAL's pipelines.
 """]
     for column in COLUMNS:
-        experiments = result["experiments"] if column == RECALL else even(result)
-        parts.append(f"## {column.heading}\n\n{table(HEADER, rows(experiments, column))}")
-    parts.append(f"## {INWARDS.heading}\n\n{table([HEADER[0], HEADER[2], TURNED.heading, *HEADER[3:]], inwards_rows(even(result)))}")
-    uneven = [experiment for experiment in result["experiments"] if experiment not in even(result)]
-    if uneven:
-        larger = [factor for factor in factors if factor >= 1]
-        header = ["input", *(f"{factor:g} times the radius" for factor in larger)]
-        parts.append("## Points with a density gradient: edge recall, and mean distance relative to the default's\n\n"
-                     + table(header, radius_rows(uneven, larger)))
+        parts.append(f"## {column.heading}\n\n{table(HEADER, rows(result, column))}")
+    parts.append(f"## {INWARDS.heading}\n\n{table([HEADER[0], HEADER[2], TURNED.heading, *HEADER[3:]], inwards_rows(result))}")
     return "\n".join(parts)
 
 

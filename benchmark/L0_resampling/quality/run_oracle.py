@@ -7,8 +7,7 @@
 
 One oracle tells it the best radius, of several times its own, by the error that is measured against the mesh; one gives
 each point the normal of the nearest face in place of PCA; a third does both. What an oracle does not reach is not a matter of the
-choice of radius, nor of the first normals. Of points with a density gradient only those with little noise are looked at, for
-the recall of edges where they are sparse. OUTPUT.json keeps all that was measured, OUTPUT.md has the figures beside
+choice of radius, nor of the first normals. OUTPUT.json keeps all that was measured, OUTPUT.md has the figures beside
 the best of CGAL's pipelines, from the results of run_comparison.py on the same inputs, of which it takes the first sampling.
 """
 
@@ -20,12 +19,10 @@ import tempfile
 from pathlib import Path
 
 import oracle_tables
-from comparison_tables import ORGANIC_SHAPES
-from quality_bench import CGAL_SHAPES, OWN_SHAPES, Bench, command_line, describe, mesh_of, parse_finite, write_result
+from quality_bench import CGAL_SHAPES, OWN_SHAPES, Bench, command_line, mesh_of, parse_finite, write_result
 
 RADIUS_FACTORS = (0.5, 0.6, 0.7, 0.8, 0.9, 1, 1.1, 1.25, 1.5)
 SOURCES = ("own normals", "true normals")
-LITTLE_NOISE = 0.25
 
 
 def parse_arguments():
@@ -35,17 +32,8 @@ def parse_arguments():
     parser.add_argument("comparison", type=Path, help="JSON file of run_comparison.py")
     parser.add_argument("--output", type=Path, help="writes OUTPUT.json and OUTPUT.md; else the tables are printed")
     parser.add_argument("--shapes", nargs="+", choices=CGAL_SHAPES + OWN_SHAPES,
-                        default=("armadillo", "fandisk", "anchor_dense", "thin_plate"),
-                        help="of evenly dense points; those with a gradient are of all shapes with edges")
+                        default=("armadillo", "fandisk", "anchor_dense", "thin_plate"))
     return parser.parse_args()
-
-
-def is_measured(experiment, shapes):
-    if experiment["outliers_percent"]:
-        return False
-    if experiment["density_gradient"] != 1:
-        return experiment["mesh"] not in ORGANIC_SHAPES and experiment["noise_percent"] <= LITTLE_NOISE
-    return Path(experiment["mesh"]).stem in shapes
 
 
 def resample(bench, source, points, *options):
@@ -78,13 +66,15 @@ def main():
         bench = Bench(arguments.build / "bin", Path(scratch), 1)
         first_seed = comparison["experiments"][0]["seed"]
         for compared in comparison["experiments"]:
-            if compared["seed"] != first_seed or not is_measured(compared, arguments.shapes):
+            shape = Path(compared["mesh"]).stem
+            if (shape not in arguments.shapes or compared["outliers_percent"] or compared["density_gradient"] != 1
+                    or compared["seed"] != first_seed):
                 continue
             experiment = {key: value for key, value in compared.items() if key != "measurements"}
             experiment["best_of_cgal"] = oracle_tables.best_of_cgal(compared)
-            experiment["runs"] = measure(bench, mesh_of(Path(compared["mesh"]).stem, arguments.meshes), experiment)
+            experiment["runs"] = measure(bench, mesh_of(shape, arguments.meshes), experiment)
             result["experiments"].append(experiment)
-            print(describe(experiment), file=sys.stderr, flush=True)
+            print(f"{shape}, noise {experiment['noise_percent']:g} %", file=sys.stderr, flush=True)
             if arguments.output is not None:   # a long run that is cut short leaves what it has
                 write_result(arguments.output, result, oracle_tables.markdown(result))
     if arguments.output is None:
