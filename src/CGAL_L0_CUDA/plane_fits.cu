@@ -36,17 +36,15 @@ __device__ void sum_over_block(T (&values)[count])
         values[c] += shared[w][c];
 }
 
-/// The points around a query, for a block of threads: queries are few, so that
-/// each has to be short. A thread finds a row of cells, and a warp looks at its
-/// points.
+/// The points around a query, for a block of threads: queries are few, so that each has to be short. A thread finds a row of cells, and a warp looks
+/// at its points.
 class Surroundings
 {
   const Cell_grid& m_grid;
   int4 m_center;
   uint3 m_cell;
   int m_reach;
-  Wide m_stride; // where there are too many points, every so manieth of them is
-                 // looked at
+  Wide m_stride; // where there are too many points, every so manieth of them is looked at
 
 public:
   __device__ Surroundings(const Cell_grid& grid, unsigned query, int reach)
@@ -72,8 +70,7 @@ public:
 
   __device__ unsigned stride() const { return unsigned(m_stride); }
 
-  /// Calls `f(d)` for the points of the thread in the ball, with the way to
-  /// them. For all threads of the block.
+  /// Calls `f(d)` for the points of the thread in the ball, with the way to them. For all threads of the block.
   template <typename F>
   __device__ void for_each_in_ball(float radius, const F& f) const
   {

@@ -10,7 +10,6 @@
 #include <CGAL/L0_resampling/internal/scales_of_balls.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
