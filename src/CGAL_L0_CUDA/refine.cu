@@ -7,6 +7,7 @@
 #include "Query.cuh"
 #include "stages.cuh"
 
+#include <CGAL/L0_resampling/internal/Border_of_ball.h>
 #include <CGAL/L0_resampling/internal/Parameters.h>
 #include <CGAL/L0_resampling/internal/weights.h>
 
@@ -24,7 +25,7 @@ namespace {
 struct Fit
 {
   float radius, squared_bandwidth, normal_bandwidth, squared_sheet_height;
-  double largest_offset; // of the mean of the points, before the sample is drawn back from a border
+  Border_of_ball border;
 };
 
 /// What the points of a ball that agree with a normal add up to, as on the CPU.
@@ -118,7 +119,7 @@ __global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_b
   if (!query.writes)
     return;
 
-  const double pi = 3.141592653589793, total = sums.weight, largest_offset = fit.largest_offset;
+  const double total = sums.weight;
   samples.outward[i] = Short_vector::zero();
   if (!(total > 1e-3)) // nobody agrees: the sample is drawn to where it was last fitted, and keeps its normal
   {
@@ -130,10 +131,11 @@ __global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_b
   const double3 offset = mean - dot(old_normal, mean) * old_normal;
   const double distance = sqrt(dot(offset, offset));
   double3 to_centroid = (sums.height / total) * old_normal;
-  if (distance > largest_offset)
-    to_centroid = to_centroid + (pi / 2 * (distance - largest_offset) / distance) * offset;
+  const double way_back = fit.border.way_back(distance);
+  if (way_back > 0)
+    to_centroid = to_centroid + (way_back / distance) * offset;
   samples.fit[i] = with_w(to_float(to_centroid), float(total));
-  const double held_back = share_held_back(distance / largest_offset);
+  const double held_back = fit.border.share_held_back(distance, total * total / sums.squared_weights);
   if (held_back > 0)
     samples.outward[i] = Short_vector::of(to_float((-sqrt(held_back) / distance) * offset));
   const double3 mean_normal = to_double(sums.normal);
@@ -214,7 +216,7 @@ void fit_compatible_points(const Workplace& workplace, const Cell_grid& sample_g
 {
   const double bandwidth = fit_bandwidth_factor * radius;
   const Fit fit = {float(radius), float(bandwidth * bandwidth), float(normal_bandwidth), float(squared_sheet_height),
-                   mean_distance_in_half_disk(radius, bandwidth)};
+                   Border_of_ball(radius, bandwidth)};
   fit_samples<<<blocks_for_queries(samples.size), threads_per_block, 0, workplace.stream>>>(
     sample_grid, is_in_order ? nullptr : sample_grid.order, blocks, grid, normals, fit, samples);
   check_launch("fit_samples");

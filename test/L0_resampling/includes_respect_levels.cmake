@@ -8,7 +8,7 @@ cmake_minimum_required(VERSION 3.21)
 
 set(level_0   # words: types, formulas and tools that know nothing of point sets
   tags.h Solver_report.h Quadratic_problem.h
-  internal/host_device.h internal/random_bits.h internal/exact_ball.h internal/weights.h internal/orientation_agreement.h internal/shrinkage.h internal/negligible_displacement.h internal/block_factorization.h internal/checked_count.h
+  internal/host_device.h internal/random_bits.h internal/exact_ball.h internal/weights.h internal/Border_of_ball.h internal/orientation_agreement.h internal/shrinkage.h internal/negligible_displacement.h internal/block_factorization.h internal/checked_count.h
   internal/symmetric_eigen.h internal/Height_moments.h internal/deviation_in_ball.h internal/scales_of_balls.h internal/attribute_kinds.h
   internal/Buffer.h internal/lanes.h internal/parallel_for.h internal/parallel_sort.h internal/select_nth.h internal/Signed_union_find.h)
 set(level_1   # what several stages share, and what works on the arrays of one neighborhood

@@ -69,7 +69,8 @@ bool check_small_clouds(std::size_t only_size, const std::string& only_shape)
                                                      {"lattice", lattice},
                                                      {"one place", one_place},
                                                      {"clusters", clusters},
-                                                     {"crowd", with_crowd(noisy_sphere(n - n / 3, 0.1, 3), n / 3, 4)}};
+                                                     {"crowd",
+                                                      with_crowd(noisy_sphere(n - n / 3, 0.1, 3), n / 3, 1.3, 4)}};
     for (const auto& [name, points] : shapes)
     {
       if (!only_shape.empty() && name != only_shape)

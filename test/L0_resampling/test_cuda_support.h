@@ -118,11 +118,11 @@ inline Points with_outliers(Points points, unsigned seed)
   return points;
 }
 
-/// With a crowd of outliers in a box of side 2.6 around the origin: so many that each has others around it.
-inline Points with_crowd(Points points, std::size_t size, unsigned seed)
+/// With `size` outliers in a box around the origin that reaches `half_side` along each axis.
+inline Points with_crowd(Points points, std::size_t size, double half_side, unsigned seed)
 {
   test::Generator generator(seed);
-  const auto coordinate = [&] { return test::random_number(-1.3, 1.3, generator); };
+  const auto coordinate = [&] { return test::random_number(-half_side, half_side, generator); };
   for (std::size_t i = 0; i < size; ++i)
   {
     const double x = coordinate(), y = coordinate(), z = coordinate();

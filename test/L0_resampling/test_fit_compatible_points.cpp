@@ -64,18 +64,33 @@ Fitted fit(const Oriented_points& input, const Oriented_points& start)
   return fit<T>(input, std::vector<double>(input.points.size(), 1), start, start.points);
 }
 
-/// How far from its straight side the mean of a half disk lies, by quadrature.
-double half_disk_offset()
+/// The mean of `f(r)` over a disk, by quadrature.
+template <typename F>
+double mean_over_disk(const F& f)
 {
   double sum = 0, total = 0;
   const int steps = 100000;
   for (int k = 0; k < steps; ++k)
   {
     const double r = (k + 0.5) / steps * radius, weight = r * std::exp(-r * r / (bandwidth * bandwidth));
-    sum += 2 / EIGEN_PI * r * weight;
+    sum += f(r) * weight;
     total += weight;
   }
   return sum / total;
+}
+
+/// How far from its straight side the mean of a half disk lies.
+double half_disk_offset()
+{
+  return mean_over_disk([](double r) { return 2 / EIGEN_PI * r; });
+}
+
+/// Of a push outwards, where the mean of so many points is that far away.
+double share_held_back(double distance, double effective_number)
+{
+  const double squared_distance = mean_over_disk([](double r) { return r * r; });
+  const double chance = 1.8 * squared_distance * (std::max)(1 / effective_number - 1. / 12, 0.);
+  return clamped((std::sqrt((std::max)(distance * distance - chance, 0.)) / half_disk_offset() - 0.35) / 0.2);
 }
 
 /// The sums of the docstring for a sample.
@@ -152,7 +167,8 @@ Fitted fit_naively(const Oriented_points& input, const std::vector<double>& dens
     result.centroids[i] += sums.height / sums.total * n;
     if (offset.norm() > largest_offset)
       result.centroids[i] += EIGEN_PI / 2 * (offset.norm() - largest_offset) * offset.normalized();
-    result.outward[i] = -std::sqrt(clamped((offset.norm() / largest_offset - 0.35) / 0.2)) * offset.normalized();
+    result.outward[i] = -std::sqrt(share_held_back(offset.norm(), square(sums.total) / sums.squared_weights))
+                        * offset.normalized();
   }
   return result;
 }
@@ -318,6 +334,31 @@ void check_border()
   }
 }
 
+/// Where points are sparse, the gaps between them are no borders; where they are dense, a hole as wide as such a gap has one.
+void check_gaps(Generator& generator)
+{
+  const double points_per_ball = 7;
+  const auto share_held_back = [&](const Oriented_points& plane) {
+    const Oriented_points start = plane_points(2000, 6, generator);
+    double sum = 0;
+    for (const Vector& outward : fit<float>(plane, start).outward)
+      sum += outward.squaredNorm() / double(start.points.size());
+    return sum;
+  };
+  const std::size_t number_of_sparse = std::size_t(points_per_ball / (EIGEN_PI * radius * radius) * 64);
+  CHECK(share_held_back(plane_points(number_of_sparse, 8, generator)) < 0.3);
+
+  Oriented_points dense = plane_points(8 * number_of_sparse, 8, generator), with_holes;
+  for (const Vector& p : dense.points)
+    if ((Vector(p.x() - std::round(p.x()), p.y() - std::round(p.y()), 0)).norm() > 0.75 * radius)
+    {
+      with_holes.points.push_back(p);
+      with_holes.normals.push_back(Vector::UnitZ());
+    }
+  CHECK(share_held_back(dense) < 0.05);
+  CHECK(share_held_back(with_holes) > 0.3);
+}
+
 /// On a plate thinner than the radius, a sample is drawn to its own sheet and the other one does not move it.
 void check_plate(Generator& generator)
 {
@@ -370,6 +411,7 @@ int main()
   check_sphere(generator);
   check_edge(generator);
   check_border();
+  check_gaps(generator);
   check_plate(generator);
   check_close_sheets(generator);
   return result();

@@ -6,6 +6,7 @@
 // Prints the defaults of the named parameters and the constants of the methods as JSON, for generate_text.py and
 // check_manual.py.
 
+#include <CGAL/L0_resampling/internal/Border_of_ball.h>
 #include <CGAL/L0_resampling/internal/checked_parameters.h>
 #include <CGAL/L0_resampling/internal/orientation_agreement.h>
 #include <CGAL/L0_resampling/internal/scales_of_balls.h>
@@ -91,6 +92,8 @@ void print_constants()
   object.add("share_of_sheet_of_strays", share_of_sheet_of_strays);
   object.add("held_back_from", held_back_from);
   object.add("held_back_to", held_back_to);
+  object.add("points_that_tell_border", points_that_tell_border);
+  object.add("variances_of_chance", variances_of_chance);
   object.add("least_gap_of_plane", least_gap_of_plane);
   object.add("quadric_radius_factor", quadric_radius_factor);
   object.add("largest_roughness_of_plane", largest_roughness_of_plane);

@@ -22,7 +22,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstddef>
 #include <exception>
 #include <functional>
@@ -43,13 +42,10 @@ struct Destroy_session
   void operator()(cuda::Session* session) const noexcept { cuda::destroy(session); }
 };
 
-/// The caller's callback behind the C interface: not too often, and what it throws waits until the device is done.
+/// The caller's callback behind the C interface: what it throws waits until the device is done.
 class Device_progress
 {
-  using Clock = std::chrono::steady_clock;
-
   std::function<bool(double)> m_callback;
-  Clock::time_point m_last_call = Clock::now();
   std::exception_ptr m_exception;
 
 public:
@@ -75,9 +71,6 @@ public:
 private:
   bool ask(double share)
   {
-    if (Clock::now() - m_last_call < std::chrono::milliseconds(20))
-      return true;
-    m_last_call = Clock::now();
     try
     {
       return m_callback(share);

@@ -195,17 +195,6 @@ struct Stray
   }
 };
 
-/// A sample is pushed less and less outwards where the mean of its points lies further away than the first of these shares of what it does in half a ball, and from
-/// the second on not at all.
-constexpr double held_back_from = 0.35, held_back_to = 0.55;
-
-/// The share of the outward part of a push that is left out.
-/// \param distance of the mean of the points, per that in half a ball
-CGAL_L0_HOST_DEVICE inline double share_held_back(double distance)
-{
-  return as_share((distance - held_back_from) / (held_back_to - held_back_from));
-}
-
 /// The plane that corrects a normal counts in full if its two smaller variances differ by this share of the largest, and the less the nearer they are: points
 /// in a strip have no plane.
 constexpr double least_gap_of_plane = 0.1;

@@ -6,6 +6,7 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_FIT_COMPATIBLE_POINTS_H
 #define CGAL_L0_RESAMPLING_INTERNAL_FIT_COMPATIBLE_POINTS_H
 
+#include <CGAL/L0_resampling/internal/Border_of_ball.h>
 #include <CGAL/L0_resampling/internal/Local_normals.h>
 #include <CGAL/L0_resampling/internal/Parameters.h>
 #include <CGAL/L0_resampling/internal/Plane_moments.h>
@@ -125,8 +126,7 @@ corners and shrinks what is curved, this one looks at points of its own side of 
 \f[ h_i = \sum_j w_j h_{ij} / \sum_j w_j, \qquad h_{ij} = \tfrac12 (n_i + n_j)^T (q_j - p_i). \f]
 
 The sample is drawn to \f$ c_i = p_i + h_i n_i \f$: along its normal, so that it does not retreat from edges and borders. Only beyond them, where the weighted mean of
-the points lies further off in the plane than that of half a ball, is it drawn back: the mean of a Gaussian cut
-off at x moves by \f$ 2x/\pi \f$ for small x, so that the way back is \f$ \pi/2 \f$ of what is too much. A sample that hardly any of its points agree with, as one that
+the points lies further off in the plane than that of half a ball, is it drawn back (`Border_of_ball`). A sample that hardly any of its points agree with, as one that
 began at the noisiest of them or at an outlier, takes the normal of most of them before, and a sheet as high as the ball, in which it finds the others (`Stray`). One whose
 points scatter more than those of one sheet do looks again at a lower sheet (`squared_sheet_height_among()`). Where still nobody agrees, it is drawn to the last \f$ c_i \f$
 it had. Nothing of this sets in with a step, so that roundings stay roundings.
@@ -143,7 +143,7 @@ void fit_compatible_points(const Fit_input<T>& input, Progress& progress, Sample
 
   const Fit_kernel<T> kernel = {T(input.radius * input.radius), T(bandwidth * bandwidth), T(input.normal_bandwidth),
                                 T(input.squared_sheet_height)};
-  const double largest_offset = mean_distance_in_half_disk(input.radius, bandwidth);
+  const Border_of_ball border(input.radius, bandwidth);
   const auto make_visitor = [&]() {
     return [&, normals = Local_normals<T>(), scales = Aligned_vector<T>()](
              Search_grid_3::Range queries, const Local_points<T>& candidates, const Vector& origin) mutable {
@@ -190,9 +190,10 @@ void fit_compatible_points(const Fit_input<T>& input, Progress& progress, Sample
         const Vector offset = mean - old_normal.dot(mean) * old_normal;
         const double distance = offset.norm();
         samples.fit_centroids[i] += (sums.height / total) * old_normal;
-        if (distance > largest_offset)
-          samples.fit_centroids[i] += (EIGEN_PI / 2 * (distance - largest_offset) / distance) * offset;
-        const double held_back = share_held_back(distance / largest_offset);
+        const double way_back = border.way_back(distance);
+        if (way_back > 0)
+          samples.fit_centroids[i] += (way_back / distance) * offset;
+        const double held_back = border.share_held_back(distance, total * total / sums.squared_weights);
         if (held_back > 0)
           samples.outward_directions[i] = (-std::sqrt(held_back) / distance * offset).template cast<FT>();
         if (sums.normal.norm() > 1e-3 * total)

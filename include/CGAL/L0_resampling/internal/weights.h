@@ -134,14 +134,6 @@ CGAL_L0_HOST_DEVICE inline double variance_of_mean(double weight, double squared
   return weighted_variance(weight, sum, squares) * squared_weights / (weight * weight);
 }
 
-/// How far from its straight side the mean of a half disk lies, weighted by \f$ e^{-d^2/\sigma^2} \f$. With
-/// \f$ s = radius / \sigma \f$ it is \f$ \sigma / \sqrt\pi \f$ for large s, times what the cut at the radius leaves.
-inline double mean_distance_in_half_disk(double radius, double bandwidth)
-{
-  const double pi = 3.141592653589793, s = radius / bandwidth, cut = std::exp(-s * s);
-  return bandwidth * (std::erf(s) / std::sqrt(pi) - 2 / pi * s * cut) / (1 - cut);
-}
-
 } // namespace internal
 } // namespace L0_resampling
 } // namespace CGAL
