@@ -11,9 +11,10 @@ import sys
 from pathlib import Path
 
 from comparison_tables import DISTANCE, EVENNESS, INPUT_NAMES, INWARDS, NORMALS, RECALL
-from quality_tables import group, table
+from quality_tables import Column, group, table
 
-RELATIVE = (DISTANCE, NORMALS, RECALL, EVENNESS)   # inwards may be zero
+GAPS = Column("99th percentile of coverage, %", "coverage", "p99", 3)
+RELATIVE = (DISTANCE, NORMALS, RECALL, EVENNESS, GAPS)   # inwards may be zero
 
 
 def input_name(key):
