@@ -82,13 +82,14 @@ double mean_over_disk(const F& f)
 /// How far from its straight side the mean of a half disk lies.
 double half_disk_offset()
 {
-  return mean_over_disk([](double r) { return 2 / EIGEN_PI * r; });
+  static const double offset = mean_over_disk([](double r) { return 2 / EIGEN_PI * r; });
+  return offset;
 }
 
 /// Of a push outwards, where the mean of so many points is that far away.
 double share_held_back(double distance, double effective_number)
 {
-  const double squared_distance = mean_over_disk([](double r) { return r * r; });
+  static const double squared_distance = mean_over_disk([](double r) { return r * r; });
   const double chance = 1.8 * squared_distance * (std::max)(1 / effective_number - 1. / 12, 0.);
   return clamped((std::sqrt((std::max)(distance * distance - chance, 0.)) / half_disk_offset() - 0.35) / 0.2);
 }
@@ -337,18 +338,18 @@ void check_border()
 /// Where points are sparse, the gaps between them are no borders; where they are dense, a hole as wide as such a gap has one.
 void check_gaps(Generator& generator)
 {
-  const double points_per_ball = 7;
+  const double points_per_ball = 7, side = 8, inside = 6;
   const auto share_held_back = [&](const Oriented_points& plane) {
-    const Oriented_points start = plane_points(2000, 6, generator);
+    const Oriented_points start = plane_points(2000, inside, generator);
     double sum = 0;
     for (const Vector& outward : fit<float>(plane, start).outward)
       sum += outward.squaredNorm() / double(start.points.size());
     return sum;
   };
-  const std::size_t number_of_sparse = std::size_t(points_per_ball / (EIGEN_PI * radius * radius) * 64);
-  CHECK(share_held_back(plane_points(number_of_sparse, 8, generator)) < 0.3);
+  const std::size_t number_of_sparse = std::size_t(points_per_ball / (EIGEN_PI * radius * radius) * side * side);
+  CHECK(share_held_back(plane_points(number_of_sparse, side, generator)) < 0.3);
 
-  Oriented_points dense = plane_points(8 * number_of_sparse, 8, generator), with_holes;
+  Oriented_points dense = plane_points(8 * number_of_sparse, side, generator), with_holes;
   for (const Vector& p : dense.points)
     if ((Vector(p.x() - std::round(p.x()), p.y() - std::round(p.y()), 0)).norm() > 0.75 * radius)
     {

@@ -9,7 +9,6 @@
 #include <CGAL/L0_resampling/internal/host_device.h>
 #include <CGAL/L0_resampling/internal/weights.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace CGAL {
