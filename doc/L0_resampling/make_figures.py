@@ -71,7 +71,7 @@ FIGURE_LIST = {
                                            [f"number_of_normal_filter_iterations={n}" for n in (0, 1, 5, 40)]),
     "normal_weight": (NOISY_STAIRCASE, FRONT, STEPS,
                       ["input", *(f"{ON_NOISY_STAIRCASE},maximum_penalty=200,normal_weight={w}" for w in (0, 0.9, 50))]),
-    "regularization_weight": ("bracket_noisy", ABOVE, FACE, ["input", *(f"regularization_weight={w}" for w in (0, 0.13, 1.3))]),
+    "regularization_weight": ("bracket_noisy", ABOVE, FACE, ["input", *(f"regularization_weight={w}" for w in (0, 0.15, 1.5))]),
     "penalties": (NOISY_STAIRCASE, FRONT, STEPS,
                   ["input", *(f"{ON_NOISY_STAIRCASE},maximum_penalty={p}" for p in (0.1, 2, 200))]),
     "number_of_orientation_neighbors": (corrugated_sheet, "0.3,-0.6,1", EVERYTHING,

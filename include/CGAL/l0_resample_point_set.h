@@ -289,7 +289,7 @@ chain, or are joined to one by `|`, one at a time: `parameters::neighbor_radius(
   \cgalParamNBegin{regularization_weight}
     \cgalParamDescription{\f$ \alpha \f$ of Eq. (6): larger values draw neighbors together more}
     \cgalParamType{`double`}
-    \cgalParamDefault{0.15; `DEFAULT`: 0.13}
+    \cgalParamDefault{0.15}
     \cgalParamExtra{`std::invalid_argument` if negative or not finite}
   \cgalParamNEnd
   \cgalParamNBegin{initial_penalty}

@@ -98,6 +98,7 @@ __device__ void for_each_pair(const Neighbor_lists& neighbors, uint2 row, unsign
 __device__ void update_density_weights(const Turn& turn)
 {
   const float squared_bandwidth = float(turn.parameters.squared_bandwidth);
+  const float squared_range = float(square(turn.parameters.range_of_pairs));
   const float mean_number_of_neighbors = float(double(turn.neighbors.number_of_pairs) / turn.samples.size);
   for_each_sample_of_group(turn.samples.size, [&](unsigned i, unsigned lane, bool is_sample) {
     const uint2 row = turn.neighbors.row(turn.points, turn.samples.size, i);
@@ -107,7 +108,7 @@ __device__ void update_density_weights(const Turn& turn)
       turn.neighbors, row, lane, [&](unsigned k, Wide) { return turn.points[k]; },
       [&](int4 point, Wide) {
         const float3 d = difference(center, point, turn.unit);
-        sum += gaussian_weight(dot(d, d), squared_bandwidth);
+        sum += share_in_ball(dot(d, d), squared_range) * gaussian_weight(dot(d, d), squared_bandwidth);
       });
     sum = group_sum<lanes_per_sample>(sum);
     if (lane == 0 && is_sample)
@@ -151,12 +152,13 @@ __device__ double wide_dot(float3 a, float3 b) { return double(a.x) * b.x + doub
 struct Pair_weights
 {
   bool regularize;
-  float regularization_weight, squared_radius, squared_jump;
+  float regularization_weight, squared_radius, squared_jump, squared_range;
 
   __device__ explicit Pair_weights(const Turn& turn)
     : regularize(turn.regularize), regularization_weight(float(turn.parameters.regularization_weight)),
       squared_radius(float(turn.parameters.squared_radius)),
-      squared_jump(float(turn.parameters.regularized_jump * turn.parameters.regularized_jump))
+      squared_jump(float(square(turn.parameters.regularized_jump))),
+      squared_range(float(square(turn.parameters.range_of_pairs)))
   {}
 
   /// \param squared_distance, height_i, height_k of \f$ d = p_i - p_k \f$: its square, \f$ n_i^T d \f$ and \f$ n_k^T d \f$
@@ -164,7 +166,7 @@ struct Pair_weights
   __device__ float operator()(float squared_distance, float height_i, float height_k, float inverses) const
   {
     const float squared_height = fmaxf(height_i * height_i, height_k * height_k);
-    return regularize ? regularization_weight
+    return regularize ? regularization_weight * share_in_ball(squared_distance, squared_range)
                           * pair_weight(squared_distance, squared_radius, squared_height, squared_jump) * inverses
                       : 0.f;
   }
@@ -182,7 +184,7 @@ struct Energy_sums
 /// \param sums out, of the thread: g^T g and r^T z
 __device__ void linearize(const Turn& turn, Energy_sums& energy, double (&sums)[2])
 {
-  const float penalty = turn.penalty;
+  const float penalty = turn.penalty, squared_range = float(square(turn.parameters.range_of_pairs));
   const Pair_weights weight_of_pair(turn);
   const Wide size = turn.samples.size;
   for_each_sample_of_group(turn.samples.size, [&](unsigned i, unsigned lane, bool is_sample) {
@@ -207,8 +209,9 @@ __device__ void linearize(const Turn& turn, Energy_sums& energy, double (&sums)[
       const float squared_distance = dot(d, d);
       const float distance_i = dot(n, d), distance_k = dot(nk, d);
       const float a = weight_of_pair(squared_distance, distance_i, distance_k, own.w + other.w);
-      const float offset_i = shrink(distance_i, turn.jumps);
-      const float misfit_i = distance_i - offset_i, misfit_k = distance_k - shrink(distance_k, turn.jumps);
+      const float share = share_in_ball(squared_distance, squared_range), shrunk_i = shrink(distance_i, turn.jumps);
+      const float misfit_i = share * (distance_i - shrunk_i),
+                  misfit_k = share * (distance_k - shrink(distance_k, turn.jumps));
       g -= a * d + (penalty * misfit_i) * n + (penalty * misfit_k) * nk;
       weight += a;
       xx += nk.x * nk.x;
@@ -219,7 +222,7 @@ __device__ void linearize(const Turn& turn, Energy_sums& energy, double (&sums)[
       zz += nk.z * nk.z;
       regularization += 0.5f * a * squared_distance; // each unordered pair comes twice
       squared_misfit += misfit_i * misfit_i;
-      number_of_active_pairs += offset_i != 0;
+      number_of_active_pairs += shrunk_i != 0;
     });
     g = group_sum<lanes_per_sample>(g);
     weight = group_sum<lanes_per_sample>(weight);

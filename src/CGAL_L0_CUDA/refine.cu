@@ -31,7 +31,7 @@ struct Fit
 /// What the points of a ball that agree with a normal add up to, as on the CPU.
 struct Compatible_points
 {
-  float all, weight, squared_weights, height, squared_heights;
+  float all, squared_sines, weight, squared_weights, height, squared_heights;
   float3 offset, normal;
 };
 
@@ -59,13 +59,14 @@ struct Surroundings
 
   __device__ Compatible_points sum_compatible_points(const float3& normal, float squared_sheet_height) const
   {
-    Compatible_points sums = {0, 0, 0, 0, 0, {0, 0, 0}, {0, 0, 0}};
+    Compatible_points sums = {0, 0, 0, 0, 0, 0, {0, 0, 0}, {0, 0, 0}};
     for_each([&](const float3& d, const float3& other, float scale) {
       const float cosine = dot(other, normal), sign = copysignf(1, cosine);
       const float h = symmetric_height(dot(d, normal), sign * dot(d, other));
       const float weight =
         scale * sheet_weight(dot(d, d), fit.squared_bandwidth, cosine, fit.normal_bandwidth, h, squared_sheet_height);
       sums.all += scale;
+      sums.squared_sines += scale * (1 - cosine * cosine);
       sums.weight += weight;
       sums.squared_weights += weight * weight;
       sums.height += weight * h;
@@ -73,10 +74,10 @@ struct Surroundings
       sums.offset += weight * d;
       sums.normal += (sign * weight) * other;
     });
-    return {
-      group_sum<lanes>(sums.all),    group_sum<lanes>(sums.weight),          group_sum<lanes>(sums.squared_weights),
-      group_sum<lanes>(sums.height), group_sum<lanes>(sums.squared_heights), group_sum<lanes>(sums.offset),
-      group_sum<lanes>(sums.normal)};
+    return {group_sum<lanes>(sums.all),    group_sum<lanes>(sums.squared_sines),
+            group_sum<lanes>(sums.weight), group_sum<lanes>(sums.squared_weights),
+            group_sum<lanes>(sums.height), group_sum<lanes>(sums.squared_heights),
+            group_sum<lanes>(sums.offset), group_sum<lanes>(sums.normal)};
   }
 
   __device__ float3 normal_of_most(const float3& own, double weight_of_own) const
@@ -135,7 +136,8 @@ __global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_b
   if (way_back > 0)
     to_centroid = to_centroid + (way_back / distance) * offset;
   samples.fit[i] = with_w(to_float(to_centroid), float(total));
-  const double held_back = fit.border.share_held_back(distance, total * total / sums.squared_weights);
+  const double held_back = fit.border.share_held_back(distance, total * total / sums.squared_weights,
+                                                      double(sums.squared_sines) / sums.all);
   if (held_back > 0)
     samples.outward[i] = Short_vector::of(to_float((-sqrt(held_back) / distance) * offset));
   const double3 mean_normal = to_double(sums.normal);
@@ -148,32 +150,35 @@ __global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_b
 /// `Repulsion` in `float`.
 struct Push
 {
+  float squared_range; // of the neighbors
   float squared_bandwidth, strength, maximum_step;
   float spacing; // of an even set
   double radius; // of the fit
 };
 
 /// One step of `repel_tangentially()` on the CPU.
-__global__ void repel(Cell_frame frame, Neighbor_lists neighbors, Push push_rule, const int4* points, Samples samples,
-                      int4* moved_points)
+__global__ void repel(Cell_frame frame, Neighbor_lists neighbors, Push push_rule, const int4* places,
+                      const int4* points, Samples samples, int4* moved_points)
 {
   const Query query(samples.size);
   const unsigned i = query.index;
   const float unit = frame.unit();
-  const int4 center = points[i];
+  const int4 center = points[i], place = places[i];
   float3 push = {0, 0, 0};
   const uint2 row = neighbors.row(points, samples.size, i);
   for (Wide e = Wide(row.x) + query.lane; e < row.y; e += lanes)
   {
     const unsigned k = neighbors.indices[e];
-    const float3 d = difference(center, points[k], unit);
+    const float3 d = difference(center, points[k], unit), former_d = difference(place, places[k], unit);
     float squared_distance = dot(d, d);
     if (samples.spacings)
     {
       const float scale = 2 * push_rule.spacing / (samples.spacings[i] + samples.spacings[k]);
       squared_distance *= scale * scale;
     }
-    push += (push_rule.strength * gaussian_weight(squared_distance, push_rule.squared_bandwidth)) * d;
+    push += (push_rule.strength * share_in_ball(dot(former_d, former_d), push_rule.squared_range)
+             * gaussian_weight(squared_distance, push_rule.squared_bandwidth))
+            * d;
   }
   push = group_sum<lanes>(push);
   if (!query.writes)
@@ -223,17 +228,22 @@ void fit_compatible_points(const Workplace& workplace, const Cell_grid& sample_g
 }
 
 void repel_tangentially(const Workplace& workplace, const Cell_grid& sample_grid, const Neighbor_lists& neighbors,
-                        double spacing, double radius, std::size_t number_of_steps, const Samples& samples)
+                        const int4* places, double range, double spacing, double radius, std::size_t number_of_steps,
+                        const Samples& samples)
 {
   const Repulsion repulsion(spacing, radius);
-  const Push push = {float(repulsion.squared_bandwidth), float(repulsion.strength), float(repulsion.maximum_step),
-                     float(spacing), radius};
+  const Push push = {float(square(range)),
+                     float(repulsion.squared_bandwidth),
+                     float(repulsion.strength),
+                     float(repulsion.maximum_step),
+                     float(spacing),
+                     radius};
   const Arena_scope scope(workplace.scratch);
   int4 *points = sample_grid.points, *moved = workplace.scratch.take<int4>(samples.size);
   for (std::size_t step = 0; step < number_of_steps; ++step)
   {
-    repel<<<blocks_for_queries(samples.size), threads_per_block, 0, workplace.stream>>>(sample_grid.frame, neighbors,
-                                                                                        push, points, samples, moved);
+    repel<<<blocks_for_queries(samples.size), threads_per_block, 0, workplace.stream>>>(
+      sample_grid.frame, neighbors, push, places, points, samples, moved);
     check_launch("repel");
     std::swap(points, moved);
   }

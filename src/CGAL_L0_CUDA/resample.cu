@@ -8,6 +8,7 @@
 #include "orientation.cuh"
 
 #include <cmath>
+#include <limits>
 
 namespace CGAL {
 namespace L0_resampling {
@@ -67,7 +68,7 @@ std::size_t estimate_memory(std::size_t n, std::size_t m, const Parameters& para
   const std::size_t of_neighbors = is_default ? 80 * m : 64 * m;
   const std::size_t of_sorting_samples = (is_default ? of_points : 0) + of_sample_grid + 5 * m + 76 * m;
   const std::size_t of_fit = of_points + of_sample_grid + 15 * m;
-  const std::size_t of_minimization = (is_default ? of_points : 0) + 16 * m + of_neighbors + 76 * m;
+  const std::size_t of_minimization = (is_default ? of_points + 16 * m : 0) + 16 * m + of_neighbors + 76 * m;
   const std::size_t of_quadrics = 2 * of_sample_grid + 20 * m + 76 * m;
   const std::size_t k = parameters.number_of_orientation_neighbors;
   const std::size_t of_orientation = // votes and the field, or grades of the edges
@@ -248,6 +249,7 @@ void choose_samples(Call& call, const Input& input, const Prepared_points& point
     areas = areas_of_points(workplace, points.grid,
                             area_radius_factor * (std::max)(lengths.radius, lengths.filter_radius));
     lengths.set_sample_spacing(std::sqrt(areas.total / double(call.samples.size)));
+    call.minimization.range_of_pairs = lengths.self_neighbor_radius;
   }
   const Sources_of_samples sources = {points.normals, is_default ? &areas : nullptr, !call.parameters.keep_density,
                                       input.hints};
@@ -355,6 +357,9 @@ void minimize_with_refinement(Call& call, const Prepared_points& points)
       fit(grid, true);
     });
     call.numbers_of_pairs.push_back(neighbors.number_of_pairs);
+    int4* const places = workplace.arena.take<int4>(samples.size);
+    CGAL_L0_CUDA_CHECK(
+      cudaMemcpyAsync(places, samples.points, samples.size * sizeof(int4), cudaMemcpyDeviceToDevice, workplace.stream));
     refit_sample_normals(workplace, kernel, samples, neighbors, number_of_sample_refits, call.samples);
     {
       const Arena_scope turn_scope(workplace.scratch);
@@ -362,8 +367,8 @@ void minimize_with_refinement(Call& call, const Prepared_points& points)
       minimize_once(workplace, call.minimization, call.penalties[i], true, neighbors, samples, call.samples, arrays,
                     call.last_turn_result(i), call.turn_results + i);
     }
-    repel_tangentially(workplace, samples, neighbors, lengths.sample_spacing, lengths.radius, number_of_repulsion_steps,
-                       call.samples);
+    repel_tangentially(workplace, samples, neighbors, places, lengths.self_neighbor_radius, lengths.sample_spacing,
+                       lengths.radius, number_of_repulsion_steps, call.samples);
     if (i + 1 == call.penalties.size()) // while the neighbors are there
     {
       fit_in_cells_of_points();
@@ -414,7 +419,8 @@ void run(Session& session, const Parameters& parameters, Stages& stages, Call_re
      sparsity_unit_factor * lengths.radius,
      jump_in_sheet_heights(parameters.method, largest_shrunk_jump_per_sheet_height, lengths.noise, lengths.radius),
      jump_in_sheet_heights(parameters.method, regularized_jump_per_sheet_height, lengths.noise, lengths.radius),
-     half_width_of_shrinkage(parameters.method), parameters.normal_weight, parameters.regularization_weight},
+     std::numeric_limits<double>::infinity(), half_width_of_shrinkage(parameters.method), parameters.normal_weight,
+     parameters.regularization_weight},
     penalties(parameters),
     nullptr,
     nullptr,

@@ -182,7 +182,8 @@ Neighbor_lists find_self_neighbors(const Workplace& workplace, const Cell_grid& 
 /// The weights of Algorithm 1, as `Minimization_parameters` of the CPU.
 struct Minimization
 {
-  double squared_radius, squared_bandwidth, sparsity_unit, largest_shrunk_jump, regularized_jump, half_width_of_shrinkage;
+  double squared_radius, squared_bandwidth, sparsity_unit, largest_shrunk_jump, regularized_jump;
+  double range_of_pairs, half_width_of_shrinkage;
   double normal_weight, regularization_weight;
 };
 
@@ -252,8 +253,11 @@ void refit_sample_normals(const Workplace& workplace, const Sample_refit_kernel&
                           const Neighbor_lists& neighbors, std::size_t number_of_passes, const Samples& samples);
 
 /// Spreads the samples within the surface, by steps that the radius of the fit limits. The points of the grid are used up.
+/// \param places the points of the grid when the neighbors were found
+/// \param range of the neighbors, there
 void repel_tangentially(const Workplace& workplace, const Cell_grid& sample_grid, const Neighbor_lists& neighbors,
-                        double spacing, double radius, std::size_t number_of_steps, const Samples& samples);
+                        const int4* places, double range, double spacing, double radius, std::size_t number_of_steps,
+                        const Samples& samples);
 
 /// Moves the samples to what they were fitted to.
 void take_fitted_positions(const Workplace& workplace, const Samples& samples);

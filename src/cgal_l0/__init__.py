@@ -49,7 +49,7 @@ def l0_resample_point_set(
     sharpness_angle=15,
     number_of_normal_filter_iterations=5,
     normal_weight=0.9,
-    regularization_weight=None,
+    regularization_weight=0.15,
     initial_penalty=0.1,
     maximum_penalty=2,
     penalty_growth=None,

@@ -32,7 +32,7 @@ class Parameters:
     sharpness_angle: float
     number_of_normal_filter_iterations: int
     normal_weight: float
-    regularization_weight: float | None
+    regularization_weight: float
     initial_penalty: float
     maximum_penalty: float
     penalty_growth: float | None

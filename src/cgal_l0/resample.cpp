@@ -102,7 +102,7 @@ Result<FT> resample_with_tag(const Array_view& points, const Array_view* normals
       .sharpness_angle(parameters.sharpness_angle)
       .number_of_normal_filter_iterations(parameters.number_of_normal_filter_iterations)
       .normal_weight(parameters.normal_weight)
-      .regularization_weight(parameters.regularization_weight.value_or(*defaults.regularization_weight))
+      .regularization_weight(parameters.regularization_weight)
       .initial_penalty(parameters.initial_penalty)
       .maximum_penalty(parameters.maximum_penalty)
       .penalty_growth(parameters.penalty_growth.value_or(*defaults.penalty_growth))

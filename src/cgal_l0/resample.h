@@ -40,7 +40,7 @@ struct Parameters
   double sharpness_angle = 0;
   std::int64_t number_of_normal_filter_iterations = 0;
   double normal_weight = 0;
-  std::optional<double> regularization_weight;
+  double regularization_weight = 0;
   double initial_penalty = 0;
   double maximum_penalty = 0;
   std::optional<double> penalty_growth;

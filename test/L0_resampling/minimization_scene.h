@@ -26,6 +26,7 @@ struct Scene
                                      0.25 * radius,
                                      std::numeric_limits<double>::infinity(),
                                      std::numeric_limits<double>::infinity(),
+                                     std::numeric_limits<double>::infinity(),
                                      0,
                                      0.9,
                                      0.15,

@@ -109,6 +109,61 @@ void check_course(const Scene& start, const Scene& end, const std::vector<Step>&
   CHECK(start.samples.normals == end.samples.normals && start.neighbors.indices == end.neighbors.indices);
 }
 
+/// Of the pairs of the scene those that are no longer than that, but for one.
+/// \param left_out a place in the list of them, or of none
+Neighborhoods pairs_within(const Scene& scene, double range, std::size_t left_out)
+{
+  const Buffer<Vector>& p = scene.samples.positions;
+  Neighborhoods pairs{Buffer<std::size_t>(1, 0, p.get_allocator()), Buffer<Index>(p.get_allocator())};
+  const auto is_left_out = [&](std::size_t i, std::size_t k) {
+    const auto row = std::upper_bound(scene.neighbors.offsets.begin(), scene.neighbors.offsets.end(), left_out);
+    const std::size_t one = std::size_t(row - scene.neighbors.offsets.begin()) - 1;
+    return left_out < scene.neighbors.indices.size()
+           && std::minmax(i, k) == std::minmax(one, std::size_t(scene.neighbors.indices[left_out]));
+  };
+  for (std::size_t i = 0; i < p.size(); ++i)
+  {
+    for (std::size_t e = scene.neighbors.offsets[i]; e < scene.neighbors.offsets[i + 1]; ++e)
+    {
+      const std::size_t k = scene.neighbors.indices[e];
+      if ((p[i] - p[k]).norm() <= range && !is_left_out(i, k))
+        pairs.indices.push_back(Index(k));
+    }
+    pairs.offsets.push_back(pairs.indices.size());
+  }
+  return pairs;
+}
+
+/// No rounding that decides whether two samples are neighbors moves them.
+void check_end_of_range(const Scene& scene)
+{
+  const double penalty = 1, jump = 0.3;
+  const Buffer<Vector>&p = scene.samples.positions, &normals = scene.samples.normals;
+  std::size_t number_of_checks = 0;
+  for (std::size_t i = 0; i < p.size(); i += 10)
+  {
+    const std::size_t e = scene.neighbors.offsets[i];
+    if (e == scene.neighbors.offsets[i + 1])
+      continue;
+    const Vector d = p[i] - p[scene.neighbors.indices[e]];
+    const double height = std::abs(normals[i].dot(d)), range = d.norm() * (1 + 1e-9);
+    if (height < 0.05 || height >= jump)
+      continue;
+    const auto pull_on_sample = [&](const Neighborhoods& pairs) {
+      Buffer<Vector> pulls(p.size());
+      Buffer<double> pair_weights(pairs.indices.size(), 0.), no_offsets;
+      shrink_normal_offsets<CGAL::Sequential_tag>(scene.samples, pairs, pair_weights, penalty,
+                                                  Shrunk_jumps<double>(jump, 0), range * range, pulls, no_offsets);
+      return pulls[i];
+    };
+    const Vector with_pair = pull_on_sample(pairs_within(scene, range, scene.neighbors.indices.size())),
+                 without_pair = pull_on_sample(pairs_within(scene, range, e));
+    CHECK((with_pair - without_pair).norm() < 1e-7);
+    ++number_of_checks;
+  }
+  CHECK(number_of_checks > 10);
+}
+
 int main()
 {
   Generator generator(8);
@@ -124,6 +179,7 @@ int main()
     check_course(start, end, solver.steps, reports);
     check_descent(start, solver.steps, reports, generator);
     check_report(start, solver.steps, reports);
+    check_end_of_range(start);
 
     // Solvers of the collapsed form get no rows and see the same problems.
     Scene without_rows = start;

@@ -14,8 +14,18 @@
 
 using namespace test;
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Falls from 1 to 0 over the last tenth of the squared range.
+double share_in_range(double squared_distance, double range)
+{
+  return (std::min)(10 * (std::max)(1 - squared_distance / (range * range), 0.), 1.);
+}
+
 /// Eq. (5), its sum without the point itself.
-std::vector<double> naive_density_weights(const std::vector<Vector>& points, double radius, double bandwidth)
+/// \param range where the weights end
+std::vector<double> naive_density_weights(const std::vector<Vector>& points, double radius, double bandwidth,
+                                          double range = infinity)
 {
   const auto neighbors = brute_force_neighbors(points, points, radius);
   double mean_number_of_neighbors = 0;
@@ -25,8 +35,11 @@ std::vector<double> naive_density_weights(const std::vector<Vector>& points, dou
   for (std::size_t j = 0; j < points.size(); ++j)
     for (std::size_t k : neighbors[j])
       if (k != j)
-        weights[j] += std::exp(-(points[j] - points[k]).squaredNorm() / (bandwidth * bandwidth))
+      {
+        const double squared_distance = (points[j] - points[k]).squaredNorm();
+        weights[j] += share_in_range(squared_distance, range) * std::exp(-squared_distance / (bandwidth * bandwidth))
                       / mean_number_of_neighbors;
+      }
   return weights;
 }
 
@@ -40,11 +53,12 @@ std::vector<double> input_density_weights(const Gridded_points& sorted, double r
   return std::vector<double>(weights.begin(), weights.end());
 }
 
+/// Relative to at least a hundredth: what is left of a weight where it ends has few digits.
 double largest_relative_difference(const std::vector<double>& a, const std::vector<double>& b)
 {
   double largest = a.size() == b.size() ? 0 : 1;
   for (std::size_t i = 0; i < (std::min)(a.size(), b.size()); ++i)
-    largest = (std::max)(largest, std::abs(a[i] - b[i]) / b[i]);
+    largest = (std::max)(largest, std::abs(a[i] - b[i]) / (std::max)(b[i], 0.01));
   return largest;
 }
 
@@ -60,8 +74,10 @@ void check_input(const std::vector<Vector>& points, double radius)
   }
 }
 
-/// w_i of Eq. (5) for the samples, and with it the weights of the pairs of Eq. (4), once for each of the two; less where there is a jump between them.
-void check_samples(const std::vector<Vector>& points, double radius, double bandwidth, double jump, Generator& generator)
+/// w_i of Eq. (5) for the samples, and with it the weights of the pairs of Eq. (4), once for each of the two; less where there is a jump between them, and where the range
+/// ends.
+void check_samples(const std::vector<Vector>& points, double radius, double bandwidth, double jump, double range,
+                   Generator& generator)
 {
   const double regularization_weight = 0.15;
   const Gridded_points sorted(points, radius);
@@ -73,9 +89,9 @@ void check_samples(const std::vector<Vector>& points, double radius, double band
   for (std::size_t i = 0; i < points.size(); ++i)
     normals.push_back(random_unit_vector(generator));
   update_weights<CGAL::Parallel_if_available_tag>(sorted.points, normals, neighbors, bandwidth * bandwidth,
-                                                  radius * radius, jump * jump, regularization_weight, weights,
-                                                  pair_weights);
-  const std::vector<double> naive = naive_density_weights(sorted.vector, radius / 2, bandwidth);
+                                                  radius * radius, jump * jump, range * range, regularization_weight,
+                                                  weights, pair_weights);
+  const std::vector<double> naive = naive_density_weights(sorted.vector, radius / 2, bandwidth, range);
   CHECK(largest_relative_difference(std::vector<double>(weights.begin(), weights.end()), naive) < 1e-12);
 
   std::vector<double> naive_pair_weights;
@@ -87,7 +103,8 @@ void check_samples(const std::vector<Vector>& points, double radius, double band
       const Vector d = sorted.vector[i] - sorted.vector[k];
       const double height = (std::max)(std::abs(normals[i].dot(d)), std::abs(normals[k].dot(d)));
       const double decay_across_jump = std::exp(-height * height / (jump * jump));
-      const double weight = std::exp(d.squaredNorm() / (radius * radius)) * decay_across_jump;
+      const double weight = std::exp(d.squaredNorm() / (radius * radius)) * decay_across_jump
+                            * share_in_range(d.squaredNorm(), range);
       naive_pair_weights.push_back(regularization_weight * weight / naive[i] + regularization_weight * weight / naive[k]);
       number_of_low_weights += decay_across_jump < 0.5;
     }
@@ -106,7 +123,7 @@ void check_loners()
   const Neighborhoods none = find_self_neighbors<CGAL::Sequential_tag>(apart.grid, apart.points, 1, unwatched.progress);
   Buffer<double> weights(27, 0.), no_pair_weights;
   const Buffer<Vector> normals(27, Vector::UnitZ());
-  update_weights<CGAL::Sequential_tag>(apart.points, normals, none, 0.25, 1, 0.04, 0.15, weights, no_pair_weights);
+  update_weights<CGAL::Sequential_tag>(apart.points, normals, none, 0.25, 1, 0.04, 0.3, 0.15, weights, no_pair_weights);
   CHECK(std::vector<double>(weights.begin(), weights.end()) == ones);
 }
 
@@ -123,8 +140,9 @@ int main()
   points.emplace_back(1e9, 0, 0); // in an outermost cell, so that balls are looked at one by one
   check_input(points, 0.3);
   points.pop_back();
-  for (double jump : {0.1, std::numeric_limits<double>::infinity()})
-    check_samples(points, 0.6, 0.3, jump, generator);
+  for (double jump : {0.1, infinity})
+    for (double range : {0.3, infinity})
+      check_samples(points, 0.6, 0.3, jump, range, generator);
   check_loners();
   return result();
 }

@@ -18,10 +18,12 @@ struct Repelled
   std::vector<Vector> normals, outward;
 };
 
+constexpr double range_per_spacing = 2.5;
+
 /// \param outward one a point; none means nowhere
 Repelled repel(const Oriented_points& cloud, std::vector<Vector> outward, double spacing, std::size_t number_of_steps)
 {
-  const double self_neighbor_radius = 2.5 * spacing;
+  const double self_neighbor_radius = range_per_spacing * spacing;
   outward.resize(cloud.points.size(), Vector::Zero());
   const Gridded_points sorted(cloud.points, self_neighbor_radius);
   Samples<double> samples{Counting_allocator<Vector>()};
@@ -32,8 +34,10 @@ Repelled repel(const Oriented_points& cloud, std::vector<Vector> outward, double
   const Neighborhoods neighbors = find_self_neighbors<CGAL::Sequential_tag>(sorted.grid, sorted.points,
                                                                             self_neighbor_radius, unwatched.progress);
   Samples<double> sequential = samples;
-  repel_tangentially<CGAL::Parallel_if_available_tag>(neighbors, spacing, spacing, number_of_steps, samples);
-  repel_tangentially<CGAL::Sequential_tag>(neighbors, spacing, spacing, number_of_steps, sequential);
+  repel_tangentially<CGAL::Parallel_if_available_tag>(neighbors, sorted.points, self_neighbor_radius, spacing, spacing,
+                                                      number_of_steps, samples);
+  repel_tangentially<CGAL::Sequential_tag>(neighbors, sorted.points, self_neighbor_radius, spacing, spacing,
+                                           number_of_steps, sequential);
   CHECK(sequential.positions == samples.positions);
   return {sorted.vector,
           {samples.positions.begin(), samples.positions.end()},
@@ -101,6 +105,32 @@ void check_lattice()
   CHECK(off_free_border > 0.1);
 }
 
+/// How far two samples go away from each other that were so far apart when they were found to be neighbors, and are half as far now.
+double push_of_pair(double distance)
+{
+  const double spacing = 1;
+  const std::vector<Vector> places = {Vector::Zero(), Vector(distance, 0, 0)};
+  const Gridded_points sorted(places, range_per_spacing);
+  Unwatched unwatched;
+  const Neighborhoods neighbors = find_self_neighbors<CGAL::Sequential_tag>(sorted.grid, sorted.points,
+                                                                            range_per_spacing, unwatched.progress);
+  Samples<double> samples{Counting_allocator<Vector>()};
+  for (const Vector& place : sorted.points)
+    samples.positions.push_back(place / 2);
+  samples.normals = samples.outward_directions = Buffer<Vector>(2, Vector::UnitZ());
+  const Buffer<Vector> before = samples.positions;
+  repel_tangentially<CGAL::Sequential_tag>(neighbors, sorted.points, range_per_spacing, spacing, spacing, 1, samples);
+  return (samples.positions[0] - before[0]).norm() + (samples.positions[1] - before[1]).norm();
+}
+
+/// No rounding that decides whether two samples are neighbors moves them, however near they have come.
+void check_end_of_range()
+{
+  CHECK(push_of_pair(0.9 * range_per_spacing) > 0.1);
+  CHECK(push_of_pair((1 - 1e-9) * range_per_spacing) < 1e-7);
+  CHECK(push_of_pair((1 + 1e-9) * range_per_spacing) == 0);
+}
+
 /// Nobody leaves its tangent plane, and no step is longer than 0.3 spacings.
 void check_step(Generator& generator)
 {
@@ -143,6 +173,7 @@ int main()
 {
   Generator generator(16);
   check_lattice();
+  check_end_of_range();
   check_step(generator);
   check_evenness(generator);
   return result();

@@ -173,9 +173,8 @@ int main(int argc, char** argv)
       coordinates.insert(coordinates.end(), {p.x(), p.y(), p.z()});
     const std::size_t m = parameters.number_of_output_points;
     parameters.method = methods.at(method);
-    const bool is_default = parameters.method == Method::DEFAULT;
-    parameters.regularization_weight = is_default ? CGAL::L0_resampling::internal::default_regularization_weight : 0.15;
-    parameters.penalty_growth = is_default ? CGAL::L0_resampling::internal::default_penalty_growth : 1.5;
+    if (parameters.method == Method::DEFAULT)
+      parameters.penalty_growth = CGAL::L0_resampling::internal::default_penalty_growth;
     if (radius_in_spacings > 0)
       parameters.neighbor_radius = radius_in_spacings * spacing;
 

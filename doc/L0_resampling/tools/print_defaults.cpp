@@ -92,8 +92,9 @@ void print_constants()
   object.add("share_of_sheet_of_strays", share_of_sheet_of_strays);
   object.add("held_back_from", held_back_from);
   object.add("held_back_to", held_back_to);
-  object.add("points_that_tell_border", points_that_tell_border);
   object.add("variances_of_chance", variances_of_chance);
+  object.add("squared_sine_of_face", squared_sine_of_face);
+  object.add("squared_sine_of_edge", squared_sine_of_edge);
   object.add("least_gap_of_plane", least_gap_of_plane);
   object.add("quadric_radius_factor", quadric_radius_factor);
   object.add("largest_roughness_of_plane", largest_roughness_of_plane);

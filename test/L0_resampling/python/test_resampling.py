@@ -115,14 +115,13 @@ def test_defaults_are_those_of_the_function(cube):
     constants = {name: p.default for name, p in inspect.signature(l0_resample_point_set).parameters.items()}
     by_method = _core.Parameters(_core.Method.default)
     for name in ("select_percentage", "sharpness_angle", "number_of_normal_filter_iterations", "normal_weight",
-                 "initial_penalty", "maximum_penalty", "number_of_orientation_neighbors", "random_seed",
-                 "drop_non_finite"):
+                 "regularization_weight", "initial_penalty", "maximum_penalty", "number_of_orientation_neighbors",
+                 "random_seed", "drop_non_finite"):
         assert constants[name] == getattr(by_method, name), name
     for method in ("default", "lor"):
         own = _core.Parameters(_core.Method.__members__[method])
         assert same(l0_resample_point_set(cube, method=method),
-                    l0_resample_point_set(cube, method=method, regularization_weight=own.regularization_weight,
-                                          penalty_growth=own.penalty_growth))
+                    l0_resample_point_set(cube, method=method, penalty_growth=own.penalty_growth))
     assert own.penalty_growth != by_method.penalty_growth
 
 

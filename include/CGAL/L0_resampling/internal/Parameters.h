@@ -33,11 +33,11 @@ struct Parameters
   double sharpness_angle = 15;     ///< \f$ \sigma_n \f$, in degrees
   std::size_t number_of_normal_filter_iterations = 5;
 
-  double normal_weight = 0.9;       ///< \f$ \lambda \f$
-  double regularization_weight = 0; ///< \f$ \alpha \f$
-  double initial_penalty = 0.1;     ///< first \f$ \beta \f$
-  double maximum_penalty = 2;       ///< last \f$ \beta \f$ is at most this
-  double penalty_growth = 1.5;      ///< \f$ \mu \f$; the default method has its own
+  double normal_weight = 0.9;          ///< \f$ \lambda \f$
+  double regularization_weight = 0.15; ///< \f$ \alpha \f$
+  double initial_penalty = 0.1;        ///< first \f$ \beta \f$
+  double maximum_penalty = 2;          ///< last \f$ \beta \f$ is at most this
+  double penalty_growth = 1.5;         ///< \f$ \mu \f$; the default method has its own
 
   bool drop_outliers = false; ///< whether points off the cloud are left out; the default method has its own default
   bool keep_density = false;  ///< whether the density of the input is kept instead of evened out
@@ -260,9 +260,6 @@ struct Sample_refit_kernel
       normal_bandwidth(bandwidth_of_normals), squared_sheet_height(square(sample_refit_sheet_factor * radius))
   {}
 };
-
-/// \f$ \alpha \f$ of the default method, where repulsion makes the samples even, and regularization smooth.
-constexpr double default_regularization_weight = 0.13;
 
 /// \f$ \mu \f$ of the default method: fewer turns than the paper's 1.5 makes, each of which fits anew.
 constexpr double default_penalty_growth = 2;

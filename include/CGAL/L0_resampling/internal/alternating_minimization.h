@@ -31,6 +31,7 @@ struct Minimization_parameters
   double sparsity_unit;                                    ///< length in which \f$ \sqrt{\lambda/\beta} \f$ is read
   double largest_shrunk_jump;                              ///< a length; infinite in LOR and ALOR
   double regularized_jump;                                 ///< J of `pair_weight()`, a length; infinite in LOR and ALOR
+  double range_of_pairs;                                   ///< of the self neighbors; infinite in LOR and ALOR
   double half_width_of_shrinkage;                          ///< see `Shrunk_jumps`; 0 in LOR and ALOR
   double normal_weight;                                    ///< \f$ \lambda \f$
   double regularization_weight;                            ///< \f$ \alpha \f$
@@ -111,8 +112,8 @@ public:
     {
       Buffer<FT> density_weights(m, samples.positions.get_allocator());
       update_weights<ConcurrencyTag>(samples.positions, samples.normals, neighbors, p.squared_bandwidth,
-                                     p.squared_radius, p.regularized_jump * p.regularized_jump, p.regularization_weight,
-                                     density_weights, m_pair_weights);
+                                     p.squared_radius, square(p.regularized_jump), square(p.range_of_pairs),
+                                     p.regularization_weight, density_weights, m_pair_weights);
     }
     m_progress.advance(0);
 
@@ -121,7 +122,7 @@ public:
     const double threshold = shrinkage_threshold(p.normal_weight, penalty, p.sparsity_unit, p.largest_shrunk_jump);
     const Energy_sums sums = shrink_normal_offsets<ConcurrencyTag, FT>(
       samples, neighbors, m_pair_weights, bounded_penalty, Shrunk_jumps<FT>(threshold, p.half_width_of_shrinkage),
-      m_right_hand_side, m_normal_offsets);
+      FT(square(p.range_of_pairs)), m_right_hand_side, m_normal_offsets);
     m_progress.advance(0);
 
     // Line 3: Eq. (10), for the displacements

@@ -121,7 +121,6 @@ Parameters checked_parameters(const NamedParameters& np, std::size_t n)
 
   read_parameter(np, internal_np::normal_weight, p.normal_weight);
   check_parameter(is_not_negative(p.normal_weight), "normal_weight", p.normal_weight, "a finite number, 0 or above");
-  p.regularization_weight = p.method == Method::DEFAULT ? default_regularization_weight : 0.15;
   read_parameter(np, internal_np::regularization_weight, p.regularization_weight);
   check_parameter(is_not_negative(p.regularization_weight), "regularization_weight", p.regularization_weight,
                   "a finite number, 0 or above");

@@ -26,15 +26,18 @@ constexpr std::size_t samples_per_block = 256;
 
 /// Line 4 of Algorithm 1: updates \f$ w_i \f$ of Eq. (5), with the mean number of neighbors of all samples as \f$ \eta_S \f$, and the
 /// weights of the pairs in Eq. (7), \f$ a_{ik} = \alpha \bar\theta_{ik} e^{-h_{ik}^2/J^2} (1/w_i + 1/w_k) \f$: the pair comes once with i and once with k.
+/// Where neighbors are looked for in every turn, both end softly at their range (`share_in_ball()`): else a rounding that decides whether two samples are neighbors moves them.
 /// \param squared_bandwidth \f$ \sigma_q^2 \f$
 /// \param squared_radius \f$ r_p^2 \f$
 /// \param squared_jump \f$ J^2 \f$, infinite in LOR and ALOR
+/// \param squared_range of the self neighbors, where the weights end; infinite in LOR and ALOR, whose pairs stay
 /// \param density_weights out: one number a sample, at least 1
 /// \param pair_weights out: one number a pair
 template <typename ConcurrencyTag, typename FT>
 void update_weights(const Buffer<Vector>& samples, const Buffer<Eigen::Matrix<FT, 3, 1>>& normals,
-                    const Neighborhoods& neighbors, double squared_bandwidth, double squared_radius, double squared_jump,
-                    double regularization_weight, Buffer<FT>& density_weights, Buffer<FT>& pair_weights)
+                    const Neighborhoods& neighbors, double squared_bandwidth, double squared_radius,
+                    double squared_jump, double squared_range, double regularization_weight,
+                    Buffer<FT>& density_weights, Buffer<FT>& pair_weights)
 {
   using Array = Eigen::Array<FT, Eigen::Dynamic, 1>;
   using Values = Eigen::Map<Array>;
@@ -61,7 +64,8 @@ void update_weights(const Buffer<Vector>& samples, const Buffer<Eigen::Matrix<FT
         const FT height_i = normals[i].dot(local), height_k = normals[k].dot(local);
         squared_heights[Eigen::Index(e - neighbors.offsets[begin])] = (std::max)(height_i * height_i, height_k * height_k);
       }
-    const Array theta = gaussian_weight(Array(squared_distances), FT(squared_bandwidth));
+    const Array share = share_in_ball(Array(squared_distances), FT(squared_range));
+    const Array theta = share * gaussian_weight(Array(squared_distances), FT(squared_bandwidth));
     for (std::size_t i = begin; i < end; ++i)
     {
       const std::size_t first = neighbors.offsets[i] - neighbors.offsets[begin],
@@ -70,7 +74,8 @@ void update_weights(const Buffer<Vector>& samples, const Buffer<Eigen::Matrix<FT
       density_weights[i] = count > 0 ? 1 + sum / mean_number_of_sample_neighbors : 1;
       inverses[i] = FT(regularization_weight) / density_weights[i];
     }
-    pairs_of(begin, end) = pair_weight(Array(squared_distances), FT(squared_radius), squared_heights, FT(squared_jump));
+    const Array stretch = pair_weight(Array(squared_distances), FT(squared_radius), squared_heights, FT(squared_jump));
+    pairs_of(begin, end) = share * stretch;
   });
   for_each_block<ConcurrencyTag>(samples.size(), samples_per_block, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
@@ -134,13 +139,15 @@ at the current positions,
 Only differences of neighbors enter, so that neither the place of the cloud nor a far outlier costs digits.
 
 \param jumps by \f$ \sqrt{\lambda/\beta} \f$, as lengths
+\param squared_range as of `update_weights()`; near it, as much of a jump is kept as the weights there lack
 \param right_hand_side out: \f$ g_i \f$, one vector a sample
 \param normal_offsets out: \f$ \delta_{ik} \f$ for each pair if not empty, for solvers that want the rows of Eq. (11)
 */
 template <typename ConcurrencyTag, typename FT>
 Energy_sums shrink_normal_offsets(const Samples<FT>& samples, const Neighborhoods& neighbors,
                                   const Buffer<FT>& pair_weights, FT penalty, const Shrunk_jumps<FT>& jumps,
-                                  Buffer<Eigen::Matrix<FT, 3, 1>>& right_hand_side, Buffer<FT>& normal_offsets)
+                                  FT squared_range, Buffer<Eigen::Matrix<FT, 3, 1>>& right_hand_side,
+                                  Buffer<FT>& normal_offsets)
 {
   using Local_vector = Eigen::Matrix<FT, 3, 1>;
   return block_sum<ConcurrencyTag>(samples.positions.size(), samples_per_block, [&](std::size_t begin, std::size_t end) {
@@ -164,21 +171,22 @@ Energy_sums shrink_normal_offsets(const Samples<FT>& samples, const Neighborhood
                  z = FT(position[2] - other_position[2]);
         const FT distance_i = normal[0] * x + normal[1] * y + normal[2] * z;
         const FT distance_k = other_normal[0] * x + other_normal[1] * y + other_normal[2] * z;
-        const FT offset_i = shrink(distance_i, jumps);
-        // delta_ki is minus this one, as p_k - p_i is minus the difference
-        const FT offset_k = shrink(distance_k, jumps);
-        const FT misfit_i = distance_i - offset_i, pull_k = penalty * (distance_k - offset_k);
+        const FT squared_distance = x * x + y * y + z * z, share = share_in_ball(squared_distance, squared_range);
+        const FT shrunk_i = shrink(distance_i, jumps);
+        // delta_ki is minus that of this one, as p_k - p_i is minus the difference
+        const FT shrunk_k = shrink(distance_k, jumps);
+        const FT misfit_i = share * (distance_i - shrunk_i), pull_k = penalty * share * (distance_k - shrunk_k);
         const FT weight = pair_weights[e];
         pull_x += weight * x + pull_k * other_normal[0];
         pull_y += weight * y + pull_k * other_normal[1];
         pull_z += weight * z + pull_k * other_normal[2];
         misfit += misfit_i;
         if (!normal_offsets.empty())
-          normal_offsets[e] = offset_i;
+          normal_offsets[e] = shrunk_i + (1 - share) * (distance_i - shrunk_i);
 
-        regularization += weight * (x * x + y * y + z * z);
+        regularization += weight * squared_distance;
         squared_normal_misfit += misfit_i * misfit_i;
-        sums.number_of_active_pairs += offset_i != 0;
+        sums.number_of_active_pairs += shrunk_i != 0;
       }
       const Local_vector g = samples.fit_weights[i] * to_centroid - Local_vector(pull_x, pull_y, pull_z)
                              - (penalty * misfit) * normal;

@@ -76,9 +76,10 @@ std::size_t minimize_with_refinement(const Minimization_parameters& p, const Ref
       fit_rows = collapsed_fit_rows(samples);
 
     sum_normal_spreads<ConcurrencyTag>(samples.normals, neighbors, normal_spreads);
+    const Buffer<Vector> places = copy_of(samples.positions);
     reports.push_back(step(penalty, true, neighbors, normal_spreads, fit_rows, samples));
-    repel_tangentially<ConcurrencyTag>(neighbors, refinement.spacing, input.radius,
-                                       refinement.number_of_repulsion_steps, samples);
+    repel_tangentially<ConcurrencyTag>(neighbors, places, refinement.self_neighbor_radius, refinement.spacing,
+                                       input.radius, refinement.number_of_repulsion_steps, samples);
     penalty = next_penalty(penalty, p.penalty_growth);
   } while (penalty <= p.maximum_penalty);
 

@@ -27,6 +27,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace CGAL {
 namespace L0_resampling {
@@ -334,6 +335,7 @@ Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buff
     sparsity_unit_factor * lengths.radius,
     jump_in_sheet_heights(parameters.method, largest_shrunk_jump_per_sheet_height, lengths.noise, lengths.radius),
     jump_in_sheet_heights(parameters.method, regularized_jump_per_sheet_height, lengths.noise, lengths.radius),
+    parameters.method == Method::DEFAULT ? lengths.self_neighbor_radius : std::numeric_limits<double>::infinity(),
     half_width_of_shrinkage(parameters.method),
     parameters.normal_weight,
     parameters.regularization_weight,

@@ -26,12 +26,14 @@ pushes back from outside, so that the part of a push that goes there is left out
 Where the samples have spacings of their own, distances are read relative to the mean of a pair's two. Then the pushes cancel, to first order of the
 gradient, on a set whose density is the inverse square of those spacings.
 
+\param places where the samples were when their neighbors were found
+\param range of the neighbors, there; pushes end softly at it (`share_in_ball()`), so that no rounding decides whether one is felt
 \param spacing of an even set of that many samples, a length
 \param radius of the fit: no sample is pushed out of its reach
 */
 template <typename ConcurrencyTag, typename FT>
-void repel_tangentially(const Neighborhoods& neighbors, double spacing, double radius, std::size_t number_of_steps,
-                        Samples<FT>& samples)
+void repel_tangentially(const Neighborhoods& neighbors, const Buffer<Vector>& places, double range, double spacing,
+                        double radius, std::size_t number_of_steps, Samples<FT>& samples)
 {
   using Local_vector = Eigen::Matrix<FT, 3, 1>;
   using Array = Eigen::Array<FT, Eigen::Dynamic, 1>;
@@ -44,11 +46,19 @@ void repel_tangentially(const Neighborhoods& neighbors, double spacing, double r
   {
     for_each_block<ConcurrencyTag>(samples.positions.size(), samples_per_block, [&](std::size_t begin, std::size_t end) {
       const std::size_t first_pair = neighbors.offsets[begin];
-      Eigen::Matrix<FT, 3, Eigen::Dynamic> differences(3, Eigen::Index(neighbors.offsets[end] - first_pair));
-      for (std::size_t i = begin; i < end; ++i)
-        for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
-          differences.col(Eigen::Index(e - first_pair)) =
-            (samples.positions[i] - samples.positions[neighbors.indices[e]]).template cast<FT>();
+      const auto differences_of = [&](const Buffer<Vector>& positions) {
+        Eigen::Matrix<FT, 3, Eigen::Dynamic> differences(3, Eigen::Index(neighbors.offsets[end] - first_pair));
+        for (std::size_t i = begin; i < end; ++i)
+          for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
+          {
+            const Vector d = positions[i] - positions[neighbors.indices[e]];
+            differences.col(Eigen::Index(e - first_pair)) = d.cast<FT>();
+          }
+        return differences;
+      };
+      const Array shares = share_in_ball(Array(differences_of(places).colwise().squaredNorm().transpose()),
+                                         FT(square(range)));
+      const auto differences = differences_of(samples.positions);
       Array squared_distances = differences.colwise().squaredNorm().transpose();
       for (std::size_t i = begin; i < end && !is_even; ++i)
         for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
@@ -56,7 +66,7 @@ void repel_tangentially(const Neighborhoods& neighbors, double spacing, double r
           const FT scale = 2 * FT(spacing) / (samples.spacings[i] + samples.spacings[neighbors.indices[e]]);
           squared_distances[Eigen::Index(e - first_pair)] *= scale * scale;
         }
-      const Array strengths = strength * gaussian_weight(squared_distances, squared_bandwidth);
+      const Array strengths = strength * shares * gaussian_weight(squared_distances, squared_bandwidth);
       for (std::size_t i = begin; i < end; ++i)
       {
         Local_vector push = Local_vector::Zero();

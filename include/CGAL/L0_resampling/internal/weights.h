@@ -74,11 +74,11 @@ CGAL_L0_HOST_DEVICE inline T bilateral_weight(const T& squared_distance, S squar
 }
 
 /// The weight of a point in a ball whose end is soft, so that no rounding decides whether the point counts: 1, falling to 0 over the last tenth of the squared radius, and
-/// 0 beyond.
+/// 0 beyond. A ball of infinite radius has no end.
 template <typename T, typename S>
 CGAL_L0_HOST_DEVICE inline T share_in_ball(const T& squared_distance, S squared_radius)
 {
-  return at_most(at_least(T((squared_radius - squared_distance) * (10 / squared_radius)), S(0)), S(1));
+  return at_most(at_least(T(S(10) - squared_distance * (10 / squared_radius)), S(0)), S(1));
 }
 
 /// \f$ \bar\theta e^{-h^2/J^2} \f$, where \f$ \bar\theta(d) = e^{d^2/r_p^2} \f$ of Eq. (4) grows with the distance, from 1, and the other factor is 1 in LOR and ALOR: in the default method it
