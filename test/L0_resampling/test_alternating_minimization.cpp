@@ -109,24 +109,18 @@ void check_course(const Scene& start, const Scene& end, const std::vector<Step>&
   CHECK(start.samples.normals == end.samples.normals && start.neighbors.indices == end.neighbors.indices);
 }
 
-/// Of the pairs of the scene those that are no longer than that, but for one.
-/// \param left_out a place in the list of them, or of none
-Neighborhoods pairs_within(const Scene& scene, double range, std::size_t left_out)
+/// Of the pairs of the scene those that are no longer than that, but for the pair of these two samples; of a sample with itself, there is none.
+Neighborhoods pairs_within(const Scene& scene, double range, std::size_t one, std::size_t other)
 {
   const Buffer<Vector>& p = scene.samples.positions;
   Neighborhoods pairs{Buffer<std::size_t>(1, 0, p.get_allocator()), Buffer<Index>(p.get_allocator())};
-  const auto is_left_out = [&](std::size_t i, std::size_t k) {
-    const auto row = std::upper_bound(scene.neighbors.offsets.begin(), scene.neighbors.offsets.end(), left_out);
-    const std::size_t one = std::size_t(row - scene.neighbors.offsets.begin()) - 1;
-    return left_out < scene.neighbors.indices.size()
-           && std::minmax(i, k) == std::minmax(one, std::size_t(scene.neighbors.indices[left_out]));
-  };
   for (std::size_t i = 0; i < p.size(); ++i)
   {
     for (std::size_t e = scene.neighbors.offsets[i]; e < scene.neighbors.offsets[i + 1]; ++e)
     {
       const std::size_t k = scene.neighbors.indices[e];
-      if ((p[i] - p[k]).norm() <= range && !is_left_out(i, k))
+      const bool is_left_out = (i == one && k == other) || (i == other && k == one);
+      if ((p[i] - p[k]).norm() <= range && !is_left_out)
         pairs.indices.push_back(Index(k));
     }
     pairs.offsets.push_back(pairs.indices.size());
@@ -145,7 +139,8 @@ void check_end_of_range(const Scene& scene)
     const std::size_t e = scene.neighbors.offsets[i];
     if (e == scene.neighbors.offsets[i + 1])
       continue;
-    const Vector d = p[i] - p[scene.neighbors.indices[e]];
+    const std::size_t k = scene.neighbors.indices[e];
+    const Vector d = p[i] - p[k];
     const double height = std::abs(normals[i].dot(d)), range = d.norm() * (1 + 1e-9);
     if (height < 0.05 || height >= jump)
       continue;
@@ -156,8 +151,8 @@ void check_end_of_range(const Scene& scene)
                                                   Shrunk_jumps<double>(jump, 0), range * range, pulls, no_offsets);
       return pulls[i];
     };
-    const Vector with_pair = pull_on_sample(pairs_within(scene, range, scene.neighbors.indices.size())),
-                 without_pair = pull_on_sample(pairs_within(scene, range, e));
+    const Vector with_pair = pull_on_sample(pairs_within(scene, range, i, i)),
+                 without_pair = pull_on_sample(pairs_within(scene, range, i, k));
     CHECK((with_pair - without_pair).norm() < 1e-7);
     ++number_of_checks;
   }

@@ -341,11 +341,13 @@ void check_border()
 /// Gaps between the points of a face are no borders, but wide holes are. Beside an edge, gaps hold a sample back as borders do: twice as often as on a face.
 void check_gaps(Generator& generator)
 {
-  const double side = 8, inside = 6, points_per_ball = 20;
-  const std::size_t number_of_points = std::size_t(points_per_ball / (EIGEN_PI * radius * radius) * side * side);
-  const Oriented_points face = plane_points(number_of_points, side, generator);
+  const double side = 8, inside = 6;
+  const auto points_of_face = [&](double points_per_ball) {
+    return plane_points(std::size_t(points_per_ball / (EIGEN_PI * radius * radius) * side * side), side, generator);
+  };
+  const Oriented_points face = points_of_face(20), sparse_face = points_of_face(7), dense_face = points_of_face(160);
   Oriented_points with_holes, with_ribs = face;
-  for (const Vector& p : plane_points(8 * number_of_points, side, generator).points)
+  for (const Vector& p : dense_face.points)
     if ((Vector(p.x() - std::round(p.x()), p.y() - std::round(p.y()), 0)).norm() > 0.75 * radius)
     {
       with_holes.points.push_back(p);
@@ -365,6 +367,8 @@ void check_gaps(Generator& generator)
   };
   const double on_face = share_held_back(face);
   CHECK(on_face < 0.15);
+  CHECK(share_held_back(sparse_face) < 0.3);
+  CHECK(share_held_back(dense_face) < 0.05);
   CHECK(share_held_back(with_ribs) > 2 * on_face);
   CHECK(share_held_back(with_holes) > 0.3);
 }

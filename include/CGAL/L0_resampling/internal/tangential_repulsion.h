@@ -56,6 +56,7 @@ void repel_tangentially(const Neighborhoods& neighbors, const Buffer<Vector>& pl
           }
         return differences;
       };
+      // anew in each step: kept, they would be as many numbers as there are pairs
       const Array shares = share_in_ball(Array(differences_of(places).colwise().squaredNorm().transpose()),
                                          FT(square(range)));
       const auto differences = differences_of(samples.positions);
