@@ -6,7 +6,9 @@
 """Writes doc/L0_resampling/promises_under_attack.md from results/promises.json, what is tried where, results/campaigns.json, how often the
 function was attacked and with what result, results/device_runs.json, what was run on a device, ../fuzz/results, the same of the readers, and what the benchmarks of callback and tool have left."""
 
+import csv
 import json
+import tomllib
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
@@ -100,19 +102,16 @@ MEASUREMENTS = {"latency": latency, "memory": memory, "streaming": streaming}
 
 
 def planted():
-    """What `planted_bugs/run.sh --json` has found."""
-    verdicts = load("planted_bugs_run.json")
-    patches = {path.stem for path in (HERE.parent / "planted_bugs").glob("*.patch")}
-    if not patches >= set(verdicts):
-        raise ValueError(f"there are verdicts on bugs that are not there: {sorted(set(verdicts) - patches)}")
-    caught = [bug for bug, found in verdicts.items() if found["verdict"].startswith("caught")]
-    commits = list(dict.fromkeys(found["code"] for found in verdicts.values()))
-    counts = ", ".join(f"{sum(found['code'] == commit for found in verdicts.values())} in that of commit {commit}" for commit in commits)
-    lines = ["", "## Planted bugs", "",
-             f"Of {len(patches)} patches in `test/L0_resampling/planted_bugs`, {len(verdicts)} were planted by its `run.sh`, or by hand where the verdict says so: "
-             f"{counts}. {len(caught)} were caught." + (" The others have no verdict here." if len(verdicts) < len(patches) else ""), "",
-             "| bug | verdict | code |", "| --- | --- | --- |"]
-    return lines + [f"| {bug} | {found['verdict']} | {found['code']} |" for bug, found in sorted(verdicts.items())]
+    """What `planted_bugs.py run --record` has found."""
+    folder = HERE.parent / "planted_bugs"
+    with open(folder / "verdicts.csv", encoding="utf-8", newline="") as stream:
+        verdicts = list(csv.DictReader(stream))
+    bugs = {bug["name"] for path in folder.glob("*.toml") for bug in tomllib.loads(path.read_text(encoding="utf-8"))["bug"]}
+    if not bugs.issuperset(row["bug"] for row in verdicts):
+        raise ValueError(f"there are verdicts on bugs that are not there: {sorted({row['bug'] for row in verdicts} - bugs)}")
+    caught = sum(row["verdict"].startswith("caught") for row in verdicts)
+    return ["", "## Planted bugs", "",
+            f"Of {len(bugs)} bugs in `test/L0_resampling/planted_bugs`, {len(verdicts)} were planted, and {caught} of these were caught; `verdicts.csv` there says on which code."]
 
 
 def sanitized():
