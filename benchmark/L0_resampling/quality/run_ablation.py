@@ -8,8 +8,7 @@
 Each row of ablation.toml switches one off, or puts the paper's form in its place. Rows are applied
 one at a time to a temporary copy of the tree, where run_l0 alone is built: no switch of the library
 serves the ablation only. LOR stands beside them. All variants get the same points, and each is
-timed beside the whole method. OUTPUT.json keeps all that was measured, OUTPUT.md has the figures
-relative to the whole method's.
+timed beside the whole method. The tables have the figures relative to the whole method's.
 """
 
 import argparse
@@ -98,7 +97,8 @@ def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build", type=Path, help="build folder; its bin/ has the programs that sample and measure")
     parser.add_argument("meshes", type=Path, metavar="mesh_folder", help="has the meshes of libcgal-demo")
-    parser.add_argument("--output", type=Path, help="writes OUTPUT.json and OUTPUT.md; else the tables are printed")
+    parser.add_argument("--output", type=Path, metavar="FOLDER/NAME",
+                        help="what to write, see common/results.py; else the tables are printed")
     parser.add_argument("--programs", type=Path, metavar="FOLDER",
                         help="has run_l0_full and a run_l0_NAME for each row; else they are built")
     parser.add_argument("--seeds", type=int, nargs="+", default=[1, 2, 3],
