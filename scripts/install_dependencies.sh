@@ -7,7 +7,6 @@ packages=(g++ cmake make git python3 libcgal-dev libeigen3-dev libtbb-dev libboo
 packages+=(pybind11-dev python3-dev python3-numpy python3-pytest mypy)   # for the Python package
 packages+=(dpkg-dev file)                                           # for the Debian package
 packages+=(doxygen texlive-binaries)                                # for the manual
-packages+=(patch)                                                   # for the ablation
 packages+=("$@")
 missing=()
 for package in "${packages[@]}"; do

@@ -10,18 +10,17 @@ status tells whether the parts are what the results say.
 """
 
 import argparse
-import json
 import re
 import sys
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-sys.path += [str(HERE / "quality"), str(HERE / "performance"), str(HERE / "report")]
+sys.path += [str(HERE / folder) for folder in ("common", "quality", "performance")]
 sys.dont_write_bytecode = True
 
-import claims  # noqa: E402
 import performance_tables  # noqa: E402
 import quality_tables  # noqa: E402
+from results import found_in, load_json, read_tables  # noqa: E402
 
 METHODS = {"lor": "LOR", "alor": "ALOR", "default": "default"}
 QUALITY_METHODS = {**METHODS, "wlop_6_uniform": "WLOP, radius 6, uniform", "ear_4": "EAR, radius 4",
@@ -29,8 +28,8 @@ QUALITY_METHODS = {**METHODS, "wlop_6_uniform": "WLOP, radius 6, uniform", "ear_
 QUALITY_HEADINGS = ("mean distance, %", "normal error, degrees", "edge recall", "NN6 cv")
 
 
-def load(path):
-    return json.loads((HERE / path).read_text(encoding="utf-8"))
+def read(path):
+    return (HERE / path).read_text(encoding="utf-8")
 
 
 def duration(seconds):
@@ -38,67 +37,60 @@ def duration(seconds):
 
 
 def quality():
-    experiments = load("quality/results/fandisk.json")["experiments"]
-    columns = [next(column for column in quality_tables.COLUMNS if column.heading == heading)
-               for heading in QUALITY_HEADINGS]
-    rows = []
-    for experiment in experiments:
-        for method, name in QUALITY_METHODS.items():
-            evaluation = experiment["measurements"][method]["evaluation"]
-            rows.append([f"{experiment['noise_percent']:g} %", name,
-                         *(f"{column.value([evaluation]):.{column.digits}f}" for column in columns)])
+    text = read("quality/results/fandisk.md")
+    rows = [[f"{noise:g} %", name, *(figures[method][heading] for heading in QUALITY_HEADINGS)]
+            for noise, figures in quality_tables.read_figures(text).items()
+            for method, name in QUALITY_METHODS.items()]
     header = ["noise", "method", *(heading.replace(", %", "") for heading in QUALITY_HEADINGS)]
     lines = quality_tables.table(header, rows).splitlines()
-    lines[1] = "| --- | --- |" + " ---: |" * len(columns)
-    first = experiments[0]
-    return (f"On {first['input_points']} points of the fandisk mesh with Gaussian noise, {first['output_points']} points out. "
+    lines[1] = "| --- | --- |" + " ---: |" * len(QUALITY_HEADINGS)
+    points_in, points_out = found_in(r"(\d+) points in, (\d+) out", text)
+    return (f"On {points_in} points of the fandisk mesh with Gaussian noise, {points_out} points out. "
             "Lengths and noise are in %\nof the diagonal; smaller is better but for recall.\n\n" + "\n".join(lines) + "\n")
 
 
 def speed():
-    result, scaling = load("performance/results/fandisk.json"), load("performance/results/scaling.json")["scaling"]
-    comparison, machine = result["comparison"], result["machine"]
-    median, cpu_seconds = performance_tables.median, performance_tables.cpu_seconds
+    result = load_json(HERE / "performance/results/fandisk.json")
+    scaling = load_json(HERE / "performance/results/scaling.json")["scaling"]
+    comparison, cores = result["comparison"], result["machine"]["cores"]
 
     def times_faster(slow, method):
-        return f"{median(comparison[slow], cpu_seconds) / median(comparison[method], cpu_seconds):.0f}"
+        return f"{comparison[slow]['cpu_seconds'] / comparison[method]['cpu_seconds']:.0f}"
 
     rows = []
     for method, name in METHODS.items():
-        gain = median(comparison[method]) / median(comparison[f"{method}, 2 threads"])
+        gain = comparison[method]["wall_seconds"] / comparison[f"{method}, 2 threads"]["wall_seconds"]
         rows.append([name, times_faster("wlop", method),
                      f"{times_faster('ear defaults', method)} / {times_faster('ear', method)}", f"{gain:.2f}",
-                     performance_tables.memory_cells(comparison[method])[1]])
+                     f"{comparison[method]['bytes_a_point']:.0f}"])
     table = performance_tables.table(
         ["method", "times faster than CGAL's WLOP (default radius)",
          "than the EAR pipeline on it, CGAL's defaults / parameters of its example", "two threads against one",
          "own arrays, bytes an input point"], rows)
-    points = {method: [(line["number_of_input_points"], line["cpu_seconds"]) for line in scaling
-                       if line["parameters"]["method"] == method] for method in METHODS}
+    points = {method: [(run["points_in"], run["cpu_seconds"]) for run in scaling if run["method"] == method]
+              for method in METHODS}
     growth = [f"n^{performance_tables.fitted_exponent(points[method]):.2f}" for method in METHODS]
     counts = [n for n, _ in points["default"]]
-    lor = comparison["lor"][0]
-    return (f"Fandisk, {lor['number_of_input_points']} points in, {lor['number_of_output_points']} out, noise "
-            f"{result['noise_percent']:g} %, one thread of a machine with {machine['cores']} cores, all methods in one run:\n\n"
-            f"{table}\nFrom {min(counts)} to {max(counts)} points, with noise of {result['noise_percent']:g} % of the diagonal "
+    lor, noise = comparison["lor"], result["noise_percent"]
+    return (f"Fandisk, {lor['points_in']} points in, {lor['points_out']} out, noise "
+            f"{noise:g} %, one thread of a machine with {cores} cores, all methods in one run:\n\n"
+            f"{table}\nFrom {min(counts)} to {max(counts)} points, with noise of {noise:g} % of the diagonal "
             f"throughout, the time of LOR, ALOR and the\ndefault method grows as {', '.join(growth[:2])} and {growth[2]}.\n")
 
 
 def device():
-    result = load("performance/results/cuda_h200.json")
-    seconds = {(line["points_in"], line["points_out"], line["method"]): line["device_resident_seconds"]["median"]
-               for line in result["results"]}
+    result = load_json(HERE / "performance/results/cuda_h200.json")
+    seconds = {(run["points_in"], run["points_out"], run["method"]): run["seconds"] for run in result["results"]}
     rows = [[f"{points_in} to {points_out}", *(duration(seconds[points_in, points_out, method])
                                              for method in ("lor", "default"))]
             for points_in, points_out, method in seconds if method == "default"]
     table = performance_tables.table(["points", "LOR", "default"], rows)
 
     def beside(solver, threads):
-        line = next(line for line in result["beside"] if line["threads"] == threads
-                    and line["parameters"]["method"] == "lor" and line["parameters"]["solver"] == solver)
-        return duration(line["wall_seconds"])
+        return duration(next(run["seconds"] for run in result["beside"]
+                             if (run["method"], run["solver"], run["threads"]) == ("lor", solver, threads)))
 
-    most = max(line["threads"] for line in result["beside"])
+    most = max(run["threads"] for run in result["beside"])
     name = result["results"][0]["device"]
     return (f"On one {name}, with points and result on the device:\n\n{table}\n"
             f"On the processor of that machine LOR takes {beside('block', 1)} on one core for the first row and "
@@ -107,11 +99,13 @@ def device():
 
 
 def report():
-    small, full = (load(f"report/results/{name}.json") for name in ("small", "full"))
-    rows = claims.claims_table(full["experiments"]).rows
-    kept = sum(row[-1] == "holds" for row in rows)
-    return (f"The small version took {sum(small['seconds'].values()) / 60:.1f} minutes on {small['machine']['cores']} cores, without the build. "
-            f"Of {len(rows)} sentences of the paper that are checked, with its numbers of points,\n{kept} hold and {len(rows) - kept} do not; the tables of both "
+    small = read("report/results/small.md")
+    minutes, = found_in(r"The experiments took ([\d.]+) minutes", small)
+    cores, = found_in(r"(\d+) cores of ", small)
+    claims = read_tables(read("report/results/full.md"))[0].rows
+    kept = sum(row[-1] == "holds" for row in claims)
+    return (f"The small version took {minutes} minutes on {cores} cores, without the build. "
+            f"Of {len(claims)} sentences of the paper that are checked, with its numbers of points,\n{kept} hold and {len(claims) - kept} do not; the tables of both "
             "versions stand in `benchmark/L0_resampling/report/results`.\n")
 
 

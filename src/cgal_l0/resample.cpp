@@ -8,10 +8,6 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/l0_resample_point_set.h>
 
-#ifdef CGAL_L0_LINKED_WITH_CUDA
-#include <CGAL/L0_resampling/CUDA_resampler.h>
-#endif
-
 #include <boost/range/irange.hpp>
 #include <tbb/task_arena.h>
 
@@ -133,53 +129,17 @@ Result<FT> resample_with_tag(const Array_view& points, const Array_view* normals
   return result;
 }
 
-/// \param reason out: why not
-bool is_device_usable(std::string& reason)
-{
-#ifdef CGAL_L0_LINKED_WITH_CUDA
-  return CGAL::L0_resampling::is_cuda_device_usable(&reason);
-#else
-  reason = "this module was built without CUDA";
-  return false;
-#endif
-}
-
 template <typename FT>
 Result<FT> resample_on_any_device(const Array_view& points, const Array_view* normals, const Array_view* orientation_hints,
                                   const Parameters& parameters, const std::function<bool(double)>& callback)
 {
-  std::string reason = "asked for";
-  if (parameters.device != Device::CPU)
-  {
-    std::string failure;
-    if (!is_device_usable(failure))
-    {
-      if (parameters.device == Device::CUDA)
-        throw CGAL::L0_resampling::Device_error("device='cuda': " + failure);
-    }
-    else
-      try
-      {
-        Result<FT> result = resample_with_tag<FT>(points, normals, orientation_hints, parameters, callback, true);
-        if (parameters.device == Device::AUTO)
-          result.report.device_reason = "a device can be used";
-        return result;
-      }
-      catch (const CGAL::L0_resampling::Device_error& error)
-      {
-        if (parameters.device == Device::CUDA)
-          throw;
-        failure = error.what();
-      }
-      catch (const std::bad_alloc&)
-      {
-        if (parameters.device == Device::CUDA)
-          throw;
-        failure = "the device has too little memory";
-      }
-    reason = failure;
-  }
-  Result<FT> result = resample_with_tag<FT>(points, normals, orientation_hints, parameters, callback, false);
+  Result<FT> result;
+  const auto resample_there = [&](bool gpu) {
+    result = resample_with_tag<FT>(points, normals, orientation_hints, parameters, callback, gpu);
+  };
+  const l0_common::Device_request request = {parameters.device, "device='cuda'", ""};
+  const std::string reason = l0_common::run_on_chosen(
+    request, [&]() { resample_there(true); }, [&]() { resample_there(false); });
   result.report.device_reason = reason;
   return result;
 }

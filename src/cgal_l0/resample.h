@@ -6,6 +6,7 @@
 #ifndef CGAL_L0_PYTHON_RESAMPLE_H
 #define CGAL_L0_PYTHON_RESAMPLE_H
 
+#include "../common/device_choice.h"
 #include "Array_view.h"
 
 #include <CGAL/L0_resampling/Report.h>
@@ -21,12 +22,7 @@
 
 namespace l0_python {
 
-enum class Device
-{
-  CPU,
-  CUDA,
-  AUTO
-};
+using l0_common::Device;
 
 /// The named parameters of `CGAL::l0_resample_point_set()`, by their names. What is not there keeps the function's
 /// default. Counts have a sign, so that it is the function that refuses the negative ones.

@@ -6,6 +6,7 @@
 #ifndef L0_RESAMPLE_OPTIONS_H
 #define L0_RESAMPLE_OPTIONS_H
 
+#include "../common/device_choice.h"
 #include "file_formats.h"
 
 #include <CGAL/L0_resampling/tags.h>
@@ -20,12 +21,8 @@
 
 namespace l0_tool {
 
-enum class Device
-{
-  CPU,
-  CUDA,
-  AUTO
-};
+using l0_common::Device;
+
 enum class Solver
 {
   BLOCK_CG,

@@ -14,10 +14,6 @@
 #include <CGAL/l0_resample_point_set.h>
 #include <CGAL/property_map.h>
 
-#ifdef CGAL_L0_LINKED_WITH_CUDA
-#include <CGAL/L0_resampling/CUDA_resampler.h>
-#endif
-
 #include <boost/range/irange.hpp>
 #include <tbb/global_control.h>
 
@@ -90,52 +86,27 @@ void call_with_solver(const Point_cloud& cloud, const Options& options, const Na
   }
 }
 
-/// Whether a CUDA device can do what the options ask for.
-/// \param reason out: why not
-bool is_device_usable(const Options& options, std::string& reason)
+l0_common::Device_request device_request(const Options& options)
 {
-#ifdef CGAL_L0_LINKED_WITH_CUDA
+  l0_common::Device_request request = {options.device, "--device cuda", ""};
   if (options.solver != Solver::BLOCK_CG || options.solver_iterations)
-    reason = "the device has a solver of its own, and --solver or --solver-iterations asks for another";
-  else
-    return CGAL::L0_resampling::is_cuda_device_usable(&reason);
-#else
-  static_cast<void>(options);
-  reason = "this program was built without CUDA";
-#endif
-  return false;
+    request.obstacle = "the device has a solver of its own, and --solver or --solver-iterations "
+                       "asks for another";
+  return request;
 }
-
-#ifdef CGAL_L0_LINKED_WITH_CUDA
-/// Runs on the device.
-/// \returns whether it did; if not, and the options leave the choice to the program, `reason` says why
-template <typename NamedParameters>
-bool call_on_device(const Point_cloud& cloud, const Options& options, const NamedParameters& np,
-                    Resampled_points& result, std::string& reason)
-{
-  if (options.device == Device::CPU || (options.device == Device::AUTO && !is_device_usable(options, reason)))
-    return false;
-  try {
-    call<CGAL::CUDA_tag>(cloud, options, np, result);
-    return true;
-  } catch (const CGAL::L0_resampling::Device_error& error) {
-    reason = error.what();
-  } catch (const std::bad_alloc&) {
-    reason = "the device has too little memory";
-  }
-  if (options.device == Device::CUDA)
-    throw Failure(RUN_TIME_FAILURE, "--device cuda: " + reason);
-  return false;
-}
-#endif
 
 } // namespace
 
 void check_device(const Options& options)
 {
-  std::string reason;
-  if (options.device == Device::CUDA && !is_device_usable(options, reason))
-    throw Failure(RUN_TIME_FAILURE, "--device cuda: " + reason);
+  if (options.device != Device::CUDA)
+    return;
+  try {
+    std::string reason;
+    l0_common::can_use_device(device_request(options), reason);
+  } catch (const CGAL::L0_resampling::Device_error& error) {
+    throw Failure(RUN_TIME_FAILURE, error.what());
+  }
 }
 
 std::size_t number_of_output_points(const Options& options, std::size_t number_of_input_points)
@@ -158,7 +129,6 @@ Resampled_points resample(const Point_cloud& cloud, const Options& options, cons
     throw Failure(INPUT_REFUSED, options.input + ": " + normals_wanted_by + " is given, but the file has no normals");
 
   Resampled_points result;
-  std::string reason = "asked for";
   try {
     const auto np = parameters::resampling_method(options.method)
                       .normal_weight(options.normal_weight)
@@ -172,19 +142,19 @@ Resampled_points resample(const Point_cloud& cloud, const Options& options, cons
                       .neighbor_radius(options.neighbor_radius)
                       .keep_density(options.keep_density)
                       .viewpoint(options.viewpoint);
+    const auto on_device = [&]() {
 #ifdef CGAL_L0_LINKED_WITH_CUDA
-    const bool is_done = call_on_device(cloud, options, np, result, reason);
-#else
-    const bool is_done = false;
-    if (options.device == Device::AUTO)
-      is_device_usable(options, reason);
+      call<CGAL::CUDA_tag>(cloud, options, np, result);
 #endif
-    if (!is_done)
-      call_with_solver(cloud, options, np, result);
-    if (is_done && options.device == Device::AUTO)
-      reason = "a device can be used";
-    report.device_reason = reason;
+    };
+    const auto on_cpu = [&]() { call_with_solver(cloud, options, np, result); };
+    const l0_common::Device_request request = device_request(options);
+    report.device_reason = l0_common::run_on_chosen(request, on_device, on_cpu);
+  } catch (const CGAL::L0_resampling::Device_error& error) {
+    throw Failure(RUN_TIME_FAILURE, error.what());
   } catch (const std::bad_alloc&) {
+    if (options.device == Device::CUDA)
+      throw Failure(RUN_TIME_FAILURE, "--device cuda: the device has too little memory");
     throw Failure(RUN_TIME_FAILURE, options.input + ": not enough memory to resample "
                                       + std::to_string(cloud.points.size()) + " points"
                                       + (options.max_memory < Options().max_memory ? " within --max-memory" : ""));

@@ -19,16 +19,6 @@ def table(header, rows):
     return "\n".join("| " + " | ".join(line) + " |" for line in lines) + "\n"
 
 
-def write_or_print(output, result, text):
-    """Writes OUTPUT.json and OUTPUT.md; prints the text if there is no output."""
-    if output is None:
-        print(text, end="")
-        return
-    output.parent.mkdir(parents=True, exist_ok=True)
-    output.with_suffix(".json").write_text(json.dumps(result, indent=1) + "\n", encoding="utf-8")
-    output.with_suffix(".md").write_text(text, encoding="utf-8")
-
-
 def phase_of_interest(line):
     """For WLOP without the normals that the program adds: the stricter comparison for ours, which computes them."""
     if line["program"] == "baseline_wlop":
@@ -146,6 +136,32 @@ def scaling_table(scaling):
 
 def pairs_per_sample(line):
     return line["report"]["number_of_self_neighbor_pairs"] / line["number_of_output_points"]
+
+
+def figures_of_runs(runs):
+    """Medians of runs of one method with one number of points."""
+    line = runs[0]
+    figures = {"method": line["parameters"].get("method", line["program"]),
+               "solver": line["parameters"].get("solver"), "threads": line["threads"],
+               "points_in": line["number_of_input_points"], "points_out": line["number_of_output_points"],
+               "wall_seconds": median(runs), "cpu_seconds": median(runs, cpu_seconds)}
+    if "report" in line:
+        figures["bytes_a_point"] = median(runs, lambda run: run["report"]["peak_bytes"]) / line["number_of_input_points"]
+    return figures
+
+
+def figures(result):
+    """What README and manual quote."""
+    quoted = {"machine": {name: result["machine"][name] for name in ("processor", "cores")},
+              "noise_percent": result["noise_percent"]}
+    if "comparison" in result:
+        quoted["comparison"] = {name: figures_of_runs(runs) for name, runs in result["comparison"].items()}
+    for name in ("scaling", "solvers"):
+        if name in result:
+            of_one = group(result[name], lambda line: (line["parameters"]["method"], line["parameters"]["solver"],
+                                                       line["number_of_input_points"]))
+            quoted[name] = [figures_of_runs(runs) for runs in of_one.values()]
+    return quoted
 
 
 def markdown(result):

@@ -4,7 +4,8 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Measures the longest time between two calls of the callback, that from its `false` to the end of the call, and the peak of the function's own arrays, with
-callback_latency, and writes OUTPUT.json and OUTPUT.md. With --add, what OUTPUT.json holds of other methods and counts is kept, as ten million points take their time.
+callback_latency. With --add, what an earlier run has measured of other methods and counts is kept,
+as ten million points take their time.
 
 Nothing is judged by its time: what is promised, 100 ms and 200 ms, is so for a machine that has nothing else to do. On a busy one, the processor time of the same
 intervals tells more; with several threads it is that of all of them."""
@@ -16,8 +17,10 @@ import subprocess
 import sys
 from pathlib import Path
 
-from performance_tables import write_or_print
 from run_performance import machine
+
+sys.path.append(str(Path(__file__).resolve().parents[1] / "common"))
+from results import load_raw, write_result
 
 BYTES_PER_PAIR = 12
 # LOR and ALOR with the radius of four spacings, so that each ball holds as many points at any number of them
@@ -65,8 +68,9 @@ def memory_table(runs):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build", type=Path, help="build folder; its bin/ has the program")
-    parser.add_argument("--output", type=Path, help="writes OUTPUT.json and OUTPUT.md; else the table is printed")
-    parser.add_argument("--add", action="store_true", help="to what OUTPUT.json holds")
+    parser.add_argument("--output", type=Path, metavar="FOLDER/NAME",
+                        help="what to write, see common/results.py; else the table is printed")
+    parser.add_argument("--add", action="store_true", help="to what an earlier run has measured")
     parser.add_argument("--points", type=int, nargs="+", default=[10_000_000])
     parser.add_argument("--methods", nargs="+", default=list(METHODS), choices=list(METHODS))
     parser.add_argument("--threads", type=int, nargs="+", default=[1, 2])
@@ -74,7 +78,7 @@ def main():
     arguments = parser.parse_args()
     result = {"commands": [], "machine": machine(arguments.build), "runs": []}
     if arguments.add:
-        result = json.loads(arguments.output.with_suffix(".json").read_text())
+        result = load_raw(arguments.output)
     result["commands"].append(shlex.join(["run_callback_latency.py", "build", *sys.argv[2:]]))
     key = lambda run: (run["points_in"], list(METHODS).index(run["method"]), run["threads"])
     for points in arguments.points:
@@ -86,7 +90,7 @@ def main():
                 run = json.loads(output)
                 result["runs"] = sorted([other for other in result["runs"] if key(other) != key(run)] + [run], key=key)
                 print(method, points, threads, file=sys.stderr, flush=True)
-                write_or_print(arguments.output, result, markdown(result))
+                write_result(arguments.output, result, markdown(result))
 
 
 if __name__ == "__main__":

@@ -3,7 +3,7 @@
 # All rights reserved.
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Times the stages on a CUDA device with run_l0_cuda, for clouds of several sizes, and writes NAME.json and NAME.md.
+"""Times the stages on a CUDA device with run_l0_cuda, for clouds of several sizes.
 
 Nothing is judged by its time. Clouds from a million points on have the noise of half a spacing, and LOR the radius of four spacings, so that each
 ball holds as many points in all of them; the smaller ones are the paper's, with 0.5 % noise and the radius rule of the method.
@@ -18,6 +18,9 @@ import subprocess
 import sys
 import tempfile
 from pathlib import Path
+
+sys.path.append(str(Path(__file__).resolve().parents[1] / "common"))
+from results import load_raw, write_result
 
 LINEAR = ("--noise-in-spacings", "0.5")
 LINEAR_LOR = LINEAR + ("--radius-in-spacings", "4")
@@ -123,22 +126,38 @@ def markdown(results, beside, beside_machine, command):
     return "\n".join(lines) + "\n"
 
 
+def figures(recorded):
+    """What README, the manual and the report of the paper's figures quote."""
+    def stages(run):
+        return [{"name": stage["name"], "seconds": stage["seconds"]} for stage in run["stages"]]
+
+    results = [{**{name: run[name] for name in ("device", "points_in", "points_out", "method")},
+                "seconds": run["device_resident_seconds"]["median"], "stages": stages(run)}
+               for run in recorded["results"]]
+    beside = [{"points_in": run["number_of_input_points"], "points_out": run["number_of_output_points"],
+               "method": run["parameters"]["method"], "solver": run["parameters"]["solver"],
+               "threads": run["threads"], "seconds": run["wall_seconds"], "stages": stages(run["report"])}
+              for run in recorded["beside"]]
+    return {"command": recorded["command"], "results": results, "beside": beside,
+            "beside_machine": recorded["beside_machine"]}
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program", help="run_l0_cuda; sample_mesh and run_l0 are taken from the same folder")
     parser.add_argument("mesh", help="OFF file")
-    parser.add_argument("--output", default="cuda", help="where to write, without the ending")
-    parser.add_argument("--tables-only", action="store_true", help="write the tables of the JSON file that is there")
+    parser.add_argument("--output", type=Path, default=Path("cuda"), metavar="FOLDER/NAME",
+                        help="what to write, see common/results.py")
+    parser.add_argument("--tables-only", action="store_true", help="write the tables of an earlier run")
     arguments = parser.parse_args()
-    json_path = Path(arguments.output + ".json")
     if arguments.tables_only:
-        recorded = json.loads(json_path.read_text())
+        recorded = load_raw(arguments.output)
     else:
-        words = [Path(arguments.program).name, Path(arguments.mesh).name, "--output", f"results/{Path(arguments.output).name}"]
+        words = [Path(arguments.program).name, Path(arguments.mesh).name, "--output", arguments.output.name]
         recorded = {"command": "run_cuda_performance.py " + shlex.join(words), "results": measure(arguments.program, arguments.mesh),
                     "beside": measure_beside(Path(arguments.program).resolve().parent, arguments.mesh), "beside_machine": processor()}
-        json_path.write_text(json.dumps(recorded, indent=1) + "\n")
-    Path(arguments.output + ".md").write_text(markdown(recorded["results"], recorded.get("beside"), recorded.get("beside_machine"), recorded["command"]))
+    text = markdown(recorded["results"], recorded["beside"], recorded["beside_machine"], recorded["command"])
+    write_result(arguments.output, recorded, text, figures(recorded))
 
 
 if __name__ == "__main__":

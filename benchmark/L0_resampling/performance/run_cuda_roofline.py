@@ -3,7 +3,7 @@
 # All rights reserved.
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Counts bytes and operations of each stage on a CUDA device, sets them against what the device can do, and writes NAME.json and NAME.md.
+"""Counts bytes and operations of each stage on a CUDA device, and sets them against what the device can do.
 
 Nsight Compute's hardware counters count what one call after the warm-up does, kernel by kernel, each with empty caches; cuda_limits measures the
 limits; the times are those of a run without counters, which disturb them.
@@ -19,7 +19,8 @@ import tempfile
 import time
 from pathlib import Path
 
-from performance_tables import write_or_print
+sys.path.append(str(Path(__file__).resolve().parents[1] / "common"))
+from results import write_result
 
 RUNS = ((110_000, 60_000, "lor", ()), (110_000, 60_000, "default", ()), (300_000, 220_000, "lor", ()),
         (1_000_000, 600_000, "lor", ("--noise-in-spacings", "0.5", "--radius-in-spacings", "4")))
@@ -98,7 +99,7 @@ def waits_of(run, limits):
 def table(data):
     limits = data["limits"]
     lines = ["# Stages on a CUDA device against its limits", "",
-             f"Made by `run_cuda_roofline.py build/bin fandisk.off --output results/cuda_roofline` on one {limits['device']}. Measured limits: "
+             f"Made by `run_cuda_roofline.py build/bin fandisk.off --output cuda_roofline` on one {limits['device']}. Measured limits: "
              f"{limits['memory_bytes_a_second'] / 1e12:.3g} TB/s of memory, read and written; {limits['cache_bytes_a_second'] / 1e12:.3g} TB/s read from the "
              f"second cache; {limits['float_operations_a_second'] / 1e12:.3g} and {limits['double_operations_a_second'] / 1e12:.3g} TFLOP/s of `float` and "
              "`double`; one instruction a cycle and scheduler, as many as the multiplications and additions of `float` at their limit. Of the "
@@ -128,7 +129,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("programs", type=Path, help="folder with run_l0_cuda and cuda_limits")
     parser.add_argument("mesh", type=Path)
-    parser.add_argument("--output", type=Path, default=Path("cuda_roofline"), help="without extension")
+    parser.add_argument("--output", type=Path, default=Path("cuda_roofline"), metavar="FOLDER/NAME",
+                        help="what to write, see common/results.py")
     arguments = parser.parse_args()
     limits = json.loads(subprocess.run([arguments.programs / "cuda_limits"], check=True, capture_output=True, text=True).stdout)
     # a multiplication with addition of 32 threads is one instruction, and counts as 64 operations
@@ -138,7 +140,7 @@ def main():
     for run in measure(arguments.programs, arguments.mesh):
         data["runs"].append(run)
         print(f"{run['points_in']} {run['method']}: done after {time.monotonic() - start:.0f} s", file=sys.stderr)
-        write_or_print(arguments.output, data, table(data))
+        write_result(arguments.output, data, table(data))
 
 
 if __name__ == "__main__":

@@ -3,7 +3,7 @@
 # All rights reserved.
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Times l0_resample_point_set() beside CGAL's WLOP and EAR in one run and writes NAME.json and NAME.md.
+"""Times l0_resample_point_set() beside CGAL's WLOP and EAR in one run.
 
 Three experiments:
   comparison  one noisy set, on one thread all methods, ours also on two; ours interleaved with CGAL's
@@ -27,8 +27,9 @@ from pathlib import Path
 
 import performance_tables
 
-sys.path.append(str(Path(__file__).resolve().parents[1] / "methods"))
+sys.path += [str(Path(__file__).resolve().parents[1] / folder) for folder in ("common", "methods")]
 from methods import EAR_EXAMPLE
+from results import write_result
 
 METHODS = ("lor", "alor", "default")
 OUTPUT_SHARE = 0.55
@@ -144,7 +145,8 @@ def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build", type=Path, help="build folder; its bin/ has the programs")
     parser.add_argument("mesh", type=Path, help="mesh to sample")
-    parser.add_argument("--output", type=Path, help="writes OUTPUT.json and OUTPUT.md; else the tables are printed")
+    parser.add_argument("--output", type=Path, metavar="FOLDER/NAME",
+                        help="what to write, see common/results.py; else the tables are printed")
     parser.add_argument("--experiments", nargs="+", default=["comparison", "scaling", "solvers"],
                         choices=["comparison", "scaling", "solvers"])
     parser.add_argument("--noise", type=float, default=0.5, help="standard deviation, %% of the diagonal")
@@ -179,7 +181,7 @@ def main():
         if "solvers" in arguments.experiments:
             result["solvers"] = compare_solvers(bench, arguments.mesh, arguments.solver_input_points, arguments.noise,
                                                 min(arguments.repetitions, 3))
-    performance_tables.write_or_print(arguments.output, result, performance_tables.markdown(result))
+    write_result(arguments.output, result, performance_tables.markdown(result), performance_tables.figures(result))
 
 
 if __name__ == "__main__":

@@ -3,7 +3,7 @@
 # All rights reserved.
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Has the tool convert a file of ten million points on a terminal, and writes NAME.json and NAME.md: when it drew which progress while it read, and how much memory
+"""Has the tool convert a file of ten million points on a terminal, and tells when it drew which progress while it read, and how much memory
 it took. A tool that holds the whole file beside the points takes more than their coordinates by at least the size of the file."""
 
 import argparse
@@ -18,7 +18,8 @@ import tempfile
 import time
 from pathlib import Path
 
-from performance_tables import write_or_print
+sys.path.append(str(Path(__file__).resolve().parents[1] / "common"))
+from results import write_result
 
 COORDINATES = 3 * 8   # bytes a point in memory
 
@@ -91,13 +92,14 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("tool", type=Path)
     parser.add_argument("--points", type=int, default=10_000_000)
-    parser.add_argument("--output", type=Path, help="writes OUTPUT.json and OUTPUT.md; else the table is printed")
+    parser.add_argument("--output", type=Path, metavar="FOLDER/NAME",
+                        help="what to write, see common/results.py; else the table is printed")
     arguments = parser.parse_args()
     result = {"command": shlex.join(["run_tool_streaming.py", "build/bin/l0_resample", *sys.argv[2:]]), "runs": []}
     with tempfile.TemporaryDirectory() as scratch:
         for suffix in ("ply", "xyz"):
             result["runs"].append(measure(arguments.tool.resolve(), Path(scratch), suffix, arguments.points))
-    write_or_print(arguments.output, result, markdown(result))
+    write_result(arguments.output, result, markdown(result))
 
 
 if __name__ == "__main__":

@@ -8,30 +8,25 @@
 The rows and columns have to be there, and the ratios have to be those of the figures; how good they are is not judged.
 """
 
-import json
 import sys
 from pathlib import Path
 
 from comparison_tables import GOALS, SHOWN, rows_of
+from quality_bench import load_raw
+from results import read_tables, tables_file
 
 COLUMNS = ["mean distance, %", "normal error, degrees", "edge recall", "NN6 cv", "normals inwards, %"]
 
 
 def table_after(text, heading):
-    """The cells of the first table after a heading."""
-    lines = text[text.index(heading):].splitlines()
-    first = next(i for i, line in enumerate(lines) if line.startswith("|"))
-    cells = []
-    for line in lines[first:]:
-        if not line.startswith("|"):
-            break
-        cells.append([cell.strip() for cell in line[1:-1].split("|")])
-    return cells
+    """Header and rows of the first table after a heading."""
+    table = read_tables(text[text.index(heading):])[0]
+    return table.header, table.rows
 
 
 def errors(output):
-    result = json.loads(output.with_suffix(".json").read_text(encoding="utf-8"))
-    text = output.with_suffix(".md").read_text(encoding="utf-8")
+    result = load_raw(output)
+    text = tables_file(output).read_text(encoding="utf-8")
     inputs = [(experiment["noise_percent"], experiment["outliers_percent"], experiment["density_gradient"])
               for experiment in result["experiments"]]
     if inputs != [(0.5, 0, 1), (0.5, 5, 1), (0.5, 0, 10)]:
@@ -41,12 +36,12 @@ def errors(output):
         if experiment["measurements"].keys() != methods:
             yield f"the methods are {sorted(experiment['measurements'])}"
 
-    header, _, *rows = table_after(text, "# Comparison")
+    header, rows = table_after(text, "# Comparison")
     if header != ["input", *COLUMNS]:
         yield f"the columns are {header}"
     if len(rows) != len(inputs) or any(len(row) != len(header) for row in rows):
         yield "the table lacks cells"
-    header, _, *goals = table_after(text, "## Goals")
+    header, goals = table_after(text, "## Goals")
     if [row[0] for row in goals] != [goal.name for goal in GOALS]:
         yield "the goals are not all there"
     for row in rows_of(result):

@@ -8,19 +8,20 @@
 Each method has a mesh near the truth, as noise and resolution allow, and the table has the figures that were measured.
 """
 
-import json
 import sys
 from pathlib import Path
 
 from check_comparison import table_after
 from poisson_tables import MEASURES, own_and_best
+from quality_bench import load_raw
+from results import tables_file
 
 METHODS = {"default", "wlop_4", "wlop_4_uniform", "ear_4", "smoothed_ear_4"}
 
 
 def errors(output):
-    result = json.loads(output.with_suffix(".json").read_text(encoding="utf-8"))
-    text = output.with_suffix(".md").read_text(encoding="utf-8")
+    result = load_raw(output)
+    text = tables_file(output).read_text(encoding="utf-8")
     for experiment in result["experiments"]:
         if experiment["measurements"].keys() != METHODS:
             yield f"the methods are {sorted(experiment['measurements'])}"
@@ -33,7 +34,7 @@ def errors(output):
             elif not max(surface["mean_distance"], surface["mean_coverage"]) < surface["hausdorff"] < 10:
                 yield f"the mesh of {name} has means of {surface['mean_distance']} and {surface['mean_coverage']} %, and " \
                       f"{surface['hausdorff']} % at most"
-    _, _, *rows = table_after(text, "# Poisson")
+    _, rows = table_after(text, "# Poisson")
     if len(rows) != len(result["experiments"]):
         yield f"the table has {len(rows)} rows"
     for experiment, row in zip(result["experiments"], rows):
@@ -41,7 +42,7 @@ def errors(output):
             own, best = own_and_best(experiment, measure)
             if cell != f"{own:.3f} ({own / best:.2f})":
                 yield f"{measure} is {cell} in the table, and {own} measured, of CGAL's best {best}"
-    _, _, *goals = table_after(text, "## Goals")
+    _, goals = table_after(text, "## Goals")
     if len(goals) != len(MEASURES):
         yield f"there are {len(goals)} goals"
 

@@ -7,12 +7,14 @@
 import json
 import math
 import os
-import re
 import shlex
 import statistics
 import subprocess
 import sys
 from pathlib import Path
+
+sys.path.append(str(Path(__file__).resolve().parents[1] / "common"))
+from results import load_raw, write_result  # for the drivers
 
 # In CGAL's demo data, and in ours
 CGAL_SHAPES = ("fandisk", "anchor_dense", "armadillo")
@@ -151,20 +153,3 @@ def command_line(program, arguments):
     """As it stands in the results: without the folders of this machine."""
     words = [os.path.basename(word) if os.path.isabs(word) else word for word in arguments]
     return shlex.join([program, *words])
-
-
-def write_json(output, result):
-    """OUTPUT.json, with the innermost objects and lists on a line each."""
-    text = json.dumps(result, indent=1, allow_nan=False)
-    text = re.sub(r"\{[^{}]*\}|\[[^][{}]*\]", lambda found: " ".join(found.group().split()), text)
-    output.parent.mkdir(parents=True, exist_ok=True)
-    output.with_suffix(".json").write_text(text + "\n", encoding="utf-8")
-
-
-def write_result(output, result, markdown):
-    """OUTPUT.json, and OUTPUT.md; prints that where `output` is None."""
-    if output is None:
-        print(markdown, end="")
-        return
-    write_json(output, result)
-    output.with_suffix(".md").write_text(markdown, encoding="utf-8")

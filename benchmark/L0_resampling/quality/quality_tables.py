@@ -9,6 +9,10 @@ import json
 import statistics
 import sys
 from dataclasses import dataclass
+from pathlib import Path
+
+sys.path.append(str(Path(__file__).resolve().parents[1] / "common"))
+from results import found_in, read_tables
 
 NAMES = {"lor": "LOR", "alor": "ALOR", "default": "default",
          "wlop_4": "WLOP, radius 4", "wlop_6": "WLOP, radius 6",
@@ -72,6 +76,26 @@ def experiment_table(measurements):
     rows.append(["default / best of CGAL",
                  *(f"{ours / theirs:.2f}" if theirs else "-" for ours, theirs in zip(values["default"], best))])
     return table(["method", *(column.heading for column in COLUMNS)], rows)
+
+
+def read_figures(text):
+    """The figures of what markdown() has made of one mesh, as they are printed.
+
+    They are found by noise, method and heading of the column. Of the method "best", they are the
+    best of CGAL.
+    """
+    methods = {name: method for method, name in NAMES.items()}
+    figures = {}
+    for table_of_noise in read_tables(text):
+        noise, = found_in(r"noise ([\d.]+) %", table_of_noise.heading)
+        of_noise = figures.setdefault(float(noise), {"best": {}})
+        for name, *cells in table_of_noise.rows[:-1]:    # the last one has ratios
+            of_noise[methods[name]] = {}
+            for heading, cell in zip(table_of_noise.header[1:], cells, strict=True):
+                of_noise[methods[name]][heading] = cell.strip("*")
+                if cell.startswith("**"):
+                    of_noise["best"][heading] = cell.strip("*")
+    return figures
 
 
 def group(experiments, names=("mesh", "noise_percent", "input_points", "output_points")):

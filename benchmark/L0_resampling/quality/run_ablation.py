@@ -5,10 +5,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Measures what each ingredient of the default method gains.
 
-Each patch of the folder `ablation` switches one off, or puts the paper's form in its place; its first line says what is
-left. Patches are applied one at a time to a temporary copy of the tree, where run_l0 alone is built. LOR stands beside
-them. All variants get the same points, and each is timed beside the whole method. OUTPUT.json keeps all that was
-measured, OUTPUT.md has the figures relative to the whole method's.
+Each row of ablation.toml switches one off, or puts the paper's form in its place. Rows are applied
+one at a time to a temporary copy of the tree, where run_l0 alone is built: no switch of the library
+serves the ablation only. LOR stands beside them. All variants get the same points, and each is
+timed beside the whole method. The tables have the figures relative to the whole method's.
 """
 
 import argparse
@@ -21,15 +21,19 @@ from pathlib import Path
 import ablation_tables
 from quality_bench import Bench, command_line, mesh_of, write_result
 
-sys.path.append(str(Path(__file__).resolve().parents[1] / "methods"))
+ROOT = Path(__file__).resolve().parents[3]
+sys.path += [str(ROOT / "benchmark" / "L0_resampling" / "methods"), str(ROOT / "scripts")]
 from methods import Method
+from source_edits import Applied, Edit_error, faults_of, read_rows
 
 # Shape, noise in %, share of outliers in %, density gradient: what each ingredient is for occurs once at least.
 INPUTS = (("fandisk", 0.5, 0, 1), ("fandisk", 1, 0, 1), ("fandisk", 1.5, 0, 1), ("anchor_dense", 0.5, 5, 1),
           ("anchor_dense", 1.5, 10, 1), ("anchor_dense", 0.5, 0, 10), ("armadillo", 0.5, 0, 1),
           ("thin_plate", 0.5, 0, 1))
 
-PATCHES = Path(__file__).resolve().parent / "ablation"
+
+def read_ablations():
+    return read_rows(Path(__file__).resolve().parent / "ablation.toml", "ablation", ["left"])
 
 
 class Variant_builder:
@@ -37,8 +41,7 @@ class Variant_builder:
 
     def __init__(self, scratch):
         self.scratch, self.tree, self.build = scratch, scratch / "tree", scratch / "build"
-        root = Path(__file__).resolve().parents[3]
-        shutil.copytree(root, self.tree, ignore=shutil.ignore_patterns(".git", "build*", "output"))
+        shutil.copytree(ROOT, self.tree, ignore=shutil.ignore_patterns(".git", "build*", "output"))
         off = ("BUILD_TOOL", "BUILD_TESTS", "BUILD_EXAMPLES", "WITH_PYTHON", "WITH_CUDA", "WITH_DOCUMENTATION",
                "INSTALL")
         launcher = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
@@ -55,22 +58,22 @@ class Variant_builder:
         self.call("cmake", "--build", self.build, "--target", "run_l0")
         return shutil.copy(self.build / "bin" / "run_l0", self.scratch / f"run_l0_{name}")
 
-    def patched_program(self, patch):
-        change = ("patch", "-d", self.tree, "-p1", "-s", "-f", "--no-backup-if-mismatch", "-i", patch)
-        self.call(*change)
-        program = self.program(patch.stem)
-        self.call(*change, "-R")
-        return program
+    def edited_program(self, ablation):
+        with Applied(self.tree, ablation):
+            return self.program(ablation.name)
 
 
 def variants_of(program_of):
-    """Each variant's program, which `program_of(name, patch)` gives, and description; the whole method is the first."""
-    variants, descriptions = {}, {}
-    for name, patch in [("full", None), *((patch.stem, patch) for patch in sorted(PATCHES.glob("*.patch")))]:
-        variants[name] = Method(program_of(name, patch), ("--method", "default"))
-        descriptions[name] = "the whole method"
-        if patch:
-            descriptions[name] = patch.read_text(encoding="utf-8").splitlines()[0].removeprefix("# ")
+    """Each variant's program and description; the whole method is the first.
+
+    `program_of(name, ablation)` gives the program; for the whole method, the ablation is None.
+    """
+    variants = {"full": Method(program_of("full", None), ("--method", "default"))}
+    descriptions = {"full": "the whole method"}
+    for ablation in sorted(read_ablations(), key=lambda row: row.name):
+        program = program_of(ablation.name, ablation)
+        variants[ablation.name] = Method(program, ("--method", "default"))
+        descriptions[ablation.name] = ablation.fields["left"]
     variants["lor"] = Method(variants["full"].program, ("--method", "lor"))
     descriptions["lor"] = "LOR, as it stands in the paper"
     return variants, descriptions
@@ -79,24 +82,25 @@ def variants_of(program_of):
 def build_variants(scratch):
     builder = Variant_builder(scratch)
 
-    def program_of(name, patch):
+    def program_of(name, ablation):
         print(f"building {name}", file=sys.stderr, flush=True)
-        return builder.patched_program(patch) if patch else builder.program(name)
+        return builder.edited_program(ablation) if ablation else builder.program(name)
 
     return variants_of(program_of)
 
 
 def find_variants(folder):
-    return variants_of(lambda name, patch: folder.resolve() / f"run_l0_{name}")
+    return variants_of(lambda name, _: folder.resolve() / f"run_l0_{name}")
 
 
 def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build", type=Path, help="build folder; its bin/ has the programs that sample and measure")
     parser.add_argument("meshes", type=Path, metavar="mesh_folder", help="has the meshes of libcgal-demo")
-    parser.add_argument("--output", type=Path, help="writes OUTPUT.json and OUTPUT.md; else the tables are printed")
+    parser.add_argument("--output", type=Path, metavar="FOLDER/NAME",
+                        help="what to write, see common/results.py; else the tables are printed")
     parser.add_argument("--programs", type=Path, metavar="FOLDER",
-                        help="has run_l0_full and a run_l0_PATCH for each patch, built before; else they are built")
+                        help="has run_l0_full and a run_l0_NAME for each row; else they are built")
     parser.add_argument("--seeds", type=int, nargs="+", default=[1, 2, 3],
                         help="of the sampling; the tables show means")
     parser.add_argument("--input-points", type=int, default=12_000)

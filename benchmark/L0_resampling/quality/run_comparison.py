@@ -7,18 +7,18 @@
 
 Each shape is sampled with each noise, and each of these once more with outliers and with a density gradient. Where there
 are outliers, CGAL's pipelines get the points that its remove_outliers() leaves, which is told their share; ours gets all.
-OUTPUT.json keeps all that was measured, OUTPUT.md has a row for each input, and what is met of the goals.
+The tables have a row for each input, and what is met of the goals.
 """
 
 import argparse
-import json
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
 import comparison_tables
-from quality_bench import CGAL_SHAPES, OWN_SHAPES, Bench, command_line, mesh_of, reuse, reuse_known, write_result
+from quality_bench import (CGAL_SHAPES, OWN_SHAPES, Bench, command_line, load_raw, mesh_of, reuse, reuse_known,
+                           write_result)
 
 sys.path.append(str(Path(__file__).resolve().parents[1] / "methods"))
 from methods import ear, ours, wlop
@@ -54,7 +54,8 @@ def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build", type=Path, help="build folder; its bin/ has the programs")
     parser.add_argument("meshes", type=Path, metavar="mesh_folder", help="has the meshes of libcgal-demo")
-    parser.add_argument("--output", type=Path, help="writes OUTPUT.json and OUTPUT.md; else the tables are printed")
+    parser.add_argument("--output", type=Path, metavar="FOLDER/NAME",
+                        help="what to write, see common/results.py; else the tables are printed")
     parser.add_argument("--shapes", nargs="+", choices=CGAL_SHAPES + OWN_SHAPES, default=CGAL_SHAPES + OWN_SHAPES)
     parser.add_argument("--noise", type=float, nargs="+", default=NOISE_PERCENT,
                         help="standard deviations, %% of the diagonal")
@@ -64,10 +65,10 @@ def parse_arguments():
     parser.add_argument("--output-points", type=int, default=8_000)
     parser.add_argument("--threads", type=int, default=1)
     parser.add_argument("--only-ours", action="store_true",
-                        help="takes the figures of CGAL's pipelines from OUTPUT.json")
+                        help="takes the figures of CGAL's pipelines from an earlier run")
     parser.add_argument("--note", help="what a reader of this run has to know, for the tables' heading")
     parser.add_argument("--keep-baselines", action="store_true",
-                        help="the same, but measures these too on inputs that OUTPUT.json lacks")
+                        help="the same, but measures these too on inputs that it lacks")
     parser.add_argument("--full", action="store_true",
                         help="100000 points to 66000, three seeds, radii 4, 6 and 8: takes a night")
     parser.add_argument("--small", action="store_true",
@@ -92,7 +93,7 @@ def main():
         result["note"] = f"\n{arguments.note}\n"
     planned, compared = plan(arguments), methods(arguments.radii)
     if arguments.only_ours or arguments.keep_baselines:
-        previous = json.loads(arguments.output.with_suffix(".json").read_text(encoding="utf-8"))
+        previous = load_raw(arguments.output)
         if arguments.only_ours:
             reuse(previous, planned, compared, ["default"])
         else:

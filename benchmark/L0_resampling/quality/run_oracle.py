@@ -7,7 +7,7 @@
 
 One oracle tells it the best radius, of several times its own, by the error that is measured against the mesh; one gives
 each point the normal of the nearest face in place of PCA; a third does both. What an oracle does not reach is not a matter of the
-choice of radius, nor of the first normals. OUTPUT.json keeps all that was measured, OUTPUT.md has the figures beside
+choice of radius, nor of the first normals. The tables have the figures beside
 the best of CGAL's pipelines, from the results of run_comparison.py on the same inputs, of which it takes the first sampling.
 """
 
@@ -29,8 +29,9 @@ def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build", type=Path, help="build folder; its bin/ has the tool and the programs that measure")
     parser.add_argument("meshes", type=Path, metavar="mesh_folder", help="has the meshes of libcgal-demo")
-    parser.add_argument("comparison", type=Path, help="JSON file of run_comparison.py")
-    parser.add_argument("--output", type=Path, help="writes OUTPUT.json and OUTPUT.md; else the tables are printed")
+    parser.add_argument("comparison", type=Path, help="JSON file that run_comparison.py has written to output")
+    parser.add_argument("--output", type=Path, metavar="FOLDER/NAME",
+                        help="what to write, see common/results.py; else the tables are printed")
     parser.add_argument("--shapes", nargs="+", choices=CGAL_SHAPES + OWN_SHAPES,
                         default=("armadillo", "fandisk", "anchor_dense", "thin_plate"))
     return parser.parse_args()

@@ -6,8 +6,8 @@
 """Measures the Poisson mesh of each method's result: of the default method, and of CGAL's pipelines.
 
 Inputs and pipelines are those of run_comparison.py. All results of an input become meshes by CGAL's
-poisson_surface_reconstruction_delaunay() with the same parameters. OUTPUT.json keeps all that was measured, OUTPUT.md
-has a row for each input, and what is met of the goals.
+poisson_surface_reconstruction_delaunay() with the same parameters. The tables
+have a row for each input, and what is met of the goals.
 """
 
 import argparse
@@ -18,7 +18,8 @@ import tempfile
 from pathlib import Path
 
 import poisson_tables
-from quality_bench import CGAL_SHAPES, OWN_SHAPES, Bench, command_line, describe, mesh_of, reuse_known, write_result
+from quality_bench import (CGAL_SHAPES, OWN_SHAPES, Bench, command_line, describe, load_raw, mesh_of, reuse_known,
+                           write_result)
 from run_comparison import methods
 
 # How far triangles may be off the Poisson surface, in spacings of the points. The first keeps the distances of that
@@ -80,7 +81,8 @@ def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build", type=Path, help="build folder; its bin/ has the programs")
     parser.add_argument("meshes", type=Path, metavar="mesh_folder", help="has the meshes of libcgal-demo")
-    parser.add_argument("--output", type=Path, required=True, help="writes OUTPUT.json and OUTPUT.md")
+    parser.add_argument("--output", type=Path, required=True, metavar="FOLDER/NAME",
+                        help="what to write, see common/results.py")
     parser.add_argument("--shapes", nargs="+", choices=CGAL_SHAPES + OWN_SHAPES, default=CGAL_SHAPES + OWN_SHAPES)
     parser.add_argument("--noise", type=float, nargs="+", default=(0.5, 1.5), help="standard deviations, %% of the diagonal")
     parser.add_argument("--radii", type=float, nargs="+", default=[4, 6], help="of CGAL's pipelines, in spacings")
@@ -115,7 +117,7 @@ def main():
     result = {"commands": [command], "experiments": []}
     planned, compared = plan(arguments), methods(arguments.radii)
     if arguments.keep_baselines:
-        previous = json.loads(arguments.output.with_suffix(".json").read_text(encoding="utf-8"))
+        previous = load_raw(arguments.output)
         reuse_known(previous, planned, compared, ["default"])
         result["commands"] = [old for old in previous["commands"] if old != command] + [command]
     with tempfile.TemporaryDirectory() as scratch:

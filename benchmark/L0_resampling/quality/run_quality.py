@@ -6,12 +6,11 @@
 """Measures the result of l0_resample_point_set() beside those of CGAL's WLOP and EAR against the mesh they sample.
 
 Each mesh is sampled with each noise and each seed, all methods get the same points, and each result is measured with
-evaluate_point_set. OUTPUT.json keeps all that was measured, OUTPUT.md a table for each mesh and noise. A number that is
-missing or not finite, or a result with the wrong count, ends the run with an error.
+evaluate_point_set. There is a table for each mesh and noise. A number that is missing or not finite,
+or a result with the wrong count, ends the run with an error.
 """
 
 import argparse
-import json
 import os
 import subprocess
 import sys
@@ -19,7 +18,7 @@ import tempfile
 from pathlib import Path
 
 import quality_tables
-from quality_bench import Bench, command_line, reuse, write_result
+from quality_bench import Bench, command_line, load_raw, reuse, write_result
 
 sys.path.append(str(Path(__file__).resolve().parents[1] / "methods"))
 from methods import ear, ours, wlop
@@ -42,7 +41,8 @@ def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build", type=Path, help="build folder; its bin/ has the programs")
     parser.add_argument("meshes", type=Path, nargs="+", metavar="mesh", help="OFF file to sample")
-    parser.add_argument("--output", type=Path, help="writes OUTPUT.json and OUTPUT.md; else the tables are printed")
+    parser.add_argument("--output", type=Path, metavar="FOLDER/NAME",
+                        help="what to write, see common/results.py; else the tables are printed")
     parser.add_argument("--noise", type=float, nargs="+", default=[0.5, 1.0],
                         help="standard deviations, %% of the diagonal")
     parser.add_argument("--seeds", type=int, nargs="+", default=[1], help="of the sampling; the tables show means")
@@ -50,7 +50,7 @@ def parse_arguments():
     parser.add_argument("--output-points", type=int, default=60_000)
     parser.add_argument("--threads", type=int, default=os.cpu_count())
     parser.add_argument("--only", nargs="+", choices=METHODS, metavar="METHOD",
-                        help="measures these anew and takes all others from OUTPUT.json: " + ", ".join(METHODS))
+                        help="measures these anew and takes all others from an earlier run: " + ", ".join(METHODS))
     parser.add_argument("--mesh-origin", help="where the meshes are from, for the tables' heading")
     parser.add_argument("--small", action="store_true", help="a few thousand points, one noise")
     arguments = parser.parse_args()
@@ -74,7 +74,7 @@ def main():
     result = {"commands": [command], "mesh_origin": arguments.mesh_origin, "experiments": []}
     planned = plan(arguments)
     if arguments.only:
-        previous = json.loads(arguments.output.with_suffix(".json").read_text())
+        previous = load_raw(arguments.output)
         reuse(previous, planned, METHODS, arguments.only)
         result["commands"] = [old for old in previous["commands"] if old != command] + [command]
         result["mesh_origin"] = arguments.mesh_origin or previous["mesh_origin"]

@@ -5,7 +5,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Measures how far results move when nothing changes but roundings: coordinates are scaled by 1 plus or minus about 1e-9, in four ways.
 
-With --device, the results of a CUDA device are compared with those of the CPU instead. OUTPUT.json keeps all that was measured, OUTPUT.md has a table.
+With --device, the results of a CUDA device are compared with those of the CPU instead.
 """
 
 import argparse
@@ -63,7 +63,8 @@ def markdown(result):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build", type=Path, help="build folder; its bin/ has the programs")
-    parser.add_argument("--output", type=Path, help="writes OUTPUT.json and OUTPUT.md; else the table is printed")
+    parser.add_argument("--output", type=Path, metavar="FOLDER/NAME",
+                        help="what to write, see common/results.py; else the table is printed")
     parser.add_argument("--device", action="store_true", help="compare with the CUDA device, not with scaled coordinates")
     parser.add_argument("--small", action="store_true", help="a tenth of the points, without noise, one seed: to see that everything runs")
     arguments = parser.parse_args()

@@ -5,8 +5,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Measures how thin a plate may be before its two sheets become one, without noise and with some.
 
-The plates are 1 x 0.7 wide and as thick as so many spacings of the points, of which r_p of the default method covers four where they are clean. OUTPUT.json
-keeps all that was measured, OUTPUT.md has a table for each method.
+The plates are 1 x 0.7 wide and as thick as so many spacings of the points, of which r_p of the default method covers four where they are clean. There is
+a table for each method.
 """
 
 import argparse
@@ -62,7 +62,8 @@ def markdown(result):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build", type=Path, help="build folder; its bin/ has the programs")
-    parser.add_argument("--output", type=Path, help="writes OUTPUT.json and OUTPUT.md; else the tables are printed")
+    parser.add_argument("--output", type=Path, metavar="FOLDER/NAME",
+                        help="what to write, see common/results.py; else the tables are printed")
     parser.add_argument("--small", action="store_true", help="a tenth of the points on one plate, to see that everything runs")
     arguments = parser.parse_args()
     thicknesses, noises, factor = ((4,), (0, 1 / 8), 0.1) if arguments.small else (THICKNESSES, NOISES, 1)

@@ -151,10 +151,12 @@ def device_runs(_lab, _selection):
     """What was measured on a CUDA device, as committed with the command that made it."""
     path = Path(__file__).resolve().parents[1] / "performance" / "results" / "cuda_h200.json"
     recorded = json.loads(path.read_text(encoding="utf-8"))
-    runs = [{"input_points": run["points_in"], "output_points": run["points_out"], "method": run["method"],
-             **columns(run, run["method"]), "total": run["device_resident_seconds"]["median"]} for run in recorded["results"]]
-    beside = [{"input_points": run["number_of_input_points"], "output_points": run["number_of_output_points"],
-               "method": run["parameters"]["method"], "solver": run["parameters"]["solver"], "threads": run["threads"],
-               **columns(run["report"], run["parameters"]["method"]), "total": run["wall_seconds"]} for run in recorded["beside"]]
+
+    def timing(run):
+        return {"input_points": run["points_in"], "output_points": run["points_out"], "method": run["method"],
+                **columns(run, run["method"]), "total": run["seconds"]}
+
+    runs = [timing(run) for run in recorded["results"]]
+    beside = [{**timing(run), "solver": run["solver"], "threads": run["threads"]} for run in recorded["beside"]]
     return {"command": recorded["command"], "device": recorded["results"][0]["device"], "runs": runs,
             "machine": recorded["beside_machine"], "beside": beside}

@@ -27,8 +27,9 @@ except ImportError as error:
     print(f"skipped: {error}; Debian has it as python3-numpy, python3-matplotlib or python3-jinja2")
     sys.exit(77)
 
-sys.path += [str(Path(__file__).resolve().parents[1] / folder) for folder in ("performance", "quality")]
-from quality_bench import command_line, write_json
+sys.path += [str(Path(__file__).resolve().parents[1] / folder) for folder in ("common", "performance", "quality")]
+from quality_bench import command_line
+from results import write_json
 from run_performance import machine
 
 EXPERIMENTS = ("table_1", "equations", "half_sampling", "interleaving", "normal_weights", "comparisons", "thin_plate", "scans",
@@ -56,7 +57,7 @@ def measure(arguments, files, report):
                 result["experiments"][name] = getattr(experiments, name)(lab, selection)
             finally:
                 result["seconds"][name] = earlier + time.monotonic() - start
-                write_json(report, result)
+                write_json(report.with_suffix(".json"), result)
     finally:
         lab.pool.shutdown(cancel_futures=True)    # where one program fails, others need not begin
     return result

@@ -8,6 +8,7 @@
 - The docstring of l0_resample_point_set() quotes the defaults that the code has.
 - The pages type no decimal number and no default, as these are generated, and no code, as all of it is an example.
 - Formulas use only macros that are generated; every figure exists and is used; every named parameter is explained.
+- The tests that the page of promises names exist.
 """
 
 import json
@@ -80,6 +81,13 @@ def unknown_macros(name, page, macros):
                 yield f"{name} has \\{macro} in a formula, which generate_text.py does not make"
 
 
+def unknown_tests(page, tests):
+    lists = "".join(path.read_text(encoding="utf-8") for path in tests.rglob("CMakeLists.txt"))
+    for name in sorted(set(re.findall(r"`(test_\w+)`", page))):
+        if name not in lists and name.removeprefix("test_") not in lists:
+            yield f"Promises.txt names {name}, which is no test"
+
+
 def main():
     source = Path(sys.argv[2])
     manual = source / "doc" / "L0_resampling"
@@ -87,7 +95,7 @@ def main():
     with tempfile.TemporaryDirectory() as scratch:
         (Path(scratch) / "defaults.json").write_text(defaults, encoding="utf-8")
         subprocess.run([sys.executable, manual / "tools" / "generate_text.py", Path(scratch) / "defaults.json",
-                        source / "benchmark" / "L0_resampling", scratch], check=True)
+                        source, scratch], check=True)
         macros = set(re.findall(r"\\newcommand\{\\(\w+)\}", (Path(scratch) / "formula_macros.tex").read_text(encoding="utf-8")))
 
     header = (source / "include" / "CGAL" / "l0_resample_point_set.h").read_text(encoding="utf-8")
@@ -99,6 +107,8 @@ def main():
     for name, page in pages.items():
         errors += [*typed_by_hand(name, page), *unknown_macros(name, page, macros)]
     errors += [f"the user manual does not explain {name}" for name in parameters if name not in pages["L0_resampling.txt"]]
+
+    errors += unknown_tests(pages["Promises.txt"], source / "test" / "L0_resampling")
 
     shown = set(re.findall(r"[\w.]+\.png", "".join(pages.values())))
     drawn = {path.name for path in (manual / "fig").glob("*.png")}

@@ -3,7 +3,7 @@
 # All rights reserved.
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes what the manual quotes: generate_text.py DEFAULTS.json BENCHMARK_DIRECTORY OUTPUT_DIRECTORY
+"""Writes what the manual quotes: generate_text.py DEFAULTS.json SOURCE_DIRECTORY OUTPUT_DIRECTORY
 
 - figures_of_the_code: Doxygen aliases, one for each default, constant and measured figure, such as \\default_normal_weight,
   \\constant_pca_radius_factor, \\quality_fandisk_10_default_distance (noise of 1.0 %) or \\speed_default_seconds;
@@ -11,13 +11,15 @@
   TeX knows no underscores;
 - table_*.txt: the tables of the benchmarks, for \\include{doc}.
 
-DEFAULTS.json is what the program print_defaults prints, BENCHMARK_DIRECTORY is benchmark/L0_resampling.
+DEFAULTS.json is what the program print_defaults prints.
 """
 
+import csv
 import html
 import json
 import re
 import sys
+import tomllib
 from pathlib import Path
 
 
@@ -82,105 +84,126 @@ QUALITY_NAMES = {"mean distance, %": "distance", "mean coverage, %": "coverage",
                  "normals inwards, %": "inwards", "edge recall": "recall", "NN6 cv": "evenness"}
 
 
-def quality_figures(quality_tables, name, result):
+def quality_figures(name, figures):
     """Of each method, and the best figure of CGAL's in each column."""
-    for experiment in result["experiments"]:
-        noise = f"{experiment['noise_percent']:.1f}".replace(".", "")
-        for method, runs in experiment["measurements"].items():
-            for column in quality_tables.COLUMNS:
-                value = column.value([runs["evaluation"]])
-                if column.heading in QUALITY_NAMES and value is not None:
-                    yield f"quality_{name}_{noise}_{method}_{QUALITY_NAMES[column.heading]}", f"{value:.{column.digits}f}"
-        theirs = [[run["evaluation"]] for run in experiment["measurements"].values() if not quality_tables.is_ours([run])]
-        for column in quality_tables.COLUMNS:
-            if column.heading in QUALITY_NAMES:
-                best = column.best(column.value(evaluations) for evaluations in theirs)
-                yield f"quality_{name}_{noise}_best_{QUALITY_NAMES[column.heading]}", f"{best:.{column.digits}f}"
+    for noise, methods in figures.items():
+        noise_digits = f"{noise:.1f}".replace(".", "")
+        for method, columns in methods.items():
+            for heading, value in columns.items():
+                if heading in QUALITY_NAMES and value != "-":
+                    yield f"quality_{name}_{noise_digits}_{method}_{QUALITY_NAMES[heading]}", value
 
 
-def speed_figures(performance_tables, comparison, scaling):
-    median = performance_tables.median
+def speed_figures(fitted_exponent, comparison, scaling):
     for method in ("lor", "alor", "default"):
-        runs = comparison[method]
-        yield f"speed_{method}_seconds", f"{median(runs):.2g}"
-        yield f"speed_{method}_bytes", performance_tables.memory_cells(runs)[1]
+        run = comparison[method]
+        seconds = run["wall_seconds"]
+        yield f"speed_{method}_seconds", f"{seconds:.2g}"
+        yield f"speed_{method}_bytes", f"{run['bytes_a_point']:.0f}"
         for slow in ("wlop", "ear"):
-            yield f"speed_{method}_over_{slow}", f"{median(comparison[slow]) / median(runs):.0f}"
-        yield f"speed_{method}_two_threads", f"{median(runs) / median(comparison[f'{method}, 2 threads']):.1f}"
-        points = [(line["number_of_input_points"], line["cpu_seconds"]) for line in scaling
-                  if line["parameters"]["method"] == method]
-        yield f"speed_{method}_exponent", f"{performance_tables.fitted_exponent(points):.2f}"
-        most = max(points)[0]
-        yield (f"speed_{method}_bytes_of_most_points",
-               performance_tables.memory_cells([line for line in scaling if line["parameters"]["method"] == method
-                                                and line["number_of_input_points"] == most])[1])
-        yield "speed_most_points", str(most)
-    yield "speed_half_sampling_gain", f"{median(comparison['lor']) / median(comparison['alor']):.2f}"
-    yield "speed_points_in", str(comparison["lor"][0]["number_of_input_points"])
-    yield "speed_points_out", str(comparison["lor"][0]["number_of_output_points"])
+            yield f"speed_{method}_over_{slow}", f"{comparison[slow]['wall_seconds'] / seconds:.0f}"
+        yield f"speed_{method}_two_threads", f"{seconds / comparison[f'{method}, 2 threads']['wall_seconds']:.1f}"
+        runs = [run for run in scaling if run["method"] == method]
+        exponent = fitted_exponent([(run["points_in"], run["cpu_seconds"]) for run in runs])
+        yield f"speed_{method}_exponent", f"{exponent:.2f}"
+        largest = max(runs, key=lambda run: run["points_in"])
+        yield f"speed_{method}_bytes_of_most_points", f"{largest['bytes_a_point']:.0f}"
+        yield "speed_most_points", str(largest["points_in"])
+    lor, alor = comparison["lor"], comparison["alor"]
+    yield "speed_half_sampling_gain", f"{lor['wall_seconds'] / alor['wall_seconds']:.2f}"
+    yield "speed_points_in", str(lor["points_in"])
+    yield "speed_points_out", str(lor["points_out"])
 
 
-def solver_figures(performance_tables, solvers):
+def solver_figures(solvers):
     """What the paper's rows cost beside the collapsed problem, and what half-sampling saves of them."""
-    yield "solver_points_in", str(solvers[0]["number_of_input_points"])
-    for line in solvers:
-        name = f"solver_{line['parameters']['solver']}_{line['parameters']['method']}"
-        runs = [other for other in solvers if other["parameters"] == line["parameters"]]
-        yield f"{name}_seconds", f"{performance_tables.median(runs):.2g}"
-        yield f"{name}_bytes", performance_tables.memory_cells(runs)[1]
+    yield "solver_points_in", str(solvers[0]["points_in"])
+    for run in solvers:
+        name = f"solver_{run['solver']}_{run['method']}"
+        yield f"{name}_seconds", f"{run['wall_seconds']:.2g}"
+        yield f"{name}_bytes", f"{run['bytes_a_point']:.0f}"
 
 
 def device_figures(results):
-    for line in results:
-        yield f"device_{line['points_in']}_{line['method']}_ms", f"{1000 * line['device_resident_seconds']['median']:.3g}"
+    for run in results:
+        yield f"device_{run['points_in']}_{run['method']}_ms", f"{1000 * run['seconds']:.3g}"
+
+
+def latency_figures(tables):
+    """Of the runs with most points on one thread, from the tables of run_callback_latency.py."""
+    header, rows = tables[0].header, tables[0].rows
+    runs = [dict(zip(header, row)) for row in rows]
+    most = max(int(run["points in"]) for run in runs)
+    runs = [run for run in runs if int(run["points in"]) == most and run["threads"] == "1"]
+    for name, column in (("gap", "longest by processor time"), ("end", "longest from `false` to the end")):
+        yield f"callback_{name}_ms", str(max(int(run[column].split(" / ")[1]) for run in runs))
+
+
+def streaming_figures(tables):
+    for row in tables[0].rows:
+        run = dict(zip(tables[0].header, row))
+        if run["never falls"] != "yes":
+            raise ValueError("the progress of reading falls")
+        yield f"streaming_{run['file']}_bytes", f"{float(run['peak of resident memory, bytes a point']):.0f}"
+
+
+def load_csv(path):
+    with open(path, encoding="utf-8", newline="") as stream:
+        return list(csv.DictReader(stream))
+
+
+def test_figures(tests):
+    """How often the function and the readers were attacked, and how many planted bugs were caught."""
+    attacks, runs = load_csv(tests / "attack" / "attacks.csv"), load_csv(tests / "fuzz" / "executions.csv")
+    yield "attack_number", str(sum(int(campaign["attacks"]) for campaign in attacks))
+    yield "attack_broken", str(sum(int(campaign["broken_promises"]) for campaign in attacks))
+    yield "fuzz_executions", str(sum(int(run["executions"]) for run in runs))
+    yield "fuzz_broken", str(sum(int(run["broken"]) for run in runs))
+    folder = tests / "planted_bugs"
+    bugs = {bug["name"] for path in folder.glob("*.toml")
+            for bug in tomllib.loads(path.read_text(encoding="utf-8"))["bug"]}
+    caught = {row["bug"] for row in load_csv(folder / "verdicts.csv") if row["verdict"].startswith("caught")}
+    yield "bugs_number", str(len(bugs))
+    yield "bugs_caught", str(len(bugs & caught))
+
+
+# Files of tables, and their names in the manual where these differ
+TABLES = {"quality": {"fandisk": "quality_fandisk", "armadillo": "quality_armadillo", "comparison": "comparison",
+                      "oracle": "oracle", "poisson": "poisson", "ablation": "ablation", "thin_plates": "thin_plates",
+                      "rounding": "rounding", "rounding_h200": "rounding_of_device"},
+          "performance": {"fandisk": "speed", "scaling": "scaling", "callback": "callback", "cuda_h200": "device",
+                          "cuda_roofline": "roofline"},
+          "report": {"full": "claims"}}
 
 
 def main():
-    defaults, benchmark, output = load(sys.argv[1]), Path(sys.argv[2]), Path(sys.argv[3])
-    sys.path += [str(benchmark / "quality"), str(benchmark / "performance"), str(benchmark / "report")]
+    defaults, source, output = load(sys.argv[1]), Path(sys.argv[2]), Path(sys.argv[3])
+    benchmark = source / "benchmark" / "L0_resampling"
+    sys.path += [str(benchmark / folder) for folder in ("common", "quality", "performance")]
     sys.dont_write_bytecode = True   # the benchmarks lie in the source tree
-    import ablation_tables
-    import claims
-    import comparison_tables
-    import oracle_tables
-    import performance_tables
-    import poisson_tables
-    import quality_tables
-    import run_callback_latency
-    import run_cuda_performance
-    import run_cuda_roofline
-    import run_rounding
-    import run_thin_plates
+    from performance_tables import fitted_exponent
+    from quality_tables import read_figures
+    from results import found_in, read_tables
 
-    quality = {name: load(benchmark / "quality" / "results" / f"{name}.json") for name in ("fandisk", "armadillo")}
-    comparison, oracle, poisson, ablation, thin_plates = (
-        load(benchmark / "quality" / "results" / f"{name}.json")
-        for name in ("comparison", "oracle", "poisson", "ablation", "thin_plates"))
-    rounding, rounding_of_device = (load(benchmark / "quality" / "results" / f"{name}.json") for name in ("rounding", "rounding_h200"))
-    speed, scaling, callback, device, roofline = (load(benchmark / "performance" / "results" / f"{name}.json")
-                                                  for name in ("fandisk", "scaling", "callback", "cuda_h200", "cuda_roofline"))
-    report = load(benchmark / "report" / "results" / "full.json")
-    texts = {**{f"quality_{name}": quality_tables.markdown(result) for name, result in quality.items()},
-             "comparison": comparison_tables.markdown(comparison), "oracle": oracle_tables.markdown(oracle),
-             "poisson": poisson_tables.markdown(poisson),
-             "ablation": ablation_tables.markdown(ablation), "thin_plates": run_thin_plates.markdown(thin_plates),
-             "rounding": run_rounding.markdown(rounding), "rounding_of_device": run_rounding.markdown(rounding_of_device),
-             "speed": performance_tables.markdown(speed), "scaling": performance_tables.markdown(scaling),
-             "callback": run_callback_latency.markdown(callback),
-             "device": run_cuda_performance.markdown(device["results"], device["beside"], device["beside_machine"],
-                                                     device["command"]),
-             "roofline": run_cuda_roofline.table(roofline),
-             "claims": claims.claims_table(report["experiments"]).markdown()}
+    texts = {name: (benchmark / folder / "results" / f"{file}.md").read_text(encoding="utf-8")
+             for folder, names in TABLES.items() for file, name in names.items()}
+    tables = {name: html_tables(text) for name, text in texts.items()}
+    tables["claims"] = tables["claims"][:1]    # of those of the report
+    speed, scaling, device = (load(benchmark / "performance" / "results" / f"{name}.json")
+                              for name in ("fandisk", "scaling", "cuda_h200"))
 
     figures = dict(code_figures(defaults))
-    for name, result in quality.items():
-        figures.update(quality_figures(quality_tables, name, result))
-    figures["comparison_points_in"] = str(comparison["experiments"][0]["input_points"])
-    figures["comparison_samplings"] = str(len({experiment["seed"] for experiment in comparison["experiments"]}))
-    figures["comparison_points_out"] = str(comparison["experiments"][0]["output_points"])
-    figures.update(speed_figures(performance_tables, speed["comparison"], scaling["scaling"]))
-    figures.update(solver_figures(performance_tables, speed["solvers"]))
+    for name in ("fandisk", "armadillo"):
+        figures.update(quality_figures(name, read_figures(texts[f"quality_{name}"])))
+    (figures["comparison_points_in"], figures["comparison_points_out"], figures["comparison_samplings"]) = found_in(
+        r"(\d+) points in, (\d+) out, seeds: (\d+)", texts["comparison"])
+    figures.update(speed_figures(fitted_exponent, speed["comparison"], scaling["scaling"]))
+    figures.update(solver_figures(speed["solvers"]))
     figures.update(device_figures(device["results"]))
+    figures.update(latency_figures(read_tables(texts["callback"])))
+    streaming = benchmark / "performance" / "results" / "tool_streaming.md"
+    figures.update(streaming_figures(read_tables(streaming.read_text(encoding="utf-8"))))
+    figures.update(test_figures(source / "test" / "L0_resampling"))
     figures["speed_machine"] = f"{speed['machine']['cores']} cores of {speed['machine']['processor']}"
 
     output.mkdir(parents=True, exist_ok=True)
@@ -189,8 +212,8 @@ def main():
     macros = "".join(f"\\newcommand{{\\{camel_case(name)}}}{{{value}}}\n" for name, value in figures.items()
                      if camel_case(name).isalpha())
     (output / "formula_macros.tex").write_text(macros, encoding="utf-8")
-    for name, text in texts.items():
-        for number, table in enumerate(html_tables(text), start=1):
+    for name, of_name in tables.items():
+        for number, table in enumerate(of_name, start=1):
             (output / f"table_{name}_{number}.txt").write_text(table, encoding="utf-8")
 
 

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Attacks one reader with libFuzzer, under AddressSanitizer and UndefinedBehaviorSanitizer, packs what reached new paths, and writes results/CORPUS.json.
+# Attacks one reader with libFuzzer, under AddressSanitizer and UndefinedBehaviorSanitizer, packs the
+# files that reached new paths, and notes the number of executions in executions.csv.
 #
 #   run.sh CORPUS [EXECUTIONS]     CORPUS is npy, off, pcd, ply_ascii, ply_binary or xyz; 100000 executions if none are given
 #
@@ -36,7 +37,6 @@ mkdir -p "$scratch/merged/$corpus" "$here/corpora"
 tar -C "$scratch/merged" --sort=name --owner=0 --group=0 --mtime=@0 -c "$corpus" | gzip -n9 > "$here/corpora/$corpus.tar.gz"
 
 executions=$(sed -n 's/^stat::number_of_executed_units: *//p' "$scratch/$corpus.log")
-mkdir -p "$here/results"
-cat > "$here/results/$corpus.json" << END
-{"corpus": "$corpus", "executions": $executions, "broken": 0, "files_kept": $(find "$scratch/merged/$corpus" -type f | wc -l)}
-END
+kept=$(find "$scratch/merged/$corpus" -type f | wc -l)
+{ grep -v "^$corpus," "$here/executions.csv"; echo "$corpus,$executions,0,$kept"; } > "$scratch/executions.csv"
+{ head -n 1 "$scratch/executions.csv"; tail -n +2 "$scratch/executions.csv" | sort; } > "$here/executions.csv"
