@@ -128,12 +128,20 @@ def test_the_report_has_the_members_of_the_cpp_report():
     assert len(members) == len(dataclasses.fields(cgal_l0.Report)) + 1   # the outcome, which is an exception here
 
 
-def test_the_example_is_in_the_readme_and_runs(cube, tmp_path, monkeypatch):
-    example = root / "examples/L0_resampling/l0_resample_example.py"
-    code = example.read_text().split("# [example]\n")[1].strip()   # as the manual shows it
-    assert len(code.splitlines()) == 3
-    assert f"```python\n{code}\n```" in (root / "README.md").read_text()
+def example_code(name):
+    """As the manual shows it."""
+    code = (root / "examples/L0_resampling" / name).read_text()
+    return re.split(r"# \[\w+\]\n", code)[1].strip()
+
+
+@pytest.mark.parametrize("name", ["l0_resample_example.py", "python_files_example.py"])
+def test_the_examples_of_the_readme(name):
+    assert f"```python\n{example_code(name)}\n```" in (root / "README.md").read_text()
+
+
+def test_the_shortest_example_runs(cube, tmp_path, monkeypatch):
+    assert len(example_code("l0_resample_example.py").splitlines()) == 3
     monkeypatch.chdir(tmp_path)
     numpy.savetxt("scan.xyz", cube)
-    names = runpy.run_path(str(example))
+    names = runpy.run_path(str(root / "examples/L0_resampling/l0_resample_example.py"))
     assert names["positions"].shape == names["normals"].shape == (20000, 3)
