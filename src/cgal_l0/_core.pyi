@@ -106,10 +106,10 @@ def resample_on_device(
     callback: Callable[[float], object] | None,
 ) -> tuple[DeviceArray, DeviceArray, DeviceArray | None, DeviceArray | None, dict[str, Any]] | None: ...
 def read_points(
-    path: str, format: str | None, drop_non_finite: bool, callback: Callable[[float], object] | None
-) -> tuple[NDArray[Any], NDArray[Any] | None, NDArray[Any], int, list[str]] | None: ...
+    path: bytes, format: str | None, drop_non_finite: bool, callback: Callable[[float], object] | None
+) -> tuple[NDArray[Any], NDArray[Any] | None, list[str], NDArray[Any], int, list[str]] | None: ...
 def write_points(
-    path: str, format: str | None, points: NDArray[Any], normals: NDArray[Any] | None, properties: NDArray[Any]
+    path: bytes, format: str | None, points: NDArray[Any], normals: NDArray[Any] | None, properties: NDArray[Any]
 ) -> list[str]: ...
 def snapshot(
     points: NDArray[Any],
@@ -118,5 +118,5 @@ def snapshot(
     normals: NDArray[Any],
     feature_confidences: NDArray[Any] | None,
     view: list[float] | None,
-    path: str | None,
+    path: bytes | None,
 ) -> NDArray[Any]: ...

@@ -39,7 +39,21 @@ def _with_python_words(function, *arguments):
     try:
         return function(*arguments)
     except (ValueError, OSError) as error:
-        raise type(error)(in_python_words(str(error))) from None
+        words = in_python_words(str(error))
+        if words == str(error):   # of the callback too
+            raise
+        raise type(error)(words) from None
+
+
+def _distinct(names):
+    """The names; one that came before has a number behind it."""
+    distinct = []
+    for name in names:
+        candidate, number = name, 2
+        while candidate in distinct:
+            candidate, number = f"{name}_{number}", number + 1
+        distinct.append(candidate)
+    return distinct
 
 
 def read_points(path, *, format=None, drop_non_finite=False, callback=None):
@@ -60,15 +74,15 @@ def read_points(path, *, format=None, drop_non_finite=False, callback=None):
     Raises ValueError with the line or byte where the file is not what it should be, OSError if
     there is no such file, MemoryError, and Cancelled. Warns of what was not read.
     """
-    path = os.fspath(path)
     os.stat(path)   # raises FileNotFoundError and its like
-    found = _with_python_words(_core.read_points, path, format, bool(drop_non_finite), callback)
+    found = _with_python_words(_core.read_points, os.fsencode(path), format, bool(drop_non_finite), callback)
     if found is None:
         raise Cancelled("the callback returned False")
-    points, normals, records, dropped, complaints = found
+    points, normals, names, records, dropped, complaints = found
     for complaint in complaints:
         warnings.warn(complaint, stacklevel=2)
-    return PointCloud(points, normals, {name: records[name] for name in records.dtype.names or ()}, dropped)
+    fields = records.dtype.names or ()
+    return PointCloud(points, normals, {name: records[f] for name, f in zip(_distinct(names), fields)}, dropped)
 
 
 def _property(name, values, size):
@@ -113,9 +127,8 @@ def write_points(path, points, normals=None, properties=None, *, format=None):
     records = numpy.empty(len(points), [(name, values.dtype) for name, values in columns])
     for name, values in columns:
         records[name] = values
-    path = os.fspath(path)
-    for name in _with_python_words(_core.write_points, path, format, points, normals, records):
-        warnings.warn(f"{path}: the format has no place for the property {name!r}", stacklevel=2)
+    for name in _with_python_words(_core.write_points, os.fsencode(path), format, points, normals, records):
+        warnings.warn(f"{os.fspath(path)}: the format has no place for the property {name!r}", stacklevel=2)
 
 
 def snapshot(points, positions, normals, *, input_normals=None, feature_confidences=None, view=None, path=None):
@@ -152,4 +165,4 @@ def snapshot(points, positions, normals, *, input_normals=None, feature_confiden
     if eye is not None and (len(eye) != 3 or not numpy.isfinite(eye).all() or not any(eye)):
         raise ValueError(f"view is {eye}, expected three finite coordinates that are not all 0")
     return _with_python_words(_core.snapshot, points, input_normals, positions, normals, confidences, eye,
-                              None if path is None else os.fspath(path))
+                              None if path is None else os.fsencode(path))

@@ -39,6 +39,21 @@ using l0_tool::Vector;
 struct Cancelled
 {};
 
+/// The bytes of a file or of the system, which may be no text, as text.
+py::str text_of(const std::string& bytes)
+{
+  PyObject* const text = PyUnicode_DecodeUTF8(bytes.data(), py::ssize_t(bytes.size()), "replace");
+  if (!text)
+    throw py::error_already_set();
+  return py::reinterpret_steal<py::str>(text);
+}
+
+[[noreturn]] void raise(PyObject* type, const std::string& message)
+{
+  PyErr_SetObject(type, text_of(message).ptr());
+  throw py::error_already_set();
+}
+
 /// Calls `function` with Python's exceptions for those of the program.
 template <typename Function>
 auto with_python_exceptions(const Function& function)
@@ -49,14 +64,10 @@ auto with_python_exceptions(const Function& function)
   }
   catch (const l0_tool::Failure& failure)
   {
-    if (failure.status() == l0_tool::INPUT_REFUSED)
-      throw py::value_error(failure.what());
-    if (failure.status() == l0_tool::OUTPUT_NOT_WRITTEN)
-    {
-      PyErr_SetString(PyExc_OSError, failure.what());
-      throw py::error_already_set();
-    }
-    throw;
+    raise(failure.status() == l0_tool::INPUT_REFUSED        ? PyExc_ValueError
+          : failure.status() == l0_tool::OUTPUT_NOT_WRITTEN ? PyExc_OSError
+                                                            : PyExc_RuntimeError,
+          failure.what());
   }
 }
 
@@ -66,8 +77,8 @@ l0_tool::File_format format_of(const std::string& path, const std::optional<std:
   const auto format = l0_tool::format_of(name ? "file." + *name : path);
   if (format)
     return *format;
-  throw py::value_error(name ? "format is '" + *name + "', which is none of the extensions that read_points() lists"
-                             : l0_tool::unknown_extension(path, "format="));
+  raise(PyExc_ValueError, name ? "format is '" + *name + "', which is none of the extensions that read_points() lists"
+                               : l0_tool::unknown_extension(path, "format="));
 }
 
 const char* typestr_of(Number_type type)
@@ -116,13 +127,13 @@ py::array array_of_triples(std::vector<Triple>&& triples, bool is_single)
   return py::array_t<double>(shape, reinterpret_cast<const double*>(vector->data()), owner);
 }
 
-/// One record for each point, with the names and number types of the properties.
+/// One record for each point, with the number types of the properties; the fields are named f0, f1, ...
 py::array records_of(l0_tool::Property_table&& table, std::size_t size)
 {
   py::list names, formats, offsets;
   for (const l0_tool::Property& property : table.properties())
   {
-    names.append(property.name);
+    names.append("f" + std::to_string(py::len(names)));
     formats.append(typestr_of(property.type));
     offsets.append(property.offset);
   }
@@ -133,7 +144,8 @@ py::array records_of(l0_tool::Property_table&& table, std::size_t size)
   return py::array(dtype, std::vector<py::ssize_t>{py::ssize_t(size)}, moved->row(0), owner);
 }
 
-/// \returns points, normals or None, properties, the number of points dropped, and warnings; or None if cancelled
+/// \returns points, normals or None, the names of the properties and their records, the number of points dropped, and
+/// warnings; or None if cancelled
 py::object read_points(const std::string& path, const std::optional<std::string>& format_name, bool drop_non_finite,
                        const py::object& callback)
 {
@@ -164,8 +176,13 @@ py::object read_points(const std::string& path, const std::optional<std::string>
   py::object normals = py::none();
   if (has_normals)
     normals = array_of_triples(std::move(cloud.normals), is_single);
-  return py::make_tuple(array_of_triples(std::move(cloud.points), is_single), normals,
-                        records_of(std::move(cloud.properties), size), cloud.number_of_dropped_points, cloud.warnings);
+  py::list names, warnings;
+  for (const l0_tool::Property& property : cloud.properties.properties())
+    names.append(text_of(property.name));
+  for (const std::string& warning : cloud.warnings)
+    warnings.append(text_of(warning));
+  return py::make_tuple(array_of_triples(std::move(cloud.points), is_single), normals, names,
+                        records_of(std::move(cloud.properties), size), cloud.number_of_dropped_points, warnings);
 }
 
 template <typename Triple>

@@ -84,6 +84,21 @@ def test_the_format_may_be_said(tmp_path, cube):
         cgal_l0.write_points(tmp_path / "cloud.dat", cube, format="doc")
 
 
+def test_odd_names(tmp_path, cube):
+    header = b"ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
+    path = os.path.join(os.fsencode(tmp_path), b"name_\xff.ply")   # of the file too
+    with open(path, "wb") as file:
+        file.write(header + b"property uchar a\nproperty uchar a\nproperty uchar \xff\nend_header\n1 2 3 4 5 6\n")
+    found = cgal_l0.read_points(path)
+    assert {name: values.tolist() for name, values in found.properties.items()} == {"a": [4], "a_2": [5], "\ufffd": [6]}
+    with open(path, "wb") as file:
+        file.write(header + b"end_header\n1 2\n")
+    with pytest.raises(ValueError, match="line 7: 1 points are announced"):
+        cgal_l0.read_points(os.fsdecode(path))
+    cgal_l0.write_points(path, cube, properties={"gr\u00f6\u00dfe": cube[:, 0]})
+    assert list(cgal_l0.read_points(path).properties) == ["gr\u00f6\u00dfe"]
+
+
 def test_bad_files(tmp_path):
     with pytest.raises(FileNotFoundError):
         cgal_l0.read_points(tmp_path / "none.ply")
