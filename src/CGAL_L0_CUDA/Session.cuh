@@ -102,7 +102,8 @@ struct Session
     return arrays;
   }
 
-  /// Takes the points that were written to these arrays, of which there may be fewer than was reserved for. Waits for the device.
+  /// Takes the points that were written to these arrays, of which there may be fewer than was
+  /// reserved for. Waits for the device.
   void take_input(const Input_arrays& arrays, unsigned number_of_points)
   {
     points = arrays.points;

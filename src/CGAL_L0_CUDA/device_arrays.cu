@@ -32,7 +32,8 @@ __device__ double3 row_at(const Device_rows& rows, unsigned row)
 
 __device__ bool is_finite(double3 v) { return isfinite(v.x) && isfinite(v.y) && isfinite(v.z); }
 
-/// \param last_from_end in: 0; out: how far the first point that is not finite is from the end; 0 if there is none
+/// \param last_from_end in: 0; out: how far the first point that is not finite is from the end; 0
+/// if there is none
 __global__ void look_for_non_finite(Device_rows rows, unsigned size, unsigned char* are_finite, unsigned* last_from_end)
 {
   const unsigned long long i = thread_index();
@@ -56,8 +57,10 @@ __global__ void take_rows(Device_rows rows, const unsigned* list, unsigned size,
   taken[3 * i + 2] = row.z;
 }
 
-/// Vectors of unit length, or zero where the caller's is of no use, as `read_directions()` on the host.
-/// \param has_one_sign whether the first coordinate that is not zero is made positive, as `read_normals()` does
+/// Vectors of unit length, or zero where the caller's is of no use, as `read_directions()` on the
+/// host.
+/// \param has_one_sign whether the first coordinate that is not zero is made positive, as
+/// `read_normals()` does
 __global__ void take_directions(Device_rows rows, const unsigned* list, unsigned size, bool has_one_sign, float* taken)
 {
   const unsigned long long i = thread_index();
@@ -90,7 +93,8 @@ struct Box
 __device__ Hash bits_of(float number) { return __float_as_uint(number); }
 __device__ Hash bits_of(double number) { return Hash(__double_as_longlong(number)); }
 
-/// A bijection that changes every bit of the result with half the probability if one bit of the argument changes.
+/// A bijection that changes every bit of the result with half the probability if one bit of the
+/// argument changes.
 __device__ Hash mixed(Hash bits)
 {
   bits = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9ull;

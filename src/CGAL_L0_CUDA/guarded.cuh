@@ -36,7 +36,8 @@ public:
   ~Device_scope() { cudaSetDevice(m_previous); }
 };
 
-/// Whether this process is a child of one that has used CUDA, which only that one can go on with. The first call tells which process that is.
+/// Whether this process is a child of one that has used CUDA, which only that one can go on with.
+/// The first call tells which process that is.
 inline bool is_forked()
 {
   static const pid_t process_of_cuda = getpid();

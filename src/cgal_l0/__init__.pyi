@@ -30,7 +30,8 @@ class _OnCudaDevice(Protocol):
     def __cuda_array_interface__(self) -> Any: ...
 
 _Points: TypeAlias = ArrayLike | _OnDevice | _OnCudaDevice
-# float32 or float64, as the points. For points on a CUDA device, which their type does not tell, it is a DeviceArray.
+# float32 or float64, as the points. For points on a CUDA device, which their type does not tell, it
+# is a DeviceArray.
 _Array: TypeAlias = NDArray[Any]
 _Path: TypeAlias = str | PathLike[str]
 

@@ -47,7 +47,9 @@ def _checked_shape(name, array, device, size):
     if len(shape) != 2 or shape[1] != 3:
         raise ValueError(f"{_described(name, array, _place(device))}, expected shape (n, 3)")
     if size is not None and shape[0] != size:
-        raise ValueError(f"{_described(name, array, _place(device))}, expected shape ({size}, 3) as points")
+        raise ValueError(
+            f"{_described(name, array, _place(device))}, expected shape ({size}, 3) as points"
+        )
 
 
 def _host_array(name, numbers):
@@ -55,8 +57,10 @@ def _host_array(name, numbers):
     if hasattr(numbers, "__dlpack__") and not hasattr(numbers, "__array__"):
         device = _dlpack_device(numbers)
         if device[0] != _cpu:
-            raise TypeError(f"{_described(name, numbers, f'a device of DLPack type {device[0]}')}, "
-                            "expected memory of the host or of a CUDA device")
+            raise TypeError(
+                f"{_described(name, numbers, f'a device of DLPack type {device[0]}')}, "
+                "expected memory of the host or of a CUDA device"
+            )
         numbers = numpy.from_dlpack(numbers)
     array = numpy.asarray(numbers)
     is_number = array.dtype.kind in "fiub"
@@ -73,14 +77,26 @@ def _device_array(name, array):
     else:
         interface = array.__cuda_array_interface__
         if interface.get("mask") is not None:
-            raise TypeError(f"{name} is a masked array, which __cuda_array_interface__ allows; expected one without")
+            raise TypeError(
+                f"{name} is a masked array by its __cuda_array_interface__, expected one without a mask"
+            )
         stream = interface.get("stream")
         if stream == 0:
-            raise ValueError(f"{name} has the stream 0, which __cuda_array_interface__ does not allow")
-        view = _core.DeviceView(array, interface["data"][0], interface["shape"], interface.get("strides"),
-                                interface["typestr"], -1 if stream is None else stream)
+            raise ValueError(
+                f"{name} has the stream 0, which __cuda_array_interface__ does not allow"
+            )
+        view = _core.DeviceView(
+            array,
+            interface["data"][0],
+            interface["shape"],
+            interface.get("strides"),
+            interface["typestr"],
+            -1 if stream is None else stream,
+        )
     if view.dtype not in ("float32", "float64"):
-        raise TypeError(f"{_described(name, view, _place(view.device))}, expected float32 or float64")
+        raise TypeError(
+            f"{_described(name, view, _place(view.device))}, expected float32 or float64"
+        )
     return view
 
 
@@ -98,8 +114,11 @@ def coordinates(**arrays):
             continue
         own_device = cuda_device_of(array)
         if own_device != device:
-            raise ValueError(f"{_described(name, array, _place(own_device))}, but {first} is on {_place(device)}: "
-                             "expected one device")
+            raise ValueError(
+                f"{_described(name, array, _place(own_device))}, but {first} is on "
+                f"{_place(device)}: "
+                "expected one device"
+            )
         converted = _host_array(name, array) if device is None else _device_array(name, array)
         _checked_shape(name, converted, device, size)
         size = converted.shape[0]

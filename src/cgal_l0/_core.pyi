@@ -65,7 +65,12 @@ class DeviceArray:
     @property
     def __cuda_array_interface__(self) -> dict[str, Any]: ...
     def __dlpack__(
-        self, *, stream: Any = None, max_version: Any = None, dl_device: Any = None, copy: bool | None = None
+        self,
+        *,
+        stream: Any = None,
+        max_version: Any = None,
+        dl_device: Any = None,
+        copy: bool | None = None,
     ) -> Any: ...
     def __dlpack_device__(self) -> tuple[int, int]: ...
     def __len__(self) -> int: ...
@@ -104,12 +109,21 @@ def resample_on_device(
     orientation_hints: DeviceView | None,
     parameters: Parameters,
     callback: Callable[[float], object] | None,
-) -> tuple[DeviceArray, DeviceArray, DeviceArray | None, DeviceArray | None, dict[str, Any]] | None: ...
+) -> (
+    tuple[DeviceArray, DeviceArray, DeviceArray | None, DeviceArray | None, dict[str, Any]] | None
+): ...
 def read_points(
-    path: bytes, format: str | None, drop_non_finite: bool, callback: Callable[[float], object] | None
+    path: bytes,
+    format: str | None,
+    drop_non_finite: bool,
+    callback: Callable[[float], object] | None,
 ) -> tuple[NDArray[Any], NDArray[Any] | None, list[str], NDArray[Any], int, list[str]] | None: ...
 def write_points(
-    path: bytes, format: str | None, points: NDArray[Any], normals: NDArray[Any] | None, properties: NDArray[Any]
+    path: bytes,
+    format: str | None,
+    points: NDArray[Any],
+    normals: NDArray[Any] | None,
+    properties: NDArray[Any],
 ) -> list[str]: ...
 def snapshot(
     points: NDArray[Any],

@@ -75,14 +75,18 @@ def read_points(path, *, format=None, drop_non_finite=False, callback=None):
     there is no such file, MemoryError, and Cancelled. Warns of what was not read.
     """
     os.stat(path)   # raises FileNotFoundError and its like
-    found = _with_python_words(_core.read_points, os.fsencode(path), format, bool(drop_non_finite), callback)
+    found = _with_python_words(
+        _core.read_points, os.fsencode(path), format, bool(drop_non_finite), callback
+    )
     if found is None:
         raise Cancelled("the callback returned False")
     points, normals, names, records, dropped, complaints = found
     for complaint in complaints:
         warnings.warn(complaint, stacklevel=2)
     fields = records.dtype.names or ()
-    return PointCloud(points, normals, {name: records[f] for name, f in zip(_distinct(names), fields)}, dropped)
+    return PointCloud(
+        points, normals, {name: records[f] for name, f in zip(_distinct(names), fields)}, dropped
+    )
 
 
 def _property(name, values, size):
@@ -94,7 +98,9 @@ def _property(name, values, size):
     elif array.dtype in (numpy.int64, numpy.uint64):
         narrow = numpy.int32 if array.size == 0 or array.min() < 0 else numpy.uint32
         if not numpy.array_equal(array.astype(narrow), array):
-            raise ValueError(f"the property {name!r} has numbers beyond 32 bits, which no format holds")
+            raise ValueError(
+                f"the property {name!r} has numbers beyond 32 bits, which no format holds"
+            )
         array = array.astype(narrow)
     elif array.dtype == numpy.float16:
         array = array.astype(numpy.float32)
@@ -123,15 +129,30 @@ def write_points(path, points, normals=None, properties=None, *, format=None):
     written.
     """
     points, normals = coordinates(points=points, normals=normals)
-    columns = [(name, _property(name, values, len(points))) for name, values in (properties or {}).items()]
+    columns = [
+        (name, _property(name, values, len(points))) for name, values in (properties or {}).items()
+    ]
     records = numpy.empty(len(points), [(name, values.dtype) for name, values in columns])
     for name, values in columns:
         records[name] = values
-    for name in _with_python_words(_core.write_points, os.fsencode(path), format, points, normals, records):
-        warnings.warn(f"{os.fspath(path)}: the format has no place for the property {name!r}", stacklevel=2)
+    for name in _with_python_words(
+        _core.write_points, os.fsencode(path), format, points, normals, records
+    ):
+        warnings.warn(
+            f"{os.fspath(path)}: the format has no place for the property {name!r}", stacklevel=2
+        )
 
 
-def snapshot(points, positions, normals, *, input_normals=None, feature_confidences=None, view=None, path=None):
+def snapshot(
+    points,
+    positions,
+    normals,
+    *,
+    input_normals=None,
+    feature_confidences=None,
+    view=None,
+    path=None,
+):
     """Draw the input on the left and the result on the right, seen from the same side.
 
     image = cgal_l0.snapshot(points, positions, normals, path="picture.png")
@@ -160,9 +181,20 @@ def snapshot(points, positions, normals, *, input_normals=None, feature_confiden
     if feature_confidences is not None:
         confidences = numpy.ascontiguousarray(feature_confidences, dtype=numpy.float32)
         if confidences.shape != (len(positions),):
-            raise ValueError(f"feature_confidences has the shape {confidences.shape}, expected ({len(positions)},)")
+            raise ValueError(
+                f"feature_confidences has the shape {confidences.shape}, "
+                f"expected ({len(positions)},)"
+            )
     eye = None if view is None else [float(coordinate) for coordinate in view]
     if eye is not None and (len(eye) != 3 or not numpy.isfinite(eye).all() or not any(eye)):
         raise ValueError(f"view is {eye}, expected three finite coordinates that are not all 0")
-    return _with_python_words(_core.snapshot, points, input_normals, positions, normals, confidences, eye,
-                              None if path is None else os.fsencode(path))
+    return _with_python_words(
+        _core.snapshot,
+        points,
+        input_normals,
+        positions,
+        normals,
+        confidences,
+        eye,
+        None if path is None else os.fsencode(path),
+    )

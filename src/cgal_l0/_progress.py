@@ -39,7 +39,12 @@ def progress_bar(description="resampling", *, file=None):
     if file is None and not _is_shown(sys.stderr):
         yield lambda share: None
     elif tqdm is not None:
-        with tqdm(desc=description, total=100, file=file, bar_format="{desc} {percentage:3.0f} % |{bar}| {elapsed}") as bar:
+        with tqdm(
+            desc=description,
+            total=100,
+            file=file,
+            bar_format="{desc} {percentage:3.0f} % |{bar}| {elapsed}",
+        ) as bar:
             yield lambda share: bar.update(100 * share - bar.n) and None
     else:
         yield from _text_bar(description, sys.stderr if file is None else file)

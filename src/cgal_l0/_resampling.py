@@ -11,8 +11,14 @@ from . import _core
 from ._arrays import coordinates, cuda_device_of
 from .reports import report_of
 
-_whole_numbers = ("number_of_output_points", "number_of_normal_filter_iterations",
-                  "number_of_orientation_neighbors", "random_seed", "maximum_memory", "threads")
+_whole_numbers = (
+    "number_of_output_points",
+    "number_of_normal_filter_iterations",
+    "number_of_orientation_neighbors",
+    "random_seed",
+    "maximum_memory",
+    "threads",
+)
 
 
 class Cancelled(Exception):
@@ -42,8 +48,10 @@ def _device_choice(device, points):
         device = "cpu" if cuda_device is None else "cuda"
     choice = _choice("device", device, _core.Device)
     if cuda_device is not None and choice == _core.Device.cpu:
-        raise ValueError(f"points is on cuda:{cuda_device}, which device='cpu' cannot read: "
-                         "copy it to the host first, or leave device out")
+        raise ValueError(
+            f"points is on cuda:{cuda_device}, which device='cpu' cannot read: "
+            "copy it to the host first, or leave device out"
+        )
     return choice
 
 
@@ -206,10 +214,15 @@ def l0_resample_point_set(
         try:
             setattr(parameters, name, value)
         except TypeError:
-            # A number that does not fit, such as a negative seed, is a bad value; a string is a bad type.
+            # A number that does not fit is a bad value; a string is a bad type.
             error = ValueError if isinstance(value, (int, float, list)) else TypeError
-            expected = ("three coordinates" if name == "viewpoint" else
-                        "a whole number" if name in _whole_numbers else "a number")
+            expected = (
+                "three coordinates"
+                if name == "viewpoint"
+                else "a whole number"
+                if name in _whole_numbers
+                else "a number"
+            )
             if isinstance(value, int) and name in _whole_numbers:
                 expected = "a whole number of at least 0 that 64 bits hold"
             raise error(f"{name} is {value!r}, expected {expected}") from None

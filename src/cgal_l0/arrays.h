@@ -17,7 +17,8 @@
 
 namespace l0_python {
 
-/// \param array of the shape (n, 3) and of `float` or `double`, which the Python part of the package sees to
+/// \param array of the shape (n, 3) and of `float` or `double`, which the Python part of the
+/// package sees to
 inline Array_view view_of(const pybind11::array& array)
 {
   Array_view view;
@@ -41,7 +42,8 @@ std::pair<pybind11::capsule, T*> owned_by_python(T&& object)
   return {owner, address};
 }
 
-/// An array of that many columns that takes the numbers over; of one dimension if there is one column.
+/// An array of that many columns that takes the numbers over; of one dimension if there is one
+/// column.
 template <typename T>
 pybind11::array_t<T> array_of(std::vector<T>&& numbers, pybind11::ssize_t columns)
 {

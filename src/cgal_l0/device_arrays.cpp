@@ -66,7 +66,8 @@ Device_view view_of_dlpack(const py::object& array)
   auto* managed = static_cast<dlpack::Managed_tensor*>(PyCapsule_GetPointer(capsule.ptr(), dlpack::capsule_name));
   if (!managed)
     throw py::error_already_set();
-  // A capsule that nobody has taken over deletes the tensor with itself, so it can be the owner as it is.
+  // A capsule that nobody has taken over deletes the tensor with itself, so it can be the owner as
+  // it is.
   const dlpack::Tensor& tensor = managed->tensor;
   Device_view view;
   view.owner = std::move(capsule);

@@ -10,7 +10,8 @@
 
 namespace l0_python {
 
-/// The binary interface of DLPack, by which libraries hand arrays to each other: what a capsule named "dltensor" points to.
+/// The binary interface of DLPack, by which libraries hand arrays to each other: what a capsule
+/// named "dltensor" points to.
 namespace dlpack {
 
 struct Device

@@ -109,7 +109,8 @@ Number_type number_type_of(const py::dtype& dtype)
   }
 }
 
-/// Points or vectors, three numbers each, as an array that takes them over, or has them in single precision.
+/// Points or vectors, three numbers each, as an array that takes them over, or has them in single
+/// precision.
 template <typename Triple>
 py::array array_of_triples(std::vector<Triple>&& triples, bool is_single)
 {
@@ -127,7 +128,8 @@ py::array array_of_triples(std::vector<Triple>&& triples, bool is_single)
   return py::array_t<double>(shape, reinterpret_cast<const double*>(vector->data()), owner);
 }
 
-/// One record for each point, with the number types of the properties; the fields are named f0, f1, ...
+/// One record for each point, with the number types of the properties; the fields are named f0, f1,
+/// ...
 py::array records_of(l0_tool::Property_table&& table, std::size_t size)
 {
   py::list names, formats, offsets;
@@ -144,8 +146,8 @@ py::array records_of(l0_tool::Property_table&& table, std::size_t size)
   return py::array(dtype, std::vector<py::ssize_t>{py::ssize_t(size)}, moved->row(0), owner);
 }
 
-/// \returns points, normals or None, the names of the properties and their records, the number of points dropped, and
-/// warnings; or None if cancelled
+/// \returns points, normals or None, the names of the properties and their records, the number of
+/// points dropped, and warnings; or None if cancelled
 py::object read_points(const std::string& path, const std::optional<std::string>& format_name, bool drop_non_finite,
                        const py::object& callback)
 {

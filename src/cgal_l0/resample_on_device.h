@@ -19,8 +19,8 @@ Resamples points that are in the memory of a CUDA device. Points and result are 
 - feature confidences, for which the result is;
 - results that coincide after rounding to the number type of the points, which are separated on the host.
 
-\param points, normals, orientation_hints of one size, of shape (n, 3), of `float` or `double` and on one device, which the Python
-part of the package sees to; the latter two may be null
+\param points, normals, orientation_hints of one size, of shape (n, 3), of `float` or `double` and on
+one device, which the Python part of the package sees to; the latter two may be null
 
 \returns positions, normals, source indices or None, feature confidences or None, and the report; or None, if the
 callback cancelled

@@ -3,7 +3,8 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""Makes a wheel of a build that is there, installs it into an empty environment and uses it; makes a source distribution:
+"""Makes a wheel of a build that is there, installs it into an empty environment and uses it; makes
+a source distribution:
 
 test_wheel.py SOURCE BUILD SCRATCH
 
@@ -34,9 +35,13 @@ assert len(cgal_l0.read_points("clean.ply").points) == 500
 
 
 def run(*command, **options):
-    outcome = subprocess.run([str(word) for word in command], capture_output=True, text=True, **options)
+    outcome = subprocess.run(
+        [str(word) for word in command], capture_output=True, text=True, **options
+    )
     if outcome.returncode != 0:
-        sys.exit(f"{command} ended with status {outcome.returncode}:\n{outcome.stdout}\n{outcome.stderr}")
+        sys.exit(
+            f"{command} ended with status {outcome.returncode}:\n{outcome.stdout}\n{outcome.stderr}"
+        )
     return outcome.stdout
 
 
@@ -44,7 +49,14 @@ def copy_of(source, scratch):
     """What a wheel is built of, where it may be written to."""
     copy = scratch / "source"
     copy.mkdir(parents=True)
-    for name in ("CMakeLists.txt", "LICENSE", "MANIFEST.in", "README.md", "pyproject.toml", "setup.py"):
+    for name in (
+        "CMakeLists.txt",
+        "LICENSE",
+        "MANIFEST.in",
+        "README.md",
+        "pyproject.toml",
+        "setup.py",
+    ):
         shutil.copy(source / name, copy)
     for name in ("cmake", "include", "src"):
         shutil.copytree(source / name, copy / name, ignore=shutil.ignore_patterns("__pycache__"))
@@ -52,42 +64,79 @@ def copy_of(source, scratch):
 
 
 def installed(wheel, scratch):
-    """The folder of an environment that has the wheel, and of this system no more than its packages."""
+    """The folder of an environment that has the wheel, and the packages of this system."""
     folder = scratch / "environment"
     venv.create(folder, system_site_packages=True, with_pip=False)
-    run(sys.executable, "-m", "pip", "--python", folder / "bin" / "python", "install", "--no-index", "--no-deps", wheel)
+    run(
+        sys.executable,
+        "-m",
+        "pip",
+        "--python",
+        folder / "bin" / "python",
+        "install",
+        "--no-index",
+        "--no-deps",
+        wheel,
+    )
     return folder
 
 
 def check_source_distribution(copy, scratch):
     """It has all that CMake wants to see, and no more than what is needed."""
-    run(sys.executable, "-c", "from setuptools import build_meta; build_meta.build_sdist('../distribution')", cwd=copy)
+    run(
+        sys.executable,
+        "-c",
+        "from setuptools import build_meta; build_meta.build_sdist('../distribution')",
+        cwd=copy,
+    )
     (archive,) = (scratch / "distribution").glob("cgal*.tar.gz")
     with tarfile.open(archive) as tar:
         tar.extractall(scratch / "unpacked")
     (folder,) = (scratch / "unpacked").iterdir()
-    wanted = {path.relative_to(copy) for name in ("cmake", "include", "src") for path in (copy / name).rglob("*.*")}
+    wanted = {
+        path.relative_to(copy)
+        for name in ("cmake", "include", "src")
+        for path in (copy / name).rglob("*.*")
+    }
     missing = {path for path in wanted if not (folder / path).exists()}
     assert not missing, missing
     assert (folder / "setup.py").exists() and (folder / "pyproject.toml").exists()
-    unwanted = [path for path in folder.iterdir() if path.name in ("test", "data", "benchmark", "doc")]
+    unwanted = [
+        path for path in folder.iterdir() if path.name in ("test", "data", "benchmark", "doc")
+    ]
     assert not unwanted, unwanted
 
 
 def main():
-    if missing := [name for name in ("pip", "setuptools", "wheel") if not importlib.util.find_spec(name)]:
+    if missing := [
+        name for name in ("pip", "setuptools", "wheel") if not importlib.util.find_spec(name)
+    ]:
         print(", ".join(missing), "not installed, so no wheel was made")
         return SKIPPED
     source, build, scratch = map(pathlib.Path, sys.argv[1:])
     shutil.rmtree(scratch, ignore_errors=True)
     copy = copy_of(source, scratch)
     os.environ.pop("PYTHONPATH", None)   # the package is that of the wheel only
-    run(sys.executable, "-m", "pip", "wheel", copy, "--no-build-isolation", "--no-deps", "--no-index", "--no-cache-dir",
-        "-w", scratch, env={**os.environ, "CGAL_L0_BUILD_DIRECTORY": str(build)})
+    run(
+        sys.executable,
+        "-m",
+        "pip",
+        "wheel",
+        copy,
+        "--no-build-isolation",
+        "--no-deps",
+        "--no-index",
+        "--no-cache-dir",
+        "-w",
+        scratch,
+        env={**os.environ, "CGAL_L0_BUILD_DIRECTORY": str(build)},
+    )
     (wheel,) = scratch.glob("cgal_l0-*.whl")
     with zipfile.ZipFile(wheel) as content:
         names = set(content.namelist())
-    stubs = {f"cgal_l0/{path.name}" for path in (source / "src" / "cgal_l0").glob("*.py*")} | {"cgal_l0/py.typed"}
+    stubs = {f"cgal_l0/{path.name}" for path in (source / "src" / "cgal_l0").glob("*.py*")} | {
+        "cgal_l0/py.typed"
+    }
     assert stubs <= names, stubs - names
 
     environment = installed(wheel, scratch)

@@ -260,7 +260,8 @@ public:
     resample_and_write(find_near, write, np);
   }
 
-  // For callers whose points are on the device already, and whose result stays there, such as the Python package.
+  // For callers whose points are on the device already, and whose result stays there, such as the
+  // Python package.
 
   /// \throws Device_error if the device cannot be used
   explicit CUDA_resampler(int device)

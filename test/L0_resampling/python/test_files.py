@@ -22,21 +22,31 @@ formats = ["ply", "pcd", "off", "xyz", "npy"]
 def cloud(cube, cube_normals):
     """Points whose coordinates single precision holds, so that every format does."""
     points = numpy.float32(cube).astype(float)
-    return points, cube_normals, {"red": numpy.arange(6000, dtype=numpy.uint8),
-                                  "green": numpy.full(6000, 7, numpy.uint8),
-                                  "blue": numpy.zeros(6000, numpy.uint8),
-                                  "intensity": numpy.linspace(0, 1, 6000)}
+    return (
+        points,
+        cube_normals,
+        {
+            "red": numpy.arange(6000, dtype=numpy.uint8),
+            "green": numpy.full(6000, 7, numpy.uint8),
+            "blue": numpy.zeros(6000, numpy.uint8),
+            "intensity": numpy.linspace(0, 1, 6000),
+        },
+    )
 
 
 @pytest.mark.parametrize("format", formats)
 def test_what_is_written_is_read_again(tmp_path, cloud, format):
     points, normals, properties = cloud
     path = tmp_path / f"cloud.{format}"
-    held = {"ply": list(properties), "pcd": list(properties), "off": ["red", "green", "blue"]}.get(format, [])
+    held = {"ply": list(properties), "pcd": list(properties), "off": ["red", "green", "blue"]}.get(
+        format, []
+    )
     with warnings.catch_warnings(record=True) as complaints:
         warnings.simplefilter("always")
         cgal_l0.write_points(path, points, normals, properties)
-    assert [str(c.message).split("property ")[1] for c in complaints] == [repr(n) for n in properties if n not in held]
+    assert [str(c.message).split("property ")[1] for c in complaints] == [
+        repr(n) for n in properties if n not in held
+    ]
     found = cgal_l0.read_points(path)
     assert numpy.array_equal(found.points, points) and numpy.array_equal(found.normals, normals)
     assert sorted(found.properties) == sorted(held)
@@ -49,7 +59,10 @@ def test_what_is_written_is_read_again(tmp_path, cloud, format):
 def test_the_program_reads_the_same(tmp_path, cloud, format):
     path = tmp_path / f"cloud.{format}"
     cgal_l0.write_points(path, *cloud[:2])
-    subprocess.run([os.environ["L0_RESAMPLE"], "--convert-only", "--quiet", path, tmp_path / "other.xyz"], check=True)
+    subprocess.run(
+        [os.environ["L0_RESAMPLE"], "--convert-only", "--quiet", path, tmp_path / "other.xyz"],
+        check=True,
+    )
     table = numpy.loadtxt(tmp_path / "other.xyz")
     # of PCD single precision, in as few digits as that needs
     assert numpy.array_equal(table.astype(numpy.float32), numpy.float32(numpy.hstack(cloud[:2])))
@@ -59,17 +72,28 @@ def test_number_types(tmp_path, cube):
     for number_type in (numpy.float32, numpy.float64):
         cgal_l0.write_points(tmp_path / "cloud.ply", cube.astype(number_type))
         found = cgal_l0.read_points(str(tmp_path / "cloud.ply"))
-        assert found.points.dtype == number_type and found.normals is None and found.properties == {}
+        assert (
+            found.points.dtype == number_type and found.normals is None and found.properties == {}
+        )
         assert numpy.array_equal(found.points, cube.astype(number_type))
-    columns = {"a": numpy.arange(6000), "b": -numpy.arange(6000), "c": numpy.arange(6000) % 2 == 0,
-               "d": numpy.arange(6000, dtype=">i2"), "e": numpy.ones(6000, numpy.float16)}
+    columns = {
+        "a": numpy.arange(6000),
+        "b": -numpy.arange(6000),
+        "c": numpy.arange(6000) % 2 == 0,
+        "d": numpy.arange(6000, dtype=">i2"),
+        "e": numpy.ones(6000, numpy.float16),
+    }
     cgal_l0.write_points(tmp_path / "cloud.ply", cube[::-1], properties=columns)
     found = cgal_l0.read_points(tmp_path / "cloud.ply")
     assert numpy.array_equal(found.points, cube[::-1])
     for name, values in columns.items():
         assert numpy.array_equal(found.properties[name], values), name
-    for wrong, error in ((numpy.full(6000, 2**40), ValueError), (numpy.zeros(6000, complex), TypeError),
-                         (numpy.zeros(5), ValueError), (numpy.zeros((6000, 2)), ValueError)):
+    for wrong, error in (
+        (numpy.full(6000, 2**40), ValueError),
+        (numpy.zeros(6000, complex), TypeError),
+        (numpy.zeros(5), ValueError),
+        (numpy.zeros((6000, 2)), ValueError),
+    ):
         with pytest.raises(error, match="the property 'a'"):
             cgal_l0.write_points(tmp_path / "cloud.ply", cube, properties={"a": wrong})
 
@@ -85,12 +109,20 @@ def test_the_format_may_be_said(tmp_path, cube):
 
 
 def test_odd_names(tmp_path, cube):
-    header = b"ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
+    header = b"ply\nformat ascii 1.0\nelement vertex 1\n"
+    header += b"property float x\nproperty float y\nproperty float z\n"
     path = os.path.join(os.fsencode(tmp_path), b"name_\xff.ply")   # of the file too
     with open(path, "wb") as file:
-        file.write(header + b"property uchar a\nproperty uchar a\nproperty uchar \xff\nend_header\n1 2 3 4 5 6\n")
+        file.write(
+            header
+            + b"property uchar a\nproperty uchar a\nproperty uchar \xff\nend_header\n1 2 3 4 5 6\n"
+        )
     found = cgal_l0.read_points(path)
-    assert {name: values.tolist() for name, values in found.properties.items()} == {"a": [4], "a_2": [5], "\ufffd": [6]}
+    assert {name: values.tolist() for name, values in found.properties.items()} == {
+        "a": [4],
+        "a_2": [5],
+        "\ufffd": [6],
+    }
     with open(path, "wb") as file:
         file.write(header + b"end_header\n1 2\n")
     with pytest.raises(ValueError, match="line 7: 1 points are announced"):
@@ -141,12 +173,14 @@ def test_snapshot(tmp_path, cube, cube_normals):
     assert image.dtype == numpy.uint8 and image.ndim == 3 and image.shape[2] == 3
     assert (tmp_path / "picture.png").read_bytes().startswith(b"\x89PNG")
     left, right = numpy.split(image, 2, axis=1)
-    assert left.std(axis=2).max() == 0     # gray
-    assert right.std(axis=2).max() > 20    # normals in color
+    assert left.std(axis=2).max() == 0   # gray
+    assert right.std(axis=2).max() > 20   # normals in color
     assert not numpy.array_equal(image, cgal_l0.snapshot(cube, positions, normals, view=(1, 0, 0)))
     colored = cgal_l0.snapshot(cube, positions, normals, input_normals=cube_normals)
     assert numpy.split(colored, 2, axis=1)[0].std(axis=2).max() > 20
-    marked = numpy.split(cgal_l0.snapshot(cube, positions, normals, feature_confidences=confidences), 2, axis=1)[1]
+    marked = numpy.split(
+        cgal_l0.snapshot(cube, positions, normals, feature_confidences=confidences), 2, axis=1
+    )[1]
     assert (marked[..., 0] >= marked[..., 1]).all() and (marked[..., 0] > marked[..., 1]).any()
     for view in ((0, 0, 0), (1, 2), (1, 2, float("nan"))):
         with pytest.raises(ValueError, match="view is"):
@@ -158,8 +192,19 @@ def test_snapshot(tmp_path, cube, cube_normals):
 def test_the_picture_is_that_of_the_program(tmp_path, cube):
     source, result, picture = (tmp_path / name for name in ("in.ply", "out.ply", "program.png"))
     cgal_l0.write_points(source, cube)
-    subprocess.run([os.environ["L0_RESAMPLE"], source, result, "--device", "cpu", "--quiet", "--snapshot", picture],
-                   check=True)
+    subprocess.run(
+        [
+            os.environ["L0_RESAMPLE"],
+            source,
+            result,
+            "--device",
+            "cpu",
+            "--quiet",
+            "--snapshot",
+            picture,
+        ],
+        check=True,
+    )
     found = cgal_l0.read_points(result)
     cgal_l0.snapshot(cube, found.points, found.normals, path=tmp_path / "own.png")
     assert picture.read_bytes() == (tmp_path / "own.png").read_bytes()

@@ -71,9 +71,11 @@ def test_help_says_the_defaults():
 
 
 def test_help_explains_what_is_returned():
-    for kind in (cgal_l0.Report, cgal_l0.StageReport, cgal_l0.IterationReport, cgal_l0.SolverReport, cgal_l0.PointCloud):
+    reports = [cgal_l0.Report, cgal_l0.StageReport, cgal_l0.IterationReport, cgal_l0.SolverReport]
+    for kind in [*reports, cgal_l0.PointCloud]:
         for field in dataclasses.fields(kind):
-            assert re.search(rf"^    (\w+, )*{field.name}(, \w+)*: ", kind.__doc__, re.MULTILINE), (kind, field.name)
+            explanation = re.compile(rf"^    (\w+, )*{field.name}(, \w+)*: ", re.MULTILINE)
+            assert explanation.search(kind.__doc__), (kind, field.name)
 
 
 def test_a_strict_type_checker_is_content(tmp_path):
@@ -90,11 +92,13 @@ def test_a_strict_type_checker_is_content(tmp_path):
                    "print(positions.shape, normals.shape, report.neighbor_radius + 1, report.stages[0].name.upper())"
                    ).startswith("Success")
     assert checked('cloud = cgal_l0.read_points("scan.ply")',
-                   'positions, normals = cgal_l0.l0_resample_point_set(cloud.points, cloud.normals)',
+                   'positions, normals = cgal_l0.l0_resample_point_set(',
+                   '    cloud.points, cloud.normals)',
                    'cgal_l0.write_points("out.ply", positions, normals, cloud.properties)',
                    'print(cgal_l0.snapshot(cloud.points, positions, normals, path="a.png").shape)',
                    'with cgal_l0.progress_bar() as callback:',
-                   '    cgal_l0.l0_resample_point_set(cloud.points, callback=callback, device="auto")'
+                   '    cgal_l0.l0_resample_point_set(',
+                   '        cloud.points, callback=callback, device="auto")'
                    ).startswith("Success")
     assert "No overload" in checked("cgal_l0.l0_resample_point_set(numpy.zeros((9, 3)), method='best')")
     assert 'has no attribute "speed"' in checked("cgal_l0.l0_resample_point_set([], report=True)[2].speed")

@@ -24,7 +24,9 @@ def test_a_bar_of_text(cube, monkeypatch):
     assert numpy.array_equal(with_bar[0], cgal_l0.l0_resample_point_set(cube)[0])
     shown = file.getvalue()
     assert shown.startswith("\rcube ") and shown.endswith("\n")
-    percentages = [int(part.split("%")[0].split()[-1]) for part in shown.strip("\n").split("\r")[1:]]
+    percentages = [
+        int(part.split("%")[0].split()[-1]) for part in shown.strip("\n").split("\r")[1:]
+    ]
     assert percentages == sorted(set(percentages)) and len(percentages) > 3
 
 

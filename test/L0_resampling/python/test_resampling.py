@@ -59,7 +59,8 @@ def test_orientation_hints(cube, cube_normals, tool):
     assert same(result[:2], (positions, normals))
     assert result[2].hinted_share == 1
     assert same(l0_resample_point_set(cube, orientation_hints=outward), (positions, -normals))
-    with pytest.raises(ValueError, match="viewpoint is given, expected no orientation_hints beside it"):
+    refusal = "viewpoint is given, expected no orientation_hints beside it"
+    with pytest.raises(ValueError, match=refusal):
         l0_resample_point_set(cube, viewpoint=(0, 0, 0), orientation_hints=outward)
     with pytest.raises(ValueError, match="viewpoint"):
         l0_resample_point_set(cube, viewpoint=(0, 0))
@@ -169,7 +170,7 @@ def test_other_number_types_are_converted():
     assert same(l0_resample_point_set(steps.astype(">f8")), expected)
     assert same(l0_resample_point_set(steps.astype(">f4")), l0_resample_point_set(steps.astype(numpy.float32)))
     for wrong in (steps.astype(complex), steps.astype(str), steps.astype(object), steps.astype(numpy.longdouble)):
-        with pytest.raises(TypeError, match="points is a .* array .*, expected numbers that float64 can hold"):
+        with pytest.raises(TypeError, match="points is a .* array .*, expected numbers that float64"):
             l0_resample_point_set(wrong)
 
 
@@ -199,7 +200,7 @@ def test_small_inputs():
 
 def test_drop_non_finite(cube):
     bad = numpy.vstack([cube, [[numpy.nan, 0, 0], [0, numpy.inf, 0]]])
-    expected = r"points\[6000\] has a coordinate that is not finite .*; drop_non_finite=True leaves such points out"
+    expected = r"points\[6000\] has a coordinate that is not finite .*; drop_non_finite=True leaves"
     with pytest.raises(ValueError, match=expected):
         l0_resample_point_set(bad)
     *result, report = l0_resample_point_set(bad, drop_non_finite=True, report=True)
@@ -236,8 +237,10 @@ def test_drop_outliers(cube):
     (ValueError, "device is 'tpu'", {"device": "tpu"}),
     (TypeError, "neighbor_radius is '1'", {"neighbor_radius": "1"}),
     (TypeError, "nonsense", {"nonsense": 1}),
-    (ValueError, r"normals is .* of shape \(5, 3\) on cpu, expected shape \(6000, 3\)", {"normals": numpy.ones((5, 3))}),
-    (ValueError, r"normals is .* of shape \(6000, 2\) on cpu, expected", {"normals": numpy.ones((6000, 2))}),
+    (ValueError, r"normals is .* of shape \(5, 3\) on cpu, expected shape \(6000, 3\)",
+     {"normals": numpy.ones((5, 3))}),
+    (ValueError, r"normals is .* of shape \(6000, 2\) on cpu, expected shape",
+     {"normals": numpy.ones((6000, 2))}),
 ])
 def test_refusals(cube, error, message, named):
     with pytest.raises(error, match=message) as raised:

@@ -5,8 +5,8 @@
 
 """Points on a CUDA device are resampled there: arrays of torch, CuPy, and of nobody's library.
 
-Without a device, or with a module that was built without CUDA, all of this is skipped; without torch or CuPy what needs
-them is.
+Without a device, or with a module that was built without CUDA, all of this is skipped; without
+torch or CuPy what needs them is.
 """
 
 import ctypes
@@ -31,7 +31,9 @@ def optional(name):
 
 
 torch, cupy = optional("torch"), optional("cupy")
-needs_torch = pytest.mark.skipif(torch is None or not torch.cuda.is_available(), reason="no torch with CUDA")
+needs_torch = pytest.mark.skipif(
+    torch is None or not torch.cuda.is_available(), reason="no torch with CUDA"
+)
 needs_cupy = pytest.mark.skipif(cupy is None, reason="no CuPy")
 
 
@@ -42,7 +44,9 @@ def noisy_cube(n, number_type, seed=1):
     normals = numpy.zeros((n, 3))
     normals[numpy.arange(n), axis] = random.choice([-1.0, 1.0], size=n)
     points[numpy.arange(n), axis] = normals[numpy.arange(n), axis] / 2
-    return (points + random.normal(scale=0.01, size=(n, 3))).astype(number_type), normals.astype(number_type)
+    return (points + random.normal(scale=0.01, size=(n, 3))).astype(number_type), normals.astype(
+        number_type
+    )
 
 
 @pytest.fixture(params=[numpy.float32, numpy.float64])
@@ -67,12 +71,24 @@ class DriverArray:
         assert self.library.cuCtxSetCurrent(context) == 0
         base = array if array.base is None else array.base
         self.pointer = ctypes.c_uint64()
-        assert self.library.cuMemAlloc_v2(ctypes.byref(self.pointer), ctypes.c_size_t(base.nbytes)) == 0
-        assert self.library.cuMemcpyHtoD_v2(self.pointer, base.ctypes.data_as(ctypes.c_void_p),
-                                            ctypes.c_size_t(base.nbytes)) == 0
+        assert (
+            self.library.cuMemAlloc_v2(ctypes.byref(self.pointer), ctypes.c_size_t(base.nbytes))
+            == 0
+        )
+        assert (
+            self.library.cuMemcpyHtoD_v2(
+                self.pointer, base.ctypes.data_as(ctypes.c_void_p), ctypes.c_size_t(base.nbytes)
+            )
+            == 0
+        )
         offset = array.ctypes.data - base.ctypes.data
-        self.__cuda_array_interface__ = {"shape": array.shape, "typestr": array.dtype.str, "version": 3,
-                                         "strides": array.strides, "data": (self.pointer.value + offset, False)}
+        self.__cuda_array_interface__ = {
+            "shape": array.shape,
+            "typestr": array.dtype.str,
+            "version": 3,
+            "strides": array.strides,
+            "data": (self.pointer.value + offset, False),
+        }
 
     def __del__(self):
         self.library.cuMemFree_v2(self.pointer)
@@ -92,9 +108,15 @@ def test_equals_the_call_from_the_host(cube):
     *result, report = l0_resample_point_set(DriverArray(points), report=True)
     assert [type(array) for array in result] == [cgal_l0.DeviceArray] * 2
     assert (report.device, report.device_reason) == ("cuda", "the points are on it")
-    assert report.number_of_input_points == len(points) and report.number_of_output_points == len(result[0])
+    assert report.number_of_input_points == len(points) and report.number_of_output_points == len(
+        result[0]
+    )
     assert same(map(host, result), expected)
-    assert result[0].shape == (10000, 3) and result[0].dtype == str(points.dtype) and len(result[0]) == 10000
+    assert (
+        result[0].shape == (10000, 3)
+        and result[0].dtype == str(points.dtype)
+        and len(result[0]) == 10000
+    )
     assert "float" in repr(result[0]) and "cuda:0" in repr(result[0])
     for device in ("cuda", "auto"):
         assert same(map(host, l0_resample_point_set(DriverArray(points), device=device)), expected)
@@ -109,25 +131,48 @@ def test_normals_hints_and_parameters(cube):
     result = list(map(host, l0_resample_point_set(DriverArray(points), DriverArray(scaled))))
     # The last bit of a normal may differ, as the device contracts a product and a sum.
     assert numpy.abs(result[0] - expected[0]).max() < 1e-6
-    outward = numpy.copysign(1, (points * normals).sum(axis=1, keepdims=True)).astype(points.dtype) * normals
+    outward = (
+        numpy.copysign(1, (points * normals).sum(axis=1, keepdims=True)).astype(points.dtype)
+        * normals
+    )
     for sign in (1, -1):
         hints = sign * outward
-        *hinted, report = l0_resample_point_set(DriverArray(points), orientation_hints=DriverArray(hints), report=True)
+        *hinted, report = l0_resample_point_set(
+            DriverArray(points), orientation_hints=DriverArray(hints), report=True
+        )
         assert report.hinted_share == 1
-        assert same(map(host, hinted), l0_resample_point_set(points, orientation_hints=hints, device="cuda"))
-    options = {"number_of_output_points": 777, "method": "lor", "random_seed": 5, "neighbor_radius": 0.2}
-    assert same(map(host, l0_resample_point_set(DriverArray(points), **options)),
-                l0_resample_point_set(points, device="cuda", **options))
+        assert same(
+            map(host, hinted), l0_resample_point_set(points, orientation_hints=hints, device="cuda")
+        )
+    options = {
+        "number_of_output_points": 777,
+        "method": "lor",
+        "random_seed": 5,
+        "neighbor_radius": 0.2,
+    }
+    assert same(
+        map(host, l0_resample_point_set(DriverArray(points), **options)),
+        l0_resample_point_set(points, device="cuda", **options),
+    )
     with pytest.raises(ValueError, match="viewpoint is given, expected no orientation_hints"):
-        l0_resample_point_set(DriverArray(points), orientation_hints=DriverArray(outward), viewpoint=(0, 0, 0))
+        l0_resample_point_set(
+            DriverArray(points), orientation_hints=DriverArray(outward), viewpoint=(0, 0, 0)
+        )
     with pytest.raises(ValueError, match="normal_weight is -1"):
         l0_resample_point_set(DriverArray(points), normal_weight=-1)
     with pytest.raises(MemoryError):
         l0_resample_point_set(DriverArray(points), maximum_memory=1000)
 
 
-@pytest.mark.parametrize("view", [lambda a: numpy.asfortranarray(a), lambda a: numpy.repeat(a, 2, axis=0)[::2],
-                                  lambda a: numpy.hstack([a, a])[:, 1:4][:, ::-1], lambda a: numpy.array(a[::-1])[::-1]])
+@pytest.mark.parametrize(
+    "view",
+    [
+        lambda a: numpy.asfortranarray(a),
+        lambda a: numpy.repeat(a, 2, axis=0)[::2],
+        lambda a: numpy.hstack([a, a])[:, 1:4][:, ::-1],
+        lambda a: numpy.array(a[::-1])[::-1],
+    ],
+)
 def test_any_strides(cube, view):
     points = view(cube[0])
     expected = l0_resample_point_set(numpy.ascontiguousarray(points), device="cuda")
@@ -139,12 +184,16 @@ def test_points_that_are_not_finite(cube):
     points = cube[0]
     bad = numpy.insert(points, [5, 700], numpy.nan, axis=0)
     bad[5, :2] = 1, 2
-    with pytest.raises(ValueError, match=r"points\[5\] has a coordinate that is not finite \(1.0*, 2.0*, nan\)"):
+    with pytest.raises(
+        ValueError, match=r"points\[5\] has a coordinate that is not finite \(1.0*, 2.0*, nan\)"
+    ):
         l0_resample_point_set(DriverArray(bad))
     *result, report = l0_resample_point_set(DriverArray(bad), drop_non_finite=True, report=True)
     assert report.number_of_dropped_points == 2
     assert same(map(host, result), l0_resample_point_set(points, device="cuda"))
-    *nothing, report = l0_resample_point_set(DriverArray(bad[5:6]), drop_non_finite=True, report=True)
+    *nothing, report = l0_resample_point_set(
+        DriverArray(bad[5:6]), drop_non_finite=True, report=True
+    )
     assert report.number_of_dropped_points == 1 and nothing[0].shape == nothing[1].shape == (0, 3)
 
 
@@ -162,13 +211,18 @@ def test_coincident_results_are_separated():
     """At this offset float32 has too few places for as many points."""
     points = (noisy_cube(20000, numpy.float64)[0] + 4e5).astype(numpy.float32)
     positions = host(l0_resample_point_set(DriverArray(points), number_of_output_points=300)[0])
-    assert numpy.array_equal(positions, l0_resample_point_set(points, number_of_output_points=300, device="cuda")[0])
+    assert numpy.array_equal(
+        positions, l0_resample_point_set(points, number_of_output_points=300, device="cuda")[0]
+    )
     assert len(numpy.unique(positions, axis=0)) == 300
 
 
 def test_denormal_numbers():
     points = (noisy_cube(5000, numpy.float64)[0] * 2.0**-140).astype(numpy.float32)
-    assert same(map(host, l0_resample_point_set(DriverArray(points))), l0_resample_point_set(points, device="cuda"))
+    assert same(
+        map(host, l0_resample_point_set(DriverArray(points))),
+        l0_resample_point_set(points, device="cuda"),
+    )
 
 
 class Empty:
@@ -180,7 +234,10 @@ def test_small_sets():
     assert [array.shape for array in l0_resample_point_set(Empty())] == [(0, 3), (0, 3)]
     for n in (1, 2, 3, 33):
         points = noisy_cube(n, numpy.float32)[0]
-        assert same(map(host, l0_resample_point_set(DriverArray(points))), l0_resample_point_set(points, device="cuda"))
+        assert same(
+            map(host, l0_resample_point_set(DriverArray(points))),
+            l0_resample_point_set(points, device="cuda"),
+        )
 
 
 def test_cancellation(cube):
@@ -201,7 +258,7 @@ def test_memory_is_given_back(cube):
     before = free()
     for _ in range(20):
         result = l0_resample_point_set(array, number_of_output_points=200_000)
-        result[0].__dlpack__()          # which nobody takes
+        result[0].__dlpack__()   # which nobody takes
         result[1].__cuda_array_interface__
     del result
     gc.collect()
@@ -218,10 +275,20 @@ def test_the_result_goes_in_again(cube):
 def test_exports(cube):
     positions, _ = l0_resample_point_set(DriverArray(cube[0]))
     interface = positions.__cuda_array_interface__
-    assert interface["shape"] == (10000, 3) and interface["version"] == 3 and interface["stream"] is None
-    assert interface["typestr"] == cube[0].dtype.str and interface["strides"] is None and interface["data"][0] > 0
+    assert (
+        interface["shape"] == (10000, 3)
+        and interface["version"] == 3
+        and interface["stream"] is None
+    )
+    assert (
+        interface["typestr"] == cube[0].dtype.str
+        and interface["strides"] is None
+        and interface["data"][0] > 0
+    )
     assert positions.__dlpack_device__() == (2, 0)
-    assert positions.__dlpack__(stream=1, max_version=(1, 0), dl_device=(2, 0), copy=False) is not None
+    assert (
+        positions.__dlpack__(stream=1, max_version=(1, 0), dl_device=(2, 0), copy=False) is not None
+    )
     for options in ({"dl_device": (1, 0)}, {"copy": True}):
         with pytest.raises(BufferError):
             positions.__dlpack__(**options)
@@ -240,15 +307,21 @@ def test_torch(cube):
     assert torch.equal(torch.from_dlpack(l0_resample_point_set(transposed)[0]), positions)
     gc.collect()
     assert torch.isfinite(positions).all()   # it lives on by itself
-    with pytest.raises(TypeError, match="points is a float16 array of shape .* on cuda:0, expected float32 or float64"):
+    with pytest.raises(
+        TypeError,
+        match="points is a float16 array of shape .* on cuda:0, expected float32 or float64",
+    ):
         l0_resample_point_set(points.half())
-    with pytest.raises(ValueError, match=r"normals is a float\d\d array of shape .* on cpu, but points is on cuda:0"):
+    with pytest.raises(
+        ValueError,
+        match=r"normals is a float\d\d array of shape .* on cpu, but points is on cuda:0",
+    ):
         l0_resample_point_set(points, points.cpu())
 
 
 @needs_torch
 def test_streams_of_torch(cube):
-    """The points are there only after much work of another stream: whoever does not wait reads zeros."""
+    """The points are there only after much work of another stream; before, there are zeros."""
     source = torch.from_numpy(cube[0]).cuda()
     expected = torch.from_dlpack(l0_resample_point_set(source)[0])
     stream = torch.cuda.Stream()
@@ -267,7 +340,9 @@ class WithStream:
     def __init__(self, tensor, stream):
         self.tensor = tensor
         self.shape, self.dtype = tuple(tensor.shape), tensor.dtype
-        self.__cuda_array_interface__ = dict(tensor.__cuda_array_interface__, stream=stream, version=3)
+        self.__cuda_array_interface__ = dict(
+            tensor.__cuda_array_interface__, stream=stream, version=3
+        )
 
 
 @needs_cupy

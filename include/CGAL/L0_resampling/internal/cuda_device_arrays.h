@@ -29,8 +29,8 @@ struct Device_rows
 /// The points that `upload_from_device()` took.
 struct Device_points
 {
-  std::size_t size;             ///< of the session; 0 if there is a non-finite point that is not to be dropped
-  std::size_t first_non_finite; ///< the index of the first point with a coordinate that is not finite; else n
+  std::size_t size;             ///< that are kept; 0 if a non-finite one is refused
+  std::size_t first_non_finite; ///< index of the first non-finite point; n if there is none
   double low[3], high[3];       ///< corners of the bounding box of the session's points
 };
 
@@ -52,7 +52,8 @@ Answer upload_from_device(Session& session, const Device_rows& points, std::size
 /// As `download()`, to arrays on the session's device, in the order of C.
 /// \tparam FT `float` or `double`
 /// \param low, high corners, three numbers each, of a box that positions outside are moved to
-/// \param may_have_equal_points out: whether two positions are equal: true whenever they are, and next to never when not
+/// \param may_have_equal_points out: whether two positions are equal: true whenever they are, and
+/// next to never when not
 template <typename FT>
 Answer download_to_device(Session& session, const FT* low, const FT* high, FT* positions, FT* normals,
                           bool& may_have_equal_points);

@@ -193,7 +193,8 @@ std::array<std::array<FT, 3>, 2> box_of_result(const Input& input, double margin
   return box;
 }
 
-/// The result's positions in the number type of the caller: inside the bounding box grown by `margin`, and no two equal if `separate`.
+/// The result's positions in the number type of the caller: inside the bounding box grown by
+/// `margin`, and no two equal if `separate`.
 template <typename ConcurrencyTag, typename FT>
 Buffer<std::array<FT, 3>> rounded_positions(const Buffer<Vector>& positions, const Input& input, double margin,
                                             bool separate)
