@@ -78,7 +78,7 @@ def _device_array(name, array):
         interface = array.__cuda_array_interface__
         if interface.get("mask") is not None:
             raise TypeError(
-                f"{name} is a masked array by its __cuda_array_interface__, expected one without a mask"
+                f"{name} is masked by its __cuda_array_interface__, expected an array without mask"
             )
         stream = interface.get("stream")
         if stream == 0:

@@ -200,7 +200,8 @@ Buffer<std::array<FT, 3>> rounded_positions(const Buffer<Vector>& positions, con
                                             bool separate)
 {
   const std::array<std::array<FT, 3>, 2> box = box_of_result<FT>(input, margin);
-  const std::array<FT, 3>&low = box[0], &high = box[1];
+  const std::array<FT, 3>& low = box[0];
+  const std::array<FT, 3>& high = box[1];
   Buffer<std::array<FT, 3>> rounded(positions.get_allocator());
   rounded.reserve(positions.size());
   for_each_in_order(positions.size(), [&](std::size_t i) {
