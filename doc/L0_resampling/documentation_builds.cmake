@@ -13,7 +13,7 @@ endif()
 
 set(pages
   index L0_resampling_mathematics L0_resampling_accuracy_and_speed L0_resampling_extending
-  L0_resampling_promises bgl_namedparameters citelist examples
+  L0_resampling_promises L0_resampling_python bgl_namedparameters citelist examples
   group__PkgL0ResamplingRef group__PkgL0ResamplingConcepts classL0ResamplingSolverTraits
   structCGAL_1_1CUDA__tag)
 foreach(name IN ITEMS Block__conjugate__gradient__solver__traits Eigen__cholesky__solver__traits Eigen__least__squares__solver__traits

@@ -457,6 +457,7 @@ T* sort_values(T* values, T* other, unsigned size, Device_arena& scratch, cudaSt
 }
 
 template unsigned* sort_values(unsigned*, unsigned*, unsigned, Device_arena&, cudaStream_t);
+template unsigned long long* sort_values(unsigned long long*, unsigned long long*, unsigned, Device_arena&, cudaStream_t);
 template double* sort_values(double*, double*, unsigned, Device_arena&, cudaStream_t);
 
 } // namespace cuda

@@ -151,7 +151,7 @@ template <typename T>
 void sum_up(const T* counts, unsigned size, T* offsets, Device_arena& scratch, cudaStream_t stream);
 
 /// Sorts numbers.
-/// \tparam T `unsigned` or `double`
+/// \tparam T `unsigned`, `unsigned long long` or `double`
 /// \returns where they are: in one of the arrays
 template <typename T>
 T* sort_values(T* values, T* other, unsigned size, Device_arena& scratch, cudaStream_t stream);

@@ -99,6 +99,8 @@ Extent find_extent(const Workplace& workplace, const double* points, unsigned si
   double reach = 0;
   for (int axis = 0; axis < 3; ++axis)
   {
+    extent.low_of_input[axis] = ranked[axis][0];
+    extent.high_of_input[axis] = ranked[axis][4];
     for (double& value : ranked[axis])
       value = extent.frame.enter(value, axis);
     extent.low[axis] = ranked[axis][0];

@@ -17,8 +17,9 @@ namespace cuda {
 struct Extent
 {
   Frame frame;
-  double low[3], high[3]; // corners of the bounding box
-  double robust_diagonal; // as `robust_diagonal()` on the CPU
+  double low[3], high[3];                   // corners of the bounding box
+  double low_of_input[3], high_of_input[3]; // the same, not in the frame
+  double robust_diagonal;                   // as `robust_diagonal()` on the CPU
 };
 
 /// What `Working_frame::enter()` and `robust_diagonal()` find on the CPU, to the bit. Waits for the device.

@@ -78,6 +78,42 @@ struct Session
     working_memory.reserve(bytes);
   }
 
+  struct Input_arrays
+  {
+    double* points;
+    float* normals; // null for none
+    float* hints;   // null for none
+  };
+
+  /// Forgets the points, and makes room for others.
+  Input_arrays reserve_input(std::size_t number_of_points, bool with_normals, bool with_hints, std::size_t maximum_memory)
+  {
+    size = 0;
+    has_scales = false;
+    memory_limit.limit = maximum_memory;
+    const std::size_t bytes_of_vectors = 3 * sizeof(float) * number_of_points;
+    input.clear();
+    input_memory.reserve(3 * sizeof(double) * number_of_points + (with_normals ? bytes_of_vectors : 0)
+                         + (with_hints ? bytes_of_vectors : 0) + 1024);
+    const Input_arrays arrays = {input.take<double>(3 * number_of_points),
+                                 with_normals ? input.take<float>(3 * number_of_points) : nullptr,
+                                 with_hints ? input.take<float>(3 * number_of_points) : nullptr};
+    reserve(39 * number_of_points + (std::size_t(1) << 20));
+    return arrays;
+  }
+
+  /// Takes the points that were written to these arrays, of which there may be fewer than was
+  /// reserved for. Waits for the device.
+  void take_input(const Input_arrays& arrays, unsigned number_of_points)
+  {
+    points = arrays.points;
+    normals = arrays.normals;
+    hints = arrays.hints;
+    all_normals_given = normals && !has_zero(workplace(), normals, number_of_points);
+    extent = find_extent(workplace(), points, number_of_points);
+    size = number_of_points;
+  }
+
   Workplace workplace() { return {arena, scratch, stream, number_of_multiprocessors}; }
 
   cudaEvent_t event(std::size_t i)

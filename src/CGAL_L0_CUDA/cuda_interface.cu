@@ -3,15 +3,12 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "Session.cuh"
+#include "guarded.cuh"
 
-#include <unistd.h>
+#include <CGAL/L0_resampling/internal/cuda_device_arrays.h>
 
 #include <atomic>
-#include <cstdio>
-#include <exception>
 #include <memory>
-#include <new>
 
 namespace CGAL {
 namespace L0_resampling {
@@ -19,22 +16,6 @@ namespace internal {
 namespace cuda {
 
 namespace {
-
-/// Restores the caller's device at the end of a call.
-class Device_scope
-{
-  int m_previous = 0;
-
-public:
-  explicit Device_scope(int device)
-  {
-    CGAL_L0_CUDA_CHECK(cudaGetDevice(&m_previous));
-    CGAL_L0_CUDA_CHECK(cudaSetDevice(device));
-  }
-  Device_scope(const Device_scope&) = delete;
-  Device_scope& operator=(const Device_scope&) = delete;
-  ~Device_scope() { cudaSetDevice(m_previous); }
-};
 
 std::atomic<Fault> planted_fault{Fault::NONE};
 std::atomic<std::size_t> planted_countdown{0};
@@ -58,76 +39,6 @@ int usable_device()
   if (!is_cooperative)
     throw Failure(Status::NO_DEVICE, "the device has no cooperative launches");
   return device;
-}
-
-/// Whether this process is a child of one that has used CUDA, which only that one can go on with. The first call tells which process that is.
-bool is_forked()
-{
-  static const pid_t process_of_cuda = getpid();
-  return getpid() != process_of_cuda;
-}
-
-Answer answer(Status status, const char* message)
-{
-  Answer result;
-  result.status = status;
-  std::snprintf(result.message, sizeof(result.message), "%s", message);
-  return result;
-}
-
-/// Runs `f`, and turns what it throws into an answer.
-template <typename F>
-Answer guarded(Session* session, const F& f)
-{
-  try
-  {
-    if (is_forked())
-      return answer(Status::NO_DEVICE, "the device was used before fork(), so that this process cannot use it");
-    if (!session)
-    {
-      f();
-      return Answer();
-    }
-    const std::lock_guard<std::mutex> lock(session->mutex);
-    if (session->is_broken)
-      return answer(Status::DEVICE_FAILED, "the device failed in an earlier call");
-    const Device_scope device(session->device);
-    try
-    {
-      f();
-    }
-    catch (const Failure& failure)
-    {
-      // Only an error of a kernel outlives its call, and shows in the next one.
-      session->is_broken = cudaStreamSynchronize(session->stream) != cudaSuccess;
-      cudaGetLastError();
-      if (failure.status() == Status::OUT_OF_MEMORY)
-      {
-        session->number_of_samples = 0;
-        session->arena.clear();
-        session->scratch.clear();
-        session->working_memory.free_all();
-      }
-      throw;
-    }
-    return Answer();
-  }
-  catch (const Cancelled&)
-  {
-    return answer(Status::CANCELLED, "");
-  }
-  catch (const Failure& failure)
-  {
-    return answer(failure.status(), failure.what());
-  }
-  catch (const std::bad_alloc&)
-  {
-    return answer(Status::OUT_OF_MEMORY, "the host has no memory");
-  }
-  catch (const std::exception& error)
-  {
-    return answer(Status::DEVICE_FAILED, error.what());
-  }
 }
 
 } // namespace
@@ -157,6 +68,15 @@ Answer create(Session*& session)
   return guarded(nullptr, [&]() { session = std::make_unique<Session>(usable_device()).release(); });
 }
 
+Answer create_on(int device, Session*& session)
+{
+  session = nullptr;
+  return guarded(nullptr, [&]() {
+    const Device_scope scope(device);
+    session = std::make_unique<Session>(usable_device()).release();
+  });
+}
+
 void destroy(Session* session) noexcept
 {
   if (!session || is_forked()) // what a child cannot give back, its end does
@@ -174,37 +94,15 @@ Answer upload(Session& session, const double* points, std::size_t size, const fl
               std::size_t maximum_memory)
 {
   return guarded(&session, [&]() {
-    session.size = 0;
-    session.has_scales = false;
-    session.memory_limit.limit = maximum_memory;
-    const std::size_t bytes_of_points = 3 * sizeof(double) * size,
-                      bytes_of_normals = normals ? 3 * sizeof(float) * size : 0,
-                      bytes_of_hints = hints ? 3 * sizeof(float) * size : 0;
-    session.input.clear();
-    session.input_memory.reserve(bytes_of_points + bytes_of_normals + bytes_of_hints + 1024);
-    double* const device_points = session.input.take<double>(3 * size);
-    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(device_points, points, bytes_of_points, cudaMemcpyHostToDevice, session.stream));
-    session.points = device_points;
-    session.normals = nullptr;
-    session.all_normals_given = false;
-    session.hints = nullptr;
-    session.reserve(34 * size + (std::size_t(1) << 20));
-    if (normals)
-    {
-      float* const device_normals = session.input.take<float>(3 * size);
-      CGAL_L0_CUDA_CHECK(
-        cudaMemcpyAsync(device_normals, normals, bytes_of_normals, cudaMemcpyHostToDevice, session.stream));
-      session.normals = device_normals;
-      session.all_normals_given = !has_zero(session.workplace(), device_normals, unsigned(size));
-    }
-    if (hints)
-    {
-      float* const device_hints = session.input.take<float>(3 * size);
-      CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(device_hints, hints, bytes_of_hints, cudaMemcpyHostToDevice, session.stream));
-      session.hints = device_hints;
-    }
-    session.extent = find_extent(session.workplace(), device_points, unsigned(size));
-    session.size = unsigned(size);
+    const Session::Input_arrays arrays = session.reserve_input(size, normals, hints, maximum_memory);
+    const auto copy = [&](void* target, const void* source, std::size_t bytes) {
+      if (target)
+        CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(target, source, bytes, cudaMemcpyHostToDevice, session.stream));
+    };
+    copy(arrays.points, points, 3 * sizeof(double) * size);
+    copy(arrays.normals, normals, 3 * sizeof(float) * size);
+    copy(arrays.hints, hints, 3 * sizeof(float) * size);
+    session.take_input(arrays, unsigned(size));
   });
 }
 

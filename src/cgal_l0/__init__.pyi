@@ -3,27 +3,42 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-from typing import Any, Callable, Literal, Sequence, overload
+from contextlib import AbstractContextManager
+from os import PathLike
+from typing import Any, Callable, Literal, Mapping, Sequence, Protocol, TextIO, TypeAlias, overload
 
+from numpy import uint8
 from numpy.typing import ArrayLike, NDArray
 
+from ._core import DeviceArray as DeviceArray
+from ._files import PointCloud as PointCloud
+from ._resampling import Cancelled as Cancelled
 from .reports import IterationReport as IterationReport
 from .reports import Report as Report
 from .reports import SolverReport as SolverReport
 from .reports import StageReport as StageReport
 
 __version__: str
-__all__ = ["Cancelled", "IterationReport", "Report", "SolverReport", "StageReport", "l0_resample_point_set"]
+__all__ = ["l0_resample_point_set", "progress_bar", "read_points", "snapshot", "write_points"]
 
-class Cancelled(Exception): ...
+class _OnDevice(Protocol):
+    def __dlpack__(self, *, stream: Any = None) -> Any: ...
+    def __dlpack_device__(self) -> tuple[Any, int]: ...
 
-# float32 or float64, as the points
-_Array = NDArray[Any]
+class _OnCudaDevice(Protocol):
+    @property
+    def __cuda_array_interface__(self) -> Any: ...
+
+_Points: TypeAlias = ArrayLike | _OnDevice | _OnCudaDevice
+# float32 or float64, as the points. For points on a CUDA device, which their type does not tell, it
+# is a DeviceArray.
+_Array: TypeAlias = NDArray[Any]
+_Path: TypeAlias = str | PathLike[str]
 
 @overload
 def l0_resample_point_set(
-    points: ArrayLike,
-    normals: ArrayLike | None = None,
+    points: _Points,
+    normals: _Points | None = None,
     *,
     number_of_output_points: int | None = None,
     select_percentage: float = 50,
@@ -39,14 +54,14 @@ def l0_resample_point_set(
     penalty_growth: float | None = None,
     keep_density: bool = False,
     viewpoint: Sequence[float] | None = None,
-    orientation_hints: ArrayLike | None = None,
+    orientation_hints: _Points | None = None,
     number_of_orientation_neighbors: int = 12,
     random_seed: int = 0,
     drop_non_finite: bool = False,
     drop_outliers: bool | None = None,
     maximum_memory: int | None = None,
     threads: int | None = None,
-    device: Literal["cpu", "cuda", "auto"] = "cpu",
+    device: Literal["cpu", "cuda", "auto"] | None = None,
     callback: Callable[[float], object] | None = None,
     source_indices: Literal[False] = False,
     feature_confidences: Literal[False] = False,
@@ -54,8 +69,8 @@ def l0_resample_point_set(
 ) -> tuple[_Array, _Array]: ...
 @overload
 def l0_resample_point_set(
-    points: ArrayLike,
-    normals: ArrayLike | None = None,
+    points: _Points,
+    normals: _Points | None = None,
     *,
     number_of_output_points: int | None = None,
     select_percentage: float = 50,
@@ -71,14 +86,14 @@ def l0_resample_point_set(
     penalty_growth: float | None = None,
     keep_density: bool = False,
     viewpoint: Sequence[float] | None = None,
-    orientation_hints: ArrayLike | None = None,
+    orientation_hints: _Points | None = None,
     number_of_orientation_neighbors: int = 12,
     random_seed: int = 0,
     drop_non_finite: bool = False,
     drop_outliers: bool | None = None,
     maximum_memory: int | None = None,
     threads: int | None = None,
-    device: Literal["cpu", "cuda", "auto"] = "cpu",
+    device: Literal["cpu", "cuda", "auto"] | None = None,
     callback: Callable[[float], object] | None = None,
     source_indices: Literal[False] = False,
     feature_confidences: Literal[False] = False,
@@ -86,8 +101,8 @@ def l0_resample_point_set(
 ) -> tuple[_Array, _Array, Report]: ...
 @overload
 def l0_resample_point_set(
-    points: ArrayLike,
-    normals: ArrayLike | None = None,
+    points: _Points,
+    normals: _Points | None = None,
     *,
     number_of_output_points: int | None = None,
     select_percentage: float = 50,
@@ -103,16 +118,44 @@ def l0_resample_point_set(
     penalty_growth: float | None = None,
     keep_density: bool = False,
     viewpoint: Sequence[float] | None = None,
-    orientation_hints: ArrayLike | None = None,
+    orientation_hints: _Points | None = None,
     number_of_orientation_neighbors: int = 12,
     random_seed: int = 0,
     drop_non_finite: bool = False,
     drop_outliers: bool | None = None,
     maximum_memory: int | None = None,
     threads: int | None = None,
-    device: Literal["cpu", "cuda", "auto"] = "cpu",
+    device: Literal["cpu", "cuda", "auto"] | None = None,
     callback: Callable[[float], object] | None = None,
     source_indices: bool = False,
     feature_confidences: bool = False,
     report: bool = False,
 ) -> tuple[Any, ...]: ...
+def read_points(
+    path: _Path,
+    *,
+    format: str | None = None,
+    drop_non_finite: bool = False,
+    callback: Callable[[float], object] | None = None,
+) -> PointCloud: ...
+def write_points(
+    path: _Path,
+    points: ArrayLike,
+    normals: ArrayLike | None = None,
+    properties: Mapping[str, ArrayLike] | None = None,
+    *,
+    format: str | None = None,
+) -> None: ...
+def snapshot(
+    points: ArrayLike,
+    positions: ArrayLike,
+    normals: ArrayLike,
+    *,
+    input_normals: ArrayLike | None = None,
+    feature_confidences: ArrayLike | None = None,
+    view: Sequence[float] | None = None,
+    path: _Path | None = None,
+) -> NDArray[uint8]: ...
+def progress_bar(
+    description: str = "resampling", *, file: TextIO | None = None
+) -> AbstractContextManager[Callable[[float], None]]: ...

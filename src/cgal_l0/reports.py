@@ -13,7 +13,12 @@ from typing import Any
 
 @dataclass(frozen=True)
 class SolverReport:
-    """One solve of Eq. (10)."""
+    """One solve of a linear system.
+
+    iterations: int, of the solver
+    relative_residual: float, the last one, relative to the right-hand side
+    converged: bool, whether it is below the solver's tolerance
+    """
 
     iterations: int
     relative_residual: float
@@ -22,7 +27,15 @@ class SolverReport:
 
 @dataclass(frozen=True)
 class IterationReport:
-    """One outer iteration of Algorithm 1; energies in units of the squared radius."""
+    """One iteration of the minimization. Energies have the unit of the squared radius.
+
+    penalty: float, the penalty of this iteration
+    regularized: bool, False in the iterations of method="alor" that leave that term out
+    fit_energy, regularization_energy, normal_energy, sparsity_energy: floats, the terms of the
+        energy at the begin of the iteration
+    active_pair_share: float in [0, 1], the share of neighbors that are taken for a jump
+    solver: SolverReport
+    """
 
     penalty: float
     regularized: bool
@@ -36,7 +49,12 @@ class IterationReport:
 
 @dataclass(frozen=True)
 class StageReport:
-    """One stage of a call."""
+    """One stage of a call.
+
+    name: str, such as "filter normals"
+    seconds: float, elapsed time
+    peak_bytes: int, the most memory that the call's own arrays held during the stage
+    """
 
     name: str
     seconds: float
@@ -45,7 +63,28 @@ class StageReport:
 
 @dataclass(frozen=True)
 class Report:
-    """The members of CGAL::L0_resampling::Report; lengths in the unit of the input, memory in bytes."""
+    """What a call of l0_resample_point_set() did. Lengths have the unit of the points.
+
+    number_of_input_points: int, the points used, without those that drop_non_finite left out
+    number_of_dropped_points: int, those that drop_non_finite left out
+    number_of_outliers: int, those that drop_outliers left out
+    number_of_distinct_points: int, of the points used, without outliers
+    number_of_output_points: int, the points of the result
+    number_of_degenerate_neighborhoods: int, points around which there is no plane
+    number_of_lonely_samples: int, samples without a point in their radius; they do not move
+    number_of_self_neighbor_pairs: int, pairs of samples in the energy
+    neighbor_radius, normal_filter_radius: floats, the radii that were used
+    estimated_spacing: float, the distance between neighboring points; 0 but for "default"
+    estimated_noise: float, the standard deviation across the surface; 0 but for "default"
+    oriented_share: float in [0, 1], the share of samples whose side was propagated reliably
+    hinted_share: float in [0, 1], the share whose side viewpoint or orientation_hints decided
+    iterations: tuple of IterationReport
+    converged: bool, whether every linear system was solved to its tolerance
+    stages: tuple of StageReport, in the order in which they ran
+    peak_bytes: int, the most memory that the call's own arrays held, without input and result
+    device: str, "cpu" or "cuda"
+    device_reason: str, why that device was used
+    """
 
     number_of_input_points: int
     number_of_dropped_points: int

@@ -5,6 +5,8 @@
 
 #include "resample.h"
 
+#include "named_parameters_of.h"
+
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/l0_resample_point_set.h>
 
@@ -81,7 +83,6 @@ template <typename FT>
 Result<FT> resample_with_tag(const Array_view& points, const Array_view* normals, const Array_view* orientation_hints,
                              const Parameters& parameters, const std::function<bool(double)>& callback, bool on_device)
 {
-  const Parameters defaults = default_parameters(parameters.resampling_method);
   Result<FT> result;
   const auto if_wanted = [](bool is_wanted, const auto& map) {
     return is_wanted ? std::make_optional(map) : std::nullopt;
@@ -90,31 +91,11 @@ Result<FT> resample_with_tag(const Array_view& points, const Array_view* normals
     return view ? std::make_optional(Normal_map{*view}) : std::nullopt;
   };
   const auto np =
-    CGAL::parameters::resampling_method(parameters.resampling_method)
-      .number_of_output_points(parameters.number_of_output_points)
-      .select_percentage(parameters.select_percentage)
-      .neighbor_radius(parameters.neighbor_radius)
-      .normal_filter_radius(parameters.normal_filter_radius)
-      .sharpness_angle(parameters.sharpness_angle)
-      .number_of_normal_filter_iterations(parameters.number_of_normal_filter_iterations)
-      .normal_weight(parameters.normal_weight)
-      .regularization_weight(parameters.regularization_weight)
-      .initial_penalty(parameters.initial_penalty)
-      .maximum_penalty(parameters.maximum_penalty)
-      .penalty_growth(parameters.penalty_growth.value_or(*defaults.penalty_growth))
-      .keep_density(parameters.keep_density)
-      .viewpoint(parameters.viewpoint)
+    named_parameters_of(parameters, callback, result.report)
       .normal_map(if_there(normals))
       .orientation_hint_map(if_there(orientation_hints))
       .source_index_map(if_wanted(parameters.source_indices, Appending_map<std::int64_t>{&result.source_indices}))
       .feature_confidence_map(if_wanted(parameters.feature_confidences, Appending_map<FT>{&result.feature_confidences}))
-      .number_of_orientation_neighbors(parameters.number_of_orientation_neighbors)
-      .random_seed(parameters.random_seed)
-      .drop_non_finite(parameters.drop_non_finite)
-      .drop_outliers(parameters.drop_outliers.value_or(*defaults.drop_outliers))
-      .maximum_memory(parameters.maximum_memory)
-      .callback(callback)
-      .resampling_report(&result.report)
       .point_map(Point_map{points})
       .geom_traits(CGAL::Simple_cartesian<FT>());
   const auto range = boost::irange(std::size_t(0), points.size);
@@ -166,24 +147,22 @@ Parameters default_parameters(Method method)
   return parameters;
 }
 
+void in_arena(const Parameters& parameters, const std::function<void()>& work)
+{
+  if (parameters.threads && (*parameters.threads < 1 || *parameters.threads > 4096))
+    throw std::invalid_argument("threads is " + std::to_string(*parameters.threads) + ", expected 1 to 4096");
+  // An arena limits this call alone, where tbb::global_control would limit every other one of the process too.
+  tbb::task_arena arena(parameters.threads ? int(*parameters.threads) : int(tbb::task_arena::automatic));
+  arena.execute(work);
+}
+
 template <typename FT>
 Result<FT> resample(const Array_view& points, const Array_view* normals, const Array_view* orientation_hints,
                     const Parameters& parameters, const std::function<bool(double)>& callback)
 {
-  if (parameters.threads && (*parameters.threads < 1 || *parameters.threads > 4096))
-    throw std::invalid_argument("l0_resample_point_set: threads is " + std::to_string(*parameters.threads)
-                                + ", expected 1 to 4096");
-  const auto check_size = [&](const Array_view* view, const char* name) {
-    if (view && view->size != points.size)
-      throw std::invalid_argument("l0_resample_point_set: " + std::to_string(points.size) + " points with "
-                                  + std::to_string(view->size) + " " + name);
-  };
-  check_size(normals, "normals");
-  check_size(orientation_hints, "orientation_hints");
-  // An arena limits this call alone, where tbb::global_control would limit every other one of the process too.
-  tbb::task_arena arena(parameters.threads ? int(*parameters.threads) : int(tbb::task_arena::automatic));
   Result<FT> result;
-  arena.execute([&]() { result = resample_on_any_device<FT>(points, normals, orientation_hints, parameters, callback); });
+  in_arena(parameters,
+           [&]() { result = resample_on_any_device<FT>(points, normals, orientation_hints, parameters, callback); });
   return result;
 }
 

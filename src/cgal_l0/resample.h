@@ -60,6 +60,10 @@ struct Parameters
 /// The parameters with the defaults of the function for a method, but for those that it takes from the points.
 Parameters default_parameters(CGAL::L0_resampling::Method method);
 
+/// Does the work with as many threads as the parameters allow.
+/// \throws std::invalid_argument for a number of threads that is out of its range
+void in_arena(const Parameters& parameters, const std::function<void()>& work);
+
 /// Positions and normals, xyz interleaved, and what is wanted beside them, one number a point.
 template <typename FT>
 struct Result
@@ -74,8 +78,8 @@ struct Result
 Calls `CGAL::l0_resample_point_set()`.
 
 \tparam FT `float` or `double`, the number type of the result
-\param normals of the points, or null
-\param orientation_hints of the points, or null
+\param normals one for each point, or null
+\param orientation_hints one for each point, or null
 \throws what the function throws
 */
 template <typename FT>

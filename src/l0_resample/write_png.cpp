@@ -26,13 +26,19 @@ png_byte to_srgb(float linear)
 
 } // namespace
 
-void write_png(const std::string& path, const Image& image)
+std::vector<unsigned char> srgb_bytes(const Image& image)
 {
-  std::vector<png_byte> bytes;
+  std::vector<unsigned char> bytes;
   bytes.reserve(3 * image.pixels.size());
   for (const Color& pixel : image.pixels)
     for (const float channel : pixel)
       bytes.push_back(to_srgb(channel));
+  return bytes;
+}
+
+void write_png(const std::string& path, const Image& image)
+{
+  const std::vector<unsigned char> bytes = srgb_bytes(image);
 
   png_image png = {};
   png.version = PNG_IMAGE_VERSION;

@@ -9,8 +9,12 @@
 #include "Image.h"
 
 #include <string>
+#include <vector>
 
 namespace l0_tool {
+
+/// Red, green and blue of each pixel, sRGB, row by row from the top.
+std::vector<unsigned char> srgb_bytes(const Image& image);
 
 /// As a whole or not at all, see `Output_file`. 8 bits a channel, sRGB.
 void write_png(const std::string& path, const Image& image);

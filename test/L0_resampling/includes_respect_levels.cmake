@@ -12,7 +12,8 @@ set(level_0   # words: types, formulas and tools that know nothing of point sets
   internal/symmetric_eigen.h internal/Height_moments.h internal/deviation_in_ball.h internal/scales_of_balls.h internal/attribute_kinds.h
   internal/Buffer.h internal/lanes.h internal/parallel_for.h internal/parallel_sort.h internal/select_nth.h internal/Signed_union_find.h)
 set(level_1   # what several stages share, and what works on the arrays of one neighborhood
-  Report.h internal/Parameters.h internal/cuda_interface.h internal/cuda_answer.h internal/Progress.h internal/solver_settings.h
+  Report.h internal/Parameters.h internal/cuda_interface.h internal/cuda_device_arrays.h internal/cuda_answer.h
+  internal/Progress.h internal/solver_settings.h
   internal/Search_grid_3.h internal/orientation_votes.h internal/dipoles_of_sets.h internal/spanning_forest.h internal/Field_of_sets.h internal/orientation_field.h internal/ball_queries.h internal/near_pairs.h internal/Neighborhoods.h internal/nearest_samples.h
   internal/Point_tree_3.h internal/Orientation_hints.h
   internal/Samples.h internal/least_memory.h internal/Local_normals.h internal/update_normals.h internal/Plane_moments.h internal/Quadric_moments.h internal/settle_on_quadric.h internal/estimate_plane.h internal/half_sampling.h

@@ -14,6 +14,7 @@
 #include <CGAL/L0_resampling/internal/Point_data.h>
 #include <CGAL/L0_resampling/internal/checked_parameters.h>
 #include <CGAL/L0_resampling/internal/cuda_answer.h>
+#include <CGAL/L0_resampling/internal/cuda_device_arrays.h>
 #include <CGAL/L0_resampling/internal/cuda_interface.h>
 #include <CGAL/L0_resampling/internal/points_of_range.h>
 #include <CGAL/L0_resampling/named_parameters.h>
@@ -23,6 +24,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <exception>
 #include <functional>
 #include <iterator>
@@ -113,6 +115,22 @@ inline void fill_report(const cuda::Call_report& call, Report& report)
                                  {iteration.solver_iterations, iteration.relative_residual, iteration.converged}});
     report.converged = report.converged && iteration.converged;
   }
+}
+
+/// The nearest points of a range, found by all threads of the host.
+template <typename FT, typename PointRange, typename PointMap>
+Near_points find_near_points_of_range(const PointRange& points, PointMap point_map,
+                                      const Buffer<std::array<FT, 3>>& positions, std::size_t count)
+{
+  Near_points near_points;
+  near_points.count = count;
+  if (count == 0)
+    return near_points;
+  Report unwanted_report;
+  Memory_counter memory;
+  Progress progress(nullptr, unwanted_report, memory);
+  find_near_points<Parallel_if_available_tag>(tree_of_range(points, point_map, memory), positions, progress, near_points);
+  return near_points;
 }
 
 /// The confidences of a result of the device, computed by all threads of the host.
@@ -237,40 +255,124 @@ public:
   {
     using namespace internal;
     const auto find_near = [&](const Buffer<std::array<FT, 3>>& positions, Near_points& near_points) {
-      near_points.count = number_of_near_points(np, near_count);
-      if (near_points.count == 0)
-        return;
-      Report unwanted_report;
-      Memory_counter memory;
-      Progress progress(nullptr, unwanted_report, memory);
-      find_near_points<Parallel_if_available_tag>(tree_of_range(points, point_map, memory), positions, progress,
-                                                  near_points);
+      near_points = find_near_points_of_range(points, point_map, positions, number_of_near_points(np, near_count));
     };
     resample_and_write(find_near, write, np);
   }
 
+  // For callers whose points are on the device already, and whose result stays there, such as the
+  // Python package.
+
+  /// \throws Device_error if the device cannot be used
+  explicit CUDA_resampler(int device)
+  {
+    internal::cuda::Session* session = nullptr;
+    const internal::cuda::Answer answer = internal::cuda::create_on(device, session);
+    m_session.reset(session);
+    internal::throw_if_failed(answer);
+  }
+
+  internal::cuda::Session& session() { return *m_session; }
+
+  /// As `upload()`.
+  /// \param normals, hints null for none
+  /// \param np `drop_non_finite` and `maximum_memory`; others are checked
+  template <typename NamedParameters>
+  void upload_from_device(const internal::cuda::Device_rows& points, std::size_t size,
+                          const internal::cuda::Device_rows* normals, const internal::cuda::Device_rows* hints,
+                          const NamedParameters& np)
+  {
+    using namespace internal;
+    m_size = m_number_of_dropped_points = 0;
+    m_has_hints = hints != nullptr;
+    bool drop_non_finite = false;
+    read_parameter(np, internal_np::drop_non_finite, drop_non_finite);
+    const Parameters checked = checked_parameters(np, size);
+    if (size == 0)
+      return;
+    cuda::Device_points taken;
+    throw_if_failed(cuda::upload_from_device(*m_session, points, size, normals, hints, drop_non_finite,
+                                             checked.maximum_memory, taken));
+    if (taken.first_non_finite < size && !drop_non_finite)
+    {
+      cuda::Device_rows row = points;
+      row.data = static_cast<const char*>(points.data) + std::ptrdiff_t(taken.first_non_finite) * points.row_stride;
+      Vector point;
+      throw_if_failed(cuda::copy_to_host(*m_session, row, 1, point.data()));
+      refuse_non_finite_point(taken.first_non_finite, point);
+    }
+    m_size = taken.size;
+    m_number_of_dropped_points = size - taken.size;
+    m_box.low = Eigen::Map<const Vector>(taken.low);
+    m_box.high = Eigen::Map<const Vector>(taken.high);
+  }
+
+  /// Resamples the points; the result stays on the device until the next call.
+  /// \returns whether there is a result
+  template <typename NamedParameters>
+  bool resample_on_device(const NamedParameters& np, Report& report)
+  {
+    internal::Parameters parameters;
+    if (!compute(np, parameters, report))
+      return false;
+    report.number_of_output_points = parameters.number_of_output_points;
+    return true;
+  }
+
+  /// Writes the result to arrays on the device, each of three numbers a point.
+  /// \param report of the call that made the result
+  void download_to_device(const Report& report, FT* positions, FT* normals)
+  {
+    using namespace internal;
+    const std::array<std::array<FT, 3>, 2> box = box_of_result<FT>(m_box, report.neighbor_radius);
+    bool may_have_equal_points = false;
+    throw_if_failed(
+      cuda::download_to_device(*m_session, box[0].data(), box[1].data(), positions, normals, may_have_equal_points));
+    const std::size_t m = report.number_of_output_points;
+    if (!may_have_equal_points || !is_separate(m, report))
+      return;
+    // The host separates them, as those of every other call.
+    Buffer<Vector> exact(m, Vector::Zero());
+    std::vector<float> unused_normals(3 * m);
+    throw_if_failed(cuda::download(*m_session, coordinates(exact), unused_normals.data()));
+    const Buffer<std::array<FT, 3>> rounded =
+      rounded_positions<Parallel_if_available_tag, FT>(exact, m_box, report.neighbor_radius, true);
+    throw_if_failed(cuda::copy_to_device(*m_session, rounded.data(), m * sizeof(rounded[0]), positions));
+  }
+
+  /// The confidences of the result, found on the host.
+  internal::Buffer<float> feature_confidences(const Report& report, double sharpness_angle)
+  {
+    using namespace internal;
+    const std::size_t m = report.number_of_output_points;
+    Buffer<Vector> positions(m, Vector::Zero());
+    std::vector<float> normals(3 * m);
+    throw_if_failed(cuda::download(*m_session, coordinates(positions), normals.data()));
+    Buffer<float> confidences;
+    estimate_feature_confidences(positions, normals, sharpness_angle, confidences);
+    return confidences;
+  }
+
 private:
-  template <typename FindNear, typename Write, typename NamedParameters>
-  void resample_and_write(const FindNear& find_near, const Write& write, const NamedParameters& np)
+  /// Runs the stages; the result stays on the device.
+  /// \param parameters out: those that were checked
+  /// \returns whether there is a result; if not, none was asked for, or the callback cancelled
+  template <typename NamedParameters>
+  bool compute(const NamedParameters& np, internal::Parameters& parameters, Report& report)
   {
     using namespace internal;
     static_assert(
       parameters::is_default_parameter<NamedParameters, internal_np::sparse_linear_solver_t>::value,
       "On the device there is one solver. CUDA_least_squares_solver_traits runs beside the stages of the CPU.");
-    Report unwanted_report;
-    Report* wanted_report = &unwanted_report;
-    read_parameter(np, internal_np::resampling_report, wanted_report);
-    Report& report = *wanted_report;
     report = Report();
     report.device = "cuda";
     report.device_reason = "asked for";
     report.number_of_input_points = m_size;
     report.number_of_dropped_points = m_number_of_dropped_points;
-    const Parameters parameters = checked_parameters(np, m_size);
+    parameters = checked_parameters(np, m_size);
     check_parameter(!(parameters.has_viewpoint && m_has_hints), "viewpoint", "given", "no orientation_hint_map beside it");
-    const std::size_t m = parameters.number_of_output_points;
-    if (m == 0)
-      return;
+    if (parameters.number_of_output_points == 0)
+      return false;
 
     std::function<bool(double)> callback;
     read_parameter(np, internal_np::callback, callback);
@@ -283,15 +385,34 @@ private:
     if (answer.status == cuda::Status::CANCELLED)
     {
       report.outcome = Outcome::CANCELLED;
-      return;
+      return false;
     }
+    return true;
+  }
 
+  /// Whether the points of a result have to differ.
+  bool is_separate(std::size_t m, const Report& report) const
+  {
+    return report.number_of_distinct_points >= (std::min)(m_size - report.number_of_outliers, m);
+  }
+
+  template <typename FindNear, typename Write, typename NamedParameters>
+  void resample_and_write(const FindNear& find_near, const Write& write, const NamedParameters& np)
+  {
+    using namespace internal;
+    Report unwanted_report;
+    Report* wanted_report = &unwanted_report;
+    read_parameter(np, internal_np::resampling_report, wanted_report);
+    Report& report = *wanted_report;
+    Parameters parameters;
+    if (!compute(np, parameters, report))
+      return;
+    const std::size_t m = parameters.number_of_output_points;
     Buffer<Vector> positions(m, Vector::Zero());
     std::vector<float> normals(3 * m);
     throw_if_failed(cuda::download(*m_session, coordinates(positions), normals.data()));
-    const bool separate = report.number_of_distinct_points >= (std::min)(m_size - report.number_of_outliers, m);
     const Buffer<std::array<FT, 3>> rounded =
-      rounded_positions<Parallel_if_available_tag, FT>(positions, m_box, report.neighbor_radius, separate);
+      rounded_positions<Parallel_if_available_tag, FT>(positions, m_box, report.neighbor_radius, is_separate(m, report));
     Point_data data;
     find_near(rounded, data.near_points);
     if (parameters.with_feature_confidences)

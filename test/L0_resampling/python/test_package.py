@@ -10,6 +10,8 @@ import dataclasses
 import inspect
 import os
 import pathlib
+import pydoc
+import re
 import runpy
 import subprocess
 import sys
@@ -26,8 +28,14 @@ package = pathlib.Path(cgal_l0.__file__).parent
 def test_the_stub_of_the_function_is_its_signature():
     actual = inspect.signature(cgal_l0.l0_resample_point_set).parameters
     stub = ast.parse((package / "__init__.pyi").read_text())
-    overloads = [node for node in stub.body if isinstance(node, ast.FunctionDef)]
+    functions = [node for node in stub.body if isinstance(node, ast.FunctionDef)]
+    overloads = [node for node in functions if node.name == "l0_resample_point_set"]
     assert len(overloads) == 3
+    for function in functions[3:]:   # which have one signature each
+        arguments = function.args
+        own = inspect.signature(getattr(cgal_l0, function.name)).parameters
+        assert [a.arg for a in arguments.args + arguments.kwonlyargs] == list(own), function.name
+    assert {function.name for function in functions} == set(cgal_l0.__all__)
     for overload in overloads:
         arguments = overload.args
         assert [a.arg for a in arguments.args + arguments.kwonlyargs] == list(actual)
@@ -35,6 +43,39 @@ def test_the_stub_of_the_function_is_its_signature():
             if argument.arg != "report":
                 assert ast.literal_eval(default) == actual[argument.arg].default, argument.arg
     assert (package / "py.typed").exists()
+
+
+def test_help_begins_with_the_function_and_explains_every_parameter():
+    text = pydoc.render_doc(cgal_l0, renderer=pydoc.plaintext)
+    lines = text.splitlines()
+    (first,) = (i for i, line in enumerate(lines) if line.startswith("    l0_resample_point_set("))
+    assert first < 30
+    assert not re.search(r"__\w+__\(", text)
+    assert "CGAL::" not in text and "C++" not in text and "std::" not in text
+    for name in cgal_l0.__all__:
+        function = getattr(cgal_l0, name)
+        explained = set()
+        for names in re.findall(r"^    ([\w, ]+): ", function.__doc__, re.MULTILINE):
+            explained |= set(names.split(", "))
+        parameters = set(inspect.signature(function).parameters)
+        assert parameters <= explained, (name, parameters - explained)
+        assert max(map(len, function.__doc__.splitlines())) <= 100, name
+
+
+def test_help_says_the_defaults():
+    function = cgal_l0.l0_resample_point_set
+    for name, parameter in inspect.signature(function).parameters.items():
+        if type(parameter.default) in (int, float):
+            (said,) = re.findall(rf"\b{name}\b[^:]*: (?:[^\n]|\n(?!    \S|\n))*", function.__doc__)
+            assert re.search(rf"[Dd]efault:? {parameter.default}\b", said), said
+
+
+def test_help_explains_what_is_returned():
+    reports = [cgal_l0.Report, cgal_l0.StageReport, cgal_l0.IterationReport, cgal_l0.SolverReport]
+    for kind in [*reports, cgal_l0.PointCloud]:
+        for field in dataclasses.fields(kind):
+            explanation = re.compile(rf"^    (\w+, )*{field.name}(, \w+)*: ", re.MULTILINE)
+            assert explanation.search(kind.__doc__), (kind, field.name)
 
 
 def test_a_strict_type_checker_is_content(tmp_path):
@@ -50,6 +91,15 @@ def test_a_strict_type_checker_is_content(tmp_path):
     assert checked("positions, normals, report = cgal_l0.l0_resample_point_set(numpy.zeros((9, 3)), report=True)",
                    "print(positions.shape, normals.shape, report.neighbor_radius + 1, report.stages[0].name.upper())"
                    ).startswith("Success")
+    assert checked('cloud = cgal_l0.read_points("scan.ply")',
+                   'positions, normals = cgal_l0.l0_resample_point_set(',
+                   '    cloud.points, cloud.normals)',
+                   'cgal_l0.write_points("out.ply", positions, normals, cloud.properties)',
+                   'print(cgal_l0.snapshot(cloud.points, positions, normals, path="a.png").shape)',
+                   'with cgal_l0.progress_bar() as callback:',
+                   '    cgal_l0.l0_resample_point_set(',
+                   '        cloud.points, callback=callback, device="auto")'
+                   ).startswith("Success")
     assert "No overload" in checked("cgal_l0.l0_resample_point_set(numpy.zeros((9, 3)), method='best')")
     assert 'has no attribute "speed"' in checked("cgal_l0.l0_resample_point_set([], report=True)[2].speed")
 
@@ -64,6 +114,7 @@ def test_the_stub_of_the_core_has_its_names():
     for node in definitions:
         if isinstance(node, ast.ClassDef):
             attributes = {item.target.id for item in node.body if isinstance(item, ast.AnnAssign)}
+            attributes |= {item.name for item in node.body if isinstance(item, ast.FunctionDef)}
             assert public(attributes) == public(dir(getattr(_core, node.name))), node.name
 
 
@@ -81,12 +132,20 @@ def test_the_report_has_the_members_of_the_cpp_report():
     assert len(members) == len(dataclasses.fields(cgal_l0.Report)) + 1   # the outcome, which is an exception here
 
 
-def test_the_example_is_in_the_readme_and_runs(cube, tmp_path, monkeypatch):
-    example = root / "examples/L0_resampling/l0_resample_example.py"
-    code = example.read_text().split("# [example]\n")[1].strip()   # as the manual shows it
-    assert len(code.splitlines()) == 3
-    assert f"```python\n{code}\n```" in (root / "README.md").read_text()
+def example_code(name):
+    """As the manual shows it."""
+    code = (root / "examples/L0_resampling" / name).read_text()
+    return re.split(r"# \[\w+\]\n", code)[1].strip()
+
+
+@pytest.mark.parametrize("name", ["l0_resample_example.py", "python_files_example.py"])
+def test_the_examples_of_the_readme(name):
+    assert f"```python\n{example_code(name)}\n```" in (root / "README.md").read_text()
+
+
+def test_the_shortest_example_runs(cube, tmp_path, monkeypatch):
+    assert len(example_code("l0_resample_example.py").splitlines()) == 3
     monkeypatch.chdir(tmp_path)
     numpy.savetxt("scan.xyz", cube)
-    names = runpy.run_path(str(example))
+    names = runpy.run_path(str(root / "examples/L0_resampling/l0_resample_example.py"))
     assert names["positions"].shape == names["normals"].shape == (20000, 3)

@@ -39,6 +39,15 @@ struct Input
   explicit Input(Memory_counter* memory = nullptr) : points(memory), normals(memory), hints(memory), is_kept(memory) {}
 };
 
+/// \throws std::invalid_argument for a point of the caller that is not finite
+[[noreturn]] inline void refuse_non_finite_point(std::size_t index, const Vector& point)
+{
+  throw std::invalid_argument("l0_resample_point_set: point " + std::to_string(index)
+                              + " has a coordinate that is not finite (" + std::to_string(point[0]) + ", "
+                              + std::to_string(point[1]) + ", " + std::to_string(point[2])
+                              + "); drop_non_finite(true) leaves such points out");
+}
+
 /// Reads the points of the range, without the non-finite ones if they are to be dropped.
 /// \throws std::invalid_argument for the first non-finite point if they are not
 template <typename PointRange, typename PointMap>
@@ -60,10 +69,7 @@ void read_points(const PointRange& range, PointMap point_map, bool drop_non_fini
     const Vector point(double(p.x()), double(p.y()), double(p.z()));
     const bool is_finite = point.allFinite();
     if (!is_finite && !drop_non_finite)
-      throw std::invalid_argument("l0_resample_point_set: point " + std::to_string(index)
-                                  + " has a coordinate that is not finite (" + std::to_string(point[0]) + ", "
-                                  + std::to_string(point[1]) + ", " + std::to_string(point[2])
-                                  + "); drop_non_finite(true) leaves such points out");
+      refuse_non_finite_point(index, point);
     input.is_kept.push_back(is_finite);
     if (!is_finite)
     {
@@ -173,18 +179,29 @@ std::size_t number_of_distinct_points(const PointRange& range, PointMap point_ma
   return std::size_t(std::unique(points.begin(), points.end()) - points.begin());
 }
 
-/// The result's positions in the number type of the caller: inside the bounding box grown by `margin`, and no two equal if `separate`.
+/// The bounding box of the input grown by `margin`, as far as numbers reach.
+template <typename FT>
+std::array<std::array<FT, 3>, 2> box_of_result(const Input& input, double margin)
+{
+  const double largest = double((std::numeric_limits<FT>::max)());
+  std::array<std::array<FT, 3>, 2> box;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    box[0][std::size_t(axis)] = FT((std::max)(input.low[axis] - margin, -largest));
+    box[1][std::size_t(axis)] = FT((std::min)(input.high[axis] + margin, largest));
+  }
+  return box;
+}
+
+/// The result's positions in the number type of the caller: inside the bounding box grown by
+/// `margin`, and no two equal if `separate`.
 template <typename ConcurrencyTag, typename FT>
 Buffer<std::array<FT, 3>> rounded_positions(const Buffer<Vector>& positions, const Input& input, double margin,
                                             bool separate)
 {
-  const double largest = double((std::numeric_limits<FT>::max)());
-  std::array<FT, 3> low, high;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    low[std::size_t(axis)] = FT((std::max)(input.low[axis] - margin, -largest));
-    high[std::size_t(axis)] = FT((std::min)(input.high[axis] + margin, largest));
-  }
+  const std::array<std::array<FT, 3>, 2> box = box_of_result<FT>(input, margin);
+  const std::array<FT, 3>& low = box[0];
+  const std::array<FT, 3>& high = box[1];
   Buffer<std::array<FT, 3>> rounded(positions.get_allocator());
   rounded.reserve(positions.size());
   for_each_in_order(positions.size(), [&](std::size_t i) {

@@ -1,0 +1,88 @@
+# Copyright (c) 2026  The CGAL::L0_resampling authors.
+# All rights reserved.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""Makes the wheel of cgal_l0: setuptools packs what CMake builds, and has in its component "wheel".
+
+Environment variables:
+CGAL_L0_BUILD_DIRECTORY   a complete build folder of CMake: nothing is configured or compiled
+CMAKE_ARGS                further options for CMake, such as -DCGAL_L0_WITH_CUDA=OFF
+CMAKE_BUILD_PARALLEL_LEVEL   the number of compilers at once; by default that of the processors
+"""
+
+import os
+import pathlib
+import re
+import shlex
+import subprocess
+import sys
+
+from setuptools import Extension, setup
+from setuptools.command.build_ext import build_ext
+
+source = pathlib.Path(__file__).resolve().parent
+project = (source / "CMakeLists.txt").read_text(encoding="utf-8")
+version = re.search(r"project\(CGAL_L0_resampling VERSION ([0-9.]+) ", project)[1]
+
+# A wheel may be carried to another machine, so it is compiled for every processor of the kind.
+options = [
+    "-DCMAKE_BUILD_TYPE=Release",
+    f"-DPython_EXECUTABLE={sys.executable}",
+    "-DCGAL_L0_BUILD_TESTS=OFF",
+    "-DCGAL_L0_BUILD_EXAMPLES=OFF",
+    "-DCGAL_L0_BUILD_BENCHMARKS=OFF",
+    "-DCGAL_L0_WITH_DOCUMENTATION=OFF",
+    "-DCGAL_L0_WITH_NATIVE_INSTRUCTIONS=OFF",
+]
+
+
+def built_by_cmake(folder):
+    os.environ.setdefault("CMAKE_BUILD_PARALLEL_LEVEL", str(os.cpu_count()))
+    subprocess.run(
+        [
+            "cmake",
+            "-S",
+            source,
+            "-B",
+            folder,
+            *options,
+            *shlex.split(os.environ.get("CMAKE_ARGS", "")),
+        ],
+        check=True,
+    )
+    build = subprocess.run(["cmake", "--build", folder, "--target", "cgal_l0", "l0_resample"])
+    if build.returncode != 0:
+        sys.exit(
+            "The build failed. If there is no target cgal_l0, CMake has said above what is missing."
+        )
+    return folder
+
+
+class BuildByCMake(build_ext):
+    def run(self):
+        build = os.environ.get("CGAL_L0_BUILD_DIRECTORY") or built_by_cmake(
+            pathlib.Path(self.build_temp).resolve()
+        )
+        files = pathlib.Path(self.build_lib).resolve()
+        subprocess.run(
+            ["cmake", "--install", build, "--component", "wheel", "--strip", "--prefix", files],
+            check=True,
+        )
+        # The program goes beside the interpreter, and not into the folder of the packages.
+        program = pathlib.Path(self.build_temp).resolve() / "program" / "l0_resample"
+        program.parent.mkdir(parents=True, exist_ok=True)
+        (files / "bin" / "l0_resample").replace(program)
+        (files / "bin").rmdir()
+        self.distribution.data_files = [("bin", [str(program)])]
+
+
+# The extension says that the wheel is of this platform; CMake knows its sources.
+setup(
+    version=version,
+    packages=[],
+    py_modules=[],
+    ext_modules=[Extension("cgal_l0._core", [])],
+    cmdclass={"build_ext": BuildByCMake},
+    options={"build": {"build_base": "build-wheel"}},
+)

@@ -1,0 +1,200 @@
+# Copyright (c) 2026  The CGAL::L0_resampling authors.
+# All rights reserved.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""Points in files, and pictures of points. The formats are those of the program l0_resample."""
+
+from __future__ import annotations
+
+import os
+import warnings
+from dataclasses import dataclass, field
+
+import numpy
+
+from . import _core
+from ._arrays import coordinates
+from ._resampling import Cancelled, in_python_words
+
+
+@dataclass(frozen=True, eq=False)
+class PointCloud:
+    """What read_points() found in a file.
+
+    points: array of shape (n, 3), float32 if that holds all numbers of the file, else float64
+    normals: array of that type and shape, or None if the file has none; lengths as in the file
+    properties: dict of the other numbers of each point by their names, such as "red" or
+        "intensity": arrays of shape (n,) in the number types of the file
+    number_of_dropped_points: those with a coordinate that is not finite, with drop_non_finite
+    """
+
+    points: numpy.ndarray
+    normals: numpy.ndarray | None = None
+    properties: dict[str, numpy.ndarray] = field(default_factory=dict)
+    number_of_dropped_points: int = 0
+
+
+def _with_python_words(function, *arguments):
+    try:
+        return function(*arguments)
+    except (ValueError, OSError) as error:
+        words = in_python_words(str(error))
+        if words == str(error):   # of the callback too
+            raise
+        raise type(error)(words) from None
+
+
+def _distinct(names):
+    """The names; one that came before has a number behind it."""
+    distinct = []
+    for name in names:
+        candidate, number = name, 2
+        while candidate in distinct:
+            candidate, number = f"{name}_{number}", number + 1
+        distinct.append(candidate)
+    return distinct
+
+
+def read_points(path, *, format=None, drop_non_finite=False, callback=None):
+    """Read the points of a file.
+
+    cloud = cgal_l0.read_points("scan.ply")
+    positions, normals = cgal_l0.l0_resample_point_set(cloud.points)
+
+    path: str or path. The extension tells the format: .ply, .pcd, .off, .xyz, .xyzn, .pwn or .npy.
+    format: str, one of these extensions without the dot, for a file with another one.
+        Default: None, by the extension.
+    drop_non_finite: bool. True: points with a coordinate that is not finite are left out and
+        counted. False (default): they raise ValueError.
+    callback: as of l0_resample_point_set().
+
+    Returns a cgal_l0.PointCloud: points, normals or None, properties, number_of_dropped_points.
+
+    Raises ValueError with the line or byte where the file is not what it should be, OSError if
+    there is no such file, MemoryError, and Cancelled. Warns of what was not read.
+    """
+    os.stat(path)   # raises FileNotFoundError and its like
+    found = _with_python_words(
+        _core.read_points, os.fsencode(path), format, bool(drop_non_finite), callback
+    )
+    if found is None:
+        raise Cancelled("the callback returned False")
+    points, normals, names, records, dropped, complaints = found
+    for complaint in complaints:
+        warnings.warn(complaint, stacklevel=2)
+    fields = records.dtype.names or ()
+    return PointCloud(
+        points, normals, {name: records[f] for name, f in zip(_distinct(names), fields)}, dropped
+    )
+
+
+def _property(name, values, size):
+    array = numpy.asarray(values)
+    if array.shape != (size,):
+        raise ValueError(f"the property {name!r} has the shape {array.shape}, expected ({size},)")
+    if array.dtype.kind == "b":
+        array = array.astype(numpy.uint8)
+    elif array.dtype in (numpy.int64, numpy.uint64):
+        narrow = numpy.int32 if array.size == 0 or array.min() < 0 else numpy.uint32
+        if not numpy.array_equal(array.astype(narrow), array):
+            raise ValueError(
+                f"the property {name!r} has numbers beyond 32 bits, which no format holds"
+            )
+        array = array.astype(narrow)
+    elif array.dtype == numpy.float16:
+        array = array.astype(numpy.float32)
+    if array.dtype.kind not in "iuf" or array.dtype.itemsize > 8:
+        raise TypeError(f"the property {name!r} holds {array.dtype}, expected integers or floats")
+    return array.astype(array.dtype.newbyteorder("="), copy=False)
+
+
+def write_points(path, points, normals=None, properties=None, *, format=None):
+    """Write points to a file: as a whole or not at all.
+
+    cgal_l0.write_points("clean.ply", positions, normals)
+
+    path: str or path, whose extension tells the format, as for read_points(). A file that exists
+        is replaced once the new one is complete; until then, or after an error, it stays.
+    points: array of shape (n, 3). Coordinates are written in single precision if points is
+        float32, else in double precision. Binary PCD is in single precision if that moves no
+        point by more than a millionth of the diagonal.
+    normals: array of shape (n, 3) or None (default), for a file without normals.
+    properties: dict of further numbers of each point by their names, arrays of shape (n,), as in
+        the properties of read_points(). PLY and PCD hold all, OFF colors as uint8. A warning
+        names those that the format cannot hold. Default: None.
+    format: str, as of read_points().
+
+    Raises ValueError or TypeError for arrays that are no points, OSError if the file cannot be
+    written.
+    """
+    points, normals = coordinates(points=points, normals=normals)
+    columns = [
+        (name, _property(name, values, len(points))) for name, values in (properties or {}).items()
+    ]
+    records = numpy.empty(len(points), [(name, values.dtype) for name, values in columns])
+    for name, values in columns:
+        records[name] = values
+    for name in _with_python_words(
+        _core.write_points, os.fsencode(path), format, points, normals, records
+    ):
+        warnings.warn(
+            f"{os.fspath(path)}: the format has no place for the property {name!r}", stacklevel=2
+        )
+
+
+def snapshot(
+    points,
+    positions,
+    normals,
+    *,
+    input_normals=None,
+    feature_confidences=None,
+    view=None,
+    path=None,
+):
+    """Draw the input on the left and the result on the right, seen from the same side.
+
+    image = cgal_l0.snapshot(points, positions, normals, path="picture.png")
+
+    points: array of shape (n, 3), the input.
+    positions, normals: arrays of shape (m, 3), the result.
+    input_normals: array of shape (n, 3) or None. Normals color the points by their direction.
+        Without normals (None, default) the input is gray.
+    feature_confidences: array of shape (m,) or None (default), from l0_resample_point_set(). With
+        it, the result is the redder the higher they are.
+    view: three floats, the direction from the points towards the eye, not zero. Default: from the
+        front right, a little above, with y pointing up.
+    path: str or path of a PNG file to write, or None (default).
+
+    Returns the picture, an array of uint8 of shape (height, width, 3), which
+    matplotlib.pyplot.imshow() shows.
+
+    Raises ValueError or TypeError for arrays that are no points, OSError if the file cannot be
+    written.
+    """
+    points, input_normals = coordinates(points=points, normals=input_normals)
+    positions, normals = coordinates(positions=positions, normals=normals)
+    if normals is None:
+        raise TypeError("normals is None, expected an array of the shape of positions")
+    confidences = None
+    if feature_confidences is not None:
+        confidences = numpy.ascontiguousarray(feature_confidences, dtype=numpy.float32)
+        if confidences.shape != (len(positions),):
+            raise ValueError(
+                f"feature_confidences has the shape {confidences.shape}, "
+                f"expected ({len(positions)},)"
+            )
+    eye = None if view is None else [float(coordinate) for coordinate in view]
+    if eye is not None and (len(eye) != 3 or not numpy.isfinite(eye).all() or not any(eye)):
+        raise ValueError(f"view is {eye}, expected three finite coordinates that are not all 0")
+    return _with_python_words(
+        _core.snapshot,
+        points,
+        input_normals,
+        positions,
+        normals,
+        confidences,
+        eye,
+        None if path is None else os.fsencode(path),
+    )

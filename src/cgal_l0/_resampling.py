@@ -1,0 +1,249 @@
+# Copyright (c) 2026  The CGAL::L0_resampling authors.
+# All rights reserved.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""The function l0_resample_point_set()."""
+
+import re
+
+from . import _core
+from ._arrays import coordinates, cuda_device_of
+from .reports import report_of
+
+_whole_numbers = (
+    "number_of_output_points",
+    "number_of_normal_filter_iterations",
+    "number_of_orientation_neighbors",
+    "random_seed",
+    "maximum_memory",
+    "threads",
+)
+
+
+class Cancelled(Exception):
+    """Raised by a call whose callback returned False."""
+
+
+def in_python_words(message):
+    """A message of the C++ function, with its names and values as Python has them."""
+    message = message.replace("l0_resample_point_set: ", "")
+    message = re.sub(r"^point (\d+) has", r"points[\1] has", message)
+    message = re.sub(r"\b(\w+)\((true|false)\)", lambda m: f"{m[1]}={m[2].capitalize()}", message)
+    message = message.replace("--drop-non-finite", "drop_non_finite=True")
+    return message.replace("orientation_hint_map", "orientation_hints").replace("2^32", "2**32")
+
+
+def _choice(name, value, enumeration):
+    choices = enumeration.__members__
+    if value not in choices:
+        raise ValueError(f"{name} is {value!r}, expected one of {', '.join(map(repr, choices))}")
+    return choices[value]
+
+
+def _device_choice(device, points):
+    """Where to compute: unless the caller says it, where the points are."""
+    cuda_device = cuda_device_of(points)
+    if device is None:
+        device = "cpu" if cuda_device is None else "cuda"
+    choice = _choice("device", device, _core.Device)
+    if cuda_device is not None and choice == _core.Device.cpu:
+        raise ValueError(
+            f"points is on cuda:{cuda_device}, which device='cpu' cannot read: "
+            "copy it to the host first, or leave device out"
+        )
+    return choice
+
+
+def l0_resample_point_set(
+    points,
+    normals=None,
+    *,
+    number_of_output_points=None,
+    select_percentage=50,
+    method="default",
+    neighbor_radius=None,
+    normal_filter_radius=None,
+    sharpness_angle=15,
+    number_of_normal_filter_iterations=5,
+    normal_weight=0.9,
+    regularization_weight=0.15,
+    initial_penalty=0.1,
+    maximum_penalty=2,
+    penalty_growth=None,
+    keep_density=False,
+    viewpoint=None,
+    orientation_hints=None,
+    number_of_orientation_neighbors=12,
+    random_seed=0,
+    drop_non_finite=False,
+    drop_outliers=None,
+    maximum_memory=None,
+    threads=None,
+    device=None,
+    callback=None,
+    source_indices=False,
+    feature_confidences=False,
+    report=False,
+):
+    """Resample raw, noisy points to clean, evenly spaced points with oriented normals.
+
+    positions, normals = l0_resample_point_set(points, number_of_output_points=20000)
+
+    Arrays
+
+    points: array of shape (n, 3), the input, which is not changed. Its order does not matter.
+        Arrays of float32 and float64 are read in place, whatever their strides; other threads
+        must not change them during the call. Integers, float16, lists and what has __array__
+        are converted. CUDA arrays (__dlpack__ or __cuda_array_interface__; float32 or float64)
+        are resampled on their device, without a copy to the host.
+    normals: array of shape (n, 3) or None. Normals of the points, which replace those that are
+        estimated. Length and sign do not matter. None (default), and rows that are zero or not
+        finite: estimated from the points.
+    orientation_hints: array of shape (n, 3) or None. Vectors to whose side the normals of the
+        result are turned, such as rough normals of the input. Each connected part of the result
+        is turned as a whole, to the side of the majority. Lengths do not matter; a vector that
+        is zero or not finite does not count. Not together with viewpoint. Default: None.
+
+    How many points, and by which method
+
+    number_of_output_points: int from 0 to 2**32 - 2, the exact number of points of the result.
+        It may be larger than n. Default: what select_percentage gives.
+    select_percentage: float in (0, 100]. Without number_of_output_points, the result has this
+        percentage of the n points, rounded down, but at least one. Default: 50.
+    method: "default", recommended; "lor" or "alor", the two methods of the paper.
+    keep_density: bool. True: the result is as dense in each place as the input. False (default):
+        it is evenly spaced.
+    random_seed: int of at least 0, which chooses where the samples start. Default: 0.
+
+    Scale and sharpness
+
+    neighbor_radius: float above 0, a length in the unit of the points. Each sample is fitted to
+        the points within this distance. Larger values remove more noise, smaller ones keep more
+        detail. Default: from the spacing and the noise of the points; for "lor" and "alor" from
+        the bounding box and n.
+    normal_filter_radius: float above 0, a length in the unit of the points: the radius in which
+        normals are averaged. Default: neighbor_radius, or 1.2 times that for method="default".
+    sharpness_angle: float in (0, 90], in degrees. Normals that differ by much more are not
+        averaged. Smaller values keep blunter edges. Default: 15.
+    number_of_normal_filter_iterations: int from 0 to 10000, the number of times that normals are
+        averaged. Default: 5.
+    normal_weight: float of at least 0, the weight of sharpness against closeness to the input.
+        Larger values give sharper edges and flatter faces. It has no unit. Default: 0.9.
+    regularization_weight: float of at least 0. Larger values draw neighboring samples together.
+        Default: 0.15.
+    initial_penalty, maximum_penalty, penalty_growth: floats. The minimization solves a sequence
+        of problems whose penalty grows from initial_penalty (above 0, default 0.1) by the factor
+        penalty_growth (above 1; default 2, or 1.5 for "lor" and "alor") until it exceeds
+        maximum_penalty (above 0, default 2). At most 10000 steps.
+
+    Sides of the normals
+
+    viewpoint: three floats or None, a point that the normals shall face, such as the place of
+        the scanner. Default: None, and normals point outwards.
+    number_of_orientation_neighbors: int from 3 to 1000, the number of nearest samples over which
+        the side of a normal is propagated. Default: 12.
+
+    Bad points
+
+    drop_non_finite: bool. True: points with a coordinate that is not finite are left out and
+        counted in the report. False (default): they raise ValueError.
+    drop_outliers: bool. True: isolated points and small remote clusters are left out and counted
+        in the report. Default: True for method="default", else False.
+
+    Where and how it runs
+
+    device: "cpu"; "cuda", which raises RuntimeError if no device can be used; or "auto", which
+        falls back to the CPU and says why in the report. Default: where the points are.
+    threads: int from 1 to 4096, the most threads that compute. It does not change the result.
+        Default: all.
+    maximum_memory: int, the most bytes that the call's own arrays may take; MemoryError if that
+        does not suffice. With CUDA it is memory of the device. Default: no limit.
+    callback: function of the progress, a float in [0, 1] that never falls. It is called in the
+        calling thread. If it returns False, the call ends with Cancelled. See progress_bar().
+
+    Further results
+
+    source_indices: bool. True: also return, for each point of the result, the index of the
+        nearest of points, as int64.
+    feature_confidences: bool. True: also return, for each point of the result, how sure it is
+        to be on an edge or a corner, in [0, 1].
+    report: bool. True: also return a cgal_l0.Report.
+
+    Returns a tuple: positions and normals, arrays of shape (m, 3) and of the number type of
+    points, then what else is asked for, in this order: source indices, feature confidences,
+    report. Normals have unit length. For points on a CUDA device the arrays are of the type
+    cgal_l0.DeviceArray, on that device, which torch.from_dlpack() and cupy.asarray() take
+    without a copy.
+
+    The result does not depend on the number of threads or on the run. Other Python threads run
+    during the call. Ctrl-C ends it with KeyboardInterrupt.
+
+    Raises ValueError for points and parameters that cannot be used, TypeError for arrays and
+    parameters of a wrong type, MemoryError, Cancelled, any exception of the callback, and
+    RuntimeError if the solver or the device fails.
+    """
+    named = {
+        "number_of_output_points": number_of_output_points,
+        "select_percentage": select_percentage,
+        "neighbor_radius": neighbor_radius,
+        "normal_filter_radius": normal_filter_radius,
+        "sharpness_angle": sharpness_angle,
+        "number_of_normal_filter_iterations": number_of_normal_filter_iterations,
+        "normal_weight": normal_weight,
+        "regularization_weight": regularization_weight,
+        "initial_penalty": initial_penalty,
+        "maximum_penalty": maximum_penalty,
+        "penalty_growth": penalty_growth,
+        "keep_density": bool(keep_density),
+        "viewpoint": None if viewpoint is None else [float(coordinate) for coordinate in viewpoint],
+        "source_indices": bool(source_indices),
+        "feature_confidences": bool(feature_confidences),
+        "number_of_orientation_neighbors": number_of_orientation_neighbors,
+        "random_seed": random_seed,
+        "drop_non_finite": bool(drop_non_finite),
+        "drop_outliers": None if drop_outliers is None else bool(drop_outliers),
+        "maximum_memory": maximum_memory,
+        "threads": threads,
+        "device": _device_choice(device, points),
+    }
+    parameters = _core.Parameters(_choice("method", method, _core.Method))
+    for name, value in named.items():
+        if value is None:
+            continue
+        try:
+            setattr(parameters, name, value)
+        except TypeError:
+            # A number that does not fit is a bad value; a string is a bad type.
+            error = ValueError if isinstance(value, (int, float, list)) else TypeError
+            expected = (
+                "three coordinates"
+                if name == "viewpoint"
+                else "a whole number"
+                if name in _whole_numbers
+                else "a number"
+            )
+            if isinstance(value, int) and name in _whole_numbers:
+                expected = "a whole number of at least 0 that 64 bits hold"
+            raise error(f"{name} is {value!r}, expected {expected}") from None
+
+    arrays = coordinates(points=points, normals=normals, orientation_hints=orientation_hints)
+    resample = _core.resample if cuda_device_of(points) is None else _core.resample_on_device
+    try:
+        result = resample(*arrays, parameters, callback)
+    except (ValueError, RuntimeError) as error:
+        words = in_python_words(str(error))
+        if words == str(error):   # of the callback too
+            raise
+        raise type(error)(words) from None
+    if result is None:
+        raise Cancelled("the callback returned False")
+    positions, resampled_normals, sources, confidences, members = result
+    answer = [positions, resampled_normals]
+    if source_indices:
+        answer.append(sources)
+    if feature_confidences:
+        answer.append(confidences)
+    if report:
+        answer.append(report_of(members))
+    return tuple(answer)

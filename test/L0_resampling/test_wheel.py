@@ -1,0 +1,152 @@
+# Copyright (c) 2026  The CGAL::L0_resampling authors.
+# All rights reserved.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""Makes a wheel of a build that is there, installs it into an empty environment and uses it; makes
+a source distribution:
+
+test_wheel.py SOURCE BUILD SCRATCH
+
+Exit status 77 if pip, setuptools or wheel is not installed.
+"""
+
+import importlib.util
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tarfile
+import venv
+import zipfile
+
+SKIPPED = 77
+
+USE = """
+import importlib.metadata, cgal_l0, numpy
+print(cgal_l0.__file__)
+assert importlib.metadata.version("cgal-l0") == cgal_l0.__version__
+points = numpy.random.default_rng(1).random((2000, 3)) * [1, 1, 0.01]
+positions, normals = cgal_l0.l0_resample_point_set(points, number_of_output_points=500)
+cgal_l0.write_points("clean.ply", positions, normals)
+assert len(cgal_l0.read_points("clean.ply").points) == 500
+"""
+
+
+def run(*command, **options):
+    outcome = subprocess.run(
+        [str(word) for word in command], capture_output=True, text=True, **options
+    )
+    if outcome.returncode != 0:
+        sys.exit(
+            f"{command} ended with status {outcome.returncode}:\n{outcome.stdout}\n{outcome.stderr}"
+        )
+    return outcome.stdout
+
+
+def copy_of(source, scratch):
+    """What a wheel is built of, where it may be written to."""
+    copy = scratch / "source"
+    copy.mkdir(parents=True)
+    for name in (
+        "CMakeLists.txt",
+        "LICENSE",
+        "MANIFEST.in",
+        "README.md",
+        "pyproject.toml",
+        "setup.py",
+    ):
+        shutil.copy(source / name, copy)
+    for name in ("cmake", "include", "src"):
+        shutil.copytree(source / name, copy / name, ignore=shutil.ignore_patterns("__pycache__"))
+    return copy
+
+
+def installed(wheel, scratch):
+    """The folder of an environment that has the wheel, and the packages of this system."""
+    folder = scratch / "environment"
+    venv.create(folder, system_site_packages=True, with_pip=False)
+    run(
+        sys.executable,
+        "-m",
+        "pip",
+        "--python",
+        folder / "bin" / "python",
+        "install",
+        "--no-index",
+        "--no-deps",
+        wheel,
+    )
+    return folder
+
+
+def check_source_distribution(copy, scratch):
+    """It has all that CMake wants to see, and no more than what is needed."""
+    run(
+        sys.executable,
+        "-c",
+        "from setuptools import build_meta; build_meta.build_sdist('../distribution')",
+        cwd=copy,
+    )
+    (archive,) = (scratch / "distribution").glob("cgal*.tar.gz")
+    with tarfile.open(archive) as tar:
+        tar.extractall(scratch / "unpacked")
+    (folder,) = (scratch / "unpacked").iterdir()
+    wanted = {
+        path.relative_to(copy)
+        for name in ("cmake", "include", "src")
+        for path in (copy / name).rglob("*.*")
+    }
+    missing = {path for path in wanted if not (folder / path).exists()}
+    assert not missing, missing
+    assert (folder / "setup.py").exists() and (folder / "pyproject.toml").exists()
+    unwanted = [
+        path for path in folder.iterdir() if path.name in ("test", "data", "benchmark", "doc")
+    ]
+    assert not unwanted, unwanted
+
+
+def main():
+    if missing := [
+        name for name in ("pip", "setuptools", "wheel") if not importlib.util.find_spec(name)
+    ]:
+        print(", ".join(missing), "not installed, so no wheel was made")
+        return SKIPPED
+    source, build, scratch = map(pathlib.Path, sys.argv[1:])
+    shutil.rmtree(scratch, ignore_errors=True)
+    copy = copy_of(source, scratch)
+    os.environ.pop("PYTHONPATH", None)   # the package is that of the wheel only
+    run(
+        sys.executable,
+        "-m",
+        "pip",
+        "wheel",
+        copy,
+        "--no-build-isolation",
+        "--no-deps",
+        "--no-index",
+        "--no-cache-dir",
+        "-w",
+        scratch,
+        env={**os.environ, "CGAL_L0_BUILD_DIRECTORY": str(build)},
+    )
+    (wheel,) = scratch.glob("cgal_l0-*.whl")
+    with zipfile.ZipFile(wheel) as content:
+        names = set(content.namelist())
+    stubs = {f"cgal_l0/{path.name}" for path in (source / "src" / "cgal_l0").glob("*.py*")} | {
+        "cgal_l0/py.typed"
+    }
+    assert stubs <= names, stubs - names
+
+    environment = installed(wheel, scratch)
+    place = run(environment / "bin" / "python", "-B", "-c", USE, cwd=scratch)
+    assert place.startswith(str(environment)), place
+    assert run(environment / "bin" / "l0_resample", "--version").startswith("l0_resample ")
+    run(environment / "bin" / "l0_resample", "clean.ply", "half.npy", cwd=scratch)
+    check_source_distribution(copy, scratch)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
