@@ -4,8 +4,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Measures a resampled scan against the scan itself, without a ground truth. Needs NumPy and SciPy.
 
-All measures compare distances with the local spacing, the mean distance to six neighbors, since the density of a scan
-falls by orders of magnitude from near to far.
+All measures compare distances with the local spacing, the mean distance to six neighbors, since the
+density of a scan falls by orders of magnitude from near to far.
 """
 
 import lzma
@@ -14,20 +14,35 @@ from dataclasses import dataclass
 import numpy
 from scipy.spatial import cKDTree
 
-PLY_TYPES = {"float": "f4", "float32": "f4", "double": "f8", "float64": "f8", "char": "i1", "int8": "i1",
-             "uchar": "u1", "uint8": "u1", "short": "i2", "int16": "i2", "ushort": "u2", "uint16": "u2",
-             "int": "i4", "int32": "i4", "uint": "u4", "uint32": "u4"}
-SAMPLE = 30_000         # points whose surroundings are measured, at most
+PLY_TYPES = {
+    "float": "f4",
+    "float32": "f4",
+    "double": "f8",
+    "float64": "f8",
+    "char": "i1",
+    "int8": "i1",
+    "uchar": "u1",
+    "uint8": "u1",
+    "short": "i2",
+    "int16": "i2",
+    "ushort": "u2",
+    "uint16": "u2",
+    "int": "i4",
+    "int32": "i4",
+    "uint": "u4",
+    "uint32": "u4",
+}
+SAMPLE = 30_000  # points whose surroundings are measured, at most
 NEIGHBORS = 6
-LOST, GHOST, ADRIFT = 3, 2, 1.5    # spacings
-AWAY_SINE = 0.17        # a normal that faces away from the sensor by more than 10 degrees
+LOST, GHOST, ADRIFT = 3, 2, 1.5  # spacings
+AWAY_SINE = 0.17  # a normal that faces away from the sensor by more than 10 degrees
 
 
 @dataclass
 class Cloud:
     positions: numpy.ndarray
-    normals: numpy.ndarray    # None where the file has none
-    views: numpy.ndarray      # the same
+    normals: numpy.ndarray  # None where the file has none
+    views: numpy.ndarray  # the same
 
     def __len__(self):
         return len(self.positions)
@@ -60,12 +75,15 @@ def read_cloud(path):
         return numpy.stack([rows[name].astype(float) for name in names], 1)
 
     names = rows.dtype.names
-    return Cloud(columns("x", "y", "z"), columns("nx", "ny", "nz") if "nx" in names else None,
-                 rows["view"] if "view" in names else None)
+    return Cloud(
+        columns("x", "y", "z"),
+        columns("nx", "ny", "nz") if "nx" in names else None,
+        rows["view"] if "view" in names else None,
+    )
 
 
 class Comparison:
-    """Which points of a scan are lost, and which points of a result stand where the scan has none."""
+    """Points of a scan that are lost, and points of a result where the scan has none."""
 
     def __init__(self, scan, result):
         """`scan` and `result` are arrays of positions."""
@@ -81,24 +99,37 @@ class Comparison:
     @staticmethod
     def _spacing(tree, positions):
         count = min(NEIGHBORS, tree.n - 1)
-        return tree.query(positions, count + 1)[0][:, 1:].mean(1) if count > 0 else numpy.zeros(len(positions))
+        return (
+            tree.query(positions, count + 1)[0][:, 1:].mean(1)
+            if count > 0
+            else numpy.zeros(len(positions))
+        )
 
     def unevenness(self):
         """Standard deviation of the spacing over the mean spacing of the twelve points around."""
         points = self.result[numpy.random.default_rng(0).permutation(len(self.result))[:SAMPLE]]
         distances, around = self.result_tree.query(points, min(13, len(self.result)))
-        own = distances[:, 1:NEIGHBORS + 1].mean(1)
-        near = self._spacing(self.result_tree, self.result[around[:, 1:].ravel()]).reshape(len(points), -1)
+        own = distances[:, 1 : NEIGHBORS + 1].mean(1)
+        near = self._spacing(self.result_tree, self.result[around[:, 1:].ravel()]).reshape(
+            len(points), -1
+        )
         return float((own / near.mean(1)).std())
 
     def measures(self):
-        """Shares are percent; `box` is the diagonal of the box of all but 0.5 % at each end, over the scan's."""
-        def extent(positions):
-            return numpy.linalg.norm(numpy.subtract(*numpy.quantile(positions, [0.995, 0.005], axis=0)))
+        """Shares are percent; `box` is the diagonal of the inner 99 %'s box, over the scan's."""
 
-        return {"lost": 100 * float(self.is_lost.mean()), "ghosts": 100 * float(self.is_ghost.mean()),
-                "adrift": 100 * float(self.is_adrift.mean()), "box": float(extent(self.result) / extent(self.scan)),
-                "uneven": self.unevenness()}
+        def extent(positions):
+            return numpy.linalg.norm(
+                numpy.subtract(*numpy.quantile(positions, [0.995, 0.005], axis=0))
+            )
+
+        return {
+            "lost": 100 * float(self.is_lost.mean()),
+            "ghosts": 100 * float(self.is_ghost.mean()),
+            "adrift": 100 * float(self.is_adrift.mean()),
+            "box": float(extent(self.result) / extent(self.scan)),
+            "uneven": self.unevenness(),
+        }
 
 
 def away_from_viewpoint(result, viewpoint):
@@ -111,13 +142,13 @@ def away_from_viewpoint(result, viewpoint):
 def turned_up(result):
     """Of the normals that are near the vertical, the share that points upwards, in percent."""
     is_ground = abs(result.normals[:, 2]) > 0.8
-    return 100 * float((result.normals[is_ground, 2] > 0).mean()) if is_ground.any() else 100.
+    return 100 * float((result.normals[is_ground, 2] > 0).mean()) if is_ground.any() else 100.0
 
 
 def angle_to_plane(scan, result, low, high, tolerance):
-    """Mean angle in degrees between the normals on a flat part and the plane of that part of the scan.
+    """Mean angle in degrees between normals on a flat part and the plane of that part of the scan.
 
-    The plane is the best one of the scan's points in the box from `low` to `high`, by RANSAC with this tolerance.
+    The plane is fitted to the scan's points in the box from `low` to `high` by RANSAC.
     Raises ValueError where there are no points.
     """
     inside = scan[((scan >= low) & (scan <= high)).all(1)]

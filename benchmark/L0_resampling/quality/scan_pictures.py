@@ -4,8 +4,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """One page of pictures of scans and their results. Needs NumPy and Matplotlib.
 
-Each scan has a row: the scan and its result as the sensor sees them, and slices of both. Red is what is wrong: points of
-the scan that are lost, points of the result that are adrift; magenta are ghosts, orange are normals that face away.
+Each scan has a row: the scan and its result as the sensor sees them, and slices of both. Points of
+the scan that are lost are red, and so are points of the result that are adrift; ghosts are magenta,
+normals that face away from the sensor orange.
 """
 
 from dataclasses import dataclass
@@ -16,13 +17,20 @@ matplotlib.use("agg")
 import numpy
 from matplotlib import pyplot
 
-GREY, RED, MAGENTA, ORANGE, BLUE = (0.6, 0.6, 0.6), (0.9, 0, 0), (1, 0, 1), (1, 0.55, 0), (0.1, 0.3, 0.7)
-WIDE = 100    # degrees; wider fields of view are drawn as panoramas
+GREY, RED, MAGENTA, ORANGE, BLUE = (
+    (0.6, 0.6, 0.6),
+    (0.9, 0, 0),
+    (1, 0, 1),
+    (1, 0.55, 0),
+    (0.1, 0.3, 0.7),
+)
+WIDE = 100  # degrees; wider fields of view are drawn as panoramas
 
 
 @dataclass
 class Slice:
-    """Points whose coordinate `axis` is in an interval. `center` and `size`: a window of the other two, or None."""
+    """Points whose coordinate `axis` is in an interval, and a window of the other two, or None."""
+
     axis: int
     position: float
     thickness: float
@@ -37,7 +45,9 @@ def parse_slice(text):
     """'z 1.3 0.2' or, with a window, 'z 1.3 0.2 4.5 -2 3'. Raises ValueError for anything else."""
     words = text.split()
     if len(words) not in (3, 6) or words[0] not in ("x", "y", "z"):
-        raise ValueError(f"'{text}' is no slice: axis, position, thickness, and a window's center and size")
+        raise ValueError(
+            f"'{text}' is no slice: axis, position, thickness, and a window's center and size"
+        )
     numbers = [float(word) for word in words[1:]]
     window = ((numbers[2], numbers[3]), numbers[4]) if len(words) == 6 else ()
     return Slice("xyz".index(words[0]), *numbers[:2], *window)
@@ -48,11 +58,14 @@ def default_slices(positions):
     extent = numpy.subtract(*numpy.quantile(positions, [0.995, 0.005], axis=0))
     middle = numpy.median(positions, axis=0)
     thickness = 0.01 * numpy.linalg.norm(extent)
-    return [Slice(int(axis), float(middle[axis]), float(thickness)) for axis in (extent.argmin(), extent.argmax())]
+    return [
+        Slice(int(axis), float(middle[axis]), float(thickness))
+        for axis in (extent.argmin(), extent.argmax())
+    ]
 
 
 class Camera:
-    """Where points are in the picture: azimuth and elevation, or a camera's image, or a look from above at a slant."""
+    """Maps points to the picture: azimuth and elevation, a camera's image, or a slanted view."""
 
     def __init__(self, positions, viewpoint):
         self.viewpoint = viewpoint
@@ -64,7 +77,9 @@ class Camera:
         forward = rays.mean(0)
         length = numpy.linalg.norm(forward)
         spread = numpy.degrees(numpy.arccos(numpy.clip(rays @ forward / max(length, 1e-12), -1, 1)))
-        self.kind = "panorama" if length < 0.3 or numpy.quantile(spread, 0.99) > WIDE / 2 else "camera"
+        self.kind = (
+            "panorama" if length < 0.3 or numpy.quantile(spread, 0.99) > WIDE / 2 else "camera"
+        )
         self.forward = forward / max(length, 1e-12)
 
     def __call__(self, positions):
@@ -74,13 +89,17 @@ class Camera:
         rays = positions - self.viewpoint
         if self.kind == "panorama":
             azimuth = numpy.degrees(numpy.arctan2(rays[:, 1], rays[:, 0]))
-            return numpy.stack([-azimuth, numpy.degrees(numpy.arctan2(rays[:, 2], numpy.hypot(*rays[:, :2].T)))], 1)
-        # A camera that looks along z has y downwards, as depth cameras have it; any other has z upwards.
-        up = numpy.array([0., -1, 0] if abs(self.forward[2]) > 0.8 else [0., 0, 1])
+            return numpy.stack(
+                [-azimuth, numpy.degrees(numpy.arctan2(rays[:, 2], numpy.hypot(*rays[:, :2].T)))], 1
+            )
+        # A camera that looks along z has y downwards, as depth cameras do; any other has z upwards.
+        up = numpy.array([0.0, -1, 0] if abs(self.forward[2]) > 0.8 else [0.0, 0, 1])
         right = numpy.cross(self.forward, up)
         right /= numpy.linalg.norm(right)
         depth = numpy.maximum(rays @ self.forward, 1e-9)
-        return numpy.stack([rays @ right, rays @ numpy.cross(right, self.forward)], 1) / depth[:, None]
+        return (
+            numpy.stack([rays @ right, rays @ numpy.cross(right, self.forward)], 1) / depth[:, None]
+        )
 
 
 def draw(panel, places, colors, title, size):
@@ -118,7 +137,13 @@ def draw_slice(panels, cut, clouds):
     for panel, (title, positions, colors, normals) in zip(panels, clouds):
         inside = abs(positions[:, cut.axis] - cut.position) <= cut.thickness / 2
         places = positions[inside][:, axes]
-        draw(panel, places, colors[inside], f"{title}, {cut}", 2.5)
+        draw(
+            panel,
+            places,
+            colors[inside],
+            f"{title}, {cut}",
+            numpy.clip(8000 / max(len(places), 1), 1.5, 12),
+        )
         if limits is None and len(places) > 0:
             limits = numpy.quantile(places, [0.002, 0.998], axis=0)
             if cut.center is not None:
@@ -127,8 +152,18 @@ def draw_slice(panels, cut, clouds):
             continue
         if normals is not None:
             length = 0.01 * numpy.linalg.norm(limits[1] - limits[0])
-            panel.quiver(*places.T, *normals[inside][:, axes].T, color=BLUE, angles="xy", scale_units="xy",
-                         scale=1 / length, width=0.0008, headwidth=0, headlength=0, headaxislength=0)
+            panel.quiver(
+                *places.T,
+                *normals[inside][:, axes].T,
+                color=BLUE,
+                angles="xy",
+                scale_units="xy",
+                scale=1 / length,
+                width=0.0008,
+                headwidth=0,
+                headlength=0,
+                headaxislength=0,
+            )
         margin = 0.03 * (limits[1] - limits[0]).max()
         panel.set_xlim(limits[0, 0] - margin, limits[1, 0] + margin)
         panel.set_ylim(limits[0, 1] - margin, limits[1, 1] + margin)
@@ -138,11 +173,12 @@ def draw_slice(panels, cut, clouds):
 @dataclass
 class Row:
     """What a row of the page shows. `slices` may be empty."""
+
     title: str
-    scan: object          # a Cloud
+    scan: object  # a Cloud
     result: object
     comparison: object
-    viewpoint: object     # an array, or None
+    viewpoint: object  # an array, or None
     slices: list
 
 
@@ -153,25 +189,35 @@ def draw_row(panels, row):
     scan_colors[row.comparison.is_lost] = RED
     colors = result_colors(row.result, row.comparison, row.viewpoint)
     lost, adrift = 100 * row.comparison.is_lost.mean(), 100 * row.comparison.is_adrift.mean()
+    ghosts = 100 * row.comparison.is_ghost.mean()
     places = camera(row.scan.positions)
     draw(panels[0], places, scan_colors, f"{row.title}: scan, lost {lost:.2f} % (red)", size)
-    draw(panels[1], camera(row.result.positions), colors,
-         f"result, adrift {adrift:.2f} % (red), ghosts {100 * row.comparison.is_ghost.mean():.2f} % (magenta)", size)
+    draw(
+        panels[1],
+        camera(row.result.positions),
+        colors,
+        f"result, adrift {adrift:.2f} % (red), ghosts {ghosts:.2f} % (magenta)",
+        size,
+    )
     low, high = numpy.quantile(places, [0.001, 0.999], axis=0)
     for panel in panels[:2]:
         panel.set_xlim(low[0], high[0])
         panel.set_ylim(low[1], high[1])
         if camera.kind != "panorama":
             panel.set_aspect("equal", adjustable="box")
-    clouds = (("scan", row.scan.positions, scan_colors, None),
-              ("result", row.result.positions, colors, row.result.normals))
+    clouds = (
+        ("scan", row.scan.positions, scan_colors, None),
+        ("result", row.result.positions, colors, row.result.normals),
+    )
     for number, cut in enumerate((row.slices or default_slices(row.scan.positions))[:2]):
-        draw_slice(panels[2 + 2 * number:4 + 2 * number], cut, clouds)
+        draw_slice(panels[2 + 2 * number : 4 + 2 * number], cut, clouds)
 
 
 def draw_page(path, rows):
     """A PNG file with a row of six panels for each of `rows`."""
-    figure, panels = pyplot.subplots(len(rows), 6, figsize=(27, 4.2 * len(rows)), squeeze=False, layout="constrained")
+    figure, panels = pyplot.subplots(
+        len(rows), 6, figsize=(27, 4.2 * len(rows)), squeeze=False, layout="constrained"
+    )
     for row_panels, row in zip(panels, rows):
         draw_row(row_panels, row)
     figure.savefig(path, dpi=75)

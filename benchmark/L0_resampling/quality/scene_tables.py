@@ -12,6 +12,8 @@ from dataclasses import dataclass
 
 from quality_tables import table
 
+SUBSET = "subset"  # a random subset of the scan as it is: what the methods start from, and no rival
+
 
 @dataclass(frozen=True)
 class Measure:
@@ -19,8 +21,8 @@ class Measure:
     heading: str
     digits: int
     scale: float = 1
-    worst_ratio: float = None    # the goal for each row, as a share of the best of CGAL's pipelines
-    mean_ratio: float = None     # the goal for the geometric mean
+    worst_ratio: float = None  # the goal for each row, as a share of the best of CGAL's pipelines
+    mean_ratio: float = None  # the goal for the geometric mean
 
 
 MEASURES = (
@@ -42,9 +44,11 @@ def read_viewpoints(path):
 
 
 def ratio(experiment, measure):
-    """Of the default method to the best of CGAL's pipelines; None without them, or where the best is 0."""
-    values = {name: run["measures"][measure.key] for name, run in experiment["measurements"].items()}
-    rivals = [value for name, value in values.items() if name != "default"]
+    """Of the default method to the best of CGAL's pipelines; None without them or if that is 0."""
+    values = {
+        name: run["measures"][measure.key] for name, run in experiment["measurements"].items()
+    }
+    rivals = [value for name, value in values.items() if name not in ("default", SUBSET)]
     if "default" not in values or not rivals or min(rivals) <= 0:
         return None
     return values["default"] / min(rivals)
@@ -55,27 +59,42 @@ def geometric_mean(ratios):
 
 
 def verdict(measure, ratios):
-    words = [f"Geometric mean of the ratios {geometric_mean(ratios):.2f}, largest {max(ratios):.2f}."]
+    words = [
+        f"Geometric mean of the ratios {geometric_mean(ratios):.2f}, largest {max(ratios):.2f}."
+    ]
     if measure.mean_ratio is not None:
         met = "met" if geometric_mean(ratios) <= measure.mean_ratio else "not met"
         words.append(f"Goal for the mean, {measure.mean_ratio:g}: {met}.")
     if measure.worst_ratio is not None:
         count = sum(value <= measure.worst_ratio for value in ratios)
-        words.append(f"Goal for each row, {measure.worst_ratio:g}: met in {count} of {len(ratios)}.")
+        words.append(
+            f"Goal for each row, {measure.worst_ratio:g}: met in {count} of {len(ratios)}."
+        )
     return " ".join(words) + "\n"
 
 
 def section(experiments, measure):
-    methods = list(experiments[0]["measurements"])
+    methods = [
+        name
+        for name in experiments[0]["measurements"]
+        if all(name in experiment["measurements"] for experiment in experiments)
+    ]
     rows = []
     for experiment in experiments:
         found = ratio(experiment, measure)
-        rows.append([experiment["name"],
-                     *(f"{experiment['measurements'][name]['measures'][measure.key] * measure.scale:.{measure.digits}f}"
-                       for name in methods),
-                     "-" if found is None else f"{found:.2f}"])
+        runs = experiment["measurements"]
+        values = {name: runs[name]["measures"][measure.key] for name in methods}
+        rows.append(
+            [
+                experiment["name"],
+                *(f"{values[name] * measure.scale:.{measure.digits}f}" for name in methods),
+                "-" if found is None else f"{found:.2f}",
+            ]
+        )
     parts = [f"## {measure.heading}\n", table(["scan", *methods, "ratio"], rows)]
-    ratios = [value for value in (ratio(experiment, measure) for experiment in experiments) if value]
+    ratios = [
+        value for value in (ratio(experiment, measure) for experiment in experiments) if value
+    ]
     if ratios:
         parts.append(verdict(measure, ratios))
     return "\n".join(parts)
@@ -90,16 +109,24 @@ def markdown(result):
 Made by
 
 {commands}
-with CGAL {version}. `scan_scene` makes the scans; percentages in their names are errors of registration, of the scene's
-diagonal. Lengths of the street, the forest and the room are millimeters, those of single objects thousandths of their
-unit. Ratios are those of the default method to the best of CGAL's pipelines in that row: below 1 is better. A point of
-the scan is lost if it is farther from the result than three spacings of the scan there, or three median spacings of the
-result; a ghost is farther from the scan than two. Both are measured from where the rays really met the scene.
+with CGAL {version}. `scan_scene` makes the scans; percentages in their names are errors of
+registration, of the scene's diagonal. Lengths of the street, the forest and the room are in
+millimeters, those of single objects in thousandths of their unit. Ratios are those of the default
+method to the best of CGAL's pipelines in that row: below 1 is better. `{SUBSET}` is a random subset
+of the scan as it is. A point of the scan is lost if it is farther from the result than three
+spacings, of the scan there or median ones of the result. A ghost is a point of the result that is
+farther than two spacings from the scan. Both are measured from where the rays really met the scene.
 """
-    sizes = table(["scan", "points", "result"],
-                  [[experiment["name"], str(experiment["input_points"]), str(experiment["output_points"])]
-                   for experiment in experiments])
-    return "\n".join([introduction, sizes, *(section(experiments, measure) for measure in MEASURES)])
+    sizes = table(
+        ["scan", "points", "result"],
+        [
+            [experiment["name"], str(experiment["input_points"]), str(experiment["output_points"])]
+            for experiment in experiments
+        ],
+    )
+    return "\n".join(
+        [introduction, sizes, *(section(experiments, measure) for measure in MEASURES)]
+    )
 
 
 if __name__ == "__main__":
