@@ -3,7 +3,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-scripts/install_dependencies.sh clang-format valgrind python3-matplotlib python3-jinja2 libjs-three libjs-mathjax chromium chromium-driver \
+scripts/install_dependencies.sh clang-format valgrind python3-matplotlib python3-scipy python3-jinja2 libjs-three libjs-mathjax chromium chromium-driver \
                                 python3-selenium
 # The Python whose packages were installed, whatever other one may come first in the path
 cmake -S . -B build -DCMAKE_BUILD_TYPE=Release -DCGAL_L0_BUILD_TESTS=ON -DCGAL_L0_BUILD_EXAMPLES=ON -DCGAL_L0_BUILD_BENCHMARKS=ON \

@@ -6,20 +6,7 @@
 #ifndef CGAL_L0_RESAMPLING_BENCHMARK_GROUND_TRUTH_H
 #define CGAL_L0_RESAMPLING_BENCHMARK_GROUND_TRUTH_H
 
-#include "../common/Triangle_mesh.h"
-
-#include <CGAL/AABB_tree.h>
-#include <CGAL/version.h>
-
-#if CGAL_VERSION_NR >= 1060000000
-#include <CGAL/AABB_segment_primitive_3.h>
-#include <CGAL/AABB_traits_3.h>
-#include <CGAL/AABB_triangle_primitive_3.h>
-#else
-#include <CGAL/AABB_segment_primitive.h>
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_triangle_primitive.h>
-#endif
+#include "../common/Aabb_trees.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,8 +18,6 @@
 #include <vector>
 
 namespace L0_benchmark {
-
-using Segment_3 = Kernel::Segment_3;
 
 constexpr double degrees_per_radian = 57.29577951308232;
 
@@ -72,34 +57,13 @@ inline std::vector<Segment_3> feature_edges(const Triangle_mesh& mesh, double an
 /// A mesh with what it takes to measure points against it.
 class Ground_truth
 {
-#if CGAL_VERSION_NR >= 1060000000
-  template <class Primitive>
-  using Tree = CGAL::AABB_tree<CGAL::AABB_traits_3<Kernel, Primitive>>;
-  template <class Iterator>
-  using Triangle_primitive = CGAL::AABB_triangle_primitive_3<Kernel, Iterator>;
-  template <class Iterator>
-  using Segment_primitive = CGAL::AABB_segment_primitive_3<Kernel, Iterator>;
-#else
-  template <class Primitive>
-  using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
-  template <class Iterator>
-  using Triangle_primitive = CGAL::AABB_triangle_primitive<Kernel, Iterator>;
-  template <class Iterator>
-  using Segment_primitive = CGAL::AABB_segment_primitive<Kernel, Iterator>;
-#endif
-  using Triangle_iterator = std::vector<Triangle_3>::const_iterator;
-
 public:
   /// \param feature_angle the least angle between the normals at a feature edge, in degrees
   /// \throws std::invalid_argument if no triangle has an area
   explicit Ground_truth(Triangle_mesh mesh, double feature_angle = 30)
     : m_mesh(std::move(mesh)), m_diagonal(L0_benchmark::diagonal(bounding_box(m_mesh))),
-      m_features(L0_benchmark::feature_edges(m_mesh, feature_angle))
+      m_triangles(proper_triangles(m_mesh)), m_features(L0_benchmark::feature_edges(m_mesh, feature_angle))
   {
-    m_triangles.reserve(m_mesh.triangles.size());
-    for (std::size_t t = 0; t < m_mesh.triangles.size(); ++t)
-      if (!m_mesh.triangle(t).is_degenerate())
-        m_triangles.push_back(m_mesh.triangle(t));
     if (m_triangles.empty())
       throw std::invalid_argument("a mesh without area is no ground truth");
     m_triangle_tree.insert(m_triangles.cbegin(), m_triangles.cend());
@@ -144,8 +108,8 @@ private:
   double m_diagonal;
   std::vector<Triangle_3> m_triangles;
   std::vector<Segment_3> m_features;
-  Tree<Triangle_primitive<Triangle_iterator>> m_triangle_tree;
-  Tree<Segment_primitive<std::vector<Segment_3>::const_iterator>> m_feature_tree;
+  Triangle_tree m_triangle_tree;
+  Segment_tree m_feature_tree;
 };
 
 } // namespace L0_benchmark

@@ -1,0 +1,312 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026  The CGAL::L0_resampling authors.
+# All rights reserved.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Compares the default method with CGAL's pipelines on scans of scenes that are known exactly.
+
+scan_scene makes the scans: a street, a forest, a room and single objects, as a spinning lidar, a
+terrestrial scanner, structured light and a range camera see them, from one or several registered
+views. OUTPUT.json keeps all that was measured, OUTPUT.md has a table for each measure, OUTPUT.png a
+row of pictures for each scan and `--pictures` method.
+"""
+
+import argparse
+import json
+import subprocess
+import sys
+import tempfile
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+try:
+    import scan_measures
+    import scan_pictures
+except ImportError as error:
+    print(f"skipped: {error}; Debian has it as python3-numpy, python3-scipy or python3-matplotlib")
+    sys.exit(77)
+
+import scene_tables
+from quality_bench import Bench, command_line, mesh_of, write_result
+
+sys.path.append(str(Path(__file__).resolve().parents[1] / "methods"))
+from methods import ear, ours, simple_filter, wlop
+
+
+@dataclass(frozen=True)
+class Scan:
+    """A scan by scan_scene. `error`: of registration, in percent of the scene's diagonal."""
+
+    name: str
+    scene: str
+    scanner: str
+    columns: int
+    views: int = 1
+    error: float = 0
+    slices: str = ""
+
+
+SCANS = (
+    Scan("street, spinning", "street", "spinning", 800, slices="z 1.2 0.4; y 9.3 0.6"),
+    Scan("street, spinning, 3 views", "street", "spinning", 360, 3, 0.1, "z 1.2 0.4; y 9.3 0.6"),
+    Scan(
+        "street, terrestrial, 4 views, 0.2 %",
+        "street",
+        "terrestrial",
+        180,
+        4,
+        0.2,
+        "z 1.2 0.4; x 3 0.5",
+    ),
+    Scan("forest, terrestrial", "forest", "terrestrial", 330, slices="z 1.3 0.3; z 1.3 0.3 0 4 4"),
+    Scan(
+        "forest, terrestrial, 4 views, 0.05 %",
+        "forest",
+        "terrestrial",
+        170,
+        4,
+        0.05,
+        "z 1.3 0.3; z 1.3 0.3 0 4 4",
+    ),
+    Scan(
+        "room, structured light",
+        "room",
+        "structured-light",
+        200,
+        slices="x 0.2 0.01; x -0.05 0.01 0 0.85 0.5",
+    ),
+    Scan(
+        "room, structured light, 3 views, 0.2 %",
+        "room",
+        "structured-light",
+        120,
+        3,
+        0.2,
+        "x 0.2 0.02; z 0.8 0.02",
+    ),
+    Scan(
+        "bracket, 10 views, 0.2 %",
+        "bracket",
+        "range-camera",
+        75,
+        10,
+        0.2,
+        "z 0.25 0.02; x 0.35 0.02",
+    ),
+    Scan(
+        "bracket, 10 views, 0.5 %",
+        "bracket",
+        "range-camera",
+        75,
+        10,
+        0.5,
+        "z 0.25 0.02; x 0.35 0.02",
+    ),
+    Scan("torus, 10 views, 0.5 %", "torus", "range-camera", 75, 10, 0.5, "z 0 0.04; x 0 0.04"),
+)
+
+METHODS = {
+    "default": ours("default"),
+    scene_tables.SUBSET: simple_filter("random"),
+    **{f"wlop_{radius}": wlop(radius) for radius in (4, 8)},
+    "ear_4": ear("baseline_ear", 4),
+    "smoothed_ear_4": ear("baseline_smoothed_ear", 4),
+    "jet_24": simple_filter("jet", "--neighbors", 24),
+    "bilateral_60": simple_filter("bilateral", "--neighbors", 60),
+}
+
+
+def make_scan(bench, scan, seed, columns):
+    """The start of the names of the files that scan_scene writes."""
+    stem = bench.scratch / "scan"
+    scene = scan.scene if scan.scene in ("street", "forest", "room") else mesh_of(scan.scene, None)
+    bench.run(
+        "scan_scene",
+        scene,
+        stem,
+        "--scanner",
+        scan.scanner,
+        "--columns",
+        columns,
+        "--views",
+        scan.views,
+        "--registration-error",
+        scan.error,
+        "--seed",
+        seed,
+    )
+    return stem
+
+
+def measure(bench, method, stem, exact, count):
+    """Measures a result, and returns it with its comparison to the exact scan too."""
+    path = bench.scratch / "result.ply"
+    line = bench.resample(stem.with_suffix(".ply"), method, count, path)
+    evaluation = bench.evaluate(f"{stem}_truth.off", method, count, path)
+    result = scan_measures.read_cloud(path)
+    comparison = scan_measures.Comparison(exact.positions, result.positions)
+    shares = comparison.measures()
+    unit = evaluation["diagonal_length"] / 100
+    measures = {
+        "distance": evaluation["distance"]["mean"] * unit,
+        "p95": evaluation["distance"]["p95"] * unit,
+        "normals": evaluation["normals"]["mean_error_degrees"],
+        "inwards": 100 * evaluation["normals"]["share_inwards"],
+        "uneven": shares["uneven"],
+        "lost": shares["lost"],
+        "ghosts": shares["ghosts"],
+        "seconds": line["wall_seconds"],
+    }
+    return (
+        {"program": line["program"], "cgal_version": line["cgal_version"], "measures": measures},
+        result,
+        comparison,
+    )
+
+
+def parse_arguments():
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("build", type=Path, help="build folder; its bin/ has the programs")
+    parser.add_argument(
+        "--output", type=Path, help="writes OUTPUT.json, .md and .png; else the tables are printed"
+    )
+    parser.add_argument(
+        "--only",
+        nargs="+",
+        default=[""],
+        help="scans whose name has one of these; OUTPUT.json keeps what it has of the others",
+    )
+    parser.add_argument("--methods", nargs="+", choices=METHODS, default=list(METHODS))
+    parser.add_argument(
+        "--pictures", nargs="*", choices=METHODS, default=["default"], help="methods to draw"
+    )
+    parser.add_argument(
+        "--keep-baselines",
+        action="store_true",
+        help="takes from OUTPUT.json what CGAL's pipelines reach on the same scans",
+    )
+    parser.add_argument(
+        "--percentage",
+        type=float,
+        default=50,
+        help="points of the results, in percent of the scan's",
+    )
+    parser.add_argument("--seed", type=int, default=1, help="of the scanner's errors")
+    parser.add_argument(
+        "--small",
+        action="store_true",
+        help="two scans with few rays, four methods, to see that all runs",
+    )
+    arguments = parser.parse_args()
+    if arguments.small:
+        arguments.methods = ["default", scene_tables.SUBSET, "wlop_4", "jet_24"]
+    if arguments.keep_baselines and arguments.output is None:
+        parser.error("--keep-baselines needs the --output of an earlier run")
+    return arguments
+
+
+def earlier_run(output):
+    if output is None or not output.with_suffix(".json").exists():
+        return {"commands": [], "experiments": []}
+    return json.loads(output.with_suffix(".json").read_text(encoding="utf-8"))
+
+
+def known_measurements(previous, experiment, methods):
+    """Of CGAL's pipelines, from an earlier run on the same scan."""
+    for old in previous["experiments"]:
+        if all(
+            old[key] == value
+            for key, value in experiment.items()
+            if key not in ("measurements", "slices")
+        ):
+            return {
+                name: run
+                for name, run in old["measurements"].items()
+                if name in methods and name != "default"
+            }
+    return {}
+
+
+def in_order(experiments):
+    names = [scan.name for scan in SCANS]
+    return sorted(experiments, key=lambda experiment: names.index(experiment["name"]))
+
+
+def main():
+    arguments = parse_arguments()
+
+    def is_chosen(name):
+        return any(word in name for word in arguments.only)
+
+    command, previous = command_line("run_scenes.py", sys.argv[1:]), earlier_run(arguments.output)
+    result = {"commands": [command], "experiments": []}
+    if arguments.only != [""] or arguments.keep_baselines:
+        result = {
+            "commands": [old for old in previous["commands"] if old != command] + [command],
+            "experiments": [old for old in previous["experiments"] if not is_chosen(old["name"])],
+        }
+    pictures = []
+    with tempfile.TemporaryDirectory() as scratch:
+        bench = Bench(arguments.build / "bin", Path(scratch), 1)
+        for scan in (SCANS[5], SCANS[7]) if arguments.small else SCANS:
+            if not is_chosen(scan.name):
+                continue
+            columns = scan.columns // 3 if arguments.small else scan.columns
+            stem = make_scan(bench, scan, arguments.seed, columns)
+            cloud, exact = (
+                scan_measures.read_cloud(Path(f"{stem}{part}.ply")) for part in ("", "_exact")
+            )
+            count = round(len(cloud) * arguments.percentage / 100)
+            experiment = asdict(scan) | {
+                "columns": columns,
+                "seed": arguments.seed,
+                "input_points": len(cloud),
+                "output_points": count,
+                "measurements": {},
+            }
+            known = (
+                known_measurements(previous, experiment, arguments.methods)
+                if arguments.keep_baselines
+                else {}
+            )
+            viewpoint = None
+            if scan.views == 1:
+                viewpoint = scene_tables.read_viewpoints(Path(f"{stem}_views.txt"))[0]
+            for name in arguments.methods:
+                if name in known:
+                    experiment["measurements"][name] = known[name]
+                    continue
+                experiment["measurements"][name], output, comparison = measure(
+                    bench, METHODS[name], stem, exact, count
+                )
+                print(
+                    f"{scan.name}, {name}:",
+                    experiment["measurements"][name]["measures"],
+                    file=sys.stderr,
+                    flush=True,
+                )
+                if name in arguments.pictures:
+                    cuts = [scan_pictures.parse_slice(text) for text in scan.slices.split(";")]
+                    pictures.append(
+                        scan_pictures.Row(
+                            f"{scan.name}, {name}", cloud, output, comparison, viewpoint, cuts
+                        )
+                    )
+            result["experiments"] = in_order([*result["experiments"], experiment])
+            if arguments.output is not None:  # a long run that fails leaves what it has
+                write_result(arguments.output, result, scene_tables.markdown(result))
+    if not result["experiments"]:
+        raise ValueError("no scan has a name with " + " or ".join(arguments.only))
+    if arguments.output is None:
+        write_result(None, result, scene_tables.markdown(result))
+    elif pictures:
+        scan_pictures.draw_page(arguments.output.with_suffix(".png"), pictures)
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except (ValueError, OSError, subprocess.CalledProcessError) as failure:
+        sys.exit(f"run_scenes.py: {failure}")
