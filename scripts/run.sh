@@ -11,18 +11,18 @@ cmake --build build -j "$(nproc)" --target l0_resample cgal_l0 sample_mesh
 
 mkdir -p output
 data=$(scripts/fetch_demo_data.sh)
-tool=build/bin/l0_resample
+tool=(build/bin/l0_resample --force)   # what an earlier run has left is replaced
 
 # A real scan, taken from one side: uneven, with borders and holes that have to stay where they are. And another, of facades and roofs, with
 # the most noise and the most edges of all scans in the package.
-"$tool" "$data/points_3/hippo1.ply" output/hippo_resampled.ply --percentage 100 --snapshot output/hippo.png --json output/hippo.json
-"$tool" "$data/points_3/building.ply" output/building_resampled.ply --percentage 60 \
+"${tool[@]}" "$data/points_3/hippo1.ply" output/hippo_resampled.ply --percentage 100 --snapshot output/hippo.png --json output/hippo.json
+"${tool[@]}" "$data/points_3/building.ply" output/building_resampled.ply --percentage 60 \
         --snapshot output/building.png --view 1,-1,0.8 --json output/building.json
 
 # A mechanical part with known truth: 110000 points, noise of 0.5 % of the diagonal.
 build/bin/sample_mesh "$data/meshes/fandisk.off" output/fandisk_noisy.ply --points 110000 --noise 0.5 --seed 1
 for method in default lor alor; do
-  "$tool" output/fandisk_noisy.ply "output/fandisk_$method.ply" --points 60000 --method "$method" \
+  "${tool[@]}" output/fandisk_noisy.ply "output/fandisk_$method.ply" --points 60000 --method "$method" \
           --snapshot "output/fandisk_$method.png" --view 1,-1,0.6 --json "output/fandisk_$method.json"
 done
 

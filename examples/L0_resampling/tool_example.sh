@@ -7,6 +7,7 @@
 # What one can do with the tool; run it where l0_resample is in the PATH:  tool_example.sh DATA_DIRECTORY
 set -euo pipefail
 data=$1
+rm -rf bracket.ply bracket_lor.ply bracket.pcd bracket.xyz smaller   # of an earlier run
 
 #! [tool]
 # Half as many points, clean and oriented, with a picture of input and result
@@ -20,4 +21,11 @@ l0_resample bracket.ply bracket_lor.ply --output-directory smaller --points 1000
 
 # The points as they are in another format, with all that the file tells of each
 l0_resample --convert-only bracket.ply bracket.pcd
+
+# As a filter. The output of another program is not replaced: a file that exists needs --force
+l0_resample - - --input-format pcd --output-format xyz < bracket.pcd > bracket.xyz
+
+# A text whose columns are no normals behind the coordinates
+awk '{ print $1, $2, $3, 255, 128, 0 }' bracket.xyz > orange.xyz
+l0_resample --force orange.xyz bracket.ply --columns x,y,z,red,green,blue
 #! [tool]

@@ -23,21 +23,31 @@ namespace {
 
 std::string last_error() { return std::generic_category().message(errno); }
 
+int open_input(const std::string& path)
+{
+  if (path == "-")
+    return fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 0);
+  return open(path.c_str(), O_RDONLY | O_CLOEXEC);
+}
+
 } // namespace
 
 Input_file::Input_file(const std::string& path, On_progress on_progress)
-  : m_path(path), m_on_progress(std::move(on_progress)), m_descriptor(open(path.c_str(), O_RDONLY | O_CLOEXEC)),
-    m_buffer(new char[buffer_size])
+  : m_path(path == "-" ? "standard input" : path), m_on_progress(std::move(on_progress)),
+    m_descriptor(open_input(path)), m_buffer(new char[buffer_size])
 {
   if (m_descriptor < 0) {
     const std::string error = last_error();
     throw_if_interrupted(); // while the other end of a pipe was waited for
-    throw Failure(INPUT_REFUSED, path + ": cannot be opened: " + error);
+    throw Failure(INPUT_REFUSED, m_path + ": cannot be opened: " + error);
   }
   struct stat status;
+  if (fstat(m_descriptor, &status) != 0 || !S_ISREG(status.st_mode))
+    return;
+  const off_t begin = lseek(m_descriptor, 0, SEEK_CUR); // others may have read standard input
   // Files under /proc say that they are empty, and are not
-  if (fstat(m_descriptor, &status) == 0 && S_ISREG(status.st_mode) && status.st_size > 0)
-    m_size = std::uint64_t(status.st_size);
+  if (begin >= 0 && status.st_size > begin)
+    m_size = std::uint64_t(status.st_size - begin);
 }
 
 Input_file::~Input_file()

@@ -26,6 +26,7 @@ public:
   static constexpr std::size_t max_line_length = 64 * 1024;
   static constexpr std::size_t max_block_length = 64 * 1024;
 
+  /// \param path "-" for the rest of standard input
   /// \param on_progress called now and then with the share of the file that was read, in [0, 1]; never for a pipe
   explicit Input_file(const std::string& path, On_progress on_progress = {});
   ~Input_file();
@@ -52,6 +53,7 @@ public:
 
   [[noreturn]] void refuse(const std::string& what) const;
 
+  /// For messages: "standard input" for "-".
   const std::string& path() const { return m_path; }
 
 private:

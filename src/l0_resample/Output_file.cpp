@@ -14,6 +14,7 @@
 #include <system_error>
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <sys/statvfs.h>
 #include <unistd.h>
@@ -27,49 +28,74 @@ std::string message(int error) { return std::generic_category().message(error); 
 
 [[noreturn]] void fail_to_write(const std::string& path, const std::string& what)
 {
-  throw Failure(OUTPUT_NOT_WRITTEN, path + ": cannot be written: " + what);
+  const std::string name = path == standard_stream ? "standard output" : path;
+  throw Failure(OUTPUT_NOT_WRITTEN, name + ": cannot be written: " + what);
 }
 
 bool is_special_file(const struct stat& status) { return !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode); }
 
-// Where the file really is, so that a symbolic link stays one.
-std::string resolve(const std::string& path)
+std::string directory_of(const std::string& target)
 {
-  struct stat status;
-  if (stat(path.c_str(), &status) == 0 && is_special_file(status))
-    return path; // /dev/stdout may lead to a pipe, which is at no place
-  std::error_code error;
-  std::filesystem::path resolved = std::filesystem::absolute(path, error);
-  if (!error)
-    resolved = std::filesystem::weakly_canonical(resolved, error);
-  if (error)
-    fail_to_write(path, error.message());
-  return resolved.string();
+  const std::filesystem::path path = target;
+  return path.parent_path().string();
 }
 
-std::string directory_of(const std::string& target) { return std::filesystem::path(target).parent_path().string(); }
+bool is_open_for_writing(int descriptor)
+{
+  const int flags = fcntl(descriptor, F_GETFL);
+  return flags >= 0 && (flags & O_ACCMODE) != O_RDONLY;
+}
+
+/// Waits where a descriptor of others does not block.
+void wait_until_writable(int descriptor)
+{
+  pollfd waiting = {descriptor, POLLOUT, 0};
+  poll(&waiting, 1, -1);
+  throw_if_interrupted();
+}
 
 } // namespace
 
-Output_file::Output_file(const std::string& path) : m_path(path), m_target(resolve(path))
+Output_file::Output_file(const std::string& path, Existing_file existing) : m_path(path), m_existing(existing)
 {
   m_buffer.reserve(buffer_size);
+  const Destination destination = destination_of(path);
   struct stat old;
-  const bool exists = stat(path.c_str(), &old) == 0;
-  if (exists && is_special_file(old)) {
-    m_descriptor = open(path.c_str(), O_WRONLY | O_CLOEXEC);
-    if (m_descriptor < 0) {
-      const int error = errno;
-      throw_if_interrupted(); // while the other end of a pipe was waited for
-      fail(message(error));
-    }
-    return;
+  const bool exists = !destination.descriptor && stat(path.c_str(), &old) == 0;
+  if (destination.descriptor || (exists && is_special_file(old)))
+    open_directly(destination);
+  else if (!exists && errno != ENOENT)
+    fail(message(errno));
+  else {
+    m_target = destination.path;
+    open_temporary();
+    if (exists)
+      keep_permissions(old.st_mode & 07777);
   }
+}
 
+void Output_file::open_directly(const Destination& destination)
+{
+  if (!destination.descriptor)
+    m_descriptor = open(m_path.c_str(), O_WRONLY | O_CLOEXEC);
+  else if (is_open_for_writing(*destination.descriptor))
+    m_descriptor = fcntl(*destination.descriptor, F_DUPFD_CLOEXEC, 0);
+  else
+    errno = EBADF;
+  if (m_descriptor < 0) {
+    const int error = errno;
+    throw_if_interrupted(); // while the other end of a pipe was waited for
+    fail(message(error));
+  }
+}
+
+void Output_file::open_temporary()
+{
   // The process number tells programs apart, the counter what an earlier, killed one of that number has left.
+  const std::string process = std::to_string(getpid());
+  const std::string stem = directory_of(m_target) + "/.l0_resample-" + process + "-";
   for (int attempt = 0; m_descriptor < 0; ++attempt) {
-    m_temporary = directory_of(m_target) + "/.l0_resample-" + std::to_string(getpid()) + "-" + std::to_string(attempt)
-                  + ".tmp";
+    m_temporary = stem + std::to_string(attempt) + ".tmp";
     m_descriptor = open(m_temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (m_descriptor < 0 && (errno != EEXIST || attempt == 1000)) {
       const int error = errno;
@@ -77,12 +103,16 @@ Output_file::Output_file(const std::string& path) : m_path(path), m_target(resol
       fail(message(error));
     }
   }
-  if (exists && fchmod(m_descriptor, old.st_mode & 07777) != 0) {
-    const int error = errno;
-    close(m_descriptor);
-    unlink(m_temporary.c_str());
-    fail(message(error));
-  }
+}
+
+void Output_file::keep_permissions(unsigned mode)
+{
+  if (fchmod(m_descriptor, mode) == 0)
+    return;
+  const int error = errno;
+  close(m_descriptor);
+  unlink(m_temporary.c_str());
+  fail(message(error));
 }
 
 Output_file::~Output_file()
@@ -110,6 +140,8 @@ void Output_file::flush()
       rest.remove_prefix(std::size_t(n));
     else if (errno == EINTR)
       throw_if_interrupted();
+    else if (errno == EAGAIN)
+      wait_until_writable(m_descriptor);
     else
       fail(message(errno));
   }
@@ -128,9 +160,7 @@ void Output_file::commit()
   if (m_temporary.empty())
     return;
 
-  if (std::rename(m_temporary.c_str(), m_target.c_str()) != 0)
-    fail(message(errno));
-  m_temporary.clear();
+  move_into_place();
 
   // The file is in its place; that its name survives a power cut is the directory's affair, and some file systems
   // cannot promise it.
@@ -141,12 +171,34 @@ void Output_file::commit()
   }
 }
 
+void Output_file::move_into_place()
+{
+  const char *from = m_temporary.c_str(), *to = m_target.c_str();
+  const unsigned flags = m_existing == Existing_file::KEEP ? RENAME_NOREPLACE : 0;
+  int error = renameat2(AT_FDCWD, from, AT_FDCWD, to, flags) == 0 ? 0 : errno;
+  if (flags != 0 && (error == EEXIST || error == EINVAL))
+    check_nothing_is_replaced({m_path});
+  if (error == EINVAL) // this file system knows no flags
+    error = std::rename(from, to) == 0 ? 0 : errno;
+  if (error != 0)
+    fail(message(error));
+  m_temporary.clear();
+}
+
 void Output_file::fail(const std::string& what) const { fail_to_write(m_path, what); }
 
 void check_writable(const std::string& path, std::uint64_t size)
 {
+  const Destination destination = destination_of(path);
+  if (destination.descriptor) {
+    if (!is_open_for_writing(*destination.descriptor))
+      fail_to_write(path, message(EBADF));
+    return;
+  }
   struct stat old;
   const bool exists = stat(path.c_str(), &old) == 0;
+  if (!exists && errno != ENOENT)
+    fail_to_write(path, message(errno));
   if (exists && S_ISDIR(old.st_mode))
     fail_to_write(path, "it is a directory");
   if (exists && access(path.c_str(), W_OK) != 0) // rename() would replace even a file that is write-protected
@@ -154,7 +206,7 @@ void check_writable(const std::string& path, std::uint64_t size)
   if (exists && is_special_file(old))
     return;
 
-  const std::string directory = directory_of(resolve(path));
+  const std::string directory = directory_of(destination.path);
   if (access(directory.c_str(), W_OK | X_OK) != 0)
     fail_to_write(path, directory + ": " + message(errno));
   struct statvfs disk;
@@ -162,13 +214,6 @@ void check_writable(const std::string& path, std::uint64_t size)
       && size / disk.f_frsize >= disk.f_bavail)
     fail_to_write(path, "about " + std::to_string(size) + " bytes are needed, the disk has room for "
                           + std::to_string(std::uint64_t(disk.f_bavail) * disk.f_frsize));
-}
-
-bool is_standard_output(const std::string& path)
-{
-  struct stat file, standard_output;
-  return stat(path.c_str(), &file) == 0 && fstat(STDOUT_FILENO, &standard_output) == 0
-         && file.st_dev == standard_output.st_dev && file.st_ino == standard_output.st_ino;
 }
 
 } // namespace l0_tool

@@ -6,6 +6,8 @@
 #ifndef L0_RESAMPLE_OUTPUT_FILE_H
 #define L0_RESAMPLE_OUTPUT_FILE_H
 
+#include "Destination.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -13,10 +15,18 @@
 
 namespace l0_tool {
 
+/// What to do with a regular file that has the name of the one to write.
+enum class Existing_file
+{
+  KEEP, ///< and fail
+  REPLACE
+};
+
 /*!
 Writes a file as a whole or not at all: into a temporary file beside it, which takes its place in `commit()` once
 every byte is on the disk. Without `commit()` the temporary is removed and an older file of that name stays what it
-was. What is no regular file, such as a pipe or /dev/stdout, is written to directly.
+was. What is no regular file, such as a pipe, is written to directly, and so is a descriptor that is
+open already, such as /dev/stdout, whatever it is redirected to; see `destination_of()`.
 
 Every member throws Failure with OUTPUT_NOT_WRITTEN, or with the status of an interrupt.
 */
@@ -24,7 +34,7 @@ class Output_file
 {
 public:
   /// A symbolic link is followed. The permissions of an older file are kept.
-  explicit Output_file(const std::string& path);
+  explicit Output_file(const std::string& path, Existing_file existing = Existing_file::REPLACE);
   ~Output_file();
   Output_file(const Output_file&) = delete;
   Output_file& operator=(const Output_file&) = delete;
@@ -33,11 +43,16 @@ public:
   void commit();
 
 private:
+  void open_directly(const Destination& destination);
+  void open_temporary();
+  void keep_permissions(unsigned mode);
   void flush();
+  void move_into_place();
   [[noreturn]] void fail(const std::string& what) const;
 
-  std::string m_path;      // as the user gave it, for messages
-  std::string m_target;    // without symbolic links
+  std::string m_path;   // as the user gave it, for messages
+  std::string m_target; // without symbolic links
+  Existing_file m_existing;
   std::string m_temporary; // empty where m_target is written directly
   int m_descriptor = -1;
   std::string m_buffer;
@@ -46,9 +61,6 @@ private:
 /// Finds out before the long work whether an Output_file for `path` can be made and its disk has room for `size` bytes.
 /// \throws Failure with OUTPUT_NOT_WRITTEN if not
 void check_writable(const std::string& path, std::uint64_t size);
-
-/// Whether `path` is what the program's standard output goes to.
-bool is_standard_output(const std::string& path);
 
 } // namespace l0_tool
 

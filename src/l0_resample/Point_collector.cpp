@@ -53,12 +53,41 @@ void Point_collector::add(const Point_row& row)
     return;
   }
   check_limits(m_cloud.points.size() + 1);
+  if (m_are_normals_unnamed)
+    measure_vector(row);
   m_cloud.points.emplace_back(row[0], row[1], row[2]);
   if (m_has_normals && m_options.with_normals)
     m_cloud.normals.emplace_back(row[3], row[4], row[5]);
   m_cloud.properties.append(m_next_properties);
 }
 
-Point_cloud Point_collector::take() { return std::move(m_cloud); }
+void Point_collector::measure_vector(const Point_row& row)
+{
+  constexpr double tolerance = 0.01;
+  const double length = std::sqrt(row[3] * row[3] + row[4] * row[4] + row[5] * row[5]);
+  if (std::abs(length - 1) <= tolerance)
+    ++m_number_of_unit_vectors;
+  else if (length != 0)
+    ++m_number_of_other_vectors; // NaN too
+}
+
+void Point_collector::drop_other_vectors()
+{
+  constexpr std::uint64_t least_ratio = 19; // of unit vectors to others
+  const bool are_normals = m_number_of_unit_vectors > 0
+                           && m_number_of_unit_vectors / least_ratio >= m_number_of_other_vectors;
+  if (are_normals || m_cloud.points.empty())
+    return;
+  m_cloud.normals = {};
+  if (m_options.with_normals || m_options.with_properties)
+    warn("columns 4 to 6 are no unit vectors and not taken for normals; --columns can name them");
+}
+
+Point_cloud Point_collector::take()
+{
+  if (m_are_normals_unnamed)
+    drop_other_vectors();
+  return std::move(m_cloud);
+}
 
 } // namespace l0_tool

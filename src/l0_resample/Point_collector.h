@@ -26,17 +26,26 @@ class Point_collector
   const Input_file& m_file;
   Read_options m_options;
   bool m_has_normals = false;
+  bool m_are_normals_unnamed = false;
+  std::uint64_t m_number_of_unit_vectors = 0;  // of those without a name
+  std::uint64_t m_number_of_other_vectors = 0; // that are not 0
   std::uint64_t m_number_of_rows = 0;
   std::vector<char> m_next_properties; // of the next row
   Point_cloud m_cloud;
 
   void check_limits(std::uint64_t number_of_points) const;
+  void measure_vector(const Point_row& row);
+  void drop_other_vectors();
 
 public:
   Point_collector(const Input_file& file, const Read_options& options) : m_file(file), m_options(options) {}
 
   /// Says that from the first row on there are normals.
   void set_has_normals() { m_has_normals = true; }
+
+  /// Says that from the first row on there are three more numbers without names. They are normals
+  /// if at least 95 % of these vectors, not counting those that are 0, have length 1 within 1 %.
+  void set_may_have_normals() { m_has_normals = m_are_normals_unnamed = true; }
 
   /// Says that `float` holds all coordinates and normals.
   void set_single_precision() { m_cloud.coordinate_type = Number_type::FLOAT32; }
@@ -61,6 +70,9 @@ public:
   void warn(const std::string& what) { m_cloud.warnings.push_back(m_file.path() + ": " + what); }
 
   std::uint64_t number_of_rows() const { return m_number_of_rows; }
+
+  /// After the last row; see `Property_table::narrow()`.
+  void set_types(const std::vector<Number_type>& types) { m_cloud.properties.narrow(types); }
 
   Point_cloud take();
 };

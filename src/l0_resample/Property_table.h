@@ -38,6 +38,9 @@ public:
     m_row_size += size_of(type);
   }
 
+  /// Gives the properties other types, none of them wider than before, and rounds as encode() does.
+  void narrow(const std::vector<Number_type>& types);
+
   const std::vector<Property>& properties() const { return m_properties; }
 
   /// In bytes.

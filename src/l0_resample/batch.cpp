@@ -5,6 +5,7 @@
 
 #include "batch.h"
 
+#include "Destination.h"
 #include "Failure.h"
 
 #include <algorithm>
@@ -25,6 +26,8 @@ std::string canonical_name(const fs::path& path)
   return (error ? path.lexically_normal() : canonical).string();
 }
 
+/// Those with a known extension, in the order of their names.
+/// \throws Failure with INPUT_REFUSED if there is none
 std::vector<std::string> files_of(const std::string& folder)
 {
   std::vector<std::string> files;
@@ -42,19 +45,29 @@ std::vector<std::string> files_of(const std::string& folder)
   return files;
 }
 
-std::vector<std::string> without_folders(const std::vector<std::string>& inputs)
+/// Files, and those of folders, without formats and outputs yet.
+std::vector<Batch_item> items_of(const std::vector<std::string>& inputs)
 {
-  std::vector<std::string> files;
+  std::vector<Batch_item> items;
+  const auto add = [&](const std::string& input, const std::string& refusal) {
+    items.emplace_back();
+    items.back().input = input;
+    items.back().refusal = refusal;
+  };
   for (const std::string& input : inputs) {
     std::error_code error;
     if (!fs::is_directory(input, error)) {
-      files.push_back(input);
+      add(input, "");
       continue;
     }
-    const std::vector<std::string> inside = files_of(input);
-    files.insert(files.end(), inside.begin(), inside.end());
+    try {
+      for (const std::string& file : files_of(input))
+        add(file, "");
+    } catch (const Failure& failure) {
+      add(input, failure.what());
+    }
   }
-  return files;
+  return items;
 }
 
 void check_nothing_is_overwritten(const std::vector<Batch_item>& items)
@@ -63,6 +76,8 @@ void check_nothing_is_overwritten(const std::vector<Batch_item>& items)
   for (const Batch_item& item : items)
     inputs.emplace(canonical_name(item.input), item.input);
   for (const Batch_item& item : items) {
+    if (!item.refusal.empty())
+      continue;
     const std::string name = canonical_name(item.output);
     const auto input = inputs.find(name);
     if (input != inputs.end())
@@ -78,16 +93,24 @@ void check_nothing_is_overwritten(const std::vector<Batch_item>& items)
 std::vector<Batch_item> plan_batch(const std::vector<std::string>& inputs, const std::string& directory,
                                    std::optional<File_format> input_format, std::optional<File_format> output_format)
 {
-  std::vector<Batch_item> items;
-  for (const std::string& input : without_folders(inputs)) {
-    const std::optional<File_format> by_extension = format_of(input);
-    if (!by_extension && (!input_format || !output_format))
-      throw Failure(WRONG_USAGE, unknown_extension(input, input_format ? "--output-format" : "--input-format"));
-    fs::path name = fs::path(input).filename();
+  std::vector<Batch_item> items = items_of(inputs);
+  for (Batch_item& item : items) {
+    if (!item.refusal.empty())
+      continue;
+    if (item.input == standard_stream)
+      throw Failure(WRONG_USAGE, "-: what is read from it would have no name in " + directory);
+    const std::optional<File_format> by_extension = format_of(item.input);
+    if (!by_extension && (!input_format || !output_format)) {
+      const char* option = input_format ? "--output-format" : "--input-format";
+      item.refusal = unknown_extension(item.input, option);
+      continue;
+    }
+    fs::path name = fs::path(item.input).filename();
     if (output_format)
       name.replace_extension(extension_of(*output_format));
-    items.push_back({input, (fs::path(directory) / name).string(), input_format ? *input_format : *by_extension,
-                     output_format ? *output_format : *by_extension});
+    item.output = (fs::path(directory) / name).string();
+    item.input_format = input_format ? *input_format : *by_extension;
+    item.output_format = output_format ? *output_format : *by_extension;
   }
   check_nothing_is_overwritten(items);
   return items;

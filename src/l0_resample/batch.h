@@ -18,9 +18,10 @@ namespace l0_tool {
 struct Batch_item
 {
   std::string input;
-  std::string output;
-  File_format input_format;
-  File_format output_format;
+  std::string output; ///< empty if there is a `refusal`
+  File_format input_format = File_format::PLY;
+  File_format output_format = File_format::PLY;
+  std::string refusal; ///< a line that says why the input cannot be read; empty if it may be
 };
 
 /*!
@@ -32,8 +33,11 @@ is PLY.
 \param input_format of all inputs; by their extensions, if not given
 \param output_format of all results; that of the input and its extension, if not given
 
-\throws Failure with WRONG_USAGE, before anything is written, if an extension is not known, or if a result would take
-        the place of an input or of another result; with INPUT_REFUSED if a folder cannot be read or has no such file
+An input whose extension is not known, and a folder that cannot be read or has no file with a
+known extension, stay in the batch with a refusal: a glob of the shell brings them along.
+
+\throws Failure with WRONG_USAGE, before anything is written, if a result would take the place of
+        an input or of another result, or if an input is standard input, which has no name
 */
 std::vector<Batch_item> plan_batch(const std::vector<std::string>& inputs, const std::string& directory,
                                    std::optional<File_format> input_format, std::optional<File_format> output_format);

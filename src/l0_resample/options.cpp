@@ -6,6 +6,7 @@
 #include "options.h"
 
 #include "Failure.h"
+#include "Text_columns.h"
 #include "batch.h"
 #include "parse_numbers.h"
 
@@ -126,24 +127,17 @@ void choose_format(const std::string& path, const std::string& option, const CLI
     return;
   const std::optional<File_format> by_extension = format_of(path);
   if (!by_extension)
-    refuse_usage(unknown_extension(path, option));
+    refuse_usage(path == standard_stream ? path + ": " + option + " tells what the points are"
+                                         : unknown_extension(path, option));
   format = *by_extension;
-}
-
-bool are_same_file(const std::string& path, const std::string& other)
-{
-  std::error_code error;
-  const auto resolve = [&](const std::string& p) {
-    return std::filesystem::weakly_canonical(std::filesystem::absolute(p, error), error);
-  };
-  return !path.empty() && !other.empty() && resolve(path) == resolve(other) && !error;
 }
 
 // Input and output may be one file; nothing else may.
 void check_paths_differ(const Options& options)
 {
+  const std::string input = options.input == standard_stream ? "/dev/stdin" : options.input;
   for (const std::string& path : {options.json, options.snapshot})
-    if (are_same_file(path, options.input) || are_same_file(path, options.output))
+    if (are_same_file(path, input) || are_same_file(path, options.output))
       refuse_usage(path + ": is named twice");
   if (are_same_file(options.json, options.snapshot))
     refuse_usage(options.json + ": is named twice");
@@ -157,29 +151,44 @@ const char* description =
   "  l0_resample --convert-only INPUT OUTPUT";
 
 const char* footer =
-  "Files: PLY and PCD (ASCII and binary), OFF, XYZ and NPY are read; PLY and PCD (binary), OFF, XYZ and NPY are\n"
-  "written with normals, as a whole or not at all. INPUT and OUTPUT may be the same. LAS is not read: convert it\n"
-  "first. A name that begins with a dash goes behind --.\n"
-  "\n"
-  "--convert-only keeps the points as they are: PLY and PCD (binary) get all that INPUT tells of each, OFF normals "
-  "and\n"
-  "colors, XYZ and NPY normals; warnings say what else INPUT had. It takes no option on resampling.\n"
-  "\n"
-  "Exit status: 0 good, 1 failed at run time (memory, time, solver, device), 2 wrong usage, 3 input refused,\n"
-  "4 output not written, 5 not converged (with --strict), 130 and 143 cancelled by SIGINT and SIGTERM.\n"
-  "Standard output gets one line of summary.\n"
-  "\n"
-  "In a batch, standard output gets one line for each file that was resampled, and standard error, at the end, one\n"
-  "for each that failed and their number; the others are not harmed. The exit status is that of the failures if\n"
-  "they all have the same, else 1. After SIGINT, SIGTERM or --timeout no other file is begun. A result never takes\n"
-  "the place of an input, or of another result.\n";
+  R"(Files: PLY and PCD (ASCII and binary), OFF, XYZ and NPY are read; PLY and PCD (binary), OFF,
+XYZ and NPY are written with normals, as a whole or not at all. LAS is not read: convert it first. A
+name that begins with a dash goes behind --.
+
+A file is not replaced without --force: if OUTPUT exists, also if it is INPUT, or a result of a
+batch, nothing is done. Reports (--json) and pictures (--snapshot) of an earlier run are replaced.
+INPUT - is standard input; OUTPUT - and --json - are standard output. That, a pipe, and what leads
+to a descriptor, such as /dev/stdout, /dev/fd/3 or /proc/self/fd/3, is written to as it is open,
+also if it is redirected to a file.
+
+XYZ, a text, has coordinates in its first three columns and, if it has six, normals in the others.
+Where these are no unit vectors a warning says so, and they are left out. --columns tells what the
+columns are: x, y, z, nx, ny, nz, red, green, blue, alpha as in PLY, any other name for a property
+of the points, - or _ for a column to leave out.
+
+--convert-only keeps the points as they are: PLY and PCD (binary) get all that INPUT tells of each,
+OFF normals and colors, XYZ and NPY normals; warnings say what else INPUT had. It takes no option on
+resampling.
+
+Exit status: 0 good, 1 failed at run time (memory, time, solver, device), 2 wrong usage, 3 input
+refused, 4 output not written, 5 not converged (with --strict), 130 and 143 cancelled by SIGINT and
+SIGTERM. Standard output gets one line of summary; if points or a report go there, standard error
+gets it.
+
+In a batch, standard output gets one line for each file that was resampled, and standard error, at
+the end, one for each that failed, also one of no known format, and their number; the others are not
+harmed. The exit status is that of the failures if they all have the same, else 1. After SIGINT,
+SIGTERM or --timeout no other file is begun. A result never takes the place of an input, or of
+another result.
+)";
 
 // What a conversion has no use for is refused with it.
 void exclude_resampling(CLI::App& app, CLI::Option& convert_only)
 {
-  static constexpr std::array<std::string_view, 12> allowed = {
-    "help",         "version", "FILES",      "output-directory", "input-format", "output-format", "drop-non-finite",
-    "convert-only", "quiet",   "max-points", "max-memory",       "timeout"};
+  static constexpr std::array<std::string_view, 14> allowed = {
+    "help",          "version",         "FILES",        "output-directory", "input-format",
+    "output-format", "drop-non-finite", "convert-only", "columns",          "force",
+    "quiet",         "max-points",      "max-memory",   "timeout"};
   for (CLI::Option* option : app.get_options())
     if (std::find(allowed.begin(), allowed.end(), option->get_single_name()) == allowed.end())
       convert_only.excludes(option);
@@ -259,11 +268,14 @@ void add_options(CLI::App& app, Options& options, std::vector<std::string>& file
     ->type_name("X,Y,Z");
   auto* convert_only = app.add_flag("--convert-only", options.convert_only,
                                     "do not resample: write the points of INPUT in the format of OUTPUT");
+  app.add_flag("--force", options.force, "replace an OUTPUT that exists");
   app.add_flag("--quiet", options.quiet, "no summary, no progress bar, no warnings");
   app.add_flag("--strict", options.strict, "write nothing if a solve did not converge");
 
   add_choice(app, "--input-format", formats, options.input_format, "what INPUT is")->default_str("by extension");
   add_choice(app, "--output-format", formats, options.output_format, "what OUTPUT is")->default_str("by extension");
+  const auto set_names = [&](const std::string& all) { options.columns = parse_column_names(all); };
+  app.add_option_function<std::string>("--columns", set_names, "what the columns of a text are")->type_name("x,y,z,red,...");
   app.add_option("--max-points", options.max_points, "refuse an INPUT of more points")
     ->check(count_within(0, any_count))
     ->type_name("N");
@@ -274,6 +286,23 @@ void add_options(CLI::App& app, Options& options, std::vector<std::string>& file
     ->check(number_within(0, false, 1e8, "a number of seconds above 0"))
     ->type_name("SECONDS");
   exclude_resampling(app, *convert_only);
+}
+
+// Only a text has columns without names.
+void check_columns(const Options& options)
+{
+  const bool is_text = options.input_format == File_format::XYZ || !options.refusal.empty();
+  if (!options.columns.empty() && !is_text)
+    refuse_usage("--columns: " + options.input_name() + " is no text (XYZ)");
+}
+
+void check_no_file_is_replaced(const std::vector<Options>& runs)
+{
+  std::vector<std::string> outputs;
+  for (const Options& options : runs)
+    if (!options.force && options.refusal.empty())
+      outputs.push_back(options.output);
+  check_nothing_is_replaced(outputs);
 }
 
 void set_files(const CLI::App& app, const std::vector<std::string>& files, Options& options)
@@ -289,6 +318,7 @@ void set_files(const CLI::App& app, const std::vector<std::string>& files, Optio
   choose_format(options.output, "--output-format", app, options.output_format);
   if (!options.snapshot.empty() && std::filesystem::path(options.snapshot).extension() != ".png")
     refuse_usage(options.snapshot + ": the extension of a snapshot is .png");
+  check_columns(options);
   check_paths_differ(options);
 }
 
@@ -308,6 +338,8 @@ std::vector<Options> batch_of(const CLI::App& app, const std::vector<std::string
     runs.back().output = item.output;
     runs.back().input_format = item.input_format;
     runs.back().output_format = item.output_format;
+    runs.back().refusal = item.refusal;
+    check_columns(runs.back());
     check_paths_differ(runs.back());
   }
   return runs;
@@ -336,6 +368,7 @@ std::optional<int> parse_command_line(int argc, char** argv, Command& command)
       set_files(app, files, options);
       command.runs.push_back(options);
     }
+    check_no_file_is_replaced(command.runs);
     return std::nullopt;
   } catch (const Failure& failure) {
     std::cerr << "l0_resample: " << failure.what() << std::endl;

@@ -7,6 +7,7 @@
 #define L0_RESAMPLE_OPTIONS_H
 
 #include "../common/device_choice.h"
+#include "Output_file.h"
 #include "file_formats.h"
 
 #include <CGAL/L0_resampling/tags.h>
@@ -37,6 +38,9 @@ struct Options
   std::string output;
   File_format input_format = File_format::PLY;
   File_format output_format = File_format::PLY;
+  std::string refusal;              ///< of a batch: why the input is not opened; empty if it is
+  std::vector<std::string> columns; ///< names of those of a text, empty if nobody names them
+  bool force = false;               ///< replace files
 
   std::optional<std::uint64_t> number_of_points; ///< goes before `percentage`
   double percentage = 50;
@@ -69,6 +73,15 @@ struct Options
   std::uint64_t max_points = (std::numeric_limits<std::uint64_t>::max)();
   std::uint64_t max_memory = (std::numeric_limits<std::uint64_t>::max)(); ///< in bytes
   double timeout = 0;                                                     ///< in seconds, 0 for none
+
+  Existing_file existing_file() const
+  {
+    using File = Existing_file;
+    return force ? File::REPLACE : File::KEEP;
+  }
+
+  /// What to call the input in messages.
+  std::string input_name() const { return input == standard_stream ? "standard input" : input; }
 };
 
 /// The command line, checked.

@@ -39,7 +39,7 @@ Point_cloud read_points(const std::string& path, File_format format, const Read_
   switch (format) {
   case File_format::PLY: read_ply(file, collector); break;
   case File_format::OFF: read_off(file, collector); break;
-  case File_format::XYZ: read_xyz(file, collector); break;
+  case File_format::XYZ: read_xyz(file, collector, options.columns); break;
   case File_format::PCD: read_pcd(file, collector); break;
   case File_format::NPY: read_npy(file, collector); break;
   }

@@ -14,8 +14,12 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace l0_tool {
+
+/// From left to right.
+using Column_names = std::vector<std::string>;
 
 struct Read_options
 {
@@ -24,6 +28,7 @@ struct Read_options
   bool drop_non_finite = false; ///< drop and count points with a non-finite coordinate instead of refusing the file
   bool with_normals = false;    ///< keep the normals, if the file has any
   bool with_properties = false; ///< keep all that the file tells of each point, and warn of what cannot be kept
+  Column_names columns;         ///< of XYZ, as from `parse_column_names()`; empty if unnamed
 };
 
 /*!
@@ -35,8 +40,11 @@ than the file's size justifies.
   Elements before it are skipped, those after it are not looked at.
 - OFF with its optional prefixes ST, C, N: the vertices. Only N says that there are normals, and only C that there are
   colors, which become the properties red, green, blue and maybe alpha.
-- XYZ: one point a line, the same number of columns in all of them, exactly six for points with normals. The first
-  line may hold the number of points; empty lines and those that begin with # are skipped.
+- XYZ: one point a line, the same number of columns in all of them. The first line may hold the
+  number of points, and without it there has to be a point; empty lines and those that begin with #
+  are skipped. The first three columns are coordinates, and if there are exactly six, the others are
+  normals, unless more than 5 % of them have another length than 1: then a warning says so. Columns
+  with names are read as `Text_columns` does.
 - PCD, ASCII or binary, of version 0.5 to 0.7: the fields x, y, z and maybe normal_x, normal_y, normal_z, of any type
   but integers of 64 bits. The viewpoint is not looked at. Of the other fields that can be kept, one of several values
   becomes as many properties, and the packed colors rgb and rgba become the properties red, green, blue and alpha.

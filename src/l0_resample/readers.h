@@ -21,7 +21,7 @@ Point_row parse_row(const Input_file& file, std::string_view line, bool has_norm
 // One for each format; the contract is that of read_points().
 void read_ply(Input_file& file, Point_collector& collector);
 void read_off(Input_file& file, Point_collector& collector);
-void read_xyz(Input_file& file, Point_collector& collector);
+void read_xyz(Input_file& file, Point_collector& collector, const Column_names& names);
 void read_pcd(Input_file& file, Point_collector& collector);
 void read_npy(Input_file& file, Point_collector& collector);
 

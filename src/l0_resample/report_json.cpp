@@ -96,7 +96,8 @@ std::string summary_line(const Options& options, const Run_record& record)
   char numbers[64];
   std::snprintf(numbers, sizeof numbers, "%.2f s, %.1f %% oriented", record.seconds_to_resample,
                 100 * report.oriented_share);
-  std::string line = options.input + ": " + std::to_string(report.number_of_input_points) + " points in, ";
+  const std::string input_points = std::to_string(report.number_of_input_points);
+  std::string line = options.input_name() + ": " + input_points + " points in, ";
   if (report.number_of_dropped_points > 0)
     line += std::to_string(report.number_of_dropped_points) + " dropped, ";
   if (report.number_of_outliers > 0)

@@ -125,8 +125,9 @@ Resampled_points resample(const Point_cloud& cloud, const Options& options, cons
   const char* normals_wanted_by = options.use_normals         ? "--use-normals"
                                   : options.orient_by_normals ? "--orient-by-normals"
                                                               : nullptr;
+  const std::string name = options.input_name();
   if (normals_wanted_by && cloud.normals.empty() && !cloud.points.empty())
-    throw Failure(INPUT_REFUSED, options.input + ": " + normals_wanted_by + " is given, but the file has no normals");
+    throw Failure(INPUT_REFUSED, name + ": " + normals_wanted_by + " is given, but the file has no normals");
 
   Resampled_points result;
   try {
@@ -155,11 +156,11 @@ Resampled_points resample(const Point_cloud& cloud, const Options& options, cons
   } catch (const std::bad_alloc&) {
     if (options.device == Device::CUDA)
       throw Failure(RUN_TIME_FAILURE, "--device cuda: the device has too little memory");
-    throw Failure(RUN_TIME_FAILURE, options.input + ": not enough memory to resample "
-                                      + std::to_string(cloud.points.size()) + " points"
+    throw Failure(RUN_TIME_FAILURE, name + ": not enough memory to resample " + std::to_string(cloud.points.size())
+                                      + " points"
                                       + (options.max_memory < Options().max_memory ? " within --max-memory" : ""));
   } catch (const std::invalid_argument& error) {
-    throw Failure(INPUT_REFUSED, options.input + ": " + error.what());
+    throw Failure(INPUT_REFUSED, name + ": " + error.what());
   }
   return result;
 }

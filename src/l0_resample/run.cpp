@@ -44,6 +44,7 @@ Point_cloud read_input(const Options& options, Progress_bar& progress, Run_recor
   read_options.drop_non_finite = options.drop_non_finite;
   read_options.with_normals = options.use_normals || options.orient_by_normals || !options.snapshot.empty();
   read_options.with_properties = true;
+  read_options.columns = options.columns;
   Point_cloud cloud = read_points(options.input, options.input_format, read_options,
                                   [&](double share) { progress.update("read", share); });
   record.warnings = cloud.warnings;
@@ -69,6 +70,7 @@ Resampled_points resample_input(const Point_cloud& cloud, const Options& options
 
 void resample_file(const Options& options, Run_record& record)
 {
+  const std::string name = options.input_name();
   // What would spoil the end is found at the beginning
   check_device(options);
   for (const std::string& path : {options.output, options.snapshot, options.json})
@@ -83,13 +85,14 @@ void resample_file(const Options& options, Run_record& record)
 
   const Resampled_points result = resample_input(cloud, options, progress, record);
   if (options.strict && !record.report.converged)
-    throw Failure(NOT_CONVERGED, options.input + ": a solve did not converge, nothing is written");
+    throw Failure(NOT_CONVERGED, name + ": a solve did not converge, nothing is written");
 
   const Stopwatch stopwatch;
-  const std::vector<std::string> left_out = write_points(options.output, options.output_format, result);
+  const std::vector<std::string> left_out = write_points(options.output, options.output_format, result,
+                                                         options.existing_file());
   record.seconds_to_write = stopwatch.seconds();
-  for (const std::string& name : left_out)
-    record.warnings.push_back(options.output + ": the format has no place for the property " + printable(name));
+  for (const std::string& property : left_out)
+    record.warnings.push_back(options.output + ": the format has no place for the property " + printable(property));
   if (!options.snapshot.empty())
     write_png(options.snapshot, render_snapshot(cloud, result.points, options.view, result.feature_confidences));
 }
@@ -125,6 +128,8 @@ Run_record run(const Options& options)
 {
   Run_record record;
   guarded(record, [&]() {
+    if (!options.refusal.empty())
+      throw Failure(INPUT_REFUSED, options.refusal);
     if (!options.convert_only)
       return resample_file(options, record);
     Progress_bar progress(options.quiet);

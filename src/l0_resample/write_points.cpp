@@ -6,7 +6,6 @@
 #include "write_points.h"
 
 #include "Output_columns.h"
-#include "Output_file.h"
 
 #include <algorithm>
 #include <array>
@@ -227,11 +226,11 @@ std::string header_of(File_format format, std::size_t number_of_points, const La
 bool is_text(File_format format) { return format == File_format::OFF || format == File_format::XYZ; }
 
 template <typename Rows>
-void write_rows(const std::string& path, File_format format, const Rows& rows, Layout layout)
+void write_rows(const std::string& path, File_format format, const Rows& rows, Layout layout, Existing_file existing)
 {
   if (format == File_format::PCD)
     layout.is_single = layout.is_single || is_single_precision_enough(rows);
-  Output_file file(path);
+  Output_file file(path, existing);
   file.write(header_of(format, rows.size(), layout));
   const auto append_row = is_text(format) ? append_text : append_binary;
   std::string bytes;
@@ -245,24 +244,27 @@ void write_rows(const std::string& path, File_format format, const Rows& rows, L
 
 } // namespace
 
-void write_points(const std::string& path, File_format format, const std::vector<Oriented_point>& points)
+void write_points(const std::string& path, File_format format, const std::vector<Oriented_point>& points,
+                  Existing_file existing)
 {
-  write_rows(path, format, Oriented_rows(points, {}), {true, false, {}});
+  write_rows(path, format, Oriented_rows(points, {}), {true, false, {}}, existing);
 }
 
-std::vector<std::string> write_points(const std::string& path, File_format format, const Resampled_points& result)
+std::vector<std::string> write_points(const std::string& path, File_format format, const Resampled_points& result,
+                                      Existing_file existing)
 {
   const Output_columns chosen = choose_columns(result.properties, format, true);
-  write_rows(path, format, Oriented_rows(result.points, result.properties), {true, false, chosen.columns});
+  write_rows(path, format, Oriented_rows(result.points, result.properties), {true, false, chosen.columns}, existing);
   return chosen.left_out;
 }
 
-std::vector<std::string> write_point_cloud(const std::string& path, File_format format, const Point_cloud& cloud)
+std::vector<std::string> write_point_cloud(const std::string& path, File_format format, const Point_cloud& cloud,
+                                           Existing_file existing)
 {
   const bool has_normals = !cloud.normals.empty();
   const Output_columns chosen = choose_columns(cloud.properties, format, has_normals);
   write_rows(path, format, Cloud_rows(cloud),
-             {has_normals, cloud.coordinate_type == Number_type::FLOAT32, chosen.columns});
+             {has_normals, cloud.coordinate_type == Number_type::FLOAT32, chosen.columns}, existing);
   return chosen.left_out;
 }
 

@@ -181,7 +181,7 @@ void test_properties()
     red[i] = std::uint8_t(p.x() > 0 ? 200 : 100);
     green[i] = 77;
     byte[i] = std::uint8_t(p.x() > 0 ? 200 : 100);
-    color[i] = CGAL::IO::Color(p.x() > 0 ? 200 : 100, 20, 30);
+    color[i] = CGAL::IO::Color(p.x() > 0 ? 200 : 100, 20, 30, 40);
     word[i] = p.x() > 0 ? "right" : "left";
     flag[i] = p.x() > 0;
   }
@@ -220,8 +220,10 @@ void test_properties()
                && confidence[i] >= 0;
     are_nearest = are_nearest && result_label[i] == label[j] && result_byte[i] == byte[j] && result_word[i] == word[j]
                   && result_flag[i] == flag[j];
-    are_constant = are_constant && result_weight[i] == 0.1f && result_green[i] == 77 && result_color[i].g() == 20;
-    are_alike = are_alike && result_color[i].r() == result_red[i] && result_red[i] >= 100 && result_red[i] <= 200;
+    const CGAL::IO::Color& c = result_color[i];
+    are_constant = are_constant && result_weight[i] == 0.1f && result_green[i] == 77 && c.g() == 20 && c.b() == 30
+                   && c.a() == 40;
+    are_alike = are_alike && c.r() == result_red[i] && result_red[i] >= 100 && result_red[i] <= 200;
     number_of_mixed += result_red[i] > 100 && result_red[i] < 200;
     largest_error = (std::max)(largest_error, std::abs(result_height[i] - result.point(i).z()));
   }

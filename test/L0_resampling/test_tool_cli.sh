@@ -7,51 +7,8 @@
 # The program l0_resample as a user meets it: exit statuses, what is printed where, and that no failure harms a file.
 # usage: test_tool_cli.sh PROGRAM
 
-set -u -m   # job control, since a script's background jobs ignore SIGINT without it
-program=$1
-folder=$(mktemp -d)
-trap 'chmod -R u+w "$folder"; rm -rf "$folder"' EXIT
-cd "$folder" || exit 1
-checks=0 failures=0
-
-check()   # what is checked, then a command that must succeed
-{
-  local what=$1
-  shift
-  checks=$((checks + 1))
-  "$@" && return
-  failures=$((failures + 1))
-  echo "failed: $what: $*; stderr: $(head -c 500 stderr)" >&2
-}
-
-run()     # the program's arguments; leaves status, stdout and stderr
-{
-  "$program" "$@" > stdout 2> stderr < /dev/null
-  status=$?
-}
-
-# A failure has its status, says one line on stderr that begins with the program's name, and nothing on stdout.
-check_failure()   # expected status, expected part of the message, the program's arguments
-{
-  local expected=$1 message=$2
-  shift 2
-  run "$@"
-  check "status $expected of: $*" test "$status" -eq "$expected"
-  check "one line on stderr of: $*" test "$(wc -l < stderr)" -eq 1
-  check "the name of the program on stderr of: $*" grep -q '^l0_resample: ' stderr
-  check "'$message' on stderr of: $*" grep -qF -- "$message" stderr
-  check "nothing on stdout of: $*" test ! -s stdout
-}
-
-no_temporary_files() { test -z "$(find "$folder" -name '*.tmp')"; }
-number_of_points()   { sed -n '/^element vertex /{s///p;q}' "$1"; }
-is_old()             { cmp -s "$1" <(echo old); }
-
-# The faces of a cube, 40 x 40 points each, moved by up to 0.01
-awk 'BEGIN { srand(1); for (f = 0; f < 6; ++f) for (i = 0; i < 40; ++i) for (j = 0; j < 40; ++j) {
-  a = i / 39 - .5; b = j / 39 - .5; c = (f % 2) - .5
-  p[0] = int(f / 2) == 0 ? c : a; p[1] = int(f / 2) == 1 ? c : (int(f / 2) == 0 ? a : b); p[2] = int(f / 2) == 2 ? c : b
-  for (k = 0; k < 3; ++k) printf "%.6f%s", p[k] + .02 * (rand() - .5), k < 2 ? " " : "\n" } }' > cube.xyz
+# shellcheck source-path=SCRIPTDIR
+. "$(dirname "${BASH_SOURCE[0]}")/tool_checks.sh"
 
 # Properties of the points go along: of labels the nearest, of other numbers and of colors a mean
 { printf 'ply\nformat ascii 1.0\nelement vertex 9600\n'
@@ -59,7 +16,7 @@ awk 'BEGIN { srand(1); for (f = 0; f < 6; ++f) for (i = 0; i < 40; ++i) for (j =
   printf 'end_header\n'; awk '{ print $0, ($1 > 0 ? 200 : 100), ($1 > 0 ? -70000 : 7), $3 }' cube.xyz; } > attributes.ply
 run attributes.ply carried.ply --source-index --feature-confidence --snapshot features.png
 check "a run with properties" test "$status" -eq 0
-check "all properties in order" test "$(sed -n '/^end_header/q; s/^property //p' carried.ply | tr '\n' ',')" = \
+check "all properties in order" test "$(properties carried.ply)" = \
   "double x,double y,double z,double nx,double ny,double nz,uchar red,int label,float height,uint source_index,float feature_confidence,"
 # red is byte 49 of a row of 65, and the label the four behind it
 check "labels of points, and colors between those of points" test "$(tail -c $((4800 * 65)) carried.ply | od -An -v -w65 -t u1 | awk '
@@ -76,7 +33,7 @@ run attributes.ply attributes.xyz
 check "a warning of what is left out" grep -q "no place for the property 'label'" stderr
 
 # Where normals point to
-awk '{ print $1, $2, $3, -$1, -$2, -$3 }' cube.xyz > inward.xyz
+awk '{ r = -sqrt($1 * $1 + $2 * $2 + $3 * $3); print $0, $1 / r, $2 / r, $3 / r }' cube.xyz > inward.xyz
 for options in "cube.xyz in.xyz --viewpoint 0,0,0.1" "inward.xyz in.xyz --orient-by-normals"; do
   # shellcheck disable=SC2086
   run $options --json in.json
@@ -100,6 +57,8 @@ check "exact number of points" test "$(number_of_points out.ply)" -eq 123
 run cube.xyz out.ply --percentage 12.5 --method lor
 check "percentage" test "$(number_of_points out.ply)" -eq 1200
 check "method in the summary" grep -q 'method lor' stdout
+run cube.xyz out.ply --percentage 12.51   # of 9600: 1200.96
+check "a percentage is rounded down" test "$(number_of_points out.ply)" -eq 1200
 run --version
 check "version" test "$status" -eq 0 -a "$(grep -cE '^l0_resample [0-9]+\.[0-9]+' stdout)" -eq 1
 run --help
@@ -146,12 +105,12 @@ if localedef -i de_DE -f UTF-8 locales/de_DE.UTF-8 2> /dev/null; then
   check "the locale writes a comma" test "$("${german[@]}" /usr/bin/printf %.1f 1)" = 1,0
   for format in xyz ply pcd off; do
     run cube.xyz "point.$format" --points 200
-    "${german[@]}" "$program" cube.xyz "comma.$format" --points 200 --json comma.json > stdout 2> stderr < /dev/null
+    "${german[@]}" "$program" --force cube.xyz "comma.$format" --points 200 --json comma.json > stdout 2> stderr < /dev/null
     check "the locale changes no $format" cmp "point.$format" "comma.$format"
     check "the summary has points" grep -qE ' [0-9]+\.[0-9]+ s, ' stdout
   done
   check "the locale changes no report" test "$(grep -c '[0-9],[0-9]' comma.json)" -eq 0
-  "${german[@]}" "$program" attributes.ply comma.xyz --convert-only > stdout 2> stderr
+  "${german[@]}" "$program" --force attributes.ply comma.xyz --convert-only > stdout 2> stderr
   run attributes.ply point.xyz --convert-only
   check "the locale changes no reading" cmp comma.xyz point.xyz
   "${german[@]}" "$program" cube.xyz german.ply --neighbor-radius 0,2 > stdout 2> stderr
@@ -166,7 +125,7 @@ if command -v script > /dev/null; then
   check "reading on a terminal" grep -qE '\[[#-]*\] +[0-9]+ %  read' terminal
   check "the summary alone stays" test "$(tr -d '\r' < terminal | sed 's/.*\x1b\[K//' | grep -c .)" -eq 1
   check "the summary stays" grep -q 'cube.xyz: 9600 points in' terminal
-  script -qec "'$program' cube.xyz terminal.ply --quiet" /dev/null < /dev/null > terminal
+  script -qec "'$program' --force cube.xyz terminal.ply --quiet" /dev/null < /dev/null > terminal
   check "quiet on a terminal" test ! -s terminal
 fi
 
@@ -234,7 +193,7 @@ run bad.xyz dropped.xyz --drop-non-finite --points 50 --json dropped.json
 check "dropping non-finite points" test "$status" -eq 0 -a "$(wc -l < dropped.xyz)" -eq 50
 check "dropped points in the report" grep -q '"dropped_points": 2' dropped.json
 check "dropped points in the summary" grep -q '9600 points in, 2 dropped, 50 out' stdout
-: > empty.xyz
+echo 0 > empty.xyz
 run empty.xyz empty.ply
 check "no points in, none out" test "$status" -eq 0 -a "$(number_of_points empty.ply)" -eq 0
 
@@ -275,7 +234,7 @@ check "a full disk leaves no temporary file" no_temporary_files
 # A disk that is really full, where one can be mounted
 cat > disk.sh <<'EOF'
 mkdir disk && mount -t tmpfs -o size=64k tmpfs disk && echo old > disk/old.ply || exit 77
-"$1" cube.xyz disk/old.ply > stdout 2> stderr
+"$1" --force cube.xyz disk/old.ply > stdout 2> stderr
 echo "$? $(cat disk/old.ply) $(ls -A disk)"
 EOF
 if unshare --user --map-root-user --mount true 2> /dev/null; then
@@ -292,7 +251,7 @@ test "$(id -u)" -ne 0 || unprivileged=(setpriv --reuid 65534 --regid 65534 --cle
 chmod 755 "$folder"; mkdir -m 777 protected; echo old > protected/old.ply; chmod 444 protected/old.ply
 mkdir -m 555 closed
 for target in protected/old.ply closed/out.ply; do
-  "${unprivileged[@]}" "$program" cube.xyz "$target" > stdout 2> stderr
+  "${unprivileged[@]}" "$program" --force cube.xyz "$target" > stdout 2> stderr
   check "status of a write to $target" test $? -eq 4
   check "reason of a write to $target" grep -q "^l0_resample: $target: cannot be written: .*Permission denied" stderr
 done
@@ -314,10 +273,10 @@ awk '{ for (i = 0; i < 40; ++i) print $1 + i % 7 * .01, $2 + i % 5 * .01, $3 + i
 patient=(timeout --foreground -s KILL 60)   # passes the signals on, and ends a program that is deaf to them
 for signal in INT TERM; do
   expected=130; test $signal = INT || expected=143
-  "${patient[@]}" "$program" silent.xyz old.ply > stdout 2> stderr & job=$!
+  "${patient[@]}" "$program" --force silent.xyz old.ply > stdout 2> stderr & job=$!
   sleep 0.3; kill -$signal $job; wait $job
   check "status after SIG$signal while reading" test $? -eq $expected
-  "${patient[@]}" "$program" long.xyz old.ply --neighbor-radius 1 > stdout 2> stderr & job=$!
+  "${patient[@]}" "$program" --force long.xyz old.ply --neighbor-radius 1 > stdout 2> stderr & job=$!
   sleep 1.5; kill -$signal $job; wait $job
   check "status after SIG$signal while computing" test $? -eq $expected
   check "one line after SIG$signal" test "$(wc -l < stderr)" -eq 1 -a ! -s stdout
@@ -352,11 +311,9 @@ cp scans/a.xyz other/a.xyz
 check_failure 2 "both scans/a.xyz and other/a.xyz" scans/a.xyz other/a.xyz --output-directory batch/same
 check_failure 2 "both scans/a.xyz and ./scans/a.xyz" scans/a.xyz ./scans/a.xyz --output-directory batch/same
 check_failure 2 "would take the place of the input scans/a.xyz" scans/a.xyz --output-directory other/../scans
-check_failure 2 "notes.txt: the extension" scans/a.xyz scans/notes.txt --output-directory batch/same
 check_failure 2 "--snapshot" scans/a.xyz --output-directory batch/same --snapshot picture.png
 check_failure 2 "3 files" scans/a.xyz scans/b.npy out.ply
 check_failure 2 "INPUT" --output-directory batch/same
-check_failure 3 "no file with a known extension" batch --output-directory batch/same
 check "a refused batch makes nothing" test ! -e batch/same
 check_failure 4 "cannot be made" scans/a.xyz --output-directory cube.xyz/inside
 run scans/notes.txt --output-directory batch/named --input-format xyz --output-format off
@@ -421,9 +378,8 @@ check "points alone on stdout" test "$status" -eq 0 -a "$(wc -l < stdout)" -eq 3
 check "then the summary is on stderr" grep -q '30 out' stderr
 "$program" cube.xyz /dev/stdout --output-format xyz --points 30 --quiet 2> stderr | cat > piped.xyz
 check "a pipe as output" cmp stdout piped.xyz
-run /dev/stdin out.ply --input-format xyz
-check "an empty standard input" test "$status" -eq 0
-"$program" /dev/stdin out.ply --input-format xyz --points 40 < <(cat cube.xyz) > /dev/null
+check_failure 3 "/dev/stdin: line 1: the file has no points" /dev/stdin old.ply --input-format xyz
+"$program" --force /dev/stdin out.ply --input-format xyz --points 40 < <(cat cube.xyz) > /dev/null
 check "a pipe as input" test $? -eq 0 -a "$(number_of_points out.ply)" -eq 40
 (
   ulimit -n 16
@@ -433,5 +389,4 @@ check "a pipe as input" test $? -eq 0 -a "$(number_of_points out.ply)" -eq 40
 ) || failures=$((failures + 1))
 check "nothing is left behind" no_temporary_files
 
-echo "$checks checks, $failures failed"
-test "$failures" -eq 0
+end_of_checks

@@ -10,8 +10,13 @@
 
 #include "Output_file.h"
 
+#include <algorithm>
+#include <array>
 #include <string>
+#include <thread>
 
+#include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -99,6 +104,73 @@ void test_links_and_devices()
   CHECK(std::filesystem::is_character_file(full));
 }
 
+// Without leave to replace, a file that came since stays.
+void test_kept_file()
+{
+  const Scratch_folder folder;
+  const std::string path = folder.file("out.ply");
+  Output_file file(path, Existing_file::KEEP);
+  file.write(new_content);
+  write_bytes(path, old_content);
+  const Failure_seen seen = failure_of([&]() { file.commit(); });
+  CHECK(seen.status == OUTPUT_NOT_WRITTEN && seen.says("--force"));
+  CHECK(read_bytes(path) == old_content);
+
+  const std::string free_path = folder.file("free.ply");
+  Output_file free_file(free_path, Existing_file::KEEP);
+  free_file.write(new_content);
+  free_file.commit();
+  CHECK(read_bytes(free_path) == new_content);
+}
+
+void test_ways_to_a_file()
+{
+  const Scratch_folder folder;
+  const std::string path = folder.file("out.ply"), link = folder.file("link.ply");
+  std::filesystem::create_symlink("out.ply", link);
+  CHECK(!would_replace_file(link) && !would_replace_file(path));
+  write_all(link);
+  CHECK(std::filesystem::is_symlink(link) && read_bytes(path) == new_content);
+  CHECK(would_replace_file(link) && would_replace_file(path) && !would_replace_file(folder.file("")));
+  CHECK(are_same_file(link, path) && are_same_file(folder.file("./none"), folder.file("none")));
+  CHECK(!are_same_file(path, folder.file("none")) && !are_same_file("", ""));
+  CHECK(are_same_file("-", "/dev/stdout") && !are_same_file("-", "/dev/stderr"));
+  std::filesystem::create_directory_symlink("/dev", folder.file("devices"));
+  CHECK(destination_of(folder.file("devices/fd/2")).descriptor == 2);
+  CHECK(!destination_of("/proc/1/fd/2").descriptor);
+}
+
+// A descriptor that is open already is written to where it stands, and may be one that does not block.
+void test_open_descriptors()
+{
+  const Scratch_folder folder;
+  const int shared = open(folder.file("log").c_str(), O_RDWR | O_CREAT, 0600);
+  const std::string path = "/dev/fd/" + std::to_string(shared);
+  CHECK(write(shared, "old", 3) == 3);
+  CHECK(!would_replace_file(path));
+  write_all(path);
+  CHECK(write(shared, "end", 3) == 3);
+  CHECK(read_bytes(folder.file("log")) == old_content + new_content + "end");
+  close(shared);
+  CHECK(failure_of([&]() { write_all(path); }).says("Bad file descriptor"));
+  CHECK(failure_of([&]() { check_writable(path, 0); }).status == OUTPUT_NOT_WRITTEN);
+
+  int ends[2];
+  CHECK(pipe2(ends, O_NONBLOCK) == 0);
+  std::string received;
+  std::thread reader([&]() {
+    std::array<char, 1000> bytes;
+    pollfd waiting = {ends[0], POLLIN, 0};
+    while (received.size() < new_content.size() && poll(&waiting, 1, 10000) == 1)
+      received.append(bytes.data(), std::size_t((std::max)(read(ends[0], bytes.data(), bytes.size()), ssize_t(0))));
+  });
+  CHECK(failure_of([&]() { write_all("/dev/fd/" + std::to_string(ends[1])); }).status == 0);
+  reader.join();
+  CHECK(received == new_content);
+  close(ends[0]);
+  close(ends[1]);
+}
+
 void test_failures()
 {
   const Scratch_folder folder;
@@ -130,6 +202,9 @@ int main()
   test_commit();
   test_no_commit();
   test_links_and_devices();
+  test_kept_file();
+  test_ways_to_a_file();
+  test_open_descriptors();
   test_failures();
   return test::result();
 }

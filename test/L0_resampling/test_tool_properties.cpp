@@ -8,6 +8,7 @@
 #include "test_support.h"
 #include "test_tool_support.h"
 
+#include "Text_columns.h"
 #include "write_points.h"
 
 #include <cstdint>
@@ -188,6 +189,41 @@ void test_colors()
   CHECK(failure_of([]() { read(".off", "COFF\n2 0 0\n1 2 3 4 5 6\n1 2 3 4 5\n"); }).status == INPUT_REFUSED);
 }
 
+// Columns of a text that have names: their types come from all of their numbers.
+void test_names_of_columns()
+{
+  Read_options options = everything();
+  const auto header_of = [&](const std::string& list, const std::string& rows) {
+    options.columns = parse_column_names(list);
+    const std::string bytes = written(".ply", tool_test::read(scratch, ".xyz", rows, options));
+    const std::string before = "property double z\n";
+    return bytes.substr(bytes.find(before) + before.size());
+  };
+  const std::string end = "end_header\n";
+  const std::string xyz = bytes_of(1., false) + bytes_of(2., false) + bytes_of(3., false);
+  CHECK(header_of("red,z,y,-,x,alpha", "0 3 2 word 1 9\n255 3 2 word 1 0\n")
+        == "property uchar red\nproperty uchar alpha\n" + end + xyz + std::string("\0\x09", 2) + xyz
+             + std::string("\xff\0", 2));
+  CHECK(header_of("x,y,z,a,b", "1 2 3 -7 4294967295\n")
+        == "property int a\nproperty uint b\n" + end + xyz + bytes_of(std::int32_t(-7), false)
+             + bytes_of(std::uint32_t(4294967295u), false));
+  CHECK(header_of("x,y,z,a,_", "1 2 3 7 0\n1 2 3 0.5 0\n")
+        == "property double a\n" + end + xyz + bytes_of(7., false) + xyz + bytes_of(.5, false));
+  CHECK(header_of("x,y,z,a", "1 2 3 4294967296\n") == "property double a\n" + end + xyz + bytes_of(4294967296., false));
+  // All channels of a color are bytes, or none is.
+  for (const std::string number : {"0.5", "256", "-1", "nan"})
+    CHECK(header_of("x,y,z,red,blue", "1 2 3 1 " + number + "\n").find("property double red\nproperty double blue\n")
+          == 0);
+  options.with_properties = false;
+  CHECK(header_of("x,y,z,red", "1 2 3 1\n") == end + xyz);
+  options.with_properties = true;
+
+  for (const char* bad : {"", "x,y", "x,y,z,x", "x,y,z,nx", "x,y,z,", "x,y,z,a b", "x,y,z,a,a", "x,y,z,\xc3\xa4"})
+    CHECK(failure_of([&]() { parse_column_names(bad); }).status == WRONG_USAGE);
+  CHECK(failure_of([&]() { header_of("x,y,z,a", "1 2 3 4\n1 2 3 4 5\n"); }).says("line 2: 4 columns expected"));
+  CHECK(failure_of([&]() { header_of("x,y,z,a", "1 2 3 b\n"); }).says("line 1: 'b' is not a number"));
+}
+
 // Where a file has normals, or none
 void test_normals()
 {
@@ -226,7 +262,7 @@ void test_what_is_left_out()
   CHECK(wide.warnings.size() == 2); // t and many, and not the padding
 
   CHECK(read(".xyz", "1 2 3 4\n").warnings.size() == 1);
-  CHECK(read(".xyz", "1 2 3 4 5 6\n").warnings.empty());
+  CHECK(read(".xyz", "1 2 3 0 0 1\n").warnings.empty());
 
   // A name that the format has for something else
   const Point_cloud twice =
@@ -243,6 +279,7 @@ int main()
   test_nobody_asks();
   test_dropped_points();
   test_colors();
+  test_names_of_columns();
   test_normals();
   test_what_is_left_out();
   return test::result();

@@ -44,8 +44,10 @@ void test_round_trip(File_format format, const std::string& extension)
                                          Vector(std::sqrt(.5), std::sqrt(.5), 0)}};
   std::normal_distribution<double> gauss;
   for (int i = 0; i < 20000; ++i) // more than the buffers of reader and writer hold
-    points.push_back(
-      {Point(gauss(random), gauss(random), gauss(random)), Vector(gauss(random), gauss(random), gauss(random))});
+  {
+    const Vector normal(gauss(random), gauss(random), gauss(random));
+    points.push_back({Point(gauss(random), gauss(random), gauss(random)), normal / std::sqrt(normal.squared_length())});
+  }
 
   const std::string path = scratch.file("round_trip" + extension);
   write_points(path, format, points);
@@ -142,11 +144,46 @@ void test_xyz()
 {
   CHECK(read(".xyz", "# x y z\n1 2 3\n\n\t-1e1\t+0.5 3 \r\n4 5 6").points
         == (std::vector<Point>{Point(1, 2, 3), Point(-10, .5, 3), Point(4, 5, 6)}));
-  CHECK(read(".pwn", "2\n1 2 3 4 5 6\n7 8 9 1 2 3\n", with_normals()).normals
-        == (std::vector<Vector>{Vector(4, 5, 6), Vector(1, 2, 3)}));
+  CHECK(read(".pwn", "2\n1 2 3 0 0 1\n7 8 9 .6 -.8 0\n", with_normals()).normals
+        == (std::vector<Vector>{Vector(0, 0, 1), Vector(.6, -.8, 0)}));
   CHECK(read(".xyz", "1 2 3 a\n1 2 3 b\n", with_normals()).normals.empty());
   CHECK(read(".xyz", "1\n1 2 3\n4 5 6\n").warnings.size() == 1);
-  CHECK(read(".xyz", "").points.empty());
+  CHECK(read(".xyz", "0\n").points.empty());
+  CHECK(refusal(".xyz", "").says("line 1: the file has no points"));
+  CHECK(refusal(".xyz", "# x y z\n\n").status == INPUT_REFUSED);
+}
+
+std::string repeated(int times, const std::string& line)
+{
+  std::string text;
+  for (int i = 0; i < times; ++i)
+    text += line;
+  return text;
+}
+
+// Vectors of a text are normals if nearly all of them have unit length.
+void test_vectors_of_xyz()
+{
+  const std::string unit = "1 2 3 0 .6 -.8\n", nearly = "1 2 3 .58 .58 .58\n", zero = "1 2 3 0 0 0\n";
+  const std::string short_one = "1 2 3 0 0 .98\n", color = "1 2 3 200 100 0\n", none = "1 2 3 nan 0 1\n";
+  const auto are_normals = [](const std::string& text) {
+    const Point_cloud cloud = read(".xyz", text, with_normals());
+    const bool are = !cloud.normals.empty();
+    CHECK(cloud.normals.size() == (are ? cloud.points.size() : 0));
+    CHECK(cloud.warnings.size() == (are ? 0 : 1));
+    CHECK(are || cloud.warnings.front().find("--columns") != std::string::npos);
+    return are;
+  };
+  CHECK(are_normals(repeated(19, unit) + color));
+  CHECK(are_normals(repeated(18, nearly) + repeated(100, zero) + unit + none));
+  CHECK(!are_normals(repeated(18, unit) + color));
+  CHECK(!are_normals(repeated(18, unit) + short_one));
+  CHECK(!are_normals(repeated(18, unit) + none));
+  CHECK(!are_normals(zero));
+
+  Read_options options = with_normals();
+  options.columns = {"x", "y", "z", "nx", "ny", "nz"};
+  CHECK(read(".xyz", color, options).normals == std::vector<Vector>{Vector(200, 100, 0)});
 }
 
 void test_pcd()
@@ -300,6 +337,7 @@ int main()
   test_ply();
   test_off();
   test_xyz();
+  test_vectors_of_xyz();
   test_pcd();
   test_npy();
   test_precision_of_pcd();

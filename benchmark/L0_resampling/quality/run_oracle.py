@@ -40,8 +40,8 @@ def parse_arguments():
 def resample(bench, source, points, *options):
     """Measures the result later: returns its file and the radius."""
     result, report = bench.scratch / "result.ply", bench.scratch / "report.json"
-    bench.run("l0_resample", source, result, "--points", points, "--threads", bench.threads, "--quiet", "--json", report,
-              *options)
+    bench.run("l0_resample", "--force", source, result, "--points", points,
+              "--threads", bench.threads, "--quiet", "--json", report, *options)
     return result, json.loads(report.read_text(encoding="utf-8"))["resampling"]["neighbor_radius"]
 
 

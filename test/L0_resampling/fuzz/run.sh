@@ -18,8 +18,10 @@ mkdir -p "$scratch/objects" "$scratch/$corpus"
 flags=(-std=c++17 -O2 -g1 -D_GLIBCXX_SANITIZE_VECTOR -fsanitize=address,undefined,float-cast-overflow -fno-sanitize=vptr -fno-sanitize-recover=all
        -I "$tool" -I "$here/../../../include")
 objects=()
-for source in "$tool"/{Input_file,Number_type,Pcd_header,Ply_header,Point_collector,file_formats,signals}.cpp "$tool"/read_*.cpp \
-              "$here/fuzz_readers.cpp"; do
+parts=(Input_file Number_type Pcd_header Ply_header Point_collector Property_table Text_columns
+       file_formats signals)
+parts=("${parts[@]/#/$tool/}")
+for source in "${parts[@]/%/.cpp}" "$tool"/read_*.cpp "$here/fuzz_readers.cpp"; do
   object=$scratch/objects/$(basename "$source" .cpp).o
   clang++ "${flags[@]}" -fsanitize=fuzzer-no-link -c "$source" -o "$object"
   objects+=("$object")

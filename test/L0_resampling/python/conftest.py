@@ -49,7 +49,8 @@ def tool(tmp_path):
         source, target, report = tmp_path / "in.xyz", tmp_path / "out.xyz", tmp_path / "report.json"
         table = points if normals is None else numpy.hstack([points, normals])
         numpy.savetxt(source, table, fmt="%.17g")
-        command = [os.environ["L0_RESAMPLE"], source, target, "--device", "cpu", "--json", report, "--quiet", *options]
+        command = [os.environ["L0_RESAMPLE"], "--force", source, target, "--device", "cpu"]
+        command += ["--json", report, "--quiet", *options]
         subprocess.run([str(word) for word in command], check=True)
         result = numpy.loadtxt(target, ndmin=2)
         return result[:, :3], result[:, 3:], json.loads(report.read_text())

@@ -1,0 +1,185 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026  The CGAL::L0_resampling authors.
+# All rights reserved.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# The program l0_resample and files of others: what it replaces, where what it writes goes, what it
+# takes columns of a text for, and what a batch does with a file of no known format.
+# usage: test_tool_files.sh PROGRAM
+
+# shellcheck source-path=SCRIPTDIR
+. "$(dirname "${BASH_SOURCE[0]}")/tool_checks.sh"
+
+head -n 3000 cube.xyz > a1.xyz; tail -n 3000 cube.xyz > a2.xyz; cp a1.xyz one.xyz; cp a2.xyz two.xyz
+
+# A file is not replaced without --force
+check_plain_failure 4 "a2.xyz: the file exists; --force replaces it" a*.xyz
+check "the second of two scans stays" cmp a2.xyz two.xyz
+check_plain_failure 4 "--force" a1.xyz ./a1.xyz
+check_plain_failure 4 "--force" a1.xyz a2.xyz --convert-only
+check_plain_failure 4 "--force" missing.xyz a2.xyz   # before the input is looked at
+check_plain_failure 4 "--force" a1.xyz a2.xyz --json none.json --snapshot none.png
+check "a refused run writes no report" test ! -e none.json -a ! -e none.png
+ln -s a2.xyz link.xyz
+check_plain_failure 4 "link.xyz: the file exists" a1.xyz link.xyz
+check "no file was replaced" cmp a1.xyz one.xyz
+echo old > report.json; echo old > picture.png
+run_plainly a1.xyz new.ply --points 50 --json report.json --snapshot picture.png
+check "an output that is new" test "$status" -eq 0 -a "$(number_of_points new.ply)" -eq 50
+check "reports and pictures are replaced" test "$(head -n 1 report.json)" = "{" -a "$(wc -c < picture.png)" -gt 1000
+run a1.xyz link.xyz --points 50
+check "--force replaces the file behind a link" test -L link.xyz -a "$(wc -l < a2.xyz)" -eq 50
+run a1.xyz a1.xyz --points 60
+check "--force replaces the input" test "$status" -eq 0 -a "$(wc -l < a1.xyz)" -eq 60
+cp one.xyz a1.xyz; cp two.xyz a2.xyz
+
+# A file that comes while the program works
+mkfifo slow.xyz
+timeout 60 "$program" slow.xyz late.ply > stdout 2> stderr & job=$!
+timeout 60 bash -c '{ echo old > late.ply; cat a1.xyz; } > slow.xyz'   # begins when the program reads
+wait $job
+check "a file that came later is not replaced" test $? -eq 4
+check "a file that came later is named" grep -q '^l0_resample: late.ply: the file exists; --force' stderr
+check "a file that came later is what it was" is_old late.ply
+check "nothing is left behind" no_temporary_files
+
+# What is no file needs no --force
+run_plainly a1.xyz /dev/null --output-format ply
+check "a device as output" test "$status" -eq 0 -a -c /dev/null
+mkfifo pipe.xyz
+timeout 60 cat pipe.xyz > piped.xyz & job=$!
+run_plainly a1.xyz pipe.xyz --points 70
+wait $job
+check "a named pipe as output" test "$status" -eq 0 -a -p pipe.xyz -a "$(wc -l < piped.xyz)" -eq 70
+mkdir elsewhere
+ln -s elsewhere/made.ply dangling.ply
+run_plainly a1.xyz dangling.ply --points 80
+check "a link that leads to no file yet makes it" test "$status" -eq 0 -a -L dangling.ply \
+  -a "$(number_of_points elsewhere/made.ply)" -eq 80
+ln -s circle.ply circle.ply
+check_plain_failure 4 "circle.ply: cannot be written: Too many levels" a1.xyz circle.ply
+check "a circle of links stays" test -L circle.ply
+
+# In a batch
+mkdir results; echo old > results/a2.xyz
+check_plain_failure 4 "results/a2.xyz: the file exists; --force" a1.xyz a2.xyz --output-directory results
+check "a batch that is refused makes nothing" test "$(ls results)" = a2.xyz
+check "a result of an earlier batch stays" is_old results/a2.xyz
+echo old > results/a1.xyz
+check_plain_failure 4 "results/a1.xyz: the file exists, as do 1 others" a1.xyz a2.xyz --output-directory results
+run a1.xyz a2.xyz --output-directory results --points 90
+check "a batch with --force" test "$status" -eq 0 -a "$(cat results/*.xyz | wc -l)" -eq 180
+
+# A descriptor that leads to a file: what others have written there stays
+run_plainly a1.xyz points.xyz --points 30
+echo first > expected; cat points.xyz >> expected; echo last >> expected
+to=(--output-format xyz --points 30)
+ln -s /dev/stdout out.xyz
+for output in /dev/stdout - /dev/fd/1 /proc/self/fd/1 out.xyz; do
+  (echo first; "$program" a1.xyz "$output" "${to[@]}" 2> stderr; echo last) > mixed
+  check "only points between the lines of others: $output" cmp mixed expected
+  check "then the summary is on stderr: $output" grep -q '30 out' stderr
+done
+(echo first; "$program" a1.xyz /dev/fd/3 "${to[@]}" 3>&1 > stdout; echo last) > mixed 2> stderr
+check "another descriptor" cmp mixed expected
+check "then the summary is on stdout" grep -q '30 out' stdout
+(echo first; "$program" a1.xyz /dev/stderr "${to[@]}" 2>&1 > stdout; echo last) > mixed
+check "standard error" cmp mixed expected
+echo old > log
+"$program" a1.xyz /dev/null --output-format ply --json /dev/stdout >> log 2> stderr
+"$program" a1.xyz /dev/null --output-format ply --json - >> log 2> stderr
+check "reports are appended to a log" test "$(head -n 1 log)" = old \
+  -a "$(grep -cx '{' log)" -eq 2 -a "$(grep -cx '}' log)" -eq 2
+check "the log has reports alone" test "$(grep -c 'points in' log)" -eq 0
+check "no file has the name of a descriptor" test ! -e ./-
+check_plain_failure 2 "is named twice" a1.xyz - --output-format ply --json /dev/stdout
+check_plain_failure 2 "-: --output-format" a1.xyz -
+check_plain_failure 2 "-: --input-format" - none.ply
+check_plain_failure 2 "-: what is read from it" - a1.xyz --output-directory none --input-format xyz
+for closed in /dev/fd/7 /dev/stdin; do
+  check_plain_failure 4 "$closed: cannot be written: Bad file descriptor" \
+    a1.xyz "$closed" --output-format ply
+done
+"$program" a1.xyz - --output-format xyz > /dev/full 2> stderr
+check "a full disk behind standard output" test $? -eq 4
+check "standard output is named" \
+  grep -q '^l0_resample: standard output: cannot be written: No space left' stderr
+
+# Standard input, also if others have read a part of it
+whole=(--input-format xyz --percentage 100)
+"$program" - rest.ply "${whole[@]}" < <(cat a1.xyz) > stdout 2> stderr
+check "points from a pipe" test $? -eq 0 -a "$(number_of_points rest.ply)" -eq 3000
+check "standard input in the summary" grep -q '^standard input: 3000 points in' stdout
+(read -r _; "$program" --force - rest.ply "${whole[@]}") < a1.xyz > stdout 2> stderr
+check "the rest of standard input" test "$(number_of_points rest.ply)" -eq 2999
+"$program" - - --convert-only --input-format xyz --output-format xyz < a1.xyz > stdout 2> stderr
+check "a filter" test "$(awk '{ printf "%.6f %.6f %.6f\n", $1, $2, $3 }' stdout | cmp - a1.xyz)" = ""
+echo "1 2 x" | "$program" - none.ply --input-format xyz > stdout 2> stderr
+check "an error in standard input" \
+  grep -qx "l0_resample: standard input: line 1: 'x' is not a number" stderr
+
+# Text: colors are no normals
+awk '{ print $0, ($1 > 0 ? 200 : 100), 50, NR % 7 }' a1.xyz > colors.xyz
+guess="columns 4 to 6 are no unit vectors and not taken for normals; --columns can name them"
+for mode in --convert-only --keep-density; do
+  run_plainly colors.xyz "plain$mode.ply" "$mode"
+  check "colors without names, $mode" test "$status" -eq 0
+  check "colors are no normals, $mode" grep -qx "l0_resample: warning: colors.xyz: $guess" stderr
+done
+coordinates="double x,double y,double z,"
+check "colors without names are left out" \
+  test "$(properties plain--convert-only.ply)" = "$coordinates"
+for option in --orient-by-normals --use-normals; do
+  run_plainly colors.xyz none.ply "$option"
+  check "colors are no normals for $option" test "$status" -eq 3 -a ! -e none.ply
+  check "the refusal says so" grep -q -- "$option is given, but the file has no normals" stderr
+done
+names=(--columns x,y,z,red,green,blue)
+run_plainly colors.xyz colors.ply --convert-only "${names[@]}"
+check "columns with names" test "$status" -eq 0 -a ! -s stderr
+color="uchar red,uchar green,uchar blue,"
+check "a color" test "$(properties colors.ply)" = "$coordinates$color"
+check "its numbers" test "$(tail -c 27 colors.ply | od -An -t u1 -j 24)" = " 200  50   4"
+run_plainly colors.xyz carried.ply "${names[@]}"
+normal="double nx,double ny,double nz,"
+check "colors go along" test "$(properties carried.ply)" = "$coordinates$normal$color"
+awk '{ print "p" NR, $3, $2, $1, -9, 0, 0, NR, NR / 2 }' a1.xyz > odd.xyz
+run_plainly odd.xyz odd.ply --convert-only --columns -,z,y,x,nx,ny,nz,label,_
+check "columns in another order" test "$status" -eq 0 \
+  -a "$(properties odd.ply)" = "$coordinates${normal}int label,"
+run_plainly odd.ply odd_again.xyz --convert-only
+awk '{ printf "%.6f %.6f %.6f\n", $1, $2, $3 }' odd_again.xyz > positions.xyz
+check "coordinates in another order" cmp positions.xyz a1.xyz
+check "normals with names are taken as they are" \
+  test "$(awk '$4 == -9 && $5 == 0' odd_again.xyz | wc -l)" -eq 3000
+check_plain_failure 2 "--columns x,y,red: x, y and z have" colors.xyz none.ply --columns x,y,red
+check_plain_failure 2 "--columns: a1.ply is no text" a1.ply none.ply --columns x,y,z
+check_plain_failure 3 "colors.xyz: line 1: --columns names 3, found 6" \
+  colors.xyz none.ply --columns x,y,z
+check_plain_failure 3 "line 1: 'p1' is not a number" odd.xyz none.ply --columns x,y,z,a,b,c,d,e,f
+run_plainly a1.xyz a2.xyz --output-directory named --columns x,y,z --output-format ply
+check "columns of a batch" test "$status" -eq 0 -a "$(ls named)" = "$(printf 'a1.ply\na2.ply')"
+
+# A text without a point, as an empty file of another format
+: > empty.xyz; : > empty.ply; printf '# x y z\n\n' > comment.xyz; echo 0 > zero.xyz
+check_plain_failure 3 "empty.ply: line 1" empty.ply none.ply
+check_plain_failure 3 "empty.xyz: line 1: the file has no points" empty.xyz none.ply
+check_plain_failure 3 "the file has no points" comment.xyz none.ply --convert-only
+run_plainly zero.xyz zero.ply
+check "a text that announces no points" test "$status" -eq 0 -a "$(number_of_points zero.ply)" -eq 0
+
+# A batch that a glob of the shell has made: what no reader knows is listed at the end
+mkdir scans scans/pictures; cp a1.xyz a2.xyz scans; : > scans/pictures/a.png
+echo notes > scans/notes.txt; echo old > scans/z.las
+run_plainly scans/* --output-directory batch --points 40 --json batch.json
+check "status of a batch with strays" test "$status" -eq 3
+check "the others of a batch with strays" test "$(ls batch)" = "$(printf 'a1.xyz\na2.xyz')"
+check "the line of a stray" grep -q '^l0_resample: scans/notes.txt: the extension is not' stderr
+check "the line of a folder of strays" grep -q '^l0_resample: scans/pictures: the folder has' stderr
+check "the number of strays" test "$(wc -l < stderr)" -eq 4 \
+  -a "$(tail -n 1 stderr)" = "l0_resample: 3 of 5 files failed"
+check "strays in the report" test "$(grep -c '"exit_status": 3' batch.json)" -eq 3
+check "nothing is left behind at the end" no_temporary_files
+
+end_of_checks
