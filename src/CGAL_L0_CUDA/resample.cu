@@ -92,6 +92,7 @@ struct Call
   Sample_counts* counts;                     // on the device
   std::vector<std::size_t> numbers_of_pairs; // of self neighbors, one for each penalty
   Samples samples;
+  Followers followers;
 
   const Turn_result* last_turn_result(std::size_t turn) const { return turn > 0 ? turn_results + turn - 1 : nullptr; }
 
@@ -123,6 +124,24 @@ struct Input
   const float* hints; // of them; null if none were given
 };
 
+/// Takes the normals and hints of the points of the session that the positions list.
+void take_vectors_of_list(Call& call, const Session& session, Input& input)
+{
+  const Workplace& workplace = call.workplace;
+  const auto taken = [&](const float* vectors) {
+    float* const listed = workplace.arena.take<float>(3 * std::size_t(input.positions.size));
+    take_listed(workplace, vectors, input.positions.list, input.positions.size, listed);
+    return listed;
+  };
+  if (session.normals)
+  {
+    input.normals = taken(session.normals);
+    input.all_normals_given = session.all_normals_given || !has_zero(workplace, input.normals, input.positions.size);
+  }
+  if (session.hints)
+    input.hints = taken(session.hints);
+}
+
 /// Leaves outliers out, if that is asked for.
 Input take_input(Session& session, Call& call)
 {
@@ -141,18 +160,7 @@ Input take_input(Session& session, Call& call)
   {
     input.positions.size -= number_of_outliers;
     input.positions.list = kept;
-    const auto taken = [&](const float* vectors) {
-      float* const kept_vectors = workplace.arena.take<float>(3 * std::size_t(input.positions.size));
-      take_listed(workplace, vectors, kept, input.positions.size, kept_vectors);
-      return kept_vectors;
-    };
-    if (session.normals)
-    {
-      input.normals = taken(session.normals);
-      input.all_normals_given = session.all_normals_given || !has_zero(workplace, input.normals, input.positions.size);
-    }
-    if (session.hints)
-      input.hints = taken(session.hints);
+    take_vectors_of_list(call, session, input);
   }
   call.stages.begin("sort points", 0.05);
   return input;
@@ -166,17 +174,29 @@ struct Prepared_points
 };
 
 /// Section 3.1 and Eq. (5): normals and density weights of the input. What their grid tells of their order before is in the scratch arena.
-Prepared_points prepare_points(Call& call, const Input& input)
+/// \param input loses the points that are not kept of crowds
+Prepared_points prepare_points(Session& session, Call& call, Input& input)
 {
   const Workplace& workplace = call.workplace;
   const Lengths& lengths = call.lengths;
   const Parameters& parameters = call.parameters;
   const double longest_query = (std::max)(lengths.radius, lengths.filter_radius);
   Prepared_points points;
-  points.grid = build_grid(input.positions, input.normals,
-                           Cell_frame::around(lengths.low, lengths.high, lengths.cell_size, longest_query),
-                           workplace.arena, workplace.scratch, workplace.scratch, workplace.stream);
+  const auto sort_points = [&]() {
+    points.grid = build_grid(input.positions, input.normals,
+                             Cell_frame::around(lengths.low, lengths.high, lengths.cell_size, longest_query),
+                             workplace.arena, workplace.scratch, workplace.scratch, workplace.stream);
+  };
+  sort_points();
   call.report.number_of_distinct_points = points.grid.number_of_distinct;
+  unsigned number_of_kept;
+  if (const unsigned* const kept = thin_crowds(workplace, input.positions, points.grid, number_of_kept))
+  {
+    input.positions.size = number_of_kept;
+    input.positions.list = kept;
+    take_vectors_of_list(call, session, input);
+    sort_points();
+  }
   points.normals = workplace.arena.take<float4>(points.grid.size);
 
   const Arena_scope scope(workplace.scratch);
@@ -269,7 +289,7 @@ void fit_to_all_points(Call& call, const Prepared_points& points)
                                          cells_in_reach(call.lengths.radius, call.lengths.cell_size),
                                          maximum_number_of_candidates, workplace.arena, workplace.stream);
   collapse_fit_term(workplace, sample_grid, blocks, points.grid, points.normals, call.lengths.radius, call.samples,
-                    call.counts);
+                    call.followers.numbers_of_samples, call.counts);
 }
 
 /// The samples in the order of their grid, of which only the points are needed any further, and their self neighbors.
@@ -425,7 +445,8 @@ void run(Session& session, const Parameters& parameters, Stages& stages, Call_re
     nullptr,
     nullptr,
     {},
-    Samples()};
+    Samples(),
+    Followers()};
   std::vector<Turn_result> results(call.penalties.size());
   call.turn_results = session.arena.take<Turn_result>(results.size());
   call.counts = session.arena.take<Sample_counts>(1);
@@ -434,14 +455,17 @@ void run(Session& session, const Parameters& parameters, Stages& stages, Call_re
                               {is_default, is_default && parameters.keep_density, session.hints != nullptr});
   {
     const Arena_scope points_scope(session.arena);
-    const Input input = take_input(session, call);
+    Input input = take_input(session, call);
     const Prepared_points points = [&]() {
       const Arena_scope order_scope(session.scratch);
-      Prepared_points prepared = prepare_points(call, input);
+      Prepared_points prepared = prepare_points(session, call, input);
       choose_samples(call, input, prepared);
       prepared.grid.forget_order();
       return prepared;
     }();
+    call.followers = take_followers(
+      workplace, call.self_frame((std::max)(call.lengths.self_neighbor_radius, call.lengths.smallest_cell_size)),
+      call.samples);
     if (is_default)
       minimize_with_refinement(call, points);
     else
@@ -457,6 +481,8 @@ void run(Session& session, const Parameters& parameters, Stages& stages, Call_re
                  call.lengths.sample_spacing, parameters.has_viewpoint ? viewpoint : nullptr, call.samples, call.counts);
   if (is_default)
     settle_on_quadrics(call);
+  const unsigned number_of_leaders = call.samples.size;
+  append_followers(workplace, call.followers, call.samples);
   leave_frame(workplace, lengths.frame, call.samples);
   // not before: the device would have nothing to do while the host takes them
   const Sample_counts* const counts = session.scratch.fetch(call.counts, session.stream);
@@ -464,8 +490,8 @@ void run(Session& session, const Parameters& parameters, Stages& stages, Call_re
                                      cudaMemcpyDeviceToHost, session.stream));
   stages.end();
   report.number_of_lonely_samples = counts->lonely;
-  report.oriented_share = double(counts->oriented) / m;
-  report.hinted_share = double(counts->hinted) / m;
+  report.oriented_share = double(counts->oriented) / number_of_leaders;
+  report.hinted_share = double(counts->hinted) / number_of_leaders;
 
   session.iterations.clear();
   for (std::size_t i = 0; i < results.size(); ++i)

@@ -16,7 +16,7 @@ namespace cuda {
 namespace {
 
 __global__ void collapse(Cell_grid sample_grid, Cell_blocks blocks, Cell_grid grid, const float4* normals, float radius,
-                         Samples samples, Sample_counts* counts)
+                         Samples samples, const unsigned* numbers_of_samples, Sample_counts* counts)
 {
   const Query query(samples.size);
   const int4 center = sample_grid.points[query.index];
@@ -37,7 +37,7 @@ __global__ void collapse(Cell_grid sample_grid, Cell_blocks blocks, Cell_grid gr
   const bool is_lonely = !(weight_sum > 0);
   samples.fit[i] = is_lonely ? make_float4(0, 0, 0, 1) : with_w((1 / weight_sum) * sum, weight_sum);
   if (is_lonely)
-    atomicAdd(&counts->lonely, 1u);
+    atomicAdd(&counts->lonely, numbers_of_samples ? numbers_of_samples[i] : 1u);
 }
 
 __global__ void reorder_samples(const unsigned* order, Samples from, Samples to)
@@ -56,6 +56,8 @@ __global__ void reorder_samples(const unsigned* order, Samples from, Samples to)
     to.spacings[i] = from.spacings[k];
   if (to.hints)
     to.hints[i] = from.hints[k];
+  if (to.start_indices)
+    to.start_indices[i] = from.start_indices[k];
 }
 
 /// Calls `f(k, is_neighbor, found)` in all threads of a group at once: whether the sample k of the thread is a self neighbor, and a bit for
@@ -165,6 +167,12 @@ Samples take_samples(Device_arena& arena, unsigned size, const Kinds_of_sample_d
 
 void reorder(const Workplace& workplace, const unsigned* order, const Samples& samples)
 {
+  Samples all = samples;
+  keep_listed(workplace, order, all.size, all);
+}
+
+void keep_listed(const Workplace& workplace, const unsigned* list, unsigned size, Samples& samples)
+{
   const Arena_scope scope(workplace.scratch);
   const std::size_t m = samples.size;
   Samples before = samples;
@@ -181,22 +189,24 @@ void reorder(const Workplace& workplace, const unsigned* order, const Samples& s
   copy(before.are_voters, m);
   copy(before.spacings, m);
   copy(before.hints, m);
-  reorder_samples<<<blocks_for(m), threads_per_block, 0, workplace.stream>>>(order, before, samples);
+  copy(before.start_indices, m);
+  samples.size = size;
+  reorder_samples<<<blocks_for(size), threads_per_block, 0, workplace.stream>>>(list, before, samples);
   check_launch("reorder_samples");
 }
 
 void collapse_fit_term(const Workplace& workplace, const Cell_grid& sample_grid, const Cell_blocks& blocks,
                        const Cell_grid& grid, const float4* normals, double radius, const Samples& samples,
-                       Sample_counts* counts)
+                       const unsigned* numbers_of_samples, Sample_counts* counts)
 {
   collapse<<<blocks_for_queries(samples.size), threads_per_block, 0, workplace.stream>>>(
-    sample_grid, blocks, grid, normals, float(radius), samples, counts);
+    sample_grid, blocks, grid, normals, float(radius), samples, numbers_of_samples, counts);
   check_launch("collapse");
 }
 
 Neighbor_lists find_self_neighbors(const Workplace& workplace, const Cell_grid& grid, double radius)
 {
-  const unsigned limit = 1024; // as on the CPU
+  const unsigned limit = 512; // as on the CPU
   const cudaStream_t stream = workplace.stream;
   const unsigned m = grid.size, thread_blocks = blocks_for_queries(m);
   const float squared_radius = float(radius * radius);

@@ -57,6 +57,13 @@ public:
 unsigned find_outliers(const Workplace& workplace, const Positions& positions, const double (&low)[3],
                        const double (&high)[3], double radius, unsigned* kept);
 
+/// Thins points where they crowd, as `thin_crowds()` on the CPU. Waits for the device.
+/// \param positions those that `grid` was built of
+/// \param size out: the number of points that are kept
+/// \returns which points of the input are kept, in the order of the grid, from the arena; null for all
+const unsigned* thin_crowds(const Workplace& workplace, const Positions& positions, const Cell_grid& grid,
+                            unsigned& size);
+
 // The normals of the input, Section 3.1. They are float4; the fourth number is the density weight 1/v_j in the end.
 
 /// Fits planes to the points in balls of `radius`, and in larger ones where that determines none.
@@ -119,7 +126,25 @@ struct Samples
   unsigned char* are_voters = nullptr; // as on the CPU; default method only
   float* spacings = nullptr;           // as on the CPU: null unless the density of the input is kept
   float4* hints = nullptr;             // as on the CPU: null if the caller has none
+  unsigned* start_indices = nullptr;   // as on the CPU: null if no samples follow others
 };
+
+/// Samples that start close to a crowd of others and are not worked on, as on the CPU.
+struct Followers
+{
+  unsigned size = 0;
+  unsigned* leaders = nullptr;            // of each follower, by the first order of the samples
+  double* offsets = nullptr;              // from there to the follower, xyz interleaved
+  unsigned* numbers_of_samples = nullptr; // of each leader, itself included; null without followers
+};
+
+/// Leaves out the samples of crowds but for a few, which the others follow. Waits for the device.
+/// \param frame of cells of the radius of the self neighbors
+/// \returns arrays from the scratch arena
+Followers take_followers(const Workplace& workplace, const Cell_frame& frame, Samples& samples);
+
+/// Appends the positions and normals of the followers.
+void append_followers(const Workplace& workplace, const Followers& followers, Samples& samples);
 
 /// How many of the samples are so, counted on the device.
 struct Sample_counts
@@ -139,6 +164,9 @@ Samples take_samples(Device_arena& arena, unsigned size, const Kinds_of_sample_d
 /// Puts sample `order[i]` in place `i`; outward directions are forgotten.
 void reorder(const Workplace& workplace, const unsigned* order, const Samples& samples);
 
+/// Keeps those samples only that are listed, in the order of the list.
+void keep_listed(const Workplace& workplace, const unsigned* list, unsigned size, Samples& samples);
+
 /// What the points hand on to the samples that start on them.
 struct Sources_of_samples
 {
@@ -156,10 +184,11 @@ void initialize_samples(const Workplace& workplace, const Positions& positions, 
 
 /// The fit term of LOR and ALOR: weight and centroid of the original neighbors.
 /// \param blocks of `grid` around the cells of `sample_grid`
+/// \param numbers_of_samples how many samples each one stands for; null if only for itself
 /// \param counts out, on the device; 0 at first
 void collapse_fit_term(const Workplace& workplace, const Cell_grid& sample_grid, const Cell_blocks& blocks,
                        const Cell_grid& grid, const float4* normals, double radius, const Samples& samples,
-                       Sample_counts* counts);
+                       const unsigned* numbers_of_samples, Sample_counts* counts);
 
 /// The self neighbors in compressed rows. Where the row of a sample begins stands in the fourth number of its point, in place of the cell.
 struct Neighbor_lists

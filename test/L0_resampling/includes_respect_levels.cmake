@@ -9,6 +9,7 @@ cmake_minimum_required(VERSION 3.21)
 set(level_0   # words: types, formulas and tools that know nothing of point sets
   tags.h Solver_report.h Quadratic_problem.h
   internal/host_device.h internal/random_bits.h internal/exact_ball.h internal/weights.h internal/Border_of_ball.h internal/orientation_agreement.h internal/shrinkage.h internal/negligible_displacement.h internal/block_factorization.h internal/checked_count.h
+  internal/crowded_subcells.h
   internal/symmetric_eigen.h internal/Height_moments.h internal/deviation_in_ball.h internal/scales_of_balls.h internal/attribute_kinds.h
   internal/Buffer.h internal/lanes.h internal/parallel_for.h internal/parallel_sort.h internal/select_nth.h internal/Signed_union_find.h)
 set(level_1   # what several stages share, and what works on the arrays of one neighborhood
@@ -16,10 +17,10 @@ set(level_1   # what several stages share, and what works on the arrays of one n
   internal/Progress.h internal/solver_settings.h
   internal/Search_grid_3.h internal/orientation_votes.h internal/dipoles_of_sets.h internal/spanning_forest.h internal/Field_of_sets.h internal/orientation_field.h internal/ball_queries.h internal/near_pairs.h internal/Neighborhoods.h internal/nearest_samples.h
   internal/Point_tree_3.h internal/Orientation_hints.h
-  internal/Samples.h internal/least_memory.h internal/Local_normals.h internal/update_normals.h internal/Plane_moments.h internal/Quadric_moments.h internal/settle_on_quadric.h internal/estimate_plane.h internal/half_sampling.h
+  internal/Samples.h internal/Followers.h internal/least_memory.h internal/Local_normals.h internal/update_normals.h internal/Plane_moments.h internal/Quadric_moments.h internal/settle_on_quadric.h internal/estimate_plane.h internal/half_sampling.h
   internal/normal_matrix.h internal/least_squares_rows.h)
 set(level_2   # stages and solvers
-  internal/working_frame.h internal/estimate_scales.h internal/find_outliers.h internal/estimate_pca_normals.h internal/filter_normals.h internal/refit_normals.h
+  internal/working_frame.h internal/estimate_scales.h internal/find_outliers.h internal/thin_crowds.h internal/estimate_pca_normals.h internal/filter_normals.h internal/refit_normals.h
   internal/density_weights.h internal/areas_of_points.h internal/initialize_samples.h internal/collapse_fit_term.h internal/Fit_rows.h
   internal/pair_terms.h internal/fit_compatible_points.h internal/refit_sample_normals.h internal/tangential_repulsion.h internal/settle_on_quadrics.h internal/orient_normals.h
   internal/separate_coincident_points.h internal/estimate_feature_confidences.h internal/find_near_points.h

@@ -59,7 +59,7 @@ Collapsed collapse(const Scene& scene)
   Collapsed c{Buffer<double>(scene.samples.points.size()), Buffer<Vector>(scene.samples.points.size()), 0};
   c.number_of_lonely = collapse_fit_term<CGAL::Parallel_if_available_tag>(scene.samples.grid, scene.samples.points,
                                                                           scene.input.grid, scene.input.points,
-                                                                          density_weights, scene.radius,
+                                                                          density_weights, scene.radius, Buffer<Index>(),
                                                                           unwatched.progress, c.weights, c.centroids);
   return c;
 }

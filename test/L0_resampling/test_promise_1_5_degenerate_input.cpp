@@ -7,6 +7,9 @@
 
 #include "promise_support.h"
 
+#include <array>
+#include <iostream>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -111,6 +114,61 @@ void test_counts()
         test::check_clean<Kernel>(c.name + ", the paper's method, " + std::to_string(m), points,
                                   resample(points, params::number_of_output_points(m) | params::resampling_method(method)),
                                   m);
+  }
+}
+
+/// Clouds of as many points that crowd in one way or another.
+std::vector<Case> crowds(std::size_t n)
+{
+  Generator generator(3);
+  const std::vector<Vector> cube = test::noisy_cube(n);
+  const auto with_crowd = [&](std::size_t size, const auto& place) {
+    std::vector<Vector> points = cube;
+    for (std::size_t i = 0; i < size; ++i)
+      points[i] = place(i);
+    return points;
+  };
+  const auto scattered = [&](double extent) -> Vector {
+    return Vector(1, 0.4, 0.5) + extent * test::random_unit_vector(generator);
+  };
+  return {
+    {"all at one place", std::vector<Vector>(n, Vector(1, 2, 3))},
+    {"half at one place", with_crowd(n / 2, [](std::size_t) { return Vector(1, 0.4, 0.5); })},
+    {"half within 1e-9", with_crowd(n / 2, [&](std::size_t) { return scattered(1e-9); })},
+    {"all but 100 in a cell", with_crowd(n - 100, [&](std::size_t) { return scattered(1e-3); })},
+    {"half in ten places", with_crowd(n / 2, [&](std::size_t i) -> Vector { return cube[n - 1 - i % 10]; })},
+  };
+}
+
+/// However points crowd, no array is much longer than it is for an even cloud of as many points.
+void test_memory_of_crowds()
+{
+  const std::size_t n = 20000;
+  for (Method method : {Method::DEFAULT, Method::LOR})
+  {
+    const auto resample_points = [&](const std::vector<Vector>& points) {
+      return resample(test::kernel_points<Kernel>(points),
+                      params::number_of_output_points(n / 2) | params::resampling_method(method));
+    };
+    const std::size_t of_even_cloud = resample_points(test::noisy_cube(n)).report.peak_bytes;
+    for (const Case& c : crowds(n))
+    {
+      const auto result = resample_points(c.points);
+      std::set<std::array<double, 3>> distinct;
+      for (const Vector& p : c.points)
+        distinct.insert({p[0], p[1], p[2]});
+      std::cout << c.name << ": " << double(result.report.peak_bytes) / double(of_even_cloud)
+                << " times the memory of an even cloud" << std::endl;
+      CHECK(result.pairs.size() == n / 2);
+      CHECK(result.report.peak_bytes <= 2 * of_even_cloud);
+      if (result.report.number_of_outliers == 0)
+        CHECK(result.report.number_of_distinct_points == distinct.size());
+    }
+    // a point that everything has to start from
+    const auto result = resample(Points{Kernel::Point_3(1, 2, 3)},
+                                 params::number_of_output_points(n) | params::resampling_method(method));
+    CHECK(result.pairs.size() == n && result.report.peak_bytes <= 2 * of_even_cloud);
+    CHECK(result.report.number_of_self_neighbor_pairs < n);
   }
 }
 
@@ -236,6 +294,7 @@ void test_crowded_cell()
 int main()
 {
   test_counts();
+  test_memory_of_crowds();
   test_points_next_to_each_other();
   test_percentages();
   test_radii();

@@ -30,10 +30,12 @@ struct Samples
   Buffer<FT> spacings; ///< where the density of the input is kept: how far apart the samples around are to be; else none
   Buffer<Local_vector> hints; ///< unit or zero vectors on the side that the normals shall point to, if the caller has some; else none
 
+  Buffer<Index> start_indices; ///< where samples follow others: the place of each in the first order; else none
+
   explicit Samples(const Counting_allocator<Vector>& allocator)
     : positions(allocator), normals(allocator), fit_weights(allocator), fit_centroids(allocator),
       fit_variances(allocator), outward_directions(allocator), are_voters(allocator), spacings(allocator),
-      hints(allocator)
+      hints(allocator), start_indices(allocator)
   {}
 };
 
@@ -54,6 +56,7 @@ void apply_order(const Buffer<Index>& order, Samples<FT>& samples)
   apply_to_what_there_is(samples.are_voters);
   apply_to_what_there_is(samples.spacings);
   apply_to_what_there_is(samples.hints);
+  apply_to_what_there_is(samples.start_indices);
 }
 
 } // namespace internal

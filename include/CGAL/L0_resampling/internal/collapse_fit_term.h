@@ -23,13 +23,15 @@ Replaces the fit term of each sample by one weight and one point, which is exact
 A sample without an original neighbor is tied to where it is.
 
 \param radius \f$ r_p \f$
+\param numbers_of_samples how many samples each one stands for; empty if only for itself
 \param fit_weights, fit_centroids out: \f$ W_i > 0 \f$ and \f$ c_i \f$
 \returns the number of samples without an original neighbor
 */
 template <typename ConcurrencyTag, typename T, typename FT>
 std::size_t collapse_fit_term(const Search_grid_3& sample_grid, const Buffer<Vector>& samples, const Search_grid_3& grid,
                               const Buffer<Vector>& points, const Buffer<T>& input_density_weights, double radius,
-                              Progress& progress, Buffer<FT>& fit_weights, Buffer<Vector>& fit_centroids)
+                              const Buffer<Index>& numbers_of_samples, Progress& progress, Buffer<FT>& fit_weights,
+                              Buffer<Vector>& fit_centroids)
 {
   const T squared_radius = T(radius * radius);
   std::atomic<std::size_t> number_of_lonely_samples{0};
@@ -66,7 +68,7 @@ std::size_t collapse_fit_term(const Search_grid_3& sample_grid, const Buffer<Vec
         {
           fit_weights[i] = 1;
           fit_centroids[i] = samples[i];
-          ++number_of_lonely_samples;
+          number_of_lonely_samples += numbers_of_samples.empty() ? 1 : numbers_of_samples[i];
         }
       }
     };

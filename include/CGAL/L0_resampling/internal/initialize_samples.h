@@ -24,7 +24,6 @@ struct Initial_samples
 {
   Buffer<Vector> positions;
   Buffer<Index> sources;
-  std::size_t number_of_distinct_points;
 };
 
 /// Splits `n` things in order into `m <= n` runs of nearly equal length and takes one of each at random.
@@ -160,7 +159,7 @@ Initial_samples initialize_samples(const Search_grid_3& grid, const Buffer<Vecto
   Sources sources = areas.empty() ? sources_by_points(distinct, number_of_samples, seed)
                                   : sources_by_area(distinct, areas, number_of_samples, seed);
 
-  Initial_samples samples{Buffer<Vector>(points.get_allocator()), std::move(sources.between_points), distinct.size()};
+  Initial_samples samples{Buffer<Vector>(points.get_allocator()), std::move(sources.between_points)};
   samples.sources.reserve(number_of_samples);
   samples.positions.reserve(number_of_samples);
   const auto start_on_sources = [&]() {

@@ -7,6 +7,7 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_RESAMPLE_H
 
 #include <CGAL/L0_resampling/Report.h>
+#include <CGAL/L0_resampling/internal/Followers.h>
 #include <CGAL/L0_resampling/internal/Parameters.h>
 #include <CGAL/L0_resampling/internal/alternating_minimization.h>
 #include <CGAL/L0_resampling/internal/areas_of_points.h>
@@ -22,12 +23,14 @@
 #include <CGAL/L0_resampling/internal/refining_minimization.h>
 #include <CGAL/L0_resampling/internal/refit_normals.h>
 #include <CGAL/L0_resampling/internal/settle_on_quadrics.h>
+#include <CGAL/L0_resampling/internal/thin_crowds.h>
 #include <CGAL/L0_resampling/internal/working_frame.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 namespace CGAL {
 namespace L0_resampling {
@@ -88,7 +91,7 @@ inline double self_neighbor_radius_of_spacing(const Lengths& lengths)
   return (std::min)(self_neighbor_radius_per_spacing * lengths.sample_spacing, lengths.radius);
 }
 
-/// Takes the outliers out of the points and what belongs to them.
+/// Removes the outliers from the points and what belongs to them.
 /// \returns their number
 template <typename ConcurrencyTag>
 std::size_t drop_outliers(double radius, Buffer<Vector>& points, Buffer<Local_vector>& given_normals,
@@ -108,6 +111,76 @@ std::size_t drop_outliers(double radius, Buffer<Vector>& points, Buffer<Local_ve
   drop_from(given_normals);
   drop_from(hints);
   return n - points.size();
+}
+
+/// Sorts the points, and what belongs to them, into the order of their grid, and thins them where they
+/// crowd.
+/// \returns the number of distinct points before
+template <typename ConcurrencyTag>
+std::size_t sort_points(double cell_size, Buffer<Vector>& points, Buffer<Local_vector>& given_normals,
+                        Buffer<Local_vector>& hints)
+{
+  {
+    const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(points, cell_size);
+    apply_order<ConcurrencyTag>(order, points);
+    for (Buffer<Local_vector>* vectors : {&given_normals, &hints})
+      if (!vectors->empty())
+      {
+        apply_order(order, *vectors);
+        sort_normals_of_coincident_points(points, *vectors);
+      }
+  }
+  std::size_t number_of_distinct_points = 0;
+  for_each_in_order(points.size(),
+                    [&](std::size_t i) { number_of_distinct_points += i == 0 || points[i] != points[i - 1]; });
+  const Representatives kept = thin_crowds<ConcurrencyTag>(Search_grid_3(points, cell_size), points,
+                                                           most_points_of_subcell);
+  kept.keep(points);
+  kept.keep(given_normals);
+  kept.keep(hints);
+  return number_of_distinct_points;
+}
+
+/// Samples can start in crowds: where points do, or where many more samples are asked for than there
+/// are points. Removes the samples of each crowd but for a few, which the others follow.
+/// \param samples sorted for a grid of cells of size `lengths.cell_size`, before and after
+template <typename ConcurrencyTag>
+Followers take_followers(const Lengths& lengths, Initial_samples& samples)
+{
+  const std::size_t m = samples.positions.size();
+  Followers followers(samples.positions.get_allocator());
+  // a crowd in the smaller cells is one in these too
+  if (!Crowded_cells(Search_grid_3(samples.positions, lengths.cell_size), samples.positions, most_samples_of_subcell)
+         .are_there_any<ConcurrencyTag>())
+    return followers;
+  const double cell_size = (std::max)(lengths.self_neighbor_radius, lengths.smallest_cell_size);
+  const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(samples.positions, cell_size);
+  Buffer<Vector> positions = copy_of(samples.positions);
+  apply_order<ConcurrencyTag>(order, positions);
+  const Representatives kept = thin_crowds<ConcurrencyTag>(Search_grid_3(positions, cell_size), positions,
+                                                           most_samples_of_subcell);
+  if (kept.are_all_points())
+    return followers;
+
+  Representatives in_old_order{filled_buffer(m, Index(0), order.get_allocator())};
+  for_each_in_order(m, [&](std::size_t i) { in_old_order.of_points[order[i]] = order[kept.of_points[i]]; });
+  Buffer<Index> places(order.get_allocator()); // of the kept ones among themselves
+  places.reserve(m);
+  Index number_of_kept = 0;
+  for_each_in_order(m, [&](std::size_t i) { places.push_back(in_old_order.is_kept(i) ? number_of_kept++ : 0); });
+  followers.leaders.reserve(m - number_of_kept);
+  followers.offsets.reserve(m - number_of_kept);
+  for_each_in_order(m, [&](std::size_t i) {
+    const Index leader = in_old_order.of_points[i];
+    if (leader == i)
+      return;
+    followers.leaders.push_back(places[leader]);
+    followers.offsets.push_back(samples.positions[i] - samples.positions[leader]);
+  });
+  followers.numbers_of_samples = in_old_order.numbers_of_points([](std::size_t) { return Index(1); });
+  in_old_order.keep(samples.positions);
+  in_old_order.keep(samples.sources);
+  return followers;
 }
 
 /// Section 3.1: the filtered normals of the input points. `given_normals` replace PCA where they are usable.
@@ -252,18 +325,7 @@ Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buff
     report.number_of_outliers = drop_outliers<ConcurrencyTag>(lengths.radius, points, given_normals, hints, progress);
     progress.begin_stage("sort points", 0.05, 1);
   }
-
-  // Neighborhoods
-  {
-    const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(points, lengths.cell_size);
-    apply_order<ConcurrencyTag>(order, points);
-    for (Buffer<Local_vector>* vectors : {&given_normals, &hints})
-      if (!vectors->empty())
-      {
-        apply_order(order, *vectors);
-        sort_normals_of_coincident_points(points, *vectors);
-      }
-  }
+  report.number_of_distinct_points = sort_points<ConcurrencyTag>(lengths.cell_size, points, given_normals, hints);
   Search_grid_3 grid(points, lengths.cell_size);
 
   // Section 3.1: normals, Eq. (1) and (2)
@@ -293,16 +355,18 @@ Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buff
   else if (parameters.keep_density)
     input_density_weights.assign(points.size(), Local(1)); // sparse points shall not count more than dense ones
   Samples<FT> samples(allocator);
+  Followers followers(allocator);
   {
     const Buffer<std::uint64_t> no_areas(allocator);
     Initial_samples start = initialize_samples<ConcurrencyTag>(grid, points, normals,
                                                                parameters.keep_density ? no_areas : areas.units, m,
                                                                lengths.radius, parameters.random_seed, progress);
-    report.number_of_distinct_points = start.number_of_distinct_points;
+    followers = take_followers<ConcurrencyTag>(lengths, start);
     samples.positions = std::move(start.positions);
-    samples.normals.reserve(m);
+    const std::size_t size = samples.positions.size();
+    samples.normals.reserve(size);
     const auto for_each_source = [&](const auto& f) {
-      for_each_in_order(m, [&](std::size_t i) { f(start.sources[i]); });
+      for_each_in_order(size, [&](std::size_t i) { f(start.sources[i]); });
     };
     for_each_source([&](Index source) { samples.normals.push_back(normals[source].cast<FT>().normalized()); });
     if (parameters.method == Method::DEFAULT && parameters.keep_density)
@@ -313,17 +377,19 @@ Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buff
     {
       const auto starts_on_point = [&](std::size_t i) { return samples.positions[i] == points[start.sources[i]]; };
       std::size_t number_on_points = 0;
-      for_each_in_order(m, [&](std::size_t i) { number_on_points += starts_on_point(i); });
+      for_each_in_order(size, [&](std::size_t i) { number_on_points += starts_on_point(i); });
       const Choice_of_voters choice(parameters.random_seed, lengths.radius, lengths.sample_spacing, m, number_on_points);
-      samples.are_voters.reserve(m);
-      for_each_in_order(m, [&](std::size_t i) {
+      samples.are_voters.reserve(size);
+      for_each_in_order(size, [&](std::size_t i) {
         samples.are_voters.push_back(starts_on_point(i) && choice.takes(start.sources[i]));
       });
     }
     if (!hints.empty())
       for_each_source([&](Index source) { samples.hints.push_back(hints[source].template cast<FT>()); });
     release(hints);
-    fill_buffer(m, FT(0), samples.fit_weights);
+    if (!followers.is_empty())
+      for_each_in_order(size, [&](std::size_t i) { samples.start_indices.push_back(Index(i)); });
+    fill_buffer(size, FT(0), samples.fit_weights);
     samples.fit_centroids = copy_of(samples.positions);
     release(areas.units);
   }
@@ -369,7 +435,8 @@ Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buff
       const Search_grid_3 sample_grid(samples.positions, lengths.cell_size);
       progress.begin_stage("original neighbors", 0.1, m);
       report.number_of_lonely_samples = collapse_fit_term<ConcurrencyTag>(sample_grid, samples.positions, grid, points,
-                                                                          input_density_weights, lengths.radius, progress,
+                                                                          input_density_weights, lengths.radius,
+                                                                          followers.numbers_of_samples, progress,
                                                                           samples.fit_weights, samples.fit_centroids);
       if (SolverTraits::needs_explicit_rows)
       {
@@ -427,6 +494,9 @@ Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buff
                                                  compatible_bandwidth, progress, feature_confidences);
   }
   progress.end_stage();
+  followers.append_values(samples.start_indices, samples.normals);
+  followers.append_values(samples.start_indices, feature_confidences);
+  followers.append_positions(samples.start_indices, samples.positions);
 
   const std::size_t samples_per_task = 4096;
   for_each_block<ConcurrencyTag>(m, samples_per_task, [&](std::size_t begin, std::size_t end) {
