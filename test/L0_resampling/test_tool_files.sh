@@ -84,7 +84,7 @@ done
 (echo first; "$program" a1.xyz /dev/fd/3 "${to[@]}" 3>&1 > stdout; echo last) > mixed 2> stderr
 check "another descriptor" cmp mixed expected
 check "then the summary is on stdout" grep -q '30 out' stdout
-(echo first; "$program" a1.xyz /dev/stderr "${to[@]}" 2>&1 > stdout; echo last) > mixed
+(exec 2>&1; echo first; "$program" a1.xyz /dev/stderr "${to[@]}" > stdout; echo last) > mixed
 check "standard error" cmp mixed expected
 echo old > log
 "$program" a1.xyz /dev/null --output-format ply --json /dev/stdout >> log 2> stderr
@@ -135,7 +135,7 @@ for option in --orient-by-normals --use-normals; do
   check "colors are no normals for $option" test "$status" -eq 3 -a ! -e none.ply
   check "the refusal says so" grep -q -- "$option is given, but the file has no normals" stderr
 done
-names=(--columns x,y,z,red,green,blue)
+names=(--columns "x,y,z,red,green,blue")
 run_plainly colors.xyz colors.ply --convert-only "${names[@]}"
 check "columns with names" test "$status" -eq 0 -a ! -s stderr
 color="uchar red,uchar green,uchar blue,"
