@@ -151,7 +151,7 @@ void test_determinism()
   const Scan first = scan_of(make_street(), "spinning", 60, scanning);
   const Scan again = scan_of(make_street(), "spinning", 60, scanning);
   check(fingerprint(first) == fingerprint(again), "two scans differ");
-  check(first.points.size() == 2883 && fingerprint(first) == 0, // FINGERPRINT
+  check(first.points.size() == 3398 && fingerprint(first) == 13151096240197071110u,
         "the scan has " + std::to_string(first.points.size()) + " points, fingerprint "
           + std::to_string(fingerprint(first)));
   scanning.seed = 2;
@@ -195,7 +195,7 @@ void test_rings_and_noise_along_the_ray()
       errors.push_back(error);
   }
   check_within(double(rings.size()), 30, 32);
-  check_within(standard_deviation(errors), 0.019, 0.024);
+  check_within(standard_deviation(errors), 0.02, 0.028); // 0.02, and more at grazing angles
   check_within(1 - double(errors.size()) / double(scan.points.size()), 0.0001, 0.03);
 }
 

@@ -154,17 +154,17 @@ def markdown(result):
     first = result["experiments"][0]
     edges = [band["from_edge"] for band in first["measurements"]["default"]["bias"]["convex"]]
     commands = "".join(f"    {command}\n" for command in result["commands"])
+    version = first["measurements"]["default"]["cgal_version"]
+    sizes = f"{first['input_points']} points in, {first['output_points']} out"
     parts = [
         f"""# Bias near sharp edges
 
 Made by
 
 {commands}
-with CGAL {first['measurements']['default']['cgal_version']}:
-{first['input_points']} points in, {first['output_points']} out. Mean signed distance to the mesh in
-% of the diagonal, positive outside, by the distance of the foot from the nearest edge of 30 degrees
-or more. The last column is the mean distance without sign. Bands with fewer than {FEWEST_POINTS}
-points are left out.
+with CGAL {version}: {sizes}. Mean signed distance to the mesh in % of the diagonal, positive
+outside, by the distance of the foot from the nearest edge of 30 degrees or more. The last column is
+the mean distance without sign. Bands with fewer than {FEWEST_POINTS} points are left out.
 """,
         goal_lines(groups),
     ]

@@ -20,6 +20,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 
 try:
+    import numpy
     import scan_measures
     import scan_pictures
 except ImportError as error:
@@ -53,20 +54,20 @@ SCANS = (
         "street, terrestrial, 4 views, 0.2 %",
         "street",
         "terrestrial",
-        180,
+        220,
         4,
         0.2,
         "z 1.2 0.4; x 3 0.5",
     ),
-    Scan("forest, terrestrial", "forest", "terrestrial", 330, slices="z 1.3 0.3; z 1.3 0.3 0 4 4"),
+    Scan("forest, terrestrial", "forest", "terrestrial", 440, slices="z 1.3 0.3; z 1.3 0.3 1.4 3.1 1.2"),
     Scan(
         "forest, terrestrial, 4 views, 0.05 %",
         "forest",
         "terrestrial",
-        170,
+        240,
         4,
         0.05,
-        "z 1.3 0.3; z 1.3 0.3 0 4 4",
+        "z 1.3 0.3; z 1.3 0.3 1.4 3.1 1.2",
     ),
     Scan(
         "room, structured light",
@@ -108,7 +109,7 @@ SCANS = (
 METHODS = {
     "default": ours("default"),
     scene_tables.SUBSET: simple_filter("random"),
-    **{f"wlop_{radius}": wlop(radius) for radius in (4, 8)},
+    **{f"wlop_{radius}": wlop(radius) for radius in (4, 6)},
     "ear_4": ear("baseline_ear", 4),
     "smoothed_ear_4": ear("baseline_smoothed_ear", 4),
     "jet_24": simple_filter("jet", "--neighbors", 24),
@@ -140,15 +141,17 @@ def make_scan(bench, scan, seed, columns):
 
 def measure(bench, method, stem, exact, count):
     """Measures a result, and returns it with its comparison to the exact scan too."""
-    path = bench.scratch / "result.ply"
+    path, values = bench.scratch / "result.ply", bench.scratch / "values.bin"
     line = bench.resample(stem.with_suffix(".ply"), method, count, path)
-    evaluation = bench.evaluate(f"{stem}_truth.off", method, count, path)
+    evaluation = bench.evaluate(f"{stem}_truth.off", method, count, path, "--values", values)
     result = scan_measures.read_cloud(path)
     comparison = scan_measures.Comparison(exact.positions, result.positions)
     shares = comparison.measures()
     unit = evaluation["diagonal_length"] / 100
+    distances = numpy.fromfile(values, "<f4").reshape(-1, 2)[:, 0] * unit
     measures = {
         "distance": evaluation["distance"]["mean"] * unit,
+        "at_scan": float(distances[comparison.nearest_of_result].mean()),
         "p95": evaluation["distance"]["p95"] * unit,
         "normals": evaluation["normals"]["mean_error_degrees"],
         "inwards": 100 * evaluation["normals"]["share_inwards"],
@@ -157,11 +160,8 @@ def measure(bench, method, stem, exact, count):
         "ghosts": shares["ghosts"],
         "seconds": line["wall_seconds"],
     }
-    return (
-        {"program": line["program"], "cgal_version": line["cgal_version"], "measures": measures},
-        result,
-        comparison,
-    )
+    run = {"program": line["program"], "cgal_version": line["cgal_version"], "measures": measures}
+    return run, result, comparison
 
 
 def parse_arguments():
@@ -216,11 +216,7 @@ def earlier_run(output):
 def known_measurements(previous, experiment, methods):
     """Of CGAL's pipelines, from an earlier run on the same scan."""
     for old in previous["experiments"]:
-        if all(
-            old[key] == value
-            for key, value in experiment.items()
-            if key not in ("measurements", "slices")
-        ):
+        if all(old[key] == value for key, value in experiment.items() if key != "slices"):
             return {
                 name: run
                 for name, run in old["measurements"].items()
@@ -229,76 +225,63 @@ def known_measurements(previous, experiment, methods):
     return {}
 
 
-def in_order(experiments):
-    names = [scan.name for scan in SCANS]
-    return sorted(experiments, key=lambda experiment: names.index(experiment["name"]))
+def measure_scan(bench, scan, arguments, previous):
+    """Measures all methods on a scan; returns the experiment and the rows of the page."""
+    columns = scan.columns // 3 if arguments.small else scan.columns
+    stem = make_scan(bench, scan, arguments.seed, columns)
+    cloud = scan_measures.read_cloud(Path(f"{stem}.ply"))
+    exact = scan_measures.read_cloud(Path(f"{stem}_exact.ply"))
+    count = round(len(cloud) * arguments.percentage / 100)
+    experiment = asdict(scan) | {
+        "columns": columns,
+        "seed": arguments.seed,
+        "input_points": len(cloud),
+        "output_points": count,
+    }
+    known = {}
+    if arguments.keep_baselines:
+        known = known_measurements(previous, experiment, arguments.methods)
+    viewpoint = None
+    if scan.views == 1:
+        viewpoint = scene_tables.read_viewpoints(Path(f"{stem}_views.txt"))[0]
+    cuts = [scan_pictures.parse_slice(text) for text in scan.slices.split(";")]
+    measurements, pictures = {}, []
+    for name in arguments.methods:
+        if name in known:
+            measurements[name] = known[name]
+            continue
+        measured, output, comparison = measure(bench, METHODS[name], stem, exact, count)
+        measurements[name] = measured
+        print(f"{scan.name}, {name}:", measured["measures"], file=sys.stderr, flush=True)
+        if name in arguments.pictures:
+            title = f"{scan.name}, {name}"
+            pictures.append(scan_pictures.Row(title, cloud, output, comparison, viewpoint, cuts))
+    return experiment | {"measurements": measurements}, pictures
 
 
 def main():
     arguments = parse_arguments()
-
-    def is_chosen(name):
-        return any(word in name for word in arguments.only)
-
-    command, previous = command_line("run_scenes.py", sys.argv[1:]), earlier_run(arguments.output)
-    result = {"commands": [command], "experiments": []}
+    scans = [scan for scan in SCANS if any(word in scan.name for word in arguments.only)]
+    if arguments.small:
+        scans = [SCANS[5], SCANS[7]]
+    if not scans:
+        raise ValueError("no scan has a name with " + " or ".join(arguments.only))
+    command = command_line("run_scenes.py", sys.argv[1:])
+    previous = earlier_run(arguments.output)
+    commands, experiments = [command], {}
     if arguments.only != [""] or arguments.keep_baselines:
-        result = {
-            "commands": [old for old in previous["commands"] if old != command] + [command],
-            "experiments": [old for old in previous["experiments"] if not is_chosen(old["name"])],
-        }
+        commands = [old for old in previous["commands"] if old != command] + [command]
+        experiments = {old["name"]: old for old in previous["experiments"]}
     pictures = []
     with tempfile.TemporaryDirectory() as scratch:
         bench = Bench(arguments.build / "bin", Path(scratch), 1)
-        for scan in (SCANS[5], SCANS[7]) if arguments.small else SCANS:
-            if not is_chosen(scan.name):
-                continue
-            columns = scan.columns // 3 if arguments.small else scan.columns
-            stem = make_scan(bench, scan, arguments.seed, columns)
-            cloud, exact = (
-                scan_measures.read_cloud(Path(f"{stem}{part}.ply")) for part in ("", "_exact")
-            )
-            count = round(len(cloud) * arguments.percentage / 100)
-            experiment = asdict(scan) | {
-                "columns": columns,
-                "seed": arguments.seed,
-                "input_points": len(cloud),
-                "output_points": count,
-                "measurements": {},
-            }
-            known = (
-                known_measurements(previous, experiment, arguments.methods)
-                if arguments.keep_baselines
-                else {}
-            )
-            viewpoint = None
-            if scan.views == 1:
-                viewpoint = scene_tables.read_viewpoints(Path(f"{stem}_views.txt"))[0]
-            for name in arguments.methods:
-                if name in known:
-                    experiment["measurements"][name] = known[name]
-                    continue
-                experiment["measurements"][name], output, comparison = measure(
-                    bench, METHODS[name], stem, exact, count
-                )
-                print(
-                    f"{scan.name}, {name}:",
-                    experiment["measurements"][name]["measures"],
-                    file=sys.stderr,
-                    flush=True,
-                )
-                if name in arguments.pictures:
-                    cuts = [scan_pictures.parse_slice(text) for text in scan.slices.split(";")]
-                    pictures.append(
-                        scan_pictures.Row(
-                            f"{scan.name}, {name}", cloud, output, comparison, viewpoint, cuts
-                        )
-                    )
-            result["experiments"] = in_order([*result["experiments"], experiment])
+        for scan in scans:
+            experiments[scan.name], drawn = measure_scan(bench, scan, arguments, previous)
+            pictures += drawn
+            in_order = [experiments[one.name] for one in SCANS if one.name in experiments]
+            result = {"commands": commands, "experiments": in_order}
             if arguments.output is not None:  # a long run that fails leaves what it has
                 write_result(arguments.output, result, scene_tables.markdown(result))
-    if not result["experiments"]:
-        raise ValueError("no scan has a name with " + " or ".join(arguments.only))
     if arguments.output is None:
         write_result(None, result, scene_tables.markdown(result))
     elif pictures:

@@ -91,7 +91,8 @@ class Comparison:
         self.scan_tree, self.result_tree = cKDTree(scan), cKDTree(result)
         own = self._spacing(self.scan_tree, scan)
         self.spacing = numpy.median(self._spacing(self.result_tree, result))
-        self.is_lost = self.result_tree.query(scan)[0] > LOST * numpy.maximum(self.spacing, own)
+        to_result, self.nearest_of_result = self.result_tree.query(scan)
+        self.is_lost = to_result > LOST * numpy.maximum(self.spacing, own)
         to_scan, nearest = self.scan_tree.query(result)
         self.is_ghost = to_scan > GHOST * numpy.maximum(self.spacing, own[nearest])
         self.is_adrift = to_scan > ADRIFT * own[nearest]

@@ -27,6 +27,7 @@ class Measure:
 
 MEASURES = (
     Measure("distance", "Distance to the scene, mean, mm", 2, 1000, 1, 0.8),
+    Measure("at_scan", "The same, of the points nearest to those of the scan, mean, mm", 2, 1000),
     Measure("p95", "Distance to the scene, 95th percentile, mm", 2, 1000),
     Measure("normals", "Error of normals, mean, degrees, without sign", 2, mean_ratio=0.7),
     Measure("inwards", "Normals on the wrong side, %", 2),
@@ -116,6 +117,9 @@ method to the best of CGAL's pipelines in that row: below 1 is better. `{SUBSET}
 of the scan as it is. A point of the scan is lost if it is farther from the result than three
 spacings, of the scan there or median ones of the result. A ghost is a point of the result that is
 farther than two spacings from the scan. Both are measured from where the rays really met the scene.
+Even results have a larger share of their points where the scan is sparse, far away, and errors are
+large. The second table weighs all methods alike: for each point of the scan it takes the point of
+the result that is nearest.
 """
     sizes = table(
         ["scan", "points", "result"],

@@ -174,9 +174,9 @@ inline Scanner make_scanner(const std::string& kind, std::size_t columns, double
   } else if (kind == "terrestrial") {
     scanner.kind = Scanner::Kind::TERRESTRIAL_LIDAR;
     with_columns(3600);
-    scanner.lowest = -60;
-    scanner.highest = 60;
-    scanner.rows = scanner.columns / 3; // as fine as from column to column
+    scanner.lowest = -40;
+    scanner.highest = 50;
+    scanner.rows = scanner.columns / 4; // as fine as from column to column
     scanner.range_noise = 0.004;
     scanner.beam_radius = 2e-4;
     scanner.pulse_length = 0.3;

@@ -81,30 +81,30 @@ inline Scene make_street()
   return scene;
 }
 
-/// 24 m by 24 m of forest: ground and 60 trunks, some of them leaning, 5 to 50 cm in diameter and
-/// 4 to 14 m high.
+/// 14 m by 14 m of forest: ground and 32 trunks, some of them leaning, 5 to 50 cm in diameter and
+/// 4 to 12 m high.
 inline Scene make_forest()
 {
   Scene scene;
-  add_ground(scene.mesh, 12, 12, 0.75, height_of_ground);
+  add_ground(scene.mesh, 7, 7, 0.5, height_of_ground);
   Counter_random random(1, 0, 0);
-  for (int j = 0; j < 8; ++j)
-    for (int i = 0; i < 8; ++i) {
-      const double x = 2.9 * (i - 3.5) + 1.8 * (random.uniform() - 0.5);
-      const double y = 2.9 * (j - 3.5) + 1.8 * (random.uniform() - 0.5);
+  for (int j = 0; j < 6; ++j)
+    for (int i = 0; i < 6; ++i) {
+      const double x = 2.2 * (i - 2.5) + 1.2 * (random.uniform() - 0.5);
+      const double y = 2.2 * (j - 2.5) + 1.2 * (random.uniform() - 0.5);
       const double share = random.uniform();
       const double diameter = 0.05 + 0.45 * share * share; // thin ones are more frequent
-      const double height = 4 + 10 * (diameter / 0.5);
+      const double height = 4 + 8 * (diameter / 0.5);
       const double lean_x = 0.04 * height * random.normal();
       const double lean_y = 0.04 * height * random.normal();
-      const bool is_glade = i > 2 && i < 5 && j > 2 && j < 5; // where the first scanner stands
+      const bool is_glade = (i == 2 || i == 3) && (j == 2 || j == 3); // the scanners stand here
       if (!is_glade)
         add_trunk(scene.mesh, on_ground(x, y, -0.5), on_ground(x + lean_x, y + lean_y, height),
                   diameter, diameter / 3);
     }
-  scene.stations = {on_ground(0, 0, 1.6), on_ground(-1.5, 1.3, 1.6), on_ground(1.4, 1.5, 1.6),
-                    on_ground(0.3, -1.7, 1.6)};
-  scene.target = on_ground(0, 10, 2);
+  scene.stations = {on_ground(0, 0, 1.6), on_ground(-1.1, 1, 1.6), on_ground(1.2, 1.1, 1.6),
+                    on_ground(0.3, -1.3, 1.6)};
+  scene.target = on_ground(0, 6, 2);
   return scene;
 }
 
