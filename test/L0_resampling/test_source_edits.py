@@ -28,7 +28,8 @@ def after(find, replace, text=TEXT, file="some.h"):
 class Test_edits(unittest.TestCase):
     def test_blanks_line_breaks_and_comments_do_not_matter(self):
         for find in ("f(a, b)", "f(a,b)", "f (\n  a, b )", "f(a, /* second */ b)"):
-            self.assertEqual(after(find, "g()"), TEXT.replace("f(a,   // the first\n          b)", "g()"))
+            expected = TEXT.replace("f(a,   // the first\n          b)", "g()")
+            self.assertEqual(after(find, "g()"), expected)
 
     def test_words_are_not_split(self):
         self.assertRaises(Edit_error, after, "in t x", "")
@@ -78,7 +79,8 @@ replace = ''
             faults = "\n".join(faults_of(Path(folder), rows))
             for words in ("no such file", "two of this name", "found 0 times"):
                 self.assertIn(words, faults)
-            for wrong in ("[[bug]]\nname = 'a'\n", "[[bugs]]\n", "[[bug]]\nname = 'a'\ntest = 't'\n",
+            for wrong in ("[[bug]]\nname = 'a'\n", "[[bugs]]\n",
+                          "[[bug]]\nname = 'a'\ntest = 't'\n",
                           "[[bug]]\nname = 'a'\ntest = 't'\nfile = 'f'\n", "[[bug]"):
                 table.write_text(wrong, encoding="utf-8")
                 self.assertRaises(Edit_error, read_rows, table, "bug", ["test"])

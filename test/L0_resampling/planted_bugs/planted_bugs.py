@@ -129,7 +129,8 @@ class Scratch:
                 if status == 0:
                     return f"NOT CAUGHT by {test}"
                 failed = re.search(r"failed: .*", text)
-                words.append(f"{test} ({failed.group()[:90] if failed else 'it ends with an error'})")
+                how = failed.group()[:90] if failed else "it ends with an error"
+                words.append(f"{test} ({how})")
         return f"caught by {', '.join(words)}"
 
 
@@ -176,7 +177,7 @@ def main():
     parser.add_argument("--time-limit", type=int, default=600, metavar="SECONDS",
                         help="a test that takes longer has caught a hang")
     parser.add_argument("--record", action="store_true", help="put the verdicts into verdicts.csv")
-    arguments = parser.parse_args()
+    arguments = parser.parse_intermixed_args()
 
     bugs = read_bugs()
     if arguments.action == "check":
@@ -186,7 +187,8 @@ def main():
     unknown = set(arguments.names) - {bug.name for bug in bugs}
     if unknown:
         parser.error(f"there is no bug {', '.join(sorted(unknown))}")
-    return run([bug for bug in bugs if not arguments.names or bug.name in arguments.names], arguments)
+    chosen = [bug for bug in bugs if not arguments.names or bug.name in arguments.names]
+    return run(chosen, arguments)
 
 
 if __name__ == "__main__":
