@@ -9,6 +9,7 @@
 
 #include <limits>
 #include <new>
+#include <set>
 #include <stdexcept>
 #include <thread>
 
@@ -127,6 +128,35 @@ void check_callback()
   CHECK(resample(points, np) == all);
 }
 
+/// P9: one call of the function is cancelled at each call of the callback, the last one included.
+void check_cancellation_at_every_call()
+{
+  const Points points = noisy_cube(5000, 0.01, 9);
+  for (const Method method : methods)
+  {
+    const auto np = parameters::resampling_method(method).select_percentage(60);
+    int calls = 0, refused_call = 0;
+    const std::function<bool(double)> callback = [&](double) { return ++calls != refused_call; };
+    Report report;
+    const auto watched = np.callback(callback) | parameters::resampling_report(&report);
+    const Result all = resample(points, watched);
+    const int number_of_calls = calls; // depends on the iterations only, not on the time they take
+    const std::size_t number_of_stages = report.stages.size();
+    std::set<std::size_t> stages;
+    for (refused_call = 1; refused_call <= number_of_calls; ++refused_call)
+    {
+      calls = 0;
+      CHECK(resample(points, watched).empty());
+      CHECK(calls == refused_call);
+      CHECK(report.outcome == CGAL::L0_resampling::Outcome::CANCELLED);
+      CHECK(report.number_of_output_points == 0);
+      stages.insert(report.stages.size());
+    }
+    CHECK(stages.size() == number_of_stages && *stages.begin() == 1);
+    CHECK(resample(points, np) == all);
+  }
+}
+
 /// G6: two threads at once, each with its own call, and both with one object.
 void check_threads()
 {
@@ -179,6 +209,7 @@ int main()
   check_refusals();
   check_memory();
   check_callback();
+  check_cancellation_at_every_call();
   check_threads();
   check_given_normals();
   return test::result();

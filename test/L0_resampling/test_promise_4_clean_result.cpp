@@ -112,7 +112,7 @@ void test_counts()
 {
   using Kernel = CGAL::Simple_cartesian<double>;
   test::Generator generator(3);
-  for (std::size_t n : {1, 2, 3, 10, 99, 100, 101, 250})
+  for (std::size_t n : {1, 2, 3, 10, 99, 100, 101, 199, 250, 1001})
   {
     const auto points = test::kernel_points<Kernel>(test::sphere_points(n, 1, generator).points);
     for (std::size_t percentage : {1, 7, 29, 50, 57, 58, 99, 100})

@@ -153,6 +153,42 @@ void check_step(Generator& generator)
   CHECK(untouched.after == untouched.before);
 }
 
+/// No step is longer than the limit of its sample, and pushes that would be longer end there.
+/// \param with_spacings whether the samples have spacings of their own, as with `keep_density`
+void check_step_limit(bool with_spacings, double radius, Generator& generator)
+{
+  const double spacing = 1, range = range_per_spacing * spacing;
+  // five to twenty times as dense as the spacings say, so that pushes at the border are long
+  const Oriented_points crowd = plane_points(2000, 20, generator);
+  const Gridded_points sorted(crowd.points, range);
+  Samples<double> samples{Counting_allocator<Vector>()};
+  samples.positions = sorted.points;
+  const std::size_t n = samples.positions.size();
+  samples.normals = Buffer<Vector>(n, Vector::UnitZ());
+  samples.outward_directions = Buffer<Vector>(n, Vector::Zero());
+  const auto spacing_of = [&](std::size_t i) {
+    const double own_spacing = 1.5 + sorted.points[i][0] / 20;
+    return with_spacings ? own_spacing : spacing;
+  };
+  for (std::size_t i = 0; with_spacings && i < n; ++i)
+    samples.spacings.push_back(spacing_of(i));
+  Unwatched unwatched;
+  using Tag = CGAL::Sequential_tag;
+  const Buffer<Vector>& places = sorted.points;
+  const auto neighbors = find_self_neighbors<Tag>(sorted.grid, places, range, unwatched.progress);
+  repel_tangentially<Tag>(neighbors, places, range, spacing, radius, 1, samples);
+  std::size_t beyond_limit = 0, at_limit = 0;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const double limit = (std::min)(0.3 * spacing_of(i), 0.15 * radius);
+    const double step = (samples.positions[i] - sorted.points[i]).norm();
+    beyond_limit += step > limit * (1 + 1e-9);
+    at_limit += is_close(step, limit, 1e-9);
+  }
+  CHECK(beyond_limit == 0);
+  CHECK(at_limit > n / 100 && at_limit < n);
+}
+
 /// Random samples become even ones.
 void check_evenness(Generator& generator)
 {
@@ -175,6 +211,9 @@ int main()
   check_lattice();
   check_end_of_range();
   check_step(generator);
+  for (bool with_spacings : {false, true})
+    for (double radius : {1., 10.}) // which of the two limits is the smaller one
+      check_step_limit(with_spacings, radius, generator);
   check_evenness(generator);
   return result();
 }

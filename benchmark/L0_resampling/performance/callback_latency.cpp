@@ -39,6 +39,36 @@ std::vector<Point> sphere(std::size_t n, double noise)
   return points;
 }
 
+/// Evenly random in the cube [-1, 1]^3: surfaces are nowhere, and balls have the most neighbors.
+std::vector<Point> volume(std::size_t n)
+{
+  Portable_random random(2);
+  std::vector<Point> points;
+  points.reserve(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double x = random.uniform(), y = random.uniform(), z = random.uniform();
+    points.emplace_back(2 * x - 1, 2 * y - 1, 2 * z - 1);
+  }
+  return points;
+}
+
+/// Half of the points within 1e-9 of one point of the sphere: all in one cell of any grid.
+std::vector<Point> crowd(std::size_t n, double noise)
+{
+  Portable_random random(3);
+  std::vector<Point> points = sphere(n, noise);
+  for (std::size_t i = 1; i < n; i += 2) {
+    const double x = random.normal(), y = random.normal(), z = random.normal();
+    points[i] = points[0] + 1e-9 * Vector(x, y, z);
+  }
+  return points;
+}
+
+std::vector<Point> input_points(const std::string& input, std::size_t n, double noise)
+{
+  return input == "volume" ? volume(n) : input == "crowd" ? crowd(n, noise) : sphere(n, noise);
+}
+
 /// Wall-clock time, and the time that all threads of the process have had: of the two, a busy machine lengthens the first.
 struct Instant
 {
@@ -120,10 +150,12 @@ Observation observe(const std::vector<Point>& points, Method method, double radi
 int main(int argc, char** argv)
 {
   std::size_t n = 10000000, number_of_cancellations = 5;
-  std::string method = "default";
+  std::string method = "default", input = "sphere";
   unsigned threads = 1;
   double noise_in_spacings = 0.5, radius_in_spacings = 0;
-  CLI::App app("The callback of CGAL::l0_resample_point_set() on a noisy sphere");
+  CLI::App app("How often CGAL::l0_resample_point_set() calls back, and how fast it is cancelled");
+  app.add_option("--input", input, "sphere, with noise; volume; or crowd, half of it in one place")
+    ->check(CLI::IsMember({"sphere", "volume", "crowd"}));
   app.add_option("--points", n)->check(CLI::PositiveNumber);
   app.add_option("--method", method)->check(CLI::IsMember(methods));
   app.add_option("--threads", threads, "1 runs the sequential code")->check(CLI::PositiveNumber);
@@ -134,7 +166,7 @@ int main(int argc, char** argv)
 
   return run_program(app, argc, argv, [&] {
     const double spacing = std::sqrt(4 * CGAL_PI / double(n));
-    const std::vector<Point> points = sphere(n, noise_in_spacings * spacing);
+    const std::vector<Point> points = input_points(input, n, noise_in_spacings * spacing);
     const double radius = radius_in_spacings * spacing;
 
     Report report;
@@ -169,7 +201,8 @@ int main(int argc, char** argv)
       cancellation["stage"] = cancelled.gaps.back().from;
       cancellations.push_back(cancellation);
     }
-    const Json line = {{"method", method},
+    const Json line = {{"input", input},
+                       {"method", method},
                        {"points_in", n},
                        {"points_out", report.number_of_output_points},
                        {"threads", threads},

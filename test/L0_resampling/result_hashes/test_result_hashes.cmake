@@ -1,0 +1,21 @@
+# One and two threads give the same results, and the script tells equal lists from different ones.
+execute_process(COMMAND ${PROGRAM} OUTPUT_FILE ${LIST} COMMAND_ERROR_IS_FATAL ANY)
+
+function(check_comparison before after expected_status)
+  execute_process(COMMAND ${PYTHON} -B ${COMPARE} ${before} ${after} RESULT_VARIABLE status)
+  if(NOT status EQUAL expected_status)
+    message(FATAL_ERROR "${before} and ${after}: status ${status} instead of ${expected_status}")
+  endif()
+endfunction()
+
+check_comparison(${LIST} ${LIST} 0)
+file(READ ${LIST} text)
+string(REGEX REPLACE "[0-9a-f]+\n$" "0\n" changed "${text}")
+file(WRITE ${LIST}.changed "${changed}")
+check_comparison(${LIST} ${LIST}.changed 1)
+string(FIND "${text}" "\n" end_of_line)
+math(EXPR second_line "${end_of_line} + 1")
+string(SUBSTRING "${text}" ${second_line} -1 shorter)
+file(WRITE ${LIST}.shorter "${shorter}")
+check_comparison(${LIST} ${LIST}.shorter 1)
+check_comparison(${LIST} ${CMAKE_CURRENT_LIST_FILE} 2)
