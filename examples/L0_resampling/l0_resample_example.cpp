@@ -38,8 +38,9 @@ int main(int argc, char* argv[])
     CGAL::parameters::resampling_report(&report).number_of_output_points(points.size() / 2));
   //! [call]
 
-  std::cout << result.size() << " of " << points.size() << " points, " << 100 * report.oriented_share << " % oriented"
-            << std::endl;
+  std::cout << result.size() << " of " << points.size() << " points\n";
+  for (const CGAL::L0_resampling::Warning warning : CGAL::L0_resampling::warnings(report))
+    std::cout << "warning: " << message_of(warning, report) << "\n";
   const auto np = CGAL::parameters::point_map(CGAL::First_of_pair_property_map<Point_with_normal>())
                     .normal_map(CGAL::Second_of_pair_property_map<Point_with_normal>());
   return CGAL::IO::write_points(output_file, result, np) ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -45,7 +45,7 @@ int main(int argc, char* argv[])
   std::cout << "radius " << report.neighbor_radius << ", noise " << report.estimated_noise << ", spacing "
             << report.estimated_spacing << "\n"
             << report.number_of_degenerate_neighborhoods << " points with too few neighbors for a plane, "
-            << 100 * report.oriented_share << " % of the normals oriented beyond doubt\n"
+            << 100 * report.oriented_share << " % of the normals have a propagated sign\n"
             << (report.converged ? "every solve converged" : "a solve ran out of iterations") << "\n";
   for (const CGAL::L0_resampling::Stage_report& stage : report.stages)
     std::cout << "  " << stage.name << ": " << 1000 * stage.seconds << " ms, " << stage.peak_bytes << " bytes\n";

@@ -16,6 +16,7 @@
 #include <CGAL/L0_resampling/internal/resample.h>
 #include <CGAL/L0_resampling/named_parameters.h>
 #include <CGAL/L0_resampling/tags.h>
+#include <CGAL/L0_resampling/warnings.h>
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Origin.h>
@@ -202,7 +203,8 @@ resamples a point set: from raw, noisy, unoriented points to a given number of c
 sharp features. It implements *Efficient L0 resampling of point sets* \cgalCite{cgal:czlwl-elrps-19}.
 
 The input is neither changed nor reordered. The result does not depend on its order, on the signs of given normals, on the number of
-threads or on the run; it scales and moves with the input.
+threads or on the run; it scales and moves with the input. What `warnings()` says of the
+`resampling_report` are reasons why the result cannot be good.
 
 \tparam ConcurrencyTag says where the stages run: `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; or `CUDA_tag`, in programs that link with
 `CGAL::L0_CUDA_support`. On the device the solver is fixed, `maximum_memory` is of the device, and `Device_error` is thrown where none can be used.

@@ -8,23 +8,26 @@
 
 #include "vectors.cuh"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 namespace cuda {
 
-/// The working frame of the CPU, `Working_frame`, to the bit: what of it the device needs.
+/// The working frame of the CPU, `Working_frame`: what of it the device needs. Points enter it to
+/// the bit as there.
 struct Frame
 {
-  int first_exponent = 0;
-  double origin[3] = {0, 0, 0}; // after the first scaling
-  int second_exponent = 0;
+  int exponent = 0;
+  double origin[3] = {0, 0, 0}; // after the scaling by the exponent
+  double unit = 1;              // a length after that scaling
 
   __host__ __device__ double enter(double coordinate, int axis) const
   {
-    return scalbn(scalbn(coordinate, first_exponent) - origin[axis], second_exponent);
+    return (scalbn(coordinate, exponent) - origin[axis]) / unit;
   }
 
   /// As `Working_frame::point_in_frame()`: of any finite point, and so near that the square of a distance to it is finite.
@@ -41,25 +44,13 @@ struct Frame
 
   __host__ __device__ double leave(double coordinate, int axis) const
   {
-    return scalbn(scalbn(coordinate, -second_exponent) + origin[axis], -first_exponent);
+    return scalbn(coordinate * unit + origin[axis], -exponent);
   }
 
-  /// Scales so that `radius`, a length in the frame, comes to lie in [1, 2).
-  /// \returns the factor
-  double scale_to(double radius)
-  {
-    const int exponent = -std::ilogb(radius);
-    second_exponent += exponent;
-    return std::ldexp(1., exponent);
-  }
-
-  double length_in_frame(double length) const
-  {
-    return std::ldexp(std::ldexp(length, first_exponent), second_exponent);
-  }
+  double length_in_frame(double length) const { return std::ldexp(length, exponent) / unit; }
   double length_of_input(double length) const
   {
-    return std::ldexp(std::ldexp(length, -second_exponent), -first_exponent);
+    return (std::min)(std::ldexp(length * unit, -exponent), (std::numeric_limits<double>::max)());
   }
 };
 

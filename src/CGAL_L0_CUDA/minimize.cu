@@ -35,7 +35,7 @@ constexpr int number_of_sums = 6;
 
 struct Turn
 {
-  Minimization parameters;
+  Minimization_parameters parameters;
   float penalty;
   Shrunk_jumps<float> jumps;
   bool regularize;
@@ -433,7 +433,7 @@ Turn_arrays take_turn_arrays(const Workplace& workplace, unsigned number_of_samp
   return arrays;
 }
 
-void minimize_once(const Workplace& workplace, const Minimization& parameters, double penalty, bool regularize,
+void minimize_once(const Workplace& workplace, const Minimization_parameters& parameters, double penalty, bool regularize,
                    const Neighbor_lists& neighbors, const Cell_grid& grid, const Samples& samples,
                    const Turn_arrays& arrays, const Turn_result* last_result, Turn_result* result)
 {

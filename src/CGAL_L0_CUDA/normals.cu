@@ -125,12 +125,14 @@ struct Density
 
   /// Without the point itself, for all threads of a block at once; the counts add up.
   /// \param stride of the candidates: thinning may have left the point itself out
-  __device__ float finish(bool writes, unsigned stride, unsigned long long* total_count)
+  __device__ float finish(bool writes, unsigned stride, Ball_counts* counts)
   {
     count = group_sum<lanes>(count);
     sum = group_sum<lanes>(sum);
     const float self = count > 0 ? 1.f : 0.f;
-    add_over_block(writes ? (unsigned long long)(count - self) * stride : 0, total_count);
+    const unsigned long long others = (unsigned long long)(count - self) * stride;
+    add_over_block(writes ? others : 0, &counts->neighbors);
+    add_over_block(writes && others + 1 < fewest_points_of_plane ? 1 : 0, &counts->sparse);
     return fmaxf(0, sum - self) * float(stride);
   }
 };
@@ -141,7 +143,7 @@ struct Density
 template <bool with_density>
 __global__ void filter_normals_kernel(Cell_grid grid, Cell_blocks blocks, float radius, float squared_radius,
                                       float squared_bandwidth, float normal_bandwidth, const float4* normals,
-                                      float4* filtered, unsigned long long* total_count)
+                                      float4* filtered, Ball_counts* counts)
 {
   const Query query(grid.size);
   const int4 center = grid.points[query.index];
@@ -155,14 +157,14 @@ __global__ void filter_normals_kernel(Cell_grid grid, Cell_blocks blocks, float 
     const float3 other = xyz(normals[j]);
     const float cosine = dot(normal, other);
     const float weight = bilateral_weight(squared_distance, squared_bandwidth, cosine, normal_bandwidth);
-    sum += (is_inside & (cosine != 0) ? copysignf(weight, cosine) : 0.f) * other;
+    sum += (is_inside ? with_sign_of(cosine, weight) : 0.f) * other;
     if constexpr (with_density)
       density.add(is_inside, squared_distance, squared_bandwidth);
   });
   sum = group_sum<lanes>(sum);
   float of_density = 0;
   if constexpr (with_density)
-    of_density = density.finish(query.writes, blocks.centers[center.w].stride, total_count);
+    of_density = density.finish(query.writes, blocks.centers[center.w].stride, counts);
   if (!query.writes)
     return;
   const double3 mean = to_double(sum);
@@ -185,7 +187,7 @@ __global__ void refit_normals_kernel(Cell_grid grid, Cell_blocks blocks, float r
     const float squared_distance = dot(d, d);
     const float3 other = xyz(normals[j]);
     const float cosine = dot(normal, other);
-    const float height = symmetric_height(dot(d, normal), copysignf(1, cosine) * dot(d, other));
+    const float height = symmetric_height(dot(d, normal), with_sign_of(cosine, 1.f) * dot(d, other));
     const float weight = sheet_weight(squared_distance, squared_bandwidth, cosine, normal_bandwidth, height,
                                       squared_sheet_height);
     moments.add(d, squared_distance < squared_radius ? weight : 0);
@@ -197,10 +199,11 @@ __global__ void refit_normals_kernel(Cell_grid grid, Cell_blocks blocks, float r
   refitted[query.index] = with_w(to_float(result), 0);
 }
 
-/// The sum of Eq. (5) without the point itself, to the fourth number of its normal; the counts of the neighbors add up.
+/// The sum of Eq. (5) without the point itself, to the fourth number of its normal; the balls are
+/// counted.
 /// \param squared_radius, squared_bandwidth `in_squared_units()`
 __global__ void sum_up_density(Cell_grid grid, Cell_blocks blocks, float radius, float squared_radius,
-                               float squared_bandwidth, float4* normals, unsigned long long* total_count)
+                               float squared_bandwidth, float4* normals, Ball_counts* counts)
 {
   const Query query(grid.size);
   const int4 center = grid.points[query.index];
@@ -210,16 +213,16 @@ __global__ void sum_up_density(Cell_grid grid, Cell_blocks blocks, float radius,
     const float squared_distance = dot(d, d);
     density.add(squared_distance < squared_radius, squared_distance, squared_bandwidth);
   });
-  const float sum = density.finish(query.writes, blocks.centers[center.w].stride, total_count);
+  const float sum = density.finish(query.writes, blocks.centers[center.w].stride, counts);
   if (query.writes)
     normals[query.index].w = sum;
 }
 
-/// \param total_count of the neighbors of all points; null where density shall not count
-__global__ void invert_density(unsigned size, const unsigned long long* total_count, float4* normals)
+/// \param counts null where density shall not count
+__global__ void invert_density(unsigned size, const Ball_counts* counts, float4* normals)
 {
   const unsigned long long i = thread_index();
-  const float mean_number_of_neighbors = total_count ? float(double(*total_count) / double(size)) : 0;
+  const float mean_number_of_neighbors = counts ? float(double(counts->neighbors) / double(size)) : 0;
   if (i < size)
     normals[i].w = mean_number_of_neighbors > 0 ? 1 / (1 + normals[i].w / mean_number_of_neighbors) : 1;
 }
@@ -313,12 +316,12 @@ void take_given_normals(const Workplace& workplace, const Cell_grid& grid, const
 
 void filter_normals(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks, double radius,
                     float squared_bandwidth, float normal_bandwidth, const float4* normals, float4* filtered,
-                    unsigned long long* total_count)
+                    Ball_counts* counts)
 {
-  const auto kernel = total_count ? filter_normals_kernel<true> : filter_normals_kernel<false>;
+  const auto kernel = counts ? filter_normals_kernel<true> : filter_normals_kernel<false>;
   kernel<<<blocks_for_queries(grid.size), threads_per_block, 0, workplace.stream>>>(
     grid, blocks, float(radius), in_squared_units(grid, float(radius) * float(radius)),
-    in_squared_units(grid, squared_bandwidth), normal_bandwidth, normals, filtered, total_count);
+    in_squared_units(grid, squared_bandwidth), normal_bandwidth, normals, filtered, counts);
   check_launch("filter_normals_kernel");
 }
 
@@ -332,17 +335,17 @@ void refit_normals(const Workplace& workplace, const Cell_grid& grid, const Cell
 }
 
 void sum_up_input_density(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks, double radius,
-                          float squared_bandwidth, float4* normals, unsigned long long* total_count)
+                          float squared_bandwidth, float4* normals, Ball_counts* counts)
 {
   sum_up_density<<<blocks_for_queries(grid.size), threads_per_block, 0, workplace.stream>>>(
     grid, blocks, float(radius), in_squared_units(grid, float(radius) * float(radius)),
-    in_squared_units(grid, squared_bandwidth), normals, total_count);
+    in_squared_units(grid, squared_bandwidth), normals, counts);
   check_launch("sum_up_density");
 }
 
-void invert_input_density(const Workplace& workplace, unsigned size, const unsigned long long* total_count, float4* normals)
+void invert_input_density(const Workplace& workplace, unsigned size, const Ball_counts* counts, float4* normals)
 {
-  invert_density<<<blocks_for(size), threads_per_block, 0, workplace.stream>>>(size, total_count, normals);
+  invert_density<<<blocks_for(size), threads_per_block, 0, workplace.stream>>>(size, counts, normals);
   check_launch("invert_density");
 }
 

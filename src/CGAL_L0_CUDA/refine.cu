@@ -61,7 +61,7 @@ struct Surroundings
   {
     Compatible_points sums = {0, 0, 0, 0, 0, 0, {0, 0, 0}, {0, 0, 0}};
     for_each([&](const float3& d, const float3& other, float scale) {
-      const float cosine = dot(other, normal), sign = copysignf(1, cosine);
+      const float cosine = dot(other, normal), sign = with_sign_of(cosine, 1.f);
       const float h = symmetric_height(dot(d, normal), sign * dot(d, other));
       const float weight =
         scale * sheet_weight(dot(d, d), fit.squared_bandwidth, cosine, fit.normal_bandwidth, h, squared_sheet_height);
@@ -94,8 +94,9 @@ struct Surroundings
 };
 
 /// The fit of the default method, as `fit_compatible_points()` on the CPU, which says why.
+/// \param number_of_lonely in and out, if not null: the samples without compatible points add up
 __global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_blocks blocks, Cell_grid grid,
-                            const float4* normals, Fit fit, Samples samples)
+                            const float4* normals, Fit fit, Samples samples, unsigned* number_of_lonely)
 {
   const Query query(samples.size);
   const int4 center = sample_grid.points[query.index];
@@ -126,6 +127,8 @@ __global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_b
   {
     samples.fit[i].w = 1;
     samples.normals[i].w = 0;
+    if (number_of_lonely)
+      atomicAdd(number_of_lonely, 1u);
     return;
   }
   const double3 old_normal = to_double(normal), mean = (1 / total) * to_double(sums.offset);
@@ -217,13 +220,14 @@ __global__ void move_onto_fit(Samples samples)
 
 void fit_compatible_points(const Workplace& workplace, const Cell_grid& sample_grid, bool is_in_order,
                            const Cell_blocks& blocks, const Cell_grid& grid, const float4* normals, double radius,
-                           double squared_sheet_height, double normal_bandwidth, const Samples& samples)
+                           double squared_sheet_height, double normal_bandwidth, const Samples& samples,
+                           unsigned* number_of_lonely)
 {
   const double bandwidth = fit_bandwidth_factor * radius;
   const Fit fit = {float(radius), float(bandwidth * bandwidth), float(normal_bandwidth), float(squared_sheet_height),
                    Border_of_ball(radius, bandwidth)};
   fit_samples<<<blocks_for_queries(samples.size), threads_per_block, 0, workplace.stream>>>(
-    sample_grid, is_in_order ? nullptr : sample_grid.order, blocks, grid, normals, fit, samples);
+    sample_grid, is_in_order ? nullptr : sample_grid.order, blocks, grid, normals, fit, samples, number_of_lonely);
   check_launch("fit_samples");
 }
 

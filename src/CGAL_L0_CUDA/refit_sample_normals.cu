@@ -45,7 +45,7 @@ __global__ void refit(Neighbor_lists neighbors, Kernel kernel, const int4* rows,
     const float3 d = to_float(double3{positions[3 * k], positions[3 * k + 1], positions[3 * k + 2]} - center);
     const float4 other = normals[k];
     const float squared_distance = dot(d, d), cosine = dot(normal, xyz(other));
-    const float height = symmetric_height(dot(d, normal), copysignf(1, cosine) * dot(d, xyz(other)));
+    const float height = symmetric_height(dot(d, normal), with_sign_of(cosine, 1.f) * dot(d, xyz(other)));
     const float weight = share_in_ball(squared_distance, kernel.squared_radius)
                          * sheet_weight(squared_distance, kernel.squared_bandwidth, cosine, kernel.normal_bandwidth,
                                         height, kernel.squared_sheet_height);

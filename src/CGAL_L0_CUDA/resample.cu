@@ -3,9 +3,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "Lengths.cuh"
 #include "Session.cuh"
 #include "orientation.cuh"
+#include "plan_and_scale.cuh"
+
+#include <CGAL/L0_resampling/internal/share_of_extent.h>
 
 #include <cmath>
 #include <limits>
@@ -17,13 +19,7 @@ namespace cuda {
 
 namespace {
 
-double normal_bandwidth(double angle)
-{
-  const double pi = 3.141592653589793;
-  return (std::max)(square(1 - std::cos(angle * pi / 180)), 1e-12);
-}
-
-Iteration iteration_report(const Parameters& parameters, const Minimization& minimization, double penalty,
+Iteration iteration_report(const Parameters& parameters, const Minimization_parameters& minimization, double penalty,
                            bool regularized, std::size_t number_of_pairs, const Turn_result& result)
 {
   const double unit = 1 / minimization.squared_radius;
@@ -37,18 +33,6 @@ Iteration iteration_report(const Parameters& parameters, const Minimization& min
           result.solver_iterations,
           regularized,
           bool(result.converged)};
-}
-
-std::vector<double> penalties(const Parameters& parameters)
-{
-  std::vector<double> values;
-  double penalty = parameters.initial_penalty;
-  do
-  {
-    values.push_back(penalty);
-    penalty = next_penalty(penalty, parameters.penalty_growth);
-  } while (penalty <= parameters.maximum_penalty);
-  return values;
 }
 
 /// Bytes for n points and m samples with as many neighbors as is usual; what is missing is added on the way, once.
@@ -85,8 +69,8 @@ struct Call
   Workplace workplace;
   Stages& stages;
   Call_report& report;
-  Lengths lengths;
-  Minimization minimization;
+  Framed_box box;
+  Plan plan;
   std::vector<double> penalties;
   Turn_result* turn_results;                 // on the device, one for each penalty
   Sample_counts* counts;                     // on the device
@@ -111,7 +95,7 @@ struct Call
 
   Cell_frame self_frame(double cell_size) const
   {
-    return Cell_frame::around(lengths.low, lengths.high, cell_size, lengths.self_neighbor_radius);
+    return Cell_frame::around(box.low, box.high, cell_size, plan.self_neighbor_radius);
   }
 };
 
@@ -146,15 +130,15 @@ void take_vectors_of_list(Call& call, const Session& session, Input& input)
 Input take_input(Session& session, Call& call)
 {
   const Workplace& workplace = call.workplace;
-  const Lengths& lengths = call.lengths;
+  const Plan& plan = call.plan;
   Input input = {
-    {session.points, session.size, lengths.frame, false}, session.normals, session.all_normals_given, session.hints};
-  if (!call.parameters.drop_outliers)
+    {session.points, session.size, call.box.frame, false}, session.normals, session.all_normals_given, session.hints};
+  if (!plan.drops_outliers)
     return input;
   call.stages.begin("find outliers", 0.05);
   unsigned* const kept = workplace.arena.take<unsigned>(session.size);
-  const unsigned number_of_outliers = find_outliers(workplace, input.positions, lengths.low, lengths.high,
-                                                    lengths.radius, kept);
+  const unsigned number_of_outliers = find_outliers(workplace, input.positions, call.box.low, call.box.high,
+                                                    plan.radius, kept);
   call.report.number_of_outliers = number_of_outliers;
   if (number_of_outliers > 0)
   {
@@ -178,13 +162,11 @@ struct Prepared_points
 Prepared_points prepare_points(Session& session, Call& call, Input& input)
 {
   const Workplace& workplace = call.workplace;
-  const Lengths& lengths = call.lengths;
-  const Parameters& parameters = call.parameters;
-  const double longest_query = (std::max)(lengths.radius, lengths.filter_radius);
+  const Plan& plan = call.plan;
   Prepared_points points;
   const auto sort_points = [&]() {
     points.grid = build_grid(input.positions, input.normals,
-                             Cell_frame::around(lengths.low, lengths.high, lengths.cell_size, longest_query),
+                             Cell_frame::around(call.box.low, call.box.high, plan.cell_size, plan.longest_query()),
                              workplace.arena, workplace.scratch, workplace.scratch, workplace.stream);
   };
   sort_points();
@@ -202,56 +184,50 @@ Prepared_points prepare_points(Session& session, Call& call, Input& input)
   const Arena_scope scope(workplace.scratch);
   float4 *normals = points.normals, *filtered = workplace.scratch.take<float4>(points.grid.size);
   const auto blocks_for_radius = [&](double radius) {
-    return find_blocks(points.grid, points.grid, cells_in_reach(radius, lengths.cell_size),
-                       maximum_number_of_candidates, workplace.scratch, workplace.stream);
+    return find_blocks(points.grid, points.grid, cells_in_reach(radius, plan.cell_size), maximum_number_of_candidates,
+                       workplace.scratch, workplace.stream);
   };
-  const Device_counter<unsigned long long> number_of_neighbors(workplace);
-  const Cell_blocks filter_blocks = blocks_for_radius(lengths.filter_radius);
-  const std::size_t number_of_passes = parameters.number_of_normal_filter_iterations;
-  const std::size_t number_of_refits = parameters.method == Method::DEFAULT
-                                         ? (std::min)(number_of_normal_refits, number_of_passes)
-                                         : 0;
+  const Device_counter<Ball_counts> ball_counts(workplace);
+  const Cell_blocks filter_blocks = blocks_for_radius(plan.filter_radius);
+  const std::size_t number_of_passes = plan.number_of_filter_passes, number_of_refits = plan.number_of_refits;
   if ((number_of_passes + number_of_refits) % 2 != 0) // so that the last pass writes where they are to be
     std::swap(normals, filtered);
   if (!input.all_normals_given)
   {
     call.stages.begin("PCA normals", 0.1);
-    const double pca_radius = pca_radius_factor * lengths.radius;
-    const bool shares_blocks = cells_in_reach(pca_radius, lengths.cell_size)
-                               == cells_in_reach(lengths.filter_radius, lengths.cell_size);
+    const bool shares_blocks = cells_in_reach(plan.pca_radius, plan.cell_size)
+                               == cells_in_reach(plan.filter_radius, plan.cell_size);
     call.report.number_of_degenerate_neighborhoods =
       estimate_pca_normals(workplace, input.positions, points.grid,
-                           shares_blocks ? filter_blocks : blocks_for_radius(pca_radius), pca_radius, normals);
+                           shares_blocks ? filter_blocks : blocks_for_radius(plan.pca_radius), plan.pca_radius, normals);
   }
   if (input.normals)
     take_given_normals(workplace, points.grid, input.normals, normals);
 
   call.stages.begin("filter normals", 0.4);
-  const float squared_bandwidth = float(call.minimization.squared_bandwidth);
-  const auto bandwidth = [&](double factor) { return float(normal_bandwidth(factor * parameters.sharpness_angle)); };
-  const bool counts_density = !parameters.keep_density || parameters.method == Method::DEFAULT;
+  const float squared_bandwidth = float(plan.squared_bandwidth);
   for (std::size_t i = 0; i < number_of_passes; ++i)
   {
     if (i + number_of_refits >= number_of_passes)
     {
-      refit_normals(workplace, points.grid, filter_blocks, lengths.filter_radius, squared_bandwidth,
-                    bandwidth(fit_angle_factor), float(square(sheet_height(lengths.noise, lengths.radius))), normals,
-                    filtered);
+      refit_normals(workplace, points.grid, filter_blocks, plan.filter_radius, squared_bandwidth,
+                    float(plan.compatible_bandwidth), float(square(plan.sheet_height)), normals, filtered);
       std::swap(normals, filtered);
     }
     const bool is_last = i + 1 == number_of_passes;
-    filter_normals(workplace, points.grid, filter_blocks, lengths.filter_radius, squared_bandwidth, bandwidth(1),
-                   normals, filtered, is_last && counts_density ? number_of_neighbors.address() : nullptr);
+    filter_normals(workplace, points.grid, filter_blocks, plan.filter_radius, squared_bandwidth,
+                   float(plan.normal_bandwidth), normals, filtered, is_last ? ball_counts.address() : nullptr);
     std::swap(normals, filtered);
     call.stages.ask(double(i + 1) / double(number_of_passes));
   }
 
   call.stages.begin("density weights", 0.08);
-  if (number_of_passes == 0 && counts_density)
-    sum_up_input_density(workplace, points.grid, filter_blocks, lengths.filter_radius, squared_bandwidth,
-                         points.normals, number_of_neighbors.address());
-  invert_input_density(workplace, points.grid.size, counts_density ? number_of_neighbors.address() : nullptr,
-                       points.normals);
+  if (number_of_passes == 0)
+    sum_up_input_density(workplace, points.grid, filter_blocks, plan.filter_radius, squared_bandwidth, points.normals,
+                         ball_counts.address());
+  invert_input_density(workplace, points.grid.size, plan.weighs_density ? ball_counts.address() : nullptr, points.normals);
+  if (input.all_normals_given)
+    call.report.number_of_degenerate_neighborhoods = ball_counts.read().sparse;
   return points;
 }
 
@@ -259,21 +235,17 @@ Prepared_points prepare_points(Session& session, Call& call, Input& input)
 void choose_samples(Call& call, const Input& input, const Prepared_points& points)
 {
   const Workplace& workplace = call.workplace;
-  Lengths& lengths = call.lengths;
+  Plan& plan = call.plan;
   call.stages.begin("initial samples", 0.02);
   const Arena_scope scope(workplace.arena);
   Areas areas;
-  const bool is_default = call.parameters.method == Method::DEFAULT;
-  if (is_default)
+  if (plan.uses_areas)
   {
-    areas = areas_of_points(workplace, points.grid,
-                            area_radius_factor * (std::max)(lengths.radius, lengths.filter_radius));
-    lengths.set_sample_spacing(std::sqrt(areas.total / double(call.samples.size)));
-    call.minimization.range_of_pairs = lengths.self_neighbor_radius;
+    areas = areas_of_points(workplace, points.grid, plan.area_radius());
+    plan.set_sample_spacing(std::sqrt(areas.total / double(call.samples.size)));
   }
-  const Sources_of_samples sources = {points.normals, is_default ? &areas : nullptr, !call.parameters.keep_density,
-                                      input.hints};
-  initialize_samples(workplace, input.positions, points.grid, sources, lengths.radius, lengths.sample_spacing,
+  const Sources_of_samples sources = {points.normals, plan.uses_areas ? &areas : nullptr, plan.starts_evenly, input.hints};
+  initialize_samples(workplace, input.positions, points.grid, sources, plan.radius, plan.sample_spacing,
                      call.parameters.random_seed, call.samples);
 }
 
@@ -285,10 +257,9 @@ void fit_to_all_points(Call& call, const Prepared_points& points)
   const Arena_scope scope(workplace.arena);
   const Cell_grid sample_grid = build_grid(call.sample_positions(), nullptr, points.grid.frame, workplace.arena,
                                            workplace.scratch, workplace.stream);
-  const Cell_blocks blocks = find_blocks(sample_grid, points.grid,
-                                         cells_in_reach(call.lengths.radius, call.lengths.cell_size),
+  const Cell_blocks blocks = find_blocks(sample_grid, points.grid, cells_in_reach(call.plan.radius, call.plan.cell_size),
                                          maximum_number_of_candidates, workplace.arena, workplace.stream);
-  collapse_fit_term(workplace, sample_grid, blocks, points.grid, points.normals, call.lengths.radius, call.samples,
+  collapse_fit_term(workplace, sample_grid, blocks, points.grid, points.normals, call.plan.radius, call.samples,
                     call.followers.numbers_of_samples, call.counts);
 }
 
@@ -312,7 +283,7 @@ Neighborhood find_neighborhood(Call& call, const Cell_frame& frame, const F& use
   const Arena_scope grid_scope(workplace.scratch);
   const Cell_grid grid = call.sort_samples(frame, workplace.scratch, workplace.arena);
   use_grid(grid);
-  result.neighbors = find_self_neighbors(workplace, grid, call.lengths.self_neighbor_radius);
+  result.neighbors = find_self_neighbors(workplace, grid, call.plan.self_neighbor_radius);
   CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(result.points.points, grid.points, grid.size * sizeof(int4),
                                      cudaMemcpyDeviceToDevice, workplace.stream));
   call.report.number_of_self_neighbor_pairs = result.neighbors.number_of_pairs;
@@ -325,7 +296,7 @@ void minimize_alternatingly(Call& call)
   const Workplace& workplace = call.workplace;
   call.stages.begin("self neighbors", 0.03);
   const Arena_scope arena_scope(workplace.arena);
-  const Cell_frame frame = call.self_frame((std::max)(call.lengths.self_neighbor_radius, call.lengths.smallest_cell_size));
+  const Cell_frame frame = call.self_frame(call.plan.self_cell_size());
   const auto [points, neighbors] = find_neighborhood(call, frame, [](const Cell_grid&) {});
   call.numbers_of_pairs.assign(call.penalties.size(), neighbors.number_of_pairs);
 
@@ -334,9 +305,8 @@ void minimize_alternatingly(Call& call)
   const Turn_arrays arrays = take_turn_arrays(workplace, call.samples.size);
   for (std::size_t i = 0; i < call.penalties.size(); ++i)
   {
-    const bool regularize = call.parameters.method != Method::ALOR || i % 2 == 0;
-    minimize_once(workplace, call.minimization, call.penalties[i], regularize, neighbors, points, call.samples, arrays,
-                  call.last_turn_result(i), call.turn_results + i);
+    minimize_once(workplace, call.plan.minimization, call.penalties[i], call.plan.minimization.regularizes(i),
+                  neighbors, points, call.samples, arrays, call.last_turn_result(i), call.turn_results + i);
     call.stages.ask(double(i + 1) / double(call.penalties.size()));
   }
 }
@@ -345,16 +315,17 @@ void minimize_alternatingly(Call& call)
 void minimize_with_refinement(Call& call, const Prepared_points& points)
 {
   const Workplace& workplace = call.workplace;
-  const Lengths& lengths = call.lengths;
-  const double bandwidth = normal_bandwidth(fit_angle_factor * call.parameters.sharpness_angle);
-  const int reach = cells_in_reach(lengths.radius, lengths.cell_size);
-  const bool one_grid_is_enough = lengths.self_neighbor_radius <= lengths.cell_size;
-  const Cell_frame self_frame = one_grid_is_enough ? points.grid.frame : call.self_frame(lengths.self_neighbor_radius);
+  const Plan& plan = call.plan;
+  const int reach = cells_in_reach(plan.radius, plan.cell_size);
+  const bool one_grid_is_enough = plan.self_neighbor_radius <= plan.cell_size;
+  const Cell_frame self_frame = one_grid_is_enough ? points.grid.frame : call.self_frame(plan.self_neighbor_radius);
+  bool is_last = false;
   const auto fit = [&](const Cell_grid& sample_grid, bool is_in_order) {
     const Cell_blocks blocks = find_blocks(sample_grid, points.grid, reach, maximum_number_of_candidates,
                                            workplace.arena, workplace.stream);
-    fit_compatible_points(workplace, sample_grid, is_in_order, blocks, points.grid, points.normals, lengths.radius,
-                          square(sheet_height(lengths.noise, lengths.radius)), bandwidth, call.samples);
+    fit_compatible_points(workplace, sample_grid, is_in_order, blocks, points.grid, points.normals, plan.radius,
+                          square(plan.sheet_height), plan.compatible_bandwidth, call.samples,
+                          is_last ? &call.counts->lonely : nullptr);
   };
   const auto fit_in_cells_of_points = [&]() {
     const Arena_scope scope(workplace.arena);
@@ -363,8 +334,7 @@ void minimize_with_refinement(Call& call, const Prepared_points& points)
         false);
   };
 
-  const Sample_refit_kernel kernel(lengths.self_neighbor_radius,
-                                   normal_bandwidth(sample_refit_angle_factor * call.parameters.sharpness_angle));
+  const Sample_refit_kernel kernel(plan.self_neighbor_radius, plan.refit_bandwidth);
 
   call.stages.begin("L0 minimization", 0.32);
   for (std::size_t i = 0; i < call.penalties.size(); ++i)
@@ -384,13 +354,14 @@ void minimize_with_refinement(Call& call, const Prepared_points& points)
     {
       const Arena_scope turn_scope(workplace.scratch);
       const Turn_arrays arrays = take_turn_arrays(workplace, call.samples.size);
-      minimize_once(workplace, call.minimization, call.penalties[i], true, neighbors, samples, call.samples, arrays,
-                    call.last_turn_result(i), call.turn_results + i);
+      minimize_once(workplace, call.plan.minimization, call.penalties[i], true, neighbors, samples, call.samples,
+                    arrays, call.last_turn_result(i), call.turn_results + i);
     }
-    repel_tangentially(workplace, samples, neighbors, places, lengths.self_neighbor_radius, lengths.sample_spacing,
-                       lengths.radius, number_of_repulsion_steps, call.samples);
+    repel_tangentially(workplace, samples, neighbors, places, plan.self_neighbor_radius, plan.sample_spacing,
+                       plan.radius, number_of_repulsion_steps, call.samples);
     if (i + 1 == call.penalties.size()) // while the neighbors are there
     {
+      is_last = true;
       fit_in_cells_of_points();
       take_fitted_positions(workplace, call.samples);
       refit_sample_normals(workplace, kernel, samples, neighbors, number_of_sample_refits, call.samples);
@@ -402,13 +373,12 @@ void minimize_with_refinement(Call& call, const Prepared_points& points)
 /// Where the default method ends, see `settle_on_quadrics()` on the CPU. The points are not needed any more.
 void settle_on_quadrics(Call& call)
 {
-  const Lengths& lengths = call.lengths;
+  const Plan& plan = call.plan;
   call.stages.begin("settle on quadrics", 0.03);
-  const double radius = quadric_radius_factor * lengths.radius;
-  const Cell_frame frame = Cell_frame::around(lengths.low, lengths.high,
-                                              (std::max)(radius / 2, lengths.smallest_cell_size), radius);
-  settle_on_quadrics(call.workplace, frame, radius, square(sheet_height(lengths.noise, lengths.radius)),
-                     normal_bandwidth(fit_angle_factor * call.parameters.sharpness_angle), call.samples);
+  const double radius = quadric_radius_factor * plan.radius;
+  const Cell_frame frame = Cell_frame::around(call.box.low, call.box.high,
+                                              (std::max)(radius / 2, plan.smallest_cell_size), radius);
+  settle_on_quadrics(call.workplace, frame, radius, square(plan.sheet_height), plan.compatible_bandwidth, call.samples);
 }
 
 } // namespace
@@ -416,43 +386,25 @@ void settle_on_quadrics(Call& call)
 void run(Session& session, const Parameters& parameters, Stages& stages, Call_report& report)
 {
   const unsigned n = session.size, m = unsigned(parameters.number_of_output_points);
-  const bool is_default = parameters.method == Method::DEFAULT;
   session.reserve(estimate_memory(n, m, parameters, session.hints != nullptr));
   const Workplace workplace = session.workplace();
 
   stages.begin("sort points", 0.05);
-  const auto scales_in = [&](const Lengths& lengths) {
+  const auto scales_in = [&](const Framed_box& box) {
     if (!session.has_scales)
-      session.scales = estimate_scales(workplace, {session.points, n, lengths.frame, false}, lengths.low, lengths.high,
-                                       lengths.radius);
+      session.scales = estimate_scales(workplace, {session.points, n, box.frame, false}, box.low, box.high, 1);
     session.has_scales = true;
     return session.scales;
   };
-  const Lengths lengths = choose_lengths(session.extent, n, parameters, scales_in, report);
-  Call call = {
-    parameters,
-    workplace,
-    stages,
-    report,
-    lengths,
-    {square(lengths.radius), square(spatial_bandwidth_factor * lengths.filter_radius),
-     sparsity_unit_factor * lengths.radius,
-     jump_in_sheet_heights(parameters.method, largest_shrunk_jump_per_sheet_height, lengths.noise, lengths.radius),
-     jump_in_sheet_heights(parameters.method, regularized_jump_per_sheet_height, lengths.noise, lengths.radius),
-     std::numeric_limits<double>::infinity(), half_width_of_shrinkage(parameters.method), parameters.normal_weight,
-     parameters.regularization_weight},
-    penalties(parameters),
-    nullptr,
-    nullptr,
-    {},
-    Samples(),
-    Followers()};
+  Framed_box box;
+  const Plan plan = plan_and_scale(session.extent, n, parameters, scales_in, box, report);
+  Call call = {parameters, workplace, stages, report,    box,        plan, plan.minimization.penalties(),
+               nullptr,    nullptr,   {},     Samples(), Followers()};
   std::vector<Turn_result> results(call.penalties.size());
   call.turn_results = session.arena.take<Turn_result>(results.size());
   call.counts = session.arena.take<Sample_counts>(1);
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(call.counts, 0, sizeof(Sample_counts), session.stream));
-  call.samples = take_samples(session.arena, m,
-                              {is_default, is_default && parameters.keep_density, session.hints != nullptr});
+  call.samples = take_samples(session.arena, m, {plan.refines, plan.keeps_spacings, session.hints != nullptr});
   {
     const Arena_scope points_scope(session.arena);
     Input input = take_input(session, call);
@@ -463,27 +415,30 @@ void run(Session& session, const Parameters& parameters, Stages& stages, Call_re
       prepared.grid.forget_order();
       return prepared;
     }();
-    call.followers = take_followers(
-      workplace, call.self_frame((std::max)(call.lengths.self_neighbor_radius, call.lengths.smallest_cell_size)),
-      call.samples);
-    if (is_default)
+    call.followers = take_followers(workplace, call.self_frame(call.plan.self_cell_size()), call.samples);
+    if (plan.refines)
       minimize_with_refinement(call, points);
     else
       fit_to_all_points(call, points);
   }
-  if (!is_default)
+  if (!plan.refines)
     minimize_alternatingly(call);
   stages.begin("orient normals", 0.1);
   double viewpoint[3];
   for (int axis = 0; axis < 3; ++axis)
-    viewpoint[axis] = lengths.frame.enter_clamped(parameters.viewpoint[axis], axis);
-  orient_normals(workplace, lengths.low, lengths.high, unsigned(parameters.number_of_orientation_neighbors),
-                 call.lengths.sample_spacing, parameters.has_viewpoint ? viewpoint : nullptr, call.samples, call.counts);
-  if (is_default)
+    viewpoint[axis] = call.box.frame.enter_clamped(parameters.viewpoint[axis], axis);
+  orient_normals(workplace, call.box.low, call.box.high, unsigned(parameters.number_of_orientation_neighbors),
+                 call.plan.sample_spacing, parameters.has_viewpoint ? viewpoint : nullptr, call.samples, call.counts);
+  if (plan.refines)
     settle_on_quadrics(call);
   const unsigned number_of_leaders = call.samples.size;
   append_followers(workplace, call.followers, call.samples);
-  leave_frame(workplace, lengths.frame, call.samples);
+  double result_extent[3], input_extent[3];
+  find_plain_extent(workplace, call.samples.positions, call.samples.size, result_extent);
+  for (int axis = 0; axis < 3; ++axis)
+    input_extent[axis] = session.extent.trimmed[axis] / plan.unit;
+  report.extent_share = share_of_extent(input_extent, plan.noise, result_extent, call.plan.sample_spacing);
+  leave_frame(workplace, call.box.frame, call.samples);
   // not before: the device would have nothing to do while the host takes them
   const Sample_counts* const counts = session.scratch.fetch(call.counts, session.stream);
   CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(results.data(), call.turn_results, results.size() * sizeof(Turn_result),
@@ -498,9 +453,8 @@ void run(Session& session, const Parameters& parameters, Stages& stages, Call_re
   {
     if (!results[i].is_finite)
       throw Failure(Status::NOT_FINITE, "The quadratic problem or its initial guess has values that are not finite.");
-    const bool regularized = parameters.method != Method::ALOR || i % 2 == 0;
-    session.iterations.push_back(iteration_report(parameters, call.minimization, call.penalties[i], regularized,
-                                                  call.numbers_of_pairs[i], results[i]));
+    session.iterations.push_back(iteration_report(parameters, call.plan.minimization, call.penalties[i],
+                                                  plan.minimization.regularizes(i), call.numbers_of_pairs[i], results[i]));
   }
   report.iterations = session.iterations.data();
   report.number_of_iterations = session.iterations.size();

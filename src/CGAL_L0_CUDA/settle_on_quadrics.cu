@@ -50,7 +50,7 @@ __global__ void settle(Cell_grid sample_grid, Cell_blocks blocks, Cell_grid grid
     const float3 d = difference(point, center, unit);
     const float4 other = normals[k];
     const float cosine = dot(w, xyz(other)), own_height = dot(d, w);
-    const float height = symmetric_height(own_height, copysignf(1, cosine) * dot(d, xyz(other)));
+    const float height = symmetric_height(own_height, with_sign_of(cosine, 1.f) * dot(d, xyz(other)));
     const float weight = share_in_ball(dot(d, d), squared_radius)
                          * sheet_weight(0.f, 1.f, cosine, kernel.normal_bandwidth, height, kernel.squared_sheet_height);
     moments.add(dot(d, u) * per_radius, dot(d, v) * per_radius, own_height * per_radius, weight);

@@ -8,7 +8,7 @@
 
 #include "Cell_grid.cuh"
 
-#include <CGAL/L0_resampling/internal/Parameters.h>
+#include <CGAL/L0_resampling/internal/Plan.h>
 #include <CGAL/L0_resampling/internal/cuda_interface.h>
 
 #include <cstddef>
@@ -28,7 +28,7 @@ struct Workplace
   int number_of_multiprocessors;
 };
 
-/// One number on the device, 0 at first, in the scratch arena.
+/// A number on the device, or a struct of numbers, 0 at first, in the scratch arena.
 template <typename T>
 class Device_counter
 {
@@ -61,8 +61,7 @@ unsigned find_outliers(const Workplace& workplace, const Positions& positions, c
 /// \param positions those that `grid` was built of
 /// \param size out: the number of points that are kept
 /// \returns which points of the input are kept, in the order of the grid, from the arena; null for all
-const unsigned* thin_crowds(const Workplace& workplace, const Positions& positions, const Cell_grid& grid,
-                            unsigned& size);
+const unsigned* thin_crowds(const Workplace& workplace, const Positions& positions, const Cell_grid& grid, unsigned& size);
 
 // The normals of the input, Section 3.1. They are float4; the fourth number is the density weight 1/v_j in the end.
 
@@ -83,11 +82,19 @@ void take_listed(const Workplace& workplace, const float* vectors, const unsigne
 /// Whether one of the vectors is zero; waits for the device.
 bool has_zero(const Workplace& workplace, const float* vectors, unsigned size);
 
+/// What the balls of Eq. (5) hold, counted on the device.
+struct Ball_counts
+{
+  unsigned long long neighbors; // of all points
+  unsigned long long sparse;    // balls that hold fewer than `fewest_points_of_plane` points
+};
+
 /// Eq. (1), (2) for all points, once.
-/// \param total_count out, on the device, if not null: the sum of Eq. (5), too, goes to the fourth number of each normal, and here adds up how many neighbors there are
+/// \param counts out, on the device, if not null: the balls are counted, and the sum of Eq. (5)
+/// goes to the fourth number of each normal
 void filter_normals(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks, double radius,
                     float squared_bandwidth, float normal_bandwidth, const float4* normals, float4* filtered,
-                    unsigned long long* total_count);
+                    Ball_counts* counts);
 
 /// Corrects filtered normals by the positions, as `refit_normals()` on the CPU.
 void refit_normals(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks, double radius,
@@ -96,12 +103,11 @@ void refit_normals(const Workplace& workplace, const Cell_grid& grid, const Cell
 
 /// The sums of Eq. (5), as `filter_normals()`, where no pass of the filter is run.
 void sum_up_input_density(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks, double radius,
-                          float squared_bandwidth, float4* normals, unsigned long long* total_count);
+                          float squared_bandwidth, float4* normals, Ball_counts* counts);
 
 /// Eq. (5) for the input: turns the sums of Eq. (5) into 1/v_j.
-/// \param total_count null where sparse points shall not count more than dense ones: all are 1 then
-void invert_input_density(const Workplace& workplace, unsigned size, const unsigned long long* total_count,
-                          float4* normals);
+/// \param counts null where sparse points shall not count more than dense ones: all are 1 then
+void invert_input_density(const Workplace& workplace, unsigned size, const Ball_counts* counts, float4* normals);
 
 /// The areas of the surface that points stand for, as `areas_of_points()` on the CPU, to the bit.
 struct Areas
@@ -149,7 +155,7 @@ void append_followers(const Workplace& workplace, const Followers& followers, Sa
 /// How many of the samples are so, counted on the device.
 struct Sample_counts
 {
-  unsigned lonely;           // without an original neighbor; LOR and ALOR only
+  unsigned lonely;           // without an original neighbor, or without a compatible one in the last fit
   unsigned oriented, hinted; // surely, and as hints say
 };
 
@@ -208,14 +214,6 @@ struct Neighbor_lists
 /// Waits for the device. The lists are taken from the arena; the points of the grid lose their cells.
 Neighbor_lists find_self_neighbors(const Workplace& workplace, const Cell_grid& grid, double radius);
 
-/// The weights of Algorithm 1, as `Minimization_parameters` of the CPU.
-struct Minimization
-{
-  double squared_radius, squared_bandwidth, sparsity_unit, largest_shrunk_jump, regularized_jump;
-  double range_of_pairs, half_width_of_shrinkage;
-  double normal_weight, regularization_weight;
-};
-
 /// What a turn of Algorithm 1 leaves on the device.
 struct Turn_result
 {
@@ -262,8 +260,8 @@ Turn_arrays take_turn_arrays(const Workplace& workplace, unsigned number_of_samp
 /// One turn of Algorithm 1: moves the samples, in `samples` and in the points of `grid`, to the minimum of Eq. (10).
 /// \param samples in the order of `grid`
 /// \param last_result of the turn before this one, on the device; null if there is none
-void minimize_once(const Workplace& workplace, const Minimization& parameters, double penalty, bool regularize,
-                   const Neighbor_lists& neighbors, const Cell_grid& grid, const Samples& samples,
+void minimize_once(const Workplace& workplace, const Minimization_parameters& parameters, double penalty,
+                   bool regularize, const Neighbor_lists& neighbors, const Cell_grid& grid, const Samples& samples,
                    const Turn_arrays& arrays, const Turn_result* last_result, Turn_result* result);
 
 // The default method
@@ -271,9 +269,12 @@ void minimize_once(const Workplace& workplace, const Minimization& parameters, d
 /// The fit to compatible points; normals of the samples change, and have the variance of the fit as their fourth number.
 /// \param sample_grid of the same cells as `grid`
 /// \param is_in_order whether the samples are in the order of their grid
+/// \param number_of_lonely in and out, on the device, if not null: the samples without compatible
+/// points add up
 void fit_compatible_points(const Workplace& workplace, const Cell_grid& sample_grid, bool is_in_order,
                            const Cell_blocks& blocks, const Cell_grid& grid, const float4* normals, double radius,
-                           double squared_sheet_height, double normal_bandwidth, const Samples& samples);
+                           double squared_sheet_height, double normal_bandwidth, const Samples& samples,
+                           unsigned* number_of_lonely);
 
 /// Corrects the normals of the samples by their positions, as `refit_sample_normals()` on the CPU.
 /// \param sample_grid that the neighbors were found in; its points may have moved, and be used up

@@ -260,7 +260,7 @@ Followers take_followers(const Workplace& workplace, const Cell_frame& frame, Sa
   followers.leaders = workplace.scratch.take<unsigned>(m);
   followers.offsets = workplace.scratch.take<double>(3 * std::size_t(m));
   followers.numbers_of_samples = workplace.scratch.take<unsigned>(m);
-  samples.start_indices = workplace.scratch.take<unsigned>(m);
+  unsigned* const start_indices = workplace.scratch.take<unsigned>(m);
 
   const Arena_scope scope(workplace.scratch);
   const Representatives found = representatives(workplace, positions, grid, most_samples_of_subcell);
@@ -273,7 +273,7 @@ Followers take_followers(const Workplace& workplace, const Cell_frame& frame, Sa
   invert_flags<<<blocks_for(m), threads_per_block, 0, stream>>>(m, found.is_kept);
   check_launch("invert_flags");
   list_flagged(found.is_kept, m, others, workplace.scratch, stream);
-  fill_ascending<<<blocks_for(number_of_kept), threads_per_block, 0, stream>>>(number_of_kept, samples.start_indices,
+  fill_ascending<<<blocks_for(number_of_kept), threads_per_block, 0, stream>>>(number_of_kept, start_indices,
                                                                                followers.numbers_of_samples);
   check_launch("fill_ascending");
   part_followers<<<blocks_for(followers.size), threads_per_block, 0, stream>>>(
@@ -283,6 +283,7 @@ Followers take_followers(const Workplace& workplace, const Cell_frame& frame, Sa
                                                                            number_of_kept, order_of_kept);
   check_launch("list_order");
   keep_listed(workplace, order_of_kept, number_of_kept, samples);
+  samples.start_indices = start_indices; // of those that are left, in their order
   return followers;
 }
 

@@ -15,7 +15,7 @@ from . import _core
 from ._core import DeviceArray
 from ._files import PointCloud, read_points, snapshot, write_points
 from ._progress import progress_bar
-from ._resampling import Cancelled, l0_resample_point_set
+from ._resampling import Cancelled, ResamplingWarning, l0_resample_point_set
 from .reports import IterationReport, Report, SolverReport, StageReport
 
 # What help(cgal_l0) lists: the functions. They say where the classes come in.

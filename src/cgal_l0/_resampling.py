@@ -6,6 +6,7 @@
 """The function l0_resample_point_set()."""
 
 import re
+import warnings
 
 from . import _core
 from ._arrays import coordinates, cuda_device_of
@@ -23,6 +24,10 @@ _whole_numbers = (
 
 class Cancelled(Exception):
     """Raised by a call whose callback returned False."""
+
+
+class ResamplingWarning(UserWarning):
+    """The result cannot be good, as Report.warnings says."""
 
 
 def in_python_words(message):
@@ -179,6 +184,10 @@ def l0_resample_point_set(
     The result does not depend on the number of threads or on the run. Other Python threads run
     during the call. Ctrl-C ends it with KeyboardInterrupt.
 
+    Warns with ResamplingWarning, once for each reason, if the result cannot be good: more than 3 %
+    of the points were left out as outliers, the extent has shrunk by more than 5 %, the radius has
+    hardly a point in it, or more than 5 % of the result has no compatible points near it.
+
     Raises ValueError for points and parameters that cannot be used, TypeError for arrays and
     parameters of a wrong type, MemoryError, Cancelled, any exception of the callback, and
     RuntimeError if the solver or the device fails.
@@ -239,6 +248,8 @@ def l0_resample_point_set(
     if result is None:
         raise Cancelled("the callback returned False")
     positions, resampled_normals, sources, confidences, members = result
+    for message in members["warnings"]:
+        warnings.warn(message, ResamplingWarning, stacklevel=2)
     answer = [positions, resampled_normals]
     if source_indices:
         answer.append(sources)

@@ -7,6 +7,7 @@
 #define CGAL_L0_PYTHON_DICTIONARY_OF_H
 
 #include <CGAL/L0_resampling/Report.h>
+#include <CGAL/L0_resampling/warnings.h>
 
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -28,6 +29,9 @@ inline pybind11::dict dictionary_of(const CGAL::L0_resampling::Report& report)
                                                      "converged"_a = i.solver.converged)));
   for (const CGAL::L0_resampling::Stage_report& s : report.stages)
     stages.append(py::dict("name"_a = s.name, "seconds"_a = s.seconds, "peak_bytes"_a = s.peak_bytes));
+  py::list warnings;
+  for (const CGAL::L0_resampling::Warning warning : CGAL::L0_resampling::warnings(report))
+    warnings.append(CGAL::L0_resampling::message_of(warning, report));
   return py::dict("number_of_input_points"_a = report.number_of_input_points,
                   "number_of_dropped_points"_a = report.number_of_dropped_points,
                   "number_of_outliers"_a = report.number_of_outliers,
@@ -39,9 +43,9 @@ inline pybind11::dict dictionary_of(const CGAL::L0_resampling::Report& report)
                   "neighbor_radius"_a = report.neighbor_radius, "normal_filter_radius"_a = report.normal_filter_radius,
                   "estimated_spacing"_a = report.estimated_spacing, "estimated_noise"_a = report.estimated_noise,
                   "oriented_share"_a = report.oriented_share, "hinted_share"_a = report.hinted_share,
-                  "iterations"_a = iterations, "converged"_a = report.converged, "stages"_a = stages,
-                  "peak_bytes"_a = report.peak_bytes, "device"_a = report.device,
-                  "device_reason"_a = report.device_reason);
+                  "extent_share"_a = report.extent_share, "warnings"_a = warnings, "iterations"_a = iterations,
+                  "converged"_a = report.converged, "stages"_a = stages, "peak_bytes"_a = report.peak_bytes,
+                  "device"_a = report.device, "device_reason"_a = report.device_reason);
 }
 
 } // namespace l0_python

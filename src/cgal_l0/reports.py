@@ -100,6 +100,8 @@ class Report:
     estimated_noise: float
     oriented_share: float
     hinted_share: float
+    extent_share: float
+    warnings: tuple[str, ...]  # the lines of message_of()
     iterations: tuple[IterationReport, ...]
     converged: bool
     stages: tuple[StageReport, ...]
@@ -112,4 +114,5 @@ def report_of(members: dict[str, Any]) -> Report:
     """The report that _core gives as a dictionary."""
     iterations = tuple(IterationReport(**dict(i, solver=SolverReport(**i["solver"]))) for i in members["iterations"])
     stages = tuple(StageReport(**s) for s in members["stages"])
-    return Report(**dict(members, iterations=iterations, stages=stages))
+    warnings = tuple(members["warnings"])
+    return Report(**dict(members, warnings=warnings, iterations=iterations, stages=stages))

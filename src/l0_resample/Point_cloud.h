@@ -28,6 +28,7 @@ struct Point_cloud
 {
   std::vector<Point> points;                          ///< all finite
   std::vector<Vector> normals;                        ///< as in the file, unchecked: one for each point, or none at all
+  bool file_has_normals = false;                      ///< also if they are not kept
   Property_table properties;                          ///< all others, if asked for
   Number_type coordinate_type = Number_type::FLOAT64; ///< FLOAT32 if that held all coordinates and normals
   std::size_t number_of_dropped_points = 0;           ///< those with a coordinate that is not finite

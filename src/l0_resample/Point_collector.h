@@ -41,7 +41,7 @@ public:
   Point_collector(const Input_file& file, const Read_options& options) : m_file(file), m_options(options) {}
 
   /// Says that from the first row on there are normals.
-  void set_has_normals() { m_has_normals = true; }
+  void set_has_normals() { m_has_normals = m_cloud.file_has_normals = true; }
 
   /// Says that from the first row on there are three more numbers without names. They are normals
   /// if at least 95 % of these vectors, not counting those that are 0, have length 1 within 1 %.

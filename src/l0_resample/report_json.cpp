@@ -5,6 +5,7 @@
 
 #include "report_json.h"
 
+#include <CGAL/L0_resampling/warnings.h>
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
@@ -57,10 +58,14 @@ Json report_as_json(const Report& report)
                {"self_neighbor_pairs", report.number_of_self_neighbor_pairs},
                {"oriented_share", report.oriented_share},
                {"hinted_share", report.hinted_share},
+               {"extent_share", report.extent_share},
+               {"warnings", Json::array()},
                {"converged", report.converged},
                {"peak_bytes", report.peak_bytes},
                {"stages", Json::array()},
                {"iterations", Json::array()}};
+  for (const CGAL::L0_resampling::Warning warning : CGAL::L0_resampling::warnings(report))
+    json["warnings"].push_back(CGAL::L0_resampling::name_of(warning));
   for (const Stage_report& stage : report.stages)
     json["stages"].push_back({{"name", stage.name}, {"seconds", stage.seconds}, {"peak_bytes", stage.peak_bytes}});
   for (const Iteration_report& iteration : report.iterations)
@@ -77,6 +82,7 @@ std::string report_as_json(const Options& options, const Run_record& record)
   if (!record.error.empty())
     json["error"] = record.error;
   json["warnings"] = record.warnings;
+  json["notes"] = record.notes;
   json["input"] = {{"file", options.input},
                    {"points", report.number_of_input_points},
                    {"dropped_points", report.number_of_dropped_points}};
@@ -93,8 +99,8 @@ std::string report_as_json(const Options& options, const Run_record& record)
 std::string summary_line(const Options& options, const Run_record& record)
 {
   const Report& report = record.report;
-  char numbers[64];
-  std::snprintf(numbers, sizeof numbers, "%.2f s, %.1f %% oriented", record.seconds_to_resample,
+  char numbers[96];
+  std::snprintf(numbers, sizeof numbers, "%.2f s, one sign propagated to %.1f %%", record.seconds_to_resample,
                 100 * report.oriented_share);
   const std::string input_points = std::to_string(report.number_of_input_points);
   std::string line = options.input_name() + ": " + input_points + " points in, ";

@@ -21,8 +21,8 @@ namespace l0_tool {
 struct Run_record
 {
   Exit_status status = SUCCESS;
-  std::string error; ///< the line on standard error, empty if all went well
-  std::vector<std::string> warnings;
+  std::string error;                        ///< the line on standard error, empty if all went well
+  std::vector<std::string> warnings, notes; ///< one line each, with the name of the file
   double seconds_to_read = 0;
   double seconds_to_resample = 0;
   double seconds_to_write = 0; ///< the result, without snapshot and report
@@ -32,7 +32,7 @@ struct Run_record
 /// One JSON object; lengths are in the unit of the input, times in seconds, memory in bytes.
 std::string report_as_json(const Options& options, const Run_record& record);
 
-/// "kitten.xyz: 5210 points in, 2605 out, method lor, 0.21 s, 98.9 % oriented"
+/// "kitten.xyz: 5210 points in, 2605 out, method lor, 0.21 s, one sign propagated to 98.9 %"
 std::string summary_line(const Options& options, const Run_record& record);
 
 } // namespace l0_tool

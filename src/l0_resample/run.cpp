@@ -17,6 +17,8 @@
 #include "write_png.h"
 #include "write_points.h"
 
+#include <CGAL/L0_resampling/warnings.h>
+
 #include <chrono>
 #include <exception>
 #include <iostream>
@@ -83,7 +85,12 @@ void resample_file(const Options& options, Run_record& record)
                  largest_file_size(options.output_format, number_of_output_points(options, cloud.points.size()),
                                    cloud.properties));
 
+  if (cloud.file_has_normals && !options.orient_by_normals && !options.viewpoint)
+    record.notes.push_back(options.input + ": the file has normals, which --orient-by-normals lets decide the side");
+
   const Resampled_points result = resample_input(cloud, options, progress, record);
+  for (const CGAL::L0_resampling::Warning warning : CGAL::L0_resampling::warnings(record.report))
+    record.warnings.push_back(options.input + ": " + CGAL::L0_resampling::message_of(warning, record.report));
   if (options.strict && !record.report.converged)
     throw Failure(NOT_CONVERGED, name + ": a solve did not converge, nothing is written");
 
@@ -156,9 +163,12 @@ void print_outcome(const Options& options, Run_record& record)
 {
   if (record.status == SUCCESS && !options.quiet)
     guarded(record, [&]() { print_summary(options, record); });
-  if (!options.quiet)
-    for (const std::string& warning : record.warnings)
-      std::cerr << "l0_resample: warning: " << warning << std::endl;
+  if (options.quiet)
+    return;
+  for (const std::string& note : record.notes)
+    std::cerr << "l0_resample: note: " << note << std::endl;
+  for (const std::string& warning : record.warnings)
+    std::cerr << "l0_resample: warning: " << warning << std::endl;
 }
 
 } // namespace l0_tool

@@ -9,25 +9,25 @@ cmake_minimum_required(VERSION 3.21)
 set(level_0   # words: types, formulas and tools that know nothing of point sets
   tags.h Solver_report.h Quadratic_problem.h
   internal/host_device.h internal/random_bits.h internal/exact_ball.h internal/weights.h internal/Border_of_ball.h internal/orientation_agreement.h internal/shrinkage.h internal/negligible_displacement.h internal/block_factorization.h internal/checked_count.h
-  internal/crowded_subcells.h
+  internal/crowded_subcells.h internal/share_of_extent.h
   internal/symmetric_eigen.h internal/Height_moments.h internal/deviation_in_ball.h internal/scales_of_balls.h internal/attribute_kinds.h
   internal/Buffer.h internal/lanes.h internal/parallel_for.h internal/parallel_sort.h internal/select_nth.h internal/Signed_union_find.h)
 set(level_1   # what several stages share, and what works on the arrays of one neighborhood
-  Report.h internal/Parameters.h internal/cuda_interface.h internal/cuda_device_arrays.h internal/cuda_answer.h
+  Report.h warnings.h internal/Parameters.h internal/Plan.h internal/cuda_interface.h internal/cuda_device_arrays.h internal/cuda_answer.h
   internal/Progress.h internal/solver_settings.h
-  internal/Search_grid_3.h internal/orientation_votes.h internal/dipoles_of_sets.h internal/spanning_forest.h internal/Field_of_sets.h internal/orientation_field.h internal/ball_queries.h internal/near_pairs.h internal/Neighborhoods.h internal/nearest_samples.h
+  internal/Search_grid_3.h internal/working_frame.h internal/orientation_votes.h internal/dipoles_of_sets.h internal/spanning_forest.h internal/Field_of_sets.h internal/orientation_field.h internal/ball_queries.h internal/near_pairs.h internal/Neighborhoods.h internal/nearest_samples.h
   internal/Point_tree_3.h internal/Orientation_hints.h
   internal/Samples.h internal/Followers.h internal/least_memory.h internal/Local_normals.h internal/update_normals.h internal/Plane_moments.h internal/Quadric_moments.h internal/settle_on_quadric.h internal/estimate_plane.h internal/half_sampling.h
   internal/normal_matrix.h internal/least_squares_rows.h)
 set(level_2   # stages and solvers
-  internal/working_frame.h internal/estimate_scales.h internal/find_outliers.h internal/thin_crowds.h internal/estimate_pca_normals.h internal/filter_normals.h internal/refit_normals.h
+  internal/extents.h internal/estimate_scales.h internal/find_outliers.h internal/thin_crowds.h internal/estimate_pca_normals.h internal/filter_normals.h internal/refit_normals.h
   internal/density_weights.h internal/areas_of_points.h internal/initialize_samples.h internal/collapse_fit_term.h internal/Fit_rows.h
   internal/pair_terms.h internal/fit_compatible_points.h internal/refit_sample_normals.h internal/tangential_repulsion.h internal/settle_on_quadrics.h internal/orient_normals.h
   internal/separate_coincident_points.h internal/estimate_feature_confidences.h internal/find_near_points.h
   Block_conjugate_gradient_solver_traits.h Eigen_cholesky_solver_traits.h Eigen_least_squares_solver_traits.h
   CUDA_least_squares_solver_traits.h)
 set(level_3   # Algorithm 1, and the whole
-  internal/alternating_minimization.h internal/refining_minimization.h internal/resample.h)
+  internal/prepare_points.h internal/choose_samples.h internal/alternating_minimization.h internal/refining_minimization.h internal/resample.h)
 set(level_4   # what users include, and how it reads what they pass
   named_parameters_interface.h named_parameters.h internal/checked_parameters.h internal/points_of_range.h internal/Point_data.h
   internal/carry_properties.h CUDA_resampler.h

@@ -22,8 +22,10 @@ Scales scales_of(const std::vector<Vector>& points)
     high = high.cwiseMax(p);
   }
   Unwatched unwatched;
-  return estimate_scales<CGAL::Parallel_if_available_tag, float>(
-    to_buffer(points), (high - low).norm() / std::cbrt(double(points.size())), unwatched.progress);
+  const double radius = (high - low).norm() / std::cbrt(double(points.size()));
+  const Scales in_radii = estimate_scales<CGAL::Parallel_if_available_tag, float>(to_buffer(points), radius,
+                                                                                  unwatched.progress);
+  return {in_radii.spacing * radius, in_radii.noise * radius};
 }
 
 /// Spacing and noise of a surface come out within 15 %, the spacing within 20 % where the noise is twice as large. Where there is no noise, its bending is not taken for much.

@@ -153,6 +153,58 @@ void test_scale(const Cloud& cloud, const std::vector<test::Pairs<Kernel>>& expe
   }
 }
 
+/// Clouds as they come, with noise and with an uneven density.
+std::vector<Cloud> measured_clouds()
+{
+  test::Generator generator(4);
+  std::vector<Cloud> clouds;
+  for (double noise : {0.003, 0.02})
+  {
+    test::Oriented_points cube = test::cube_points(6000, 1, generator);
+    test::add_gaussian_noise(cube.points, noise, generator);
+    clouds.push_back({"cube with noise " + std::to_string(noise), cube, 1});
+
+    test::Oriented_points sphere = test::sphere_points(9000, 10, generator), uneven;
+    test::add_gaussian_noise(sphere.points, 20 * noise, generator);
+    for (std::size_t i = 0; i < sphere.points.size(); ++i)
+    {
+      const double share_kept = 0.05 + 0.95 * std::pow((sphere.points[i].x() + 10) / 20, 2);
+      if (test::random_number(0, 1, generator) < share_kept)
+      {
+        uneven.points.push_back(sphere.points[i]);
+        uneven.normals.push_back(sphere.normals[i]);
+      }
+    }
+    clouds.push_back({"uneven sphere with noise " + std::to_string(noise), uneven, 20});
+  }
+  return clouds;
+}
+
+/// Within 1e-6 of the diagonal for factors that are no powers of two, which round the coordinates.
+void test_any_scale(const Cloud& cloud)
+{
+  const auto results_at = [&](double scale) {
+    const double length = scale * cloud.length;
+    std::vector<test::Pairs<Kernel>> all;
+    const auto add = [&](const auto& np) { all.push_back(resample(cloud.points, scale, Vector::Zero(), false, np)); };
+    add(params::select_percentage(50));
+    add(params::select_percentage(50) | params::keep_density(true));
+    add(params::select_percentage(50).neighbor_radius(0.1 * length));
+    add(params::select_percentage(50) | params::resampling_method(Method::LOR));
+    return all;
+  };
+  const std::vector<test::Pairs<Kernel>> expected = results_at(1);
+  for (double scale : {3., 1. / 3, 1000., 0.001, 0.3048, 7.})
+    compare("times " + std::to_string(scale), cloud, expected, results_at(scale), [&](const auto& a, const auto& b) {
+      const double least_diagonal = std::sqrt(3.) * cloud.length;
+      for (std::size_t i = 0; i < a.size(); ++i)
+        if (!((test::as_vector(b[i].first) / scale - test::as_vector(a[i].first)).norm() <= 1e-6 * least_diagonal
+              && (test::as_vector(b[i].second) - test::as_vector(a[i].second)).norm() <= 1e-4))
+          return false;
+      return true;
+    });
+}
+
 /// At UTM offsets and at the largest coordinates of maps.
 std::vector<Vector> translations()
 {
@@ -295,5 +347,7 @@ int main()
     test_permutation(cloud, expected);
     test_signs_of_normals(cloud, expected);
   }
+  for (const Cloud& cloud : measured_clouds())
+    test_any_scale(cloud);
   return test::result();
 }

@@ -75,7 +75,7 @@ void check_formula(Generator& generator)
     for (std::size_t k = 0; k < refitted.before.size(); ++k)
     {
       const Vector d = refitted.sorted.vector[k] - p;
-      const double cosine = n.dot(refitted.before[k]), sign = cosine < 0 ? -1 : 1;
+      const double cosine = n.dot(refitted.before[k]), sign = cosine < 0 ? -1 : cosine > 0;
       const double height = 0.5 * (n + sign * refitted.before[k]).dot(d),
                    share = 10 * (1 - d.squaredNorm() / square(radius));
       const double weight = (std::min)((std::max)(share, 0.), 1.)
@@ -157,6 +157,20 @@ void check_no_plane()
   CHECK(worst < 1e-12);
 }
 
+/// The sign of a neighbor's normal does not matter, also where it is at a right angle to the
+/// sample's own.
+void check_right_angles(Generator& generator)
+{
+  Oriented_points cube = cube_points(2000, 1, generator), turned = cube;
+  for (Vector& n : turned.normals)
+    if (n.x() != 0)
+      n = -n;
+  const Refitted refitted(cube, 0, 1), of_turned(turned, 0, 1);
+  for (std::size_t i = 0; i < refitted.before.size(); ++i)
+    if (refitted.before[i] == of_turned.before[i])
+      CHECK(refitted.after[i] == of_turned.after[i]);
+}
+
 int main()
 {
   Generator generator(15);
@@ -165,5 +179,6 @@ int main()
   check_exact_fits(wedge_points(4000, generator), generator);
   check_noise(generator);
   check_no_plane();
+  check_right_angles(generator);
   return result();
 }

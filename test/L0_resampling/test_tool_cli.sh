@@ -50,7 +50,21 @@ check "half of the points by default" test "$(number_of_points out.ply)" -eq 480
 check "nothing on stderr" test ! -s stderr
 check "one line on stdout" test "$(wc -l < stdout)" -eq 1
 check "the summary" \
-  grep -qE '^cube.xyz: 9600 points in, 4800 out, method default, [0-9]+\.[0-9]+ s, [0-9.]+ % oriented$' stdout
+  grep -qE '^cube.xyz: 9600 points in, 4800 out, method default, [0-9.]+ s, one sign propagated to [0-9.]+ %$' stdout
+run cube.xyz out.ply --neighbor-radius 0.0001 --json small.json
+check "a radius with hardly a point in it warns" test "$status" -eq 0 -a "$(grep -c warning: stderr)" -ge 1
+check "the warning says why" grep -q '^l0_resample: warning: cube.xyz: 100.0 % of the points have fewer than six' stderr
+check "the report says so too" grep -q '^ *"small_radius"' small.json
+run cube.xyz out.ply --neighbor-radius 0.0001 --quiet
+check "quiet warns nobody" test ! -s stderr
+run inward.xyz out.ply
+check "normals that could decide the side" \
+  grep -qx 'l0_resample: note: inward.xyz: the file has normals, which --orient-by-normals lets decide the side' stderr
+for options in --orient-by-normals "--viewpoint 0,0,9"; do
+  # shellcheck disable=SC2086
+  run inward.xyz out.ply $options
+  check "no note with $options" test "$status" -eq 0 -a ! -s stderr
+done
 run cube.xyz out.ply --points 123 --method alor --quiet
 check "quiet" test "$status" -eq 0 -a ! -s stdout -a ! -s stderr
 check "exact number of points" test "$(number_of_points out.ply)" -eq 123

@@ -35,7 +35,7 @@ struct Framed
   Framed(const std::vector<Vector>& input, double radius) : points(to_buffer(input))
   {
     frame.enter<CGAL::Parallel_if_available_tag>(points);
-    frame.scale_to<CGAL::Parallel_if_available_tag>(frame.length_in_frame(radius), points);
+    frame.set_unit<CGAL::Parallel_if_available_tag>(frame.length_in_frame(radius), points);
   }
 };
 
@@ -61,12 +61,30 @@ void check_scale(const std::vector<Vector>& cloud)
   }
 }
 
-/// What the stages rely on: radius in [1, 2), medians 0, coordinates of moderate size, and a way back.
+/// The frame of a cloud times any factor is the same frame, up to the rounding of the coordinates.
+void check_any_scale(const std::vector<Vector>& cloud)
+{
+  const Framed framed(cloud, 0.3);
+  for (double factor : {3., 1. / 3, 1000., 0.001, 0.3048, 7.})
+  {
+    std::vector<Vector> scaled_cloud = cloud;
+    for (Vector& p : scaled_cloud)
+      p *= factor;
+    const Framed scaled_framed(scaled_cloud, 0.3 * factor);
+    double worst = 0;
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+      worst = (std::max)(worst, (scaled_framed.points[i] - framed.points[i]).cwiseAbs().maxCoeff());
+    CHECK(worst < 1e-14);
+    CHECK(is_close(scaled_framed.frame.length_of_input(1.7), factor * framed.frame.length_of_input(1.7), 1e-15));
+  }
+}
+
+/// What the stages rely on: radius 1, medians 0, coordinates of moderate size, and a way back.
 void check_frame(const std::vector<Vector>& cloud, double radius)
 {
   const Framed framed(cloud, radius);
   const double radius_in_frame = framed.frame.length_in_frame(radius);
-  CHECK(radius_in_frame >= 1 && radius_in_frame < 2);
+  CHECK(radius_in_frame == 1);
   CHECK(framed.frame.length_of_input(radius_in_frame) == radius);
 
   Buffer<Vector> first_step = to_buffer(cloud);
@@ -79,12 +97,12 @@ void check_frame(const std::vector<Vector>& cloud, double radius)
     diagonal = (std::max)(diagonal, cloud[i].cwiseAbs().maxCoeff());
   }
   CHECK(largest <= 2);
-  Framed again = framed; // a second radius, which is another scale of the same frame
-  const double factor = again.frame.scale_to<CGAL::Parallel_if_available_tag>(100 * radius_in_frame, again.points);
-  CHECK(again.frame.length_in_frame(radius) == factor * radius_in_frame && 100 * factor * radius_in_frame >= 1);
-  CHECK(again.points.front() == factor * framed.points.front());
+  Framed again = framed; // a second unit of the same frame
+  again.frame.set_unit<CGAL::Parallel_if_available_tag>(128, again.points);
+  CHECK(again.frame.length_in_frame(radius) == radius_in_frame / 128);
+  CHECK(again.points.front() == framed.points.front() / 128);
   CHECK(again.frame.leave(again.points.front()) == framed.frame.leave(framed.points.front()));
-  CHECK(worst <= 2e-16 * diagonal);
+  CHECK(worst <= 5e-16 * diagonal);
   for (int axis = 0; axis < 3; ++axis)
   {
     std::size_t below = 0, above = 0;
@@ -152,12 +170,12 @@ void check_sensible_radius(const std::vector<Vector>& cloud)
 {
   const double diagonal = plain_diagonal(cloud);
   const Buffer<Vector> points = to_buffer(cloud);
-  CHECK(sensible_radius(0.3, points) == 0.3);
-  CHECK(sensible_radius(1e300, points) == diagonal);
-  CHECK(sensible_radius(1e-300, points) > 0 && sensible_radius(1e-300, points) < 1e-20 * diagonal);
+  CHECK(sensible_radius(0.3, box_diagonal(points)) == 0.3);
+  CHECK(sensible_radius(1e300, box_diagonal(points)) == diagonal);
+  CHECK(sensible_radius(1e-300, box_diagonal(points)) > 0 && sensible_radius(1e-300, box_diagonal(points)) < 1e-20 * diagonal);
   // a float has room for the whole cloud in units of the radius
-  CHECK(diagonal / sensible_radius(1e-300, points) < 1e-3 * double((std::numeric_limits<float>::max)()));
-  CHECK(sensible_radius(5, to_buffer(std::vector<Vector>(3, Vector(1, 2, 3)))) == 1);
+  CHECK(diagonal / sensible_radius(1e-300, box_diagonal(points)) < 1e-3 * double((std::numeric_limits<float>::max)()));
+  CHECK(sensible_radius(5, box_diagonal(to_buffer(std::vector<Vector>(3, Vector(1, 2, 3))))) == 1);
 }
 
 int main()
@@ -166,6 +184,7 @@ int main()
   std::vector<Vector> cloud = cube_points(1001, 2, generator).points;
   add_gaussian_noise(cloud, 0.05, generator);
   check_scale(cloud);
+  check_any_scale(cloud);
   check_frame(cloud, 0.3);
   check_frame(moved(cloud, Vector(448262, 5411932, 35)), 0.3);
   for (int exponent : {-900, 900})

@@ -47,8 +47,7 @@ struct Fit_rows
 class Changing_solver_traits
 {
   const Change& m_change;
-  const l0::Report& m_report; // has the radius, once a solve begins
-  Fit_rows m_rows;            // those of the first solve: the neighbors stay
+  Fit_rows m_rows; // those of the first solve: the neighbors stay
   Json m_densities = Json::array();
   std::size_t m_number_of_solves = 0;
   l0::Eigen_least_squares_solver_traits<double> m_solver;
@@ -57,7 +56,7 @@ public:
   using FT = double;
   static constexpr bool needs_explicit_rows = true;
 
-  Changing_solver_traits(const Change& change, const l0::Report& report) : m_change(change), m_report(report) {}
+  explicit Changing_solver_traits(const Change& change) : m_change(change) {}
 
   /// After each solve, w_i of Eq. (5) at the samples that are a tenth, five tenths and nine tenths through the list.
   const Json& densities() const { return m_densities; }
@@ -84,12 +83,11 @@ public:
   }
 
 private:
-  /// r_p in the frame of the rows, which is scaled by a power of two so that r_p lies in [1, 2).
-  double radius() const { return std::ldexp(m_report.neighbor_radius, -std::ilogb(m_report.neighbor_radius)); }
+  static constexpr double radius = 1; // r_p, which is the unit of the rows
 
   double squared_bandwidth() const
   {
-    const double bandwidth = l0::internal::spatial_bandwidth_factor * radius();
+    const double bandwidth = l0::internal::spatial_bandwidth_factor * radius;
     return bandwidth * bandwidth;
   }
 
@@ -110,8 +108,7 @@ private:
       }
       std::size_t size = positions.size();
       if (m_change.neighbors == "smaller-radius")
-        size = keep_if(positions, weights,
-                       [&](const Eigen::Vector3d& q) { return (q - origin).norm() < 0.75 * radius(); });
+        size = keep_if(positions, weights, [&](const Eigen::Vector3d& q) { return (q - origin).norm() < 0.75 * radius; });
       else if (m_change.neighbors == "random-half")
         size = keep_if(positions, weights, [&](const Eigen::Vector3d&) { return (random() & 1) == 0; });
       else if (m_change.neighbors == "merged-pairs")
@@ -149,7 +146,7 @@ private:
       std::fill(pair_weights.begin(), pair_weights.end(), 0.);
     else if (m_change.equation == 4) {
       // a_ik of LOR, with w_i = w_k = 1
-      const double squared_radius = radius() * radius(), infinite = std::numeric_limits<double>::infinity();
+      const double squared_radius = radius * radius, infinite = std::numeric_limits<double>::infinity();
       for_each_pair(problem, Eigen::VectorXd::Zero(3 * Eigen::Index(problem.number_of_samples())),
                     [&](std::size_t, std::size_t e, double squared_distance) {
                       pair_weights[e] = 2 * m_change.regularization_weight
@@ -206,7 +203,7 @@ int main(int argc, char** argv)
   return run_program(app, argc, argv, [&] {
     const std::vector<Point> points = read_positions(arguments.input);
     l0::Report report;
-    Changing_solver_traits solver(change, report);
+    Changing_solver_traits solver(change);
     Oriented_points result;
     Measurement measurement;
     measurement.phase("l0_resample", [&] {

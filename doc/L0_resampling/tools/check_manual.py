@@ -7,6 +7,8 @@
 
 - The docstring of l0_resample_point_set() quotes the defaults that the code has.
 - The pages type no decimal number and no default, as these are generated, and no code, as all of it is an example.
+- The formula of neighbor_radius, in the docstring and on each page that has it, gives the radius
+  that the code takes.
 - Formulas use only macros that are generated; every figure exists and is used; every named parameter is explained.
 - The tests that the page of promises names exist.
 """
@@ -61,6 +63,37 @@ def wrong_defaults(parameters, values):
             yield f"the docstring of {name} does not say '{phrase}', as the code has it"
 
 
+def radius_by_formula(formula, constants, spacing, noise):
+    """The value of a formula in LaTeX with the spacing s and the noise sigma."""
+    text = re.sub(r"\\constant([A-Za-z]+)\{\}",
+                  lambda m: repr(constants[re.sub(r"(?<!^)(?=[A-Z])", "_", m[1]).lower()]), formula)
+    text = text.replace(r"\left", "").replace(r"\right", "").replace(r"\sigma", " sigma")
+    text = re.sub(r"\\sqrt\{(.*)\}", r"(\1)^{1/2}", text)
+    text = re.sub(r"\^\{(\d+)/(\d+)\}", r"**(\1/\2)", text)
+    text = re.sub(r"\^(\d)", r"**\1", text)
+    text = re.sub(r"(\d)\s*(s\b|sigma\b)", r"\1 * \2", text)
+    return eval(text, {"__builtins__": {}}, {"s": spacing, "sigma": noise})    # of our own pages
+
+
+def wrong_radii(print_defaults, constants, texts):
+    """Compares the formulas in `texts`, a text by its name, with what the code computes."""
+    for name, text in texts.items():
+        formulas = [f for f in FORMULA.findall(text)
+                    if r"\constantRadiusPerSpacing" in f or re.search(r"\ds\)", f)]
+        if len(formulas) != 1:
+            yield f"{name} has {len(formulas)} formulas of the default neighbor_radius, expected 1"
+            continue
+        formula = formulas[0][3:-3].split(",")[0].split("=")[-1]
+        for spacing, noise in ((1, 0), (0, 1), (1, 0.5), (1, 1), (0.3, 2)):
+            printed = subprocess.run([print_defaults, str(spacing), str(noise)], check=True,
+                                     capture_output=True, text=True).stdout
+            by_code = float(printed)
+            by_formula = radius_by_formula(formula, constants, spacing, noise)
+            if abs(by_formula - by_code) > 0.003 * by_code:    # which is rounded in steps of 0.2 to 0.4 %
+                yield (f"the formula of {name} gives the radius {by_formula:g} at spacing {spacing} and "
+                       f"noise {noise}, the code {by_code:g}")
+
+
 def typed_by_hand(name, page):
     text = FORMULA.sub("", page)
     for number in re.findall(r"(?<![\w.-])\d+\.\d+(?!\.?\w)", text):
@@ -103,7 +136,11 @@ def main():
     pages = {path.name: path.read_text(encoding="utf-8") for path in sorted(manual.glob("*.txt"))
              if path.name != "CMakeLists.txt"}
 
-    errors = list(wrong_defaults(parameters, json.loads(defaults)))
+    values = json.loads(defaults)
+    errors = list(wrong_defaults(parameters, values))
+    texts = {name: pages[name] for name in ("L0_resampling.txt", "Mathematics.txt")}
+    texts["the docstring of neighbor_radius"] = parameters["neighbor_radius"][1]
+    errors += wrong_radii(sys.argv[1], values["constant"], texts)
     for name, page in pages.items():
         errors += [*typed_by_hand(name, page), *unknown_macros(name, page, macros)]
     errors += [f"the user manual does not explain {name}" for name in parameters if name not in pages["L0_resampling.txt"]]

@@ -4,7 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Prints the defaults of the named parameters and the constants of the methods as JSON, for generate_text.py and
-// check_manual.py.
+// check_manual.py. With two numbers, spacing and noise, it prints the radius that the default
+// method takes.
 
 #include <CGAL/L0_resampling/internal/Border_of_ball.h>
 #include <CGAL/L0_resampling/internal/checked_parameters.h>
@@ -116,8 +117,14 @@ void print_constants()
 
 } // namespace
 
-int main()
+int main(int argc, char* argv[])
 {
+  if (argc == 3)
+  {
+    std::cout.precision(17);
+    std::cout << default_radius(std::atof(argv[1]), std::atof(argv[2])) << "\n";
+    return std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
+  }
   std::cout << "{\n";
   print_defaults("default", Method::DEFAULT);
   print_defaults("lor", Method::LOR);

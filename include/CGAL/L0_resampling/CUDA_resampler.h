@@ -99,6 +99,7 @@ inline void fill_report(const cuda::Call_report& call, Report& report)
   report.estimated_noise = call.estimated_noise;
   report.oriented_share = call.oriented_share;
   report.hinted_share = call.hinted_share;
+  report.extent_share = call.extent_share;
   report.peak_bytes = call.peak_bytes;
   for (std::size_t i = 0; i < call.number_of_stages; ++i)
     report.stages.push_back({call.stages[i].name, call.stages[i].seconds, call.stages[i].peak_bytes});
@@ -141,8 +142,8 @@ inline void estimate_feature_confidences(const Buffer<Vector>& result, const std
   Working_frame frame;
   frame.enter<Parallel_if_available_tag>(positions);
   double spacing = robust_diagonal<Parallel_if_available_tag>(positions) / std::sqrt(double(positions.size()));
-  spacing = sensible_radius(spacing, positions);
-  spacing *= frame.scale_to<Parallel_if_available_tag>(spacing, positions);
+  spacing = sensible_radius(spacing, box_diagonal(positions));
+  frame.set_unit<Parallel_if_available_tag>(spacing, positions);
   Buffer<Local_vector> normals;
   for (std::size_t i = 0; i < positions.size(); ++i)
     normals.emplace_back(result_normals[3 * i], result_normals[3 * i + 1], result_normals[3 * i + 2]);
@@ -150,7 +151,7 @@ inline void estimate_feature_confidences(const Buffer<Vector>& result, const std
   Memory_counter memory;
   Progress progress(nullptr, unwanted_report, memory);
   estimate_feature_confidences<Parallel_if_available_tag>(
-    positions, normals, spacing, normal_bandwidth(fit_angle_factor * sharpness_angle), progress, confidences);
+    positions, normals, 1, normal_bandwidth(fit_angle_factor * sharpness_angle), progress, confidences);
 }
 
 } // namespace internal

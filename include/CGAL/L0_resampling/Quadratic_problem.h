@@ -74,7 +74,7 @@ The fit term is exact: \f$ \sum_j \|p - q_j\|^2 / v_j = W \|p - c\|^2 + \mathrm{
 \f[ (Hx)_i = W_i x_i + \sum_{k \in N_i} [a_{ik} I + \beta (n_i n_i^T + n_k n_k^T)] (x_i - x_k). \f]
 
 Every \f$ W_i \f$ is positive. Self neighbors are symmetric: \f$ k \in N_i \Leftrightarrow i \in N_k \f$, and
-\f$ i \notin N_i \f$. Lengths are in units of the working frame, where the radius \f$ r_p \f$ lies in [1, 2).
+\f$ i \notin N_i \f$. Lengths are in units of the working frame, where the radius \f$ r_p \f$ is 1.
 
 \tparam FT `float` or `double`
 */

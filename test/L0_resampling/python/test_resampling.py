@@ -11,6 +11,7 @@ import os
 import subprocess
 import sys
 import tracemalloc
+import warnings
 
 import cgal_l0
 import numpy
@@ -278,6 +279,19 @@ def test_report(cube, tool):
     with pytest.raises(dataclasses.FrozenInstanceError):
         report.converged = False
     assert hash(report) == hash(dataclasses.replace(report))
+
+
+def test_warnings(cube, tool):
+    with pytest.warns(cgal_l0.ResamplingWarning) as issued:
+        report = l0_resample_point_set(cube, neighbor_radius=0.0001, report=True)[2]
+    assert report.warnings == tuple(str(warning.message) for warning in issued)
+    assert any("of the points have fewer than six points" in warning for warning in report.warnings)
+    assert all(warning.filename == __file__ for warning in issued)
+    _, _, of_the_program = tool(cube, "--neighbor-radius", "0.0001")
+    assert report.warnings == tuple(line.split(": ", 1)[1] for line in of_the_program["warnings"])
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert l0_resample_point_set(cube, report=True)[2].warnings == ()
 
 
 def test_cuda_is_refused_where_no_device_can_be_seen():

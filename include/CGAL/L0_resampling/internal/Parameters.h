@@ -61,6 +61,10 @@ constexpr double pca_radius_factor = 0.7;
 /// A ball of fewer points determines no normal: through three noisy points a plane goes anywhere.
 constexpr unsigned fewest_points_of_plane = 6;
 
+/// How many of n points are left out at either end of an axis where the extent of the cloud is
+/// measured: 0.5 %.
+inline std::size_t margin_of_extent(std::size_t n) { return n / 200; }
+
 /// \f$ \sigma_q \f$ is "a scaling of r_q" (Section 3.1).
 constexpr double spatial_bandwidth_factor = 0.5;
 
@@ -77,8 +81,11 @@ constexpr double sparsity_unit_factor = 0.25;
 constexpr double radius_per_spacing = 3.5;
 constexpr double radius_per_noise = 3.8;
 
-/// In steps of 0.2 to 0.4 %, which is less than spacing and noise are known to: processors that round differently find the same radius, and with it the
-/// same cells and the same first samples.
+/// The radius of the default method, in units of the paper's. It is rounded in steps of 0.2 to 0.4 %
+/// of itself, which is less than the error of spacing and noise: processors that round differently,
+/// and clouds that are scaled by any factor, have the same radius, and with it the same cells and
+/// the same first samples.
+/// \param spacing, noise divided by the paper's radius, so that the steps scale with the cloud
 inline double default_radius(double spacing, double noise)
 {
   int exponent = 0;
@@ -119,20 +126,9 @@ constexpr double largest_shrunk_jump_per_sheet_height = 0.5;
 /// lower limit pairs across edges would go too, and the samples of a face would draw each other away from its edges.
 constexpr double regularized_jump_per_sheet_height = 2;
 
-/// \returns a jump of that many H, a length; infinite in LOR and ALOR, which know no sheets
-inline double jump_in_sheet_heights(Method method, double number, double noise, double radius)
-{
-  return method == Method::DEFAULT ? number * sheet_height(noise, radius) : std::numeric_limits<double>::infinity();
-}
-
 /// How far from the threshold, and per threshold, the default method begins and ends to shrink jumps. A step, as in Eq. (9), would put a sample here or there by a
 /// rounding.
 constexpr double half_width_of_firm_shrinkage = 0.1;
-
-inline double half_width_of_shrinkage(Method method)
-{
-  return method == Method::DEFAULT ? half_width_of_firm_shrinkage : 0;
-}
 
 /// A point is an outlier if its ball holds fewer points than this share of the mean ball around it, or of the median ball. At a border and its corners a ball
 /// is a half or a quarter full; between the ends of a scan densities may differ by ten.

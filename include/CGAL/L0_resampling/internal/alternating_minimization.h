@@ -8,7 +8,7 @@
 
 #include <CGAL/L0_resampling/Quadratic_problem.h>
 #include <CGAL/L0_resampling/internal/Fit_rows.h>
-#include <CGAL/L0_resampling/internal/Parameters.h>
+#include <CGAL/L0_resampling/internal/Plan.h>
 #include <CGAL/L0_resampling/internal/negligible_displacement.h>
 #include <CGAL/L0_resampling/internal/pair_terms.h>
 #include <CGAL/L0_resampling/internal/shrinkage.h>
@@ -22,32 +22,6 @@
 namespace CGAL {
 namespace L0_resampling {
 namespace internal {
-
-/// The weights of Algorithm 1 in the working frame.
-struct Minimization_parameters
-{
-  double squared_radius;                                   ///< \f$ r_p^2 \f$
-  double squared_bandwidth;                                ///< \f$ \sigma_q^2 \f$
-  double sparsity_unit;                                    ///< length in which \f$ \sqrt{\lambda/\beta} \f$ is read
-  double largest_shrunk_jump;                              ///< a length; infinite in LOR and ALOR
-  double regularized_jump;                                 ///< J of `pair_weight()`, a length; infinite in LOR and ALOR
-  double range_of_pairs;                                   ///< of the self neighbors; infinite in LOR and ALOR
-  double half_width_of_shrinkage;                          ///< see `Shrunk_jumps`; 0 in LOR and ALOR
-  double normal_weight;                                    ///< \f$ \lambda \f$
-  double regularization_weight;                            ///< \f$ \alpha \f$
-  double initial_penalty, maximum_penalty, penalty_growth; ///< \f$ \beta, \beta_{max}, \mu \f$
-  bool interleave_regularization;                          ///< Section 4.2: regularize in every second iteration only
-
-  /// How often lines 2 to 5 of Algorithm 1 run.
-  std::size_t number_of_turns() const
-  {
-    std::size_t number = 0;
-    for (double penalty = initial_penalty; number == 0 || penalty <= maximum_penalty;
-         penalty = next_penalty(penalty, penalty_growth))
-      ++number;
-    return number;
-  }
-};
 
 inline Iteration_report iteration_report(const Minimization_parameters& p, double penalty, bool regularized,
                                          const Energy_sums& sums, std::size_t number_of_pairs, const Solver_report& solver)
@@ -163,14 +137,9 @@ void minimize_alternatingly(const Minimization_parameters& p, const Neighborhood
   Minimization_step<ConcurrencyTag, SolverTraits> step(p, solver, progress, samples.positions.get_allocator());
   Buffer<Upper_triangle<typename SolverTraits::FT>> normal_spreads(samples.positions.get_allocator());
   sum_normal_spreads<ConcurrencyTag>(samples.normals, neighbors, normal_spreads); // the normals stay
-  double penalty = p.initial_penalty;
-  bool regularize = true;
-  do
-  {
-    reports.push_back(step(penalty, regularize, neighbors, normal_spreads, fit_rows, samples)); // Lines 2 to 4
-    penalty = next_penalty(penalty, p.penalty_growth);                                          // Line 5
-    regularize = !p.interleave_regularization || !regularize;
-  } while (penalty <= p.maximum_penalty); // Line 6
+  const std::vector<double> penalties = p.penalties();
+  for (std::size_t i = 0; i < penalties.size(); ++i)
+    reports.push_back(step(penalties[i], p.regularizes(i), neighbors, normal_spreads, fit_rows, samples));
 }
 
 } // namespace internal

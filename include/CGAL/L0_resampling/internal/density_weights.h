@@ -6,6 +6,7 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_DENSITY_WEIGHTS_H
 #define CGAL_L0_RESAMPLING_INTERNAL_DENSITY_WEIGHTS_H
 
+#include <CGAL/L0_resampling/internal/Parameters.h>
 #include <CGAL/L0_resampling/internal/near_pairs.h>
 #include <CGAL/L0_resampling/internal/weights.h>
 
@@ -87,10 +88,10 @@ void sum_weights_by_pairs(const Search_grid_3& grid, const Buffer<Vector>& point
 /// \f$ v_j \f$ of Eq. (5) for each input point. The sum leaves out the point itself, which the "1 +" of Eq. (5) counts.
 /// \param points sorted for `grid`
 /// \param weights out: one number a point, at least 1
-/// \returns \f$ \eta_Q \f$, the mean number of neighbors
+/// \returns the number of points whose balls hold fewer than `fewest_points_of_plane`
 template <typename ConcurrencyTag, typename T>
-double compute_input_density_weights(const Search_grid_3& grid, const Buffer<Vector>& points, double radius,
-                                     double squared_bandwidth, Progress& progress, Buffer<T>& weights)
+std::size_t compute_input_density_weights(const Search_grid_3& grid, const Buffer<Vector>& points, double radius,
+                                          double squared_bandwidth, Progress& progress, Buffer<T>& weights)
 {
   Buffer<Index> counts = filled_buffer(points.size(), Index(0), points.get_allocator());
   fill_buffer(points.size(), T(0), weights);
@@ -100,15 +101,19 @@ double compute_input_density_weights(const Search_grid_3& grid, const Buffer<Vec
   sum_weights(grid, points, radius, T(squared_bandwidth), progress, counts, weights);
 
   double total = 0;
+  std::size_t number_of_sparse_balls = 0;
   for (Index count : counts)
+  {
     total += count;
+    number_of_sparse_balls += count + 1 < fewest_points_of_plane;
+  }
   const double mean_number_of_input_neighbors = total / double(points.size());
   if (mean_number_of_input_neighbors > 0)
     for_each_in_order(weights.size(),
                       [&](std::size_t i) { weights[i] = T(1 + weights[i] / mean_number_of_input_neighbors); });
   else
     weights.assign(weights.size(), T(1));
-  return mean_number_of_input_neighbors;
+  return number_of_sparse_balls;
 }
 
 } // namespace internal

@@ -8,6 +8,7 @@
 
 #include <CGAL/L0_resampling/internal/estimate_plane.h>
 #include <CGAL/L0_resampling/internal/scales_of_balls.h>
+#include <CGAL/L0_resampling/internal/working_frame.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -37,13 +38,15 @@ Height_moments<double> moments_over_plane(const Eigen::Matrix<T, 3, 1>& center, 
 The scales of a point set, by `scales_of_growing_balls()`. Of points at one place one counts, however many there are: they tell nothing of a plane, and
 balls would shrink to a few places.
 
-\param initial_radius where the largest ball is 8 times as large; the paper's r_p is a good one
+\param initial_radius a length; the largest ball is 8 times as large. The paper's r_p is a good one
+\returns spacing and noise in units of `initial_radius`
 */
 template <typename ConcurrencyTag, typename T>
 Scales estimate_scales(const Buffer<Vector>& unsorted_points, double initial_radius, Progress& progress)
 {
-  const double cell_size = initial_radius / 4;
+  const double cell_size = 0.25;
   Buffer<Vector> points = copy_of(unsorted_points);
+  Working_frame::divide<ConcurrencyTag>(initial_radius, points);
   apply_order(Search_grid_3::sorted_order<ConcurrencyTag>(points, cell_size), points);
   points.resize(std::size_t(std::unique(points.begin(), points.end()) - points.begin()));
   const Search_grid_3 grid(points, cell_size);

@@ -15,6 +15,7 @@
 #include <CGAL/L0_resampling/internal/weights.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -137,9 +138,10 @@ it had. Nothing of this sets in with a step, so that roundings stay roundings.
 The normal of the sample becomes the weighted mean of those points' normals.
 
 \param samples in: positions, normals and the last fit centroids; out: normals, fit weights and variances, fit centroids and outward directions
+\returns the number of samples without compatible points
 */
 template <typename ConcurrencyTag, typename T, typename FT>
-void fit_compatible_points(const Fit_input<T>& input, Progress& progress, Samples<FT>& samples)
+std::size_t fit_compatible_points(const Fit_input<T>& input, Progress& progress, Samples<FT>& samples)
 {
   const double cell_size = input.grid.cell_size(), bandwidth = fit_bandwidth_factor * input.radius;
   const Sorted_queries sorted_queries(ConcurrencyTag(), samples.positions, cell_size);
@@ -147,6 +149,7 @@ void fit_compatible_points(const Fit_input<T>& input, Progress& progress, Sample
   const Fit_kernel<T> kernel = {T(input.radius * input.radius), T(bandwidth * bandwidth), T(input.normal_bandwidth),
                                 T(input.squared_sheet_height)};
   const Border_of_ball border(input.radius, bandwidth);
+  std::atomic<std::size_t> number_of_lonely_samples{0};
   const auto make_visitor = [&]() {
     return [&, normals = Local_normals<T>(), scales = Aligned_vector<T>()](
              Search_grid_3::Range queries, const Local_points<T>& candidates, const Vector& origin) mutable {
@@ -182,6 +185,7 @@ void fit_compatible_points(const Fit_input<T>& input, Progress& progress, Sample
         samples.outward_directions[i].setZero();
         if (!(total > 1e-3))
         {
+          ++number_of_lonely_samples;
           samples.fit_weights[i] = 1;
           samples.fit_variances[i] = 0;
           continue;
@@ -207,6 +211,7 @@ void fit_compatible_points(const Fit_input<T>& input, Progress& progress, Sample
   };
   for_each_cell<T, ConcurrencyTag>(sorted_queries.grid, sorted_queries.points, input.grid, input.points,
                                    cells_in_reach(input.radius, cell_size), progress, make_visitor);
+  return number_of_lonely_samples;
 }
 
 } // namespace internal

@@ -40,6 +40,15 @@ struct Lanes
 
   Lanes max(T low) const { return Lanes(Eigen::internal::pmax(packet, Lanes(low).packet)); }
   Lanes min(T high) const { return Lanes(Eigen::internal::pmin(packet, Lanes(high).packet)); }
+
+  /// As `internal::with_sign_of()`, for the numbers of this object.
+  Lanes with_sign_of(const Lanes& signs) const
+  {
+    using namespace Eigen::internal;
+    const auto sign_bits = pand(signs.packet, Lanes(T(-0.)).packet);
+    return Lanes(pandnot(por(sign_bits, packet), pcmp_eq(signs.packet, Lanes().packet)));
+  }
+
   T sum() const { return Eigen::internal::predux(packet); }
 
   Lanes& operator+=(const Lanes& b) { return *this = *this + b; }
@@ -99,15 +108,6 @@ template <typename T>
 bool any_less(const Lanes<T>& a, T b)
 {
   return Eigen::internal::predux_any(Eigen::internal::pcmp_lt(a.packet, Lanes<T>(b).packet));
-}
-
-/// The values, not negative, with the sign of `signs`; 0 where that is 0, since 0 has two signs.
-template <typename T>
-Lanes<T> with_sign_of(const Lanes<T>& signs, const Lanes<T>& values)
-{
-  using namespace Eigen::internal;
-  const auto sign_bits = pand(signs.packet, Lanes<T>(T(-0.)).packet);
-  return Lanes<T>(pandnot(por(sign_bits, values.packet), pcmp_eq(signs.packet, Lanes<T>().packet)));
 }
 
 } // namespace internal

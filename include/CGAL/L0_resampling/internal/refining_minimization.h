@@ -28,6 +28,13 @@ struct Refinement_parameters
   std::size_t number_of_sample_refits; ///< after each fit
 };
 
+/// What happened in a minimization.
+struct Refinement_counts
+{
+  std::size_t number_of_self_neighbor_pairs; ///< ordered, in the last turn
+  std::size_t number_of_lonely_samples;      ///< without compatible points in the last fit
+};
+
 /// The fit term of the default method as rows: one a sample.
 inline Fit_rows collapsed_fit_rows(const Samples<double>& samples)
 {
@@ -45,12 +52,12 @@ only, corrects normals by the samples around, and spreads the samples within the
 \param input the points to fit to
 \param samples positions and normals in and out; the order changes
 \param reports out: one for each value of the penalty
-\returns the number of ordered pairs of self neighbors in the last turn
 */
 template <typename ConcurrencyTag, typename T, typename SolverTraits>
-std::size_t minimize_with_refinement(const Minimization_parameters& p, const Refinement_parameters& refinement,
-                                     const Fit_input<T>& input, SolverTraits& solver, Progress& progress,
-                                     Samples<typename SolverTraits::FT>& samples, std::vector<Iteration_report>& reports)
+Refinement_counts minimize_with_refinement(const Minimization_parameters& p, const Refinement_parameters& refinement,
+                                           const Fit_input<T>& input, SolverTraits& solver, Progress& progress,
+                                           Samples<typename SolverTraits::FT>& samples,
+                                           std::vector<Iteration_report>& reports)
 {
   const auto allocator = samples.positions.get_allocator();
   const double cell_size = (std::max)(input.grid.cell_size(), refinement.self_neighbor_radius);
@@ -62,8 +69,7 @@ std::size_t minimize_with_refinement(const Minimization_parameters& p, const Ref
   Buffer<Upper_triangle<typename SolverTraits::FT>> normal_spreads(allocator);
 
   Neighborhoods neighbors{Buffer<std::size_t>(allocator), Buffer<Index>(allocator)};
-  double penalty = p.initial_penalty;
-  do
+  for (double penalty : p.penalties())
   {
     release(neighbors.offsets);
     release(neighbors.indices);
@@ -80,13 +86,12 @@ std::size_t minimize_with_refinement(const Minimization_parameters& p, const Ref
     reports.push_back(step(penalty, true, neighbors, normal_spreads, fit_rows, samples));
     repel_tangentially<ConcurrencyTag>(neighbors, places, refinement.self_neighbor_radius, refinement.spacing,
                                        input.radius, refinement.number_of_repulsion_steps, samples);
-    penalty = next_penalty(penalty, p.penalty_growth);
-  } while (penalty <= p.maximum_penalty);
+  }
 
-  fit_compatible_points<ConcurrencyTag>(input, progress, samples);
+  const std::size_t number_of_lonely_samples = fit_compatible_points<ConcurrencyTag>(input, progress, samples);
   samples.positions = copy_of(samples.fit_centroids);
   refit_sample_normals<ConcurrencyTag>(refinement.refit_kernel, neighbors, refinement.number_of_sample_refits, samples);
-  return neighbors.indices.size();
+  return {neighbors.indices.size(), number_of_lonely_samples};
 }
 
 } // namespace internal

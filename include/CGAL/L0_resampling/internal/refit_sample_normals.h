@@ -57,7 +57,7 @@ void refit_sample_normals(const Sample_refit_kernel& kernel, const Neighborhoods
           const Index k = neighbors.indices[e];
           const Eigen::Index pair = Eigen::Index(e - first_pair);
           const Local_vector d = (samples.positions[k] - samples.positions[i]).template cast<FT>();
-          const FT cosine = samples.normals[i].dot(samples.normals[k]), sign = cosine < 0 ? FT(-1) : FT(1);
+          const FT cosine = samples.normals[i].dot(samples.normals[k]), sign = with_sign_of(cosine, FT(1));
           differences.col(pair) = d;
           cosines[pair] = cosine;
           heights[pair] = symmetric_height(samples.normals[i].dot(d), FT(sign * samples.normals[k].dot(d)));

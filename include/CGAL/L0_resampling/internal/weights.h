@@ -38,6 +38,18 @@ CGAL_L0_HOST_DEVICE inline T at_most(const T& x, S high)
     return x.min(typename T::Scalar(high));
 }
 
+/// The values, not negative, with the signs of `signs`, entry by entry; 0 where a sign is that of
+/// 0. This is how one normal is turned to the side of another: of two normals at a right angle
+/// neither side is the right one, and the result must not depend on the signs of the input normals.
+template <typename T>
+CGAL_L0_HOST_DEVICE inline T with_sign_of(const T& signs, const T& values)
+{
+  if constexpr (std::is_arithmetic<T>::value)
+    return signs > 0 ? values : signs < 0 ? -values : T(0);
+  else
+    return values.with_sign_of(signs);
+}
+
 CGAL_L0_HOST_DEVICE inline double square(double x) { return x * x; }
 
 /// The nearest number to x that is a share of 1.

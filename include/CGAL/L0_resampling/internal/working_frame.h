@@ -33,14 +33,19 @@ void for_each_axis_of(const Buffer<Vector>& points, const F& f)
 }
 
 /*!
-The frame that all stages work in: moved by a point of the cloud, scaled by a power of two. Both steps are exact wherever the result
-needs no more digits than the coordinates had, so that a cloud and its double, or its copy at UTM coordinates, are one cloud in here.
+The frame that all stages work in: its origin is a point of the cloud, its unit is the radius.
+
+Scaling by a power of two and moving the origin are exact wherever the result needs no more digits
+than the coordinates had, so that a cloud and its copy at UTM coordinates are the same cloud here.
+The division by the radius is rounded once. A cloud that is scaled by any factor is therefore the
+same cloud here up to the rounding of its coordinates, and the same bit by bit if the factor is a
+power of two.
 */
 class Working_frame
 {
-  Vector m_origin = Vector::Zero(); // after the first scaling
-  int m_first_exponent = 0;         // brings the largest coordinate below 1, so that no difference overflows
-  int m_second_exponent = 0;
+  Vector m_origin = Vector::Zero(); // after the scaling by the exponent
+  int m_exponent = 0;               // brings the largest coordinate below 1, so that no difference overflows
+  double m_unit = 1;                // a length after that scaling
 
 public:
   /// Moves `points` into a frame in which the median of each coordinate is 0 and no coordinate exceeds 2.
@@ -51,9 +56,9 @@ public:
     for_each_in_order(points.size(),
                       [&](std::size_t i) { largest = (std::max)(largest, points[i].cwiseAbs().maxCoeff()); });
     if (largest > 0)
-      m_first_exponent = -std::ilogb(largest) - 1;
+      m_exponent = -std::ilogb(largest) - 1;
 
-    scale<ConcurrencyTag>(m_first_exponent, points);
+    scale<ConcurrencyTag>(m_exponent, points);
     // a median is a coordinate of the cloud: differences to it are exact nearby, and outliers do not move it
     for_each_axis_of<ConcurrencyTag>(points, [&](int axis, Buffer<double>& coordinates) {
       const auto middle = coordinates.begin() + std::ptrdiff_t(coordinates.size() / 2);
@@ -66,44 +71,45 @@ public:
     });
   }
 
-  /// Scales the frame and `points` with it so that `radius`, a length in the frame, comes to lie in [1, 2).
-  /// \returns the factor, a power of two
+  /// Makes `unit`, a length in the frame, the unit of the frame and of `points`.
   template <typename ConcurrencyTag>
-  double scale_to(double radius, Buffer<Vector>& points)
+  void set_unit(double unit, Buffer<Vector>& points)
   {
-    const int exponent = -std::ilogb(radius);
-    m_second_exponent += exponent;
-    scale<ConcurrencyTag>(exponent, points);
-    return std::ldexp(1., exponent);
+    m_unit *= unit;
+    divide<ConcurrencyTag>(unit, points);
   }
 
   /// A point in the coordinates of the input, in the frame; one that lies too far off for finite coordinates is brought nearer.
   Vector point_in_frame(const Vector& point) const
   {
     const double largest = 1e100; // whose square is finite
-    Vector p = scaled(scaled(point, m_first_exponent) - m_origin, m_second_exponent);
+    Vector p = (scaled(point, m_exponent) - m_origin) / m_unit;
     for (int axis = 0; axis < 3; ++axis)
       p[axis] = (std::min)((std::max)(p[axis], -largest), largest);
     return p;
   }
 
-  /// A length of the input, in the frame.
-  double length_in_frame(double length) const
-  {
-    return std::ldexp(std::ldexp(length, m_first_exponent), m_second_exponent);
-  }
+  /// Before `set_unit()`: a length of the input times 2 to the power of this is one in the frame.
+  int exponent() const { return m_exponent; }
 
   /// A length in the frame, in the unit of the input; the largest number for longer ones.
   double length_of_input(double length) const
   {
-    return (std::min)(std::ldexp(std::ldexp(length, -m_second_exponent), -m_first_exponent),
-                      (std::numeric_limits<double>::max)());
+    return (std::min)(std::ldexp(length * m_unit, -m_exponent), (std::numeric_limits<double>::max)());
   }
 
   /// A point in the frame, in the coordinates of the input.
-  Vector leave(const Vector& point) const
+  Vector leave(const Vector& point) const { return scaled(point * m_unit + m_origin, -m_exponent); }
+
+  /// Divides all coordinates by `length`. Quotients are rounded correctly, so that multiples of it
+  /// become whole numbers.
+  template <typename ConcurrencyTag>
+  static void divide(double length, Buffer<Vector>& points)
   {
-    return scaled(scaled(point, -m_second_exponent) + m_origin, -m_first_exponent);
+    for_each_block<ConcurrencyTag>(points.size(), points_per_block, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        points[i] = points[i].unaryExpr([&](double x) { return x / length; });
+    });
   }
 
 private:
@@ -161,19 +167,15 @@ double robust_diagonal(const Buffer<Vector>& points)
   return (box_high - box_low).norm();
 }
 
-/// The radius itself, but no larger than the diagonal of the bounding box, which reaches everybody, and not so small that a `float` has
-/// no room for the cloud in units of it: such a radius reaches hardly anybody but duplicates either way. 1 if all points are one.
-inline double sensible_radius(double radius, const Buffer<Vector>& points)
+/// The diagonal of the bounding box of the points.
+inline double box_diagonal(const Buffer<Vector>& points)
 {
   Vector low = points.front(), high = points.front();
   for_each_in_order(points.size(), [&](std::size_t i) {
     low = low.cwiseMin(points[i]);
     high = high.cwiseMax(points[i]);
   });
-  const double diagonal = (high - low).norm();
-  if (!(diagonal > 0))
-    return 1;
-  return (std::min)((std::max)(radius, std::ldexp(diagonal, -100)), diagonal);
+  return (high - low).norm();
 }
 
 } // namespace internal

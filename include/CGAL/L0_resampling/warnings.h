@@ -1,0 +1,120 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_WARNINGS_H
+#define CGAL_L0_RESAMPLING_WARNINGS_H
+
+#include <CGAL/L0_resampling/Report.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace L0_resampling {
+
+/// \ingroup PkgL0ResamplingRef
+/// Why a result cannot be good, see `warnings()`.
+enum class Warning
+{
+  MANY_OUTLIERS,       ///< more than 3 % of the points were left out as outliers
+  SHRUNKEN_EXTENT,     ///< `Report::extent_share` is below 95 %
+  SMALL_RADIUS,        ///< more than half of the points have a degenerate neighborhood
+  UNSUPPORTED_SAMPLES, ///< more than 5 % of the samples have no original neighbor or no compatible one
+};
+
+namespace internal {
+
+constexpr double largest_share_of_outliers = 0.03, least_extent_share = 0.95;
+constexpr double largest_share_of_degenerate_neighborhoods = 0.5, largest_share_of_lonely_samples = 0.05;
+
+inline double share_of(std::size_t part, std::size_t whole) { return double(part) / (std::max)(double(whole), 1.); }
+
+inline double share_of_degenerate_neighborhoods(const Report& report)
+{
+  return share_of(report.number_of_degenerate_neighborhoods, report.number_of_input_points - report.number_of_outliers);
+}
+
+/// A share as a percentage, rounded down so that no part is called all.
+inline std::string as_percentage(double share)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f %%", std::floor(1000 * share) / 10);
+  return text;
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgL0ResamplingRef
+
+What `report` says about a result that cannot be good, in the order of `Warning`; nothing if no
+result was written. The tool and the Python package say the same, as they ask this function.
+*/
+inline std::vector<Warning> warnings(const Report& report)
+{
+  std::vector<Warning> found;
+  const auto add_if = [&](bool holds, Warning warning) {
+    if (holds)
+      found.push_back(warning);
+  };
+  if (report.number_of_output_points == 0)
+    return found;
+  add_if(internal::share_of(report.number_of_outliers, report.number_of_input_points) > internal::largest_share_of_outliers,
+         Warning::MANY_OUTLIERS);
+  add_if(report.extent_share < internal::least_extent_share, Warning::SHRUNKEN_EXTENT);
+  add_if(internal::share_of_degenerate_neighborhoods(report) > internal::largest_share_of_degenerate_neighborhoods,
+         Warning::SMALL_RADIUS);
+  add_if(internal::share_of(report.number_of_lonely_samples, report.number_of_output_points)
+           > internal::largest_share_of_lonely_samples,
+         Warning::UNSUPPORTED_SAMPLES);
+  return found;
+}
+
+/// \ingroup PkgL0ResamplingRef
+/// The name of a warning for programs, such as `"many_outliers"`.
+inline std::string name_of(Warning warning)
+{
+  switch (warning)
+  {
+  case Warning::MANY_OUTLIERS: return "many_outliers";
+  case Warning::SHRUNKEN_EXTENT: return "shrunken_extent";
+  case Warning::SMALL_RADIUS: return "small_radius";
+  case Warning::UNSUPPORTED_SAMPLES: return "unsupported_samples";
+  }
+  return "";
+}
+
+/// \ingroup PkgL0ResamplingRef
+/// A warning in one line of English, with the numbers of the report.
+inline std::string message_of(Warning warning, const Report& report)
+{
+  using namespace internal;
+  char radius[32];
+  std::snprintf(radius, sizeof radius, "%.3g", report.neighbor_radius);
+  switch (warning)
+  {
+  case Warning::MANY_OUTLIERS:
+    return as_percentage(share_of(report.number_of_outliers, report.number_of_input_points))
+           + " of the points were left out as outliers";
+  case Warning::SHRUNKEN_EXTENT:
+    return "the result has " + as_percentage(report.extent_share) + " of the extent of the input";
+  case Warning::SMALL_RADIUS:
+    return as_percentage(share_of_degenerate_neighborhoods(report))
+           + " of the points have fewer than six points, or points on a line only, within the radius, which is " + radius;
+  case Warning::UNSUPPORTED_SAMPLES:
+    return as_percentage(share_of(report.number_of_lonely_samples, report.number_of_output_points))
+           + " of the result has no compatible input points near it";
+  }
+  return "";
+}
+
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_WARNINGS_H
