@@ -11,6 +11,7 @@
 #include <CGAL/L0_resampling/internal/Point_data.h>
 #include <CGAL/L0_resampling/internal/carry_properties.h>
 #include <CGAL/L0_resampling/internal/checked_parameters.h>
+#include <CGAL/L0_resampling/internal/compiled_templates.h>
 #include <CGAL/L0_resampling/internal/least_memory.h>
 #include <CGAL/L0_resampling/internal/points_of_range.h>
 #include <CGAL/L0_resampling/internal/resample.h>
@@ -121,8 +122,9 @@ void resample_on_cpu(const PointRange& range, PointMap point_map, NormalMap norm
 
     std::size_t n = input.points.size();
     const std::size_t m = checked.number_of_output_points;
-    Oriented_points<typename Solver::FT> result = resample<ConcurrencyTag>(
-      input.points, input.normals, input.hints, checked, unwrapped(chosen_solver), progress, report);
+    Any_solver<typename Solver::FT> solver(unwrapped(chosen_solver));
+    Oriented_points<typename Solver::FT> result = resample<ConcurrencyTag>(input.points, input.normals, input.hints,
+                                                                           checked, solver, progress, report);
     n -= report.number_of_outliers;
     if (report.number_of_distinct_points < (std::min)(n, m))
       report.number_of_distinct_points = number_of_distinct_points(range, point_map, memory);

@@ -13,7 +13,7 @@ set(level_0   # words: types, formulas and tools that know nothing of point sets
   internal/symmetric_eigen.h internal/Height_moments.h internal/deviation_in_ball.h internal/scales_of_balls.h internal/attribute_kinds.h
   internal/Buffer.h internal/lanes.h internal/parallel_for.h internal/parallel_sort.h internal/select_nth.h internal/Signed_union_find.h)
 set(level_1   # what several stages share, and what works on the arrays of one neighborhood
-  Report.h warnings.h internal/Parameters.h internal/Plan.h internal/cuda_interface.h internal/cuda_device_arrays.h internal/cuda_answer.h
+  Report.h warnings.h internal/Any_solver.h internal/Parameters.h internal/Plan.h internal/cuda_interface.h internal/cuda_device_arrays.h internal/cuda_answer.h
   internal/Progress.h internal/solver_settings.h
   internal/Search_grid_3.h internal/working_frame.h internal/orientation_votes.h internal/dipoles_of_sets.h internal/spanning_forest.h internal/Field_of_sets.h internal/orientation_field.h internal/ball_queries.h internal/near_pairs.h internal/Neighborhoods.h internal/nearest_samples.h
   internal/Point_tree_3.h internal/Orientation_hints.h
@@ -29,7 +29,7 @@ set(level_2   # stages and solvers
 set(level_3   # Algorithm 1, and the whole
   internal/prepare_points.h internal/choose_samples.h internal/alternating_minimization.h internal/refining_minimization.h internal/resample.h)
 set(level_4   # what users include, and how it reads what they pass
-  named_parameters_interface.h named_parameters.h internal/checked_parameters.h internal/points_of_range.h internal/Point_data.h
+  named_parameters_interface.h named_parameters.h internal/checked_parameters.h internal/points_of_range.h internal/compiled_templates.h internal/Point_data.h
   internal/carry_properties.h CUDA_resampler.h
   ../l0_resample_point_set.h)
 

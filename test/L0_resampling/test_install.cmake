@@ -19,6 +19,7 @@ run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${SCRATCH}/without
     -DCMAKE_PREFIX_PATH=${SCRATCH}/installed -DCMAKE_DISABLE_FIND_PACKAGE_CUDAToolkit=ON)
 run(${CMAKE_COMMAND} --build ${SCRATCH}/build)
 run(${SCRATCH}/build/consumer)
+run(${SCRATCH}/build/consumer_of_compiled)
 if(EXISTS ${SCRATCH}/installed/bin/l0_resample)
   run(${SCRATCH}/installed/bin/l0_resample --version)
 endif()

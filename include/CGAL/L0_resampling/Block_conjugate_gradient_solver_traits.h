@@ -314,6 +314,15 @@ private:
   internal::Buffer<FT> m_directions;                            // p_i, 0, beta n_i n_i^T p_i, 0; 8 m
 };
 
+#ifdef CGAL_L0_LINKED_WITH_COMPILED
+extern template class Block_conjugate_gradient_solver_traits<float, Sequential_tag>;
+extern template class Block_conjugate_gradient_solver_traits<double, Sequential_tag>;
+#ifdef CGAL_LINKED_WITH_TBB
+extern template class Block_conjugate_gradient_solver_traits<float, Parallel_tag>;
+extern template class Block_conjugate_gradient_solver_traits<double, Parallel_tag>;
+#endif
+#endif
+
 } // namespace L0_resampling
 } // namespace CGAL
 

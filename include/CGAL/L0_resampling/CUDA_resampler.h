@@ -13,6 +13,7 @@
 #include <CGAL/L0_resampling/Report.h>
 #include <CGAL/L0_resampling/internal/Point_data.h>
 #include <CGAL/L0_resampling/internal/checked_parameters.h>
+#include <CGAL/L0_resampling/internal/compiled_templates.h>
 #include <CGAL/L0_resampling/internal/cuda_answer.h>
 #include <CGAL/L0_resampling/internal/cuda_device_arrays.h>
 #include <CGAL/L0_resampling/internal/cuda_interface.h>

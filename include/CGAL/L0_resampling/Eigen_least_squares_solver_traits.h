@@ -91,6 +91,10 @@ public:
   }
 };
 
+#ifdef CGAL_L0_LINKED_WITH_COMPILED
+extern template class Eigen_least_squares_solver_traits<double>;
+#endif
+
 } // namespace L0_resampling
 } // namespace CGAL
 

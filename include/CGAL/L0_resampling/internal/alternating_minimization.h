@@ -45,9 +45,6 @@ class Minimization_step
 {
   using FT = typename SolverTraits::FT;
   using Local_vector = Eigen::Matrix<FT, 3, 1>;
-  static_assert(
-    !SolverTraits::needs_explicit_rows || std::is_same<FT, double>::value,
-    "The rows of Eq. (11) hold positions and not differences, so that a solver that needs them has to take double.");
 
   const Minimization_parameters& m_parameters;
   SolverTraits& m_solver;
@@ -76,7 +73,7 @@ public:
     const std::size_t m = samples.positions.size(), number_of_pairs = neighbors.indices.size();
     m_right_hand_side.resize(m);
     fill_buffer(m, Local_vector(Local_vector::Zero()), m_displacements);
-    resize_to_overwrite(SolverTraits::needs_explicit_rows ? number_of_pairs : 0, m_normal_offsets);
+    resize_to_overwrite(m_solver.needs_explicit_rows ? number_of_pairs : 0, m_normal_offsets);
     resize_to_overwrite(number_of_pairs, m_pair_weights);
 
     // Line 4, of the iteration before or of "Initialize"
@@ -103,7 +100,7 @@ public:
     const double scale_so_far = m_right_hand_side_scale;
     m_right_hand_side_scale = (std::max)(scale_so_far, std::sqrt(sums.squared_right_hand_side));
     Explicit_rows<FT> rows;
-    if constexpr (SolverTraits::needs_explicit_rows)
+    if constexpr (std::is_same<FT, double>::value) // as all solvers that need them
       rows = fit_rows.view(samples.positions, m_normal_offsets);
     const Quadratic_problem<FT> problem{{samples.fit_weights.data(), Eigen::Index(m)},
                                         neighbors.view(),
@@ -112,7 +109,7 @@ public:
                                         {coordinates(m_right_hand_side), 3, Eigen::Index(m)},
                                         bounded_penalty,
                                         {normal_spreads.front().data(), 6, Eigen::Index(m)},
-                                        SolverTraits::needs_explicit_rows ? &rows : nullptr,
+                                        m_solver.needs_explicit_rows ? &rows : nullptr,
                                         scale_so_far,
                                         samples.positions.get_allocator().counter};
     const Solver_report solver_report = m_solver.solve(

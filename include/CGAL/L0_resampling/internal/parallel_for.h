@@ -60,6 +60,51 @@ inline void look_at_loop()
     loop_watcher()->look();
 }
 
+/// A view of a function `f(begin, end)`, for one body of a loop for all functions: a call through a pointer is nothing beside a block, and each
+/// instantiation of TBB's loop costs the compiler a quarter of a second.
+class Block_function
+{
+  const void* m_function;
+  void (*m_call)(const void*, std::size_t, std::size_t);
+
+public:
+  template <typename F>
+  explicit Block_function(const F& f)
+    : m_function(&f), m_call([](const void* function, std::size_t begin, std::size_t end) {
+        (*static_cast<const F*>(function))(begin, end);
+      })
+  {}
+
+  void operator()(std::size_t begin, std::size_t end) const { m_call(m_function, begin, end); }
+};
+
+#ifdef CGAL_LINKED_WITH_TBB
+/// `for_each_block()` with `Parallel_tag`.
+inline void for_each_block_in_parallel(std::size_t n, std::size_t block_size, const Block_function& f)
+{
+  Loop_watcher* const watcher = loop_watcher();
+  const std::size_t number_of_blocks = n / block_size + std::size_t(n % block_size != 0);
+  tbb::parallel_for(std::size_t(0), number_of_blocks, [&](std::size_t k) {
+    const Watched_loops watched(watcher); // on whatever thread this is
+    const std::size_t begin = k * block_size;
+    f(begin, begin + (std::min)(block_size, n - begin));
+    look_at_loop();
+  });
+}
+#endif
+
+/// `for_each_block()` with `Sequential_tag`.
+inline void for_each_block_in_order(std::size_t n, std::size_t block_size, const Block_function& f)
+{
+  for (std::size_t begin = 0; begin < n;)
+  {
+    const std::size_t end = begin + (std::min)(block_size, n - begin);
+    f(begin, end);
+    look_at_loop();
+    begin = end;
+  }
+}
+
 /// Calls `f(begin, end)` for the blocks `[0, block_size)`, `[block_size, 2 * block_size)`, ... of `[0, n)`.
 /// The blocks depend on `n` and `block_size` alone, never on the number of threads: that is what makes results
 /// bitwise reproducible. `block_size` must be positive. With `Parallel_tag` the calls run at once and in any order.
@@ -70,27 +115,11 @@ void for_each_block(std::size_t n, std::size_t block_size, const F& f)
   constexpr bool is_parallel = std::is_convertible<ConcurrencyTag, Parallel_tag>::value;
 #ifdef CGAL_LINKED_WITH_TBB
   if constexpr (is_parallel)
-  {
-    Loop_watcher* const watcher = loop_watcher();
-    const std::size_t number_of_blocks = n / block_size + std::size_t(n % block_size != 0);
-    tbb::parallel_for(std::size_t(0), number_of_blocks, [&](std::size_t k) {
-      const Watched_loops watched(watcher); // on whatever thread this is
-      const std::size_t begin = k * block_size;
-      f(begin, begin + (std::min)(block_size, n - begin));
-      look_at_loop();
-    });
-    return;
-  }
+    return for_each_block_in_parallel(n, block_size, Block_function(f));
 #else
   static_assert(!is_parallel, "Parallel_tag needs TBB: link with CGAL::TBB_support.");
 #endif
-  for (std::size_t begin = 0; begin < n;)
-  {
-    const std::size_t end = begin + (std::min)(block_size, n - begin);
-    f(begin, end);
-    look_at_loop();
-    begin = end;
-  }
+  for_each_block_in_order(n, block_size, Block_function(f));
 }
 
 /// Calls `f(i)` for each i of `[0, n)`, one after the other.

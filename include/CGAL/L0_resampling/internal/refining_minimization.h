@@ -12,6 +12,7 @@
 #include <CGAL/L0_resampling/internal/tangential_repulsion.h>
 
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -78,8 +79,9 @@ Refinement_counts minimize_with_refinement(const Minimization_parameters& p, con
     const Search_grid_3 grid(samples.positions, cell_size);
     neighbors = find_self_neighbors<ConcurrencyTag>(grid, samples.positions, refinement.self_neighbor_radius, progress);
     refit_sample_normals<ConcurrencyTag>(refinement.refit_kernel, neighbors, refinement.number_of_sample_refits, samples);
-    if constexpr (SolverTraits::needs_explicit_rows)
-      fit_rows = collapsed_fit_rows(samples);
+    if constexpr (std::is_same<typename SolverTraits::FT, double>::value) // as all solvers that need rows
+      if (solver.needs_explicit_rows)
+        fit_rows = collapsed_fit_rows(samples);
 
     sum_normal_spreads<ConcurrencyTag>(samples.normals, neighbors, normal_spreads);
     const Buffer<Vector> places = copy_of(samples.positions);

@@ -7,6 +7,7 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_RESAMPLE_H
 
 #include <CGAL/L0_resampling/Report.h>
+#include <CGAL/L0_resampling/internal/Any_solver.h>
 #include <CGAL/L0_resampling/internal/Plan.h>
 #include <CGAL/L0_resampling/internal/alternating_minimization.h>
 #include <CGAL/L0_resampling/internal/choose_samples.h>
@@ -21,6 +22,8 @@
 #include <CGAL/L0_resampling/internal/working_frame.h>
 
 #include <cstddef>
+#include <functional>
+#include <type_traits>
 #include <utility>
 
 namespace CGAL {
@@ -39,9 +42,9 @@ struct Oriented_points
 
 /// Section 3.3: Eq. (6) by Algorithm 1, with the original and self neighbors of the start.
 /// \param input used up
-template <typename ConcurrencyTag, typename SolverTraits>
-void minimize_from_start(const Plan& plan, const Followers& followers, SolverTraits& solver, Progress& progress,
-                         Report& report, Prepared_points& input, Samples<typename SolverTraits::FT>& samples)
+template <typename ConcurrencyTag, typename FT>
+void minimize_from_start(const Plan& plan, const Followers& followers, Any_solver<FT>& solver, Progress& progress,
+                         Report& report, Prepared_points& input, Samples<FT>& samples)
 {
   const auto allocator = samples.positions.get_allocator();
   const std::size_t m = samples.positions.size();
@@ -53,15 +56,16 @@ void minimize_from_start(const Plan& plan, const Followers& followers, SolverTra
                                                                         input.points, input.density_weights, plan.radius,
                                                                         followers.numbers_of_samples, progress,
                                                                         samples.fit_weights, samples.fit_centroids);
-    if (SolverTraits::needs_explicit_rows)
-    {
-      // Section 4.1. Merging changes the rows of Eq. (11) and not the collapsed terms, so only such solvers
-      // need Algorithm 2.
-      progress.begin_stage("fit rows", 0.1, 2 * m);
-      fit_rows = gather_fit_rows<ConcurrencyTag>(sample_grid, samples.positions, input.grid, input.points,
-                                                 input.density_weights, plan.radius, plan.number_of_half_samplings,
-                                                 progress);
-    }
+    if constexpr (std::is_same<FT, double>::value) // as all solvers that need rows
+      if (solver.needs_explicit_rows)
+      {
+        // Section 4.1. Merging changes the rows of Eq. (11) and not the collapsed terms, so only such solvers
+        // need Algorithm 2.
+        progress.begin_stage("fit rows", 0.1, 2 * m);
+        fit_rows = gather_fit_rows<ConcurrencyTag>(sample_grid, samples.positions, input.grid, input.points,
+                                                   input.density_weights, plan.radius, plan.number_of_half_samplings,
+                                                   progress);
+      }
     input.release_all();
   }
 
@@ -69,7 +73,7 @@ void minimize_from_start(const Plan& plan, const Followers& followers, SolverTra
   const Neighborhoods neighbors = [&]() {
     const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(samples.positions, plan.self_cell_size());
     apply_order<ConcurrencyTag>(order, samples);
-    if (SolverTraits::needs_explicit_rows)
+    if (solver.needs_explicit_rows)
       apply_order(order, fit_rows);
     const Search_grid_3 grid(samples.positions, plan.self_cell_size());
     return find_self_neighbors<ConcurrencyTag>(grid, samples.positions, plan.self_neighbor_radius, progress);
@@ -83,9 +87,9 @@ void minimize_from_start(const Plan& plan, const Followers& followers, SolverTra
 
 /// Eq. (6) by Algorithm 1 as the default method runs it: neighbors and fit follow the samples.
 /// \param input used up
-template <typename ConcurrencyTag, typename SolverTraits>
-void minimize_and_refine(const Plan& plan, SolverTraits& solver, Progress& progress, Report& report,
-                         Prepared_points& input, Samples<typename SolverTraits::FT>& samples)
+template <typename ConcurrencyTag, typename FT>
+void minimize_and_refine(const Plan& plan, Any_solver<FT>& solver, Progress& progress, Report& report,
+                         Prepared_points& input, Samples<FT>& samples)
 {
   progress.begin_stage("L0 minimization", 0.32, (3 * plan.minimization.penalties().size() + 1) * samples.positions.size());
   const Fit_input<Local> fit_input{input.grid,
@@ -110,17 +114,19 @@ template <typename ConcurrencyTag, typename FT>
 Orientation turn_normals(const Parameters& parameters, const Working_frame& frame, double spacing, Progress& progress,
                          Samples<FT>& samples)
 {
-  const auto orient = [&](const auto& hint_of) {
-    return orient_normals<ConcurrencyTag>(samples.positions, parameters.number_of_orientation_neighbors, spacing,
-                                          hint_of, progress, samples.normals);
-  };
+  std::function<Vector(Index)> hint_of = no_hint; // of one type, so that the stage is compiled once
   if (!samples.hints.empty())
-    return orient([&](Index i) -> Vector { return samples.hints[i].template cast<double>(); });
-  if (!parameters.has_viewpoint)
-    return orient(no_hint);
-  const Vector viewpoint = frame.point_in_frame(
-    Vector(parameters.viewpoint[0], parameters.viewpoint[1], parameters.viewpoint[2]));
-  return orient([&](Index i) { return hint_of_viewpoint(viewpoint, samples.positions[i], square(spacing)); });
+    hint_of = [&](Index i) -> Vector { return samples.hints[i].template cast<double>(); };
+  else if (parameters.has_viewpoint)
+  {
+    const Vector viewpoint = frame.point_in_frame(
+      Vector(parameters.viewpoint[0], parameters.viewpoint[1], parameters.viewpoint[2]));
+    hint_of = [&samples, viewpoint, spacing](Index i) {
+      return hint_of_viewpoint(viewpoint, samples.positions[i], square(spacing));
+    };
+  }
+  return orient_normals<ConcurrencyTag>(samples.positions, parameters.number_of_orientation_neighbors, spacing, hint_of,
+                                        progress, samples.normals);
 }
 
 /*!
@@ -131,10 +137,9 @@ Resamples: the stages of the paper, one after the other.
 \param hints unit or zero vectors on the side that normals shall point to, one a point, or none at all; used up
 \param parameters checked; radii in the unit of the input
 */
-template <typename ConcurrencyTag, typename SolverTraits>
-Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buffer<Local_vector>& given_normals,
-                                                    Buffer<Local_vector>& hints, const Parameters& parameters,
-                                                    SolverTraits& solver, Progress& progress, Report& report)
+template <typename ConcurrencyTag, typename FT>
+Oriented_points<FT> resample(Buffer<Vector>& points, Buffer<Local_vector>& given_normals, Buffer<Local_vector>& hints,
+                             const Parameters& parameters, Any_solver<FT>& solver, Progress& progress, Report& report)
 {
   const auto allocator = points.get_allocator();
   progress.begin_stage("sort points", 0.05, 1);
@@ -143,7 +148,7 @@ Oriented_points<typename SolverTraits::FT> resample(Buffer<Vector>& points, Buff
   Plan plan = plan_and_scale<ConcurrencyTag>(parameters, points, frame, progress, report);
   const Vector input_extent = trimmed_extent<ConcurrencyTag>(points);
 
-  Samples<typename SolverTraits::FT> samples(allocator);
+  Samples<FT> samples(allocator);
   Followers followers(allocator);
   {
     Prepared_points input = prepare_points<ConcurrencyTag>(plan, points, given_normals, hints, progress, report);

@@ -1,0 +1,48 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What does not depend on the caller's types, which the library `CGAL::L0_resampling_compiled` holds
+// compiled. With it, programs compile their own part only: reading the range and writing the result.
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_COMPILED_TEMPLATES_H
+#define CGAL_L0_RESAMPLING_INTERNAL_COMPILED_TEMPLATES_H
+
+#include <CGAL/L0_resampling/internal/find_near_points.h>
+#include <CGAL/L0_resampling/internal/points_of_range.h>
+#include <CGAL/L0_resampling/internal/resample.h>
+
+#include <CGAL/tags.h>
+
+#include <array>
+
+/// The instantiations for a concurrency tag and a number type, of the solver and of the caller's
+/// kernel. `declaration` is `template`, or `extern template`.
+#define CGAL_L0_COMPILED_TEMPLATES(declaration, Tag, FT)                                                               \
+  declaration Oriented_points<FT> resample<Tag, FT>(Buffer<Vector>&, Buffer<Local_vector>&, Buffer<Local_vector>&,     \
+                                                    const Parameters&, Any_solver<FT>&, Progress&, Report&);           \
+  declaration Buffer<std::array<FT, 3>> rounded_positions<Tag, FT>(const Buffer<Vector>&, const Input&, double, bool); \
+  declaration void find_near_points<Tag, FT>(const Point_tree_3&, const Buffer<std::array<FT, 3>>&, Progress&,         \
+                                             Near_points&);
+
+#ifdef CGAL_L0_LINKED_WITH_COMPILED
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+CGAL_L0_COMPILED_TEMPLATES(extern template, Sequential_tag, float)
+CGAL_L0_COMPILED_TEMPLATES(extern template, Sequential_tag, double)
+#ifdef CGAL_LINKED_WITH_TBB
+CGAL_L0_COMPILED_TEMPLATES(extern template, Parallel_tag, float)
+CGAL_L0_COMPILED_TEMPLATES(extern template, Parallel_tag, double)
+#endif
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_LINKED_WITH_COMPILED
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_COMPILED_TEMPLATES_H

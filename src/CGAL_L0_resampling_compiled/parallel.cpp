@@ -1,0 +1,24 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The stages for `Parallel_tag`, with the default solver.
+
+#include <CGAL/L0_resampling/Block_conjugate_gradient_solver_traits.h>
+#include <CGAL/L0_resampling/internal/compiled_templates.h>
+
+namespace CGAL {
+namespace L0_resampling {
+
+template class Block_conjugate_gradient_solver_traits<float, Parallel_tag>;
+template class Block_conjugate_gradient_solver_traits<double, Parallel_tag>;
+
+namespace internal {
+
+CGAL_L0_COMPILED_TEMPLATES(template, Parallel_tag, float)
+CGAL_L0_COMPILED_TEMPLATES(template, Parallel_tag, double)
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
