@@ -151,7 +151,7 @@ def draw_slice(panels, cut, clouds):
         if limits is None:
             continue
         if normals is not None:
-            length = 0.01 * numpy.linalg.norm(limits[1] - limits[0])
+            length = 0.02 * numpy.linalg.norm(limits[1] - limits[0])
             panel.quiver(
                 *places.T,
                 *normals[inside][:, axes].T,
@@ -159,7 +159,7 @@ def draw_slice(panels, cut, clouds):
                 angles="xy",
                 scale_units="xy",
                 scale=1 / length,
-                width=0.0008,
+                width=0.001,
                 headwidth=0,
                 headlength=0,
                 headaxislength=0,
