@@ -46,7 +46,7 @@ int main(int, char** arguments)
   for (const Method method : {Method::DEFAULT, Method::LOR, Method::ALOR})
   {
     write_result<CGAL::Parallel_if_available_tag>(points, params::resampling_method(method));
-    write_result<CGAL::Sequential_tag>(
-      points, params::resampling_method(method).sparse_linear_solver(Eigen_cholesky_solver_traits<double>()));
+    write_result<CGAL::Sequential_tag>(points, params::resampling_method(method).sparse_linear_solver(
+                                                 Eigen_cholesky_solver_traits<double>()));
   }
 }
