@@ -36,13 +36,14 @@ using Polygon = std::vector<Point_2>;
 
 using Vertex_base = CGAL::Triangulation_vertex_base_with_info_2<std::size_t, Plane_kernel>;
 using Face_base = CGAL::Constrained_triangulation_face_base_2<Plane_kernel>;
-using Triangulation =
-  CGAL::Constrained_Delaunay_triangulation_2<Plane_kernel, CGAL::Triangulation_data_structure_2<Vertex_base, Face_base>>;
+using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
+  Plane_kernel, CGAL::Triangulation_data_structure_2<Vertex_base, Face_base>>;
 
 constexpr double pi = 3.14159265358979323846;
 
 /// The solid over a polygon with holes, from z = 0 to z = `height`.
-/// \param boundaries the outer one counterclockwise, the holes clockwise: the solid is to their left
+/// \param boundaries the outer one counterclockwise, the holes clockwise: the solid is to their
+/// left
 Triangle_mesh extrude(const std::vector<Polygon>& boundaries, double height)
 {
   Triangle_mesh solid;
@@ -68,11 +69,13 @@ Triangle_mesh extrude(const std::vector<Polygon>& boundaries, double height)
   for (const auto face : triangulation.finite_face_handles()) {
     const Point_2 center = CGAL::centroid(triangulation.triangle(face));
     const auto surrounds_center = [&](const Polygon& boundary) {
-      return CGAL::bounded_side_2(boundary.begin(), boundary.end(), center) == CGAL::ON_BOUNDED_SIDE;
+      return CGAL::bounded_side_2(boundary.begin(), boundary.end(), center)
+             == CGAL::ON_BOUNDED_SIDE;
     };
     // Within the outer boundary and no hole: an odd number.
     if (std::count_if(boundaries.begin(), boundaries.end(), surrounds_center) % 2 == 1) {
-      const std::size_t a = face->vertex(0)->info(), b = face->vertex(1)->info(), c = face->vertex(2)->info();
+      const std::size_t a = face->vertex(0)->info(), b = face->vertex(1)->info(),
+                        c = face->vertex(2)->info();
       solid.triangles.push_back({a, c, b});
       solid.triangles.push_back({a + 1, b + 1, c + 1});
     }
@@ -103,8 +106,9 @@ Triangle_mesh make_staircase()
 /// Sharp edges that are straight and curved, one of them concave and acute.
 Triangle_mesh make_bracket()
 {
-  const Polygon outline = {Point_2(0, 0),      Point_2(1.2, 0),   Point_2(1.2, 0.8), Point_2(1, 0.8),
-                           Point_2(0.85, 0.5), Point_2(0.7, 0.8), Point_2(0, 0.8)};
+  const Polygon outline = {Point_2(0, 0),   Point_2(1.2, 0),    Point_2(1.2, 0.8),
+                           Point_2(1, 0.8), Point_2(0.85, 0.5), Point_2(0.7, 0.8),
+                           Point_2(0, 0.8)};
   const int number_of_sides = 64; // 5.6 degrees from one to the next: smooth
   Polygon hole;
   for (int i = 0; i < number_of_sides; ++i)
@@ -139,7 +143,8 @@ Triangle_mesh make_dodecahedron()
   for (const Vector_3& normal : face_normals) {
     std::vector<std::pair<double, std::size_t>> corners; // angle around the normal, vertex
     const Vector_3 x_axis = CGAL::cross_product(normal, Vector_3(1, 2, 3));
-    const Vector_3 y_axis = CGAL::cross_product(normal, x_axis) / std::sqrt(normal.squared_length());
+    const Vector_3 y_axis = CGAL::cross_product(normal, x_axis)
+                            / std::sqrt(normal.squared_length());
     for (std::size_t v = 0; v < solid.vertices.size(); ++v) {
       const Vector_3 position = solid.vertices[v] - CGAL::ORIGIN;
       if (position * normal > phi) // phi^2 on the face, 1 / phi or less elsewhere
@@ -162,7 +167,9 @@ Triangle_mesh make_torus()
       const double u = 2 * pi * double(i) / around, v = 2 * pi * double(j) / across;
       const double radius = 1 + 0.4 * std::cos(v);
       torus.vertices.emplace_back(radius * std::cos(u), radius * std::sin(u), 0.4 * std::sin(v));
-      const auto vertex = [&](std::size_t di, std::size_t dj) { return (i + di) % around * across + (j + dj) % across; };
+      const auto vertex = [&](std::size_t di, std::size_t dj) {
+        return (i + di) % around * across + (j + dj) % across;
+      };
       torus.triangles.push_back({vertex(0, 0), vertex(1, 0), vertex(1, 1)});
       torus.triangles.push_back({vertex(0, 0), vertex(1, 1), vertex(0, 1)});
     }
@@ -176,11 +183,13 @@ struct Shape
   std::size_t number_of_points;
 };
 
-/// The mesh as its file holds it. 9 decimals are more than the points keep, and hide that sines differ a little
-/// between platforms.
+/// The mesh as its file holds it. 9 decimals are more than the points keep, and hide that sines
+/// differ a little between platforms.
 Triangle_mesh rounded(Triangle_mesh mesh)
 {
-  const auto round = [](double x) { return std::round(x * 1e9) / 1e9 + 0.; }; // + 0 makes -0 positive
+  const auto round = [](double x) {
+    return std::round(x * 1e9) / 1e9 + 0.;
+  }; // + 0 makes -0 positive
   for (Point_3& p : mesh.vertices)
     p = Point_3(round(p.x()), round(p.y()), round(p.z()));
   return mesh;
@@ -209,10 +218,11 @@ int main(int argc, char* argv[])
     return 2;
   }
   try {
-    for (const Shape& shape :
-         {Shape{"dodecahedron", rounded(make_dodecahedron()), 8000},
-          Shape{"staircase", rounded(make_staircase()), 10000}, Shape{"bracket", rounded(make_bracket()), 10000},
-          Shape{"thin_plate", rounded(make_thin_plate()), 8000}, Shape{"torus", rounded(make_torus()), 8000}})
+    for (const Shape& shape : {Shape{"dodecahedron", rounded(make_dodecahedron()), 8000},
+                               Shape{"staircase", rounded(make_staircase()), 10000},
+                               Shape{"bracket", rounded(make_bracket()), 10000},
+                               Shape{"thin_plate", rounded(make_thin_plate()), 8000},
+                               Shape{"torus", rounded(make_torus()), 8000}})
       write(shape, argv[1]);
   } catch (const std::exception& error) {
     std::cerr << "make_shapes: " << error.what() << "\n";

@@ -57,13 +57,15 @@ class L0_resampling_dialog : public QDialog, private Ui::L0_resampling_dialog
 
 public:
   /// \param neighbor_radius what is shown while the radius is automatic
-  L0_resampling_dialog(QWidget* parent, std::size_t number_of_points, double neighbor_radius) : QDialog(parent)
+  L0_resampling_dialog(QWidget* parent, std::size_t number_of_points, double neighbor_radius)
+    : QDialog(parent)
   {
     setupUi(this);
     m_method->addItem(tr("Default"), int(CGAL::L0_resampling::Method::DEFAULT));
     m_method->addItem(tr("LOR, as in the paper"), int(CGAL::L0_resampling::Method::LOR));
     m_method->addItem(tr("ALOR, as in the paper"), int(CGAL::L0_resampling::Method::ALOR));
-    const std::size_t most = (std::min)(number_of_points, std::size_t((std::numeric_limits<int>::max)()));
+    const std::size_t most = (std::min)(number_of_points,
+                                        std::size_t((std::numeric_limits<int>::max)()));
     m_numberOfPoints->setRange(1, int(most));
     m_numberOfPoints->setValue(int((most + 1) / 2));
     m_neighborRadius->setValue(neighbor_radius);
@@ -87,16 +89,18 @@ public:
   }
 };
 
-Oriented_points resample(const Point_set& points, const Options& options, const std::function<bool(double)>& callback)
+Oriented_points resample(const Point_set& points, const Options& options,
+                         const std::function<bool(double)>& callback)
 {
   namespace parameters = CGAL::parameters;
 #ifdef CGAL_LINKED_WITH_TBB
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, options.number_of_threads);
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                  options.number_of_threads);
 #endif
   Oriented_points result;
   const auto call = [&](const auto& np) {
-    CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(points.all_or_selection_if_not_empty(),
-                                                                 std::back_inserter(result), np);
+    CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(
+      points.all_or_selection_if_not_empty(), std::back_inserter(result), np);
   };
   const auto np = parameters::resampling_method(options.method)
                     .number_of_output_points(options.number_of_output_points)
@@ -112,7 +116,8 @@ Oriented_points resample(const Point_set& points, const Options& options, const 
 
 /// Resamples beside the window, which shows the progress and can cancel.
 /// \returns nothing if it was cancelled
-std::optional<Oriented_points> resample_with_progress_dialog(const Point_set& points, const Options& options,
+std::optional<Oriented_points> resample_with_progress_dialog(const Point_set& points,
+                                                             const Options& options,
                                                              QMainWindow* window)
 {
   QProgressDialog dialog(QObject::tr("L0 resampling..."), QObject::tr("Cancel"), 0, 100, window);
@@ -125,8 +130,8 @@ std::optional<Oriented_points> resample_with_progress_dialog(const Point_set& po
     percent = int(100 * share);
     return !is_canceled;
   };
-  std::future<Oriented_points> result = std::async(std::launch::async,
-                                                   [&]() { return resample(points, options, callback); });
+  std::future<Oriented_points> result =
+    std::async(std::launch::async, [&]() { return resample(points, options, callback); });
   while (result.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready)
   {
     dialog.setValue((std::min)(percent.load(), 99)); // the last one closes the dialog
@@ -150,7 +155,8 @@ class CGAL_Lab_l0_resampling_plugin : public QObject, public CGAL::Three::CGAL_L
   QAction* actionL0Resampling;
 
 public:
-  void init(QMainWindow* window, CGAL::Three::Scene_interface* scene_interface, Messages_interface*) override
+  void init(QMainWindow* window, CGAL::Three::Scene_interface* scene_interface,
+            Messages_interface*) override
   {
     mw = window;
     scene = scene_interface;
@@ -178,7 +184,8 @@ public Q_SLOTS:
       return;
     try
     {
-      if (const std::optional<Oriented_points> result = resample_with_progress_dialog(points, dialog.options(), mw))
+      if (const std::optional<Oriented_points> result =
+            resample_with_progress_dialog(points, dialog.options(), mw))
         add_item(*item, *result);
     }
     catch (const std::exception& error)
@@ -195,7 +202,8 @@ private:
 
   void add_item(Scene_points_with_normal_item& item, const Oriented_points& points)
   {
-    Scene_points_with_normal_item* new_item = new Scene_points_with_normal_item(); // the scene owns it
+    Scene_points_with_normal_item* new_item =
+      new Scene_points_with_normal_item(); // the scene owns it
     new_item->setName(tr("%1 (L0 resampled)").arg(item.name()));
     new_item->point_set()->add_normal_map();
     for (const auto& [point, normal] : points)

@@ -29,8 +29,8 @@ int main(int argc, char* argv[])
 
   //! [features]
   const auto confidence = result.add_property_map<float>("feature_confidence", 0).first;
-  CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(points, result,
-                                                               CGAL::parameters::feature_confidence_map(confidence));
+  CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(
+    points, result, CGAL::parameters::feature_confidence_map(confidence));
 
   result.add_property_map<std::uint8_t>("red", 200);
   const auto green = result.add_property_map<std::uint8_t>("green", 200).first;
@@ -44,6 +44,7 @@ int main(int argc, char* argv[])
     }
   //! [features]
 
-  std::cout << number_on_lines << " of " << result.size() << " points on feature lines" << std::endl;
+  std::cout << number_on_lines << " of " << result.size() << " points on feature lines"
+            << std::endl;
   return CGAL::IO::write_point_set(output_file, result) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

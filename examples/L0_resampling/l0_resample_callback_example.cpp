@@ -35,10 +35,12 @@ int main(int argc, char* argv[])
   std::vector<std::pair<Kernel::Point_3, Kernel::Vector_3>> result;
   CGAL::L0_resampling::Report report;
   CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(
-    points, std::back_inserter(result), CGAL::parameters::resampling_report(&report).callback(callback));
+    points, std::back_inserter(result),
+    CGAL::parameters::resampling_report(&report).callback(callback));
 
   const bool is_cancelled = report.outcome == CGAL::L0_resampling::Outcome::CANCELLED;
   //! [callback]
-  std::cout << "\r" << (is_cancelled ? "cancelled, " : "") << result.size() << " points" << std::endl;
+  std::cout << "\r" << (is_cancelled ? "cancelled, " : "") << result.size() << " points"
+            << std::endl;
   return EXIT_SUCCESS;
 }

@@ -32,23 +32,27 @@ int main(int argc, char* argv[])
 
   // A name of this package starts a chain, which goes on with any name.
   CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(
-    points, std::back_inserter(result), parameters::resampling_report(&report).select_percentage(30).sharpness_angle(20));
+    points, std::back_inserter(result),
+    parameters::resampling_report(&report).select_percentage(30).sharpness_angle(20));
 
   // A chain that a name of CGAL has started goes on with ours behind a bar.
   std::vector<std::pair<Kernel::Point_3, Kernel::Vector_3>> smoother;
-  CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(points, std::back_inserter(smoother),
-                                                               parameters::neighbor_radius(2 * report.neighbor_radius)
-                                                                 | parameters::normal_weight(2));
+  CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(
+    points, std::back_inserter(smoother),
+    parameters::neighbor_radius(2 * report.neighbor_radius) | parameters::normal_weight(2));
   //! [chain]
 
   //! [report]
-  std::cout << "radius " << report.neighbor_radius << ", noise " << report.estimated_noise << ", spacing "
-            << report.estimated_spacing << "\n"
-            << report.number_of_degenerate_neighborhoods << " points with too few neighbors for a plane, "
-            << 100 * report.oriented_share << " % of the normals have a propagated sign\n"
-            << (report.converged ? "every solve converged" : "a solve ran out of iterations") << "\n";
+  std::cout << "radius " << report.neighbor_radius << ", noise " << report.estimated_noise
+            << ", spacing " << report.estimated_spacing << "\n"
+            << report.number_of_degenerate_neighborhoods
+            << " points with too few neighbors for a plane, " << 100 * report.oriented_share
+            << " % of the normals have a propagated sign\n"
+            << (report.converged ? "every solve converged" : "a solve ran out of iterations")
+            << "\n";
   for (const CGAL::L0_resampling::Stage_report& stage : report.stages)
-    std::cout << "  " << stage.name << ": " << 1000 * stage.seconds << " ms, " << stage.peak_bytes << " bytes\n";
+    std::cout << "  " << stage.name << ": " << 1000 * stage.seconds << " ms, " << stage.peak_bytes
+              << " bytes\n";
   //! [report]
 
   //! [refusal]

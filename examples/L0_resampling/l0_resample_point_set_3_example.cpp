@@ -31,10 +31,11 @@ int main(int argc, char* argv[])
   // A chain that one of CGAL's names has started goes on with ours behind a bar.
   CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(
     points, result,
-    CGAL::parameters::select_percentage(60) | CGAL::parameters::resampling_method(CGAL::L0_resampling::Method::LOR));
+    CGAL::parameters::select_percentage(60)
+      | CGAL::parameters::resampling_method(CGAL::L0_resampling::Method::LOR));
   //! [call]
 
-  std::cout << result.size() << " of " << points.size() << " points, with normals: " << result.has_normal_map()
-            << std::endl;
+  std::cout << result.size() << " of " << points.size()
+            << " points, with normals: " << result.has_normal_map() << std::endl;
   return CGAL::IO::write_point_set(output_file, result) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -36,13 +36,15 @@ int main(int argc, char* argv[])
 
   const CGAL::First_of_pair_property_map<Point_with_normal> point_map;
   const CGAL::Second_of_pair_property_map<Point_with_normal> normal_map;
-  const double spacing = CGAL::compute_average_spacing<CGAL::Sequential_tag>(clean, 6,
-                                                                             CGAL::parameters::point_map(point_map));
+  const double spacing = CGAL::compute_average_spacing<CGAL::Sequential_tag>(
+    clean, 6, CGAL::parameters::point_map(point_map));
   CGAL::Surface_mesh<Kernel::Point_3> mesh;
-  if (!CGAL::poisson_surface_reconstruction_delaunay(clean.begin(), clean.end(), point_map, normal_map, mesh, spacing))
+  if (!CGAL::poisson_surface_reconstruction_delaunay(clean.begin(), clean.end(), point_map,
+                                                     normal_map, mesh, spacing))
     return EXIT_FAILURE;
   //! [reconstruct]
-  std::cout << mesh.number_of_vertices() << " vertices, " << mesh.number_of_faces() << " faces" << std::endl;
+  std::cout << mesh.number_of_vertices() << " vertices, " << mesh.number_of_faces() << " faces"
+            << std::endl;
   std::ofstream out(output_file);
   return (out << mesh) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -32,11 +32,13 @@ int main(int argc, char* argv[])
 
   //! [call]
   std::vector<std::pair<Kernel::Point_3, Kernel::Vector_3>> result;
-  CGAL::l0_resample_point_set<CGAL::Sequential_tag>(
-    mesh.vertices(), std::back_inserter(result),
-    CGAL::parameters::point_map(mesh.points()).number_of_output_points(2 * mesh.number_of_vertices()));
+  CGAL::l0_resample_point_set<CGAL::Sequential_tag>(mesh.vertices(), std::back_inserter(result),
+                                                    CGAL::parameters::point_map(mesh.points())
+                                                      .number_of_output_points(
+                                                        2 * mesh.number_of_vertices()));
   //! [call]
 
-  std::cout << result.size() << " points from " << mesh.number_of_vertices() << " vertices" << std::endl;
+  std::cout << result.size() << " points from " << mesh.number_of_vertices() << " vertices"
+            << std::endl;
   return EXIT_SUCCESS;
 }

@@ -16,7 +16,8 @@
 using Kernel = CGAL::Simple_cartesian<double>;
 using Oriented_point = std::pair<Kernel::Point_3, Kernel::Vector_3>;
 
-// A bowl, scanned from above: it has no inside, so that nothing but the scanner tells which side its normals shall be on.
+// A bowl, scanned from above: it has no inside, so that nothing but the scanner tells which side
+// its normals shall be on.
 int main()
 {
   std::vector<Oriented_point> scan;
@@ -25,7 +26,8 @@ int main()
     for (int j = 0; j < 60; ++j)
     {
       const double x = i / 30. - 1, y = j / 30. - 1;
-      scan.emplace_back(Kernel::Point_3(x, y, (x * x + y * y) / 2), Kernel::Vector_3(0, 0, 1)); // a rough normal
+      scan.emplace_back(Kernel::Point_3(x, y, (x * x + y * y) / 2),
+                        Kernel::Vector_3(0, 0, 1)); // a rough normal
     }
 
   //! [hints]
@@ -37,12 +39,15 @@ int main()
 
   // to the side of the scanner ...
   CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(
-    scan, std::back_inserter(seen), parameters::viewpoint(scanner).resampling_report(&report).point_map(Points()));
-  std::cout << 100 * report.hinted_share << " % of the points were turned to the viewpoint" << std::endl;
+    scan, std::back_inserter(seen),
+    parameters::viewpoint(scanner).resampling_report(&report).point_map(Points()));
+  std::cout << 100 * report.hinted_share << " % of the points were turned to the viewpoint"
+            << std::endl;
 
   // ... or of normals that somebody has, however rough they are
   CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(
-    scan, std::back_inserter(hinted), parameters::orientation_hint_map(Normals()).point_map(Points()));
+    scan, std::back_inserter(hinted),
+    parameters::orientation_hint_map(Normals()).point_map(Points()));
   //! [hints]
 
   for (const std::vector<Oriented_point>& result : {seen, hinted})

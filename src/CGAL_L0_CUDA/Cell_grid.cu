@@ -24,7 +24,8 @@ namespace cuda {
 
 namespace {
 
-// Ranking the points of a cell takes the square of their number: more than this are sorted axis by axis instead.
+// Ranking the points of a cell takes the square of their number: more than this are sorted axis by
+// axis instead.
 constexpr unsigned maximum_size_of_ranked_cell = 2048;
 
 // Cells of the box, for each point, up to which they are counted.
@@ -49,13 +50,14 @@ void with_scratch(Device_arena& scratch, const char* name, const F& f)
   check(f(memory, bytes), name);
 }
 
-void sort_pairs(Key*& keys, Key*& other_keys, unsigned*& values, unsigned*& other_values, unsigned size, int bits,
-                Device_arena& scratch, cudaStream_t stream)
+void sort_pairs(Key*& keys, Key*& other_keys, unsigned*& values, unsigned*& other_values,
+                unsigned size, int bits, Device_arena& scratch, cudaStream_t stream)
 {
   cub::DoubleBuffer<Key> key_buffer(keys, other_keys);
   cub::DoubleBuffer<unsigned> value_buffer(values, other_values);
   with_scratch(scratch, "DeviceRadixSort::SortPairs", [&](void* memory, std::size_t& bytes) {
-    return cub::DeviceRadixSort::SortPairs(memory, bytes, key_buffer, value_buffer, size, 0, bits, stream);
+    return cub::DeviceRadixSort::SortPairs(memory, bytes, key_buffer, value_buffer, size, 0, bits,
+                                           stream);
   });
   keys = key_buffer.Current();
   other_keys = key_buffer.Alternate();
@@ -79,7 +81,8 @@ __device__ unsigned number_in_box(const Cell_frame& frame, Key key)
   return (cell.z * frame.count[1] + cell.y) * frame.count[0] + cell.x;
 }
 
-__global__ void count_points_of_cells(Positions positions, Cell_frame frame, Key* keys, unsigned* counts)
+__global__ void count_points_of_cells(Positions positions, Cell_frame frame, Key* keys,
+                                      unsigned* counts)
 {
   const unsigned long long i = thread_index();
   if (i >= positions.size)
@@ -89,8 +92,8 @@ __global__ void count_points_of_cells(Positions positions, Cell_frame frame, Key
 }
 
 /// \param places in: where the points of each cell begin; out: where they end
-__global__ void put_into_cells(const Key* keys, unsigned size, Cell_frame frame, unsigned* places, Key* sorted_keys,
-                               unsigned* indices)
+__global__ void put_into_cells(const Key* keys, unsigned size, Cell_frame frame, unsigned* places,
+                               Key* sorted_keys, unsigned* indices)
 {
   const unsigned long long i = thread_index();
   if (i >= size)
@@ -100,22 +103,25 @@ __global__ void put_into_cells(const Key* keys, unsigned size, Cell_frame frame,
   indices[place] = unsigned(i);
 }
 
-/// Sorts by cell, but within a cell in any order. Where the box has few cells, counting their points is quicker than sorting keys, each pass of which takes 10
-/// microseconds for however few.
+/// Sorts by cell, but within a cell in any order. Where the box has few cells, counting their
+/// points is quicker than sorting keys, each pass of which takes 10 microseconds for however few.
 /// \param keys, indices out
-void sort_by_counting(const Positions& positions, const Cell_frame& frame, unsigned number_of_cells, Key* keys,
-                      Key* other_keys, unsigned* indices, Device_arena& scratch, cudaStream_t stream)
+void sort_by_counting(const Positions& positions, const Cell_frame& frame, unsigned number_of_cells,
+                      Key* keys, Key* other_keys, unsigned* indices, Device_arena& scratch,
+                      cudaStream_t stream)
 {
   const Arena_scope scope(scratch);
   unsigned* const places = scratch.take<unsigned>(number_of_cells);
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(places, 0, number_of_cells * sizeof(unsigned), stream));
   const unsigned blocks = blocks_for(positions.size);
-  count_points_of_cells<<<blocks, threads_per_block, 0, stream>>>(positions, frame, other_keys, places);
+  count_points_of_cells<<<blocks, threads_per_block, 0, stream>>>(positions, frame, other_keys,
+                                                                  places);
   check_launch("count_points_of_cells");
   with_scratch(scratch, "DeviceScan::ExclusiveSum", [&](void* memory, std::size_t& bytes) {
     return cub::DeviceScan::ExclusiveSum(memory, bytes, places, places, number_of_cells, stream);
   });
-  put_into_cells<<<blocks, threads_per_block, 0, stream>>>(other_keys, positions.size, frame, places, keys, indices);
+  put_into_cells<<<blocks, threads_per_block, 0, stream>>>(other_keys, positions.size, frame,
+                                                           places, keys, indices);
   check_launch("put_into_cells");
 }
 
@@ -165,8 +171,8 @@ __device__ int compare(const float* normals, unsigned i, unsigned k)
 
 /// Puts each point of a cell behind those that come before it by coordinates, normals and index.
 __global__ void rank_points(Cell_frame frame, const double3* positions, const unsigned* indices,
-                            const unsigned* numbers, const unsigned* begins, const float* normals, unsigned size,
-                            Cell_grid grid, Grid_counts* counts)
+                            const unsigned* numbers, const unsigned* begins, const float* normals,
+                            unsigned size, Cell_grid grid, Grid_counts* counts)
 {
   const unsigned long long i = thread_index();
   if (i >= size)
@@ -217,9 +223,10 @@ __device__ Key ascending_bits(double value)
   return Key(bits) ^ (bits < 0 ? ~Key(0) : Key(1) << 63);
 }
 
-/// Keys of one pass of the sort axis by axis: coordinates for `axis` 0 to 2, normals for 3 to 5, cells for 6.
-__global__ void compute_axis_keys(Positions positions, Cell_frame frame, const float* normals, int axis,
-                                  const unsigned* order, Key* keys)
+/// Keys of one pass of the sort axis by axis: coordinates for `axis` 0 to 2, normals for 3 to 5,
+/// cells for 6.
+__global__ void compute_axis_keys(Positions positions, Cell_frame frame, const float* normals,
+                                  int axis, const unsigned* order, Key* keys)
 {
   const unsigned long long i = thread_index();
   if (i >= positions.size)
@@ -233,8 +240,9 @@ __global__ void compute_axis_keys(Positions positions, Cell_frame frame, const f
   keys[i] = axis == 6 ? frame.key(p) : ascending_bits(axis == 0 ? p.x : axis == 1 ? p.y : p.z);
 }
 
-__global__ void take_sorted_points(Cell_frame frame, const double3* positions, const unsigned* indices,
-                                   const unsigned* numbers, unsigned size, Cell_grid grid, Grid_counts* counts)
+__global__ void take_sorted_points(Cell_frame frame, const double3* positions,
+                                   const unsigned* indices, const unsigned* numbers, unsigned size,
+                                   Cell_grid grid, Grid_counts* counts)
 {
   const unsigned long long i = thread_index();
   if (i >= size)
@@ -287,12 +295,15 @@ __global__ void find_centers(Cell_grid queries, unsigned limit, Cell_blocks bloc
 
   const Cell_frame& frame = queries.frame;
   const uint3 cell = frame.cell_of_key(queries.keys[c]);
-  const double3 begin = {0, (frame.first[1] + cell.y) * frame.cell_size, (frame.first[2] + cell.z) * frame.cell_size};
+  const double3 begin = {0, (frame.first[1] + cell.y) * frame.cell_size,
+                         (frame.first[2] + cell.z) * frame.cell_size};
   const int3 fixed = frame.fixed_point(begin);
   center.begin_y = fixed.y;
   center.begin_z = fixed.z;
   const unsigned reach = unsigned(blocks.reach);
-  const auto is_inside = [reach](unsigned place, unsigned size) { return place > reach && place + reach + 1 < size; };
+  const auto is_inside = [reach](unsigned place, unsigned size) {
+    return place > reach && place + reach + 1 < size;
+  };
   center.is_inside = is_inside(cell.x, frame.count[0]) && is_inside(cell.y, frame.count[1])
                      && is_inside(cell.z, frame.count[2]);
   blocks.centers[c] = center;
@@ -308,7 +319,8 @@ int bits_for(unsigned count)
 
 } // namespace
 
-Cell_frame Cell_frame::around(const double (&low)[3], const double (&high)[3], double cell_size, double longest_query)
+Cell_frame Cell_frame::around(const double (&low)[3], const double (&high)[3], double cell_size,
+                              double longest_query)
 {
   const double margin = 8, half_range = std::ldexp(1., 20); // cells; the latter as in Search_grid_3
   Cell_frame frame;
@@ -326,8 +338,9 @@ Cell_frame Cell_frame::around(const double (&low)[3], const double (&high)[3], d
 
 int cells_in_reach(double radius, double cell_size) { return int(std::ceil(radius / cell_size)); }
 
-Cell_grid build_grid(const Positions& positions, const float* normals, const Cell_frame& frame, Device_arena& arena,
-                     Device_arena& arena_of_order, Device_arena& scratch, cudaStream_t stream)
+Cell_grid build_grid(const Positions& positions, const float* normals, const Cell_frame& frame,
+                     Device_arena& arena, Device_arena& arena_of_order, Device_arena& scratch,
+                     cudaStream_t stream)
 {
   const unsigned n = positions.size, blocks = blocks_for(n);
   Cell_grid grid;
@@ -359,9 +372,11 @@ Cell_grid build_grid(const Positions& positions, const float* normals, const Cel
   const auto read_counts = [&]() { counts = scratch.read(device_counts, stream); };
 
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(device_counts, 0, sizeof(Grid_counts), stream));
-  const double cells_of_box = double(frame.count[0]) * double(frame.count[1]) * double(frame.count[2]);
+  const double cells_of_box = double(frame.count[0]) * double(frame.count[1])
+                              * double(frame.count[2]);
   if (cells_of_box <= (std::min)(most_counted_cells_per_point * double(n), 2e9))
-    sort_by_counting(positions, frame, unsigned(cells_of_box), keys, other_keys, indices, scratch, stream);
+    sort_by_counting(positions, frame, unsigned(cells_of_box), keys, other_keys, indices, scratch,
+                     stream);
   else
   {
     compute_keys<<<blocks, threads_per_block, 0, stream>>>(positions, frame, keys, indices);
@@ -369,8 +384,8 @@ Cell_grid build_grid(const Positions& positions, const float* normals, const Cel
     sort_pairs(keys, other_keys, indices, other_indices, n, frame.total_bits(), scratch, stream);
   }
   number_cells();
-  rank_points<<<blocks, threads_per_block, 0, stream>>>(frame, gathered, indices, other_indices, begins, normals, n,
-                                                        grid, device_counts);
+  rank_points<<<blocks, threads_per_block, 0, stream>>>(frame, gathered, indices, other_indices,
+                                                        begins, normals, n, grid, device_counts);
   check_launch("rank_points");
   read_counts();
 
@@ -384,13 +399,15 @@ Cell_grid build_grid(const Positions& positions, const float* normals, const Cel
     {
       if (axis >= 3 && axis < 6 && !normals)
         continue;
-      compute_axis_keys<<<blocks, threads_per_block, 0, stream>>>(positions, frame, normals, axis, indices, keys);
+      compute_axis_keys<<<blocks, threads_per_block, 0, stream>>>(positions, frame, normals, axis,
+                                                                  indices, keys);
       check_launch("compute_axis_keys");
-      sort_pairs(keys, other_keys, indices, other_indices, n, axis == 6 ? frame.total_bits() : 64, scratch, stream);
+      sort_pairs(keys, other_keys, indices, other_indices, n, axis == 6 ? frame.total_bits() : 64,
+                 scratch, stream);
     }
     number_cells();
-    take_sorted_points<<<blocks, threads_per_block, 0, stream>>>(frame, gathered, indices, other_indices, n, grid,
-                                                                 device_counts);
+    take_sorted_points<<<blocks, threads_per_block, 0, stream>>>(
+      frame, gathered, indices, other_indices, n, grid, device_counts);
     check_launch("take_sorted_points");
     const unsigned number_of_cells = counts.number_of_cells;
     read_counts();
@@ -401,18 +418,21 @@ Cell_grid build_grid(const Positions& positions, const float* normals, const Cel
 
   grid.keys = arena.take<Key>(grid.number_of_cells);
   grid.begins = arena.take<unsigned>(std::size_t(grid.number_of_cells) + 1);
-  copy_cells<<<blocks_for(grid.number_of_cells + 1ull), threads_per_block, 0, stream>>>(keys, begins, grid);
+  copy_cells<<<blocks_for(grid.number_of_cells + 1ull), threads_per_block, 0, stream>>>(
+    keys, begins, grid);
   check_launch("copy_cells");
   return grid;
 }
 
 Cell_blocks find_blocks(const Cell_grid& query_grid, const Cell_grid& grid, int reach,
-                        unsigned maximum_number_of_candidates, Device_arena& arena, cudaStream_t stream)
+                        unsigned maximum_number_of_candidates, Device_arena& arena,
+                        cudaStream_t stream)
 {
   Cell_blocks blocks;
   blocks.reach = reach;
   blocks.number_of_rows = (2 * reach + 1) * (2 * reach + 1);
-  const std::size_t count = std::size_t(query_grid.number_of_cells) * std::size_t(blocks.number_of_rows);
+  const std::size_t count = std::size_t(query_grid.number_of_cells)
+                            * std::size_t(blocks.number_of_rows);
   blocks.ranges = arena.take<uint2>(count);
   blocks.centers = arena.take<Block_center>(query_grid.number_of_cells);
   find_ranges<<<blocks_for(count), threads_per_block, 0, stream>>>(query_grid, grid, reach, blocks);
@@ -423,14 +443,14 @@ Cell_blocks find_blocks(const Cell_grid& query_grid, const Cell_grid& grid, int 
   return blocks;
 }
 
-unsigned list_flagged(const unsigned char* flags, unsigned size, unsigned* indices, Device_arena& scratch,
-                      cudaStream_t stream)
+unsigned list_flagged(const unsigned char* flags, unsigned size, unsigned* indices,
+                      Device_arena& scratch, cudaStream_t stream)
 {
   const Arena_scope scope(scratch);
   unsigned* const count = scratch.take<unsigned>(1);
   with_scratch(scratch, "DeviceSelect::Flagged", [&](void* memory, std::size_t& bytes) {
-    return cub::DeviceSelect::Flagged(memory, bytes, thrust::counting_iterator<unsigned>(0), flags, indices, count,
-                                      size, stream);
+    return cub::DeviceSelect::Flagged(memory, bytes, thrust::counting_iterator<unsigned>(0), flags,
+                                      indices, count, size, stream);
   });
   return scratch.read(count, stream);
 }
@@ -439,25 +459,29 @@ template <typename T>
 void sum_up(const T* counts, unsigned size, T* offsets, Device_arena& scratch, cudaStream_t stream)
 {
   with_scratch(scratch, "DeviceScan::ExclusiveSum", [&](void* memory, std::size_t& bytes) {
-    return cub::DeviceScan::ExclusiveSum(memory, bytes, counts, offsets, std::size_t(size) + 1, stream);
+    return cub::DeviceScan::ExclusiveSum(memory, bytes, counts, offsets, std::size_t(size) + 1,
+                                         stream);
   });
 }
 
 template void sum_up(const unsigned*, unsigned, unsigned*, Device_arena&, cudaStream_t);
-template void sum_up(const unsigned long long*, unsigned, unsigned long long*, Device_arena&, cudaStream_t);
+template void sum_up(const unsigned long long*, unsigned, unsigned long long*, Device_arena&,
+                     cudaStream_t);
 
 template <typename T>
 T* sort_values(T* values, T* other, unsigned size, Device_arena& scratch, cudaStream_t stream)
 {
   cub::DoubleBuffer<T> buffer(values, other);
   with_scratch(scratch, "DeviceRadixSort::SortKeys", [&](void* memory, std::size_t& bytes) {
-    return cub::DeviceRadixSort::SortKeys(memory, bytes, buffer, size, 0, int(8 * sizeof(T)), stream);
+    return cub::DeviceRadixSort::SortKeys(memory, bytes, buffer, size, 0, int(8 * sizeof(T)),
+                                          stream);
   });
   return buffer.Current();
 }
 
 template unsigned* sort_values(unsigned*, unsigned*, unsigned, Device_arena&, cudaStream_t);
-template unsigned long long* sort_values(unsigned long long*, unsigned long long*, unsigned, Device_arena&, cudaStream_t);
+template unsigned long long* sort_values(unsigned long long*, unsigned long long*, unsigned,
+                                         Device_arena&, cudaStream_t);
 template double* sort_values(double*, double*, unsigned, Device_arena&, cudaStream_t);
 
 } // namespace cuda

@@ -21,11 +21,12 @@ using Key = unsigned long long;
 /*!
 How space is cut into cells, and the fixed-point numbers that positions are on the device.
 
-A key holds the cell's number on each axis, x in the lowest bits, in as few bits as the cloud needs, which makes the sort short. Keys
-ascend as those of `Search_grid_3` do, and clamp as those do.
+A key holds the cell's number on each axis, x in the lowest bits, in as few bits as the cloud needs,
+which makes the sort short. Keys ascend as those of `Search_grid_3` do, and clamp as those do.
 
-A coordinate is `units_per_length` times the one in the frame, modulo 2^32. Differences of such numbers are exact whatever the
-extent of the cloud, as long as the points are within 2^31 units of each other, and points that a query looks at are.
+A coordinate is `units_per_length` times the one in the frame, modulo 2^32. Differences of such
+numbers are exact whatever the extent of the cloud, as long as the points are within 2^31 units of
+each other, and points that a query looks at are.
 */
 struct Cell_frame
 {
@@ -37,7 +38,8 @@ struct Cell_frame
 
   /// \param low, high corners of the box of the points
   /// \param longest_query the largest distance at which points are looked at, at least
-  static Cell_frame around(const double (&low)[3], const double (&high)[3], double cell_size, double longest_query);
+  static Cell_frame around(const double (&low)[3], const double (&high)[3], double cell_size,
+                           double longest_query);
 
   int total_bits() const { return bits[0] + bits[1] + bits[2]; }
   __host__ __device__ float unit() const { return float(1 / units_per_length); }
@@ -48,7 +50,8 @@ struct Cell_frame
     Key key = 0;
     for (int axis = 2; axis >= 0; --axis)
     {
-      const double cell = fmin(fmax(floor(coordinates[axis] / cell_size) - first[axis], 0.), double(count[axis] - 1));
+      const double cell = fmin(fmax(floor(coordinates[axis] / cell_size) - first[axis], 0.),
+                               double(count[axis] - 1));
       key = (key << bits[axis]) | Key(cell);
     }
     return key;
@@ -61,25 +64,31 @@ struct Cell_frame
 
   __host__ __device__ uint3 cell_of_key(Key key) const
   {
-    return {unsigned(key & ((Key(1) << bits[0]) - 1)), unsigned((key >> bits[0]) & ((Key(1) << bits[1]) - 1)),
+    return {unsigned(key & ((Key(1) << bits[0]) - 1)),
+            unsigned((key >> bits[0]) & ((Key(1) << bits[1]) - 1)),
             unsigned(key >> (bits[0] + bits[1]))};
   }
 
   __device__ int3 fixed_point(double3 p) const
   {
-    const auto modulo = [](double x) { return int(unsigned((unsigned long long)(__double2ll_rn(x)))); };
-    return {modulo(p.x * units_per_length), modulo(p.y * units_per_length), modulo(p.z * units_per_length)};
+    const auto modulo = [](double x) {
+      return int(unsigned((unsigned long long)(__double2ll_rn(x))));
+    };
+    return {modulo(p.x * units_per_length), modulo(p.y * units_per_length),
+            modulo(p.z * units_per_length)};
   }
 };
 
 /// From `b` to `a`, in lengths of the frame.
 __device__ inline float3 difference(int4 a, int4 b, float unit)
 {
-  return {unit * float(int(unsigned(a.x) - unsigned(b.x))), unit * float(int(unsigned(a.y) - unsigned(b.y))),
+  return {unit * float(int(unsigned(a.x) - unsigned(b.x))),
+          unit * float(int(unsigned(a.y) - unsigned(b.y))),
           unit * float(int(unsigned(a.z) - unsigned(b.z)))};
 }
 
-/// Points sorted by cell, and within a cell by coordinates, in the order of `Search_grid_3`. Arrays on the device.
+/// Points sorted by cell, and within a cell by coordinates, in the order of `Search_grid_3`. Arrays
+/// on the device.
 struct Cell_grid
 {
   Cell_frame frame;
@@ -105,7 +114,10 @@ struct Block_center
 {
   int begin_y, begin_z;
   unsigned stride; // where a block holds too many points, every so manieth of them is looked at
-  int is_inside; // whether no cell of the block is an outermost one, whose points may be further away than fixed-point numbers tell
+  int
+    // whether no cell of the block is an outermost one, whose points may be further away than
+    // fixed-point numbers tell
+    is_inside;
 };
 
 /// The runs of points in the block of cells around each cell of another grid, or of the same.
@@ -121,12 +133,14 @@ struct Cell_blocks
 /// \param normals of the points, xyz interleaved, or null: the order of points that are equal
 /// \param arena takes the arrays of the grid
 /// \param arena_of_order takes those of them that tell of the order before; it may be `scratch`
-Cell_grid build_grid(const Positions& positions, const float* normals, const Cell_frame& frame, Device_arena& arena,
-                     Device_arena& arena_of_order, Device_arena& scratch, cudaStream_t stream);
+Cell_grid build_grid(const Positions& positions, const float* normals, const Cell_frame& frame,
+                     Device_arena& arena, Device_arena& arena_of_order, Device_arena& scratch,
+                     cudaStream_t stream);
 
 /// The same, with one arena for all arrays of the grid.
-inline Cell_grid build_grid(const Positions& positions, const float* normals, const Cell_frame& frame,
-                            Device_arena& arena, Device_arena& scratch, cudaStream_t stream)
+inline Cell_grid build_grid(const Positions& positions, const float* normals,
+                            const Cell_frame& frame, Device_arena& arena, Device_arena& scratch,
+                            cudaStream_t stream)
 {
   return build_grid(positions, normals, frame, arena, arena, scratch, stream);
 }
@@ -134,18 +148,19 @@ inline Cell_grid build_grid(const Positions& positions, const float* normals, co
 /// \param reach cells to each side
 /// \param maximum_number_of_candidates to look at in a block
 Cell_blocks find_blocks(const Cell_grid& query_grid, const Cell_grid& grid, int reach,
-                        unsigned maximum_number_of_candidates, Device_arena& arena, cudaStream_t stream);
+                        unsigned maximum_number_of_candidates, Device_arena& arena,
+                        cudaStream_t stream);
 
 /// The cells to each side that a ball can touch.
 int cells_in_reach(double radius, double cell_size);
 
 /// Lists the indices of the values that are not 0, ascending.
 /// \returns their number; waits for the device
-unsigned list_flagged(const unsigned char* flags, unsigned size, unsigned* indices, Device_arena& scratch,
-                      cudaStream_t stream);
+unsigned list_flagged(const unsigned char* flags, unsigned size, unsigned* indices,
+                      Device_arena& scratch, cudaStream_t stream);
 
-/// offsets[i] = counts[0] + ... + counts[i - 1], for i up to `size`; counts[size] is read and has no part in it.
-/// The two arrays may be one.
+/// offsets[i] = counts[0] + ... + counts[i - 1], for i up to `size`; counts[size] is read and has
+/// no part in it. The two arrays may be one.
 /// \tparam T `unsigned` or `unsigned long long`
 template <typename T>
 void sum_up(const T* counts, unsigned size, T* offsets, Device_arena& scratch, cudaStream_t stream);
@@ -189,14 +204,16 @@ __device__ inline unsigned lower_bound(const Key* keys, unsigned size, Key key)
 __device__ inline uint2 range_of_row(const Cell_grid& grid, uint3 center, int reach, int row)
 {
   const int width = 2 * reach + 1;
-  const long long z = (long long)(center.z) + row / width - reach, y = (long long)(center.y) + row % width - reach;
+  const long long z = (long long)(center.z) + row / width - reach,
+                  y = (long long)(center.y) + row % width - reach;
   const Cell_frame& frame = grid.frame;
   if (z < 0 || z >= frame.count[2] || y < 0 || y >= frame.count[1])
     return {0, 0};
   const unsigned low = center.x < unsigned(reach) ? 0 : center.x - unsigned(reach);
   const unsigned high = min(center.x + unsigned(reach), frame.count[0] - 1);
   const Key last = frame.key_of_cell(high, unsigned(y), unsigned(z));
-  const unsigned begin = lower_bound(grid.keys, grid.number_of_cells, frame.key_of_cell(low, unsigned(y), unsigned(z)));
+  const unsigned begin = lower_bound(grid.keys, grid.number_of_cells,
+                                     frame.key_of_cell(low, unsigned(y), unsigned(z)));
   unsigned end = begin;
   while (end < grid.number_of_cells && grid.keys[end] <= last)
     ++end;
@@ -207,7 +224,8 @@ __device__ inline uint2 range_of_row(const Cell_grid& grid, uint3 center, int re
 /// \param offset of a point in its own cell
 __device__ inline float distance_to_cell(float offset, float cell_size, int step)
 {
-  const float distance = step < 0 ? offset - float(step + 1) * cell_size : float(step) * cell_size - offset;
+  const float distance = step < 0 ? offset - float(step + 1) * cell_size
+                                  : float(step) * cell_size - offset;
   return step == 0 ? 0 : fmaxf(0, distance - 1e-5f * cell_size); // rounding
 }
 
@@ -221,7 +239,8 @@ struct Offset_in_row
       z(unit * float(int(unsigned(center.z) - unsigned(block.begin_z))))
   {}
 
-  /// What a ball around the point has left of its squared radius at the distance of a row of the block; not positive if it does not reach it.
+  /// What a ball around the point has left of its squared radius at the distance of a row of the
+  /// block; not positive if it does not reach it.
   __device__ float squared_reach(float squared_radius, float cell_size, int reach, int row) const
   {
     const int width = 2 * reach + 1;
@@ -232,23 +251,26 @@ struct Offset_in_row
 };
 
 /*!
-Calls `f(j, point)` for the points around a point that may be within `radius`, those of one of `lanes` threads. Two points are read at a time. As long as `f` does not
-branch, what it reads of two points is under way at once, too; and a warp seldom has no thread whose point is within the radius.
+Calls `f(j, point)` for the points around a point that may be within `radius`, those of one of
+`lanes` threads. Two points are read at a time. As long as `f` does not branch, what it reads of two
+points is under way at once, too; and a warp seldom has no thread whose point is within the radius.
 
-The points of a row of cells ascend in x: of each row only the part is looked at that the ball can reach at the row's distance, which two
-searches find. Each thread of a group searches in another row.
+The points of a row of cells ascend in x: of each row only the part is looked at that the ball can
+reach at the row's distance, which two searches find. Each thread of a group searches in another
+row.
 
 \param grid that of the points, of the same cells as that of the center
 \param center fixed-point coordinates, and its cell in `blocks`
 */
 template <typename F>
-__device__ inline void for_each_candidate(const Cell_grid& grid, const Cell_blocks& blocks, int4 center, unsigned lane,
-                                          float radius, const F& f)
+__device__ inline void for_each_candidate(const Cell_grid& grid, const Cell_blocks& blocks,
+                                          int4 center, unsigned lane, float radius, const F& f)
 {
   const unsigned group_mask = ((1u << lanes) - 1) << (threadIdx.x % 32 / lanes * lanes);
   const Block_center block = blocks.centers[center.w];
   const unsigned stride = block.stride, shift = unsigned(__ffs(int(stride))) - 1;
-  const uint2* const ranges = blocks.ranges + (unsigned long long)(unsigned(center.w)) * blocks.number_of_rows;
+  const uint2* const ranges = blocks.ranges
+                              + (unsigned long long)(unsigned(center.w)) * blocks.number_of_rows;
   const float cell_size = float(grid.frame.cell_size);
   const Offset_in_row offset(block, center, grid.frame.unit());
 
@@ -258,19 +280,22 @@ __device__ inline void for_each_candidate(const Cell_grid& grid, const Cell_bloc
     const int row = first_row + int(lane);
     if (row < blocks.number_of_rows)
     {
-      const float squared_reach = offset.squared_reach(radius * radius, cell_size, blocks.reach, row);
+      const float squared_reach = offset.squared_reach(radius * radius, cell_size, blocks.reach,
+                                                       row);
       if (squared_reach > 0 || !block.is_inside)
       {
         range = ranges[row];
         if (block.is_inside && range.y - range.x > shortest_searched_row)
         {
-          const int reach = int(sqrtf(squared_reach) * 1.00001f * float(grid.frame.units_per_length)) + 1;
+          const int reach =
+            int(sqrtf(squared_reach) * 1.00001f * float(grid.frame.units_per_length)) + 1;
           const auto search = [&](int limit) {
             unsigned first = range.x, size = range.y - range.x;
             while (size > 0)
             {
               const unsigned half = size / 2;
-              const bool is_before = int(unsigned(grid.points[first + half].x) - unsigned(center.x)) < limit;
+              const bool is_before = int(unsigned(grid.points[first + half].x) - unsigned(center.x))
+                                     < limit;
               first = is_before ? first + half + 1 : first;
               size = is_before ? size - half - 1 : half;
             }
@@ -284,9 +309,14 @@ __device__ inline void for_each_candidate(const Cell_grid& grid, const Cell_bloc
     // The points of the rows one after the other, dealt out to the lanes in turn
     static_assert(lanes == 4, "the rows that lanes have found are told apart one by one");
     const unsigned first = range.x + (0u - range.x & (stride - 1)); // the stride is a power of two
-    const unsigned own_count = range.x < range.y && first < range.y ? ((range.y - 1 - first) >> shift) + 1 : 0;
+    const unsigned own_count = range.x < range.y && first < range.y
+                                 ? ((range.y - 1 - first) >> shift) + 1
+                                 : 0;
     unsigned begins[lanes],
-      ends[lanes]; // of each row: where it would begin if it held the points of those before, too; and how many it and those hold
+      ends
+        // of each row: where it would begin if it held the points of those before, too; and how
+        // many it and those hold
+        [lanes];
     unsigned total = 0;
 #pragma unroll
     for (int r = 0; r < lanes; ++r)
@@ -296,7 +326,10 @@ __device__ inline void for_each_candidate(const Cell_grid& grid, const Cell_bloc
       ends[r] = total;
     }
     const auto place = [&](unsigned t) {
-      const unsigned begin = t < ends[0] ? begins[0] : t < ends[1] ? begins[1] : t < ends[2] ? begins[2] : begins[3];
+      const unsigned begin = t < ends[0]   ? begins[0]
+                             : t < ends[1] ? begins[1]
+                             : t < ends[2] ? begins[2]
+                                           : begins[3];
       return begin + (t << shift); // modulo 2^32
     };
     unsigned t = lane;

@@ -25,8 +25,9 @@ struct Memory_limit
 };
 
 /*!
-A block of device memory from whose two ends two stacks of arrays grow, so that it has to be as large as both together are at most, and not as the
-largest of each. What a call takes it gives back at its end without freeing it, so that the next call of that size allocates nothing. What does not
+A block of device memory from whose two ends two stacks of arrays grow, so that it has to be as
+large as both together are at most, and not as the largest of each. What a call takes it gives back
+at its end without freeing it, so that the next call of that size allocates nothing. What does not
 fit is allocated by itself, and the next `reserve()` makes the block so large that it would have.
 */
 class Device_block
@@ -113,7 +114,8 @@ private:
   char* allocate(std::size_t bytes)
   {
     if (m_limit.held + bytes > m_limit.limit)
-      throw Failure(Status::OUT_OF_MEMORY, "the device memory that the call needs is above the limit that was set");
+      throw Failure(Status::OUT_OF_MEMORY,
+                    "the device memory that the call needs is above the limit that was set");
     if (is_fault_due(Fault::ALLOCATION))
       throw Failure(Status::OUT_OF_MEMORY, "an allocation that a test lets fail");
     void* data = nullptr;
@@ -181,7 +183,8 @@ public:
   T* take(std::size_t count)
   {
     constexpr std::size_t alignment = Device_block::alignment;
-    const std::size_t bytes = ((std::max)(count, std::size_t(1)) * sizeof(T) + alignment - 1) / alignment * alignment;
+    const std::size_t bytes = ((std::max)(count, std::size_t(1)) * sizeof(T) + alignment - 1)
+                              / alignment * alignment;
     char* array;
     if (m_block.m_high - m_block.m_low < bytes)
     {
@@ -206,9 +209,13 @@ public:
   /// Bytes that are free between the two stacks.
   std::size_t room() const { return m_block.m_high - m_block.m_low; }
 
-  Mark mark() const { return {m_end == End::LOW ? m_block.m_low : m_block.m_high, m_pieces.size()}; }
+  Mark mark() const
+  {
+    return {m_end == End::LOW ? m_block.m_low : m_block.m_high, m_pieces.size()};
+  }
 
-  /// Gives back all that was taken since the mark. Kernels already launched may still use it: what comes next runs after them.
+  /// Gives back all that was taken since the mark. Kernels already launched may still use it: what
+  /// comes next runs after them.
   void release(const Mark& mark)
   {
     (m_end == End::LOW ? m_block.m_low : m_block.m_high) = mark.offset;
@@ -222,13 +229,15 @@ public:
   /// Gives everything back.
   void clear() { release({m_end == End::LOW ? 0 : m_block.m_size, 0}); }
 
-  /// A value of the device's memory, which is there once the stream has done its work, and until the next one is fetched or read.
+  /// A value of the device's memory, which is there once the stream has done its work, and until
+  /// the next one is fetched or read.
   template <typename T>
   const T* fetch(const T* address, cudaStream_t stream)
   {
     static_assert(sizeof(T) <= Device_block::size_of_staging, "no room for so large a value");
     T* const staging = static_cast<T*>(m_block.staging());
-    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(staging, address, sizeof(T), cudaMemcpyDeviceToHost, stream));
+    CGAL_L0_CUDA_CHECK(
+      cudaMemcpyAsync(staging, address, sizeof(T), cudaMemcpyDeviceToHost, stream));
     return staging;
   }
 

@@ -13,7 +13,8 @@ namespace L0_resampling {
 namespace internal {
 namespace cuda {
 
-/// The frame that a cloud enters, before a radius is its unit, and the extent of the cloud there. On the host.
+/// The frame that a cloud enters, before a radius is its unit, and the extent of the cloud there.
+/// On the host.
 struct Extent
 {
   Frame frame;
@@ -25,9 +26,11 @@ struct Extent
 
 /// How far points reach on each axis, as `plain_extent()` on the CPU. Waits for the device.
 /// \param points xyz interleaved
-void find_plain_extent(const Workplace& workplace, const double* points, unsigned size, double (&extent)[3]);
+void find_plain_extent(const Workplace& workplace, const double* points, unsigned size,
+                       double (&extent)[3]);
 
-/// What `Working_frame::enter()`, `robust_diagonal()` and `trimmed_extent()` find on the CPU, to the bit. Waits for the device.
+/// What `Working_frame::enter()`, `robust_diagonal()` and `trimmed_extent()` find on the CPU, to
+/// the bit. Waits for the device.
 Extent find_extent(const Workplace& workplace, const double* points, unsigned size);
 
 } // namespace cuda

@@ -30,7 +30,8 @@ struct Frame
     return (scalbn(coordinate, exponent) - origin[axis]) / unit;
   }
 
-  /// As `Working_frame::point_in_frame()`: of any finite point, and so near that the square of a distance to it is finite.
+  /// As `Working_frame::point_in_frame()`: of any finite point, and so near that the square of a
+  /// distance to it is finite.
   double enter_clamped(double coordinate, int axis) const
   {
     const double largest = 1e100;

@@ -16,8 +16,9 @@ namespace internal {
 namespace cuda {
 
 /*!
-Sums of up to `maximum_count` numbers over all threads of a cooperative launch, the same bits in each thread and in each run: warps, blocks and the grid add up
-in a fixed order. One object serves one kernel; it alternates between two arrays, so that one barrier a sum is enough.
+Sums of up to `maximum_count` numbers over all threads of a cooperative launch, the same bits in
+each thread and in each run: warps, blocks and the grid add up in a fixed order. One object serves
+one kernel; it alternates between two arrays, so that one barrier a sum is enough.
 */
 template <int maximum_count>
 class Grid_sum
@@ -32,7 +33,9 @@ public:
     return threads_of_block / 32 * maximum_count;
   }
 
-  __device__ Grid_sum(double* partial_sums, double* shared) : m_partial_sums(partial_sums), m_shared(shared) {}
+  __device__ Grid_sum(double* partial_sums, double* shared)
+    : m_partial_sums(partial_sums), m_shared(shared)
+  {}
 
   /// \param values in: those of the thread; out: the sums
   template <int count>
@@ -67,7 +70,8 @@ private:
         m_shared[warp * count + c] = values[c];
     __syncthreads();
     for (int c = 0; c < count; ++c)
-      values[c] = group_sum<32>(threadIdx.x % 32 < number_of_warps ? m_shared[threadIdx.x % 32 * count + c] : 0.);
+      values[c] = group_sum<32>(
+        threadIdx.x % 32 < number_of_warps ? m_shared[threadIdx.x % 32 * count + c] : 0.);
   }
 };
 

@@ -13,7 +13,8 @@ namespace L0_resampling {
 namespace internal {
 namespace cuda {
 
-/// The query of a group of lanes. Groups beyond the last query repeat it, since whole warps have to take part in sums.
+/// The query of a group of lanes. Groups beyond the last query repeat it, since whole warps have to
+/// take part in sums.
 struct Query
 {
   unsigned index, lane;

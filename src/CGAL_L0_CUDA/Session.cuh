@@ -37,7 +37,8 @@ struct Session
   Memory_limit memory_limit{(std::numeric_limits<std::size_t>::max)()};
   Device_block input_memory{memory_limit}, working_memory{memory_limit};
   Device_arena input{input_memory, Device_arena::End::LOW};
-  Device_arena arena{working_memory, Device_arena::End::LOW}, scratch{working_memory, Device_arena::End::HIGH};
+  Device_arena arena{working_memory, Device_arena::End::LOW},
+    scratch{working_memory, Device_arena::End::HIGH};
 
   unsigned size = 0;
   const double* points = nullptr;
@@ -56,7 +57,8 @@ struct Session
 
   explicit Session(int d) : device(d)
   {
-    CGAL_L0_CUDA_CHECK(cudaDeviceGetAttribute(&number_of_multiprocessors, cudaDevAttrMultiProcessorCount, device));
+    CGAL_L0_CUDA_CHECK(
+      cudaDeviceGetAttribute(&number_of_multiprocessors, cudaDevAttrMultiProcessorCount, device));
     CGAL_L0_CUDA_CHECK(cudaStreamCreateWithFlags(&stream, cudaStreamNonBlocking));
   }
 
@@ -86,14 +88,16 @@ struct Session
   };
 
   /// Forgets the points, and makes room for others.
-  Input_arrays reserve_input(std::size_t number_of_points, bool with_normals, bool with_hints, std::size_t maximum_memory)
+  Input_arrays reserve_input(std::size_t number_of_points, bool with_normals, bool with_hints,
+                             std::size_t maximum_memory)
   {
     size = 0;
     has_scales = false;
     memory_limit.limit = maximum_memory;
     const std::size_t bytes_of_vectors = 3 * sizeof(float) * number_of_points;
     input.clear();
-    input_memory.reserve(3 * sizeof(double) * number_of_points + (with_normals ? bytes_of_vectors : 0)
+    input_memory.reserve(3 * sizeof(double) * number_of_points
+                         + (with_normals ? bytes_of_vectors : 0)
                          + (with_hints ? bytes_of_vectors : 0) + 1024);
     const Input_arrays arrays = {input.take<double>(3 * number_of_points),
                                  with_normals ? input.take<float>(3 * number_of_points) : nullptr,
@@ -178,7 +182,8 @@ public:
     for (std::size_t i = 0; i < m_report.number_of_stages; ++i)
     {
       float milliseconds = 0;
-      CGAL_L0_CUDA_CHECK(cudaEventElapsedTime(&milliseconds, m_session.event(i), m_session.event(i + 1)));
+      CGAL_L0_CUDA_CHECK(
+        cudaEventElapsedTime(&milliseconds, m_session.event(i), m_session.event(i + 1)));
       m_report.stages[i].seconds = milliseconds * 1e-3;
     }
   }
@@ -194,12 +199,14 @@ private:
   void record()
   {
     note_memory();
-    CGAL_L0_CUDA_CHECK(cudaEventRecord(m_session.event(m_report.number_of_stages), m_session.stream));
+    CGAL_L0_CUDA_CHECK(
+      cudaEventRecord(m_session.event(m_report.number_of_stages), m_session.stream));
   }
 
   void note_memory()
   {
-    const std::size_t peak = m_session.input_memory.used() + m_session.working_memory.take_peak_of_stage();
+    const std::size_t peak = m_session.input_memory.used()
+                             + m_session.working_memory.take_peak_of_stage();
     if (m_report.number_of_stages > 0)
     {
       Stage& stage = m_report.stages[m_report.number_of_stages - 1];

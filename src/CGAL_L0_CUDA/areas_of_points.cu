@@ -15,14 +15,16 @@ namespace cuda {
 
 namespace {
 
-__global__ void share_balls(Cell_grid grid, Cell_blocks blocks, float radius, Exact_ball ball, unsigned* units)
+__global__ void share_balls(Cell_grid grid, Cell_blocks blocks, float radius, Exact_ball ball,
+                            unsigned* units)
 {
   const Query query(grid.size);
   const int4 center = grid.points[query.index];
   unsigned count = 0;
   for_each_candidate(grid, blocks, center, query.lane, radius, [&](unsigned, const int4& other) {
     const auto difference = [](int a, int b) { return int(unsigned(a) - unsigned(b)); };
-    count += ball.holds(difference(other.x, center.x), difference(other.y, center.y), difference(other.z, center.z));
+    count += ball.holds(difference(other.x, center.x), difference(other.y, center.y),
+                        difference(other.z, center.z));
   });
   count = group_sum<lanes>(count) * blocks.centers[center.w].stride;
   if (query.writes)
@@ -30,7 +32,8 @@ __global__ void share_balls(Cell_grid grid, Cell_blocks blocks, float radius, Ex
 }
 
 /// One warp for each cell.
-__global__ void share_cells(Cell_grid grid, const unsigned* units, Wide* units_of_cells, Wide* total_units)
+__global__ void share_cells(Cell_grid grid, const unsigned* units, Wide* units_of_cells,
+                            Wide* total_units)
 {
   const Wide cell = thread_index() / 32;
   if (cell >= grid.number_of_cells) // whole warps leave
@@ -55,7 +58,8 @@ Areas areas_of_points(const Workplace& workplace, const Cell_grid& grid, double 
   Wide* const units_of_cells = workplace.arena.take<Wide>(grid.number_of_cells);
   const Arena_scope scope(workplace.scratch);
   const Cell_blocks blocks = find_blocks(grid, grid, cells_in_reach(radius, grid.frame.cell_size),
-                                         maximum_number_of_candidates, workplace.scratch, workplace.stream);
+                                         maximum_number_of_candidates, workplace.scratch,
+                                         workplace.stream);
   unsigned* const units = workplace.scratch.take<unsigned>(grid.size);
   const Device_counter<Wide> total_units(workplace);
   share_balls<<<blocks_for_queries(grid.size), threads_per_block, 0, workplace.stream>>>(

@@ -24,7 +24,8 @@ class Failure : public std::runtime_error
   Status m_status;
 
 public:
-  Failure(Status status, const std::string& message) : std::runtime_error(message), m_status(status) {}
+  Failure(Status status, const std::string& message) : std::runtime_error(message), m_status(status)
+  {}
 
   Status status() const { return m_status; }
 };
@@ -50,7 +51,8 @@ inline Status status_of(cudaError_t error)
   }
 }
 
-/// Takes a failed call out of CUDA's memory, so that the caller's own next call does not find it, and throws it.
+/// Takes a failed call out of CUDA's memory, so that the caller's own next call does not find it,
+/// and throws it.
 inline void check(cudaError_t error, const char* call)
 {
   if (error == cudaSuccess)

@@ -65,7 +65,8 @@ Answer find_device()
 Answer create(Session*& session)
 {
   session = nullptr;
-  return guarded(nullptr, [&]() { session = std::make_unique<Session>(usable_device()).release(); });
+  return guarded(nullptr,
+                 [&]() { session = std::make_unique<Session>(usable_device()).release(); });
 }
 
 Answer create_on(int device, Session*& session)
@@ -90,14 +91,16 @@ void destroy(Session* session) noexcept
   cudaGetLastError();
 }
 
-Answer upload(Session& session, const double* points, std::size_t size, const float* normals, const float* hints,
-              std::size_t maximum_memory)
+Answer upload(Session& session, const double* points, std::size_t size, const float* normals,
+              const float* hints, std::size_t maximum_memory)
 {
   return guarded(&session, [&]() {
-    const Session::Input_arrays arrays = session.reserve_input(size, normals, hints, maximum_memory);
+    const Session::Input_arrays arrays = session.reserve_input(size, normals, hints,
+                                                               maximum_memory);
     const auto copy = [&](void* target, const void* source, std::size_t bytes) {
       if (target)
-        CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(target, source, bytes, cudaMemcpyHostToDevice, session.stream));
+        CGAL_L0_CUDA_CHECK(
+          cudaMemcpyAsync(target, source, bytes, cudaMemcpyHostToDevice, session.stream));
     };
     copy(arrays.points, points, 3 * sizeof(double) * size);
     copy(arrays.normals, normals, 3 * sizeof(float) * size);
@@ -106,7 +109,8 @@ Answer upload(Session& session, const double* points, std::size_t size, const fl
   });
 }
 
-Answer resample(Session& session, const Parameters& parameters, Progress_callback progress, Call_report& report)
+Answer resample(Session& session, const Parameters& parameters, Progress_callback progress,
+                Call_report& report)
 {
   report = Call_report();
   return guarded(&session, [&]() {
@@ -127,10 +131,10 @@ Answer download(Session& session, double* positions, float* normals)
 {
   return guarded(&session, [&]() {
     const std::size_t m = session.number_of_samples;
-    CGAL_L0_CUDA_CHECK(
-      cudaMemcpyAsync(positions, session.positions, 3 * m * sizeof(double), cudaMemcpyDeviceToHost, session.stream));
-    CGAL_L0_CUDA_CHECK(
-      cudaMemcpyAsync(normals, session.sample_normals, 3 * m * sizeof(float), cudaMemcpyDeviceToHost, session.stream));
+    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(positions, session.positions, 3 * m * sizeof(double),
+                                       cudaMemcpyDeviceToHost, session.stream));
+    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(normals, session.sample_normals, 3 * m * sizeof(float),
+                                       cudaMemcpyDeviceToHost, session.stream));
     CGAL_L0_CUDA_CHECK(cudaStreamSynchronize(session.stream));
   });
 }

@@ -20,9 +20,10 @@ using Hash = unsigned long long;
 
 __device__ double number_at(const Device_rows& rows, unsigned row, int column)
 {
-  const char* const address = static_cast<const char*>(rows.data) + std::ptrdiff_t(row) * rows.row_stride
-                              + column * rows.column_stride;
-  return rows.is_double ? *reinterpret_cast<const double*>(address) : double(*reinterpret_cast<const float*>(address));
+  const char* const address = static_cast<const char*>(rows.data)
+                              + std::ptrdiff_t(row) * rows.row_stride + column * rows.column_stride;
+  return rows.is_double ? *reinterpret_cast<const double*>(address)
+                        : double(*reinterpret_cast<const float*>(address));
 }
 
 __device__ double3 row_at(const Device_rows& rows, unsigned row)
@@ -34,7 +35,8 @@ __device__ bool is_finite(double3 v) { return isfinite(v.x) && isfinite(v.y) && 
 
 /// \param last_from_end in: 0; out: how far the first point that is not finite is from the end; 0
 /// if there is none
-__global__ void look_for_non_finite(Device_rows rows, unsigned size, unsigned char* are_finite, unsigned* last_from_end)
+__global__ void look_for_non_finite(Device_rows rows, unsigned size, unsigned char* are_finite,
+                                    unsigned* last_from_end)
 {
   const unsigned long long i = thread_index();
   if (i >= size)
@@ -61,7 +63,8 @@ __global__ void take_rows(Device_rows rows, const unsigned* list, unsigned size,
 /// host.
 /// \param has_one_sign whether the first coordinate that is not zero is made positive, as
 /// `read_normals()` does
-__global__ void take_directions(Device_rows rows, const unsigned* list, unsigned size, bool has_one_sign, float* taken)
+__global__ void take_directions(Device_rows rows, const unsigned* list, unsigned size,
+                                bool has_one_sign, float* taken)
 {
   const unsigned long long i = thread_index();
   if (i >= size)
@@ -76,7 +79,8 @@ __global__ void take_directions(Device_rows rows, const unsigned* list, unsigned
     direction = {scaled.x / length, scaled.y / length, scaled.z / length};
   }
   float3 rounded = to_float(direction);
-  const bool is_negative = rounded.x < 0 || (rounded.x == 0 && (rounded.y < 0 || (rounded.y == 0 && rounded.z < 0)));
+  const bool is_negative =
+    rounded.x < 0 || (rounded.x == 0 && (rounded.y < 0 || (rounded.y == 0 && rounded.z < 0)));
   if (has_one_sign && is_negative)
     rounded = {-rounded.x, -rounded.y, -rounded.z};
   taken[3 * i] = rounded.x;
@@ -103,8 +107,8 @@ __device__ Hash mixed(Hash bits)
 }
 
 template <typename FT>
-__global__ void round_result(const double* positions, const float* normals, unsigned size, Box<FT> box,
-                             FT* rounded_positions, FT* rounded_normals, Hash* hashes)
+__global__ void round_result(const double* positions, const float* normals, unsigned size,
+                             Box<FT> box, FT* rounded_positions, FT* rounded_normals, Hash* hashes)
 {
   const unsigned long long i = thread_index();
   if (i >= size)
@@ -112,7 +116,8 @@ __global__ void round_result(const double* positions, const float* normals, unsi
   Hash hash = 0;
   for (int axis = 0; axis < 3; ++axis)
   {
-    const FT x = FT(fmin(fmax(positions[3 * i + axis], double(box.low[axis])), double(box.high[axis])));
+    const FT x = FT(
+      fmin(fmax(positions[3 * i + axis], double(box.low[axis])), double(box.high[axis])));
     rounded_positions[3 * i + axis] = x;
     rounded_normals[3 * i + axis] = FT(normals[3 * i + axis]);
     hash = mixed(hash ^ (x == 0 ? 0 : bits_of(x))); // 0 and -0 are equal
@@ -134,29 +139,34 @@ Answer wait_for(Session& session, std::int64_t stream)
   return guarded(&session, [&]() {
     cudaEvent_t event;
     CGAL_L0_CUDA_CHECK(cudaEventCreateWithFlags(&event, cudaEventDisableTiming));
-    const cudaError_t recorded = cudaEventRecord(event, reinterpret_cast<cudaStream_t>(std::intptr_t(stream)));
-    const cudaError_t waits = recorded == cudaSuccess ? cudaStreamWaitEvent(session.stream, event, 0) : cudaSuccess;
+    const cudaError_t recorded =
+      cudaEventRecord(event, reinterpret_cast<cudaStream_t>(std::intptr_t(stream)));
+    const cudaError_t waits = recorded == cudaSuccess
+                                ? cudaStreamWaitEvent(session.stream, event, 0)
+                                : cudaSuccess;
     cudaEventDestroy(event); // once the work before it is done
     check(recorded, "cudaEventRecord");
     check(waits, "cudaStreamWaitEvent");
   });
 }
 
-Answer upload_from_device(Session& session, const Device_rows& points, std::size_t size, const Device_rows* normals,
-                          const Device_rows* hints, bool drop_non_finite, std::size_t maximum_memory, Device_points& taken)
+Answer upload_from_device(Session& session, const Device_rows& points, std::size_t size,
+                          const Device_rows* normals, const Device_rows* hints,
+                          bool drop_non_finite, std::size_t maximum_memory, Device_points& taken)
 {
   return guarded(&session, [&]() {
     taken = Device_points();
     taken.first_non_finite = size;
-    const Session::Input_arrays arrays = session.reserve_input(size, normals, hints, maximum_memory);
+    const Session::Input_arrays arrays = session.reserve_input(size, normals, hints,
+                                                               maximum_memory);
     const Workplace workplace = session.workplace();
     unsigned kept = unsigned(size);
     {
       const Arena_scope scope(session.scratch);
       unsigned char* const are_finite = session.scratch.take<unsigned char>(size);
       const Device_counter<unsigned> last_from_end(workplace);
-      look_for_non_finite<<<blocks_for(size), threads_per_block, 0, session.stream>>>(points, unsigned(size), are_finite,
-                                                                                      last_from_end.address());
+      look_for_non_finite<<<blocks_for(size), threads_per_block, 0, session.stream>>>(
+        points, unsigned(size), are_finite, last_from_end.address());
       check_launch("look_for_non_finite");
       const unsigned* list = nullptr;
       const unsigned from_end = last_from_end.read();
@@ -171,13 +181,14 @@ Answer upload_from_device(Session& session, const Device_rows& points, std::size
       }
       if (kept == 0)
         return;
-      take_rows<<<blocks_for(kept), threads_per_block, 0, session.stream>>>(points, list, kept, arrays.points);
+      take_rows<<<blocks_for(kept), threads_per_block, 0, session.stream>>>(points, list, kept,
+                                                                            arrays.points);
       check_launch("take_rows");
       const auto take_vectors = [&](const Device_rows* rows, bool has_one_sign, float* target) {
         if (!rows)
           return;
-        take_directions<<<blocks_for(kept), threads_per_block, 0, session.stream>>>(*rows, list, kept, has_one_sign,
-                                                                                    target);
+        take_directions<<<blocks_for(kept), threads_per_block, 0, session.stream>>>(
+          *rows, list, kept, has_one_sign, target);
         check_launch("take_directions");
       };
       take_vectors(normals, true, arrays.normals);
@@ -194,8 +205,8 @@ Answer upload_from_device(Session& session, const Device_rows& points, std::size
 }
 
 template <typename FT>
-Answer download_to_device(Session& session, const FT* low, const FT* high, FT* positions, FT* normals,
-                          bool& may_have_equal_points)
+Answer download_to_device(Session& session, const FT* low, const FT* high, FT* positions,
+                          FT* normals, bool& may_have_equal_points)
 {
   return guarded(&session, [&]() {
     const unsigned m = session.number_of_samples;
@@ -209,11 +220,12 @@ Answer download_to_device(Session& session, const FT* low, const FT* high, FT* p
     Hash* const hashes = session.scratch.take<Hash>(m);
     Hash* const other = session.scratch.take<Hash>(m);
     const Device_counter<unsigned> equal(session.workplace());
-    round_result<<<blocks_for(m), threads_per_block, 0, session.stream>>>(session.positions, session.sample_normals, m,
-                                                                          box, positions, normals, hashes);
+    round_result<<<blocks_for(m), threads_per_block, 0, session.stream>>>(
+      session.positions, session.sample_normals, m, box, positions, normals, hashes);
     check_launch("round_result");
     const Hash* const sorted = sort_values(hashes, other, m, session.scratch, session.stream);
-    count_equal_neighbors<<<blocks_for(m), threads_per_block, 0, session.stream>>>(sorted, m, equal.address());
+    count_equal_neighbors<<<blocks_for(m), threads_per_block, 0, session.stream>>>(sorted, m,
+                                                                                   equal.address());
     check_launch("count_equal_neighbors");
     may_have_equal_points = equal.read() > 0; // waits for all of it
   });
@@ -255,7 +267,8 @@ void give_back(int device, void* data) noexcept
 Answer copy_to_device(Session& session, const void* source, std::size_t bytes, void* target)
 {
   return guarded(&session, [&]() {
-    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(target, source, bytes, cudaMemcpyHostToDevice, session.stream));
+    CGAL_L0_CUDA_CHECK(
+      cudaMemcpyAsync(target, source, bytes, cudaMemcpyHostToDevice, session.stream));
     CGAL_L0_CUDA_CHECK(cudaStreamSynchronize(session.stream));
   });
 }
@@ -273,10 +286,11 @@ Answer copy_to_host(Session& session, const Device_rows& rows, std::size_t size,
   return guarded(&session, [&]() {
     const Arena_scope scope(session.scratch);
     double* const gathered = session.scratch.take<double>(3 * size);
-    take_rows<<<blocks_for(size), threads_per_block, 0, session.stream>>>(rows, nullptr, unsigned(size), gathered);
+    take_rows<<<blocks_for(size), threads_per_block, 0, session.stream>>>(rows, nullptr,
+                                                                          unsigned(size), gathered);
     check_launch("take_rows");
-    CGAL_L0_CUDA_CHECK(
-      cudaMemcpyAsync(target, gathered, 3 * size * sizeof(double), cudaMemcpyDeviceToHost, session.stream));
+    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(target, gathered, 3 * size * sizeof(double),
+                                       cudaMemcpyDeviceToHost, session.stream));
     CGAL_L0_CUDA_CHECK(cudaStreamSynchronize(session.stream));
   });
 }

@@ -17,8 +17,9 @@ namespace {
 
 /// Of the points in the ball of each query, itself included, and in the one of half the radius.
 /// \param wide_counts out: the same numbers
-__global__ void count_points_in_balls(Cell_grid queries, Cell_grid grid, Cell_blocks blocks, float radius,
-                                      float squared_radius, unsigned* counts, unsigned* half_counts, Wide* wide_counts)
+__global__ void count_points_in_balls(Cell_grid queries, Cell_grid grid, Cell_blocks blocks,
+                                      float radius, float squared_radius, unsigned* counts,
+                                      unsigned* half_counts, Wide* wide_counts)
 {
   const Query query(queries.size);
   const int4 center = queries.points[query.index];
@@ -53,8 +54,8 @@ __device__ Wide sum_around(const Cell_blocks& blocks, Wide cell, const Wide* sum
   return sum;
 }
 
-/// For each cell, how many points the balls of its points have to hold: a share of the mean ball in the block of cells around, and of the
-/// median ball.
+/// For each cell, how many points the balls of its points have to hold: a share of the mean ball in
+/// the block of cells around, and of the median ball.
 /// \param sums of the counts of all points before each point
 __global__ void find_least_counts(Cell_blocks blocks, unsigned number_of_cells, const Wide* sums,
                                   const unsigned* median, double* least_counts)
@@ -68,11 +69,13 @@ __global__ void find_least_counts(Cell_blocks blocks, unsigned number_of_cells, 
     const uint2 range = blocks.ranges[cell * unsigned(blocks.number_of_rows) + unsigned(row)];
     count += range.y - range.x;
   }
-  least_counts[cell] = fmax(outlier_share_of_surroundings * (double(sum_around(blocks, cell, sums)) / double(count)),
+  least_counts[cell] = fmax(outlier_share_of_surroundings
+                              * (double(sum_around(blocks, cell, sums)) / double(count)),
                             outlier_share_of_median * double(*median));
 }
 
-/// Which points may be kept, and which are sparse. Arrays on the device, one number a position, but for the last two.
+/// Which points may be kept, and which are sparse. Arrays on the device, one number a position, but
+/// for the last two.
 struct Dense_points
 {
   unsigned char *is_kept, *is_sparse;
@@ -113,17 +116,19 @@ __global__ void count_others(Cell_grid sparse, const unsigned* list, const unsig
 }
 
 /// \param inner_sums, outer_sums over all points before each point
-__global__ void find_filled_cells(Cell_blocks blocks, unsigned number_of_cells, const Wide* inner_sums,
-                                  const Wide* outer_sums, unsigned char* is_filled)
+__global__ void find_filled_cells(Cell_blocks blocks, unsigned number_of_cells,
+                                  const Wide* inner_sums, const Wide* outer_sums,
+                                  unsigned char* is_filled)
 {
   const Wide cell = thread_index();
   if (cell < number_of_cells)
     is_filled[cell] = double(sum_around(blocks, cell, outer_sums))
-                      > growth_of_space * (double(sum_around(blocks, cell, inner_sums)) + points_of_doubt);
+                      > growth_of_space
+                          * (double(sum_around(blocks, cell, inner_sums)) + points_of_doubt);
 }
 
-__global__ void drop_points_of_filled_cells(Cell_grid sparse, const unsigned* list, const unsigned char* is_filled,
-                                            unsigned char* is_kept)
+__global__ void drop_points_of_filled_cells(Cell_grid sparse, const unsigned* list,
+                                            const unsigned char* is_filled, unsigned char* is_kept)
 {
   const Wide i = thread_index();
   if (i < sparse.size && is_filled[sparse.points[i].w])
@@ -137,8 +142,8 @@ __global__ void make_parts(unsigned number_of_cells, unsigned* parents)
     parents[cell] = unsigned(cell);
 }
 
-/// The lowest cell of the part, as far as parts are joined. Shortens the way: a parent that another thread has put there meanwhile is an
-/// ancestor too.
+/// The lowest cell of the part, as far as parts are joined. Shortens the way: a parent that another
+/// thread has put there meanwhile is an ancestor too.
 __device__ unsigned find_root(unsigned* parents, unsigned cell)
 {
   for (unsigned parent = __ldcg(parents + cell); parent != cell;)
@@ -152,7 +157,8 @@ __device__ unsigned find_root(unsigned* parents, unsigned cell)
   return cell;
 }
 
-/// Hooks the higher root to the lower, so that no circle closes, and the roots in the end do not depend on who was first.
+/// Hooks the higher root to the lower, so that no circle closes, and the roots in the end do not
+/// depend on who was first.
 __device__ void join_parts(unsigned* parents, unsigned a, unsigned b)
 {
   while (true)
@@ -176,7 +182,8 @@ __global__ void join_touching_cells(Cell_grid grid, unsigned* parents)
   const Wide t = thread_index(), cell = t / number_of_rows_before;
   if (cell >= grid.number_of_cells)
     return;
-  const uint2 range = range_of_row(grid, grid.frame.cell_of_key(grid.keys[cell]), 1, int(t % number_of_rows_before));
+  const uint2 range = range_of_row(grid, grid.frame.cell_of_key(grid.keys[cell]), 1,
+                                   int(t % number_of_rows_before));
   if (range.x == range.y)
     return;
   const unsigned last = unsigned(grid.points[range.y - 1].w);
@@ -197,26 +204,32 @@ __global__ void count_points_of_parts(Cell_grid grid, unsigned* parents, unsigne
 }
 
 /// \param grid of the points in the list
-__global__ void keep_large_parts(Cell_grid grid, unsigned* parents, const unsigned* sizes, const unsigned* median,
-                                 const unsigned* list, unsigned char* is_kept)
+__global__ void keep_large_parts(Cell_grid grid, unsigned* parents, const unsigned* sizes,
+                                 const unsigned* median, const unsigned* list,
+                                 unsigned char* is_kept)
 {
   const Wide i = thread_index();
   if (i < grid.size)
-    is_kept[list[grid.order[i]]] = sizes[find_root(parents, unsigned(grid.points[i].w))] >= double(*median) / 2;
+    is_kept[list[grid.order[i]]] = sizes[find_root(parents, unsigned(grid.points[i].w))]
+                                   >= double(*median) / 2;
 }
 
 /// Keeps the points with enough others around.
 /// \param result out
-void find_dense_points(const Workplace& workplace, const Positions& positions, const double (&low)[3],
-                       const double (&high)[3], double radius, const Dense_points& result)
+void find_dense_points(const Workplace& workplace, const Positions& positions,
+                       const double (&low)[3], const double (&high)[3], double radius,
+                       const Dense_points& result)
 {
   const unsigned n = positions.size;
   const cudaStream_t stream = workplace.stream;
   const Arena_scope arena_scope(workplace.arena), scratch_scope(workplace.scratch);
-  const Cell_grid grid = build_grid(positions, nullptr, Cell_frame::around(low, high, radius, radius), workplace.arena,
+  const Cell_grid grid = build_grid(positions, nullptr,
+                                    Cell_frame::around(low, high, radius, radius), workplace.arena,
                                     workplace.scratch, stream);
-  const Cell_blocks blocks = find_blocks(grid, grid, 1, maximum_number_of_candidates, workplace.arena, stream);
-  unsigned *const counts = workplace.arena.take<unsigned>(n), *const half_counts = workplace.arena.take<unsigned>(n);
+  const Cell_blocks blocks = find_blocks(grid, grid, 1, maximum_number_of_candidates,
+                                         workplace.arena, stream);
+  unsigned *const counts = workplace.arena.take<unsigned>(n), *const half_counts =
+                                                                workplace.arena.take<unsigned>(n);
   Wide* const sums = workplace.scratch.take<Wide>(Wide(n) + 1);
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(sums + n, 0, sizeof(Wide), stream));
   count_points_in_balls<<<blocks_for_queries(n), threads_per_block, 0, stream>>>(
@@ -225,43 +238,57 @@ void find_dense_points(const Workplace& workplace, const Positions& positions, c
   sum_up(sums, n, sums, workplace.scratch, stream);
   {
     const Arena_scope sort_scope(workplace.scratch);
-    unsigned *const values = workplace.scratch.take<unsigned>(n), *const other = workplace.scratch.take<unsigned>(n);
-    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(values, counts, n * sizeof(unsigned), cudaMemcpyDeviceToDevice, stream));
+    unsigned *const values = workplace.scratch.take<unsigned>(n),
+                    *const other = workplace.scratch.take<unsigned>(n);
+    CGAL_L0_CUDA_CHECK(
+      cudaMemcpyAsync(values, counts, n * sizeof(unsigned), cudaMemcpyDeviceToDevice, stream));
     const unsigned* const sorted = sort_values(values, other, n, workplace.scratch, stream);
-    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(result.median, sorted + n / 2, sizeof(unsigned), cudaMemcpyDeviceToDevice, stream));
+    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(result.median, sorted + n / 2, sizeof(unsigned),
+                                       cudaMemcpyDeviceToDevice, stream));
   }
   double* const least_counts = workplace.scratch.take<double>(grid.number_of_cells);
   find_least_counts<<<blocks_for(grid.number_of_cells), threads_per_block, 0, stream>>>(
     blocks, grid.number_of_cells, sums, result.median, least_counts);
   check_launch("find_least_counts");
-  keep_dense<<<blocks_for(n), threads_per_block, 0, stream>>>(grid, counts, half_counts, least_counts, result);
+  keep_dense<<<blocks_for(n), threads_per_block, 0, stream>>>(grid, counts, half_counts,
+                                                              least_counts, result);
   check_launch("keep_dense");
 }
 
 /// Of the sparse points, drops those that fill space, as `fill_space()` on the CPU.
-void drop_points_that_fill_space(const Workplace& workplace, const Positions& positions, const double (&low)[3],
-                                 const double (&high)[3], double radius, const Dense_points& points)
+void drop_points_that_fill_space(const Workplace& workplace, const Positions& positions,
+                                 const double (&low)[3], const double (&high)[3], double radius,
+                                 const Dense_points& points)
 {
   const cudaStream_t stream = workplace.stream;
   const double large_radius = 2 * radius;
   const Arena_scope arena_scope(workplace.arena), scratch_scope(workplace.scratch);
   unsigned* const list = workplace.arena.take<unsigned>(positions.size);
   Positions sparse_positions = positions;
-  sparse_positions.size = list_flagged(points.is_sparse, positions.size, list, workplace.scratch, stream);
+  sparse_positions.size = list_flagged(points.is_sparse, positions.size, list, workplace.scratch,
+                                       stream);
   sparse_positions.list = list;
   const Cell_frame frame = Cell_frame::around(low, high, large_radius, large_radius);
-  const Cell_grid grid = build_grid(positions, nullptr, frame, workplace.arena, workplace.scratch, stream);
-  const Cell_grid sparse = build_grid(sparse_positions, nullptr, frame, workplace.arena, workplace.scratch, stream);
+  const Cell_grid grid = build_grid(positions, nullptr, frame, workplace.arena, workplace.scratch,
+                                    stream);
+  const Cell_grid sparse = build_grid(sparse_positions, nullptr, frame, workplace.arena,
+                                      workplace.scratch, stream);
 
   const unsigned n = sparse.size;
-  Wide *const inner = workplace.scratch.take<Wide>(Wide(n) + 1), *const outer = workplace.scratch.take<Wide>(Wide(n) + 1);
+  Wide *const inner = workplace.scratch.take<Wide>(Wide(n) + 1), *const outer =
+                                                                   workplace.scratch.take<Wide>(
+                                                                     Wide(n) + 1);
   {
-    const Cell_blocks blocks = find_blocks(sparse, grid, 1, maximum_number_of_candidates, workplace.arena, stream);
-    unsigned *const counts = workplace.scratch.take<unsigned>(n), *const unused = workplace.scratch.take<unsigned>(n);
+    const Cell_blocks blocks = find_blocks(sparse, grid, 1, maximum_number_of_candidates,
+                                           workplace.arena, stream);
+    unsigned *const counts = workplace.scratch.take<unsigned>(n),
+                    *const unused = workplace.scratch.take<unsigned>(n);
     count_points_in_balls<<<blocks_for_queries(n), threads_per_block, 0, stream>>>(
-      sparse, grid, blocks, float(large_radius), float(large_radius * large_radius), counts, unused, outer);
+      sparse, grid, blocks, float(large_radius), float(large_radius * large_radius), counts, unused,
+      outer);
     check_launch("count_points_in_balls");
-    count_others<<<blocks_for(n), threads_per_block, 0, stream>>>(sparse, list, points.half_counts, counts, inner, outer);
+    count_others<<<blocks_for(n), threads_per_block, 0, stream>>>(sparse, list, points.half_counts,
+                                                                  counts, inner, outer);
     check_launch("count_others");
   }
   for (Wide* const sums : {inner, outer})
@@ -269,18 +296,22 @@ void drop_points_that_fill_space(const Workplace& workplace, const Positions& po
     CGAL_L0_CUDA_CHECK(cudaMemsetAsync(sums + n, 0, sizeof(Wide), stream));
     sum_up(sums, n, sums, workplace.scratch, stream);
   }
-  const Cell_blocks blocks = find_blocks(sparse, sparse, 1, maximum_number_of_candidates, workplace.arena, stream);
+  const Cell_blocks blocks = find_blocks(sparse, sparse, 1, maximum_number_of_candidates,
+                                         workplace.arena, stream);
   unsigned char* const is_filled = workplace.scratch.take<unsigned char>(sparse.number_of_cells);
-  find_filled_cells<<<blocks_for(sparse.number_of_cells), threads_per_block, 0, stream>>>(blocks, sparse.number_of_cells,
-                                                                                          inner, outer, is_filled);
+  find_filled_cells<<<blocks_for(sparse.number_of_cells), threads_per_block, 0, stream>>>(
+    blocks, sparse.number_of_cells, inner, outer, is_filled);
   check_launch("find_filled_cells");
-  drop_points_of_filled_cells<<<blocks_for(n), threads_per_block, 0, stream>>>(sparse, list, is_filled, points.is_kept);
+  drop_points_of_filled_cells<<<blocks_for(n), threads_per_block, 0, stream>>>(
+    sparse, list, is_filled, points.is_kept);
   check_launch("drop_points_of_filled_cells");
 }
 
-/// Of the points that are kept, keeps those whose part of the cloud, where cells that touch hang together, has half as many points as the median ball.
-void find_large_parts(const Workplace& workplace, const Positions& positions, const double (&low)[3],
-                      const double (&high)[3], double cell_size, const unsigned* median, unsigned char* is_kept)
+/// Of the points that are kept, keeps those whose part of the cloud, where cells that touch hang
+/// together, has half as many points as the median ball.
+void find_large_parts(const Workplace& workplace, const Positions& positions,
+                      const double (&low)[3], const double (&high)[3], double cell_size,
+                      const unsigned* median, unsigned char* is_kept)
 {
   const cudaStream_t stream = workplace.stream;
   const Arena_scope arena_scope(workplace.arena), scratch_scope(workplace.scratch);
@@ -290,37 +321,45 @@ void find_large_parts(const Workplace& workplace, const Positions& positions, co
   rest.list = list;
   if (rest.size == 0)
     return;
-  const Cell_grid grid = build_grid(rest, nullptr, Cell_frame::around(low, high, cell_size, cell_size), workplace.arena,
-                                    workplace.scratch, stream);
+  const Cell_grid grid = build_grid(rest, nullptr,
+                                    Cell_frame::around(low, high, cell_size, cell_size),
+                                    workplace.arena, workplace.scratch, stream);
   const unsigned cells = grid.number_of_cells, blocks_for_cells = blocks_for(cells);
-  unsigned *const parents = workplace.scratch.take<unsigned>(cells), *const sizes = workplace.scratch.take<unsigned>(cells);
+  unsigned *const parents = workplace.scratch.take<unsigned>(cells),
+                  *const sizes = workplace.scratch.take<unsigned>(cells);
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(sizes, 0, cells * sizeof(unsigned), stream));
   make_parts<<<blocks_for_cells, threads_per_block, 0, stream>>>(cells, parents);
   check_launch("make_parts");
-  join_touching_cells<<<blocks_for(Wide(cells) * number_of_rows_before), threads_per_block, 0, stream>>>(grid, parents);
+  join_touching_cells<<<blocks_for(Wide(cells) * number_of_rows_before), threads_per_block, 0,
+                        stream>>>(grid, parents);
   check_launch("join_touching_cells");
   count_points_of_parts<<<blocks_for_cells, threads_per_block, 0, stream>>>(grid, parents, sizes);
   check_launch("count_points_of_parts");
-  keep_large_parts<<<blocks_for(rest.size), threads_per_block, 0, stream>>>(grid, parents, sizes, median, list, is_kept);
+  keep_large_parts<<<blocks_for(rest.size), threads_per_block, 0, stream>>>(grid, parents, sizes,
+                                                                            median, list, is_kept);
   check_launch("keep_large_parts");
 }
 
 } // namespace
 
-unsigned find_outliers(const Workplace& workplace, const Positions& positions, const double (&low)[3],
-                       const double (&high)[3], double radius, unsigned* kept)
+unsigned find_outliers(const Workplace& workplace, const Positions& positions,
+                       const double (&low)[3], const double (&high)[3], double radius,
+                       unsigned* kept)
 {
   const Arena_scope scope(workplace.scratch);
   Device_arena& scratch = workplace.scratch;
   const Device_counter<unsigned> is_any_sparse_kept(workplace);
-  const Dense_points points = {scratch.take<unsigned char>(positions.size), scratch.take<unsigned char>(positions.size),
+  const Dense_points points = {scratch.take<unsigned char>(positions.size),
+                               scratch.take<unsigned char>(positions.size),
                                scratch.take<unsigned>(positions.size), scratch.take<unsigned>(1),
                                is_any_sparse_kept.address()};
   find_dense_points(workplace, positions, low, high, radius, points);
   if (is_any_sparse_kept.read())
     drop_points_that_fill_space(workplace, positions, low, high, radius, points);
-  find_large_parts(workplace, positions, low, high, gap_of_parts * radius, points.median, points.is_kept);
-  const unsigned number_of_kept = list_flagged(points.is_kept, positions.size, kept, workplace.scratch, workplace.stream);
+  find_large_parts(workplace, positions, low, high, gap_of_parts * radius, points.median,
+                   points.is_kept);
+  const unsigned number_of_kept = list_flagged(points.is_kept, positions.size, kept,
+                                               workplace.scratch, workplace.stream);
   return number_of_kept > 0 ? positions.size - number_of_kept : 0;
 }
 

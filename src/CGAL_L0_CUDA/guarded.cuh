@@ -59,7 +59,8 @@ Answer guarded(Session* session, const F& f)
   try
   {
     if (is_forked())
-      return answer(Status::NO_DEVICE, "the device was used before fork(), so that this process cannot use it");
+      return answer(Status::NO_DEVICE,
+                    "the device was used before fork(), so that this process cannot use it");
     if (!session)
     {
       f();

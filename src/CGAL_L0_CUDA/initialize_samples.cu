@@ -34,16 +34,19 @@ struct Sources
 // Samples shared out by points
 
 /// One of each run of nearly equal length, as `pick_one_of_each_run()` on the CPU.
-__global__ void pick_one_of_each_run(unsigned number_of_distinct, unsigned number_of_samples, Wide seed, unsigned* picked)
+__global__ void pick_one_of_each_run(unsigned number_of_distinct, unsigned number_of_samples,
+                                     Wide seed, unsigned* picked)
 {
   const Wide k = thread_index();
   if (k >= number_of_samples)
     return;
-  const Wide begin = k * number_of_distinct / number_of_samples, end = (k + 1) * number_of_distinct / number_of_samples;
+  const Wide begin = k * number_of_distinct / number_of_samples,
+             end = (k + 1) * number_of_distinct / number_of_samples;
   picked[k] = unsigned(begin + random_bits(seed, k) % (end - begin));
 }
 
-__global__ void spread_evenly(unsigned number_of_distinct, unsigned number_of_new, unsigned* sources)
+__global__ void spread_evenly(unsigned number_of_distinct, unsigned number_of_new,
+                              unsigned* sources)
 {
   const Wide e = thread_index();
   if (e < number_of_new)
@@ -51,21 +54,23 @@ __global__ void spread_evenly(unsigned number_of_distinct, unsigned number_of_ne
 }
 
 /// As `sources_by_points()` on the CPU.
-Sources sources_by_points(const Workplace& workplace, unsigned number_of_distinct, unsigned m, Wide seed)
+Sources sources_by_points(const Workplace& workplace, unsigned number_of_distinct, unsigned m,
+                          Wide seed)
 {
   Sources sources = {{nullptr, m}, {nullptr, 0}};
   unsigned* const list = workplace.scratch.take<unsigned>(m);
   if (m <= number_of_distinct)
   {
-    pick_one_of_each_run<<<blocks_for(m), threads_per_block, 0, workplace.stream>>>(number_of_distinct, m, seed, list);
+    pick_one_of_each_run<<<blocks_for(m), threads_per_block, 0, workplace.stream>>>(
+      number_of_distinct, m, seed, list);
     check_launch("pick_one_of_each_run");
     sources.on_points.list = list;
     return sources;
   }
   sources.on_points.size = number_of_distinct;
   sources.between_points = {list, m - number_of_distinct};
-  spread_evenly<<<blocks_for(sources.between_points.size), threads_per_block, 0, workplace.stream>>>(
-    number_of_distinct, sources.between_points.size, list);
+  spread_evenly<<<blocks_for(sources.between_points.size), threads_per_block, 0,
+                  workplace.stream>>>(number_of_distinct, sources.between_points.size, list);
   check_launch("spread_evenly");
   return sources;
 }
@@ -81,8 +86,8 @@ __global__ void take_areas(Cell_grid grid, Some distinct, Areas areas, Wide* uni
 
 /// The point in whose area the threshold of each sample lies; the last takes what rounding leaves.
 /// \param sums of the areas before each point, and of all
-__global__ void find_thresholds(const Wide* sums, unsigned number_of_distinct, unsigned number_of_samples, Wide seed,
-                                unsigned* sources)
+__global__ void find_thresholds(const Wide* sums, unsigned number_of_distinct,
+                                unsigned number_of_samples, Wide seed, unsigned* sources)
 {
   const Wide k = thread_index();
   if (k >= number_of_samples)
@@ -103,7 +108,8 @@ __global__ void find_thresholds(const Wide* sums, unsigned number_of_distinct, u
   sources[k] = first;
 }
 
-__global__ void mark_first_of_points(const unsigned* sources, unsigned number_of_samples, unsigned* is_first)
+__global__ void mark_first_of_points(const unsigned* sources, unsigned number_of_samples,
+                                     unsigned* is_first)
 {
   const Wide k = thread_index();
   if (k < number_of_samples)
@@ -111,8 +117,9 @@ __global__ void mark_first_of_points(const unsigned* sources, unsigned number_of
 }
 
 /// \param places how many samples before each are the first of their points
-__global__ void part_first_from_others(const unsigned* sources, const unsigned* places, unsigned number_of_samples,
-                                       unsigned* first, unsigned* others)
+__global__ void part_first_from_others(const unsigned* sources, const unsigned* places,
+                                       unsigned number_of_samples, unsigned* first,
+                                       unsigned* others)
 {
   const Wide k = thread_index();
   if (k >= number_of_samples)
@@ -125,26 +132,32 @@ __global__ void part_first_from_others(const unsigned* sources, const unsigned* 
 }
 
 /// As `sources_by_area()` on the CPU.
-Sources sources_by_area(const Workplace& workplace, const Cell_grid& grid, const Some& distinct, const Areas& areas,
-                        unsigned m, Wide seed)
+Sources sources_by_area(const Workplace& workplace, const Cell_grid& grid, const Some& distinct,
+                        const Areas& areas, unsigned m, Wide seed)
 {
   const cudaStream_t stream = workplace.stream;
-  unsigned *const first = workplace.scratch.take<unsigned>(m), *const others = workplace.scratch.take<unsigned>(m);
+  unsigned *const first = workplace.scratch.take<unsigned>(m), *const others =
+                                                                 workplace.scratch.take<unsigned>(
+                                                                   m);
   const Arena_scope scope(workplace.scratch);
-  unsigned *const sources = workplace.scratch.take<unsigned>(m), *const places = workplace.scratch.take<unsigned>(
-                                                                   Wide(m) + 1);
+  unsigned *const sources = workplace.scratch.take<unsigned>(m), *const places =
+                                                                   workplace.scratch.take<unsigned>(
+                                                                     Wide(m) + 1);
   Wide* const sums = workplace.scratch.take<Wide>(Wide(distinct.size) + 1);
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(sums + distinct.size, 0, sizeof(Wide), stream));
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(places + m, 0, sizeof(unsigned), stream));
-  take_areas<<<blocks_for(distinct.size), threads_per_block, 0, stream>>>(grid, distinct, areas, sums);
+  take_areas<<<blocks_for(distinct.size), threads_per_block, 0, stream>>>(grid, distinct, areas,
+                                                                          sums);
   check_launch("take_areas");
   sum_up(sums, distinct.size, sums, workplace.scratch, stream);
-  find_thresholds<<<blocks_for(m), threads_per_block, 0, stream>>>(sums, distinct.size, m, seed, sources);
+  find_thresholds<<<blocks_for(m), threads_per_block, 0, stream>>>(sums, distinct.size, m, seed,
+                                                                   sources);
   check_launch("find_thresholds");
   mark_first_of_points<<<blocks_for(m), threads_per_block, 0, stream>>>(sources, m, places);
   check_launch("mark_first_of_points");
   sum_up(places, m, places, workplace.scratch, stream);
-  part_first_from_others<<<blocks_for(m), threads_per_block, 0, stream>>>(sources, places, m, first, others);
+  part_first_from_others<<<blocks_for(m), threads_per_block, 0, stream>>>(sources, places, m, first,
+                                                                          others);
   check_launch("part_first_from_others");
   const unsigned number_of_first = workplace.scratch.read(places + m, stream);
   return {{first, number_of_first}, {others, m - number_of_first}};
@@ -165,11 +178,11 @@ __device__ float number_of_ascending_bits(unsigned bits)
   return __uint_as_float(bits & sign ? bits & ~sign : ~bits);
 }
 
-/// One axis of the hint of each distinct point, that of the first in lexicographic order of those of its points: other than a choice by the order of the input, it is
-/// the same for any order.
+/// One axis of the hint of each distinct point, that of the first in lexicographic order of those
+/// of its points: other than a choice by the order of the input, it is the same for any order.
 /// \param least of each distinct point, xyz interleaved; those of the axes before are known
-__global__ void find_least_hints(const float* hints, const unsigned* order, unsigned size, Some distinct, int axis,
-                                 unsigned* least)
+__global__ void find_least_hints(const float* hints, const unsigned* order, unsigned size,
+                                 Some distinct, int axis, unsigned* least)
 {
   const Wide j = thread_index();
   if (j >= size)
@@ -199,15 +212,16 @@ __global__ void find_least_hints(const float* hints, const unsigned* order, unsi
 }
 
 /// From the scratch arena.
-unsigned* least_hints(const Workplace& workplace, const float* hints, const Cell_grid& grid, const Some& distinct)
+unsigned* least_hints(const Workplace& workplace, const float* hints, const Cell_grid& grid,
+                      const Some& distinct)
 {
   const std::size_t count = 3 * std::size_t(distinct.size);
   unsigned* const least = workplace.scratch.take<unsigned>(count);
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(least, 0xff, count * sizeof(unsigned), workplace.stream));
   for (int axis = 0; axis < 3; ++axis)
   {
-    find_least_hints<<<blocks_for(grid.size), threads_per_block, 0, workplace.stream>>>(hints, grid.order, grid.size,
-                                                                                        distinct, axis, least);
+    find_least_hints<<<blocks_for(grid.size), threads_per_block, 0, workplace.stream>>>(
+      hints, grid.order, grid.size, distinct, axis, least);
     check_launch("find_least_hints");
   }
   return least;
@@ -231,8 +245,9 @@ __device__ float4 unit_normal(float4 n)
 }
 
 /// \param source the point in the grid, whose number among the distinct ones is `number`
-__device__ void start_on_point(const Samples& samples, Wide i, double3 position, const Heritage& heritage,
-                               const Cell_grid& grid, unsigned source, Wide number, bool is_voter)
+__device__ void start_on_point(const Samples& samples, Wide i, double3 position,
+                               const Heritage& heritage, const Cell_grid& grid, unsigned source,
+                               Wide number, bool is_voter)
 {
   samples.positions[3 * i] = position.x;
   samples.positions[3 * i + 1] = position.y;
@@ -242,19 +257,23 @@ __device__ void start_on_point(const Samples& samples, Wide i, double3 position,
   if (samples.are_voters)
     samples.are_voters[i] = is_voter;
   if (samples.spacings)
-    samples.spacings[i] = float(sqrt(double(heritage.areas[grid.points[source].w]) * heritage.squared_spacing_per_area));
+    samples.spacings[i] = float(
+      sqrt(double(heritage.areas[grid.points[source].w]) * heritage.squared_spacing_per_area));
   if (samples.hints)
   {
     const unsigned* const hint = heritage.hints + 3 * number;
-    samples.hints[i] = make_float4(number_of_ascending_bits(hint[0]), number_of_ascending_bits(hint[1]),
+    samples.hints[i] = make_float4(number_of_ascending_bits(hint[0]),
+                                   number_of_ascending_bits(hint[1]),
                                    number_of_ascending_bits(hint[2]), 0);
   }
 }
 
-/// The partner of each new sample, as `move_between_points()` on the CPU: of the points of its ball the one of the highest rank.
+/// The partner of each new sample, as `move_between_points()` on the CPU: of the points of its ball
+/// the one of the highest rank.
 /// \param sources numbers of distinct points
-__global__ void place_between_points(Positions positions, Cell_grid grid, Cell_blocks blocks, Some distinct,
-                                     Some sources, float radius, Wide seed, Heritage heritage, Samples samples)
+__global__ void place_between_points(Positions positions, Cell_grid grid, Cell_blocks blocks,
+                                     Some distinct, Some sources, float radius, Wide seed,
+                                     Heritage heritage, Samples samples)
 {
   const Query query(sources.size);
   const Wide e = query.index;
@@ -272,7 +291,8 @@ __global__ void place_between_points(Positions positions, Cell_grid grid, Cell_b
   const int4 center = grid.points[source];
   const float4* const normals = heritage.normals;
   const float3 normal = xyz(normals[source]);
-  const float unit = grid.frame.unit(), squared_radius = radius * radius, similar_cosine = 0.87f; // as on the CPU
+  const float unit = grid.frame.unit(), squared_radius = radius * radius,
+              similar_cosine = 0.87f; // as on the CPU
 
   Wide best = 0;
   unsigned partner = source;
@@ -281,7 +301,8 @@ __global__ void place_between_points(Positions positions, Cell_grid grid, Cell_b
     if (dot(d, d) >= squared_radius)
       return;
     const Wide is_similar = fabsf(dot(normal, xyz(normals[j]))) > similar_cosine;
-    const Wide rank = (random_bits(seed + source, (number_before << 32) | j) >> 1) | (is_similar << 63);
+    const Wide rank = (random_bits(seed + source, (number_before << 32) | j) >> 1)
+                      | (is_similar << 63);
     if (rank <= best)
       return;
     const double3 p = positions(grid.order[j]), q = positions(grid.order[source]);
@@ -306,28 +327,32 @@ __global__ void place_between_points(Positions positions, Cell_grid grid, Cell_b
     partner = number + 1 < distinct.size ? distinct[number + 1] : distinct[distinct.size - 2];
   const double3 start = positions(grid.order[source]);
   // never the middle, where the way back from the partner would put another one
-  const double share = 0.2
-                       + 0.25 * scalbn(double(random_bits(seed + source, (number_before << 32) | 0xffffffff) >> 11), -53);
-  start_on_point(samples, e, start + share * (positions(grid.order[partner]) - start), heritage, grid, source, number,
-                 false);
+  const double share =
+    0.2
+    + 0.25
+        * scalbn(double(random_bits(seed + source, (number_before << 32) | 0xffffffff) >> 11), -53);
+  start_on_point(samples, e, start + share * (positions(grid.order[partner]) - start), heritage,
+                 grid, source, number, false);
 }
 
 /// \param first of the samples that start so
-__global__ void place_on_points(Positions positions, Cell_grid grid, Some distinct, Some sources, unsigned first,
-                                Heritage heritage, Choice_of_voters voters, Samples samples)
+__global__ void place_on_points(Positions positions, Cell_grid grid, Some distinct, Some sources,
+                                unsigned first, Heritage heritage, Choice_of_voters voters,
+                                Samples samples)
 {
   const Wide k = thread_index();
   if (k >= sources.size)
     return;
   const unsigned number = sources[k], source = distinct[number];
-  start_on_point(samples, first + k, positions(grid.order[source]), heritage, grid, source, number, voters.takes(source));
+  start_on_point(samples, first + k, positions(grid.order[source]), heritage, grid, source, number,
+                 voters.takes(source));
 }
 
 } // namespace
 
-void initialize_samples(const Workplace& workplace, const Positions& positions, const Cell_grid& grid,
-                        const Sources_of_samples& points, double radius, double spacing, std::size_t seed,
-                        const Samples& samples)
+void initialize_samples(const Workplace& workplace, const Positions& positions,
+                        const Cell_grid& grid, const Sources_of_samples& points, double radius,
+                        double spacing, std::size_t seed, const Samples& samples)
 {
   const cudaStream_t stream = workplace.stream;
   const Arena_scope scope(workplace.scratch);
@@ -342,9 +367,10 @@ void initialize_samples(const Workplace& workplace, const Positions& positions, 
   const Sources sources = areas && points.spreads_evenly
                             ? sources_by_area(workplace, grid, distinct, *areas, samples.size, seed)
                             : sources_by_points(workplace, distinct.size, samples.size, seed);
-  const Heritage heritage = {points.normals, areas ? areas->of_cells : nullptr,
-                             areas ? areas->area_per_unit * double(grid.size) / double(samples.size) : 0,
-                             samples.hints ? least_hints(workplace, points.hints, grid, distinct) : nullptr};
+  const Heritage heritage = {
+    points.normals, areas ? areas->of_cells : nullptr,
+    areas ? areas->area_per_unit * double(grid.size) / double(samples.size) : 0,
+    samples.hints ? least_hints(workplace, points.hints, grid, distinct) : nullptr};
 
   const unsigned number_of_new = sources.between_points.size;
   if (number_of_new > 0)
@@ -353,7 +379,8 @@ void initialize_samples(const Workplace& workplace, const Positions& positions, 
     const Cell_blocks blocks = find_blocks(grid, grid, cells_in_reach(radius, grid.frame.cell_size),
                                            maximum_number_of_candidates, workplace.arena, stream);
     place_between_points<<<blocks_for_queries(number_of_new), threads_per_block, 0, stream>>>(
-      positions, grid, blocks, distinct, sources.between_points, float(radius), seed, heritage, samples);
+      positions, grid, blocks, distinct, sources.between_points, float(radius), seed, heritage,
+      samples);
     check_launch("place_between_points");
   }
   const Choice_of_voters voters(seed, radius, spacing, samples.size, sources.on_points.size);

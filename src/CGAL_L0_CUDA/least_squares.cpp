@@ -28,7 +28,8 @@ using cuda::check;
 void check(cusparseStatus_t status, const char* call)
 {
   if (status != CUSPARSE_STATUS_SUCCESS)
-    throw Failure(status == CUSPARSE_STATUS_ALLOC_FAILED || status == CUSPARSE_STATUS_INSUFFICIENT_RESOURCES
+    throw Failure(status == CUSPARSE_STATUS_ALLOC_FAILED
+                      || status == CUSPARSE_STATUS_INSUFFICIENT_RESOURCES
                     ? Status::OUT_OF_MEMORY
                     : Status::DEVICE_FAILED,
                   std::string(call) + ": " + cusparseGetErrorString(status));
@@ -37,7 +38,8 @@ void check(cusparseStatus_t status, const char* call)
 void check(cublasStatus_t status, const char* call)
 {
   if (status != CUBLAS_STATUS_SUCCESS)
-    throw Failure(status == CUBLAS_STATUS_ALLOC_FAILED ? Status::OUT_OF_MEMORY : Status::DEVICE_FAILED,
+    throw Failure(status == CUBLAS_STATUS_ALLOC_FAILED ? Status::OUT_OF_MEMORY
+                                                       : Status::DEVICE_FAILED,
                   std::string(call) + ": " + cublasGetStatusString(status));
 }
 
@@ -74,11 +76,15 @@ class Array
   Handle<void*, cudaFree> m_data;
 
 public:
-  explicit Array(std::size_t count) { check(cudaMalloc(m_data.address(), count * sizeof(T)), "cudaMalloc"); }
+  explicit Array(std::size_t count)
+  {
+    check(cudaMalloc(m_data.address(), count * sizeof(T)), "cudaMalloc");
+  }
 
   Array(const T* from, std::size_t count, cudaStream_t stream) : Array(count)
   {
-    check(cudaMemcpyAsync(data(), from, count * sizeof(T), cudaMemcpyHostToDevice, stream), "cudaMemcpyAsync");
+    check(cudaMemcpyAsync(data(), from, count * sizeof(T), cudaMemcpyHostToDevice, stream),
+          "cudaMemcpyAsync");
   }
 
   T* data() const { return static_cast<T*>(static_cast<void*>(m_data)); }
@@ -100,7 +106,10 @@ void scal(cublasHandle_t h, std::int64_t n, double a, double* x)
 {
   check(cublasDscal_64(h, n, &a, x, 1), "cublasDscal");
 }
-void scal(cublasHandle_t h, std::int64_t n, float a, float* x) { check(cublasSscal_64(h, n, &a, x, 1), "cublasSscal"); }
+void scal(cublasHandle_t h, std::int64_t n, float a, float* x)
+{
+  check(cublasSscal_64(h, n, &a, x, 1), "cublasSscal");
+}
 double norm(cublasHandle_t h, std::int64_t n, const double* x)
 {
   double result = 0;
@@ -124,7 +133,8 @@ struct Vector
 
   explicit Vector(std::int64_t n) : size(n), values(std::size_t(n))
   {
-    check(cusparseCreateDnVec(descriptor.address(), n, values.data(), data_type<FT>), "cusparseCreateDnVec");
+    check(cusparseCreateDnVec(descriptor.address(), n, values.data(), data_type<FT>),
+          "cusparseCreateDnVec");
   }
 
   FT* data() const { return values.data(); }
@@ -142,26 +152,29 @@ class Matrix
 
 public:
   /// \param x, y vectors of the sizes of those that will be multiplied
-  Matrix(const Sparse_matrix<FT>& matrix, cusparseHandle_t handle, const Vector<FT>& x, const Vector<FT>& y,
-         cudaStream_t stream)
+  Matrix(const Sparse_matrix<FT>& matrix, cusparseHandle_t handle, const Vector<FT>& x,
+         const Vector<FT>& y, cudaStream_t stream)
     : m_handle(handle), m_offsets(matrix.offsets, std::size_t(matrix.number_of_rows) + 1, stream),
       m_columns(matrix.columns, std::size_t(matrix.offsets[matrix.number_of_rows]), stream),
       m_values(matrix.values, std::size_t(matrix.offsets[matrix.number_of_rows]), stream)
   {
-    check(cusparseCreateConstCsr(m_descriptor.address(), matrix.number_of_rows, matrix.number_of_columns,
-                                 matrix.offsets[matrix.number_of_rows], m_offsets.data(), m_columns.data(),
-                                 m_values.data(), CUSPARSE_INDEX_64I, CUSPARSE_INDEX_64I, CUSPARSE_INDEX_BASE_ZERO,
+    check(cusparseCreateConstCsr(m_descriptor.address(), matrix.number_of_rows,
+                                 matrix.number_of_columns, matrix.offsets[matrix.number_of_rows],
+                                 m_offsets.data(), m_columns.data(), m_values.data(),
+                                 CUSPARSE_INDEX_64I, CUSPARSE_INDEX_64I, CUSPARSE_INDEX_BASE_ZERO,
                                  data_type<FT>),
           "cusparseCreateConstCsr");
     const FT one = 1, zero = 0;
     std::size_t bytes = 0;
-    check(cusparseSpMV_bufferSize(m_handle, CUSPARSE_OPERATION_NON_TRANSPOSE, &one, m_descriptor, x.descriptor, &zero,
-                                  y.descriptor, data_type<FT>, algorithm, &bytes),
+    check(cusparseSpMV_bufferSize(m_handle, CUSPARSE_OPERATION_NON_TRANSPOSE, &one, m_descriptor,
+                                  x.descriptor, &zero, y.descriptor, data_type<FT>, algorithm,
+                                  &bytes),
           "cusparseSpMV_bufferSize");
     if (bytes > 0)
       check(cudaMalloc(m_scratch.address(), bytes), "cudaMalloc");
-    check(cusparseSpMV_preprocess(m_handle, CUSPARSE_OPERATION_NON_TRANSPOSE, &one, m_descriptor, x.descriptor, &zero,
-                                  y.descriptor, data_type<FT>, algorithm, m_scratch),
+    check(cusparseSpMV_preprocess(m_handle, CUSPARSE_OPERATION_NON_TRANSPOSE, &one, m_descriptor,
+                                  x.descriptor, &zero, y.descriptor, data_type<FT>, algorithm,
+                                  m_scratch),
           "cusparseSpMV_preprocess");
   }
 
@@ -169,8 +182,8 @@ public:
   void multiply(const Vector<FT>& x, Vector<FT>& y) const
   {
     const FT one = 1, zero = 0;
-    check(cusparseSpMV(m_handle, CUSPARSE_OPERATION_NON_TRANSPOSE, &one, m_descriptor, x.descriptor, &zero,
-                       y.descriptor, data_type<FT>, algorithm, m_scratch),
+    check(cusparseSpMV(m_handle, CUSPARSE_OPERATION_NON_TRANSPOSE, &one, m_descriptor, x.descriptor,
+                       &zero, y.descriptor, data_type<FT>, algorithm, m_scratch),
           "cusparseSpMV");
   }
 
@@ -180,14 +193,16 @@ private:
 };
 
 template <typename FT>
-void solve(const Sparse_matrix<FT>& host_matrix, const Sparse_matrix<FT>& host_transposed, const FT* rhs,
-           double tolerance, std::size_t maximum_number_of_iterations, FT* solution, Least_squares_report& report)
+void solve(const Sparse_matrix<FT>& host_matrix, const Sparse_matrix<FT>& host_transposed,
+           const FT* rhs, double tolerance, std::size_t maximum_number_of_iterations, FT* solution,
+           Least_squares_report& report)
 {
   Stream stream;
   Sparse_handle sparse;
   Dense_handle dense;
   Event start, stop;
-  check(cudaStreamCreateWithFlags(stream.address(), cudaStreamNonBlocking), "cudaStreamCreateWithFlags");
+  check(cudaStreamCreateWithFlags(stream.address(), cudaStreamNonBlocking),
+        "cudaStreamCreateWithFlags");
   check(cusparseCreate(sparse.address()), "cusparseCreate");
   check(cublasCreate(dense.address()), "cublasCreate");
   check(cusparseSetStream(sparse, stream), "cusparseSetStream");
@@ -197,10 +212,13 @@ void solve(const Sparse_matrix<FT>& host_matrix, const Sparse_matrix<FT>& host_t
 
   const std::int64_t rows = host_matrix.number_of_rows, columns = host_matrix.number_of_columns;
   Vector<FT> x(columns), p(columns), s(columns), r(rows), q(rows);
-  const Matrix<FT> matrix(host_matrix, sparse, p, q, stream), transposed(host_transposed, sparse, r, s, stream);
-  check(cudaMemcpyAsync(x.data(), solution, std::size_t(columns) * sizeof(FT), cudaMemcpyHostToDevice, stream),
+  const Matrix<FT> matrix(host_matrix, sparse, p, q, stream),
+    transposed(host_transposed, sparse, r, s, stream);
+  check(cudaMemcpyAsync(x.data(), solution, std::size_t(columns) * sizeof(FT),
+                        cudaMemcpyHostToDevice, stream),
         "cudaMemcpyAsync");
-  check(cudaMemcpyAsync(r.data(), rhs, std::size_t(rows) * sizeof(FT), cudaMemcpyHostToDevice, stream),
+  check(cudaMemcpyAsync(r.data(), rhs, std::size_t(rows) * sizeof(FT), cudaMemcpyHostToDevice,
+                        stream),
         "cudaMemcpyAsync");
 
   check(cudaEventRecord(start, stream), "cudaEventRecord");
@@ -209,7 +227,8 @@ void solve(const Sparse_matrix<FT>& host_matrix, const Sparse_matrix<FT>& host_t
   matrix.multiply(x, q);
   axpy(dense, rows, FT(-1), q.data(), r.data()); // r = b - A x
   transposed.multiply(r, s);                     // s = A^T r
-  check(cudaMemcpyAsync(p.data(), s.data(), std::size_t(columns) * sizeof(FT), cudaMemcpyDeviceToDevice, stream),
+  check(cudaMemcpyAsync(p.data(), s.data(), std::size_t(columns) * sizeof(FT),
+                        cudaMemcpyDeviceToDevice, stream),
         "cudaMemcpyAsync");
   double norm_of_s = norm(dense, columns, s.data());
   report.iterations = 0;
@@ -231,10 +250,13 @@ void solve(const Sparse_matrix<FT>& host_matrix, const Sparse_matrix<FT>& host_t
   }
   check(cudaEventRecord(stop, stream), "cudaEventRecord");
   if (!std::isfinite(norm_of_rhs) || !std::isfinite(norm_of_s))
-    throw Failure(Status::NOT_FINITE, "The quadratic problem or its initial guess has values that are not finite.");
+    throw Failure(Status::NOT_FINITE,
+                  "The quadratic problem or its initial guess has values that are not finite.");
   if (norm_of_rhs == 0)
-    check(cudaMemsetAsync(x.data(), 0, std::size_t(columns) * sizeof(FT), stream), "cudaMemsetAsync");
-  check(cudaMemcpyAsync(solution, x.data(), std::size_t(columns) * sizeof(FT), cudaMemcpyDeviceToHost, stream),
+    check(cudaMemsetAsync(x.data(), 0, std::size_t(columns) * sizeof(FT), stream),
+          "cudaMemsetAsync");
+  check(cudaMemcpyAsync(solution, x.data(), std::size_t(columns) * sizeof(FT),
+                        cudaMemcpyDeviceToHost, stream),
         "cudaMemcpyAsync");
   check(cudaStreamSynchronize(stream), "cudaStreamSynchronize");
   report.relative_residual = norm_of_rhs > 0 ? norm_of_s / norm_of_rhs : 0;
@@ -244,8 +266,9 @@ void solve(const Sparse_matrix<FT>& host_matrix, const Sparse_matrix<FT>& host_t
 }
 
 template <typename FT>
-Answer guarded_solve(const Sparse_matrix<FT>& matrix, const Sparse_matrix<FT>& transposed, const FT* rhs,
-                     double tolerance, std::size_t maximum_number_of_iterations, FT* x, Least_squares_report& report)
+Answer guarded_solve(const Sparse_matrix<FT>& matrix, const Sparse_matrix<FT>& transposed,
+                     const FT* rhs, double tolerance, std::size_t maximum_number_of_iterations,
+                     FT* x, Least_squares_report& report)
 {
   Answer answer = find_device();
   if (answer.status != Status::DONE)
@@ -269,15 +292,17 @@ Answer guarded_solve(const Sparse_matrix<FT>& matrix, const Sparse_matrix<FT>& t
 
 } // namespace
 
-Answer solve_least_squares(const Sparse_matrix<float>& matrix, const Sparse_matrix<float>& transposed, const float* rhs,
+Answer solve_least_squares(const Sparse_matrix<float>& matrix,
+                           const Sparse_matrix<float>& transposed, const float* rhs,
                            double tolerance, std::size_t maximum_number_of_iterations, float* x,
                            Least_squares_report& report)
 {
   return guarded_solve(matrix, transposed, rhs, tolerance, maximum_number_of_iterations, x, report);
 }
 
-Answer solve_least_squares(const Sparse_matrix<double>& matrix, const Sparse_matrix<double>& transposed,
-                           const double* rhs, double tolerance, std::size_t maximum_number_of_iterations, double* x,
+Answer solve_least_squares(const Sparse_matrix<double>& matrix,
+                           const Sparse_matrix<double>& transposed, const double* rhs,
+                           double tolerance, std::size_t maximum_number_of_iterations, double* x,
                            Least_squares_report& report)
 {
   return guarded_solve(matrix, transposed, rhs, tolerance, maximum_number_of_iterations, x, report);

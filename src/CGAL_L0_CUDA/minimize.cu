@@ -72,10 +72,11 @@ __device__ void for_each_sample(unsigned size, const F& f)
     f(unsigned(i));
 }
 
-/// Walks over the pairs of a lane in batches: calls `load(k, e)` for each pair of a batch, and then `use(loaded, e)`, so that the memory has several
-/// reads to do at once.
+/// Walks over the pairs of a lane in batches: calls `load(k, e)` for each pair of a batch, and then
+/// `use(loaded, e)`, so that the memory has several reads to do at once.
 template <int batch, typename Load, typename Use>
-__device__ void for_each_pair(const Neighbor_lists& neighbors, uint2 row, unsigned lane, const Load& load, const Use& use)
+__device__ void for_each_pair(const Neighbor_lists& neighbors, uint2 row, unsigned lane,
+                              const Load& load, const Use& use)
 {
   const Wide last = row.y;
   for (Wide e = Wide(row.x) + lane; e < last; e += batch * lanes_per_sample)
@@ -99,7 +100,8 @@ __device__ void update_density_weights(const Turn& turn)
 {
   const float squared_bandwidth = float(turn.parameters.squared_bandwidth);
   const float squared_range = float(square(turn.parameters.range_of_pairs));
-  const float mean_number_of_neighbors = float(double(turn.neighbors.number_of_pairs) / turn.samples.size);
+  const float mean_number_of_neighbors = float(double(turn.neighbors.number_of_pairs)
+                                               / turn.samples.size);
   for_each_sample_of_group(turn.samples.size, [&](unsigned i, unsigned lane, bool is_sample) {
     const uint2 row = turn.neighbors.row(turn.points, turn.samples.size, i);
     const int4 center = turn.points[i];
@@ -108,7 +110,8 @@ __device__ void update_density_weights(const Turn& turn)
       turn.neighbors, row, lane, [&](unsigned k, Wide) { return turn.points[k]; },
       [&](int4 point, Wide) {
         const float3 d = difference(center, point, turn.unit);
-        sum += share_in_ball(dot(d, d), squared_range) * gaussian_weight(dot(d, d), squared_bandwidth);
+        sum += share_in_ball(dot(d, d), squared_range)
+               * gaussian_weight(dot(d, d), squared_bandwidth);
       });
     sum = group_sum<lanes_per_sample>(sum);
     if (lane == 0 && is_sample)
@@ -128,7 +131,8 @@ __device__ Block_factorization<float> load_block(const float* blocks, Wide size,
   return block;
 }
 
-__device__ void store_block(const Block_factorization<float>& block, Wide size, Wide i, float* blocks)
+__device__ void store_block(const Block_factorization<float>& block, Wide size, Wide i,
+                            float* blocks)
 {
   blocks[i] = block.pivots[0];
   blocks[size + i] = block.pivots[1];
@@ -146,7 +150,10 @@ __device__ float3 solve(const Block_factorization<float>& block, float3 r)
   return {y[0], y[1], y[2]};
 }
 
-__device__ double wide_dot(float3 a, float3 b) { return double(a.x) * b.x + double(a.y) * b.y + double(a.z) * b.z; }
+__device__ double wide_dot(float3 a, float3 b)
+{
+  return double(a.x) * b.x + double(a.y) * b.y + double(a.z) * b.z;
+}
 
 /// \f$ a_{ik} \f$ of Eq. (7), as `update_weights()` on the CPU.
 struct Pair_weights
@@ -155,20 +162,25 @@ struct Pair_weights
   float regularization_weight, squared_radius, squared_jump, squared_range;
 
   __device__ explicit Pair_weights(const Turn& turn)
-    : regularize(turn.regularize), regularization_weight(float(turn.parameters.regularization_weight)),
+    : regularize(turn.regularize),
+      regularization_weight(float(turn.parameters.regularization_weight)),
       squared_radius(float(turn.parameters.squared_radius)),
       squared_jump(float(square(turn.parameters.regularized_jump))),
       squared_range(float(square(turn.parameters.range_of_pairs)))
   {}
 
-  /// \param squared_distance, height_i, height_k of \f$ d = p_i - p_k \f$: its square, \f$ n_i^T d \f$ and \f$ n_k^T d \f$
+  /// \param squared_distance, height_i, height_k of \f$ d = p_i - p_k \f$: its square,
+  /// \f$ n_i^T d \f$ and \f$ n_k^T d \f$
   /// \param inverses \f$ 1/w_i + 1/w_k \f$
-  __device__ float operator()(float squared_distance, float height_i, float height_k, float inverses) const
+  __device__ float operator()(float squared_distance, float height_i, float height_k,
+                              float inverses) const
   {
     const float squared_height = fmaxf(height_i * height_i, height_k * height_k);
-    return regularize ? regularization_weight * share_in_ball(squared_distance, squared_range)
-                          * pair_weight(squared_distance, squared_radius, squared_height, squared_jump) * inverses
-                      : 0.f;
+    return regularize
+             ? regularization_weight * share_in_ball(squared_distance, squared_range)
+                 * pair_weight(squared_distance, squared_radius, squared_height, squared_jump)
+                 * inverses
+             : 0.f;
   }
 };
 
@@ -178,8 +190,9 @@ struct Energy_sums
   Wide number_of_active_pairs = 0;
 };
 
-/// Lines 4 and 2 of Algorithm 1 and the start of line 3: offsets by Eq. (9), g of Eq. (10), diagonal blocks D, and
-/// r = g, z = D^-1 r. The fourth number of z is beta n^T z, all that neighbors need of z beside itself. From here to the end of the turn, the place of the position
+/// Lines 4 and 2 of Algorithm 1 and the start of line 3: offsets by Eq. (9), g of Eq. (10),
+/// diagonal blocks D, and r = g, z = D^-1 r. The fourth number of z is beta n^T z, all that
+/// neighbors need of z beside itself. From here to the end of the turn, the place of the position
 /// holds c_i, and the fit tells where the sample is: the step need not be kept beside them.
 /// \param sums out, of the thread: g^T g and r^T z
 __device__ void linearize(const Turn& turn, Energy_sums& energy, double (&sums)[2])
@@ -201,7 +214,9 @@ __device__ void linearize(const Turn& turn, Energy_sums& energy, double (&sums)[
       int4 point;
       float4 normal;
     };
-    const auto load_other = [&](unsigned k, Wide) { return Other{turn.points[k], turn.samples.normals[k]}; };
+    const auto load_other = [&](unsigned k, Wide) {
+      return Other{turn.points[k], turn.samples.normals[k]};
+    };
     for_each_pair<2>(turn.neighbors, row, lane, load_other, [&](const Other& loaded, Wide) {
       const float3 d = difference(center, loaded.point, turn.unit);
       const float4 other = loaded.normal;
@@ -209,7 +224,8 @@ __device__ void linearize(const Turn& turn, Energy_sums& energy, double (&sums)[
       const float squared_distance = dot(d, d);
       const float distance_i = dot(n, d), distance_k = dot(nk, d);
       const float a = weight_of_pair(squared_distance, distance_i, distance_k, own.w + other.w);
-      const float share = share_in_ball(squared_distance, squared_range), shrunk_i = shrink(distance_i, turn.jumps);
+      const float share = share_in_ball(squared_distance, squared_range),
+                  shrunk_i = shrink(distance_i, turn.jumps);
       const float misfit_i = share * (distance_i - shrunk_i),
                   misfit_k = share * (distance_k - shrink(distance_k, turn.jumps));
       g -= a * d + (penalty * misfit_i) * n + (penalty * misfit_k) * nk;
@@ -244,9 +260,10 @@ __device__ void linearize(const Turn& turn, Energy_sums& energy, double (&sums)[
     g += fit.w * to_centroid;
     weight += fit.w;
     const float count = float(row.y - row.x);
-    const float upper[6] = {weight + penalty * (xx + count * n.x * n.x), penalty * (xy + count * n.x * n.y),
-                            penalty * (xz + count * n.x * n.z),          weight + penalty * (yy + count * n.y * n.y),
-                            penalty * (yz + count * n.y * n.z),          weight + penalty * (zz + count * n.z * n.z)};
+    const float upper[6] = {
+      weight + penalty * (xx + count * n.x * n.x), penalty * (xy + count * n.x * n.y),
+      penalty * (xz + count * n.x * n.z),          weight + penalty * (yy + count * n.y * n.y),
+      penalty * (yz + count * n.y * n.z),          weight + penalty * (zz + count * n.z * n.z)};
     const Block_factorization<float> block = factorize_block(upper);
     store_block(block, size, i, turn.arrays.blocks);
     const float3 z = solve(block, g);
@@ -261,8 +278,9 @@ __device__ void linearize(const Turn& turn, Energy_sums& energy, double (&sums)[
   });
 }
 
-/// s = H z + ratio s, as (Hz)_i = D_i z_i - sum of [a_ik I + beta (n_i n_i^T + n_k n_k^T)] z_k, where D_i z_i is r_i. The weights a_ik are computed anew each
-/// time: that takes no longer than reading them, and they would be as many numbers as the lists of neighbors have.
+/// s = H z + ratio s, as (Hz)_i = D_i z_i - sum of [a_ik I + beta (n_i n_i^T + n_k n_k^T)] z_k,
+/// where D_i z_i is r_i. The weights a_ik are computed anew each time: that takes no longer than
+/// reading them, and they would be as many numbers as the lists of neighbors have.
 /// \param curvature out, of the thread: z^T H z
 __device__ void multiply(const Turn& turn, bool is_first, float ratio, double& curvature)
 {
@@ -284,7 +302,8 @@ __device__ void multiply(const Turn& turn, bool is_first, float ratio, double& c
     };
     for_each_pair<2>(turn.neighbors, row, lane, load_other, [&](const Other& other, Wide) {
       const float3 d = difference(center, other.point, turn.unit);
-      const float a = weight_of_pair(dot(d, d), dot(n, d), dot(xyz(other.normal), d), own.w + other.normal.w);
+      const float a = weight_of_pair(dot(d, d), dot(n, d), dot(xyz(other.normal), d),
+                                     own.w + other.normal.w);
       sum += xyz(other.z);
       product += a * xyz(other.z) + other.z.w * xyz(other.normal);
     });
@@ -301,7 +320,8 @@ __device__ void multiply(const Turn& turn, bool is_first, float ratio, double& c
 
 /// p = z + ratio p, x += step p, r -= step s, z = D^-1 r, where x is what the fit has lost
 /// \param sums out, of the thread: r^T r and r^T z
-__device__ void take_step(const Turn& turn, bool is_first, float ratio, float step, double (&sums)[2])
+__device__ void take_step(const Turn& turn, bool is_first, float ratio, float step,
+                          double (&sums)[2])
 {
   for_each_sample(turn.samples.size, [&](unsigned i) {
     float3 p = xyz(turn.arrays.z[i]);
@@ -324,20 +344,25 @@ __device__ void move_samples(const Turn& turn)
 {
   for_each_sample(turn.samples.size, [&](unsigned i) {
     double* const position = turn.samples.positions + 3 * Wide(i);
-    const double3 p = double3{position[0], position[1], position[2]} - to_double(xyz(turn.samples.fit[i]));
+    const double3 p = double3{position[0], position[1], position[2]}
+                      - to_double(xyz(turn.samples.fit[i]));
     position[0] = p.x;
     position[1] = p.y;
     position[2] = p.z;
-    const auto fixed = [&](double c) { return int(unsigned(Wide(__double2ll_rn(c * turn.units_per_length)))); };
+    const auto fixed = [&](double c) {
+      return int(unsigned(Wide(__double2ll_rn(c * turn.units_per_length))));
+    };
     turn.points[i] = make_int4(fixed(p.x), fixed(p.y), fixed(p.z), turn.points[i].w);
   });
 }
 
 /*!
-One turn of Algorithm 1 in one cooperative launch, so that nobody waits for the host: weights, shrinkage, conjugate gradients, step.
+One turn of Algorithm 1 in one cooperative launch, so that nobody waits for the host: weights,
+shrinkage, conjugate gradients, step.
 
-The conjugate gradients are those of Chronopoulos and Gear (1989): in place of the product with the directions p they carry s = H p by the
-recurrence of p, which leaves two barriers an iteration instead of three. At a tolerance of 1e-5 the few more roundings do not show.
+The conjugate gradients are those of Chronopoulos and Gear (1989): in place of the product with the
+directions p they carry s = H p by the recurrence of p, which leaves two barriers an iteration
+instead of three. At a tolerance of 1e-5 the few more roundings do not show.
 */
 __global__ void __launch_bounds__(threads_per_large_block, 2) run_turn(Turn turn)
 {
@@ -369,10 +394,13 @@ __global__ void __launch_bounds__(threads_per_large_block, 2) run_turn(Turn turn
     turn.result->squared_normal_misfit = first_sums[4];
     turn.result->number_of_active_pairs = Wide(first_sums[5]);
   }
-  // As on the CPU: where the samples have come a long way, what is left of it need not be known better than the way itself.
-  const double squared_rhs = sums[0],
-               last_scale = turn.last_result ? turn.last_result->right_hand_side_scale : negligible_displacement;
-  const double scale = max(last_scale, sqrt(squared_rhs)), squared_limit = tolerance * tolerance * scale * scale;
+  // As on the CPU: where the samples have come a long way, what is left of it need not be known
+  // better than the way itself.
+  const double squared_rhs = sums[0], last_scale = turn.last_result
+                                                     ? turn.last_result->right_hand_side_scale
+                                                     : negligible_displacement;
+  const double scale = max(last_scale, sqrt(squared_rhs)),
+               squared_limit = tolerance * tolerance * scale * scale;
 
   double squared_residual = squared_rhs, gamma = sums[1], last_gamma = 0, last_step = 0;
   unsigned iterations = 0;
@@ -384,7 +412,8 @@ __global__ void __launch_bounds__(threads_per_large_block, 2) run_turn(Turn turn
     multiply(turn, iterations == 0, float(ratio), curvature[0]);
     grid_sum(curvature);
     is_finite = isfinite(curvature[0]);
-    const double direction_curvature = iterations == 0 ? curvature[0] : curvature[0] - ratio * gamma / last_step;
+    const double direction_curvature = iterations == 0 ? curvature[0]
+                                                       : curvature[0] - ratio * gamma / last_step;
     // H is positive definite, but near the rounding of its terms a step could go anywhere.
     if (!(direction_curvature > 100. * FLT_EPSILON * gamma))
       break;
@@ -414,8 +443,8 @@ __global__ void __launch_bounds__(threads_per_large_block, 2) run_turn(Turn turn
 unsigned number_of_cooperative_blocks(const Workplace& workplace)
 {
   int blocks_per_multiprocessor = 0;
-  CGAL_L0_CUDA_CHECK(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&blocks_per_multiprocessor, run_turn,
-                                                                   int(threads_per_large_block), 0));
+  CGAL_L0_CUDA_CHECK(cudaOccupancyMaxActiveBlocksPerMultiprocessor(
+    &blocks_per_multiprocessor, run_turn, int(threads_per_large_block), 0));
   return unsigned(blocks_per_multiprocessor * workplace.number_of_multiprocessors);
 }
 
@@ -429,26 +458,30 @@ Turn_arrays take_turn_arrays(const Workplace& workplace, unsigned number_of_samp
   for (Vectors* vectors : {&arrays.p, &arrays.s, &arrays.r})
     *vectors = {arena.take<float>(3 * std::size_t(number_of_samples)), number_of_samples};
   arrays.blocks = arena.take<float>(6 * std::size_t(number_of_samples));
-  arrays.partial_sums = arena.take<double>(2 * number_of_sums * std::size_t(number_of_cooperative_blocks(workplace)));
+  arrays.partial_sums = arena.take<double>(2 * number_of_sums
+                                           * std::size_t(number_of_cooperative_blocks(workplace)));
   return arrays;
 }
 
-void minimize_once(const Workplace& workplace, const Minimization_parameters& parameters, double penalty, bool regularize,
-                   const Neighbor_lists& neighbors, const Cell_grid& grid, const Samples& samples,
-                   const Turn_arrays& arrays, const Turn_result* last_result, Turn_result* result)
+void minimize_once(const Workplace& workplace, const Minimization_parameters& parameters,
+                   double penalty, bool regularize, const Neighbor_lists& neighbors,
+                   const Cell_grid& grid, const Samples& samples, const Turn_arrays& arrays,
+                   const Turn_result* last_result, Turn_result* result)
 {
-  const double threshold = shrinkage_threshold(parameters.normal_weight, penalty, parameters.sparsity_unit,
-                                               parameters.largest_shrunk_jump);
+  const double threshold = shrinkage_threshold(
+    parameters.normal_weight, penalty, parameters.sparsity_unit, parameters.largest_shrunk_jump);
   Turn turn = {parameters, float(penalty),    {threshold, parameters.half_width_of_shrinkage},
                regularize, grid.frame.unit(), grid.frame.units_per_length,
                neighbors,  samples,           grid.points,
                arrays,     last_result,       result};
   void* arguments[] = {&turn};
-  const unsigned useful_blocks = unsigned((Wide(samples.size) * lanes_per_sample + threads_per_large_block - 1)
-                                          / threads_per_large_block);
+  const unsigned useful_blocks = unsigned(
+    (Wide(samples.size) * lanes_per_sample + threads_per_large_block - 1)
+    / threads_per_large_block);
   const unsigned blocks = (std::min)(number_of_cooperative_blocks(workplace), useful_blocks);
   CGAL_L0_CUDA_CHECK(cudaLaunchCooperativeKernel(reinterpret_cast<void*>(run_turn), dim3(blocks),
-                                                 dim3(threads_per_large_block), arguments, 0, workplace.stream));
+                                                 dim3(threads_per_large_block), arguments, 0,
+                                                 workplace.stream));
 }
 
 } // namespace cuda

@@ -15,17 +15,19 @@ namespace {
 constexpr unsigned warps_per_block = 4;
 constexpr unsigned cache_size = 256; // candidates of a query that shared memory holds
 
-/// A squared distance, and behind it the index: the bits of floats that are not negative ascend, so that the nearest comes first.
+/// A squared distance, and behind it the index: the bits of floats that are not negative ascend, so
+/// that the nearest comes first.
 __device__ Wide rank_of(float squared_distance, unsigned index)
 {
   return Wide(__float_as_uint(squared_distance)) << 32 | index;
 }
 
-/// Calls `f(is_inside, squared_distance, j)` in all threads of the warp at once, for the points of the block around a cell, but for those of rows that the ball
-/// does not reach. The points of the rows are dealt out one after the other, as there may be fewer in a row than threads in a warp.
+/// Calls `f(is_inside, squared_distance, j)` in all threads of the warp at once, for the points of
+/// the block around a cell, but for those of rows that the ball does not reach. The points of the
+/// rows are dealt out one after the other, as there may be fewer in a row than threads in a warp.
 template <typename F>
-__device__ void for_each_in_ball(const Cell_grid& grid, const Cell_blocks& blocks, int4 center, unsigned self,
-                                 float squared_radius, const F& f)
+__device__ void for_each_in_ball(const Cell_grid& grid, const Cell_blocks& blocks, int4 center,
+                                 unsigned self, float squared_radius, const F& f)
 {
   const unsigned lane = threadIdx.x % 32, all = 0xffffffffu;
   const Block_center block = blocks.centers[center.w];
@@ -37,10 +39,15 @@ __device__ void for_each_in_ball(const Cell_grid& grid, const Cell_blocks& block
     uint2 range = {0, 0};
     const int row = first_row + int(lane);
     if (row < blocks.number_of_rows
-        && (!block.is_inside || offset.squared_reach(squared_radius, cell_size, blocks.reach, row) > 0))
-      range = blocks.ranges[Wide(unsigned(center.w)) * unsigned(blocks.number_of_rows) + unsigned(row)];
-    const unsigned first = range.x + (0u - range.x & (block.stride - 1)); // the stride is a power of two
-    const unsigned count = range.x < range.y && first < range.y ? ((range.y - 1 - first) >> shift) + 1 : 0;
+        && (!block.is_inside
+            || offset.squared_reach(squared_radius, cell_size, blocks.reach, row) > 0))
+      range =
+        blocks.ranges[Wide(unsigned(center.w)) * unsigned(blocks.number_of_rows) + unsigned(row)];
+    const unsigned first = range.x
+                           + (0u - range.x & (block.stride - 1)); // the stride is a power of two
+    const unsigned count = range.x < range.y && first < range.y
+                             ? ((range.y - 1 - first) >> shift) + 1
+                             : 0;
     unsigned end = count; // how many points this row and those before it have
     for (unsigned offset = 1; offset < 32; offset *= 2)
     {
@@ -48,7 +55,9 @@ __device__ void for_each_in_ball(const Cell_grid& grid, const Cell_blocks& block
       end += lane >= offset ? before : 0;
     }
     const unsigned begin =
-      first - ((end - count) << shift); // where the row would begin if it had the points of those before, too
+      first
+      - ((end - count)
+         << shift); // where the row would begin if it had the points of those before, too
     const unsigned total = __shfl_sync(all, end, 31);
     for (unsigned t = lane; t < total + lane; t += 32)
     {
@@ -69,9 +78,10 @@ __device__ void for_each_in_ball(const Cell_grid& grid, const Cell_blocks& block
 
 /// One warp for each sample that is open: it stays so if its ball holds fewer than k others.
 /// \param places of the samples in the grid
-__global__ void find_nearest(Cell_grid grid, Cell_blocks blocks, const unsigned* places, const unsigned* open,
-                             unsigned number_of_open, float squared_radius, bool take_what_is_there, unsigned k,
-                             unsigned* nearest, unsigned char* is_open)
+__global__ void find_nearest(Cell_grid grid, Cell_blocks blocks, const unsigned* places,
+                             const unsigned* open, unsigned number_of_open, float squared_radius,
+                             bool take_what_is_there, unsigned k, unsigned* nearest,
+                             unsigned char* is_open)
 {
   __shared__ Wide caches[warps_per_block][cache_size];
   Wide* const cache = caches[threadIdx.x / 32];
@@ -85,13 +95,14 @@ __global__ void find_nearest(Cell_grid grid, Cell_blocks blocks, const unsigned*
   unsigned* const result = nearest + Wide(sample) * k;
 
   unsigned count = 0;
-  for_each_in_ball(grid, blocks, center, self, squared_radius, [&](bool is_inside, float squared_distance, unsigned j) {
-    const unsigned found = __ballot_sync(0xffffffffu, is_inside);
-    const unsigned place = count + unsigned(__popc(found & ((1u << lane) - 1)));
-    if (is_inside && place < cache_size)
-      cache[place] = rank_of(squared_distance, grid.order[j]);
-    count += unsigned(__popc(found));
-  });
+  for_each_in_ball(grid, blocks, center, self, squared_radius,
+                   [&](bool is_inside, float squared_distance, unsigned j) {
+                     const unsigned found = __ballot_sync(0xffffffffu, is_inside);
+                     const unsigned place = count + unsigned(__popc(found & ((1u << lane) - 1)));
+                     if (is_inside && place < cache_size)
+                       cache[place] = rank_of(squared_distance, grid.order[j]);
+                     count += unsigned(__popc(found));
+                   });
   __syncwarp();
   if (count < k && !take_what_is_there)
     return;
@@ -112,16 +123,18 @@ __global__ void find_nearest(Cell_grid grid, Cell_blocks blocks, const unsigned*
     return;
   }
 
-  // Too many to rank: the k-th smallest squared distance, bit by bit, as the bits of floats that are not negative ascend.
+  // Too many to rank: the k-th smallest squared distance, bit by bit, as the bits of floats that
+  // are not negative ascend.
   unsigned low = 0, high = __float_as_uint(squared_radius);
   while (low < high)
   {
     const unsigned middle = low + (high - low) / 2;
     unsigned number_below = 0;
-    for_each_in_ball(grid, blocks, center, self, squared_radius, [&](bool is_inside, float squared_distance, unsigned) {
-      number_below += unsigned(
-        __popc(__ballot_sync(0xffffffffu, is_inside && __float_as_uint(squared_distance) <= middle)));
-    });
+    for_each_in_ball(grid, blocks, center, self, squared_radius,
+                     [&](bool is_inside, float squared_distance, unsigned) {
+                       number_below += unsigned(__popc(__ballot_sync(
+                         0xffffffffu, is_inside && __float_as_uint(squared_distance) <= middle)));
+                     });
     if (number_below >= k)
       high = middle;
     else
@@ -130,19 +143,23 @@ __global__ void find_nearest(Cell_grid grid, Cell_blocks blocks, const unsigned*
   const float limit = __uint_as_float(low);
   unsigned size = 0;
   for (const bool is_tie : {false, true})
-    for_each_in_ball(grid, blocks, center, self, squared_radius, [&](bool is_inside, float squared_distance, unsigned j) {
-      const bool is_taken = is_inside && (is_tie ? squared_distance == limit : squared_distance < limit);
-      const unsigned found = __ballot_sync(0xffffffffu, is_taken);
-      const unsigned place = size + unsigned(__popc(found & ((1u << lane) - 1)));
-      if (is_taken && place < k)
-        result[place] = grid.order[j];
-      size += unsigned(__popc(found));
-    });
+    for_each_in_ball(grid, blocks, center, self, squared_radius,
+                     [&](bool is_inside, float squared_distance, unsigned j) {
+                       const bool is_taken = is_inside
+                                             && (is_tie ? squared_distance == limit
+                                                        : squared_distance < limit);
+                       const unsigned found = __ballot_sync(0xffffffffu, is_taken);
+                       const unsigned place = size + unsigned(__popc(found & ((1u << lane) - 1)));
+                       if (is_taken && place < k)
+                         result[place] = grid.order[j];
+                       size += unsigned(__popc(found));
+                     });
 }
 
 constexpr unsigned threads_of_query = 256;
 
-/// So few samples have a block of threads each, which looks into the cells without help: preparing blocks of candidates around all cells would take longer.
+/// So few samples have a block of threads each, which looks into the cells without help: preparing
+/// blocks of candidates around all cells would take longer.
 constexpr unsigned most_single_queries = 2048;
 
 constexpr int largest_reach = 8;
@@ -162,11 +179,13 @@ __device__ unsigned sum_over_block(unsigned value)
   return sum;
 }
 
-/// One block for each sample that is open, as `find_nearest()`. A sample stays open, too, where the cells to look into reach the outermost ones, whose points may be
-/// further away than fixed-point numbers tell, unless what is there has to do.
+/// One block for each sample that is open, as `find_nearest()`. A sample stays open, too, where the
+/// cells to look into reach the outermost ones, whose points may be further away than fixed-point
+/// numbers tell, unless what is there has to do.
 __global__ void __launch_bounds__(threads_of_query)
-  find_nearest_of_few(Cell_grid grid, int reach, const unsigned* places, const unsigned* open, float squared_radius,
-                      bool take_what_is_there, unsigned k, unsigned* nearest, unsigned char* is_open)
+  find_nearest_of_few(Cell_grid grid, int reach, const unsigned* places, const unsigned* open,
+                      float squared_radius, bool take_what_is_there, unsigned k, unsigned* nearest,
+                      unsigned char* is_open)
 {
   constexpr unsigned most_rows = (2 * largest_reach + 1) * (2 * largest_reach + 1);
   __shared__ uint2 ranges[most_rows];
@@ -179,7 +198,8 @@ __global__ void __launch_bounds__(threads_of_query)
   const auto is_inside = [&](unsigned place, unsigned size) {
     return place > unsigned(reach) && place + unsigned(reach) + 1 < size;
   };
-  const bool is_block_inside = is_inside(cell.x, grid.frame.count[0]) && is_inside(cell.y, grid.frame.count[1])
+  const bool is_block_inside = is_inside(cell.x, grid.frame.count[0])
+                               && is_inside(cell.y, grid.frame.count[1])
                                && is_inside(cell.z, grid.frame.count[2]);
   if (!is_block_inside && !take_what_is_there)
     return;
@@ -188,7 +208,8 @@ __global__ void __launch_bounds__(threads_of_query)
     number_of_ranges = number_of_candidates = 0;
   __syncthreads();
   unsigned size = 0;
-  for (int row = int(threadIdx.x); row < (2 * reach + 1) * (2 * reach + 1); row += int(threads_of_query))
+  for (int row = int(threadIdx.x); row < (2 * reach + 1) * (2 * reach + 1);
+       row += int(threads_of_query))
   {
     const uint2 range = range_of_row(grid, cell, reach, row);
     if (range.x < range.y)
@@ -221,7 +242,8 @@ __global__ void __launch_bounds__(threads_of_query)
   // So small a ball that it is quick to rank what it holds.
   const unsigned few = 2 * k + 64;
   unsigned low = 0, high = __float_as_uint(squared_radius), number_inside = count;
-  unsigned middle = __float_as_uint(squared_radius * fminf(1, float(few) / 2 / float(max(count, 1u))));
+  unsigned middle = __float_as_uint(squared_radius
+                                    * fminf(1, float(few) / 2 / float(max(count, 1u))));
   while (number_inside > few && low < high)
   {
     unsigned own_number = 0;
@@ -259,8 +281,9 @@ __global__ void invert_order(const unsigned* order, unsigned size, unsigned* pla
 
 } // namespace
 
-unsigned* find_nearest_samples(const Workplace& workplace, const double (&low)[3], const double (&high)[3], unsigned k,
-                               double spacing_guess, const Samples& samples)
+unsigned* find_nearest_samples(const Workplace& workplace, const double (&low)[3],
+                               const double (&high)[3], unsigned k, double spacing_guess,
+                               const Samples& samples)
 {
   const int number_of_doublings = 10;
   const unsigned m = samples.size;
@@ -276,13 +299,14 @@ unsigned* find_nearest_samples(const Workplace& workplace, const double (&low)[3
   unsigned number_of_open = m;
   for (int base = 0; base <= number_of_doublings && number_of_open > 0; base += 2)
   {
-    // A grid serves balls as large as a cell, of twice that size, and larger ones if few samples are left.
+    // A grid serves balls as large as a cell, of twice that size, and larger ones if few samples
+    // are left.
     const double cell_size = std::ldexp(spacing_guess, base);
     const Arena_scope grid_scope(workplace.arena);
     const Positions positions = {samples.positions, m, Frame(), true};
-    const Cell_grid grid = build_grid(positions, nullptr,
-                                      Cell_frame::around(low, high, cell_size, largest_reach * cell_size),
-                                      workplace.arena, workplace.scratch, stream);
+    const Cell_grid grid = build_grid(
+      positions, nullptr, Cell_frame::around(low, high, cell_size, largest_reach * cell_size),
+      workplace.arena, workplace.scratch, stream);
     invert_order<<<blocks_for(m), threads_per_block, 0, stream>>>(grid.order, m, places);
     check_launch("invert_order");
     for (int doubling = base; doubling <= number_of_doublings && number_of_open > 0; ++doubling)
@@ -304,10 +328,12 @@ unsigned* find_nearest_samples(const Workplace& workplace, const double (&low)[3
       else
       {
         const Arena_scope blocks_scope(workplace.arena);
-        const Cell_blocks blocks = find_blocks(grid, grid, reach, maximum_number_of_candidates, workplace.arena, stream);
+        const Cell_blocks blocks = find_blocks(grid, grid, reach, maximum_number_of_candidates,
+                                               workplace.arena, stream);
         const unsigned thread_blocks = (number_of_open + warps_per_block - 1) / warps_per_block;
         find_nearest<<<thread_blocks, 32 * warps_per_block, 0, stream>>>(
-          grid, blocks, places, open_or_all, number_of_open, squared_radius, is_last, k, nearest, is_open);
+          grid, blocks, places, open_or_all, number_of_open, squared_radius, is_last, k, nearest,
+          is_open);
         check_launch("find_nearest");
       }
       number_of_open = list_flagged(is_open, m, open, workplace.scratch, stream);

@@ -19,7 +19,8 @@ namespace cuda {
 
 namespace {
 
-__device__ Plane_fit fit_plane(int4 center, const Cell_grid& grid, const Cell_blocks& blocks, unsigned lane, float radius)
+__device__ Plane_fit fit_plane(int4 center, const Cell_grid& grid, const Cell_blocks& blocks,
+                               unsigned lane, float radius)
 {
   const float unit = grid.frame.unit(), squared_radius = radius * radius;
   Moments moments;
@@ -32,7 +33,8 @@ __device__ Plane_fit fit_plane(int4 center, const Cell_grid& grid, const Cell_bl
   return moments.plane(squared_radius);
 }
 
-__global__ void fit_planes(Cell_grid grid, Cell_blocks blocks, float radius, float4* normals, unsigned char* is_degenerate)
+__global__ void fit_planes(Cell_grid grid, Cell_blocks blocks, float radius, float4* normals,
+                           unsigned char* is_degenerate)
 {
   const Query query(grid.size);
   const int4 center = grid.points[query.index];
@@ -45,8 +47,9 @@ __global__ void fit_planes(Cell_grid grid, Cell_blocks blocks, float radius, flo
 
 /// \param open points without a plane so far, in the order of the fine grid
 /// \param places of the points of the fine grid in the coarse one
-__global__ void refit_planes(Cell_grid coarse_grid, Cell_blocks blocks, const unsigned* places, float radius,
-                             const unsigned* open, unsigned number_of_open, float4* normals, unsigned char* is_degenerate)
+__global__ void refit_planes(Cell_grid coarse_grid, Cell_blocks blocks, const unsigned* places,
+                             float radius, const unsigned* open, unsigned number_of_open,
+                             float4* normals, unsigned char* is_degenerate)
 {
   const Query query(number_of_open);
   const unsigned i = open[query.index];
@@ -66,14 +69,16 @@ __global__ void invert_order(const unsigned* order, unsigned size, unsigned* pla
 }
 
 /// places[i] becomes the place of the i-th point of another order
-__global__ void compose(const unsigned* places, const unsigned* order, unsigned size, unsigned* composed)
+__global__ void compose(const unsigned* places, const unsigned* order, unsigned size,
+                        unsigned* composed)
 {
   const unsigned long long i = thread_index();
   if (i < size)
     composed[i] = places[order[i]];
 }
 
-__global__ void gather_given_normals(const float* given, const unsigned* order, unsigned size, float4* normals)
+__global__ void gather_given_normals(const float* given, const unsigned* order, unsigned size,
+                                     float4* normals)
 {
   const unsigned long long i = thread_index();
   if (i >= size)
@@ -83,7 +88,8 @@ __global__ void gather_given_normals(const float* given, const unsigned* order, 
     normals[i] = make_float4(n[0], n[1], n[2], 0);
 }
 
-__global__ void take_listed_vectors(const float* vectors, const unsigned* list, unsigned size, float* taken)
+__global__ void take_listed_vectors(const float* vectors, const unsigned* list, unsigned size,
+                                    float* taken)
 {
   const unsigned long long i = thread_index();
   if (i < size)
@@ -137,12 +143,13 @@ struct Density
   }
 };
 
-/// Eq. (1): the mean of the normals in the ball, each turned to the side of the point's own first. With `with_density`, the sum of Eq. (5), too, goes to
-/// the fourth number of the normal.
+/// Eq. (1): the mean of the normals in the ball, each turned to the side of the point's own first.
+/// With `with_density`, the sum of Eq. (5), too, goes to the fourth number of the normal.
 /// \param squared_radius, squared_bandwidth `in_squared_units()`
 template <bool with_density>
-__global__ void filter_normals_kernel(Cell_grid grid, Cell_blocks blocks, float radius, float squared_radius,
-                                      float squared_bandwidth, float normal_bandwidth, const float4* normals,
+__global__ void filter_normals_kernel(Cell_grid grid, Cell_blocks blocks, float radius,
+                                      float squared_radius, float squared_bandwidth,
+                                      float normal_bandwidth, const float4* normals,
                                       float4* filtered, Ball_counts* counts)
 {
   const Query query(grid.size);
@@ -156,7 +163,8 @@ __global__ void filter_normals_kernel(Cell_grid grid, Cell_blocks blocks, float 
     const bool is_inside = squared_distance < squared_radius;
     const float3 other = xyz(normals[j]);
     const float cosine = dot(normal, other);
-    const float weight = bilateral_weight(squared_distance, squared_bandwidth, cosine, normal_bandwidth);
+    const float weight = bilateral_weight(squared_distance, squared_bandwidth, cosine,
+                                          normal_bandwidth);
     sum += (is_inside ? with_sign_of(cosine, weight) : 0.f) * other;
     if constexpr (with_density)
       density.add(is_inside, squared_distance, squared_bandwidth);
@@ -169,12 +177,14 @@ __global__ void filter_normals_kernel(Cell_grid grid, Cell_blocks blocks, float 
     return;
   const double3 mean = to_double(sum);
   const double length = sqrt(dot(mean, mean));
-  filtered[query.index] = with_w(length > 1e-3 ? to_float((1 / length) * mean) : normal, of_density);
+  filtered[query.index] = with_w(length > 1e-3 ? to_float((1 / length) * mean) : normal,
+                                 of_density);
 }
 
 /// As `refitted_normal()` on the CPU.
-__global__ void refit_normals_kernel(Cell_grid grid, Cell_blocks blocks, float radius, float squared_bandwidth,
-                                     float normal_bandwidth, float squared_sheet_height, const float4* normals,
+__global__ void refit_normals_kernel(Cell_grid grid, Cell_blocks blocks, float radius,
+                                     float squared_bandwidth, float normal_bandwidth,
+                                     float squared_sheet_height, const float4* normals,
                                      float4* refitted)
 {
   const Query query(grid.size);
@@ -187,9 +197,10 @@ __global__ void refit_normals_kernel(Cell_grid grid, Cell_blocks blocks, float r
     const float squared_distance = dot(d, d);
     const float3 other = xyz(normals[j]);
     const float cosine = dot(normal, other);
-    const float height = symmetric_height(dot(d, normal), with_sign_of(cosine, 1.f) * dot(d, other));
-    const float weight = sheet_weight(squared_distance, squared_bandwidth, cosine, normal_bandwidth, height,
-                                      squared_sheet_height);
+    const float height = symmetric_height(dot(d, normal),
+                                          with_sign_of(cosine, 1.f) * dot(d, other));
+    const float weight = sheet_weight(squared_distance, squared_bandwidth, cosine, normal_bandwidth,
+                                      height, squared_sheet_height);
     moments.add(d, squared_distance < squared_radius ? weight : 0);
   });
   moments.sum_over_group<lanes>();
@@ -202,8 +213,9 @@ __global__ void refit_normals_kernel(Cell_grid grid, Cell_blocks blocks, float r
 /// The sum of Eq. (5) without the point itself, to the fourth number of its normal; the balls are
 /// counted.
 /// \param squared_radius, squared_bandwidth `in_squared_units()`
-__global__ void sum_up_density(Cell_grid grid, Cell_blocks blocks, float radius, float squared_radius,
-                               float squared_bandwidth, float4* normals, Ball_counts* counts)
+__global__ void sum_up_density(Cell_grid grid, Cell_blocks blocks, float radius,
+                               float squared_radius, float squared_bandwidth, float4* normals,
+                               Ball_counts* counts)
 {
   const Query query(grid.size);
   const int4 center = grid.points[query.index];
@@ -222,13 +234,15 @@ __global__ void sum_up_density(Cell_grid grid, Cell_blocks blocks, float radius,
 __global__ void invert_density(unsigned size, const Ball_counts* counts, float4* normals)
 {
   const unsigned long long i = thread_index();
-  const float mean_number_of_neighbors = counts ? float(double(counts->neighbors) / double(size)) : 0;
+  const float mean_number_of_neighbors = counts ? float(double(counts->neighbors) / double(size))
+                                                : 0;
   if (i < size)
-    normals[i].w = mean_number_of_neighbors > 0 ? 1 / (1 + normals[i].w / mean_number_of_neighbors) : 1;
+    normals[i].w = mean_number_of_neighbors > 0 ? 1 / (1 + normals[i].w / mean_number_of_neighbors)
+                                                : 1;
 }
 
-/// A squared length in units of the fixed-point numbers, so that a kernel need not multiply all differences by the unit. That is a power of two: the
-/// results are the same.
+/// A squared length in units of the fixed-point numbers, so that a kernel need not multiply all
+/// differences by the unit. That is a power of two: the results are the same.
 float in_squared_units(const Cell_grid& grid, float squared_length)
 {
   return squared_length / (grid.frame.unit() * grid.frame.unit());
@@ -236,18 +250,21 @@ float in_squared_units(const Cell_grid& grid, float squared_length)
 
 } // namespace
 
-std::size_t estimate_pca_normals(const Workplace& workplace, const Positions& positions, const Cell_grid& grid,
-                                 const Cell_blocks& blocks, double radius, float4* normals)
+std::size_t estimate_pca_normals(const Workplace& workplace, const Positions& positions,
+                                 const Cell_grid& grid, const Cell_blocks& blocks, double radius,
+                                 float4* normals)
 {
   const int number_of_doublings = 10;
-  // For so few points, and as long as there are not too many cells to look into, a coarser grid of all points would cost more.
+  // For so few points, and as long as there are not too many cells to look into, a coarser grid of
+  // all points would cost more.
   const unsigned largest_number_of_single_queries = 10000;
   const int largest_reach = 16;
   const unsigned n = grid.size;
   const cudaStream_t stream = workplace.stream;
   const Arena_scope scope(workplace.scratch);
   unsigned char* const is_degenerate = workplace.scratch.take<unsigned char>(n);
-  fit_planes<<<blocks_for_queries(n), threads_per_block, 0, stream>>>(grid, blocks, float(radius), normals, is_degenerate);
+  fit_planes<<<blocks_for_queries(n), threads_per_block, 0, stream>>>(grid, blocks, float(radius),
+                                                                      normals, is_degenerate);
   check_launch("fit_planes");
 
   // Few points in a healthy cloud, which meet coarser and coarser grids.
@@ -276,25 +293,28 @@ std::size_t estimate_pca_normals(const Workplace& workplace, const Positions& po
       low[axis] = (grid.frame.first[axis] + 8) * grid.frame.cell_size;
       high[axis] = (grid.frame.first[axis] + grid.frame.count[axis] - 8) * grid.frame.cell_size;
     }
-    const Cell_grid coarse_grid = build_grid(positions, nullptr,
-                                             Cell_frame::around(low, high, coarse_radius, coarse_radius),
-                                             workplace.arena, workplace.scratch, stream);
-    const Cell_blocks coarse_blocks = find_blocks(coarse_grid, coarse_grid, 1, maximum_number_of_candidates,
-                                                  workplace.arena, stream);
+    const Cell_grid coarse_grid =
+      build_grid(positions, nullptr, Cell_frame::around(low, high, coarse_radius, coarse_radius),
+                 workplace.arena, workplace.scratch, stream);
+    const Cell_blocks coarse_blocks = find_blocks(
+      coarse_grid, coarse_grid, 1, maximum_number_of_candidates, workplace.arena, stream);
     invert_order<<<blocks_for(n), threads_per_block, 0, stream>>>(coarse_grid.order, n, places);
     check_launch("invert_order");
     compose<<<blocks_for(n), threads_per_block, 0, stream>>>(places, grid.order, n, coarse_places);
     check_launch("compose");
     refit_planes<<<blocks_for_queries(number_of_open), threads_per_block, 0, stream>>>(
-      coarse_grid, coarse_blocks, coarse_places, float(coarse_radius), open, number_of_open, normals, is_degenerate);
+      coarse_grid, coarse_blocks, coarse_places, float(coarse_radius), open, number_of_open,
+      normals, is_degenerate);
     check_launch("refit_planes");
   }
   return number_of_degenerate;
 }
 
-void take_listed(const Workplace& workplace, const float* vectors, const unsigned* list, unsigned size, float* taken)
+void take_listed(const Workplace& workplace, const float* vectors, const unsigned* list,
+                 unsigned size, float* taken)
 {
-  take_listed_vectors<<<blocks_for(size), threads_per_block, 0, workplace.stream>>>(vectors, list, size, taken);
+  take_listed_vectors<<<blocks_for(size), threads_per_block, 0, workplace.stream>>>(vectors, list,
+                                                                                    size, taken);
   check_launch("take_listed_vectors");
 }
 
@@ -302,21 +322,23 @@ bool has_zero(const Workplace& workplace, const float* vectors, unsigned size)
 {
   const Arena_scope scope(workplace.scratch);
   const Device_counter<unsigned> counter(workplace);
-  count_zeros<<<blocks_for(size), threads_per_block, 0, workplace.stream>>>(vectors, size, counter.address());
+  count_zeros<<<blocks_for(size), threads_per_block, 0, workplace.stream>>>(vectors, size,
+                                                                            counter.address());
   check_launch("count_zeros");
   return counter.read() > 0;
 }
 
-void take_given_normals(const Workplace& workplace, const Cell_grid& grid, const float* given_normals, float4* normals)
+void take_given_normals(const Workplace& workplace, const Cell_grid& grid,
+                        const float* given_normals, float4* normals)
 {
-  gather_given_normals<<<blocks_for(grid.size), threads_per_block, 0, workplace.stream>>>(given_normals, grid.order,
-                                                                                          grid.size, normals);
+  gather_given_normals<<<blocks_for(grid.size), threads_per_block, 0, workplace.stream>>>(
+    given_normals, grid.order, grid.size, normals);
   check_launch("gather_given_normals");
 }
 
-void filter_normals(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks, double radius,
-                    float squared_bandwidth, float normal_bandwidth, const float4* normals, float4* filtered,
-                    Ball_counts* counts)
+void filter_normals(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks,
+                    double radius, float squared_bandwidth, float normal_bandwidth,
+                    const float4* normals, float4* filtered, Ball_counts* counts)
 {
   const auto kernel = counts ? filter_normals_kernel<true> : filter_normals_kernel<false>;
   kernel<<<blocks_for_queries(grid.size), threads_per_block, 0, workplace.stream>>>(
@@ -325,17 +347,19 @@ void filter_normals(const Workplace& workplace, const Cell_grid& grid, const Cel
   check_launch("filter_normals_kernel");
 }
 
-void refit_normals(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks, double radius,
-                   float squared_bandwidth, float normal_bandwidth, float squared_sheet_height, const float4* normals,
-                   float4* refitted)
+void refit_normals(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks,
+                   double radius, float squared_bandwidth, float normal_bandwidth,
+                   float squared_sheet_height, const float4* normals, float4* refitted)
 {
   refit_normals_kernel<<<blocks_for_queries(grid.size), threads_per_block, 0, workplace.stream>>>(
-    grid, blocks, float(radius), squared_bandwidth, normal_bandwidth, squared_sheet_height, normals, refitted);
+    grid, blocks, float(radius), squared_bandwidth, normal_bandwidth, squared_sheet_height, normals,
+    refitted);
   check_launch("refit_normals_kernel");
 }
 
-void sum_up_input_density(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks, double radius,
-                          float squared_bandwidth, float4* normals, Ball_counts* counts)
+void sum_up_input_density(const Workplace& workplace, const Cell_grid& grid,
+                          const Cell_blocks& blocks, double radius, float squared_bandwidth,
+                          float4* normals, Ball_counts* counts)
 {
   sum_up_density<<<blocks_for_queries(grid.size), threads_per_block, 0, workplace.stream>>>(
     grid, blocks, float(radius), in_squared_units(grid, float(radius) * float(radius)),
@@ -343,9 +367,11 @@ void sum_up_input_density(const Workplace& workplace, const Cell_grid& grid, con
   check_launch("sum_up_density");
 }
 
-void invert_input_density(const Workplace& workplace, unsigned size, const Ball_counts* counts, float4* normals)
+void invert_input_density(const Workplace& workplace, unsigned size, const Ball_counts* counts,
+                          float4* normals)
 {
-  invert_density<<<blocks_for(size), threads_per_block, 0, workplace.stream>>>(size, counts, normals);
+  invert_density<<<blocks_for(size), threads_per_block, 0, workplace.stream>>>(size, counts,
+                                                                               normals);
   check_launch("invert_density");
 }
 

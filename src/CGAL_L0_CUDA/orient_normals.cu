@@ -25,7 +25,8 @@ __global__ void count_samples_of_sets(const Link* sets, unsigned size, unsigned*
     atomicAdd(&sizes[root], unsigned(__popc(peers)));
 }
 
-__global__ void tell_sizes(const Link* sets, unsigned size, const unsigned* sizes, unsigned* sizes_of_samples)
+__global__ void tell_sizes(const Link* sets, unsigned size, const unsigned* sizes,
+                           unsigned* sizes_of_samples)
 {
   const Wide i = thread_index();
   if (i < size)
@@ -35,15 +36,19 @@ __global__ void tell_sizes(const Link* sets, unsigned size, const unsigned* size
 /// What the samples hang together by.
 struct Sides
 {
-  const Link* trees;          // of each sample: the root of its tree, and whether it is turned against it
-  const unsigned* sure_sizes; // of each sample: the size of its set once all that is sure was joined
+  const Link* trees; // of each sample: the root of its tree, and whether it is turned against it
+  const unsigned*
+    sure_sizes; // of each sample: the size of its set once all that is sure was joined
 };
 
 /// Sums over a tree, in fixed point: integers may be added in any order.
 struct Tree_sums
 {
   long long center_and_size[4];
-  long long sides[7]; // flux and the largest it could be, the normals, and the votes of hints: their sum and that of their absolute values
+  long long sides
+    // flux and the largest it could be, the normals, and the votes of hints: their sum and that of
+    // their absolute values
+    [7];
   unsigned largest_sure_size;
 
   __device__ long long size() const { return center_and_size[3]; }
@@ -67,7 +72,10 @@ struct Hints
   bool has_viewpoint;
   double3 viewpoint;
   double squared_spacing; // of the samples
-  double least_squared_distance; // of a sample to the viewpoint, and `squared_spacing`: hints are relative to what they are there, and so at most 1 long
+  double
+    // of a sample to the viewpoint, and `squared_spacing`: hints are relative to what they are
+    // there, and so at most 1 long
+    least_squared_distance;
 
   /// As `hint_of_viewpoint()` on the CPU, but for the unit.
   __device__ double3 operator()(const Samples& samples, Wide i) const
@@ -81,15 +89,19 @@ struct Hints
     const double squared_distance = dot(d, d);
     if (!(squared_distance > 0))
       return {0, 0, 0};
-    return (fmin(1., least_squared_distance / (squared_distance + squared_spacing)) / sqrt(squared_distance)) * d;
+    return (fmin(1., least_squared_distance / (squared_distance + squared_spacing))
+            / sqrt(squared_distance))
+           * d;
   }
 };
 
-/// Adds numbers of the samples to the sums of their trees. Most samples are of one tree: those of the tree of a block's first sample are added up over the
-/// block, the others over warps, so that no sum has to wait for many others. For all threads of a block at once.
+/// Adds numbers of the samples to the sums of their trees. Most samples are of one tree: those of
+/// the tree of a block's first sample are added up over the block, the others over warps, so that
+/// no sum has to wait for many others. For all threads of a block at once.
 /// \param sums called with a root, where its sums are
 template <int count, typename Sums>
-__device__ void add_to_trees(unsigned root, bool is_sample, const long long (&values)[count], const Sums& sums)
+__device__ void add_to_trees(unsigned root, bool is_sample, const long long (&values)[count],
+                             const Sums& sums)
 {
   __shared__ unsigned common_root;
   __shared__ long long of_warps[threads_per_block / 32][count];
@@ -132,7 +144,8 @@ __global__ void find_centers(Sides sides, Samples samples, Tree_scale scale, Tre
   const unsigned root = is_sample ? sides.trees[i].target() : 0;
   long long values[4] = {0, 0, 0, 1};
   for (int axis = 0; axis < 3 && is_sample; ++axis)
-    values[axis] = __double2ll_rn(samples.positions[3 * i + unsigned(axis)] * scale.units_per_length);
+    values[axis] = __double2ll_rn(samples.positions[3 * i + unsigned(axis)]
+                                  * scale.units_per_length);
   add_to_trees(root, is_sample, values, [&](unsigned r) { return trees[r].center_and_size; });
   const unsigned sure_size = is_sample ? sides.sure_sizes[i] : 0;
   // once for those of a warp that say the same, and not where a larger one has been seen
@@ -141,8 +154,8 @@ __global__ void find_centers(Sides sides, Samples samples, Tree_scale scale, Tre
     atomicMax(&trees[root].largest_sure_size, sure_size);
 }
 
-__global__ void find_fluxes(Sides sides, Samples samples, Tree_scale scale, Hints hints, Tree_sums* trees,
-                            unsigned* number_of_oriented)
+__global__ void find_fluxes(Sides sides, Samples samples, Tree_scale scale, Hints hints,
+                            Tree_sums* trees, unsigned* number_of_oriented)
 {
   const Wide i = thread_index();
   const bool is_sample = i < samples.size;
@@ -152,10 +165,12 @@ __global__ void find_fluxes(Sides sides, Samples samples, Tree_scale scale, Hint
   bool is_oriented = false;
   if (is_sample)
   {
-    const double sign = link.is_turned() ? -1 : 1, length = 1 / scale.units_per_length / double(tree.size());
-    const double3 from_center = {samples.positions[3 * i] - double(tree.center_and_size[0]) * length,
-                                 samples.positions[3 * i + 1] - double(tree.center_and_size[1]) * length,
-                                 samples.positions[3 * i + 2] - double(tree.center_and_size[2]) * length};
+    const double sign = link.is_turned() ? -1 : 1,
+                 length = 1 / scale.units_per_length / double(tree.size());
+    const double3 from_center = {
+      samples.positions[3 * i] - double(tree.center_and_size[0]) * length,
+      samples.positions[3 * i + 1] - double(tree.center_and_size[1]) * length,
+      samples.positions[3 * i + 2] - double(tree.center_and_size[2]) * length};
     const double3 normal = sign * to_double(xyz(samples.normals[i]));
     values[0] = __double2ll_rn(dot(normal, from_center) * scale.units_per_length);
     values[1] = __double2ll_rn(sqrt(dot(from_center, from_center)) * scale.units_per_length);
@@ -176,7 +191,8 @@ __global__ void find_fluxes(Sides sides, Samples samples, Tree_scale scale, Hint
 __device__ bool is_hinted(const Tree_sums& tree)
 {
   const double clear_share = 0.1;
-  return tree.total_vote() > 0 && double(llabs(tree.vote())) >= clear_share * double(tree.total_vote());
+  return tree.total_vote() > 0
+         && double(llabs(tree.vote())) >= clear_share * double(tree.total_vote());
 }
 
 /// As `is_turned_inwards()` on the CPU.
@@ -228,8 +244,8 @@ double squared_distance_to_box(const double (&low)[3], const double (&high)[3], 
 } // namespace
 
 void orient_normals(const Workplace& workplace, const double (&low)[3], const double (&high)[3],
-                    unsigned number_of_neighbors, double spacing, const double* viewpoint, const Samples& samples,
-                    Sample_counts* counts)
+                    unsigned number_of_neighbors, double spacing, const double* viewpoint,
+                    const Samples& samples, Sample_counts* counts)
 {
   const unsigned m = samples.size;
   const cudaStream_t stream = workplace.stream;
@@ -237,17 +253,21 @@ void orient_normals(const Workplace& workplace, const double (&low)[3], const do
   if (m > maximum_number_of_linked_samples)
     throw Failure(Status::OUT_OF_MEMORY, "more than 2^31 - 1 samples");
   // in the place of the fit, which is not needed any more
-  static_assert(sizeof(*samples.fit) >= 3 * sizeof(Link) + sizeof(unsigned), "the fit has no room for so much");
-  Link *const roots = reinterpret_cast<Link*>(samples.fit), *const faces = roots + m, *const parts = faces + m;
+  static_assert(sizeof(*samples.fit) >= 3 * sizeof(Link) + sizeof(unsigned),
+                "the fit has no room for so much");
+  Link *const roots = reinterpret_cast<Link*>(samples.fit), *const faces = roots + m,
+              *const parts = faces + m;
   unsigned* const sure_sizes = reinterpret_cast<unsigned*>(parts + m);
   {
     const Arena_scope graph_scope(workplace.arena), voting_scope(workplace.scratch);
-    unsigned* const nearest = find_nearest_samples(workplace, low, high, number_of_neighbors,
-                                                   spacing * std::sqrt(double(number_of_neighbors) / 2), samples);
+    unsigned* const nearest =
+      find_nearest_samples(workplace, low, high, number_of_neighbors,
+                           spacing * std::sqrt(double(number_of_neighbors) / 2), samples);
     const Graph graph = {m, number_of_neighbors, nearest, samples, float(spacing * spacing)};
     const unsigned number_of_edges = grow_forest(workplace, graph, faces);
 
-    // As on the CPU: the votes join faces to parts and parts to trees, unless the fields of faces and parts know better.
+    // As on the CPU: the votes join faces to parts and parts to trees, unless the fields of faces
+    // and parts know better.
     Voting voting(workplace, graph, number_of_edges);
     const auto join_faces_and_parts = [&]() {
       voting.begin(faces);
@@ -281,7 +301,8 @@ void orient_normals(const Workplace& workplace, const double (&low)[3], const do
   for (int axis = 0; axis < 3; ++axis)
     extent = (std::max)({extent, std::abs(low[axis]), std::abs(high[axis])});
   // 2^32 values below 2^30 units each do not overflow
-  const Tree_scale scale = {std::ldexp(1., 28 - std::ilogb((std::max)(extent, 1.))), std::ldexp(1., 29)};
+  const Tree_scale scale = {std::ldexp(1., 28 - std::ilogb((std::max)(extent, 1.))),
+                            std::ldexp(1., 29)};
   const Sides sides = {roots, sure_sizes};
   Tree_sums* const trees = workplace.scratch.take<Tree_sums>(m);
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(trees, 0, m * sizeof(Tree_sums), stream));
@@ -289,13 +310,16 @@ void orient_normals(const Workplace& workplace, const double (&low)[3], const do
   if (viewpoint)
   {
     hints.viewpoint = {viewpoint[0], viewpoint[1], viewpoint[2]};
-    hints.least_squared_distance = squared_distance_to_box(low, high, viewpoint) + hints.squared_spacing;
+    hints.least_squared_distance = squared_distance_to_box(low, high, viewpoint)
+                                   + hints.squared_spacing;
   }
   find_centers<<<blocks_for(m), threads_per_block, 0, stream>>>(sides, samples, scale, trees);
   check_launch("find_centers");
-  find_fluxes<<<blocks_for(m), threads_per_block, 0, stream>>>(sides, samples, scale, hints, trees, &counts->oriented);
+  find_fluxes<<<blocks_for(m), threads_per_block, 0, stream>>>(sides, samples, scale, hints, trees,
+                                                               &counts->oriented);
   check_launch("find_fluxes");
-  turn_normals<<<blocks_for(m), threads_per_block, 0, stream>>>(roots, trees, samples, &counts->hinted);
+  turn_normals<<<blocks_for(m), threads_per_block, 0, stream>>>(roots, trees, samples,
+                                                                &counts->hinted);
   check_launch("turn_normals");
 }
 

@@ -19,12 +19,16 @@ namespace cuda {
 /// Samples that links can tell apart.
 constexpr unsigned maximum_number_of_linked_samples = (1u << 31) - 1;
 
-/// What has to turn for `i` to fit `target`: the target's index, and whether the signs differ. One word, so that it is read and written at once.
+/// What has to turn for `i` to fit `target`: the target's index, and whether the signs differ. One
+/// word, so that it is read and written at once.
 struct Link
 {
   unsigned word;
 
-  __device__ static Link to(unsigned target, bool is_turned) { return {target << 1 | unsigned(is_turned)}; }
+  __device__ static Link to(unsigned target, bool is_turned)
+  {
+    return {target << 1 | unsigned(is_turned)};
+  }
   __device__ unsigned target() const { return word >> 1; }
   __device__ bool is_turned() const { return word & 1; }
 };
@@ -39,7 +43,8 @@ __device__ inline Link operator+(Link first, Link second)
 __device__ inline Link load(const Link* link) { return {__ldcg(&link->word)}; }
 __device__ inline void store(Link* link, Link value) { __stcg(&link->word, value.word); }
 
-/// Set in what sample i lists as a neighbor: that sample lists i too, and has the pair for both. It is set where there is nobody, too.
+/// Set in what sample i lists as a neighbor: that sample lists i too, and has the pair for both. It
+/// is set where there is nobody, too.
 constexpr unsigned is_listed_by_other = 1u << 31;
 
 /// The graph of nearest neighbors: edge `i k + e` leads from sample i to its e-th neighbor.
@@ -60,7 +65,8 @@ constexpr unsigned lanes_of_edges = 4;
 /// Calls `f(i, other)` for each pair of neighbors once.
 /// \param thread of `number_of_threads` that share the work
 template <typename F>
-__device__ void for_each_pair_of_neighbors(const Graph& graph, Wide thread, Wide number_of_threads, const F& f)
+__device__ void for_each_pair_of_neighbors(const Graph& graph, Wide thread, Wide number_of_threads,
+                                           const F& f)
 {
   for (Wide t = thread; t < Wide(graph.size) * lanes_of_edges; t += number_of_threads)
   {
@@ -112,10 +118,11 @@ constexpr unsigned maximum_number_of_rounds = 80;
 
 /// Launches a kernel that waits for all its threads.
 /// \param most_blocks on a multiprocessor: barriers take the longer the more blocks there are
-void launch_cooperatively(const Workplace& workplace, void* kernel, unsigned long long size, unsigned threads,
-                          int most_blocks, void** arguments);
+void launch_cooperatively(const Workplace& workplace, void* kernel, unsigned long long size,
+                          unsigned threads, int most_blocks, void** arguments);
 
-/// Grades the edges, marks the pairs that are listed twice, and joins the samples over those beyond doubt until sets are large.
+/// Grades the edges, marks the pairs that are listed twice, and joins the samples over those beyond
+/// doubt until sets are large.
 /// \param faces out: the root of each sample
 /// \returns the number of edges between different sets; waits for the device
 unsigned grow_forest(const Workplace& workplace, const Graph& graph, Link* faces);
@@ -143,7 +150,8 @@ struct Vote
 /// How far the rounds are.
 struct Voting_state
 {
-  unsigned has_table;       // whether the votes are in a table, and need not be counted from the edges any more
+  unsigned
+    has_table; // whether the votes are in a table, and need not be counted from the edges any more
   unsigned table;           // which one holds them
   unsigned number_of_slots; // of it
   unsigned round;
@@ -154,8 +162,10 @@ struct Voting_state
 };
 
 /*!
-The votes of the edges between sets, in hash tables, and who was joined by them. There may be several times as many votes as samples at first, and a fraction of that a few
-rounds later. So the first rounds count them from the edges, a part at a time if there is no room for all; once they fit into a table, rounds pass them on from one table to another.
+The votes of the edges between sets, in hash tables, and who was joined by them. There may be
+several times as many votes as samples at first, and a fraction of that a few rounds later. So the
+first rounds count them from the edges, a part at a time if there is no room for all; once they fit
+into a table, rounds pass them on from one table to another.
 */
 class Voting
 {
@@ -183,15 +193,19 @@ public:
   void join(double majority, Link* joined) const;
 };
 
-/// What `join_by_field()` takes from the scratch arena beside a number for each sample: two tables of sets by sets, and the dipoles.
-constexpr std::size_t bytes_of_field = 2 * sizeof(long long) * maximum_number_of_sets * maximum_number_of_sets
-                                       + 80 * std::size_t(maximum_number_of_dipoles) + (std::size_t(1) << 15);
+/// What `join_by_field()` takes from the scratch arena beside a number for each sample: two tables
+/// of sets by sets, and the dipoles.
+constexpr std::size_t bytes_of_field =
+  2 * sizeof(long long) * maximum_number_of_sets * maximum_number_of_sets
+  + 80 * std::size_t(maximum_number_of_dipoles) + (std::size_t(1) << 15);
 
-/// Joins the larger ones of the sets that hang together if their field asks to turn some of them against the others, as `join_by_field()` on the CPU.
+/// Joins the larger ones of the sets that hang together if their field asks to turn some of them
+/// against the others, as `join_by_field()` on the CPU.
 /// \param trees what the votes make of the sets
 /// \param sets in and out: the root of each sample
 /// \returns whether any was turned; if not, nothing was joined. Waits for the device
-bool join_by_field(const Workplace& workplace, const Graph& graph, const Link* trees, double spacing, Link* sets);
+bool join_by_field(const Workplace& workplace, const Graph& graph, const Link* trees,
+                   double spacing, Link* sets);
 
 } // namespace cuda
 } // namespace internal

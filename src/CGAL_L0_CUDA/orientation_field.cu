@@ -37,27 +37,39 @@ struct Field
   unsigned* roots_of_dipoles;
   unsigned* trees_of_dipoles;
   unsigned number_of_dipoles;
-  unsigned* sizes_of_sets; // of each dipole that is the first one of its set: how many dipoles that has; of others 0
+  unsigned*
+    // of each dipole that is the first one of its set: how many dipoles that has; of others 0
+    sizes_of_sets;
   unsigned* number_of_all_sets;  // that have a dipole
   unsigned char* stands_for_set; // of each dipole: the first one of a set of the field
   double area;                   // that a dipole stands for
   double spacing;                // of the samples
-  unsigned* set_of_root;         // of each sample that is a root: its number among the larger sets, or `no_set`
+  unsigned*
+    set_of_root; // of each sample that is a root: its number among the larger sets, or `no_set`
   unsigned* number_of_sets;
   unsigned* roots; // of the sets
   unsigned* trees; // that they belong to
   int* signs;      // relative to the tree
-  long long* agreements; // a row of `maximum_number_of_sets` for each set; those of a and b, and of b and a, stand for each other
+  long long*
+    // a row of `maximum_number_of_sets` for each set; those of a and b, and of b and a, stand for
+    // each other
+    agreements;
   long long* links; // of groups of sets, as many
 
-  __device__ long long* row(unsigned set) const { return agreements + Wide(set) * maximum_number_of_sets; }
+  __device__ long long* row(unsigned set) const
+  {
+    return agreements + Wide(set) * maximum_number_of_sets;
+  }
   __device__ bool are_of_one_tree(unsigned a, unsigned b) const
   {
     return a != no_set && b != no_set && a != b && trees[a] == trees[b];
   }
 };
 
-__device__ void add_to(long long* sum, long long value) { atomicAdd(reinterpret_cast<Wide*>(sum), Wide(value)); }
+__device__ void add_to(long long* sum, long long value)
+{
+  atomicAdd(reinterpret_cast<Wide*>(sum), Wide(value));
+}
 
 __global__ void place_dipoles(Field field, Samples samples, const Link* sets)
 {
@@ -67,8 +79,10 @@ __global__ void place_dipoles(Field field, Samples samples, const Link* sets)
   const unsigned i = unsigned(sample_of_dipole(k, samples.size, field.number_of_dipoles));
   const Link link = sets[i];
   const double* const p = samples.positions + 3 * Wide(i);
-  field.dipoles[k] = {
-    {p[0], p[1], p[2]}, (link.is_turned() ? -1. : 1.) * to_double(xyz(samples.normals[i])), no_set, no_set};
+  field.dipoles[k] = {{p[0], p[1], p[2]},
+                      (link.is_turned() ? -1. : 1.) * to_double(xyz(samples.normals[i])),
+                      no_set,
+                      no_set};
   field.roots_of_dipoles[k] = link.target();
 }
 
@@ -111,7 +125,8 @@ __global__ void choose_sets(Field field, unsigned number_of_samples)
 #pragma unroll 8 // so that the memory has several reads to do at once
   for (unsigned other = threadIdx.x % 32; other < end; other += 32)
   {
-    const unsigned size_of_set = field.sizes_of_sets[other], other_tree = field.trees_of_dipoles[other];
+    const unsigned size_of_set = field.sizes_of_sets[other],
+                   other_tree = field.trees_of_dipoles[other];
     const unsigned size = other_tree == tree ? size_of_set : 0;
     count += size;
     count_of_large_sets += size >= fewest ? size : 0;
@@ -174,11 +189,14 @@ __global__ void add_dipoles(Field field)
     const unsigned k = first + threadIdx.x;
     long long units = 0;
     unsigned set = no_set;
-    if (k < field.number_of_dipoles && field.dipoles[k].tree == a.tree && field.dipoles[k].set != a.set)
+    if (k < field.number_of_dipoles && field.dipoles[k].tree == a.tree
+        && field.dipoles[k].set != a.set)
     {
       const Dipole& b = field.dipoles[k];
-      const double3 d = {b.position.x - a.position.x, b.position.y - a.position.y, b.position.z - a.position.z};
-      const double agreement = dipole_agreement(dot(a.normal, b.normal), dot(a.normal, d) * dot(b.normal, d), dot(d, d),
+      const double3 d = {b.position.x - a.position.x, b.position.y - a.position.y,
+                         b.position.z - a.position.z};
+      const double agreement = dipole_agreement(dot(a.normal, b.normal),
+                                                dot(a.normal, d) * dot(b.normal, d), dot(d, d),
                                                 squared_core_of_dipole(field.area))
                                * (field.area * field.area / field.spacing);
       set = b.set;
@@ -204,28 +222,33 @@ __global__ void add_dipoles(Field field)
 
 __global__ void add_votes_between_sets(Field field, Graph graph, const Link* sets)
 {
-  for_each_pair_of_neighbors(graph, thread_index(), Wide(gridDim.x) * blockDim.x, [&](unsigned i, unsigned other) {
-    const Link a = sets[i], b = sets[other];
-    if (a.target() == b.target())
-      return;
-    const unsigned set_a = field.set_of_root[a.target()], set_b = field.set_of_root[b.target()];
-    if (!field.are_of_one_tree(set_a, set_b))
-      return;
-    const double agreement = agreement_of(graph, i, other);
-    const long long units = __double2ll_rn((a.is_turned() == b.is_turned() ? 1 : -1) * weight_of_votes * agreement
-                                           * units_per_vote);
-    add_to(&field.row(set_a)[set_b], units);
-    add_to(&field.row(set_b)[set_a], units);
-  });
+  for_each_pair_of_neighbors(
+    graph, thread_index(), Wide(gridDim.x) * blockDim.x, [&](unsigned i, unsigned other) {
+      const Link a = sets[i], b = sets[other];
+      if (a.target() == b.target())
+        return;
+      const unsigned set_a = field.set_of_root[a.target()], set_b = field.set_of_root[b.target()];
+      if (!field.are_of_one_tree(set_a, set_b))
+        return;
+      const double agreement = agreement_of(graph, i, other);
+      const long long units = __double2ll_rn((a.is_turned() == b.is_turned() ? 1 : -1)
+                                             * weight_of_votes * agreement * units_per_vote);
+      add_to(&field.row(set_a)[set_b], units);
+      add_to(&field.row(set_b)[set_a], units);
+    });
 }
 
-/// How far a set or a group of them, or two, agree; of those of equal agreement the first one is less.
+/// How far a set or a group of them, or two, agree; of those of equal agreement the first one is
+/// less.
 struct Agreement
 {
   long long units;
   unsigned set, other; // the latter for two
 
-  __device__ bool operator<(const Agreement& b) const { return units < b.units || (units == b.units && set < b.set); }
+  __device__ bool operator<(const Agreement& b) const
+  {
+    return units < b.units || (units == b.units && set < b.set);
+  }
 };
 
 /// What the threads of `turn_sets()` tell each other.
@@ -260,18 +283,25 @@ __device__ Agreement least_of_block(Agreement own, Agreement* of_warps)
   return least;
 }
 
-/// Groups of sets, as on the CPU: the two that agree most become one, again and again. A group stands at one of its sets; each thread looks after one set,
-/// and after the group that stands there.
+/// Groups of sets, as on the CPU: the two that agree most become one, again and again. A group
+/// stands at one of its sets; each thread looks after one set, and after the group that stands
+/// there.
 struct Groups
 {
-  long long* links; // how far two groups agree, a row of `maximum_number_of_sets` for each; 0 where one of them has become part of another
+  long long*
+    // how far two groups agree, a row of `maximum_number_of_sets` for each; 0 where one of them has
+    // become part of another
+    links;
   unsigned size;       // number of sets
   unsigned closest;    // the group that the thread's agrees most with, or `no_set`
   long long link;      // to that
   unsigned group;      // that the thread's set belongs to
   long long with_rest; // how far the thread's group agrees with all others
 
-  __device__ long long& link_of(unsigned a, unsigned b) const { return links[Wide(a) * maximum_number_of_sets + b]; }
+  __device__ long long& link_of(unsigned a, unsigned b) const
+  {
+    return links[Wide(a) * maximum_number_of_sets + b];
+  }
 
   __device__ void find_closest(unsigned a)
   {
@@ -344,7 +374,8 @@ __device__ bool is_in_disagreeing_group(const Field& field, long long with_other
   }
 }
 
-/// Turns the set that disagrees most, or the group of them, one after the other, until none does. Run by one block, with a thread for each set.
+/// Turns the set that disagrees most, or the group of them, one after the other, until none does.
+/// Run by one block, with a thread for each set.
 __global__ void turn_sets(Field field, unsigned* number_of_turns)
 {
   __shared__ Turning turning;
@@ -352,7 +383,9 @@ __global__ void turn_sets(Field field, unsigned* number_of_turns)
   if (a < size)
     turning.signs[a] = field.signs[a];
   __syncthreads();
-  const auto agreement_with = [&](unsigned b) { return turning.signs[a] * turning.signs[b] * field.row(b)[a]; };
+  const auto agreement_with = [&](unsigned b) {
+    return turning.signs[a] * turning.signs[b] * field.row(b)[a];
+  };
   long long with_others = 0; // the agreement of the thread's set with all others
   for (unsigned b = 0; b < size && a < size; ++b)
     with_others += agreement_with(b);
@@ -390,49 +423,57 @@ __global__ void join_field(Field field, unsigned size, Link* sets)
   unsigned first = 0;
   while (field.trees[first] != field.trees[set])
     ++first;
-  sets[i] = Link::to(field.roots[first], sets[i].is_turned() ^ (field.signs[first] != field.signs[set]));
+  sets[i] = Link::to(field.roots[first],
+                     sets[i].is_turned() ^ (field.signs[first] != field.signs[set]));
 }
 
 } // namespace
 
-bool join_by_field(const Workplace& workplace, const Graph& graph, const Link* trees, double spacing, Link* sets)
+bool join_by_field(const Workplace& workplace, const Graph& graph, const Link* trees,
+                   double spacing, Link* sets)
 {
   const cudaStream_t stream = workplace.stream;
   const Arena_scope scope(workplace.scratch);
   const unsigned m = graph.size, number_of_dipoles = (std::min)(m, maximum_number_of_dipoles);
-  const Device_counter<uint3> numbers(workplace); // of all sets, of those of the field, and of turns
-  const Field field = {workplace.scratch.take<Dipole>(number_of_dipoles),
-                       workplace.scratch.take<unsigned>(number_of_dipoles),
-                       workplace.scratch.take<unsigned>(number_of_dipoles),
-                       number_of_dipoles,
-                       workplace.scratch.take<unsigned>(number_of_dipoles),
-                       &numbers.address()->x,
-                       workplace.scratch.take<unsigned char>(number_of_dipoles),
-                       spacing * spacing * double(m) / double(number_of_dipoles),
-                       spacing,
-                       workplace.scratch.take<unsigned>(m),
-                       &numbers.address()->y,
-                       workplace.scratch.take<unsigned>(maximum_number_of_sets),
-                       workplace.scratch.take<unsigned>(maximum_number_of_sets),
-                       workplace.scratch.take<int>(maximum_number_of_sets),
-                       workplace.scratch.take<long long>(Wide(maximum_number_of_sets) * maximum_number_of_sets),
-                       workplace.scratch.take<long long>(Wide(maximum_number_of_sets) * maximum_number_of_sets)};
+  const Device_counter<uint3> numbers(
+    workplace); // of all sets, of those of the field, and of turns
+  const Field field = {
+    workplace.scratch.take<Dipole>(number_of_dipoles),
+    workplace.scratch.take<unsigned>(number_of_dipoles),
+    workplace.scratch.take<unsigned>(number_of_dipoles),
+    number_of_dipoles,
+    workplace.scratch.take<unsigned>(number_of_dipoles),
+    &numbers.address()->x,
+    workplace.scratch.take<unsigned char>(number_of_dipoles),
+    spacing * spacing * double(m) / double(number_of_dipoles),
+    spacing,
+    workplace.scratch.take<unsigned>(m),
+    &numbers.address()->y,
+    workplace.scratch.take<unsigned>(maximum_number_of_sets),
+    workplace.scratch.take<unsigned>(maximum_number_of_sets),
+    workplace.scratch.take<int>(maximum_number_of_sets),
+    workplace.scratch.take<long long>(Wide(maximum_number_of_sets) * maximum_number_of_sets),
+    workplace.scratch.take<long long>(Wide(maximum_number_of_sets) * maximum_number_of_sets)};
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(field.set_of_root, 0xff, m * sizeof(unsigned), stream));
-  CGAL_L0_CUDA_CHECK(cudaMemsetAsync(field.agreements, 0,
-                                     Wide(maximum_number_of_sets) * maximum_number_of_sets * sizeof(long long), stream));
-  place_dipoles<<<blocks_for(number_of_dipoles), threads_per_block, 0, stream>>>(field, graph.samples, sets);
+  CGAL_L0_CUDA_CHECK(cudaMemsetAsync(
+    field.agreements, 0, Wide(maximum_number_of_sets) * maximum_number_of_sets * sizeof(long long),
+    stream));
+  place_dipoles<<<blocks_for(number_of_dipoles), threads_per_block, 0, stream>>>(
+    field, graph.samples, sets);
   check_launch("place_dipoles");
   find_sets<<<blocks_for(32ull * number_of_dipoles), threads_per_block, 0, stream>>>(field, trees);
   check_launch("find_sets");
   choose_sets<<<blocks_for(32ull * number_of_dipoles), threads_per_block, 0, stream>>>(field, m);
   check_launch("choose_sets");
-  number_sets<<<blocks_for(32ull * number_of_dipoles), threads_per_block, 0, stream>>>(field, trees);
+  number_sets<<<blocks_for(32ull * number_of_dipoles), threads_per_block, 0, stream>>>(field,
+                                                                                       trees);
   check_launch("number_sets");
   find_trees_of_dipoles<<<blocks_for(number_of_dipoles), threads_per_block, 0, stream>>>(field);
   check_launch("find_trees_of_dipoles");
   add_dipoles<<<number_of_dipoles, threads_per_block, 0, stream>>>(field);
   check_launch("add_dipoles");
-  add_votes_between_sets<<<blocks_for(Wide(m) * lanes_of_edges), threads_per_block, 0, stream>>>(field, graph, sets);
+  add_votes_between_sets<<<blocks_for(Wide(m) * lanes_of_edges), threads_per_block, 0, stream>>>(
+    field, graph, sets);
   check_launch("add_votes_between_sets");
   turn_sets<<<1, threads_of_turning_block, 0, stream>>>(field, &numbers.address()->z);
   check_launch("turn_sets");

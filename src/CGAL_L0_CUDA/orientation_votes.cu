@@ -46,13 +46,14 @@ __device__ unsigned part_of(Wide pair, unsigned number_of_parts)
   return unsigned((mixed >> 32) * number_of_parts >> 32);
 }
 
-/// \param is_full null for a table that has room for all; else the vote may be left out, which is noted there
+/// \param is_full null for a table that has room for all; else the vote may be left out, which is
+/// noted there
 /// \returns whether it is the first of its pair
-__device__ bool add_vote(Vote* table, unsigned number_of_slots, Wide pair, long long agreement, long long total,
-                         unsigned* is_full)
+__device__ bool add_vote(Vote* table, unsigned number_of_slots, Wide pair, long long agreement,
+                         long long total, unsigned* is_full)
 {
-  // Strides of their own lead pairs away from places where many meet: a warp waits for the longest of its searches. One after the other, in the end, they
-  // see all slots.
+  // Strides of their own lead pairs away from places where many meet: a warp waits for the longest
+  // of its searches. One after the other, in the end, they see all slots.
   const unsigned number_of_strides = 32, longest_search = 4096;
   const Wide hash = hash_of(pair);
   const unsigned stride = unsigned((hash & 0xffffffff) * number_of_slots >> 32);
@@ -79,16 +80,24 @@ __device__ bool add_vote(Vote* table, unsigned number_of_slots, Wide pair, long 
 }
 
 /// Slots for so many votes, if a table can have them.
-__device__ unsigned slots_for(unsigned count, unsigned most) { return min(max(2 * count, fewest_slots), most); }
+__device__ unsigned slots_for(unsigned count, unsigned most)
+{
+  return min(max(2 * count, fewest_slots), most);
+}
 
 /// Slots without which looking for a free one takes long.
-__host__ __device__ constexpr Wide least_slots_for(unsigned count) { return Wide(count) + count / 4; }
+__host__ __device__ constexpr Wide least_slots_for(unsigned count)
+{
+  return Wide(count) + count / 4;
+}
 
-/// The vote that a root joins another set by: the larger, the better; of equal ones, that with the lower root. None is 0.
+/// The vote that a root joins another set by: the larger, the better; of equal ones, that with the
+/// lower root. None is 0.
 __device__ Wide rank_of_vote(long long agreement, unsigned other)
 {
   const unsigned size = __float_as_uint(float(llabs(agreement)));
-  return Wide(size) << 32 | (maximum_number_of_linked_samples - other) << 1 | unsigned(agreement < 0);
+  return Wide(size) << 32 | (maximum_number_of_linked_samples - other) << 1
+         | unsigned(agreement < 0);
 }
 
 __device__ Link link_by_vote(Wide rank)
@@ -112,7 +121,8 @@ __device__ void hook(const Votes& votes, unsigned root, Link link)
     store(&votes.hooks[root], link);
 }
 
-/// Where a root is hooked to in the end. Shortens the way for those behind it: each word is a true statement at any time.
+/// Where a root is hooked to in the end. Shortens the way for those behind it: each word is a true
+/// statement at any time.
 __device__ Link walk_up(const Votes& votes, unsigned root)
 {
   const Link link = follow(votes.hooks, load(&votes.hooks[root]));
@@ -139,7 +149,8 @@ __global__ void start_voting(unsigned size, Votes votes)
 
 /// For the threads of a team: calls `f(pair, agreement, total)` for the votes in some slots.
 template <typename Team, typename F>
-__device__ void for_each_vote(const Team& team, const Vote* table, unsigned number_of_slots, const F& f)
+__device__ void for_each_vote(const Team& team, const Vote* table, unsigned number_of_slots,
+                              const F& f)
 {
   for (Wide s = team.thread_rank(); s < number_of_slots; s += team.size())
     if (const Wide pair = __ldcg(&table[s].pair); pair != 0)
@@ -155,8 +166,8 @@ __device__ void clear_slots(const Team& team, Vote* table, unsigned number_of_sl
 
 /// Proposes the votes in some slots to the roots of their sets.
 template <typename Team>
-__device__ void propose_votes(const Team& team, const Votes& votes, const Vote* table, unsigned number_of_slots,
-                              double majority, unsigned* is_changed)
+__device__ void propose_votes(const Team& team, const Votes& votes, const Vote* table,
+                              unsigned number_of_slots, double majority, unsigned* is_changed)
 {
   for_each_vote(team, table, number_of_slots, [&](Wide pair, long long agreement, long long total) {
     if (double(llabs(agreement)) < majority * double(total))
@@ -169,12 +180,14 @@ __device__ void propose_votes(const Team& team, const Votes& votes, const Vote* 
 }
 
 /*!
-Calls `f(i, other)` for each pair of neighbors that is wanted, once, for the threads of a team, in whole warps. Few of the pairs that a warp looks at
-are wanted: they wait until there is one for each thread.
+Calls `f(i, other)` for each pair of neighbors that is wanted, once, for the threads of a team, in
+whole warps. Few of the pairs that a warp looks at are wanted: they wait until there is one for each
+thread.
 \param is_wanted called with the pairs
 */
 template <typename Team, typename Is_wanted, typename F>
-__device__ void for_each_wanted_pair(const Team& team, const Graph& graph, const Is_wanted& is_wanted, const F& f)
+__device__ void for_each_wanted_pair(const Team& team, const Graph& graph,
+                                     const Is_wanted& is_wanted, const F& f)
 {
   __shared__ uint2 queues[threads_of_voting_block / 32][64];
   uint2* const queue = queues[threadIdx.x / 32];
@@ -187,7 +200,8 @@ __device__ void for_each_wanted_pair(const Team& team, const Graph& graph, const
     for (unsigned first_edge = 0; first_edge < graph.k; first_edge += lanes_of_edges)
     {
       const unsigned e = first_edge + lane % lanes_of_edges;
-      const unsigned other = i < graph.size && e < graph.k ? graph.nearest[i * graph.k + e] : nobody;
+      const unsigned other = i < graph.size && e < graph.k ? graph.nearest[i * graph.k + e]
+                                                           : nobody;
       const bool waits = other < is_listed_by_other && is_wanted(unsigned(i), other);
       const unsigned waiting = __ballot_sync(all, waits);
       if (waits)
@@ -212,9 +226,9 @@ __device__ void for_each_wanted_pair(const Team& team, const Graph& graph, const
 /// \param count out: of pairs
 /// \param is_full as of `add_vote()`
 template <typename Team>
-__device__ void count_votes_of_edges(const Team& team, const Graph& graph, const Link* sets, unsigned part,
-                                     unsigned number_of_parts, Vote* table, unsigned number_of_slots, unsigned* count,
-                                     unsigned* is_full)
+__device__ void count_votes_of_edges(const Team& team, const Graph& graph, const Link* sets,
+                                     unsigned part, unsigned number_of_parts, Vote* table,
+                                     unsigned number_of_slots, unsigned* count, unsigned* is_full)
 {
   unsigned own_count = 0;
   const auto is_wanted = [&](unsigned i, unsigned other) {
@@ -225,22 +239,26 @@ __device__ void count_votes_of_edges(const Team& team, const Graph& graph, const
     const Link a = load(sets + i), b = load(sets + other);
     const Wide pair = pair_of(a.target(), b.target());
     const long long units = __double2ll_rn(agreement_of(graph, i, other) * units_per_vote);
-    own_count += add_vote(table, number_of_slots, pair, a.is_turned() == b.is_turned() ? units : -units, llabs(units),
-                          is_full);
+    own_count += add_vote(table, number_of_slots, pair,
+                          a.is_turned() == b.is_turned() ? units : -units, llabs(units), is_full);
   });
   add_count(count, own_count);
 }
 
-/// Runs rounds of joining with votes from the edges, until these fit into a table, which is then filled.
+/// Runs rounds of joining with votes from the edges, until these fit into a table, which is then
+/// filled.
 /// \param number_of_edges between sets, at most
 /// \param joined the root of each sample, before and after
 /// \returns whether all rounds were run
-__device__ bool run_rounds_over_edges(const cooperative_groups::grid_group& grid, const Graph& graph, const Votes& votes,
-                                      unsigned number_of_edges, double majority, Voting_state& state, Link* joined)
+__device__ bool run_rounds_over_edges(const cooperative_groups::grid_group& grid,
+                                      const Graph& graph, const Votes& votes,
+                                      unsigned number_of_edges, double majority,
+                                      Voting_state& state, Link* joined)
 {
   for (; 2 * maximum_number_of_rounds > state.round; ++state.round)
   {
-    const unsigned most_votes = state.round > 0 ? __ldcg(&votes.state->counts[state.round - 1]) : number_of_edges;
+    const unsigned most_votes = state.round > 0 ? __ldcg(&votes.state->counts[state.round - 1])
+                                                : number_of_edges;
     unsigned* const count = &votes.state->counts[state.round];
     if (least_slots_for(most_votes) <= votes.slots_of_table)
     {
@@ -249,22 +267,27 @@ __device__ bool run_rounds_over_edges(const cooperative_groups::grid_group& grid
       state.number_of_slots = slots_for(most_votes, votes.slots_of_table);
       clear_slots(grid, votes.table(0), state.number_of_slots);
       grid.sync();
-      count_votes_of_edges(grid, graph, joined, 0, 1, votes.table(0), state.number_of_slots, count, nullptr);
+      count_votes_of_edges(grid, graph, joined, 0, 1, votes.table(0), state.number_of_slots, count,
+                           nullptr);
       grid.sync();
       return false;
     }
     const Wide number_of_slots = 2 * Wide(votes.slots_of_table); // both tables are one
-    const unsigned fewest_parts = unsigned((least_slots_for(most_votes) + number_of_slots - 1) / number_of_slots);
+    const unsigned fewest_parts = unsigned((least_slots_for(most_votes) + number_of_slots - 1)
+                                           / number_of_slots);
     unsigned* const is_changed = &votes.state->is_changed[state.round];
     for (unsigned part = 0; part < fewest_parts << state.number_of_doublings;)
     {
       unsigned* const is_full = &votes.state->is_full[state.number_of_doublings];
       clear_slots(grid, votes.slots, unsigned(number_of_slots));
       grid.sync();
-      count_votes_of_edges(grid, graph, joined, part, fewest_parts << state.number_of_doublings, votes.slots,
-                           unsigned(number_of_slots), count, is_full);
+      count_votes_of_edges(grid, graph, joined, part, fewest_parts << state.number_of_doublings,
+                           votes.slots, unsigned(number_of_slots), count, is_full);
       grid.sync();
-      if (__ldcg(is_full) != 0) // by an uneven hash: once more from the first part; what was proposed will be proposed again
+      if (__ldcg(is_full)
+          // by an uneven hash: once more from the first part; what was proposed will be proposed
+          // again
+          != 0)
       {
         ++state.number_of_doublings;
         part = 0;
@@ -300,7 +323,8 @@ __device__ bool run_rounds_over_edges(const cooperative_groups::grid_group& grid
 /// \param is_done called before each round, whether that is for others to run
 /// \returns whether all rounds were run
 template <typename Team, typename F>
-__device__ bool run_rounds(const Team& team, const Votes& votes, double majority, Voting_state& state, const F& is_done)
+__device__ bool run_rounds(const Team& team, const Votes& votes, double majority,
+                           Voting_state& state, const F& is_done)
 {
   while (state.round < 2 * maximum_number_of_rounds)
   {
@@ -308,7 +332,8 @@ __device__ bool run_rounds(const Team& team, const Votes& votes, double majority
       return false;
     const Vote* const table = votes.table(state.table);
     Vote* const next_table = votes.table(1 - state.table);
-    const unsigned next_slots = slots_for(__ldcg(&votes.state->counts[state.round]), votes.slots_of_table);
+    const unsigned next_slots = slots_for(__ldcg(&votes.state->counts[state.round]),
+                                          votes.slots_of_table);
     unsigned* const is_changed = &votes.state->is_changed[state.round];
     clear_slots(team, next_table, next_slots);
     propose_votes(team, votes, table, state.number_of_slots, majority, is_changed);
@@ -326,15 +351,17 @@ __device__ bool run_rounds(const Team& team, const Votes& votes, double majority
     });
     team.sync();
     unsigned own_count = 0;
-    for_each_vote(team, table, state.number_of_slots, [&](Wide pair, long long agreement, long long total) {
-      const unsigned a = unsigned(pair >> 32), b = unsigned(pair);
-      const Link to_a = walk_up(votes, a), to_b = walk_up(votes, b);
-      __stcg(&votes.best[a], 0ull);
-      __stcg(&votes.best[b], 0ull);
-      if (to_a.target() != to_b.target())
-        own_count += add_vote(next_table, next_slots, pair_of(to_a.target(), to_b.target()),
-                              to_a.is_turned() == to_b.is_turned() ? agreement : -agreement, total, nullptr);
-    });
+    for_each_vote(
+      team, table, state.number_of_slots, [&](Wide pair, long long agreement, long long total) {
+        const unsigned a = unsigned(pair >> 32), b = unsigned(pair);
+        const Link to_a = walk_up(votes, a), to_b = walk_up(votes, b);
+        __stcg(&votes.best[a], 0ull);
+        __stcg(&votes.best[b], 0ull);
+        if (to_a.target() != to_b.target())
+          own_count += add_vote(next_table, next_slots, pair_of(to_a.target(), to_b.target()),
+                                to_a.is_turned() == to_b.is_turned() ? agreement : -agreement,
+                                total, nullptr);
+      });
     add_count(&votes.state->counts[state.round + 1], own_count);
     team.sync();
     ++state.round;
@@ -345,7 +372,8 @@ __device__ bool run_rounds(const Team& team, const Votes& votes, double majority
 }
 
 __global__ void __launch_bounds__(threads_of_voting_block, 2)
-  join_by_votes(Graph graph, Votes votes, unsigned number_of_edges, double majority, const Link* sets, Link* joined)
+  join_by_votes(Graph graph, Votes votes, unsigned number_of_edges, double majority,
+                const Link* sets, Link* joined)
 {
   // a copy for each thread, all alike
   Voting_state state;
@@ -359,10 +387,13 @@ __global__ void __launch_bounds__(threads_of_voting_block, 2)
   if (!state.has_table)
     for_each(graph.size, [&](Wide i) { store(joined + i, follow(votes.hooks, sets[i])); });
   grid.sync(); // before one of them writes the state
-  bool is_done = !state.has_table && run_rounds_over_edges(grid, graph, votes, number_of_edges, majority, state, joined);
+  bool is_done = !state.has_table
+                 && run_rounds_over_edges(grid, graph, votes, number_of_edges, majority, state,
+                                          joined);
   const bool has_table = state.has_table;
   if (has_table)
-    is_done = run_rounds(grid, votes, majority, state, [&]() { return state.number_of_slots <= most_slots_of_block; });
+    is_done = run_rounds(grid, votes, majority, state,
+                         [&]() { return state.number_of_slots <= most_slots_of_block; });
   if (blockIdx.x != 0)
     return;
   if (!is_done)
@@ -384,13 +415,20 @@ __global__ void tell_joined(const Link* sets, const Link* hooks, unsigned size, 
     joined[i] = follow(hooks, sets[i]);
 }
 
-/// As many as the votes of all edges need, but no more than there is room for anyway, or than twice the samples. How many there are changes no result.
-unsigned slots_of_table(const Device_arena& arena, unsigned number_of_samples, unsigned number_of_edges)
+/// As many as the votes of all edges need, but no more than there is room for anyway, or than twice
+/// the samples. How many there are changes no result.
+unsigned slots_of_table(const Device_arena& arena, unsigned number_of_samples,
+                        unsigned number_of_edges)
 {
-  const std::size_t of_others = 20 * std::size_t(number_of_samples) + bytes_of_field; // `Voting` and the field take it
-  const std::size_t room = arena.room() > of_others ? (arena.room() - of_others) / (2 * sizeof(Vote)) : 0;
-  const Wide most = (std::min)((std::max)(Wide(room), 2 * Wide(number_of_samples)), Wide(0x7fffffff));
-  return unsigned((std::max)((std::min)(least_slots_for(number_of_edges), most), Wide(fewest_slots)));
+  const std::size_t of_others = 20 * std::size_t(number_of_samples)
+                                + bytes_of_field; // `Voting` and the field take it
+  const std::size_t room = arena.room() > of_others
+                             ? (arena.room() - of_others) / (2 * sizeof(Vote))
+                             : 0;
+  const Wide most = (std::min)((std::max)(Wide(room), 2 * Wide(number_of_samples)),
+                               Wide(0x7fffffff));
+  return unsigned(
+    (std::max)((std::min)(least_slots_for(number_of_edges), most), Wide(fewest_slots)));
 }
 
 } // namespace
@@ -399,7 +437,8 @@ Voting::Voting(const Workplace& workplace, const Graph& graph, unsigned number_o
   : m_workplace(workplace), m_graph(graph), m_number_of_edges(number_of_edges),
     m_slots_of_table(slots_of_table(workplace.scratch, graph.size, number_of_edges)),
     m_slots(workplace.scratch.take<Vote>(2 * std::size_t(m_slots_of_table))),
-    m_hooks(workplace.scratch.take<Link>(graph.size)), m_best(workplace.scratch.take<Wide>(graph.size)),
+    m_hooks(workplace.scratch.take<Link>(graph.size)),
+    m_best(workplace.scratch.take<Wide>(graph.size)),
     m_state(workplace.scratch.take<Voting_state>(1))
 {}
 
@@ -409,7 +448,8 @@ void Voting::begin(const Link* sets)
   const cudaStream_t stream = m_workplace.stream;
   m_sets = sets;
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(m_state, 0, sizeof(Voting_state), stream));
-  start_voting<<<blocks_for(m), threads_per_block, 0, stream>>>(m, {m_slots, m_slots_of_table, m_hooks, m_best, m_state});
+  start_voting<<<blocks_for(m), threads_per_block, 0, stream>>>(m, {m_slots, m_slots_of_table,
+                                                                    m_hooks, m_best, m_state});
   check_launch("start_voting");
 }
 
@@ -423,10 +463,11 @@ void Voting::join(double majority, Link* joined) const
     unsigned number_of_edges = m_number_of_edges;
     const Link* sets = m_sets;
     void* arguments[] = {&graph, &votes, &number_of_edges, &majority, &sets, &joined};
-    launch_cooperatively(m_workplace, reinterpret_cast<void*>(join_by_votes), Wide(m) * lanes_of_edges,
-                         threads_of_voting_block, 2, arguments);
+    launch_cooperatively(m_workplace, reinterpret_cast<void*>(join_by_votes),
+                         Wide(m) * lanes_of_edges, threads_of_voting_block, 2, arguments);
   }
-  tell_joined<<<blocks_for(m), threads_per_block, 0, m_workplace.stream>>>(m_sets, m_hooks, m, joined);
+  tell_joined<<<blocks_for(m), threads_per_block, 0, m_workplace.stream>>>(m_sets, m_hooks, m,
+                                                                           joined);
   check_launch("tell_joined");
 }
 

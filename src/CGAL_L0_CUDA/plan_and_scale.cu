@@ -28,7 +28,8 @@ void Framed_box::set_unit(double unit)
 }
 
 Plan plan_and_scale(const Extent& extent, unsigned n, const Parameters& parameters,
-                    const std::function<Scales(const Framed_box&)>& scales_in, Framed_box& box, Call_report& report)
+                    const std::function<Scales(const Framed_box&)>& scales_in, Framed_box& box,
+                    Call_report& report)
 {
   box.frame = extent.frame;
   std::copy(extent.low, extent.low + 3, box.low);
@@ -39,7 +40,8 @@ Plan plan_and_scale(const Extent& extent, unsigned n, const Parameters& paramete
     Framed_box in_paper_radii = box;
     in_paper_radii.set_unit(paper_radius(facts));
     facts.scales = scales_in(in_paper_radii);
-    report.estimated_spacing = box.frame.length_of_input(facts.scales.spacing * paper_radius(facts));
+    report.estimated_spacing = box.frame.length_of_input(facts.scales.spacing
+                                                         * paper_radius(facts));
     report.estimated_noise = box.frame.length_of_input(facts.scales.noise * paper_radius(facts));
   }
   const Plan plan = make_plan(parameters, facts);

@@ -32,11 +32,12 @@ struct Framed_box
 
 /// Finds the facts of the cloud, plans the call, and makes r_p the unit of the frame, as
 /// `plan_and_scale()` on the CPU.
-/// \param scales_in called with the frame whose unit is the paper's radius, if spacing and noise of the
-/// points are wanted, in that unit
+/// \param scales_in called with the frame whose unit is the paper's radius, if spacing and noise of
+/// the points are wanted, in that unit
 /// \param box out: in the frame whose unit is r_p
 Plan plan_and_scale(const Extent& extent, unsigned n, const Parameters& parameters,
-                    const std::function<Scales(const Framed_box&)>& scales_in, Framed_box& box, Call_report& report);
+                    const std::function<Scales(const Framed_box&)>& scales_in, Framed_box& box,
+                    Call_report& report);
 
 } // namespace cuda
 } // namespace internal

@@ -36,8 +36,8 @@ __device__ void sum_over_block(T (&values)[count])
         values[c] += shared[w][c];
 }
 
-/// The points around a query, for a block of threads: queries are few, so that each has to be short. A thread finds a row of cells, and a warp looks
-/// at its points.
+/// The points around a query, for a block of threads: queries are few, so that each has to be
+/// short. A thread finds a row of cells, and a warp looks at its points.
 class Surroundings
 {
   const Cell_grid& m_grid;
@@ -48,7 +48,8 @@ class Surroundings
 
 public:
   __device__ Surroundings(const Cell_grid& grid, unsigned query, int reach)
-    : m_grid(grid), m_center(grid.points[query]), m_cell(grid.frame.cell_of_key(grid.keys[m_center.w])), m_reach(reach)
+    : m_grid(grid), m_center(grid.points[query]),
+      m_cell(grid.frame.cell_of_key(grid.keys[m_center.w])), m_reach(reach)
   {
     Wide count[1] = {0};
     for (int row = int(threadIdx.x); row < number_of_rows(); row += int(threads_per_query))
@@ -70,7 +71,8 @@ public:
 
   __device__ unsigned stride() const { return unsigned(m_stride); }
 
-  /// Calls `f(d)` for the points of the thread in the ball, with the way to them. For all threads of the block.
+  /// Calls `f(d)` for the points of the thread in the ball, with the way to them. For all threads
+  /// of the block.
   template <typename F>
   __device__ void for_each_in_ball(float radius, const F& f) const
   {
@@ -132,7 +134,8 @@ __global__ void take_points(const int4* points, const unsigned* list, unsigned s
 }
 
 /// Makes places in the whole array places in the list.
-__global__ void count_listed_before(const unsigned* list, unsigned size, unsigned* places, unsigned number_of_places)
+__global__ void count_listed_before(const unsigned* list, unsigned size, unsigned* places,
+                                    unsigned number_of_places)
 {
   const Wide k = thread_index();
   if (k >= number_of_places)
@@ -158,10 +161,11 @@ void keep_one_of_equal_points(const Workplace& workplace, Cell_grid& grid)
   unsigned* const list = workplace.scratch.take<unsigned>(grid.size);
   list_flagged(grid.is_first, grid.size, list, workplace.scratch, workplace.stream);
   int4* const points = workplace.scratch.take<int4>(size);
-  take_points<<<blocks_for(size), threads_per_block, 0, workplace.stream>>>(grid.points, list, size, points);
+  take_points<<<blocks_for(size), threads_per_block, 0, workplace.stream>>>(grid.points, list, size,
+                                                                            points);
   check_launch("take_points");
-  count_listed_before<<<blocks_for(number_of_places), threads_per_block, 0, workplace.stream>>>(list, size, grid.begins,
-                                                                                                number_of_places);
+  count_listed_before<<<blocks_for(number_of_places), threads_per_block, 0, workplace.stream>>>(
+    list, size, grid.begins, number_of_places);
   check_launch("count_listed_before");
   grid.points = points;
   grid.size = size;
@@ -170,7 +174,8 @@ void keep_one_of_equal_points(const Workplace& workplace, Cell_grid& grid)
 
 /// One block of threads for each query, which are every so manieth point.
 __global__ void __launch_bounds__(threads_per_query)
-  look_at_balls(Cell_grid grid, unsigned stride_of_queries, int reach, float radius, Ball_of_points* balls)
+  look_at_balls(Cell_grid grid, unsigned stride_of_queries, int reach, float radius,
+                Ball_of_points* balls)
 {
   const Surroundings surroundings(grid, blockIdx.x * stride_of_queries, reach);
   const Plane_fit fit = surroundings.fit_plane(radius);
@@ -196,29 +201,33 @@ __global__ void __launch_bounds__(threads_per_query)
 
 } // namespace
 
-void refit_planes_of(const Workplace& workplace, const Cell_grid& grid, const unsigned* open, unsigned number_of_open,
-                     double radius, float4* normals, unsigned char* is_degenerate)
+void refit_planes_of(const Workplace& workplace, const Cell_grid& grid, const unsigned* open,
+                     unsigned number_of_open, double radius, float4* normals,
+                     unsigned char* is_degenerate)
 {
   fit_planes_around<<<number_of_open, threads_per_query, 0, workplace.stream>>>(
-    grid, open, cells_in_reach(radius, grid.frame.cell_size), float(radius), normals, is_degenerate);
+    grid, open, cells_in_reach(radius, grid.frame.cell_size), float(radius), normals,
+    is_degenerate);
   check_launch("fit_planes_around");
 }
 
-Scales estimate_scales(const Workplace& workplace, const Positions& positions, const double (&low)[3],
-                       const double (&high)[3], double initial_radius)
+Scales estimate_scales(const Workplace& workplace, const Positions& positions,
+                       const double (&low)[3], const double (&high)[3], double initial_radius)
 {
   const double cell_size = initial_radius / 4; // as on the CPU
   const Arena_scope arena_scope(workplace.arena), scratch_scope(workplace.scratch);
-  Cell_grid grid = build_grid(positions, nullptr,
-                              Cell_frame::around(low, high, cell_size, largest_reach_of_balls * cell_size),
-                              workplace.arena, workplace.scratch, workplace.stream);
+  Cell_grid grid =
+    build_grid(positions, nullptr,
+               Cell_frame::around(low, high, cell_size, largest_reach_of_balls * cell_size),
+               workplace.arena, workplace.scratch, workplace.stream);
   keep_one_of_equal_points(workplace, grid);
   const unsigned stride = (std::max)(grid.size / unsigned(number_of_balls), 1u);
   const unsigned size = (grid.size + stride - 1) / stride;
   Ball_of_points* const device_balls = workplace.scratch.take<Ball_of_points>(size);
   std::vector<Ball_of_points> balls(size);
   return scales_of_growing_balls(cell_size, [&](int reach, double radius) {
-    look_at_balls<<<size, threads_per_query, 0, workplace.stream>>>(grid, stride, reach, float(radius), device_balls);
+    look_at_balls<<<size, threads_per_query, 0, workplace.stream>>>(grid, stride, reach,
+                                                                    float(radius), device_balls);
     check_launch("look_at_balls");
     CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(balls.data(), device_balls, size * sizeof(Ball_of_points),
                                        cudaMemcpyDeviceToHost, workplace.stream));

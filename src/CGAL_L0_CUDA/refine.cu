@@ -45,26 +45,30 @@ struct Surroundings
   const float4* normals;
   const Fit& fit;
 
-  /// \param visit called with the place of each point relative to the sample, its normal, and its scale in the ball
+  /// \param visit called with the place of each point relative to the sample, its normal, and its
+  /// scale in the ball
   template <typename Visit>
   __device__ void for_each(const Visit& visit) const
   {
     const float unit = grid.frame.unit(), squared_radius = fit.radius * fit.radius;
-    for_each_candidate(grid, blocks, center, query.lane, fit.radius, [&](unsigned j, const int4& point) {
-      const float3 d = difference(point, center, unit);
-      const float4 other = normals[j];
-      visit(d, xyz(other), share_in_ball(dot(d, d), squared_radius) * other.w);
-    });
+    for_each_candidate(grid, blocks, center, query.lane, fit.radius,
+                       [&](unsigned j, const int4& point) {
+                         const float3 d = difference(point, center, unit);
+                         const float4 other = normals[j];
+                         visit(d, xyz(other), share_in_ball(dot(d, d), squared_radius) * other.w);
+                       });
   }
 
-  __device__ Compatible_points sum_compatible_points(const float3& normal, float squared_sheet_height) const
+  __device__ Compatible_points sum_compatible_points(const float3& normal,
+                                                     float squared_sheet_height) const
   {
     Compatible_points sums = {0, 0, 0, 0, 0, 0, {0, 0, 0}, {0, 0, 0}};
     for_each([&](const float3& d, const float3& other, float scale) {
       const float cosine = dot(other, normal), sign = with_sign_of(cosine, 1.f);
       const float h = symmetric_height(dot(d, normal), sign * dot(d, other));
-      const float weight =
-        scale * sheet_weight(dot(d, d), fit.squared_bandwidth, cosine, fit.normal_bandwidth, h, squared_sheet_height);
+      const float weight = scale
+                           * sheet_weight(dot(d, d), fit.squared_bandwidth, cosine,
+                                          fit.normal_bandwidth, h, squared_sheet_height);
       sums.all += scale;
       sums.squared_sines += scale * (1 - cosine * cosine);
       sums.weight += weight;
@@ -95,8 +99,9 @@ struct Surroundings
 
 /// The fit of the default method, as `fit_compatible_points()` on the CPU, which says why.
 /// \param number_of_lonely in and out, if not null: the samples without compatible points add up
-__global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_blocks blocks, Cell_grid grid,
-                            const float4* normals, Fit fit, Samples samples, unsigned* number_of_lonely)
+__global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_blocks blocks,
+                            Cell_grid grid, const float4* normals, Fit fit, Samples samples,
+                            unsigned* number_of_lonely)
 {
   const Query query(samples.size);
   const int4 center = sample_grid.points[query.index];
@@ -108,7 +113,8 @@ __global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_b
   const double sheet_height =
     stray.has_strayed ? stray.squared_sheet_height
                       : squared_sheet_height_among(fit.squared_sheet_height,
-                                                   weighted_variance(sums.weight, sums.height, sums.squared_heights));
+                                                   weighted_variance(sums.weight, sums.height,
+                                                                     sums.squared_heights));
   // the lanes of a warp add up together
   if (__any_sync(0xffffffffu, stray.has_strayed))
   {
@@ -123,7 +129,9 @@ __global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_b
 
   const double total = sums.weight;
   samples.outward[i] = Short_vector::zero();
-  if (!(total > 1e-3)) // nobody agrees: the sample is drawn to where it was last fitted, and keeps its normal
+  if (!(total
+        // nobody agrees: the sample is drawn to where it was last fitted, and keeps its normal
+        > 1e-3))
   {
     samples.fit[i].w = 1;
     samples.normals[i].w = 0;
@@ -139,15 +147,17 @@ __global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_b
   if (way_back > 0)
     to_centroid = to_centroid + (way_back / distance) * offset;
   samples.fit[i] = with_w(to_float(to_centroid), float(total));
-  const double held_back = fit.border.share_held_back(distance, total * total / sums.squared_weights,
-                                                      double(sums.squared_sines) / sums.all);
+  const double held_back = fit.border.share_held_back(
+    distance, total * total / sums.squared_weights, double(sums.squared_sines) / sums.all);
   if (held_back > 0)
     samples.outward[i] = Short_vector::of(to_float((-sqrt(held_back) / distance) * offset));
   const double3 mean_normal = to_double(sums.normal);
   const double length = sqrt(dot(mean_normal, mean_normal));
-  const float3 new_normal = length > 1e-3 * total ? to_float((1 / length) * mean_normal) : xyz(samples.normals[i]);
-  samples.normals[i] = with_w(new_normal,
-                              float(variance_of_mean(total, sums.squared_weights, sums.height, sums.squared_heights)));
+  const float3 new_normal = length > 1e-3 * total ? to_float((1 / length) * mean_normal)
+                                                  : xyz(samples.normals[i]);
+  samples.normals[i] =
+    with_w(new_normal,
+           float(variance_of_mean(total, sums.squared_weights, sums.height, sums.squared_heights)));
 }
 
 /// `Repulsion` in `float`.
@@ -160,8 +170,8 @@ struct Push
 };
 
 /// One step of `repel_tangentially()` on the CPU.
-__global__ void repel(Cell_frame frame, Neighbor_lists neighbors, Push push_rule, const int4* places,
-                      const int4* points, Samples samples, int4* moved_points)
+__global__ void repel(Cell_frame frame, Neighbor_lists neighbors, Push push_rule,
+                      const int4* places, const int4* points, Samples samples, int4* moved_points)
 {
   const Query query(samples.size);
   const unsigned i = query.index;
@@ -172,7 +182,8 @@ __global__ void repel(Cell_frame frame, Neighbor_lists neighbors, Push push_rule
   for (Wide e = Wide(row.x) + query.lane; e < row.y; e += lanes)
   {
     const unsigned k = neighbors.indices[e];
-    const float3 d = difference(center, points[k], unit), former_d = difference(place, places[k], unit);
+    const float3 d = difference(center, points[k], unit),
+                 former_d = difference(place, places[k], unit);
     float squared_distance = dot(d, d);
     if (samples.spacings)
     {
@@ -190,7 +201,8 @@ __global__ void repel(Cell_frame frame, Neighbor_lists neighbors, Push push_rule
   push -= dot(normal, push) * normal;
   push -= fmaxf(dot(outward, push), 0) * outward;
   const float length = sqrtf(dot(push, push));
-  const float maximum_step = samples.spacings ? float(Repulsion(samples.spacings[i], push_rule.radius).maximum_step)
+  const float maximum_step = samples.spacings ? float(
+                               Repulsion(samples.spacings[i], push_rule.radius).maximum_step)
                                               : push_rule.maximum_step;
   if (length > maximum_step)
     push = (maximum_step / length) * push;
@@ -218,21 +230,24 @@ __global__ void move_onto_fit(Samples samples)
 
 } // namespace
 
-void fit_compatible_points(const Workplace& workplace, const Cell_grid& sample_grid, bool is_in_order,
-                           const Cell_blocks& blocks, const Cell_grid& grid, const float4* normals, double radius,
-                           double squared_sheet_height, double normal_bandwidth, const Samples& samples,
+void fit_compatible_points(const Workplace& workplace, const Cell_grid& sample_grid,
+                           bool is_in_order, const Cell_blocks& blocks, const Cell_grid& grid,
+                           const float4* normals, double radius, double squared_sheet_height,
+                           double normal_bandwidth, const Samples& samples,
                            unsigned* number_of_lonely)
 {
   const double bandwidth = fit_bandwidth_factor * radius;
-  const Fit fit = {float(radius), float(bandwidth * bandwidth), float(normal_bandwidth), float(squared_sheet_height),
-                   Border_of_ball(radius, bandwidth)};
+  const Fit fit = {float(radius), float(bandwidth * bandwidth), float(normal_bandwidth),
+                   float(squared_sheet_height), Border_of_ball(radius, bandwidth)};
   fit_samples<<<blocks_for_queries(samples.size), threads_per_block, 0, workplace.stream>>>(
-    sample_grid, is_in_order ? nullptr : sample_grid.order, blocks, grid, normals, fit, samples, number_of_lonely);
+    sample_grid, is_in_order ? nullptr : sample_grid.order, blocks, grid, normals, fit, samples,
+    number_of_lonely);
   check_launch("fit_samples");
 }
 
-void repel_tangentially(const Workplace& workplace, const Cell_grid& sample_grid, const Neighbor_lists& neighbors,
-                        const int4* places, double range, double spacing, double radius, std::size_t number_of_steps,
+void repel_tangentially(const Workplace& workplace, const Cell_grid& sample_grid,
+                        const Neighbor_lists& neighbors, const int4* places, double range,
+                        double spacing, double radius, std::size_t number_of_steps,
                         const Samples& samples)
 {
   const Repulsion repulsion(spacing, radius);

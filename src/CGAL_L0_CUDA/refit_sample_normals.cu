@@ -28,8 +28,9 @@ struct Kernel
 /// One pass of `refit_sample_normals()` on the CPU, which says why.
 /// \param rows whose fourth numbers are where the rows of the samples begin
 /// \param normals and the variances of the fit
-__global__ void refit(Neighbor_lists neighbors, Kernel kernel, const int4* rows, const double* positions, unsigned size,
-                      const float4* normals, float4* refitted)
+__global__ void refit(Neighbor_lists neighbors, Kernel kernel, const int4* rows,
+                      const double* positions, unsigned size, const float4* normals,
+                      float4* refitted)
 {
   const Query query(size);
   const Wide i = query.index;
@@ -42,13 +43,16 @@ __global__ void refit(Neighbor_lists neighbors, Kernel kernel, const int4* rows,
   for (Wide e = Wide(row.x) + query.lane; e < row.y; e += lanes)
   {
     const Wide k = neighbors.indices[e];
-    const float3 d = to_float(double3{positions[3 * k], positions[3 * k + 1], positions[3 * k + 2]} - center);
+    const float3 d = to_float(double3{positions[3 * k], positions[3 * k + 1], positions[3 * k + 2]}
+                              - center);
     const float4 other = normals[k];
     const float squared_distance = dot(d, d), cosine = dot(normal, xyz(other));
-    const float height = symmetric_height(dot(d, normal), with_sign_of(cosine, 1.f) * dot(d, xyz(other)));
+    const float height = symmetric_height(dot(d, normal),
+                                          with_sign_of(cosine, 1.f) * dot(d, xyz(other)));
     const float weight = share_in_ball(squared_distance, kernel.squared_radius)
-                         * sheet_weight(squared_distance, kernel.squared_bandwidth, cosine, kernel.normal_bandwidth,
-                                        height, kernel.squared_sheet_height);
+                         * sheet_weight(squared_distance, kernel.squared_bandwidth, cosine,
+                                        kernel.normal_bandwidth, height,
+                                        kernel.squared_sheet_height);
     moments.add(d, weight);
     variance += weight * other.w;
   }
@@ -58,18 +62,21 @@ __global__ void refit(Neighbor_lists neighbors, Kernel kernel, const int4* rows,
     return;
   Plane_moments<double> all = moments.all();
   all.add(0, 0, 0, 1); // the sample itself
-  const Triple leaning = lean_to_plane(all, {normal.x, normal.y, normal.z}, variance / all.sum, kernel.radius);
+  const Triple leaning = lean_to_plane(all, {normal.x, normal.y, normal.z}, variance / all.sum,
+                                       kernel.radius);
   refitted[i] = with_w(to_float(leaning), own.w);
 }
 
 } // namespace
 
-void refit_sample_normals(const Workplace& workplace, const Sample_refit_kernel& kernel, const Cell_grid& sample_grid,
-                          const Neighbor_lists& neighbors, std::size_t number_of_passes, const Samples& samples)
+void refit_sample_normals(const Workplace& workplace, const Sample_refit_kernel& kernel,
+                          const Cell_grid& sample_grid, const Neighbor_lists& neighbors,
+                          std::size_t number_of_passes, const Samples& samples)
 {
   const Arena_scope scope(workplace.scratch);
   const Kernel in_float = {float(square(kernel.radius)), float(kernel.squared_bandwidth),
-                           float(kernel.normal_bandwidth), float(kernel.squared_sheet_height), kernel.radius};
+                           float(kernel.normal_bandwidth), float(kernel.squared_sheet_height),
+                           kernel.radius};
   float4 *normals = samples.normals, *refitted = workplace.scratch.take<float4>(samples.size);
   for (std::size_t pass = 0; pass < number_of_passes; ++pass)
   {

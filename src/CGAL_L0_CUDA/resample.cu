@@ -19,7 +19,8 @@ namespace cuda {
 
 namespace {
 
-Iteration iteration_report(const Parameters& parameters, const Minimization_parameters& minimization, double penalty,
+Iteration iteration_report(const Parameters& parameters,
+                           const Minimization_parameters& minimization, double penalty,
                            bool regularized, std::size_t number_of_pairs, const Turn_result& result)
 {
   const double unit = 1 / minimization.squared_radius;
@@ -27,7 +28,8 @@ Iteration iteration_report(const Parameters& parameters, const Minimization_para
           result.fit_energy * unit,
           result.regularization_energy * unit,
           penalty * result.squared_normal_misfit * unit,
-          parameters.normal_weight * square(minimization.sparsity_unit) * double(result.number_of_active_pairs) * unit,
+          parameters.normal_weight * square(minimization.sparsity_unit)
+            * double(result.number_of_active_pairs) * unit,
           number_of_pairs ? double(result.number_of_active_pairs) / double(number_of_pairs) : 0,
           result.relative_residual,
           result.solver_iterations,
@@ -35,14 +37,19 @@ Iteration iteration_report(const Parameters& parameters, const Minimization_para
           bool(result.converged)};
 }
 
-/// Bytes for n points and m samples with as many neighbors as is usual; what is missing is added on the way, once.
-std::size_t estimate_memory(std::size_t n, std::size_t m, const Parameters& parameters, bool has_hints)
+/// Bytes for n points and m samples with as many neighbors as is usual; what is missing is added on
+/// the way, once.
+std::size_t estimate_memory(std::size_t n, std::size_t m, const Parameters& parameters,
+                            bool has_hints)
 {
   const bool is_default = parameters.method == Method::DEFAULT;
-  const std::size_t slack = std::size_t(1) << 20, of_outliers = parameters.drop_outliers ? 4 * n : 0;
+  const std::size_t slack = std::size_t(1) << 20,
+                    of_outliers = parameters.drop_outliers ? 4 * n : 0;
   // positions, normals and fit; what the default method adds; and what parameters ask for
-  const std::size_t of_samples =
-    (56 + (is_default ? 7 : 0) + (is_default && parameters.keep_density ? 4 : 0) + (has_hints ? 16 : 0)) * m;
+  const std::size_t of_samples = (56 + (is_default ? 7 : 0)
+                                  + (is_default && parameters.keep_density ? 4 : 0)
+                                  + (has_hints ? 16 : 0))
+                                 * m;
   // points with their cells, and normals; and their order before
   const std::size_t of_points = of_outliers + 18 * n + 16 * n, of_order = 5 * n;
   const std::size_t of_sorting = of_outliers + 24 * n + 76 * n;
@@ -50,16 +57,18 @@ std::size_t estimate_memory(std::size_t n, std::size_t m, const Parameters& para
   const std::size_t of_start = of_points + of_order + 24 * n + 16 * m + (has_hints ? 12 * n : 0);
   const std::size_t of_sample_grid = 19 * m;
   const std::size_t of_neighbors = is_default ? 80 * m : 64 * m;
-  const std::size_t of_sorting_samples = (is_default ? of_points : 0) + of_sample_grid + 5 * m + 76 * m;
+  const std::size_t of_sorting_samples = (is_default ? of_points : 0) + of_sample_grid + 5 * m
+                                         + 76 * m;
   const std::size_t of_fit = of_points + of_sample_grid + 15 * m;
-  const std::size_t of_minimization = (is_default ? of_points + 16 * m : 0) + 16 * m + of_neighbors + 76 * m;
+  const std::size_t of_minimization = (is_default ? of_points + 16 * m : 0) + 16 * m + of_neighbors
+                                      + 76 * m;
   const std::size_t of_quadrics = 2 * of_sample_grid + 20 * m + 76 * m;
   const std::size_t k = parameters.number_of_orientation_neighbors;
   const std::size_t of_orientation = // votes and the field, or grades of the edges
     4 * k * m + (std::max)(118 * m + bytes_of_field, 2 * k * m + 16 * m);
   return slack + of_samples
-         + (std::max)({of_sorting, of_filtering, of_start, of_sorting_samples, of_fit, of_minimization, of_quadrics,
-                       of_orientation});
+         + (std::max)({of_sorting, of_filtering, of_start, of_sorting_samples, of_fit,
+                       of_minimization, of_quadrics, of_orientation});
 }
 
 /// What a call carries from stage to stage.
@@ -78,7 +87,10 @@ struct Call
   Samples samples;
   Followers followers;
 
-  const Turn_result* last_turn_result(std::size_t turn) const { return turn > 0 ? turn_results + turn - 1 : nullptr; }
+  const Turn_result* last_turn_result(std::size_t turn) const
+  {
+    return turn > 0 ? turn_results + turn - 1 : nullptr;
+  }
 
   Positions sample_positions() const { return {samples.positions, samples.size, Frame(), true}; }
 
@@ -87,7 +99,8 @@ struct Call
   Cell_grid sort_samples(const Cell_frame& frame, Device_arena& arena, Device_arena& scratch)
   {
     const Arena_scope order_scope(scratch);
-    Cell_grid grid = build_grid(sample_positions(), nullptr, frame, arena, scratch, scratch, workplace.stream);
+    Cell_grid grid = build_grid(sample_positions(), nullptr, frame, arena, scratch, scratch,
+                                workplace.stream);
     reorder(workplace, grid.order, samples);
     grid.forget_order();
     return grid;
@@ -120,7 +133,8 @@ void take_vectors_of_list(Call& call, const Session& session, Input& input)
   if (session.normals)
   {
     input.normals = taken(session.normals);
-    input.all_normals_given = session.all_normals_given || !has_zero(workplace, input.normals, input.positions.size);
+    input.all_normals_given = session.all_normals_given
+                              || !has_zero(workplace, input.normals, input.positions.size);
   }
   if (session.hints)
     input.hints = taken(session.hints);
@@ -131,14 +145,16 @@ Input take_input(Session& session, Call& call)
 {
   const Workplace& workplace = call.workplace;
   const Plan& plan = call.plan;
-  Input input = {
-    {session.points, session.size, call.box.frame, false}, session.normals, session.all_normals_given, session.hints};
+  Input input = {{session.points, session.size, call.box.frame, false},
+                 session.normals,
+                 session.all_normals_given,
+                 session.hints};
   if (!plan.drops_outliers)
     return input;
   call.stages.begin("find outliers", 0.05);
   unsigned* const kept = workplace.arena.take<unsigned>(session.size);
-  const unsigned number_of_outliers = find_outliers(workplace, input.positions, call.box.low, call.box.high,
-                                                    plan.radius, kept);
+  const unsigned number_of_outliers = find_outliers(workplace, input.positions, call.box.low,
+                                                    call.box.high, plan.radius, kept);
   call.report.number_of_outliers = number_of_outliers;
   if (number_of_outliers > 0)
   {
@@ -157,7 +173,8 @@ struct Prepared_points
   float4* normals; // filtered, and 1/v_j
 };
 
-/// Section 3.1 and Eq. (5): normals and density weights of the input. What their grid tells of their order before is in the scratch arena.
+/// Section 3.1 and Eq. (5): normals and density weights of the input. What their grid tells of
+/// their order before is in the scratch arena.
 /// \param input loses the points that are not kept of crowds
 Prepared_points prepare_points(Session& session, Call& call, Input& input)
 {
@@ -165,14 +182,16 @@ Prepared_points prepare_points(Session& session, Call& call, Input& input)
   const Plan& plan = call.plan;
   Prepared_points points;
   const auto sort_points = [&]() {
-    points.grid = build_grid(input.positions, input.normals,
-                             Cell_frame::around(call.box.low, call.box.high, plan.cell_size, plan.longest_query()),
-                             workplace.arena, workplace.scratch, workplace.scratch, workplace.stream);
+    points.grid = build_grid(
+      input.positions, input.normals,
+      Cell_frame::around(call.box.low, call.box.high, plan.cell_size, plan.longest_query()),
+      workplace.arena, workplace.scratch, workplace.scratch, workplace.stream);
   };
   sort_points();
   call.report.number_of_distinct_points = points.grid.number_of_distinct;
   unsigned number_of_kept;
-  if (const unsigned* const kept = thin_crowds(workplace, input.positions, points.grid, number_of_kept))
+  if (const unsigned* const kept = thin_crowds(workplace, input.positions, points.grid,
+                                               number_of_kept))
   {
     input.positions.size = number_of_kept;
     input.positions.list = kept;
@@ -184,22 +203,24 @@ Prepared_points prepare_points(Session& session, Call& call, Input& input)
   const Arena_scope scope(workplace.scratch);
   float4 *normals = points.normals, *filtered = workplace.scratch.take<float4>(points.grid.size);
   const auto blocks_for_radius = [&](double radius) {
-    return find_blocks(points.grid, points.grid, cells_in_reach(radius, plan.cell_size), maximum_number_of_candidates,
-                       workplace.scratch, workplace.stream);
+    return find_blocks(points.grid, points.grid, cells_in_reach(radius, plan.cell_size),
+                       maximum_number_of_candidates, workplace.scratch, workplace.stream);
   };
   const Device_counter<Ball_counts> ball_counts(workplace);
   const Cell_blocks filter_blocks = blocks_for_radius(plan.filter_radius);
-  const std::size_t number_of_passes = plan.number_of_filter_passes, number_of_refits = plan.number_of_refits;
-  if ((number_of_passes + number_of_refits) % 2 != 0) // so that the last pass writes where they are to be
+  const std::size_t number_of_passes = plan.number_of_filter_passes,
+                    number_of_refits = plan.number_of_refits;
+  if ((number_of_passes + number_of_refits) % 2
+      != 0) // so that the last pass writes where they are to be
     std::swap(normals, filtered);
   if (!input.all_normals_given)
   {
     call.stages.begin("PCA normals", 0.1);
     const bool shares_blocks = cells_in_reach(plan.pca_radius, plan.cell_size)
                                == cells_in_reach(plan.filter_radius, plan.cell_size);
-    call.report.number_of_degenerate_neighborhoods =
-      estimate_pca_normals(workplace, input.positions, points.grid,
-                           shares_blocks ? filter_blocks : blocks_for_radius(plan.pca_radius), plan.pca_radius, normals);
+    call.report.number_of_degenerate_neighborhoods = estimate_pca_normals(
+      workplace, input.positions, points.grid,
+      shares_blocks ? filter_blocks : blocks_for_radius(plan.pca_radius), plan.pca_radius, normals);
   }
   if (input.normals)
     take_given_normals(workplace, points.grid, input.normals, normals);
@@ -211,21 +232,24 @@ Prepared_points prepare_points(Session& session, Call& call, Input& input)
     if (i + number_of_refits >= number_of_passes)
     {
       refit_normals(workplace, points.grid, filter_blocks, plan.filter_radius, squared_bandwidth,
-                    float(plan.compatible_bandwidth), float(square(plan.sheet_height)), normals, filtered);
+                    float(plan.compatible_bandwidth), float(square(plan.sheet_height)), normals,
+                    filtered);
       std::swap(normals, filtered);
     }
     const bool is_last = i + 1 == number_of_passes;
     filter_normals(workplace, points.grid, filter_blocks, plan.filter_radius, squared_bandwidth,
-                   float(plan.normal_bandwidth), normals, filtered, is_last ? ball_counts.address() : nullptr);
+                   float(plan.normal_bandwidth), normals, filtered,
+                   is_last ? ball_counts.address() : nullptr);
     std::swap(normals, filtered);
     call.stages.ask(double(i + 1) / double(number_of_passes));
   }
 
   call.stages.begin("density weights", 0.08);
   if (number_of_passes == 0)
-    sum_up_input_density(workplace, points.grid, filter_blocks, plan.filter_radius, squared_bandwidth, points.normals,
-                         ball_counts.address());
-  invert_input_density(workplace, points.grid.size, plan.weighs_density ? ball_counts.address() : nullptr, points.normals);
+    sum_up_input_density(workplace, points.grid, filter_blocks, plan.filter_radius,
+                         squared_bandwidth, points.normals, ball_counts.address());
+  invert_input_density(workplace, points.grid.size,
+                       plan.weighs_density ? ball_counts.address() : nullptr, points.normals);
   if (input.all_normals_given)
     call.report.number_of_degenerate_neighborhoods = ball_counts.read().sparse;
   return points;
@@ -244,9 +268,10 @@ void choose_samples(Call& call, const Input& input, const Prepared_points& point
     areas = areas_of_points(workplace, points.grid, plan.area_radius());
     plan.set_sample_spacing(std::sqrt(areas.total / double(call.samples.size)));
   }
-  const Sources_of_samples sources = {points.normals, plan.uses_areas ? &areas : nullptr, plan.starts_evenly, input.hints};
-  initialize_samples(workplace, input.positions, points.grid, sources, plan.radius, plan.sample_spacing,
-                     call.parameters.random_seed, call.samples);
+  const Sources_of_samples sources = {points.normals, plan.uses_areas ? &areas : nullptr,
+                                      plan.starts_evenly, input.hints};
+  initialize_samples(workplace, input.positions, points.grid, sources, plan.radius,
+                     plan.sample_spacing, call.parameters.random_seed, call.samples);
 }
 
 /// Section 3.2: the fit term of LOR and ALOR, collapsed.
@@ -255,15 +280,17 @@ void fit_to_all_points(Call& call, const Prepared_points& points)
   const Workplace& workplace = call.workplace;
   call.stages.begin("original neighbors", 0.1);
   const Arena_scope scope(workplace.arena);
-  const Cell_grid sample_grid = build_grid(call.sample_positions(), nullptr, points.grid.frame, workplace.arena,
-                                           workplace.scratch, workplace.stream);
-  const Cell_blocks blocks = find_blocks(sample_grid, points.grid, cells_in_reach(call.plan.radius, call.plan.cell_size),
-                                         maximum_number_of_candidates, workplace.arena, workplace.stream);
-  collapse_fit_term(workplace, sample_grid, blocks, points.grid, points.normals, call.plan.radius, call.samples,
-                    call.followers.numbers_of_samples, call.counts);
+  const Cell_grid sample_grid = build_grid(call.sample_positions(), nullptr, points.grid.frame,
+                                           workplace.arena, workplace.scratch, workplace.stream);
+  const Cell_blocks blocks =
+    find_blocks(sample_grid, points.grid, cells_in_reach(call.plan.radius, call.plan.cell_size),
+                maximum_number_of_candidates, workplace.arena, workplace.stream);
+  collapse_fit_term(workplace, sample_grid, blocks, points.grid, points.normals, call.plan.radius,
+                    call.samples, call.followers.numbers_of_samples, call.counts);
 }
 
-/// The samples in the order of their grid, of which only the points are needed any further, and their self neighbors.
+/// The samples in the order of their grid, of which only the points are needed any further, and
+/// their self neighbors.
 struct Neighborhood
 {
   Cell_grid points;
@@ -305,8 +332,9 @@ void minimize_alternatingly(Call& call)
   const Turn_arrays arrays = take_turn_arrays(workplace, call.samples.size);
   for (std::size_t i = 0; i < call.penalties.size(); ++i)
   {
-    minimize_once(workplace, call.plan.minimization, call.penalties[i], call.plan.minimization.regularizes(i),
-                  neighbors, points, call.samples, arrays, call.last_turn_result(i), call.turn_results + i);
+    minimize_once(workplace, call.plan.minimization, call.penalties[i],
+                  call.plan.minimization.regularizes(i), neighbors, points, call.samples, arrays,
+                  call.last_turn_result(i), call.turn_results + i);
     call.stages.ask(double(i + 1) / double(call.penalties.size()));
   }
 }
@@ -318,19 +346,21 @@ void minimize_with_refinement(Call& call, const Prepared_points& points)
   const Plan& plan = call.plan;
   const int reach = cells_in_reach(plan.radius, plan.cell_size);
   const bool one_grid_is_enough = plan.self_neighbor_radius <= plan.cell_size;
-  const Cell_frame self_frame = one_grid_is_enough ? points.grid.frame : call.self_frame(plan.self_neighbor_radius);
+  const Cell_frame self_frame = one_grid_is_enough ? points.grid.frame
+                                                   : call.self_frame(plan.self_neighbor_radius);
   bool is_last = false;
   const auto fit = [&](const Cell_grid& sample_grid, bool is_in_order) {
-    const Cell_blocks blocks = find_blocks(sample_grid, points.grid, reach, maximum_number_of_candidates,
-                                           workplace.arena, workplace.stream);
-    fit_compatible_points(workplace, sample_grid, is_in_order, blocks, points.grid, points.normals, plan.radius,
-                          square(plan.sheet_height), plan.compatible_bandwidth, call.samples,
-                          is_last ? &call.counts->lonely : nullptr);
+    const Cell_blocks blocks = find_blocks(sample_grid, points.grid, reach,
+                                           maximum_number_of_candidates, workplace.arena,
+                                           workplace.stream);
+    fit_compatible_points(workplace, sample_grid, is_in_order, blocks, points.grid, points.normals,
+                          plan.radius, square(plan.sheet_height), plan.compatible_bandwidth,
+                          call.samples, is_last ? &call.counts->lonely : nullptr);
   };
   const auto fit_in_cells_of_points = [&]() {
     const Arena_scope scope(workplace.arena);
-    fit(build_grid(call.sample_positions(), nullptr, points.grid.frame, workplace.arena, workplace.scratch,
-                   workplace.stream),
+    fit(build_grid(call.sample_positions(), nullptr, points.grid.frame, workplace.arena,
+                   workplace.scratch, workplace.stream),
         false);
   };
 
@@ -340,7 +370,8 @@ void minimize_with_refinement(Call& call, const Prepared_points& points)
   for (std::size_t i = 0; i < call.penalties.size(); ++i)
   {
     const Arena_scope scope(workplace.arena);
-    const auto [samples, neighbors] = find_neighborhood(call, self_frame, [&](const Cell_grid& grid) {
+    const auto [samples,
+                neighbors] = find_neighborhood(call, self_frame, [&](const Cell_grid& grid) {
       if (!one_grid_is_enough)
         return fit_in_cells_of_points();
       const Arena_scope fit_scope(workplace.arena);
@@ -348,37 +379,41 @@ void minimize_with_refinement(Call& call, const Prepared_points& points)
     });
     call.numbers_of_pairs.push_back(neighbors.number_of_pairs);
     int4* const places = workplace.arena.take<int4>(samples.size);
-    CGAL_L0_CUDA_CHECK(
-      cudaMemcpyAsync(places, samples.points, samples.size * sizeof(int4), cudaMemcpyDeviceToDevice, workplace.stream));
-    refit_sample_normals(workplace, kernel, samples, neighbors, number_of_sample_refits, call.samples);
+    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(places, samples.points, samples.size * sizeof(int4),
+                                       cudaMemcpyDeviceToDevice, workplace.stream));
+    refit_sample_normals(workplace, kernel, samples, neighbors, number_of_sample_refits,
+                         call.samples);
     {
       const Arena_scope turn_scope(workplace.scratch);
       const Turn_arrays arrays = take_turn_arrays(workplace, call.samples.size);
-      minimize_once(workplace, call.plan.minimization, call.penalties[i], true, neighbors, samples, call.samples,
-                    arrays, call.last_turn_result(i), call.turn_results + i);
+      minimize_once(workplace, call.plan.minimization, call.penalties[i], true, neighbors, samples,
+                    call.samples, arrays, call.last_turn_result(i), call.turn_results + i);
     }
-    repel_tangentially(workplace, samples, neighbors, places, plan.self_neighbor_radius, plan.sample_spacing,
-                       plan.radius, number_of_repulsion_steps, call.samples);
+    repel_tangentially(workplace, samples, neighbors, places, plan.self_neighbor_radius,
+                       plan.sample_spacing, plan.radius, number_of_repulsion_steps, call.samples);
     if (i + 1 == call.penalties.size()) // while the neighbors are there
     {
       is_last = true;
       fit_in_cells_of_points();
       take_fitted_positions(workplace, call.samples);
-      refit_sample_normals(workplace, kernel, samples, neighbors, number_of_sample_refits, call.samples);
+      refit_sample_normals(workplace, kernel, samples, neighbors, number_of_sample_refits,
+                           call.samples);
     }
     call.stages.ask(double(i + 1) / double(call.penalties.size()));
   }
 }
 
-/// Where the default method ends, see `settle_on_quadrics()` on the CPU. The points are not needed any more.
+/// Where the default method ends, see `settle_on_quadrics()` on the CPU. The points are not needed
+/// any more.
 void settle_on_quadrics(Call& call)
 {
   const Plan& plan = call.plan;
   call.stages.begin("settle on quadrics", 0.03);
   const double radius = quadric_radius_factor * plan.radius;
-  const Cell_frame frame = Cell_frame::around(call.box.low, call.box.high,
-                                              (std::max)(radius / 2, plan.smallest_cell_size), radius);
-  settle_on_quadrics(call.workplace, frame, radius, square(plan.sheet_height), plan.compatible_bandwidth, call.samples);
+  const Cell_frame frame = Cell_frame::around(
+    call.box.low, call.box.high, (std::max)(radius / 2, plan.smallest_cell_size), radius);
+  settle_on_quadrics(call.workplace, frame, radius, square(plan.sheet_height),
+                     plan.compatible_bandwidth, call.samples);
 }
 
 } // namespace
@@ -392,19 +427,22 @@ void run(Session& session, const Parameters& parameters, Stages& stages, Call_re
   stages.begin("sort points", 0.05);
   const auto scales_in = [&](const Framed_box& box) {
     if (!session.has_scales)
-      session.scales = estimate_scales(workplace, {session.points, n, box.frame, false}, box.low, box.high, 1);
+      session.scales = estimate_scales(workplace, {session.points, n, box.frame, false}, box.low,
+                                       box.high, 1);
     session.has_scales = true;
     return session.scales;
   };
   Framed_box box;
   const Plan plan = plan_and_scale(session.extent, n, parameters, scales_in, box, report);
-  Call call = {parameters, workplace, stages, report,    box,        plan, plan.minimization.penalties(),
-               nullptr,    nullptr,   {},     Samples(), Followers()};
+  Call call = {
+    parameters, workplace, stages, report,    box,        plan, plan.minimization.penalties(),
+    nullptr,    nullptr,   {},     Samples(), Followers()};
   std::vector<Turn_result> results(call.penalties.size());
   call.turn_results = session.arena.take<Turn_result>(results.size());
   call.counts = session.arena.take<Sample_counts>(1);
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(call.counts, 0, sizeof(Sample_counts), session.stream));
-  call.samples = take_samples(session.arena, m, {plan.refines, plan.keeps_spacings, session.hints != nullptr});
+  call.samples = take_samples(session.arena, m,
+                              {plan.refines, plan.keeps_spacings, session.hints != nullptr});
   {
     const Arena_scope points_scope(session.arena);
     Input input = take_input(session, call);
@@ -415,7 +453,8 @@ void run(Session& session, const Parameters& parameters, Stages& stages, Call_re
       prepared.grid.forget_order();
       return prepared;
     }();
-    call.followers = take_followers(workplace, call.self_frame(call.plan.self_cell_size()), call.samples);
+    call.followers = take_followers(workplace, call.self_frame(call.plan.self_cell_size()),
+                                    call.samples);
     if (plan.refines)
       minimize_with_refinement(call, points);
     else
@@ -427,8 +466,9 @@ void run(Session& session, const Parameters& parameters, Stages& stages, Call_re
   double viewpoint[3];
   for (int axis = 0; axis < 3; ++axis)
     viewpoint[axis] = call.box.frame.enter_clamped(parameters.viewpoint[axis], axis);
-  orient_normals(workplace, call.box.low, call.box.high, unsigned(parameters.number_of_orientation_neighbors),
-                 call.plan.sample_spacing, parameters.has_viewpoint ? viewpoint : nullptr, call.samples, call.counts);
+  orient_normals(workplace, call.box.low, call.box.high,
+                 unsigned(parameters.number_of_orientation_neighbors), call.plan.sample_spacing,
+                 parameters.has_viewpoint ? viewpoint : nullptr, call.samples, call.counts);
   if (plan.refines)
     settle_on_quadrics(call);
   const unsigned number_of_leaders = call.samples.size;
@@ -437,12 +477,14 @@ void run(Session& session, const Parameters& parameters, Stages& stages, Call_re
   find_plain_extent(workplace, call.samples.positions, call.samples.size, result_extent);
   for (int axis = 0; axis < 3; ++axis)
     input_extent[axis] = session.extent.trimmed[axis] / plan.unit;
-  report.extent_share = share_of_extent(input_extent, plan.noise, result_extent, call.plan.sample_spacing);
+  report.extent_share = share_of_extent(input_extent, plan.noise, result_extent,
+                                        call.plan.sample_spacing);
   leave_frame(workplace, call.box.frame, call.samples);
   // not before: the device would have nothing to do while the host takes them
   const Sample_counts* const counts = session.scratch.fetch(call.counts, session.stream);
-  CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(results.data(), call.turn_results, results.size() * sizeof(Turn_result),
-                                     cudaMemcpyDeviceToHost, session.stream));
+  CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(results.data(), call.turn_results,
+                                     results.size() * sizeof(Turn_result), cudaMemcpyDeviceToHost,
+                                     session.stream));
   stages.end();
   report.number_of_lonely_samples = counts->lonely;
   report.oriented_share = double(counts->oriented) / number_of_leaders;
@@ -452,9 +494,11 @@ void run(Session& session, const Parameters& parameters, Stages& stages, Call_re
   for (std::size_t i = 0; i < results.size(); ++i)
   {
     if (!results[i].is_finite)
-      throw Failure(Status::NOT_FINITE, "The quadratic problem or its initial guess has values that are not finite.");
-    session.iterations.push_back(iteration_report(parameters, call.plan.minimization, call.penalties[i],
-                                                  plan.minimization.regularizes(i), call.numbers_of_pairs[i], results[i]));
+      throw Failure(Status::NOT_FINITE,
+                    "The quadratic problem or its initial guess has values that are not finite.");
+    session.iterations.push_back(
+      iteration_report(parameters, call.plan.minimization, call.penalties[i],
+                       plan.minimization.regularizes(i), call.numbers_of_pairs[i], results[i]));
   }
   report.iterations = session.iterations.data();
   report.number_of_iterations = session.iterations.size();

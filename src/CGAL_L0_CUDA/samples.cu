@@ -15,8 +15,9 @@ namespace cuda {
 
 namespace {
 
-__global__ void collapse(Cell_grid sample_grid, Cell_blocks blocks, Cell_grid grid, const float4* normals, float radius,
-                         Samples samples, const unsigned* numbers_of_samples, Sample_counts* counts)
+__global__ void collapse(Cell_grid sample_grid, Cell_blocks blocks, Cell_grid grid,
+                         const float4* normals, float radius, Samples samples,
+                         const unsigned* numbers_of_samples, Sample_counts* counts)
 {
   const Query query(samples.size);
   const int4 center = sample_grid.points[query.index];
@@ -60,17 +61,18 @@ __global__ void reorder_samples(const unsigned* order, Samples from, Samples to)
     to.start_indices[i] = from.start_indices[k];
 }
 
-/// Calls `f(k, is_neighbor, found)` in all threads of a group at once: whether the sample k of the thread is a self neighbor, and a bit for
-/// each thread whose is; k ascends.
-/// Where blocks are thinned, a pair counts if both samples' strides say so, which keeps the lists symmetric.
+/// Calls `f(k, is_neighbor, found)` in all threads of a group at once: whether the sample k of the
+/// thread is a self neighbor, and a bit for each thread whose is; k ascends. Where blocks are
+/// thinned, a pair counts if both samples' strides say so, which keeps the lists symmetric.
 template <typename F>
-__device__ void for_each_self_neighbor(const Cell_grid& grid, const Cell_blocks& blocks, float squared_radius,
-                                       unsigned i, unsigned lane, const F& f)
+__device__ void for_each_self_neighbor(const Cell_grid& grid, const Cell_blocks& blocks,
+                                       float squared_radius, unsigned i, unsigned lane, const F& f)
 {
   const int4 center = grid.points[i];
   const unsigned cell = unsigned(center.w), stride = blocks.centers[cell].stride;
   const float unit = grid.frame.unit();
-  const unsigned group_shift = threadIdx.x % 32 / lanes * lanes, group_mask = ((1u << lanes) - 1) << group_shift;
+  const unsigned group_shift = threadIdx.x % 32 / lanes * lanes, group_mask = ((1u << lanes) - 1)
+                                                                              << group_shift;
   for (int row = 0; row < blocks.number_of_rows; ++row)
   {
     const uint2 range = blocks.ranges[Wide(cell) * unsigned(blocks.number_of_rows) + unsigned(row)];
@@ -83,7 +85,8 @@ __device__ void for_each_self_neighbor(const Cell_grid& grid, const Cell_blocks&
       {
         const int4 other = grid.points[k];
         const float3 d = difference(center, other, unit);
-        is_neighbor = dot(d, d) < squared_radius && ((unsigned(k) - i) & (blocks.centers[other.w].stride - 1)) == 0;
+        is_neighbor = dot(d, d) < squared_radius
+                      && ((unsigned(k) - i) & (blocks.centers[other.w].stride - 1)) == 0;
       }
       const unsigned found = (__ballot_sync(group_mask, is_neighbor) & group_mask) >> group_shift;
       f(unsigned(k), is_neighbor, found);
@@ -91,8 +94,8 @@ __device__ void for_each_self_neighbor(const Cell_grid& grid, const Cell_blocks&
   }
 }
 
-__global__ void count_self_neighbors(Cell_grid grid, Cell_blocks blocks, float squared_radius, unsigned* counts,
-                                     Wide* total_count)
+__global__ void count_self_neighbors(Cell_grid grid, Cell_blocks blocks, float squared_radius,
+                                     unsigned* counts, Wide* total_count)
 {
   const Query query(grid.size);
   unsigned count = 0;
@@ -112,8 +115,8 @@ __global__ void count_self_neighbors(Cell_grid grid, Cell_blocks blocks, float s
     atomicAdd(total_count, block_count);
 }
 
-__global__ void list_self_neighbors(Cell_grid grid, Cell_blocks blocks, float squared_radius, const unsigned* offsets,
-                                    unsigned* indices)
+__global__ void list_self_neighbors(Cell_grid grid, Cell_blocks blocks, float squared_radius,
+                                    const unsigned* offsets, unsigned* indices)
 {
   const Wide q = thread_index() / lanes;
   if (q >= grid.size) // whole groups leave
@@ -181,7 +184,8 @@ void keep_listed(const Workplace& workplace, const unsigned* list, unsigned size
     if (!from)
       return;
     array = workplace.scratch.take<std::decay_t<decltype(*array)>>(count);
-    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(array, from, count * sizeof(*array), cudaMemcpyDeviceToDevice, workplace.stream));
+    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(array, from, count * sizeof(*array),
+                                       cudaMemcpyDeviceToDevice, workplace.stream));
   };
   copy(before.positions, 3 * m);
   copy(before.normals, m);
@@ -191,13 +195,15 @@ void keep_listed(const Workplace& workplace, const unsigned* list, unsigned size
   copy(before.hints, m);
   copy(before.start_indices, m);
   samples.size = size;
-  reorder_samples<<<blocks_for(size), threads_per_block, 0, workplace.stream>>>(list, before, samples);
+  reorder_samples<<<blocks_for(size), threads_per_block, 0, workplace.stream>>>(list, before,
+                                                                                samples);
   check_launch("reorder_samples");
 }
 
-void collapse_fit_term(const Workplace& workplace, const Cell_grid& sample_grid, const Cell_blocks& blocks,
-                       const Cell_grid& grid, const float4* normals, double radius, const Samples& samples,
-                       const unsigned* numbers_of_samples, Sample_counts* counts)
+void collapse_fit_term(const Workplace& workplace, const Cell_grid& sample_grid,
+                       const Cell_blocks& blocks, const Cell_grid& grid, const float4* normals,
+                       double radius, const Samples& samples, const unsigned* numbers_of_samples,
+                       Sample_counts* counts)
 {
   collapse<<<blocks_for_queries(samples.size), threads_per_block, 0, workplace.stream>>>(
     sample_grid, blocks, grid, normals, float(radius), samples, numbers_of_samples, counts);
@@ -216,8 +222,8 @@ Neighbor_lists find_self_neighbors(const Workplace& workplace, const Cell_grid& 
   unsigned* const offsets = workplace.scratch.take<unsigned>(std::size_t(m) + 1);
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(offsets + m, 0, sizeof(unsigned), stream));
   const Device_counter<Wide> total_count(workplace);
-  count_self_neighbors<<<thread_blocks, threads_per_block, 0, stream>>>(grid, blocks, squared_radius, offsets,
-                                                                        total_count.address());
+  count_self_neighbors<<<thread_blocks, threads_per_block, 0, stream>>>(
+    grid, blocks, squared_radius, offsets, total_count.address());
   check_launch("count_self_neighbors");
   sum_up(offsets, m, offsets, workplace.scratch, stream);
   lists.number_of_pairs = total_count.read();
@@ -225,8 +231,8 @@ Neighbor_lists find_self_neighbors(const Workplace& workplace, const Cell_grid& 
     throw Failure(Status::OUT_OF_MEMORY, "more than 2^32 - 1 pairs of self neighbors");
 
   lists.indices = workplace.arena.take<unsigned>(lists.number_of_pairs);
-  list_self_neighbors<<<thread_blocks, threads_per_block, 0, stream>>>(grid, blocks, squared_radius, offsets,
-                                                                       lists.indices);
+  list_self_neighbors<<<thread_blocks, threads_per_block, 0, stream>>>(grid, blocks, squared_radius,
+                                                                       offsets, lists.indices);
   check_launch("list_self_neighbors");
   note_rows<<<blocks_for(m), threads_per_block, 0, stream>>>(offsets, m, grid.points);
   check_launch("note_rows");

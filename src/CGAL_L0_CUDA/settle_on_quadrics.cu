@@ -25,7 +25,8 @@ struct Quadric_kernel
 };
 
 /// \param listed the voters, in the order before that of their grid
-__global__ void gather_normals_of_voters(Cell_grid grid, const unsigned* listed, const float4* normals, float4* of_voters)
+__global__ void gather_normals_of_voters(Cell_grid grid, const unsigned* listed,
+                                         const float4* normals, float4* of_voters)
 {
   const unsigned long long k = thread_index();
   if (k < grid.size)
@@ -34,8 +35,8 @@ __global__ void gather_normals_of_voters(Cell_grid grid, const unsigned* listed,
 
 /// \param grid of the voters
 /// \param normals of the voters, and the variances of their fits
-__global__ void settle(Cell_grid sample_grid, Cell_blocks blocks, Cell_grid grid, const float4* normals,
-                       Quadric_kernel kernel, Samples samples)
+__global__ void settle(Cell_grid sample_grid, Cell_blocks blocks, Cell_grid grid,
+                       const float4* normals, Quadric_kernel kernel, Samples samples)
 {
   const Query query(samples.size);
   const int4 center = sample_grid.points[query.index];
@@ -43,24 +44,30 @@ __global__ void settle(Cell_grid sample_grid, Cell_blocks blocks, Cell_grid grid
   const float3 normal = xyz(samples.normals[i]);
   const Tangent_frame frame({normal.x, normal.y, normal.z});
   const float3 u = to_float(frame.u), v = to_float(frame.v), w = to_float(frame.normal);
-  const float unit = grid.frame.unit(), squared_radius = kernel.radius * kernel.radius, per_radius = 1 / kernel.radius;
+  const float unit = grid.frame.unit(), squared_radius = kernel.radius * kernel.radius,
+              per_radius = 1 / kernel.radius;
   Quadric_moments<float> moments;
   float variance = 0;
-  for_each_candidate(grid, blocks, center, query.lane, kernel.radius, [&](unsigned k, const int4& point) {
-    const float3 d = difference(point, center, unit);
-    const float4 other = normals[k];
-    const float cosine = dot(w, xyz(other)), own_height = dot(d, w);
-    const float height = symmetric_height(own_height, with_sign_of(cosine, 1.f) * dot(d, xyz(other)));
-    const float weight = share_in_ball(dot(d, d), squared_radius)
-                         * sheet_weight(0.f, 1.f, cosine, kernel.normal_bandwidth, height, kernel.squared_sheet_height);
-    moments.add(dot(d, u) * per_radius, dot(d, v) * per_radius, own_height * per_radius, weight);
-    variance += weight * other.w;
-  });
-  const Quadric_moments<double> sums(moments, [](float sum) { return double(group_sum<lanes>(sum)); });
+  for_each_candidate(
+    grid, blocks, center, query.lane, kernel.radius, [&](unsigned k, const int4& point) {
+      const float3 d = difference(point, center, unit);
+      const float4 other = normals[k];
+      const float cosine = dot(w, xyz(other)), own_height = dot(d, w);
+      const float height = symmetric_height(own_height,
+                                            with_sign_of(cosine, 1.f) * dot(d, xyz(other)));
+      const float weight = share_in_ball(dot(d, d), squared_radius)
+                           * sheet_weight(0.f, 1.f, cosine, kernel.normal_bandwidth, height,
+                                          kernel.squared_sheet_height);
+      moments.add(dot(d, u) * per_radius, dot(d, v) * per_radius, own_height * per_radius, weight);
+      variance += weight * other.w;
+    });
+  const Quadric_moments<double> sums(moments,
+                                     [](float sum) { return double(group_sum<lanes>(sum)); });
   variance = group_sum<lanes>(variance);
   if (!query.writes)
     return;
-  const Settled_sample settled = settle_on_quadric(sums, variance / square(kernel.radius), frame, kernel.radius);
+  const Settled_sample settled = settle_on_quadric(sums, variance / square(kernel.radius), frame,
+                                                   kernel.radius);
   samples.positions[3 * i] += settled.height * normal.x;
   samples.positions[3 * i + 1] += settled.height * normal.y;
   samples.positions[3 * i + 2] += settled.height * normal.z;
@@ -69,30 +76,33 @@ __global__ void settle(Cell_grid sample_grid, Cell_blocks blocks, Cell_grid grid
 
 } // namespace
 
-void settle_on_quadrics(const Workplace& workplace, const Cell_frame& frame, double radius, double squared_sheet_height,
-                        double normal_bandwidth, const Samples& samples)
+void settle_on_quadrics(const Workplace& workplace, const Cell_frame& frame, double radius,
+                        double squared_sheet_height, double normal_bandwidth,
+                        const Samples& samples)
 {
   const Arena_scope scope(workplace.scratch);
   unsigned* const listed = workplace.scratch.take<unsigned>(samples.size);
-  const unsigned number_of_voters = list_flagged(samples.are_voters, samples.size, listed, workplace.scratch,
-                                                 workplace.stream);
+  const unsigned number_of_voters = list_flagged(samples.are_voters, samples.size, listed,
+                                                 workplace.scratch, workplace.stream);
   if (number_of_voters == 0)
     return;
   const Arena_scope arena_scope(workplace.arena);
   const auto grid_of = [&](const unsigned* list, unsigned size) {
-    return build_grid({samples.positions, size, Frame(), true, list}, nullptr, frame, workplace.arena,
-                      workplace.scratch, workplace.stream);
+    return build_grid({samples.positions, size, Frame(), true, list}, nullptr, frame,
+                      workplace.arena, workplace.scratch, workplace.stream);
   };
   const Cell_grid voters = grid_of(listed, number_of_voters), all = grid_of(nullptr, samples.size);
   float4* const normals = workplace.arena.take<float4>(number_of_voters);
-  gather_normals_of_voters<<<blocks_for(number_of_voters), threads_per_block, 0, workplace.stream>>>(
-    voters, listed, samples.normals, normals);
+  gather_normals_of_voters<<<blocks_for(number_of_voters), threads_per_block, 0,
+                             workplace.stream>>>(voters, listed, samples.normals, normals);
   check_launch("gather_normals_of_voters");
   const Cell_blocks blocks = find_blocks(all, voters, cells_in_reach(radius, frame.cell_size),
-                                         maximum_number_of_candidates, workplace.arena, workplace.stream);
-  const Quadric_kernel kernel = {float(radius), float(normal_bandwidth), float(squared_sheet_height)};
-  settle<<<blocks_for_queries(samples.size), threads_per_block, 0, workplace.stream>>>(all, blocks, voters, normals,
-                                                                                       kernel, samples);
+                                         maximum_number_of_candidates, workplace.arena,
+                                         workplace.stream);
+  const Quadric_kernel kernel = {float(radius), float(normal_bandwidth),
+                                 float(squared_sheet_height)};
+  settle<<<blocks_for_queries(samples.size), threads_per_block, 0, workplace.stream>>>(
+    all, blocks, voters, normals, kernel, samples);
   check_launch("settle");
 }
 

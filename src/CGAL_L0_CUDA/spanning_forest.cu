@@ -24,9 +24,9 @@ constexpr unsigned short doubtful = 0xffff;
 /// Trees whose signs are fixed relative to each other.
 struct Forest
 {
-  Link* roots;                     // of each sample: the root of its tree, and whether it is turned against it
-  Link* hooks;                     // of each root: where it is hooked to in this round
-  Wide* best;                      // of each root: the edge that it joins another tree by
+  Link* roots; // of each sample: the root of its tree, and whether it is turned against it
+  Link* hooks; // of each root: where it is hooked to in this round
+  Wide* best;  // of each root: the edge that it joins another tree by
   const unsigned short* grades;    // of the edges, see `grade_edges()`
   unsigned* is_changed;            // one for each round
   unsigned* dipoles_of_sets;       // of each root, 0 but while they are counted
@@ -51,7 +51,8 @@ __global__ void mark_pairs(Graph graph)
   }
 }
 
-/// \param grades of the edges: step, 0 for the surest; lowest bit: whether the normals disagree; or `doubtful`
+/// \param grades of the edges: step, 0 for the surest; lowest bit: whether the normals disagree; or
+/// `doubtful`
 __global__ void grade_edges(Graph graph, unsigned short* grades)
 {
   const Wide t = thread_index();
@@ -64,7 +65,9 @@ __global__ void grade_edges(Graph graph, unsigned short* grades)
     const unsigned other = graph.nearest[edge];
     const float a = other != nobody ? agreement_of(graph, i, other) : 0;
     const unsigned step = unsigned((1 - fminf(fabsf(a), 1.f)) * (number_of_steps - 1));
-    grades[edge] = fabsf(a) >= float(beyond_doubt) ? static_cast<unsigned short>(step << 1 | unsigned(a < 0)) : doubtful;
+    grades[edge] = fabsf(a) >= float(beyond_doubt)
+                     ? static_cast<unsigned short>(step << 1 | unsigned(a < 0))
+                     : doubtful;
   }
 }
 
@@ -80,8 +83,10 @@ __device__ Link link_by_edge(const Graph& graph, const Forest& forest, unsigned 
   return Link::to(a.target() == root ? b.target() : a.target(), is_turned);
 }
 
-/// Ends a round: each root with a best edge is hooked to where that leads, and all samples find their new roots.
-__device__ void join_trees(const cooperative_groups::grid_group& grid, const Graph& graph, const Forest& forest)
+/// Ends a round: each root with a best edge is hooked to where that leads, and all samples find
+/// their new roots.
+__device__ void join_trees(const cooperative_groups::grid_group& grid, const Graph& graph,
+                           const Forest& forest)
 {
   for_each(graph.size, [&](Wide i) {
     const unsigned root = unsigned(i);
@@ -105,13 +110,15 @@ __device__ void join_trees(const cooperative_groups::grid_group& grid, const Gra
   grid.sync();
 }
 
-/// Whether large sets hold most of the samples, see `are_sets_large()`. For all threads of the launch, once a round.
-__device__ bool are_sets_large(const cooperative_groups::grid_group& grid, const Graph& graph, const Forest& forest,
-                               unsigned round)
+/// Whether large sets hold most of the samples, see `are_sets_large()`. For all threads of the
+/// launch, once a round.
+__device__ bool are_sets_large(const cooperative_groups::grid_group& grid, const Graph& graph,
+                               const Forest& forest, unsigned round)
 {
   const unsigned number_of_dipoles = min(graph.size, maximum_number_of_dipoles);
   const auto count_of_dipole = [&](Wide k) {
-    return &forest.dipoles_of_sets[load(&forest.roots[sample_of_dipole(k, graph.size, number_of_dipoles)]).target()];
+    return &forest.dipoles_of_sets
+              [load(&forest.roots[sample_of_dipole(k, graph.size, number_of_dipoles)]).target()];
   };
   for_each(number_of_dipoles, [&](Wide k) { atomicAdd(count_of_dipole(k), 1u); });
   grid.sync();
@@ -124,12 +131,14 @@ __device__ bool are_sets_large(const cooperative_groups::grid_group& grid, const
   return internal::are_sets_large(__ldcg(&forest.dipoles_of_large_sets[round]), number_of_dipoles);
 }
 
-/// The edges of a sample that are looked at together, so that the memory has several reads to do at once.
+/// The edges of a sample that are looked at together, so that the memory has several reads to do at
+/// once.
 constexpr unsigned edges_of_batch = 4;
 
 /*!
-Joins samples over the edges beyond doubt, by the rounds of Boruvka (1926), as `grow_forest()` on the CPU: every tree takes the best edge that leads out of it,
-all at once. The order of the edges is total.
+Joins samples over the edges beyond doubt, by the rounds of Boruvka (1926), as `grow_forest()` on
+the CPU: every tree takes the best edge that leads out of it, all at once. The order of the edges is
+total.
 */
 __global__ void __launch_bounds__(threads_per_block) join_by_best_edges(Graph graph, Forest forest)
 {
@@ -140,8 +149,8 @@ __global__ void __launch_bounds__(threads_per_block) join_by_best_edges(Graph gr
     __stcg(&forest.best[i], nothing);
   });
   grid.sync();
-  Wide is_inner =
-    0; // a bit for each of the first samples of the thread: no edge beyond doubt leads out of its tree, nor ever will
+  // a bit for each of the first samples of the thread: no sure edge leads out of its tree, nor ever will
+  Wide is_inner = 0;
   for (unsigned round = 0; round < maximum_number_of_rounds; ++round)
   {
     Wide bit = 1; // none from the 65th sample on
@@ -161,7 +170,9 @@ __global__ void __launch_bounds__(threads_per_block) join_by_best_edges(Graph gr
           grades[b] = first + b < graph.k ? forest.grades[i * graph.k + first + b] : doubtful;
 #pragma unroll
         for (unsigned b = 0; b < edges_of_batch; ++b)
-          roots[b] = grades[b] == doubtful ? root : load(&forest.roots[graph.nearest[i * graph.k + first + b]]).target();
+          roots[b] = grades[b] == doubtful
+                       ? root
+                       : load(&forest.roots[graph.nearest[i * graph.k + first + b]]).target();
 #pragma unroll
         for (unsigned b = 0; b < edges_of_batch; ++b)
         {
@@ -192,9 +203,10 @@ __global__ void __launch_bounds__(threads_per_block) join_by_best_edges(Graph gr
 __global__ void count_edges_between_sets(Graph graph, const Link* sets, unsigned* number_of_edges)
 {
   unsigned count = 0;
-  for_each_pair_of_neighbors(graph, thread_index(), Wide(gridDim.x) * blockDim.x, [&](unsigned i, unsigned other) {
-    count += unsigned(sets[i].target() != sets[other].target());
-  });
+  for_each_pair_of_neighbors(graph, thread_index(), Wide(gridDim.x) * blockDim.x,
+                             [&](unsigned i, unsigned other) {
+                               count += unsigned(sets[i].target() != sets[other].target());
+                             });
   count = group_sum<32>(count);
   if (threadIdx.x % 32 == 0 && count > 0)
     atomicAdd(number_of_edges, count);
@@ -202,14 +214,17 @@ __global__ void count_edges_between_sets(Graph graph, const Link* sets, unsigned
 
 } // namespace
 
-void launch_cooperatively(const Workplace& workplace, void* kernel, unsigned long long size, unsigned threads,
-                          int most_blocks, void** arguments)
+void launch_cooperatively(const Workplace& workplace, void* kernel, unsigned long long size,
+                          unsigned threads, int most_blocks, void** arguments)
 {
   int blocks_per_multiprocessor = 0;
-  CGAL_L0_CUDA_CHECK(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&blocks_per_multiprocessor, kernel, int(threads), 0));
-  const unsigned room = unsigned((std::min)(blocks_per_multiprocessor, most_blocks) * workplace.number_of_multiprocessors);
+  CGAL_L0_CUDA_CHECK(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&blocks_per_multiprocessor,
+                                                                   kernel, int(threads), 0));
+  const unsigned room = unsigned((std::min)(blocks_per_multiprocessor, most_blocks)
+                                 * workplace.number_of_multiprocessors);
   const unsigned blocks = unsigned((std::min)(Wide(room), (size + threads - 1) / threads));
-  CGAL_L0_CUDA_CHECK(cudaLaunchCooperativeKernel(kernel, dim3(blocks), dim3(threads), arguments, 0, workplace.stream));
+  CGAL_L0_CUDA_CHECK(cudaLaunchCooperativeKernel(kernel, dim3(blocks), dim3(threads), arguments, 0,
+                                                 workplace.stream));
 }
 
 unsigned grow_forest(const Workplace& workplace, const Graph& graph, Link* faces)
@@ -228,17 +243,20 @@ unsigned grow_forest(const Workplace& workplace, const Graph& graph, Link* faces
                    workplace.scratch.take<unsigned>(maximum_number_of_rounds),
                    workplace.scratch.take<unsigned>(m),
                    workplace.scratch.take<unsigned>(maximum_number_of_rounds)};
-  CGAL_L0_CUDA_CHECK(cudaMemsetAsync(forest.is_changed, 0, maximum_number_of_rounds * sizeof(unsigned), stream));
-  CGAL_L0_CUDA_CHECK(cudaMemsetAsync(forest.dipoles_of_sets, 0, m * sizeof(unsigned), stream));
   CGAL_L0_CUDA_CHECK(
-    cudaMemsetAsync(forest.dipoles_of_large_sets, 0, maximum_number_of_rounds * sizeof(unsigned), stream));
+    cudaMemsetAsync(forest.is_changed, 0, maximum_number_of_rounds * sizeof(unsigned), stream));
+  CGAL_L0_CUDA_CHECK(cudaMemsetAsync(forest.dipoles_of_sets, 0, m * sizeof(unsigned), stream));
+  CGAL_L0_CUDA_CHECK(cudaMemsetAsync(forest.dipoles_of_large_sets, 0,
+                                     maximum_number_of_rounds * sizeof(unsigned), stream));
   Graph argument = graph;
   void* arguments[] = {&argument, &forest};
-  launch_cooperatively(workplace, reinterpret_cast<void*>(join_by_best_edges), m, threads_per_block, 4, arguments);
+  launch_cooperatively(workplace, reinterpret_cast<void*>(join_by_best_edges), m, threads_per_block,
+                       4, arguments);
   mark_pairs<<<blocks_of_edges, threads_per_block, 0, stream>>>(graph);
   check_launch("mark_pairs");
   const Device_counter<unsigned> counter(workplace);
-  count_edges_between_sets<<<blocks_of_edges, threads_per_block, 0, stream>>>(graph, faces, counter.address());
+  count_edges_between_sets<<<blocks_of_edges, threads_per_block, 0, stream>>>(graph, faces,
+                                                                              counter.address());
   check_launch("count_edges_between_sets");
   return counter.read();
 }

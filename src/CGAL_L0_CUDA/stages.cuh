@@ -38,7 +38,8 @@ class Device_counter
 
 public:
   explicit Device_counter(const Workplace& workplace)
-    : m_scratch(workplace.scratch), m_value(workplace.scratch.take<T>(1)), m_stream(workplace.stream)
+    : m_scratch(workplace.scratch), m_value(workplace.scratch.take<T>(1)),
+      m_stream(workplace.stream)
   {
     CGAL_L0_CUDA_CHECK(cudaMemsetAsync(m_value, 0, sizeof(T), m_stream));
   }
@@ -54,30 +55,38 @@ public:
 /// \param radius of the ball
 /// \param kept out, as many as there are positions: the indices of the others, ascending
 /// \returns the number of outliers; if it is 0, `kept` means nothing. Waits for the device
-unsigned find_outliers(const Workplace& workplace, const Positions& positions, const double (&low)[3],
-                       const double (&high)[3], double radius, unsigned* kept);
+unsigned find_outliers(const Workplace& workplace, const Positions& positions,
+                       const double (&low)[3], const double (&high)[3], double radius,
+                       unsigned* kept);
 
 /// Thins points where they crowd, as `thin_crowds()` on the CPU. Waits for the device.
 /// \param positions those that `grid` was built of
 /// \param size out: the number of points that are kept
-/// \returns which points of the input are kept, in the order of the grid, from the arena; null for all
-const unsigned* thin_crowds(const Workplace& workplace, const Positions& positions, const Cell_grid& grid, unsigned& size);
+/// \returns which points of the input are kept, in the order of the grid, from the arena; null for
+/// all
+const unsigned* thin_crowds(const Workplace& workplace, const Positions& positions,
+                            const Cell_grid& grid, unsigned& size);
 
-// The normals of the input, Section 3.1. They are float4; the fourth number is the density weight 1/v_j in the end.
+// The normals of the input, Section 3.1. They are float4; the fourth number is the density weight
+// 1/v_j in the end.
 
 /// Fits planes to the points in balls of `radius`, and in larger ones where that determines none.
 /// \param positions those that `grid` was built of
 /// \returns the number of points whose first ball spans no plane
-std::size_t estimate_pca_normals(const Workplace& workplace, const Positions& positions, const Cell_grid& grid,
-                                 const Cell_blocks& blocks, double radius, float4* normals);
+std::size_t estimate_pca_normals(const Workplace& workplace, const Positions& positions,
+                                 const Cell_grid& grid, const Cell_blocks& blocks, double radius,
+                                 float4* normals);
 
-/// Puts given normals in the order of the grid, in place of those of `normals`, where they are not zero.
+/// Puts given normals in the order of the grid, in place of those of `normals`, where they are not
+/// zero.
 /// \param normals in and out
-void take_given_normals(const Workplace& workplace, const Cell_grid& grid, const float* given_normals, float4* normals);
+void take_given_normals(const Workplace& workplace, const Cell_grid& grid,
+                        const float* given_normals, float4* normals);
 
 /// Takes some of a list of vectors.
 /// \param list `size` indices
-void take_listed(const Workplace& workplace, const float* vectors, const unsigned* list, unsigned size, float* taken);
+void take_listed(const Workplace& workplace, const float* vectors, const unsigned* list,
+                 unsigned size, float* taken);
 
 /// Whether one of the vectors is zero; waits for the device.
 bool has_zero(const Workplace& workplace, const float* vectors, unsigned size);
@@ -92,22 +101,24 @@ struct Ball_counts
 /// Eq. (1), (2) for all points, once.
 /// \param counts out, on the device, if not null: the balls are counted, and the sum of Eq. (5)
 /// goes to the fourth number of each normal
-void filter_normals(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks, double radius,
-                    float squared_bandwidth, float normal_bandwidth, const float4* normals, float4* filtered,
-                    Ball_counts* counts);
+void filter_normals(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks,
+                    double radius, float squared_bandwidth, float normal_bandwidth,
+                    const float4* normals, float4* filtered, Ball_counts* counts);
 
 /// Corrects filtered normals by the positions, as `refit_normals()` on the CPU.
-void refit_normals(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks, double radius,
-                   float squared_bandwidth, float normal_bandwidth, float squared_sheet_height, const float4* normals,
-                   float4* refitted);
+void refit_normals(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks,
+                   double radius, float squared_bandwidth, float normal_bandwidth,
+                   float squared_sheet_height, const float4* normals, float4* refitted);
 
 /// The sums of Eq. (5), as `filter_normals()`, where no pass of the filter is run.
-void sum_up_input_density(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks, double radius,
-                          float squared_bandwidth, float4* normals, Ball_counts* counts);
+void sum_up_input_density(const Workplace& workplace, const Cell_grid& grid,
+                          const Cell_blocks& blocks, double radius, float squared_bandwidth,
+                          float4* normals, Ball_counts* counts);
 
 /// Eq. (5) for the input: turns the sums of Eq. (5) into 1/v_j.
 /// \param counts null where sparse points shall not count more than dense ones: all are 1 then
-void invert_input_density(const Workplace& workplace, unsigned size, const Ball_counts* counts, float4* normals);
+void invert_input_density(const Workplace& workplace, unsigned size, const Ball_counts* counts,
+                          float4* normals);
 
 /// The areas of the surface that points stand for, as `areas_of_points()` on the CPU, to the bit.
 struct Areas
@@ -130,9 +141,9 @@ struct Samples
   float4* fit = nullptr;               // from the sample to c_i, and W_i
   Short_vector* outward = nullptr;     // as on the CPU; default method only
   unsigned char* are_voters = nullptr; // as on the CPU; default method only
-  float* spacings = nullptr;           // as on the CPU: null unless the density of the input is kept
-  float4* hints = nullptr;             // as on the CPU: null if the caller has none
-  unsigned* start_indices = nullptr;   // as on the CPU: null if no samples follow others
+  float* spacings = nullptr;         // as on the CPU: null unless the density of the input is kept
+  float4* hints = nullptr;           // as on the CPU: null if the caller has none
+  unsigned* start_indices = nullptr; // as on the CPU: null if no samples follow others
 };
 
 /// Samples that start close to a crowd of others and are not worked on, as on the CPU.
@@ -155,7 +166,7 @@ void append_followers(const Workplace& workplace, const Followers& followers, Sa
 /// How many of the samples are so, counted on the device.
 struct Sample_counts
 {
-  unsigned lonely;           // without an original neighbor, or without a compatible one in the last fit
+  unsigned lonely; // without an original neighbor, or without a compatible one in the last fit
   unsigned oriented, hinted; // surely, and as hints say
 };
 
@@ -184,19 +195,21 @@ struct Sources_of_samples
 
 /// The first S, chosen as the CPU chooses it.
 /// \param spacing of an even set of samples
-void initialize_samples(const Workplace& workplace, const Positions& positions, const Cell_grid& grid,
-                        const Sources_of_samples& points, double radius, double spacing, std::size_t seed,
-                        const Samples& samples);
+void initialize_samples(const Workplace& workplace, const Positions& positions,
+                        const Cell_grid& grid, const Sources_of_samples& points, double radius,
+                        double spacing, std::size_t seed, const Samples& samples);
 
 /// The fit term of LOR and ALOR: weight and centroid of the original neighbors.
 /// \param blocks of `grid` around the cells of `sample_grid`
 /// \param numbers_of_samples how many samples each one stands for; null if only for itself
 /// \param counts out, on the device; 0 at first
-void collapse_fit_term(const Workplace& workplace, const Cell_grid& sample_grid, const Cell_blocks& blocks,
-                       const Cell_grid& grid, const float4* normals, double radius, const Samples& samples,
-                       const unsigned* numbers_of_samples, Sample_counts* counts);
+void collapse_fit_term(const Workplace& workplace, const Cell_grid& sample_grid,
+                       const Cell_blocks& blocks, const Cell_grid& grid, const float4* normals,
+                       double radius, const Samples& samples, const unsigned* numbers_of_samples,
+                       Sample_counts* counts);
 
-/// The self neighbors in compressed rows. Where the row of a sample begins stands in the fourth number of its point, in place of the cell.
+/// The self neighbors in compressed rows. Where the row of a sample begins stands in the fourth
+/// number of its point, in place of the cell.
 struct Neighbor_lists
 {
   unsigned* indices = nullptr;
@@ -206,13 +219,16 @@ struct Neighbor_lists
   /// The place of the first pair of sample i, and that behind its last.
   __device__ uint2 row(const int4* points, unsigned size, unsigned i) const
   {
-    return {unsigned(points[i].w), i + 1 < size ? unsigned(points[i + 1].w) : unsigned(number_of_pairs)};
+    return {unsigned(points[i].w),
+            i + 1 < size ? unsigned(points[i + 1].w) : unsigned(number_of_pairs)};
   }
 #endif
 };
 
-/// Waits for the device. The lists are taken from the arena; the points of the grid lose their cells.
-Neighbor_lists find_self_neighbors(const Workplace& workplace, const Cell_grid& grid, double radius);
+/// Waits for the device. The lists are taken from the arena; the points of the grid lose their
+/// cells.
+Neighbor_lists find_self_neighbors(const Workplace& workplace, const Cell_grid& grid,
+                                   double radius);
 
 /// What a turn of Algorithm 1 leaves on the device.
 struct Turn_result
@@ -225,7 +241,8 @@ struct Turn_result
   unsigned long long is_finite; // as long, so that there is no gap in what is copied
 };
 
-/// One vector a sample, each coordinate by itself, so that neighboring threads read neighboring numbers.
+/// One vector a sample, each coordinate by itself, so that neighboring threads read neighboring
+/// numbers.
 struct Vectors
 {
   float* values;
@@ -257,36 +274,43 @@ struct Turn_arrays
 /// From the scratch arena.
 Turn_arrays take_turn_arrays(const Workplace& workplace, unsigned number_of_samples);
 
-/// One turn of Algorithm 1: moves the samples, in `samples` and in the points of `grid`, to the minimum of Eq. (10).
+/// One turn of Algorithm 1: moves the samples, in `samples` and in the points of `grid`, to the
+/// minimum of Eq. (10).
 /// \param samples in the order of `grid`
 /// \param last_result of the turn before this one, on the device; null if there is none
-void minimize_once(const Workplace& workplace, const Minimization_parameters& parameters, double penalty,
-                   bool regularize, const Neighbor_lists& neighbors, const Cell_grid& grid, const Samples& samples,
-                   const Turn_arrays& arrays, const Turn_result* last_result, Turn_result* result);
+void minimize_once(const Workplace& workplace, const Minimization_parameters& parameters,
+                   double penalty, bool regularize, const Neighbor_lists& neighbors,
+                   const Cell_grid& grid, const Samples& samples, const Turn_arrays& arrays,
+                   const Turn_result* last_result, Turn_result* result);
 
 // The default method
 
-/// The fit to compatible points; normals of the samples change, and have the variance of the fit as their fourth number.
+/// The fit to compatible points; normals of the samples change, and have the variance of the fit as
+/// their fourth number.
 /// \param sample_grid of the same cells as `grid`
 /// \param is_in_order whether the samples are in the order of their grid
 /// \param number_of_lonely in and out, on the device, if not null: the samples without compatible
 /// points add up
-void fit_compatible_points(const Workplace& workplace, const Cell_grid& sample_grid, bool is_in_order,
-                           const Cell_blocks& blocks, const Cell_grid& grid, const float4* normals, double radius,
-                           double squared_sheet_height, double normal_bandwidth, const Samples& samples,
+void fit_compatible_points(const Workplace& workplace, const Cell_grid& sample_grid,
+                           bool is_in_order, const Cell_blocks& blocks, const Cell_grid& grid,
+                           const float4* normals, double radius, double squared_sheet_height,
+                           double normal_bandwidth, const Samples& samples,
                            unsigned* number_of_lonely);
 
 /// Corrects the normals of the samples by their positions, as `refit_sample_normals()` on the CPU.
 /// \param sample_grid that the neighbors were found in; its points may have moved, and be used up
 /// \param samples with the variances of the fit
-void refit_sample_normals(const Workplace& workplace, const Sample_refit_kernel& kernel, const Cell_grid& sample_grid,
-                          const Neighbor_lists& neighbors, std::size_t number_of_passes, const Samples& samples);
+void refit_sample_normals(const Workplace& workplace, const Sample_refit_kernel& kernel,
+                          const Cell_grid& sample_grid, const Neighbor_lists& neighbors,
+                          std::size_t number_of_passes, const Samples& samples);
 
-/// Spreads the samples within the surface, by steps that the radius of the fit limits. The points of the grid are used up.
+/// Spreads the samples within the surface, by steps that the radius of the fit limits. The points
+/// of the grid are used up.
 /// \param places the points of the grid when the neighbors were found
 /// \param range of the neighbors, there
-void repel_tangentially(const Workplace& workplace, const Cell_grid& sample_grid, const Neighbor_lists& neighbors,
-                        const int4* places, double range, double spacing, double radius, std::size_t number_of_steps,
+void repel_tangentially(const Workplace& workplace, const Cell_grid& sample_grid,
+                        const Neighbor_lists& neighbors, const int4* places, double range,
+                        double spacing, double radius, std::size_t number_of_steps,
                         const Samples& samples);
 
 /// Moves the samples to what they were fitted to.
@@ -296,18 +320,21 @@ void take_fitted_positions(const Workplace& workplace, const Samples& samples);
 /// \param frame of cells half as large as the ball
 /// \param radius of the ball
 /// \param samples with the variances of the fit
-void settle_on_quadrics(const Workplace& workplace, const Cell_frame& frame, double radius, double squared_sheet_height,
-                        double normal_bandwidth, const Samples& samples);
+void settle_on_quadrics(const Workplace& workplace, const Cell_frame& frame, double radius,
+                        double squared_sheet_height, double normal_bandwidth,
+                        const Samples& samples);
 
-/// Turns the normals of the samples to one side: that of the hints or the viewpoint where these are clear, else outwards.
+/// Turns the normals of the samples to one side: that of the hints or the viewpoint where these are
+/// clear, else outwards.
 /// \param low, high corners of a box that holds the samples, but for a few
 /// \param viewpoint null for none
 /// \param counts out, on the device: what `orient_normals()` on the CPU returns; 0 at first
 void orient_normals(const Workplace& workplace, const double (&low)[3], const double (&high)[3],
-                    unsigned number_of_neighbors, double spacing, const double* viewpoint, const Samples& samples,
-                    Sample_counts* counts);
+                    unsigned number_of_neighbors, double spacing, const double* viewpoint,
+                    const Samples& samples, Sample_counts* counts);
 
-/// Takes the positions of the samples out of the frame, and puts their normals, xyz interleaved, in the place of the fit.
+/// Takes the positions of the samples out of the frame, and puts their normals, xyz interleaved, in
+/// the place of the fit.
 void leave_frame(const Workplace& workplace, const Frame& frame, const Samples& samples);
 
 } // namespace cuda

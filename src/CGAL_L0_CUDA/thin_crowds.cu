@@ -23,7 +23,10 @@ struct Cell_of_warp
   unsigned begin, end;
   unsigned* counts; ///< one for each subcell, in shared memory; set if the cell is crowded
 
-  __device__ static unsigned index() { return blockIdx.x * warps_per_block + threadIdx.x / lanes_of_warp; }
+  __device__ static unsigned index()
+  {
+    return blockIdx.x * warps_per_block + threadIdx.x / lanes_of_warp;
+  }
 
   /// \returns whether a subcell holds more than `limit` points; the same in all threads of the warp
   __device__ bool count(const Positions& positions, const Cell_grid& grid, unsigned limit)
@@ -65,7 +68,8 @@ private:
   }
 };
 
-__global__ void count_crowded_cells(Positions positions, Cell_grid grid, unsigned limit, unsigned* number)
+__global__ void count_crowded_cells(Positions positions, Cell_grid grid, unsigned limit,
+                                    unsigned* number)
 {
   __shared__ unsigned counts[warps_per_block][subcells_of_cell];
   if (Cell_of_warp::index() >= grid.number_of_cells)
@@ -76,11 +80,11 @@ __global__ void count_crowded_cells(Positions positions, Cell_grid grid, unsigne
 }
 
 /// \param of_points out: for each point of the grid, the one that stands for it
-__global__ void find_representatives(Positions positions, Cell_grid grid, unsigned limit, unsigned* of_points,
-                                     unsigned char* is_kept)
+__global__ void find_representatives(Positions positions, Cell_grid grid, unsigned limit,
+                                     unsigned* of_points, unsigned char* is_kept)
 {
-  __shared__ unsigned counts[warps_per_block][subcells_of_cell], ranks[warps_per_block][subcells_of_cell],
-    last_kept[warps_per_block][subcells_of_cell];
+  __shared__ unsigned counts[warps_per_block][subcells_of_cell],
+    ranks[warps_per_block][subcells_of_cell], last_kept[warps_per_block][subcells_of_cell];
   if (Cell_of_warp::index() >= grid.number_of_cells)
     return;
   const unsigned warp = threadIdx.x / lanes_of_warp, lane = threadIdx.x % lanes_of_warp;
@@ -94,7 +98,8 @@ __global__ void find_representatives(Positions positions, Cell_grid grid, unsign
   {
     const unsigned j = first + lane;
     const bool is_point = j < cell.end;
-    const unsigned s = is_point && is_crowded ? Cell_of_warp::subcell(positions, grid, j) : subcells_of_cell;
+    const unsigned s = is_point && is_crowded ? Cell_of_warp::subcell(positions, grid, j)
+                                              : subcells_of_cell;
     const unsigned of_same_subcell = __match_any_sync(0xffffffffu, s);
     bool keep = is_point;
     unsigned representative = j;
@@ -106,8 +111,10 @@ __global__ void find_representatives(Positions positions, Cell_grid grid, unsign
     const unsigned kept = __ballot_sync(0xffffffffu, keep);
     if (s < subcells_of_cell)
     {
-      const unsigned kept_before = kept & of_same_subcell & ((2u << lane) - 1); // and the point itself
-      representative = kept_before ? first + (31u - unsigned(__clz(int(kept_before)))) : last_kept[warp][s];
+      const unsigned kept_before = kept & of_same_subcell
+                                   & ((2u << lane) - 1); // and the point itself
+      representative = kept_before ? first + (31u - unsigned(__clz(int(kept_before))))
+                                   : last_kept[warp][s];
     }
     __syncwarp();
     if (s < subcells_of_cell && lane == 31u - unsigned(__clz(int(of_same_subcell))))
@@ -134,8 +141,8 @@ __global__ void number_the_kept(const unsigned* kept, unsigned size, unsigned* n
 /// The followers in the order of the grid, behind each other.
 /// \param numbers of the kept ones among themselves
 __global__ void part_followers(Samples samples, const unsigned* order, const unsigned* of_points,
-                               const unsigned* followers, unsigned number_of_followers, const unsigned* numbers,
-                               Followers result)
+                               const unsigned* followers, unsigned number_of_followers,
+                               const unsigned* numbers, Followers result)
 {
   const unsigned long long f = thread_index();
   if (f >= number_of_followers)
@@ -165,8 +172,8 @@ __global__ void invert_flags(unsigned size, unsigned char* flags)
 }
 
 /// \param list what the order counts; null if that is what it lists
-__global__ void list_order(const unsigned* list, const unsigned* order, const unsigned* kept, unsigned size,
-                           unsigned* listed)
+__global__ void list_order(const unsigned* list, const unsigned* order, const unsigned* kept,
+                           unsigned size, unsigned* listed)
 {
   const unsigned long long k = thread_index();
   if (k < size)
@@ -187,7 +194,8 @@ __global__ void append(Samples samples, Followers followers, const unsigned* pla
     return;
   const unsigned long long i = samples.size + f, leader = places[followers.leaders[f]];
   for (int axis = 0; axis < 3; ++axis)
-    samples.positions[3 * i + axis] = samples.positions[3 * leader + axis] + followers.offsets[3 * f + axis];
+    samples.positions[3 * i + axis] = samples.positions[3 * leader + axis]
+                                      + followers.offsets[3 * f + axis];
   samples.normals[i] = samples.normals[leader];
 }
 
@@ -197,12 +205,14 @@ unsigned blocks_for_cells(const Cell_grid& grid)
 }
 
 /// \returns whether there are crowds; waits for the device
-bool has_crowds(const Workplace& workplace, const Positions& positions, const Cell_grid& grid, unsigned limit)
+bool has_crowds(const Workplace& workplace, const Positions& positions, const Cell_grid& grid,
+                unsigned limit)
 {
   const Arena_scope scope(workplace.scratch);
   const Device_counter<unsigned> number_of_crowded_cells(workplace);
-  count_crowded_cells<<<blocks_for_cells(grid), lanes_of_warp * warps_per_block, 0, workplace.stream>>>(
-    positions, grid, limit, number_of_crowded_cells.address());
+  count_crowded_cells<<<blocks_for_cells(grid), lanes_of_warp * warps_per_block, 0,
+                        workplace.stream>>>(positions, grid, limit,
+                                            number_of_crowded_cells.address());
   check_launch("count_crowded_cells");
   return number_of_crowded_cells.read() > 0;
 }
@@ -217,21 +227,25 @@ struct Representatives
 };
 
 /// From the scratch arena.
-Representatives representatives(const Workplace& workplace, const Positions& positions, const Cell_grid& grid,
-                                unsigned limit)
+Representatives representatives(const Workplace& workplace, const Positions& positions,
+                                const Cell_grid& grid, unsigned limit)
 {
-  Representatives result = {workplace.scratch.take<unsigned>(grid.size), workplace.scratch.take<unsigned char>(grid.size),
+  Representatives result = {workplace.scratch.take<unsigned>(grid.size),
+                            workplace.scratch.take<unsigned char>(grid.size),
                             workplace.scratch.take<unsigned>(grid.size), 0};
-  find_representatives<<<blocks_for_cells(grid), lanes_of_warp * warps_per_block, 0, workplace.stream>>>(
-    positions, grid, limit, result.of_points, result.is_kept);
+  find_representatives<<<blocks_for_cells(grid), lanes_of_warp * warps_per_block, 0,
+                         workplace.stream>>>(positions, grid, limit, result.of_points,
+                                             result.is_kept);
   check_launch("find_representatives");
-  result.number_of_kept = list_flagged(result.is_kept, grid.size, result.kept, workplace.scratch, workplace.stream);
+  result.number_of_kept = list_flagged(result.is_kept, grid.size, result.kept, workplace.scratch,
+                                       workplace.stream);
   return result;
 }
 
 } // namespace
 
-const unsigned* thin_crowds(const Workplace& workplace, const Positions& positions, const Cell_grid& grid, unsigned& size)
+const unsigned* thin_crowds(const Workplace& workplace, const Positions& positions,
+                            const Cell_grid& grid, unsigned& size)
 {
   size = grid.size;
   if (!has_crowds(workplace, positions, grid, most_points_of_subcell))
@@ -240,8 +254,8 @@ const unsigned* thin_crowds(const Workplace& workplace, const Positions& positio
   const Arena_scope scope(workplace.scratch);
   const Representatives found = representatives(workplace, positions, grid, most_points_of_subcell);
   size = found.number_of_kept;
-  list_order<<<blocks_for(size), threads_per_block, 0, workplace.stream>>>(positions.list, grid.order, found.kept, size,
-                                                                           listed);
+  list_order<<<blocks_for(size), threads_per_block, 0, workplace.stream>>>(
+    positions.list, grid.order, found.kept, size, listed);
   check_launch("list_order");
   return listed;
 }
@@ -252,7 +266,8 @@ Followers take_followers(const Workplace& workplace, const Cell_frame& frame, Sa
   const unsigned m = samples.size;
   const Positions positions = {samples.positions, m, Frame(), true};
   const Arena_scope arena_scope(workplace.arena);
-  const Cell_grid grid = build_grid(positions, nullptr, frame, workplace.arena, workplace.scratch, stream);
+  const Cell_grid grid = build_grid(positions, nullptr, frame, workplace.arena, workplace.scratch,
+                                    stream);
   if (!has_crowds(workplace, positions, grid, most_samples_of_subcell))
     return {};
   // what outlives this function first
@@ -263,24 +278,27 @@ Followers take_followers(const Workplace& workplace, const Cell_frame& frame, Sa
   unsigned* const start_indices = workplace.scratch.take<unsigned>(m);
 
   const Arena_scope scope(workplace.scratch);
-  const Representatives found = representatives(workplace, positions, grid, most_samples_of_subcell);
+  const Representatives found = representatives(workplace, positions, grid,
+                                                most_samples_of_subcell);
   const unsigned number_of_kept = found.number_of_kept;
   followers.size = m - number_of_kept;
-  unsigned *const numbers = workplace.scratch.take<unsigned>(m), *const others = workplace.scratch.take<unsigned>(m),
+  unsigned *const numbers = workplace.scratch.take<unsigned>(m),
+                  *const others = workplace.scratch.take<unsigned>(m),
                   *const order_of_kept = workplace.scratch.take<unsigned>(m);
-  number_the_kept<<<blocks_for(number_of_kept), threads_per_block, 0, stream>>>(found.kept, number_of_kept, numbers);
+  number_the_kept<<<blocks_for(number_of_kept), threads_per_block, 0, stream>>>(
+    found.kept, number_of_kept, numbers);
   check_launch("number_the_kept");
   invert_flags<<<blocks_for(m), threads_per_block, 0, stream>>>(m, found.is_kept);
   check_launch("invert_flags");
   list_flagged(found.is_kept, m, others, workplace.scratch, stream);
-  fill_ascending<<<blocks_for(number_of_kept), threads_per_block, 0, stream>>>(number_of_kept, start_indices,
-                                                                               followers.numbers_of_samples);
+  fill_ascending<<<blocks_for(number_of_kept), threads_per_block, 0, stream>>>(
+    number_of_kept, start_indices, followers.numbers_of_samples);
   check_launch("fill_ascending");
   part_followers<<<blocks_for(followers.size), threads_per_block, 0, stream>>>(
     samples, grid.order, found.of_points, others, followers.size, numbers, followers);
   check_launch("part_followers");
-  list_order<<<blocks_for(number_of_kept), threads_per_block, 0, stream>>>(nullptr, grid.order, found.kept,
-                                                                           number_of_kept, order_of_kept);
+  list_order<<<blocks_for(number_of_kept), threads_per_block, 0, stream>>>(
+    nullptr, grid.order, found.kept, number_of_kept, order_of_kept);
   check_launch("list_order");
   keep_listed(workplace, order_of_kept, number_of_kept, samples);
   samples.start_indices = start_indices; // of those that are left, in their order
@@ -293,9 +311,11 @@ void append_followers(const Workplace& workplace, const Followers& followers, Sa
     return;
   const Arena_scope scope(workplace.scratch);
   unsigned* const places = workplace.scratch.take<unsigned>(samples.size);
-  find_places<<<blocks_for(samples.size), threads_per_block, 0, workplace.stream>>>(samples, places);
+  find_places<<<blocks_for(samples.size), threads_per_block, 0, workplace.stream>>>(samples,
+                                                                                    places);
   check_launch("find_places");
-  append<<<blocks_for(followers.size), threads_per_block, 0, workplace.stream>>>(samples, followers, places);
+  append<<<blocks_for(followers.size), threads_per_block, 0, workplace.stream>>>(samples, followers,
+                                                                                 places);
   check_launch("append");
   samples.size += followers.size;
 }

@@ -13,21 +13,51 @@ namespace L0_resampling {
 namespace internal {
 namespace cuda {
 
-__host__ __device__ inline float3 operator+(float3 a, float3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-__host__ __device__ inline float3 operator-(float3 a, float3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-__host__ __device__ inline float3 operator*(float s, float3 a) { return {s * a.x, s * a.y, s * a.z}; }
+__host__ __device__ inline float3 operator+(float3 a, float3 b)
+{
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+__host__ __device__ inline float3 operator-(float3 a, float3 b)
+{
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+__host__ __device__ inline float3 operator*(float s, float3 a)
+{
+  return {s * a.x, s * a.y, s * a.z};
+}
 __host__ __device__ inline float3& operator+=(float3& a, float3 b) { return a = a + b; }
 __host__ __device__ inline float3& operator-=(float3& a, float3 b) { return a = a - b; }
-__host__ __device__ inline float dot(float3 a, float3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+__host__ __device__ inline float dot(float3 a, float3 b)
+{
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 __host__ __device__ inline float3 xyz(float4 a) { return {a.x, a.y, a.z}; }
 __host__ __device__ inline float4 with_w(float3 a, float w) { return {a.x, a.y, a.z, w}; }
 
-__host__ __device__ inline double3 operator+(double3 a, double3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-__host__ __device__ inline double3 operator-(double3 a, double3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-__host__ __device__ inline double3 operator*(double s, double3 a) { return {s * a.x, s * a.y, s * a.z}; }
-__host__ __device__ inline double dot(double3 a, double3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-__host__ __device__ inline double3 to_double(float3 a) { return {double(a.x), double(a.y), double(a.z)}; }
-__host__ __device__ inline float3 to_float(double3 a) { return {float(a.x), float(a.y), float(a.z)}; }
+__host__ __device__ inline double3 operator+(double3 a, double3 b)
+{
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+__host__ __device__ inline double3 operator-(double3 a, double3 b)
+{
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+__host__ __device__ inline double3 operator*(double s, double3 a)
+{
+  return {s * a.x, s * a.y, s * a.z};
+}
+__host__ __device__ inline double dot(double3 a, double3 b)
+{
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+__host__ __device__ inline double3 to_double(float3 a)
+{
+  return {double(a.x), double(a.y), double(a.z)};
+}
+__host__ __device__ inline float3 to_float(double3 a)
+{
+  return {float(a.x), float(a.y), float(a.z)};
+}
 
 #ifdef __CUDACC__
 
@@ -40,7 +70,9 @@ struct Short_vector
 
   __device__ static Short_vector of(float3 v)
   {
-    const auto fixed = [](float x) { return static_cast<unsigned long long>(__float2int_rn(x * steps)) & mask; };
+    const auto fixed = [](float x) {
+      return static_cast<unsigned long long>(__float2int_rn(x * steps)) & mask;
+    };
     return {fixed(v.x) << (2 * width) | fixed(v.y) << width | fixed(v.z)};
   }
 
@@ -58,7 +90,8 @@ private:
   }
 };
 
-/// Indices of what there may be more of than samples: pairs, and places in arrays of several numbers each.
+/// Indices of what there may be more of than samples: pairs, and places in arrays of several
+/// numbers each.
 using Wide = unsigned long long;
 
 /// The index of the thread in the launch.
@@ -67,7 +100,8 @@ __device__ inline unsigned long long thread_index()
   return (unsigned long long)(blockIdx.x) * blockDim.x + threadIdx.x;
 }
 
-/// The sum over a group of `lanes` neighboring threads, the same bits in each of them. Whole warps have to call it.
+/// The sum over a group of `lanes` neighboring threads, the same bits in each of them. Whole warps
+/// have to call it.
 template <int lanes, typename T>
 __device__ inline T group_sum(T value)
 {
@@ -82,7 +116,8 @@ __device__ inline float3 group_sum(float3 v)
   return {group_sum<lanes>(v.x), group_sum<lanes>(v.y), group_sum<lanes>(v.z)};
 }
 
-/// The sum over the threads of a warp that `peers` names, which all have to call it, in each of them.
+/// The sum over the threads of a warp that `peers` names, which all have to call it, in each of
+/// them.
 template <typename T>
 __device__ inline T peer_sum(unsigned peers, T value)
 {
@@ -95,7 +130,10 @@ __device__ inline T peer_sum(unsigned peers, T value)
 }
 
 /// Whether the thread is the first of `peers`.
-__device__ inline bool is_leader_of(unsigned peers) { return threadIdx.x % 32 == unsigned(__ffs(int(peers))) - 1; }
+__device__ inline bool is_leader_of(unsigned peers)
+{
+  return threadIdx.x % 32 == unsigned(__ffs(int(peers))) - 1;
+}
 
 #endif // __CUDACC__
 

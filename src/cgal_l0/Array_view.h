@@ -15,7 +15,8 @@
 
 namespace l0_python {
 
-/// An (n, 3) array of `float` or `double`, wherever its rows and columns lie in memory. It belongs to somebody else.
+/// An (n, 3) array of `float` or `double`, wherever its rows and columns lie in memory. It belongs
+/// to somebody else.
 struct Array_view
 {
   const char* data = nullptr;

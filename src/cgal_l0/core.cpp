@@ -29,27 +29,30 @@ namespace {
 namespace py = pybind11;
 using CGAL::L0_resampling::Method;
 
-/// \returns positions, normals, source indices, feature confidences and the report; or None, if the callback cancelled. What is not
-/// wanted is empty.
+/// \returns positions, normals, source indices, feature confidences and the report; or None, if the
+/// callback cancelled. What is not wanted is empty.
 template <typename FT>
-py::object resample_as(const Array_view& points, const Array_view* normals, const Array_view* orientation_hints,
-                       const Parameters& parameters, const py::object& callback)
+py::object resample_as(const Array_view& points, const Array_view* normals,
+                       const Array_view* orientation_hints, const Parameters& parameters,
+                       const py::object& callback)
 {
   Result<FT> result;
-  const bool is_complete = run_beside_python(callback, [&](const std::function<bool(double)>& go_on) {
-    result = resample<FT>(points, normals, orientation_hints, parameters, go_on);
-  });
+  const bool is_complete =
+    run_beside_python(callback, [&](const std::function<bool(double)>& go_on) {
+      result = resample<FT>(points, normals, orientation_hints, parameters, go_on);
+    });
   if (!is_complete)
     return py::none();
   const py::dict report = dictionary_of(result.report);
-  return py::make_tuple(array_of(std::move(result.positions), 3), array_of(std::move(result.normals), 3),
+  return py::make_tuple(array_of(std::move(result.positions), 3),
+                        array_of(std::move(result.normals), 3),
                         array_of(std::move(result.source_indices), 1),
                         array_of(std::move(result.feature_confidences), 1), report);
 }
 
 py::object resample_arrays(const py::array& points, const std::optional<py::array>& normals,
-                           const std::optional<py::array>& orientation_hints, const Parameters& parameters,
-                           const py::object& callback)
+                           const std::optional<py::array>& orientation_hints,
+                           const Parameters& parameters, const py::object& callback)
 {
   const Array_view point_view = view_of(points);
   std::optional<Array_view> normal_view, hint_view;
@@ -59,8 +62,9 @@ py::object resample_arrays(const py::array& points, const std::optional<py::arra
     hint_view = view_of(*orientation_hints);
   const Array_view* given_normals = normal_view ? &*normal_view : nullptr;
   const Array_view* given_hints = hint_view ? &*hint_view : nullptr;
-  return point_view.is_double ? resample_as<double>(point_view, given_normals, given_hints, parameters, callback)
-                              : resample_as<float>(point_view, given_normals, given_hints, parameters, callback);
+  return point_view.is_double
+           ? resample_as<double>(point_view, given_normals, given_hints, parameters, callback)
+           : resample_as<float>(point_view, given_normals, given_hints, parameters, callback);
 }
 
 } // namespace
@@ -70,15 +74,23 @@ PYBIND11_MODULE(_core, module)
 {
   using namespace l0_python;
 #if PYBIND11_VERSION_MAJOR == 2 && PYBIND11_VERSION_MINOR < 12
-  // It would read NumPy 2's descriptions of arrays as those of NumPy 1, and numbers of `double` as such of `float`.
+  // It would read NumPy 2's descriptions of arrays as those of NumPy 1, and numbers of `double` as
+  // such of `float`.
   if (py::module_::import("numpy").attr("__version__").cast<std::string>().substr(0, 2) != "1.")
-    throw py::import_error("cgal_l0 was built with a pybind11 before 2.12, which does not know NumPy 2");
+    throw py::import_error(
+      "cgal_l0 was built with a pybind11 before 2.12, which does not know NumPy 2");
 #endif
   module.doc() = "What cgal_l0 is made of. Use cgal_l0.l0_resample_point_set().";
   module.attr("__version__") = CGAL_L0_VERSION;
 
-  py::enum_<Method>(module, "Method").value("default", Method::DEFAULT).value("lor", Method::LOR).value("alor", Method::ALOR);
-  py::enum_<Device>(module, "Device").value("cpu", Device::CPU).value("cuda", Device::CUDA).value("auto", Device::AUTO);
+  py::enum_<Method>(module, "Method")
+    .value("default", Method::DEFAULT)
+    .value("lor", Method::LOR)
+    .value("alor", Method::ALOR);
+  py::enum_<Device>(module, "Device")
+    .value("cpu", Device::CPU)
+    .value("cuda", Device::CUDA)
+    .value("auto", Device::AUTO);
 
   py::class_<Parameters>(module, "Parameters")
     .def(py::init(&default_parameters), py::arg("resampling_method") = Method::DEFAULT)
@@ -88,7 +100,8 @@ PYBIND11_MODULE(_core, module)
     .def_readwrite("neighbor_radius", &Parameters::neighbor_radius)
     .def_readwrite("normal_filter_radius", &Parameters::normal_filter_radius)
     .def_readwrite("sharpness_angle", &Parameters::sharpness_angle)
-    .def_readwrite("number_of_normal_filter_iterations", &Parameters::number_of_normal_filter_iterations)
+    .def_readwrite("number_of_normal_filter_iterations",
+                   &Parameters::number_of_normal_filter_iterations)
     .def_readwrite("normal_weight", &Parameters::normal_weight)
     .def_readwrite("regularization_weight", &Parameters::regularization_weight)
     .def_readwrite("initial_penalty", &Parameters::initial_penalty)
@@ -106,8 +119,8 @@ PYBIND11_MODULE(_core, module)
     .def_readwrite("threads", &Parameters::threads)
     .def_readwrite("device", &Parameters::device);
 
-  module.def("resample", &resample_arrays, py::arg("points"), py::arg("normals"), py::arg("orientation_hints"),
-             py::arg("parameters"), py::arg("callback"));
+  module.def("resample", &resample_arrays, py::arg("points"), py::arg("normals"),
+             py::arg("orientation_hints"), py::arg("parameters"), py::arg("callback"));
   bind_device_arrays(module);
   bind_files(module);
 }

@@ -77,8 +77,9 @@ l0_tool::File_format format_of(const std::string& path, const std::optional<std:
   const auto format = l0_tool::format_of(name ? "file." + *name : path);
   if (format)
     return *format;
-  raise(PyExc_ValueError, name ? "format is '" + *name + "', which is none of the extensions that read_points() lists"
-                               : l0_tool::unknown_extension(path, "format="));
+  raise(PyExc_ValueError,
+        name ? "format is '" + *name + "', which is none of the extensions that read_points() lists"
+             : l0_tool::unknown_extension(path, "format="));
 }
 
 const char* typestr_of(Number_type type)
@@ -104,7 +105,10 @@ Number_type number_type_of(const py::dtype& dtype)
   {
   case 1: return is_signed ? Number_type::INT8 : Number_type::UINT8;
   case 2: return is_signed ? Number_type::INT16 : Number_type::UINT16;
-  case 4: return dtype.kind() == 'f' ? Number_type::FLOAT32 : is_signed ? Number_type::INT32 : Number_type::UINT32;
+  case 4:
+    return dtype.kind() == 'f' ? Number_type::FLOAT32
+           : is_signed         ? Number_type::INT32
+                               : Number_type::UINT32;
   default: return Number_type::FLOAT64;
   }
 }
@@ -148,8 +152,8 @@ py::array records_of(l0_tool::Property_table&& table, std::size_t size)
 
 /// \returns points, normals or None, the names of the properties and their records, the number of
 /// points dropped, and warnings; or None if cancelled
-py::object read_points(const std::string& path, const std::optional<std::string>& format_name, bool drop_non_finite,
-                       const py::object& callback)
+py::object read_points(const std::string& path, const std::optional<std::string>& format_name,
+                       bool drop_non_finite, const py::object& callback)
 {
   const l0_tool::File_format format = format_of(path, format_name);
   l0_tool::Read_options options;
@@ -184,7 +188,8 @@ py::object read_points(const std::string& path, const std::optional<std::string>
   for (const std::string& warning : cloud.warnings)
     warnings.append(text_of(warning));
   return py::make_tuple(array_of_triples(std::move(cloud.points), is_single), normals, names,
-                        records_of(std::move(cloud.properties), size), cloud.number_of_dropped_points, warnings);
+                        records_of(std::move(cloud.properties), size),
+                        cloud.number_of_dropped_points, warnings);
 }
 
 template <typename Triple>
@@ -207,7 +212,8 @@ l0_tool::Property_table table_of(const py::array& records)
     return table;
   const py::object fields = records.dtype().attr("fields");
   for (const py::handle name : names)
-    table.add_property(name.cast<std::string>(), number_type_of(py::tuple(fields[name])[0].cast<py::dtype>()));
+    table.add_property(name.cast<std::string>(),
+                       number_type_of(py::tuple(fields[name])[0].cast<py::dtype>()));
   const auto row_size = std::size_t(records.itemsize());
   const auto* bytes = static_cast<const char*>(records.data());
   table.reserve(std::size_t(records.size()));
@@ -218,8 +224,10 @@ l0_tool::Property_table table_of(const py::array& records)
 
 /// \param properties packed records
 /// \returns the names of the properties that the format cannot hold
-std::vector<std::string> write_points(const std::string& path, const std::optional<std::string>& format_name,
-                                      const py::array& points, const std::optional<py::array>& normals,
+std::vector<std::string> write_points(const std::string& path,
+                                      const std::optional<std::string>& format_name,
+                                      const py::array& points,
+                                      const std::optional<py::array>& normals,
                                       const py::array& properties)
 {
   const l0_tool::File_format format = format_of(path, format_name);
@@ -236,9 +244,11 @@ std::vector<std::string> write_points(const std::string& path, const std::option
   });
 }
 
-py::array snapshot(const py::array& points, const std::optional<py::array>& input_normals, const py::array& positions,
-                   const py::array& normals, const std::optional<py::array_t<float>>& feature_confidences,
-                   const std::optional<std::array<double, 3>>& view, const std::optional<std::string>& path)
+py::array snapshot(const py::array& points, const std::optional<py::array>& input_normals,
+                   const py::array& positions, const py::array& normals,
+                   const std::optional<py::array_t<float>>& feature_confidences,
+                   const std::optional<std::array<double, 3>>& view,
+                   const std::optional<std::string>& path)
 {
   Point_cloud input;
   input.points = triples_of<Point>(points);
@@ -251,7 +261,8 @@ py::array snapshot(const py::array& points, const std::optional<py::array>& inpu
     result.emplace_back(get(position_map, i), get(normal_map, i));
   std::vector<float> confidences;
   if (feature_confidences)
-    confidences.assign(feature_confidences->data(), feature_confidences->data() + feature_confidences->size());
+    confidences.assign(feature_confidences->data(),
+                       feature_confidences->data() + feature_confidences->size());
 
   return with_python_exceptions([&]() -> py::array {
     std::vector<unsigned char> bytes;
@@ -273,12 +284,13 @@ py::array snapshot(const py::array& points, const std::optional<py::array>& inpu
 
 void bind_files(py::module_& module)
 {
-  module.def("read_points", &read_points, py::arg("path"), py::arg("format"), py::arg("drop_non_finite"),
-             py::arg("callback"));
-  module.def("write_points", &write_points, py::arg("path"), py::arg("format"), py::arg("points"), py::arg("normals"),
-             py::arg("properties"));
-  module.def("snapshot", &snapshot, py::arg("points"), py::arg("input_normals"), py::arg("positions"),
-             py::arg("normals"), py::arg("feature_confidences"), py::arg("view"), py::arg("path"));
+  module.def("read_points", &read_points, py::arg("path"), py::arg("format"),
+             py::arg("drop_non_finite"), py::arg("callback"));
+  module.def("write_points", &write_points, py::arg("path"), py::arg("format"), py::arg("points"),
+             py::arg("normals"), py::arg("properties"));
+  module.def("snapshot", &snapshot, py::arg("points"), py::arg("input_normals"),
+             py::arg("positions"), py::arg("normals"), py::arg("feature_confidences"),
+             py::arg("view"), py::arg("path"));
 }
 
 } // namespace l0_python

@@ -15,7 +15,8 @@
 namespace l0_python {
 
 /// The named parameters that do not depend on where the points are.
-inline auto named_parameters_of(const Parameters& parameters, const std::function<bool(double)>& callback,
+inline auto named_parameters_of(const Parameters& parameters,
+                                const std::function<bool(double)>& callback,
                                 CGAL::L0_resampling::Report& report)
 {
   const Parameters defaults = default_parameters(parameters.resampling_method);

@@ -29,8 +29,8 @@ namespace {
 
 using CGAL::L0_resampling::Method;
 
-/// Appends the pairs that the function writes to the arrays of a result. The report knows their number before the first
-/// is written.
+/// Appends the pairs that the function writes to the arrays of a result. The report knows their
+/// number before the first is written.
 template <typename FT>
 class Result_inserter
 {
@@ -80,8 +80,9 @@ struct Appending_map
 };
 
 template <typename FT>
-Result<FT> resample_with_tag(const Array_view& points, const Array_view* normals, const Array_view* orientation_hints,
-                             const Parameters& parameters, const std::function<bool(double)>& callback, bool on_device)
+Result<FT> resample_with_tag(const Array_view& points, const Array_view* normals,
+                             const Array_view* orientation_hints, const Parameters& parameters,
+                             const std::function<bool(double)>& callback, bool on_device)
 {
   Result<FT> result;
   const auto if_wanted = [](bool is_wanted, const auto& map) {
@@ -94,8 +95,10 @@ Result<FT> resample_with_tag(const Array_view& points, const Array_view* normals
     named_parameters_of(parameters, callback, result.report)
       .normal_map(if_there(normals))
       .orientation_hint_map(if_there(orientation_hints))
-      .source_index_map(if_wanted(parameters.source_indices, Appending_map<std::int64_t>{&result.source_indices}))
-      .feature_confidence_map(if_wanted(parameters.feature_confidences, Appending_map<FT>{&result.feature_confidences}))
+      .source_index_map(
+        if_wanted(parameters.source_indices, Appending_map<std::int64_t>{&result.source_indices}))
+      .feature_confidence_map(
+        if_wanted(parameters.feature_confidences, Appending_map<FT>{&result.feature_confidences}))
       .point_map(Point_map{points})
       .geom_traits(CGAL::Simple_cartesian<FT>());
   const auto range = boost::irange(std::size_t(0), points.size);
@@ -106,13 +109,15 @@ Result<FT> resample_with_tag(const Array_view& points, const Array_view* normals
 #else
   static_cast<void>(on_device);
 #endif
-    CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(range, Result_inserter<FT>(result), np);
+    CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(range, Result_inserter<FT>(result),
+                                                                 np);
   return result;
 }
 
 template <typename FT>
-Result<FT> resample_on_any_device(const Array_view& points, const Array_view* normals, const Array_view* orientation_hints,
-                                  const Parameters& parameters, const std::function<bool(double)>& callback)
+Result<FT> resample_on_any_device(const Array_view& points, const Array_view* normals,
+                                  const Array_view* orientation_hints, const Parameters& parameters,
+                                  const std::function<bool(double)>& callback)
 {
   Result<FT> result;
   const auto resample_there = [&](bool gpu) {
@@ -130,18 +135,21 @@ Result<FT> resample_on_any_device(const Array_view& points, const Array_view* no
 Parameters default_parameters(Method method)
 {
   const CGAL::L0_resampling::internal::Parameters defaults =
-    CGAL::L0_resampling::internal::checked_parameters(CGAL::parameters::resampling_method(method), 100);
+    CGAL::L0_resampling::internal::checked_parameters(CGAL::parameters::resampling_method(method),
+                                                      100);
   Parameters parameters;
   parameters.resampling_method = method;
   parameters.select_percentage = double(defaults.number_of_output_points); // of a hundred points
   parameters.sharpness_angle = defaults.sharpness_angle;
-  parameters.number_of_normal_filter_iterations = std::int64_t(defaults.number_of_normal_filter_iterations);
+  parameters.number_of_normal_filter_iterations = std::int64_t(
+    defaults.number_of_normal_filter_iterations);
   parameters.normal_weight = defaults.normal_weight;
   parameters.regularization_weight = defaults.regularization_weight;
   parameters.initial_penalty = defaults.initial_penalty;
   parameters.maximum_penalty = defaults.maximum_penalty;
   parameters.penalty_growth = defaults.penalty_growth;
-  parameters.number_of_orientation_neighbors = std::int64_t(defaults.number_of_orientation_neighbors);
+  parameters.number_of_orientation_neighbors = std::int64_t(
+    defaults.number_of_orientation_neighbors);
   parameters.random_seed = defaults.random_seed;
   parameters.drop_outliers = defaults.drop_outliers;
   return parameters;
@@ -150,25 +158,30 @@ Parameters default_parameters(Method method)
 void in_arena(const Parameters& parameters, const std::function<void()>& work)
 {
   if (parameters.threads && (*parameters.threads < 1 || *parameters.threads > 4096))
-    throw std::invalid_argument("threads is " + std::to_string(*parameters.threads) + ", expected 1 to 4096");
-  // An arena limits this call alone, where tbb::global_control would limit every other one of the process too.
-  tbb::task_arena arena(parameters.threads ? int(*parameters.threads) : int(tbb::task_arena::automatic));
+    throw std::invalid_argument("threads is " + std::to_string(*parameters.threads)
+                                + ", expected 1 to 4096");
+  // An arena limits this call alone, where tbb::global_control would limit every other one of the
+  // process too.
+  tbb::task_arena arena(parameters.threads ? int(*parameters.threads)
+                                           : int(tbb::task_arena::automatic));
   arena.execute(work);
 }
 
 template <typename FT>
-Result<FT> resample(const Array_view& points, const Array_view* normals, const Array_view* orientation_hints,
-                    const Parameters& parameters, const std::function<bool(double)>& callback)
+Result<FT> resample(const Array_view& points, const Array_view* normals,
+                    const Array_view* orientation_hints, const Parameters& parameters,
+                    const std::function<bool(double)>& callback)
 {
   Result<FT> result;
-  in_arena(parameters,
-           [&]() { result = resample_on_any_device<FT>(points, normals, orientation_hints, parameters, callback); });
+  in_arena(parameters, [&]() {
+    result = resample_on_any_device<FT>(points, normals, orientation_hints, parameters, callback);
+  });
   return result;
 }
 
-template Result<float> resample(const Array_view&, const Array_view*, const Array_view*, const Parameters&,
-                                const std::function<bool(double)>&);
-template Result<double> resample(const Array_view&, const Array_view*, const Array_view*, const Parameters&,
-                                 const std::function<bool(double)>&);
+template Result<float> resample(const Array_view&, const Array_view*, const Array_view*,
+                                const Parameters&, const std::function<bool(double)>&);
+template Result<double> resample(const Array_view&, const Array_view*, const Array_view*,
+                                 const Parameters&, const std::function<bool(double)>&);
 
 } // namespace l0_python

@@ -24,8 +24,9 @@ namespace l0_python {
 
 using l0_common::Device;
 
-/// The named parameters of `CGAL::l0_resample_point_set()`, by their names. What is not there keeps the function's
-/// default. Counts have a sign, so that it is the function that refuses the negative ones.
+/// The named parameters of `CGAL::l0_resample_point_set()`, by their names. What is not there keeps
+/// the function's default. Counts have a sign, so that it is the function that refuses the negative
+/// ones.
 struct Parameters
 {
   CGAL::L0_resampling::Method resampling_method = CGAL::L0_resampling::Method::DEFAULT;
@@ -57,7 +58,8 @@ struct Parameters
   Device device = Device::CPU;
 };
 
-/// The parameters with the defaults of the function for a method, but for those that it takes from the points.
+/// The parameters with the defaults of the function for a method, but for those that it takes from
+/// the points.
 Parameters default_parameters(CGAL::L0_resampling::Method method);
 
 /// Does the work with as many threads as the parameters allow.
@@ -83,8 +85,9 @@ Calls `CGAL::l0_resample_point_set()`.
 \throws what the function throws
 */
 template <typename FT>
-Result<FT> resample(const Array_view& points, const Array_view* normals, const Array_view* orientation_hints,
-                    const Parameters& parameters, const std::function<bool(double)>& callback);
+Result<FT> resample(const Array_view& points, const Array_view* normals,
+                    const Array_view* orientation_hints, const Parameters& parameters,
+                    const std::function<bool(double)>& callback);
 
 } // namespace l0_python
 

@@ -50,11 +50,14 @@ class Device_call
   Resampler m_resampler; // made in the calling thread, to which a stream of its own may belong
   std::size_t m_size_of_result = 0;
   CGAL::L0_resampling::Report m_report;
-  std::optional<Device_array> m_positions, m_normals_of_result, m_source_indices, m_feature_confidences;
+  std::optional<Device_array> m_positions, m_normals_of_result, m_source_indices,
+    m_feature_confidences;
 
 public:
-  Device_call(const Device_view& points, const Device_view* normals, const Device_view* hints, const Parameters& parameters)
-    : m_points(points), m_normals(normals), m_hints(hints), m_parameters(parameters), m_resampler(points.device)
+  Device_call(const Device_view& points, const Device_view* normals, const Device_view* hints,
+              const Parameters& parameters)
+    : m_points(points), m_normals(normals), m_hints(hints), m_parameters(parameters),
+      m_resampler(points.device)
   {
     for (const Device_view* view : {&points, normals, hints})
       if (view && view->stream >= 0)
@@ -63,9 +66,10 @@ public:
 
   py::object result(const py::object& callback)
   {
-    const bool is_complete = run_beside_python(callback, [&](const std::function<bool(double)>& go_on) {
-      in_arena(m_parameters, [&]() { compute(go_on); });
-    });
+    const bool is_complete = run_beside_python(callback,
+                                               [&](const std::function<bool(double)>& go_on) {
+                                                 in_arena(m_parameters, [&]() { compute(go_on); });
+                                               });
     if (!is_complete)
       return py::none();
     return py::make_tuple(m_positions, m_normals_of_result, m_source_indices, m_feature_confidences,
@@ -75,11 +79,13 @@ public:
 private:
   void compute(const std::function<bool(double)>& callback)
   {
-    const std::optional<cuda::Device_rows> normals = m_normals ? std::optional(rows_of(*m_normals)) : std::nullopt;
-    const std::optional<cuda::Device_rows> hints = m_hints ? std::optional(rows_of(*m_hints)) : std::nullopt;
+    const std::optional<cuda::Device_rows> normals = m_normals ? std::optional(rows_of(*m_normals))
+                                                               : std::nullopt;
+    const std::optional<cuda::Device_rows> hints = m_hints ? std::optional(rows_of(*m_hints))
+                                                           : std::nullopt;
     const auto np = named_parameters_of(m_parameters, callback, m_report);
-    m_resampler.upload_from_device(rows_of(m_points), m_points.size(), normals ? &*normals : nullptr,
-                                   hints ? &*hints : nullptr, np);
+    m_resampler.upload_from_device(rows_of(m_points), m_points.size(),
+                                   normals ? &*normals : nullptr, hints ? &*hints : nullptr, np);
     m_resampler.resample_on_device(np, m_report);
     m_report.device_reason = "the points are on it";
     m_size_of_result = m_report.number_of_output_points;
@@ -108,10 +114,11 @@ private:
   template <typename T>
   Device_array on_device(const std::vector<T>& values)
   {
-    Device_array array = new_array({std::int64_t(values.size())}, std::is_integral<T>::value ? 'i' : 'f', sizeof(T));
+    Device_array array = new_array({std::int64_t(values.size())},
+                                   std::is_integral<T>::value ? 'i' : 'f', sizeof(T));
     if (!values.empty())
-      internal::throw_if_failed(
-        cuda::copy_to_device(m_resampler.session(), values.data(), array.bytes(), array.memory->data()));
+      internal::throw_if_failed(cuda::copy_to_device(m_resampler.session(), values.data(),
+                                                     array.bytes(), array.memory->data()));
     return array;
   }
 
@@ -130,8 +137,8 @@ private:
     view.row_stride = 3 * sizeof(double);
     view.column_stride = sizeof(double);
     view.size = m_points.size();
-    const internal::Near_points near_points =
-      internal::find_near_points_of_range(boost::irange(std::size_t(0), view.size), Point_map{view}, positions, 1);
+    const internal::Near_points near_points = internal::find_near_points_of_range(
+      boost::irange(std::size_t(0), view.size), Point_map{view}, positions, 1);
     std::vector<std::int64_t> indices;
     indices.reserve(m_size_of_result);
     for (std::size_t i = 0; i < m_size_of_result; ++i)
@@ -141,9 +148,9 @@ private:
 
   std::vector<FT> feature_confidences()
   {
-    const internal::Buffer<float> confidences = m_size_of_result > 0
-                                                  ? m_resampler.feature_confidences(m_report, m_parameters.sharpness_angle)
-                                                  : internal::Buffer<float>();
+    const internal::Buffer<float> confidences =
+      m_size_of_result > 0 ? m_resampler.feature_confidences(m_report, m_parameters.sharpness_angle)
+                           : internal::Buffer<float>();
     return std::vector<FT>(confidences.begin(), confidences.end());
   }
 };
@@ -166,12 +173,13 @@ int device_of_pointer(std::uintptr_t pointer)
 void copy_to_host(const Device_array& array, void* target)
 {
   if (array.bytes() > 0)
-    internal::throw_if_failed(cuda::copy_to_host(array.memory->device(), array.memory->data(), array.bytes(), target));
+    internal::throw_if_failed(
+      cuda::copy_to_host(array.memory->device(), array.memory->data(), array.bytes(), target));
 }
 
 pybind11::object resample_on_device(const Device_view& points, const Device_view* normals,
-                                    const Device_view* orientation_hints, const Parameters& parameters,
-                                    const pybind11::object& callback)
+                                    const Device_view* orientation_hints,
+                                    const Parameters& parameters, const pybind11::object& callback)
 {
   if (points.dtype == "float64")
     return Device_call<double>(points, normals, orientation_hints, parameters).result(callback);
@@ -194,8 +202,8 @@ int device_of_pointer(std::uintptr_t) { return 0; }
 
 void copy_to_host(const Device_array&, void*) {} // there are no such arrays
 
-pybind11::object resample_on_device(const Device_view& points, const Device_view*, const Device_view*,
-                                    const Parameters&, const pybind11::object&)
+pybind11::object resample_on_device(const Device_view& points, const Device_view*,
+                                    const Device_view*, const Parameters&, const pybind11::object&)
 {
   throw CGAL::L0_resampling::Device_error("points is on cuda:" + std::to_string(points.device)
                                           + ", but this module was built without CUDA");

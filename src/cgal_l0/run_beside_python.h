@@ -57,7 +57,8 @@ public:
   bool wait(std::optional<double>& news)
   {
     std::unique_lock<std::mutex> lock(m_mutex);
-    m_condition.wait_for(lock, std::chrono::milliseconds(50), [this]() { return m_news || m_is_done; });
+    m_condition.wait_for(lock, std::chrono::milliseconds(50),
+                         [this]() { return m_news || m_is_done; });
     news = m_news;
     m_news.reset();
     return !m_is_done;
@@ -65,11 +66,12 @@ public:
 };
 
 /*!
-Computes in a thread of its own, without the interpreter's lock. The calling thread asks Python: only there can a signal
-such as Ctrl-C become an exception, and only there may a callback expect to be called. The threads that compute never
-wait for Python.
+Computes in a thread of its own, without the interpreter's lock. The calling thread asks Python:
+only there can a signal such as Ctrl-C become an exception, and only there may a callback expect to
+be called. The threads that compute never wait for Python.
 
-\param callback called with the progress now and then, or None. It cancels by what is false, but for None.
+\param callback called with the progress now and then, or None. It cancels by what is false, but for
+None.
 \param work called with a function to ask whether to go on
 
 \returns whether the callback let the work come to its end

@@ -49,7 +49,8 @@ inline bool is_device_usable(std::string& reason)
 /// \param reason out: why not
 /// \throws Device_error if it cannot, and the request is for `Device::CUDA`
 template <typename Is_usable = bool (*)(std::string&)>
-bool can_use_device(const Device_request& request, std::string& reason, const Is_usable& is_usable = is_device_usable)
+bool can_use_device(const Device_request& request, std::string& reason,
+                    const Is_usable& is_usable = is_device_usable)
 {
   if (request.obstacle.empty() && is_usable(reason))
     return true;
@@ -71,8 +72,8 @@ has too little memory. With `Device::CUDA` it is never called.
 \throws std::bad_alloc with `Device::CUDA`, if the device has too little memory
 */
 template <typename On_device, typename On_cpu, typename Is_usable = bool (*)(std::string&)>
-std::string run_on_chosen(const Device_request& request, const On_device& on_device, const On_cpu& on_cpu,
-                          const Is_usable& is_usable = is_device_usable)
+std::string run_on_chosen(const Device_request& request, const On_device& on_device,
+                          const On_cpu& on_cpu, const Is_usable& is_usable = is_device_usable)
 {
   std::string reason = "asked for";
   if (request.device != Device::CPU && can_use_device(request, reason, is_usable))

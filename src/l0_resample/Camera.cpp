@@ -34,10 +34,12 @@ std::pair<double, double> sensible_range(std::vector<double>& values)
 
 } // namespace
 
-Camera::Camera(const Vector& towards_eye, int width, int height) : m_middle_x(width / 2.), m_middle_y(height / 2.)
+Camera::Camera(const Vector& towards_eye, int width, int height)
+  : m_middle_x(width / 2.), m_middle_y(height / 2.)
 {
-  m_towards_eye = normalized(
-    towards_eye / (std::max)({std::abs(towards_eye.x()), std::abs(towards_eye.y()), std::abs(towards_eye.z())}));
+  m_towards_eye = normalized(towards_eye
+                             / (std::max)({std::abs(towards_eye.x()), std::abs(towards_eye.y()),
+                                           std::abs(towards_eye.z())}));
   const bool looks_down = std::abs(m_towards_eye.y()) > 0.99;
   const Vector above = looks_down ? Vector(0, 0, -1) : Vector(0, 1, 0);
   m_right = normalized(CGAL::cross_product(above, m_towards_eye));
@@ -63,19 +65,25 @@ void Camera::fit(const std::vector<const std::vector<Point>*>& clouds)
   const auto [left, right] = range_along(m_right);
   const auto [low, high] = range_along(m_up);
   const auto [far, near] = range_along(m_towards_eye);
-  m_center = CGAL::ORIGIN + (left + right) / 2 * m_right + (low + high) / 2 * m_up + (far + near) / 2 * m_towards_eye;
+  m_center = CGAL::ORIGIN + (left + right) / 2 * m_right + (low + high) / 2 * m_up
+             + (far + near) / 2 * m_towards_eye;
 
   const double room = 2 * (1 - 2 * margin);
-  const double largest = (std::max)((right - left) / (room * m_middle_x), (high - low) / (room * m_middle_y));
+  const double largest = (std::max)((right - left) / (room * m_middle_x),
+                                    (high - low) / (room * m_middle_y));
   m_scale = largest > 0 ? 1 / largest : 1;
 }
 
 Projected_point Camera::project(const Point& point) const
 {
   const Vector v = rotate(point - m_center);
-  return {float(m_middle_x + m_scale * v.x()), float(m_middle_y + m_scale * v.y()), float(m_scale * v.z())};
+  return {float(m_middle_x + m_scale * v.x()), float(m_middle_y + m_scale * v.y()),
+          float(m_scale * v.z())};
 }
 
-Vector Camera::rotate(const Vector& v) const { return {v * m_right, -(v * m_up), v * m_towards_eye}; }
+Vector Camera::rotate(const Vector& v) const
+{
+  return {v * m_right, -(v * m_up), v * m_towards_eye};
+}
 
 } // namespace l0_tool

@@ -12,7 +12,8 @@
 
 namespace l0_tool {
 
-/// Where a point is in a picture: in pixels from its top left corner. So is `depth`, larger nearer to the eye.
+/// Where a point is in a picture: in pixels from its top left corner. So is `depth`, larger nearer
+/// to the eye.
 struct Projected_point
 {
   float x, y, depth;
@@ -30,7 +31,8 @@ public:
   /// \param towards_eye not zero
   Camera(const Vector& towards_eye, int width, int height);
 
-  /// Takes the position and scale from which all points are seen, but for a few that lie far away from the others.
+  /// Takes the position and scale from which all points are seen, but for a few that lie far away
+  /// from the others.
   void fit(const std::vector<const std::vector<Point>*>& clouds);
 
   Projected_point project(const Point& point) const;

@@ -30,7 +30,9 @@ class Failure : public std::runtime_error
   Exit_status m_status;
 
 public:
-  Failure(Exit_status status, const std::string& message) : std::runtime_error(message), m_status(status) {}
+  Failure(Exit_status status, const std::string& message)
+    : std::runtime_error(message), m_status(status)
+  {}
 
   Exit_status status() const { return m_status; }
 };

@@ -87,7 +87,8 @@ std::optional<std::string_view> Input_file::read_line()
     const char* begin = m_buffer.get() + m_begin;
     const std::size_t available = m_end - m_begin;
     const void* newline = std::memchr(begin + searched, '\n', available - searched);
-    const std::size_t length = newline ? std::size_t(static_cast<const char*>(newline) - begin) : available;
+    const std::size_t length = newline ? std::size_t(static_cast<const char*>(newline) - begin)
+                                       : available;
     if (length > max_line_length)
       refuse("the line is longer than " + std::to_string(max_line_length) + " bytes");
 
@@ -114,7 +115,8 @@ const char* Input_file::read_bytes(std::size_t n)
   m_in_text = false;
   while (m_end - m_begin < n)
     if (!fill())
-      refuse("the file ends here, where " + std::to_string(n - (m_end - m_begin)) + " more bytes are expected");
+      refuse("the file ends here, where " + std::to_string(n - (m_end - m_begin))
+             + " more bytes are expected");
   const char* bytes = m_buffer.get() + m_begin;
   m_begin += n;
   m_position += n;
@@ -138,18 +140,25 @@ std::optional<std::uint64_t> Input_file::bytes_left() const
   return *m_size > m_position ? *m_size - m_position : 0;
 }
 
-void Input_file::check_count(std::uint64_t count, std::uint64_t row_size, const std::string& what) const
+void Input_file::check_count(std::uint64_t count, std::uint64_t row_size,
+                             const std::string& what) const
 {
   const std::optional<std::uint64_t> left = bytes_left();
   if (left && count > *left / row_size)
-    refuse(std::to_string(count) + " " + what + " are announced, but only " + std::to_string(*left) + " bytes are left");
+    refuse(std::to_string(count) + " " + what + " are announced, but only " + std::to_string(*left)
+           + " bytes are left");
 }
 
 std::string Input_file::where() const
 {
-  return m_path + (m_in_text ? ": line " + std::to_string(m_line) : ": byte " + std::to_string(m_position));
+  return m_path
+         + (m_in_text ? ": line " + std::to_string(m_line)
+                      : ": byte " + std::to_string(m_position));
 }
 
-void Input_file::refuse(const std::string& what) const { throw Failure(INPUT_REFUSED, where() + ": " + what); }
+void Input_file::refuse(const std::string& what) const
+{
+  throw Failure(INPUT_REFUSED, where() + ": " + what);
+}
 
 } // namespace l0_tool

@@ -16,8 +16,9 @@
 
 namespace l0_tool {
 
-/// Reads a file or a pipe once, from begin to end, through a buffer of fixed size: no content can make it allocate
-/// more. Every member throws Failure, with the status INPUT_REFUSED where the file is to blame.
+/// Reads a file or a pipe once, from begin to end, through a buffer of fixed size: no content can
+/// make it allocate more. Every member throws Failure, with the status INPUT_REFUSED where the file
+/// is to blame.
 class Input_file
 {
 public:
@@ -27,13 +28,15 @@ public:
   static constexpr std::size_t max_block_length = 64 * 1024;
 
   /// \param path "-" for the rest of standard input
-  /// \param on_progress called now and then with the share of the file that was read, in [0, 1]; never for a pipe
+  /// \param on_progress called now and then with the share of the file that was read, in [0, 1];
+  /// never for a pipe
   explicit Input_file(const std::string& path, On_progress on_progress = {});
   ~Input_file();
   Input_file(const Input_file&) = delete;
   Input_file& operator=(const Input_file&) = delete;
 
-  /// The next line without its end (LF or CR LF), nothing at the end of the file. Valid until the next call.
+  /// The next line without its end (LF or CR LF), nothing at the end of the file. Valid until the
+  /// next call.
   std::optional<std::string_view> read_line();
 
   /// The next `n` bytes, `n` at most `max_block_length`. Valid until the next call.
@@ -48,7 +51,8 @@ public:
   /// \param row_size the least number of bytes a row takes, > 0
   void check_count(std::uint64_t count, std::uint64_t row_size, const std::string& what) const;
 
-  /// "file: line 7" or "file: byte 123", whichever of `read_line()` and `read_bytes()` was used last.
+  /// "file: line 7" or "file: byte 123", whichever of `read_line()` and `read_bytes()` was used
+  /// last.
   std::string where() const;
 
   [[noreturn]] void refuse(const std::string& what) const;

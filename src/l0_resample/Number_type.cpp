@@ -107,7 +107,10 @@ bool parse_number_of(Number_type type, std::string_view word, char* target)
   return parse<double>(word, target);
 }
 
-bool fits_single_precision(Number_type type) { return type == Number_type::FLOAT32 || size_of(type) <= 2; }
+bool fits_single_precision(Number_type type)
+{
+  return type == Number_type::FLOAT32 || size_of(type) <= 2;
+}
 
 void encode(double number, Number_type type, char* bytes)
 {

@@ -31,8 +31,8 @@ std::size_t size_of(Number_type type);
 /// \param swap whether the bytes are in the other order than this machine's
 double decode(const char* bytes, Number_type type, bool swap);
 
-/// Writes a number in the byte order of this machine: to the nearest one that the type has. One that is not finite becomes
-/// 0 in an integer.
+/// Writes a number in the byte order of this machine: to the nearest one that the type has. One
+/// that is not finite becomes 0 in an integer.
 void encode(double number, Number_type type, char* bytes);
 
 /// Copies a number of `type`.

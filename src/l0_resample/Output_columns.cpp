@@ -54,7 +54,8 @@ Output_column packed_color(const std::vector<const Property*>& color)
   const bool has_alpha = color.size() == 4;
   return {has_alpha ? "rgba" : "rgb",
           has_alpha ? Number_type::UINT32 : Number_type::FLOAT32,
-          {color[2]->offset, color[1]->offset, color[0]->offset, has_alpha ? color[3]->offset : Output_column::zero}};
+          {color[2]->offset, color[1]->offset, color[0]->offset,
+           has_alpha ? color[3]->offset : Output_column::zero}};
 }
 
 std::set<std::string> names_of_coordinates(File_format format, bool has_normals)

@@ -22,7 +22,8 @@ struct Output_column
 
   std::string name;
   Number_type type;
-  std::vector<std::size_t> bytes; ///< of a number, the lowest first: where each lies in a row of properties, or `zero`
+  std::vector<std::size_t>
+    bytes; ///< of a number, the lowest first: where each lies in a row of properties, or `zero`
 };
 
 /// What of the properties a format can hold.
@@ -35,7 +36,8 @@ struct Output_columns
 /*!
 Chooses the columns of a file:
 - PLY holds all properties;
-- PCD too, and the channels of a color in bytes are packed as PCL does it: into a field rgb, or rgba if there is alpha;
+- PCD too, and the channels of a color in bytes are packed as PCL does it: into a field rgb, or rgba
+if there is alpha;
 - OFF holds red, green, blue and maybe alpha in bytes, in that order;
 - XYZ and NPY hold coordinates and normals.
 

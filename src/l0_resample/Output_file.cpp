@@ -32,7 +32,10 @@ std::string message(int error) { return std::generic_category().message(error); 
   throw Failure(OUTPUT_NOT_WRITTEN, name + ": cannot be written: " + what);
 }
 
-bool is_special_file(const struct stat& status) { return !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode); }
+bool is_special_file(const struct stat& status)
+{
+  return !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+}
 
 std::string directory_of(const std::string& target)
 {
@@ -56,7 +59,8 @@ void wait_until_writable(int descriptor)
 
 } // namespace
 
-Output_file::Output_file(const std::string& path, Existing_file existing) : m_path(path), m_existing(existing)
+Output_file::Output_file(const std::string& path, Existing_file existing)
+  : m_path(path), m_existing(existing)
 {
   m_buffer.reserve(buffer_size);
   const Destination destination = destination_of(path);
@@ -91,7 +95,8 @@ void Output_file::open_directly(const Destination& destination)
 
 void Output_file::open_temporary()
 {
-  // The process number tells programs apart, the counter what an earlier, killed one of that number has left.
+  // The process number tells programs apart, the counter what an earlier, killed one of that number
+  // has left.
   const std::string process = std::to_string(getpid());
   const std::string stem = directory_of(m_target) + "/.l0_resample-" + process + "-";
   for (int attempt = 0; m_descriptor < 0; ++attempt) {
@@ -162,8 +167,8 @@ void Output_file::commit()
 
   move_into_place();
 
-  // The file is in its place; that its name survives a power cut is the directory's affair, and some file systems
-  // cannot promise it.
+  // The file is in its place; that its name survives a power cut is the directory's affair, and
+  // some file systems cannot promise it.
   const int directory = open(directory_of(m_target).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (directory >= 0) {
     fsync(directory);
@@ -201,7 +206,9 @@ void check_writable(const std::string& path, std::uint64_t size)
     fail_to_write(path, message(errno));
   if (exists && S_ISDIR(old.st_mode))
     fail_to_write(path, "it is a directory");
-  if (exists && access(path.c_str(), W_OK) != 0) // rename() would replace even a file that is write-protected
+  if (exists
+      && access(path.c_str(), W_OK)
+           != 0) // rename() would replace even a file that is write-protected
     fail_to_write(path, message(errno));
   if (exists && is_special_file(old))
     return;
@@ -212,7 +219,8 @@ void check_writable(const std::string& path, std::uint64_t size)
   struct statvfs disk;
   if (statvfs(directory.c_str(), &disk) == 0 && disk.f_blocks > 0 && disk.f_frsize > 0
       && size / disk.f_frsize >= disk.f_bavail)
-    fail_to_write(path, "about " + std::to_string(size) + " bytes are needed, the disk has room for "
+    fail_to_write(path, "about " + std::to_string(size)
+                          + " bytes are needed, the disk has room for "
                           + std::to_string(std::uint64_t(disk.f_bavail) * disk.f_frsize));
 }
 

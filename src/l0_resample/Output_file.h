@@ -23,10 +23,11 @@ enum class Existing_file
 };
 
 /*!
-Writes a file as a whole or not at all: into a temporary file beside it, which takes its place in `commit()` once
-every byte is on the disk. Without `commit()` the temporary is removed and an older file of that name stays what it
-was. What is no regular file, such as a pipe, is written to directly, and so is a descriptor that is
-open already, such as /dev/stdout, whatever it is redirected to; see `destination_of()`.
+Writes a file as a whole or not at all: into a temporary file beside it, which takes its place in
+`commit()` once every byte is on the disk. Without `commit()` the temporary is removed and an older
+file of that name stays what it was. What is no regular file, such as a pipe, is written to
+directly, and so is a descriptor that is open already, such as /dev/stdout, whatever it is
+redirected to; see `destination_of()`.
 
 Every member throws Failure with OUTPUT_NOT_WRITTEN, or with the status of an interrupt.
 */
@@ -58,7 +59,8 @@ private:
   std::string m_buffer;
 };
 
-/// Finds out before the long work whether an Output_file for `path` can be made and its disk has room for `size` bytes.
+/// Finds out before the long work whether an Output_file for `path` can be made and its disk has
+/// room for `size` bytes.
 /// \throws Failure with OUTPUT_NOT_WRITTEN if not
 void check_writable(const std::string& path, std::uint64_t size);
 

@@ -19,10 +19,11 @@ namespace {
 
 constexpr std::size_t max_header_length = 1024 * 1024;
 constexpr std::size_t max_number_of_fields = 1000;
-constexpr std::uint64_t max_count = 0xffffffff; // keeps the size of a row far from the end of 64 bits
+constexpr std::uint64_t max_count =
+  0xffffffff; // keeps the size of a row far from the end of 64 bits
 
-std::uint64_t parse_count(const Input_file& file, std::string_view word, std::uint64_t least, std::uint64_t most,
-                          const std::string& what)
+std::uint64_t parse_count(const Input_file& file, std::string_view word, std::uint64_t least,
+                          std::uint64_t most, const std::string& what)
 {
   const std::optional<std::uint64_t> count = parse_number<std::uint64_t>(word);
   if (!count || *count < least || *count > most)
@@ -39,8 +40,9 @@ public:
   /// Reads to the line DATA.
   explicit Pcd_lines(Input_file& file)
   {
-    static constexpr std::string_view keywords[] = {"VERSION", "FIELDS", "SIZE",      "TYPE",   "COUNT",
-                                                    "WIDTH",   "HEIGHT", "VIEWPOINT", "POINTS", "DATA"};
+    static constexpr std::string_view keywords[] = {"VERSION", "FIELDS", "SIZE",   "TYPE",
+                                                    "COUNT",   "WIDTH",  "HEIGHT", "VIEWPOINT",
+                                                    "POINTS",  "DATA"};
     for (std::size_t length = 0; length <= max_header_length;) {
       const std::optional<std::string_view> line = file.read_line();
       if (!line)
@@ -86,8 +88,8 @@ public:
   {
     const std::vector<std::string>& found = words(file, keyword);
     if (found.size() != number_of_fields)
-      file.refuse(std::to_string(number_of_fields) + " fields, but " + keyword + " has " + std::to_string(found.size())
-                  + " words");
+      file.refuse(std::to_string(number_of_fields) + " fields, but " + keyword + " has "
+                  + std::to_string(found.size()) + " words");
     return found;
   }
 
@@ -98,7 +100,8 @@ public:
   }
 };
 
-std::optional<Number_type> type_of(const Input_file& file, const std::string& letter, std::uint64_t size)
+std::optional<Number_type> type_of(const Input_file& file, const std::string& letter,
+                                   std::uint64_t size)
 {
   if (letter == "F" && size == 4)
     return Number_type::FLOAT32;
@@ -110,7 +113,8 @@ std::optional<Number_type> type_of(const Input_file& file, const std::string& le
     return size == 1 ? Number_type::INT8 : size == 2 ? Number_type::INT16 : Number_type::INT32;
   if (letter == "U")
     return size == 1 ? Number_type::UINT8 : size == 2 ? Number_type::UINT16 : Number_type::UINT32;
-  file.refuse(printable(letter) + " is not a type of PCD, or not one of " + std::to_string(size) + " bytes");
+  file.refuse(printable(letter) + " is not a type of PCD, or not one of " + std::to_string(size)
+              + " bytes");
 }
 
 std::vector<Pcd_field> parse_fields(const Input_file& file, const Pcd_lines& lines)
@@ -127,7 +131,8 @@ std::vector<Pcd_field> parse_fields(const Input_file& file, const Pcd_lines& lin
       file.refuse(printable(sizes[k]) + " is not a size of PCD");
     field.type = type_of(file, types[k], field.size);
     if (lines.has("COUNT"))
-      field.count = parse_count(file, lines.column(file, "COUNT", names.size())[k], 1, max_count, "a number of values");
+      field.count = parse_count(file, lines.column(file, "COUNT", names.size())[k], 1, max_count,
+                                "a number of values");
     fields.push_back(field);
   }
   return fields;
@@ -136,10 +141,15 @@ std::vector<Pcd_field> parse_fields(const Input_file& file, const Pcd_lines& lin
 std::uint64_t parse_number_of_points(const Input_file& file, const Pcd_lines& lines)
 {
   constexpr std::uint64_t any = (std::numeric_limits<std::uint64_t>::max)();
-  const std::uint64_t points = parse_count(file, lines.word(file, "POINTS"), 0, any, "a number of points");
-  const std::uint64_t width = parse_count(file, lines.word(file, "WIDTH"), 0, any, "a number of columns");
-  const std::uint64_t height = parse_count(file, lines.word(file, "HEIGHT"), 0, any, "a number of rows");
-  const bool is_product = height == 0 || width == 0 ? points == 0 : points / width == height && points % width == 0;
+  const std::uint64_t points = parse_count(file, lines.word(file, "POINTS"), 0, any,
+                                           "a number of points");
+  const std::uint64_t width = parse_count(file, lines.word(file, "WIDTH"), 0, any,
+                                          "a number of columns");
+  const std::uint64_t height = parse_count(file, lines.word(file, "HEIGHT"), 0, any,
+                                           "a number of rows");
+  const bool is_product = height == 0 || width == 0
+                            ? points == 0
+                            : points / width == height && points % width == 0;
   if (!is_product)
     file.refuse("WIDTH times HEIGHT is not the number of POINTS");
   return points;

@@ -22,12 +22,14 @@ constexpr std::size_t max_number_of_elements = 100;
 Number_type parse_type(const Input_file& file, std::string_view word)
 {
   static constexpr std::pair<std::string_view, Number_type> types[] = {
-    {"char", Number_type::INT8},      {"int8", Number_type::INT8},       {"uchar", Number_type::UINT8},
-    {"uint8", Number_type::UINT8},    {"short", Number_type::INT16},     {"int16", Number_type::INT16},
-    {"ushort", Number_type::UINT16},  {"uint16", Number_type::UINT16},   {"int", Number_type::INT32},
-    {"int32", Number_type::INT32},    {"uint", Number_type::UINT32},     {"uint32", Number_type::UINT32},
-    {"float", Number_type::FLOAT32},  {"float32", Number_type::FLOAT32}, {"double", Number_type::FLOAT64},
-    {"float64", Number_type::FLOAT64}};
+    {"char", Number_type::INT8},      {"int8", Number_type::INT8},
+    {"uchar", Number_type::UINT8},    {"uint8", Number_type::UINT8},
+    {"short", Number_type::INT16},    {"int16", Number_type::INT16},
+    {"ushort", Number_type::UINT16},  {"uint16", Number_type::UINT16},
+    {"int", Number_type::INT32},      {"int32", Number_type::INT32},
+    {"uint", Number_type::UINT32},    {"uint32", Number_type::UINT32},
+    {"float", Number_type::FLOAT32},  {"float32", Number_type::FLOAT32},
+    {"double", Number_type::FLOAT64}, {"float64", Number_type::FLOAT64}};
   for (const auto& [name, type] : types)
     if (name == word)
       return type;
@@ -66,7 +68,8 @@ Ply_property parse_property(const Input_file& file, std::string_view words)
   if (word == "list") {
     property.is_list = true;
     property.length_type = parse_type(file, next_word(words));
-    if (property.length_type == Number_type::FLOAT32 || property.length_type == Number_type::FLOAT64)
+    if (property.length_type == Number_type::FLOAT32
+        || property.length_type == Number_type::FLOAT64)
       file.refuse("the length of a list is of a floating-point type");
     word = next_word(words);
   }
@@ -81,7 +84,8 @@ Ply_property parse_property(const Input_file& file, std::string_view words)
 
 bool Ply_element::has_lists() const
 {
-  return std::any_of(properties.begin(), properties.end(), [](const Ply_property& p) { return p.is_list; });
+  return std::any_of(properties.begin(), properties.end(),
+                     [](const Ply_property& p) { return p.is_list; });
 }
 
 std::uint64_t Ply_element::least_binary_size() const

@@ -26,21 +26,23 @@ using Oriented_point = std::pair<Point, Vector>;
 /// What a file held.
 struct Point_cloud
 {
-  std::vector<Point> points;                          ///< all finite
-  std::vector<Vector> normals;                        ///< as in the file, unchecked: one for each point, or none at all
-  bool file_has_normals = false;                      ///< also if they are not kept
-  Property_table properties;                          ///< all others, if asked for
-  Number_type coordinate_type = Number_type::FLOAT64; ///< FLOAT32 if that held all coordinates and normals
-  std::size_t number_of_dropped_points = 0;           ///< those with a coordinate that is not finite
-  std::vector<std::string> warnings;                  ///< one line each, with the name of the file
+  std::vector<Point> points;     ///< all finite
+  std::vector<Vector> normals;   ///< as in the file, unchecked: one for each point, or none at all
+  bool file_has_normals = false; ///< also if they are not kept
+  Property_table properties;     ///< all others, if asked for
+  Number_type coordinate_type =
+    Number_type::FLOAT64;                   ///< FLOAT32 if that held all coordinates and normals
+  std::size_t number_of_dropped_points = 0; ///< those with a coordinate that is not finite
+  std::vector<std::string> warnings;        ///< one line each, with the name of the file
 };
 
 /// What is written.
 struct Resampled_points
 {
   std::vector<Oriented_point> points;
-  Property_table properties;              ///< one row for each point
-  std::vector<float> feature_confidences; ///< for the snapshot, if asked for; they are among the properties too
+  Property_table properties; ///< one row for each point
+  std::vector<float>
+    feature_confidences; ///< for the snapshot, if asked for; they are among the properties too
 };
 
 } // namespace l0_tool

@@ -15,13 +15,16 @@ namespace l0_tool {
 void Point_collector::check_limits(std::uint64_t number_of_points) const
 {
   if (number_of_points > m_options.max_points)
-    throw Failure(INPUT_REFUSED, m_file.path() + ": more than the " + std::to_string(m_options.max_points)
+    throw Failure(INPUT_REFUSED, m_file.path() + ": more than the "
+                                   + std::to_string(m_options.max_points)
                                    + " points that --max-points allows");
-  const std::uint64_t point_size = sizeof(Point) + (m_has_normals && m_options.with_normals ? sizeof(Vector) : 0)
+  const std::uint64_t point_size = sizeof(Point)
+                                   + (m_has_normals && m_options.with_normals ? sizeof(Vector) : 0)
                                    + m_cloud.properties.row_size();
   if (number_of_points > m_options.max_memory / point_size)
     throw Failure(RUN_TIME_FAILURE, m_file.path() + ": the points alone take more than the "
-                                      + std::to_string(m_options.max_memory) + " bytes that --max-memory allows");
+                                      + std::to_string(m_options.max_memory)
+                                      + " bytes that --max-memory allows");
 }
 
 std::size_t Point_collector::add_property(const std::string& name, Number_type type)

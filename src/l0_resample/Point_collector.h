@@ -38,7 +38,9 @@ class Point_collector
   void drop_other_vectors();
 
 public:
-  Point_collector(const Input_file& file, const Read_options& options) : m_file(file), m_options(options) {}
+  Point_collector(const Input_file& file, const Read_options& options)
+    : m_file(file), m_options(options)
+  {}
 
   /// Says that from the first row on there are normals.
   void set_has_normals() { m_has_normals = m_cloud.file_has_normals = true; }
@@ -59,7 +61,10 @@ public:
   std::size_t number_of_properties() const { return m_cloud.properties.properties().size(); }
 
   /// Where the next row's value of a property goes, before `add()`.
-  char* property(std::size_t index) { return m_next_properties.data() + m_cloud.properties.properties()[index].offset; }
+  char* property(std::size_t index)
+  {
+    return m_next_properties.data() + m_cloud.properties.properties()[index].offset;
+  }
 
   /// Makes room for `count` points, each of at least `row_size` bytes in the file.
   /// \throws Failure if the file cannot hold them, or the limits forbid them

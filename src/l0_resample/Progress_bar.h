@@ -11,7 +11,8 @@
 
 namespace l0_tool {
 
-/// One line on the terminal that says which stage runs, how far the work is and how long it may still take.
+/// One line on the terminal that says which stage runs, how far the work is and how long it may
+/// still take.
 class Progress_bar
 {
   using Clock = std::chrono::steady_clock;

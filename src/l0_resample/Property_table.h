@@ -22,8 +22,8 @@ struct Property
   std::size_t offset; ///< of its value in a row, in bytes
 };
 
-/// The values of all further properties, one row for each point, in the types of the file and the byte order of this
-/// machine.
+/// The values of all further properties, one row for each point, in the types of the file and the
+/// byte order of this machine.
 class Property_table
 {
   std::vector<Property> m_properties;

@@ -83,7 +83,8 @@ bool Text_columns::Numbers::lie_within(double low, double high) const
   return are_whole && lowest >= low && highest <= high;
 }
 
-Text_columns::Text_columns(const Column_names& names, Point_collector& collector) : m_collector(collector)
+Text_columns::Text_columns(const Column_names& names, Point_collector& collector)
+  : m_collector(collector)
 {
   for (const std::string& name : names) {
     const auto found = std::find(coordinates.begin(), coordinates.end(), name);

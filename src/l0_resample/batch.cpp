@@ -72,7 +72,8 @@ std::vector<Batch_item> items_of(const std::vector<std::string>& inputs)
 
 void check_nothing_is_overwritten(const std::vector<Batch_item>& items)
 {
-  std::map<std::string, std::string> inputs, outputs; // by canonical name, what the user calls the input
+  std::map<std::string, std::string> inputs,
+    outputs; // by canonical name, what the user calls the input
   for (const Batch_item& item : items)
     inputs.emplace(canonical_name(item.input), item.input);
   for (const Batch_item& item : items) {
@@ -81,17 +82,21 @@ void check_nothing_is_overwritten(const std::vector<Batch_item>& items)
     const std::string name = canonical_name(item.output);
     const auto input = inputs.find(name);
     if (input != inputs.end())
-      throw Failure(WRONG_USAGE, item.output + ": would take the place of the input " + input->second);
+      throw Failure(WRONG_USAGE,
+                    item.output + ": would take the place of the input " + input->second);
     const auto [other, is_new] = outputs.emplace(name, item.input);
     if (!is_new)
-      throw Failure(WRONG_USAGE, item.output + ": both " + other->second + " and " + item.input + " would go there");
+      throw Failure(WRONG_USAGE, item.output + ": both " + other->second + " and " + item.input
+                                   + " would go there");
   }
 }
 
 } // namespace
 
-std::vector<Batch_item> plan_batch(const std::vector<std::string>& inputs, const std::string& directory,
-                                   std::optional<File_format> input_format, std::optional<File_format> output_format)
+std::vector<Batch_item> plan_batch(const std::vector<std::string>& inputs,
+                                   const std::string& directory,
+                                   std::optional<File_format> input_format,
+                                   std::optional<File_format> output_format)
 {
   std::vector<Batch_item> items = items_of(inputs);
   for (Batch_item& item : items) {

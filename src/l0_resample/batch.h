@@ -25,10 +25,11 @@ struct Batch_item
 };
 
 /*!
-Plans a batch: the result of `a/scan.xyz` goes to `directory/scan.xyz`, or to `directory/scan.ply` if the output format
-is PLY.
+Plans a batch: the result of `a/scan.xyz` goes to `directory/scan.xyz`, or to `directory/scan.ply`
+if the output format is PLY.
 
-\param inputs files, and folders, which stand for those of their files that have a known extension, in the order of
+\param inputs files, and folders, which stand for those of their files that have a known extension,
+in the order of
        their names
 \param input_format of all inputs; by their extensions, if not given
 \param output_format of all results; that of the input and its extension, if not given
@@ -39,8 +40,10 @@ known extension, stay in the batch with a refusal: a glob of the shell brings th
 \throws Failure with WRONG_USAGE, before anything is written, if a result would take the place of
         an input or of another result, or if an input is standard input, which has no name
 */
-std::vector<Batch_item> plan_batch(const std::vector<std::string>& inputs, const std::string& directory,
-                                   std::optional<File_format> input_format, std::optional<File_format> output_format);
+std::vector<Batch_item> plan_batch(const std::vector<std::string>& inputs,
+                                   const std::string& directory,
+                                   std::optional<File_format> input_format,
+                                   std::optional<File_format> output_format);
 
 } // namespace l0_tool
 

@@ -48,15 +48,19 @@ Property_table carried_properties(const Property_table& properties, const Near_p
       const Property& from = origins[k];
       char* const bytes = row.data() + result.properties()[k].offset;
       if (is_averaged(from))
-        encode(near_points.mean(i, [&](std::size_t j) { return properties.value(j, from); }), from.type, bytes);
+        encode(near_points.mean(i, [&](std::size_t j) { return properties.value(j, from); }),
+               from.type, bytes);
       else
-        std::memcpy(bytes, properties.row(near_points.nearest(i)) + from.offset, size_of(from.type));
+        std::memcpy(bytes, properties.row(near_points.nearest(i)) + from.offset,
+                    size_of(from.type));
     }
     std::size_t next = origins.size();
     if (!source_indices.empty())
-      encode(double(source_indices[i]), Number_type::UINT32, row.data() + result.properties()[next++].offset);
+      encode(double(source_indices[i]), Number_type::UINT32,
+             row.data() + result.properties()[next++].offset);
     if (!feature_confidences.empty())
-      encode(double(feature_confidences[i]), Number_type::FLOAT32, row.data() + result.properties()[next].offset);
+      encode(double(feature_confidences[i]), Number_type::FLOAT32,
+             row.data() + result.properties()[next].offset);
     result.append(row);
   }
   return result;

@@ -26,17 +26,20 @@ void convert_file(const Options& options, Input_file::On_progress on_progress, R
   read_options.with_normals = true;
   read_options.with_properties = true;
   read_options.columns = options.columns;
-  const Point_cloud cloud = read_points(options.input, options.input_format, read_options, std::move(on_progress));
+  const Point_cloud cloud = read_points(options.input, options.input_format, read_options,
+                                        std::move(on_progress));
   record.warnings = cloud.warnings;
   record.report.number_of_input_points = cloud.points.size();
   record.report.number_of_dropped_points = cloud.number_of_dropped_points;
 
-  check_writable(options.output, largest_file_size(options.output_format, cloud.points.size(), cloud.properties));
-  const std::vector<std::string> left_out = write_point_cloud(options.output, options.output_format, cloud,
-                                                              options.existing_file());
+  check_writable(options.output,
+                 largest_file_size(options.output_format, cloud.points.size(), cloud.properties));
+  const std::vector<std::string> left_out = write_point_cloud(options.output, options.output_format,
+                                                              cloud, options.existing_file());
   record.report.number_of_output_points = cloud.points.size();
   for (const std::string& name : left_out)
-    record.warnings.push_back(options.output + ": the format has no place for the property " + printable(name));
+    record.warnings.push_back(options.output + ": the format has no place for the property "
+                              + printable(name));
 }
 
 } // namespace l0_tool

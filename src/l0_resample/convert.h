@@ -12,8 +12,8 @@
 
 namespace l0_tool {
 
-/// Writes the points of the input as they are, with all their properties that the format of the output can hold; the
-/// record warns of others.
+/// Writes the points of the input as they are, with all their properties that the format of the
+/// output can hold; the record warns of others.
 /// \throws Failure, as `read_points()` and `write_points()`
 void convert_file(const Options& options, Input_file::On_progress on_progress, Run_record& record);
 

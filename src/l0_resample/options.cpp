@@ -26,10 +26,12 @@ namespace {
 
 using CGAL::L0_resampling::Method;
 
-const std::map<std::string, Method> methods = {{"default", Method::DEFAULT}, {"lor", Method::LOR}, {"alor", Method::ALOR}};
+const std::map<std::string, Method> methods = {
+  {"default", Method::DEFAULT}, {"lor", Method::LOR}, {"alor", Method::ALOR}};
 const std::map<std::string, Solver> solvers = {
   {"block-cg", Solver::BLOCK_CG}, {"cholesky", Solver::CHOLESKY}, {"rows-cg", Solver::ROWS_CG}};
-const std::map<std::string, Device> devices = {{"cpu", Device::CPU}, {"cuda", Device::CUDA}, {"auto", Device::AUTO}};
+const std::map<std::string, Device> devices = {
+  {"cpu", Device::CPU}, {"cuda", Device::CUDA}, {"auto", Device::AUTO}};
 const std::map<std::string, File_format> formats = {{"ply", File_format::PLY},
                                                     {"off", File_format::OFF},
                                                     {"xyz", File_format::XYZ},
@@ -57,8 +59,9 @@ std::vector<std::string> keys_of(const std::map<std::string, Value>& names)
 
 /// An option whose value is one of `names`.
 template <typename Value>
-CLI::Option* add_choice(CLI::App& app, const std::string& option, const std::map<std::string, Value>& names,
-                        Value& value, const std::string& description)
+CLI::Option* add_choice(CLI::App& app, const std::string& option,
+                        const std::map<std::string, Value>& names, Value& value,
+                        const std::string& description)
 {
   const auto choose = [&names, &value](const std::string& name) { value = names.at(name); };
   return app.add_option_function<std::string>(option, choose, description)
@@ -67,13 +70,14 @@ CLI::Option* add_choice(CLI::App& app, const std::string& option, const std::map
 }
 
 /// Numbers are read as those in files are, so that a decimal comma or a "nan" is refused.
-CLI::Validator number_within(double low, bool low_allowed, double high, const std::string& description)
+CLI::Validator number_within(double low, bool low_allowed, double high,
+                             const std::string& description)
 {
   return CLI::Validator(
     [=](std::string& text) {
       const std::optional<double> number = parse_number<double>(text);
-      const bool is_good = number && std::isfinite(*number) && (low_allowed ? *number >= low : *number > low)
-                           && *number <= high;
+      const bool is_good = number && std::isfinite(*number)
+                           && (low_allowed ? *number >= low : *number > low) && *number <= high;
       return is_good ? std::string() : text + " is not " + description;
     },
     "");
@@ -87,14 +91,18 @@ CLI::Validator count_within(std::uint64_t low, std::uint64_t high)
       const bool is_good = number && *number >= low && *number <= high;
       if (is_good)
         return std::string();
-      return text + " is not a whole number from " + std::to_string(low) + " to " + std::to_string(high);
+      return text + " is not a whole number from " + std::to_string(low) + " to "
+             + std::to_string(high);
     },
     "");
 }
 
 constexpr std::uint64_t any_count = (std::numeric_limits<std::uint64_t>::max)();
 
-[[noreturn]] void refuse_usage(const std::string& message) { throw CLI::ValidationError(message, int(WRONG_USAGE)); }
+[[noreturn]] void refuse_usage(const std::string& message)
+{
+  throw CLI::ValidationError(message, int(WRONG_USAGE));
+}
 
 /// Three numbers separated by commas.
 std::array<double, 3> parse_coordinates(const std::string& option, const std::string& text)
@@ -104,7 +112,8 @@ std::array<double, 3> parse_coordinates(const std::string& option, const std::st
   std::string_view rest = words;
   std::array<double, 3> numbers;
   for (double& number : numbers) {
-    number = parse_number<double>(next_word(rest)).value_or(std::numeric_limits<double>::quiet_NaN());
+    number =
+      parse_number<double>(next_word(rest)).value_or(std::numeric_limits<double>::quiet_NaN());
     if (!std::isfinite(number))
       refuse_usage(option + ": " + text + " is not three numbers separated by commas");
   }
@@ -121,7 +130,8 @@ std::array<double, 3> parse_view(const std::string& text)
   return view;
 }
 
-void choose_format(const std::string& path, const std::string& option, const CLI::App& app, File_format& format)
+void choose_format(const std::string& path, const std::string& option, const CLI::App& app,
+                   File_format& format)
 {
   if (app.count(option) > 0)
     return;
@@ -143,12 +153,12 @@ void check_paths_differ(const Options& options)
     refuse_usage(options.json + ": is named twice");
 }
 
-const char* description =
-  "Turns a noisy point set into clean, evenly spread, oriented points that keep sharp features, by L0 minimization.\n"
-  "\n"
-  "  l0_resample [OPTIONS] INPUT OUTPUT\n"
-  "  l0_resample [OPTIONS] INPUT... --output-directory FOLDER\n"
-  "  l0_resample --convert-only INPUT OUTPUT";
+const char* description = "Turns a noisy point set into clean, evenly spread, oriented points that "
+                          "keep sharp features, by L0 minimization.\n"
+                          "\n"
+                          "  l0_resample [OPTIONS] INPUT OUTPUT\n"
+                          "  l0_resample [OPTIONS] INPUT... --output-directory FOLDER\n"
+                          "  l0_resample --convert-only INPUT OUTPUT";
 
 const char* footer =
   R"(Files: PLY and PCD (ASCII and binary), OFF, XYZ and NPY are read; PLY and PCD (binary), OFF,
@@ -194,27 +204,33 @@ void exclude_resampling(CLI::App& app, CLI::Option& convert_only)
       convert_only.excludes(option);
 }
 
-void add_options(CLI::App& app, Options& options, std::vector<std::string>& files, std::string& output_directory)
+void add_options(CLI::App& app, Options& options, std::vector<std::string>& files,
+                 std::string& output_directory)
 {
-  app.add_option("FILES", files, "INPUT, points to read, and OUTPUT, points with normals to write")->type_name("FILE");
+  app.add_option("FILES", files, "INPUT, points to read, and OUTPUT, points with normals to write")
+    ->type_name("FILE");
   app
-    .add_option("--output-directory", output_directory,
-                "a batch: all FILES are read, and those of folders; results go here, under the same names")
+    .add_option(
+      "--output-directory", output_directory,
+      "a batch: all FILES are read, and those of folders; results go here, under the same names")
     ->type_name("FOLDER");
 
   auto* points = app.add_option("--points", options.number_of_points, "how many points to write")
                    ->check(count_within(1, 4294967294))
                    ->type_name("M");
-  app.add_option("--percentage", options.percentage, "how many points to write, in percent of those read")
+  app
+    .add_option("--percentage", options.percentage,
+                "how many points to write, in percent of those read")
     ->check(number_within(0, false, 100, "a percentage in (0, 100]"))
     ->type_name("P")
     ->capture_default_str()
     ->excludes(points);
-  add_choice(app, "--method", methods, options.method, "the paper's LOR or ALOR, or what is recommended");
+  add_choice(app, "--method", methods, options.method,
+             "the paper's LOR or ALOR, or what is recommended");
   app
-    .add_option(
-      "--neighbor-radius", options.neighbor_radius,
-      "radius of a neighborhood, a length [from spacing and noise; lor, alor: diagonal / cube root of points]")
+    .add_option("--neighbor-radius", options.neighbor_radius,
+                "radius of a neighborhood, a length [from spacing and noise; lor, alor: diagonal / "
+                "cube root of points]")
     ->check(number_within(0, false, (std::numeric_limits<double>::max)(), "a length above 0"))
     ->type_name("R");
   app
@@ -233,9 +249,11 @@ void add_options(CLI::App& app, Options& options, std::vector<std::string>& file
     ->check(count_within(0, any_count))
     ->type_name("K")
     ->capture_default_str();
-  app.add_flag("--use-normals", options.use_normals, "start from the normals of INPUT instead of estimating them");
-  auto* by_normals = app.add_flag("--orient-by-normals", options.orient_by_normals,
-                                  "turn the result to the side of the normals of INPUT, instead of outwards");
+  app.add_flag("--use-normals", options.use_normals,
+               "start from the normals of INPUT instead of estimating them");
+  auto* by_normals =
+    app.add_flag("--orient-by-normals", options.orient_by_normals,
+                 "turn the result to the side of the normals of INPUT, instead of outwards");
   const auto set_viewpoint = [&options](const std::string& text) {
     options.viewpoint = parse_coordinates("--viewpoint", text);
   };
@@ -244,42 +262,58 @@ void add_options(CLI::App& app, Options& options, std::vector<std::string>& file
                                       "turn the result to this point, such as that of the scanner")
     ->type_name("X,Y,Z")
     ->excludes(by_normals);
-  app.add_flag("--keep-density", options.keep_density, "as dense here and there as INPUT is, instead of even");
-  app.add_flag("--drop-non-finite", options.drop_non_finite, "leave out points with a NaN or infinite coordinate");
+  app.add_flag("--keep-density", options.keep_density,
+               "as dense here and there as INPUT is, instead of even");
+  app.add_flag("--drop-non-finite", options.drop_non_finite,
+               "leave out points with a NaN or infinite coordinate");
   app.add_flag("--keep-outliers", options.keep_outliers,
                "let points off the cloud take part, which the default method leaves out");
 
   add_choice(app, "--device", devices, options.device, "where to compute");
   add_choice(app, "--solver", solvers, options.solver, "how to solve the linear systems");
-  app.add_option("--solver-iterations", options.solver_iterations, "most iterations of a solve by block-cg or rows-cg")
+  app
+    .add_option("--solver-iterations", options.solver_iterations,
+                "most iterations of a solve by block-cg or rows-cg")
     ->check(count_within(1, any_count))
     ->type_name("N");
-  app.add_option("--threads", options.threads, "most threads to use [all]")->check(count_within(1, 4096))->type_name("N");
+  app.add_option("--threads", options.threads, "most threads to use [all]")
+    ->check(count_within(1, 4096))
+    ->type_name("N");
 
   app.add_flag("--source-index", options.with_source_indices,
                "a property source_index more: which point of INPUT is nearest, counted from 0");
   app.add_flag("--feature-confidence", options.with_feature_confidences,
                "a property feature_confidence more: from 0 on a smooth surface to 1 on an edge");
   app.add_option("--json", options.json, "write what was done, stage by stage")->type_name("FILE");
-  app.add_option("--snapshot", options.snapshot, "draw input and result side by side, colored by normal direction")
+  app
+    .add_option("--snapshot", options.snapshot,
+                "draw input and result side by side, colored by normal direction")
     ->type_name("FILE.png");
   const auto set_view = [&options](const std::string& text) { options.view = parse_view(text); };
-  app.add_option_function<std::string>("--view", set_view, "where the eye of the snapshot is, such as 1,-2,0.5")
+  app
+    .add_option_function<std::string>("--view", set_view,
+                                      "where the eye of the snapshot is, such as 1,-2,0.5")
     ->type_name("X,Y,Z");
-  auto* convert_only = app.add_flag("--convert-only", options.convert_only,
-                                    "do not resample: write the points of INPUT in the format of OUTPUT");
+  auto* convert_only =
+    app.add_flag("--convert-only", options.convert_only,
+                 "do not resample: write the points of INPUT in the format of OUTPUT");
   app.add_flag("--force", options.force, "replace an OUTPUT that exists");
   app.add_flag("--quiet", options.quiet, "no summary, no progress bar, no warnings");
   app.add_flag("--strict", options.strict, "write nothing if a solve did not converge");
 
-  add_choice(app, "--input-format", formats, options.input_format, "what INPUT is")->default_str("by extension");
-  add_choice(app, "--output-format", formats, options.output_format, "what OUTPUT is")->default_str("by extension");
+  add_choice(app, "--input-format", formats, options.input_format, "what INPUT is")
+    ->default_str("by extension");
+  add_choice(app, "--output-format", formats, options.output_format, "what OUTPUT is")
+    ->default_str("by extension");
   const auto set_names = [&](const std::string& all) { options.columns = parse_column_names(all); };
-  app.add_option_function<std::string>("--columns", set_names, "what the columns of a text are")->type_name("x,y,z,red,...");
+  app.add_option_function<std::string>("--columns", set_names, "what the columns of a text are")
+    ->type_name("x,y,z,red,...");
   app.add_option("--max-points", options.max_points, "refuse an INPUT of more points")
     ->check(count_within(0, any_count))
     ->type_name("N");
-  app.add_option("--max-memory", options.max_memory, "fail rather than take more, in bytes or as in 4GB")
+  app
+    .add_option("--max-memory", options.max_memory,
+                "fail rather than take more, in bytes or as in 4GB")
     ->transform(CLI::AsSizeValue(false))
     ->type_name("SIZE");
   app.add_option("--timeout", options.timeout, "fail after so many seconds")
@@ -322,8 +356,8 @@ void set_files(const CLI::App& app, const std::vector<std::string>& files, Optio
   check_paths_differ(options);
 }
 
-std::vector<Options> batch_of(const CLI::App& app, const std::vector<std::string>& inputs, const std::string& directory,
-                              const Options& options)
+std::vector<Options> batch_of(const CLI::App& app, const std::vector<std::string>& inputs,
+                              const std::string& directory, const Options& options)
 {
   if (!options.snapshot.empty())
     refuse_usage("--snapshot is not for a batch");
@@ -331,8 +365,9 @@ std::vector<Options> batch_of(const CLI::App& app, const std::vector<std::string
     return app.count(option) > 0 ? std::optional<File_format>(format) : std::nullopt;
   };
   std::vector<Options> runs;
-  for (const Batch_item& item : plan_batch(inputs, directory, given("--input-format", options.input_format),
-                                           given("--output-format", options.output_format))) {
+  for (const Batch_item& item :
+       plan_batch(inputs, directory, given("--input-format", options.input_format),
+                  given("--output-format", options.output_format))) {
     runs.push_back(options);
     runs.back().input = item.input;
     runs.back().output = item.output;
@@ -353,7 +388,8 @@ std::optional<int> parse_command_line(int argc, char** argv, Command& command)
   std::vector<std::string> files;
   CLI::App app(description, "l0_resample");
   app.footer(footer);
-  app.set_version_flag("--version", std::string("l0_resample " L0_RESAMPLE_VERSION ", CGAL " CGAL_VERSION_STR));
+  app.set_version_flag("--version",
+                       std::string("l0_resample " L0_RESAMPLE_VERSION ", CGAL " CGAL_VERSION_STR));
   app.get_formatter()->column_width(34);
   add_options(app, options, files, command.output_directory);
   try {

@@ -72,7 +72,7 @@ struct Options
 
   std::uint64_t max_points = (std::numeric_limits<std::uint64_t>::max)();
   std::uint64_t max_memory = (std::numeric_limits<std::uint64_t>::max)(); ///< in bytes
-  double timeout = 0;                                                     ///< in seconds, 0 for none
+  double timeout = 0; ///< in seconds, 0 for none
 
   Existing_file existing_file() const
   {

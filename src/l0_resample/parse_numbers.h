@@ -15,14 +15,16 @@
 
 namespace l0_tool {
 
-/// All of `text` as a number, whatever the locale: "0,5" is none, "nan" and "inf" are. One sign, also "+", is allowed.
+/// All of `text` as a number, whatever the locale: "0,5" is none, "nan" and "inf" are. One sign,
+/// also "+", is allowed.
 template <typename Number>
 std::optional<Number> parse_number(std::string_view text)
 {
   if (text.size() > 1 && text[0] == '+' && text[1] != '-')
     text.remove_prefix(1);
   Number number;
-  const std::from_chars_result result = std::from_chars(text.data(), text.data() + text.size(), number);
+  const std::from_chars_result result = std::from_chars(text.data(), text.data() + text.size(),
+                                                        number);
   if (result.ec != std::errc() || result.ptr != text.data() + text.size())
     return std::nullopt;
   return number;

@@ -12,8 +12,9 @@
 
 namespace l0_tool {
 
-/// Median over the points of the mean distance to their six nearest, a length; 0 for fewer than two distinct points.
-/// Estimated from a part of a large cloud, as for a surface: half as many points lie sqrt(2) as far apart.
+/// Median over the points of the mean distance to their six nearest, a length; 0 for fewer than two
+/// distinct points. Estimated from a part of a large cloud, as for a surface: half as many points
+/// lie sqrt(2) as far apart.
 double point_spacing(const std::vector<Point>& points);
 
 } // namespace l0_tool

@@ -50,7 +50,8 @@ class Npy_header_parser
   void expect(std::string_view text)
   {
     if (!take(text))
-      m_file.refuse("the header has " + printable(m_rest) + " where " + std::string(text) + " is expected");
+      m_file.refuse("the header has " + printable(m_rest) + " where " + std::string(text)
+                    + " is expected");
   }
 
   std::string parse_string()
@@ -112,7 +113,8 @@ public:
       expect(":");
       if (name == "descr") {
         if (take("["))
-          m_file.refuse("the array has named columns; a plain one of float32 or float64 is expected");
+          m_file.refuse(
+            "the array has named columns; a plain one of float32 or float64 is expected");
         set(header.type, parse_string(), name);
       } else if (name == "fortran_order")
         set(header.is_column_by_column, parse_bool(), name);
@@ -154,7 +156,8 @@ Npy_header read_npy_header(Input_file& file)
   read_little_endian(file, 1); // the minor version
   const std::uint64_t length = read_little_endian(file, version == 1 ? 2 : 4);
   if (length > Input_file::max_block_length)
-    file.refuse("the header is longer than " + std::to_string(Input_file::max_block_length) + " bytes");
+    file.refuse("the header is longer than " + std::to_string(Input_file::max_block_length)
+                + " bytes");
   const std::string text(file.read_bytes(std::size_t(length)), std::size_t(length));
   return Npy_header_parser(file, text).parse();
 }
@@ -171,7 +174,8 @@ void read_npy(Input_file& file, Point_collector& collector)
   if (shape.size() != 2 || (shape[1] != 3 && shape[1] != 6))
     file.refuse("the array is not of shape (n, 3) or (n, 6)");
   if (*header.is_column_by_column)
-    file.refuse("the array is stored column by column; numpy.ascontiguousarray() brings it into the order of C");
+    file.refuse("the array is stored column by column; numpy.ascontiguousarray() brings it into "
+                "the order of C");
 
   const Number_type number_type = type[2] == '4' ? Number_type::FLOAT32 : Number_type::FLOAT64;
   const bool swap = (type[0] == '<') != is_little_endian_machine();

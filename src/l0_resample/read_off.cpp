@@ -74,11 +74,14 @@ private:
       words.resize(words.size() - (std::min)(words.size(), std::size_t(2)));
     }
     if (words.size() != 3 && words.size() != 4) {
-      m_collector.warn("the colors are left out, as they have " + std::to_string(words.size()) + " channels");
+      m_collector.warn("the colors are left out, as they have " + std::to_string(words.size())
+                       + " channels");
       return;
     }
     // From 0 to 255, or else from 0 to 1
-    const auto is_byte = [](std::string_view word) { return parse_number<std::uint8_t>(word).has_value(); };
+    const auto is_byte = [](std::string_view word) {
+      return parse_number<std::uint8_t>(word).has_value();
+    };
     const bool are_bytes = std::all_of(words.begin(), words.end(), is_byte);
     for (std::size_t k = 0; k < words.size(); ++k) {
       m_types.push_back(are_bytes ? Number_type::UINT8 : Number_type::FLOAT32);
@@ -113,7 +116,9 @@ void read_off(Input_file& file, Point_collector& collector)
   if (!number_of_vertices)
     file.refuse(printable(word) + " is not a number of vertices");
 
-  const std::uint64_t least_row_size = has_normals ? 11 : 5; // digits and blanks; the last line may lack its end
+  const std::uint64_t least_row_size = has_normals
+                                         ? 11
+                                         : 5; // digits and blanks; the last line may lack its end
   collector.announce(*number_of_vertices, least_row_size);
   Colors colors(file, collector);
   for (std::uint64_t i = 0; i < *number_of_vertices; ++i) {

@@ -20,7 +20,8 @@
 namespace l0_tool {
 namespace {
 
-// Where the values of a field go: index 0 to 5 in Point_row, `unused`, or from `first_property` on the properties.
+// Where the values of a field go: index 0 to 5 in Point_row, `unused`, or from `first_property` on
+// the properties.
 constexpr std::size_t unused = 6, first_property = 7;
 using Targets = std::vector<std::size_t>;
 
@@ -28,11 +29,13 @@ constexpr std::size_t max_number_of_properties = 1000;
 
 Targets find_targets(const Input_file& file, const Pcd_header& header)
 {
-  static constexpr std::array<std::string_view, 6> names = {"x", "y", "z", "normal_x", "normal_y", "normal_z"};
+  static constexpr std::array<std::string_view, 6> names = {"x",        "y",        "z",
+                                                            "normal_x", "normal_y", "normal_z"};
   Targets targets;
   std::array<bool, 6> found = {};
   for (const Pcd_field& field : header.fields) {
-    const std::size_t target = std::size_t(std::find(names.begin(), names.end(), field.name) - names.begin());
+    const std::size_t target = std::size_t(std::find(names.begin(), names.end(), field.name)
+                                           - names.begin());
     targets.push_back(target);
     if (target == unused)
       continue;
@@ -74,8 +77,9 @@ void keep_fields(const Pcd_header& header, Targets& targets, Point_collector& co
     if (targets[k] != unused || field.name == "_") // the name of padding
       continue;
     if (!field.type || field.count > max_number_of_properties - collector.number_of_properties()) {
-      collector.warn("the field " + printable(field.name) + " is left out: "
-                     + (field.type ? std::to_string(field.count) + " values" : "integers of 64 bits"));
+      collector.warn(
+        "the field " + printable(field.name) + " is left out: "
+        + (field.type ? std::to_string(field.count) + " values" : "integers of 64 bits"));
       continue;
     }
     targets[k] = first_property + collector.number_of_properties();
@@ -87,7 +91,8 @@ void keep_fields(const Pcd_header& header, Targets& targets, Point_collector& co
       continue;
     }
     for (std::uint64_t i = 0; i < field.count; ++i)
-      collector.add_property(field.count == 1 ? field.name : field.name + "_" + std::to_string(i), *field.type);
+      collector.add_property(field.count == 1 ? field.name : field.name + "_" + std::to_string(i),
+                             *field.type);
   }
 }
 
@@ -104,11 +109,12 @@ void store(const Pcd_field& field, std::size_t i, const char* bytes, bool swap, 
   std::uint32_t color; // 0xAARRGGBB
   std::memcpy(&color, number, sizeof color);
   for (std::size_t k = 0; k < field.name.size(); ++k)
-    *collector.property(first + k) = char(static_cast<unsigned char>(color >> (k == 3 ? 24 : 16 - 8 * k)));
+    *collector.property(first + k) = char(
+      static_cast<unsigned char>(color >> (k == 3 ? 24 : 16 - 8 * k)));
 }
 
-void read_binary_row(Input_file& file, const Pcd_header& header, const Targets& targets, Point_row& row,
-                     Point_collector& collector)
+void read_binary_row(Input_file& file, const Pcd_header& header, const Targets& targets,
+                     Point_row& row, Point_collector& collector)
 {
   const bool swap = !is_little_endian_machine();
   for (std::size_t k = 0; k < targets.size(); ++k) {
@@ -127,8 +133,8 @@ void read_binary_row(Input_file& file, const Pcd_header& header, const Targets& 
   }
 }
 
-void read_ascii_row(Input_file& file, const Pcd_header& header, const Targets& targets, Point_row& row,
-                    Point_collector& collector)
+void read_ascii_row(Input_file& file, const Pcd_header& header, const Targets& targets,
+                    Point_row& row, Point_collector& collector)
 {
   std::string_view line;
   for (std::string_view rest; next_word(rest).empty(); rest = line) {
@@ -159,7 +165,8 @@ void read_ascii_row(Input_file& file, const Pcd_header& header, const Targets& t
     }
   }
   if (!next_word(line).empty())
-    file.refuse("the row has more than its " + std::to_string(header.number_of_values()) + " values");
+    file.refuse("the row has more than its " + std::to_string(header.number_of_values())
+                + " values");
 }
 
 } // namespace
@@ -176,7 +183,8 @@ void read_pcd(Input_file& file, Point_collector& collector)
     keep_fields(header, targets, collector);
 
   // In text a digit and a blank for each value, but for the end of the last line
-  collector.announce(header.number_of_points, header.is_binary ? header.row_size() : 2 * header.number_of_values() - 1);
+  collector.announce(header.number_of_points,
+                     header.is_binary ? header.row_size() : 2 * header.number_of_values() - 1);
   Point_row row = {};
   for (std::uint64_t i = 0; i < header.number_of_points; ++i) {
     if (header.is_binary)
@@ -186,7 +194,8 @@ void read_pcd(Input_file& file, Point_collector& collector)
     collector.add(row);
   }
   if (file.bytes_left() > std::uint64_t(0))
-    collector.warn(std::to_string(*file.bytes_left()) + " bytes after the last point are not looked at");
+    collector.warn(std::to_string(*file.bytes_left())
+                   + " bytes after the last point are not looked at");
 }
 
 } // namespace l0_tool

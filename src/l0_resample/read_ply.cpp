@@ -20,7 +20,8 @@
 namespace l0_tool {
 namespace {
 
-// Where the values of a row go: index 0 to 5 in Point_row, `unused`, or from `first_property` on the properties.
+// Where the values of a row go: index 0 to 5 in Point_row, `unused`, or from `first_property` on
+// the properties.
 constexpr std::size_t unused = 6, first_property = 7;
 using Targets = std::vector<std::size_t>;
 
@@ -43,7 +44,8 @@ Targets find_targets(const Input_file& file, const Ply_element& vertex)
   Targets targets;
   std::array<bool, 6> found = {};
   for (const Ply_property& property : vertex.properties) {
-    const std::size_t target = std::size_t(std::find(names.begin(), names.end(), property.name) - names.begin());
+    const std::size_t target = std::size_t(std::find(names.begin(), names.end(), property.name)
+                                           - names.begin());
     targets.push_back(target);
     if (target == unused)
       continue;
@@ -77,10 +79,14 @@ class Binary_rows
 
 public:
   Binary_rows(Input_file& file, Ply_header::Encoding encoding)
-    : m_file(file), m_swap((encoding == Ply_header::Encoding::LITTLE_ENDIAN_BINARY) != is_little_endian_machine())
+    : m_file(file),
+      m_swap((encoding == Ply_header::Encoding::LITTLE_ENDIAN_BINARY) != is_little_endian_machine())
   {}
 
-  std::uint64_t least_row_size(const Ply_element& element) const { return element.least_binary_size(); }
+  std::uint64_t least_row_size(const Ply_element& element) const
+  {
+    return element.least_binary_size();
+  }
 
   /// Entry k of `row` becomes the property whose target is k; `row` has one entry for `unused`.
   void read(const Ply_element& element, const Targets& targets, std::array<double, unused + 1>& row,
@@ -117,7 +123,8 @@ public:
 private:
   void skip_list(const Ply_property& property)
   {
-    const double length = decode(m_file.read_bytes(size_of(property.length_type)), property.length_type, m_swap);
+    const double length = decode(m_file.read_bytes(size_of(property.length_type)),
+                                 property.length_type, m_swap);
     if (length < 0)
       m_file.refuse("a list of negative length");
     m_file.skip_bytes(std::uint64_t(length) * size_of(property.type)); // below 2^32 times 8
@@ -160,7 +167,10 @@ public:
   explicit Ascii_rows(Input_file& file) : m_file(file) {}
 
   // A digit and a blank for each value, but for the end of the last line.
-  std::uint64_t least_row_size(const Ply_element& element) const { return 2 * element.properties.size() - 1; }
+  std::uint64_t least_row_size(const Ply_element& element) const
+  {
+    return 2 * element.properties.size() - 1;
+  }
 
   void read(const Ply_element& element, const Targets& targets, std::array<double, unused + 1>& row,
             Point_collector& collector)
@@ -177,7 +187,8 @@ public:
         continue;
       if (targets[k] >= first_property) {
         if (!parse_number_of(property.type, word, collector.property(targets[k] - first_property)))
-          m_file.refuse(printable(word) + " is not a number of the type of " + printable(property.name));
+          m_file.refuse(printable(word) + " is not a number of the type of "
+                        + printable(property.name));
         continue;
       }
       const std::optional<double> number = parse_number<double>(word);
@@ -186,21 +197,24 @@ public:
       row[targets[k]] = *number;
     }
     if (!next_word(line).empty())
-      m_file.refuse("the row has more values than its " + std::to_string(element.properties.size()) + " properties");
+      m_file.refuse("the row has more values than its " + std::to_string(element.properties.size())
+                    + " properties");
   }
 
   void skip(const Ply_element& element)
   {
     if (element.properties.empty())
       return;
-    m_file.check_count(element.count, least_row_size(element), "rows of " + printable(element.name));
+    m_file.check_count(element.count, least_row_size(element),
+                       "rows of " + printable(element.name));
     for (std::uint64_t i = 0; i < element.count; ++i)
       read_line();
   }
 };
 
 template <typename Rows>
-void read_elements(Input_file& file, const Ply_header& header, Rows rows, Point_collector& collector)
+void read_elements(Input_file& file, const Ply_header& header, Rows rows,
+                   Point_collector& collector)
 {
   for (const Ply_element& element : header.elements) {
     if (element.name != "vertex") {
@@ -224,10 +238,12 @@ void read_elements(Input_file& file, const Ply_header& header, Rows rows, Point_
     if (collector.wants_properties())
       for (const Ply_element& other : header.elements)
         if (&other != &element && other.count > 0)
-          collector.warn("what is no vertex is left out: " + std::to_string(other.count) + " of " + printable(other.name));
+          collector.warn("what is no vertex is left out: " + std::to_string(other.count) + " of "
+                         + printable(other.name));
     const bool is_last = &element == &header.elements.back();
     if (is_last && file.bytes_left() > std::uint64_t(0))
-      collector.warn(std::to_string(*file.bytes_left()) + " bytes after the last vertex are not looked at");
+      collector.warn(std::to_string(*file.bytes_left())
+                     + " bytes after the last vertex are not looked at");
     return;
   }
   file.refuse("the header has no element \"vertex\"");

@@ -24,35 +24,41 @@ using Column_names = std::vector<std::string>;
 struct Read_options
 {
   std::uint64_t max_points = (std::numeric_limits<std::uint64_t>::max)();
-  std::uint64_t max_memory = (std::numeric_limits<std::uint64_t>::max)(); ///< in bytes, for all that is kept of points
-  bool drop_non_finite = false; ///< drop and count points with a non-finite coordinate instead of refusing the file
-  bool with_normals = false;    ///< keep the normals, if the file has any
-  bool with_properties = false; ///< keep all that the file tells of each point, and warn of what cannot be kept
-  Column_names columns;         ///< of XYZ, as from `parse_column_names()`; empty if unnamed
+  std::uint64_t max_memory =
+    (std::numeric_limits<std::uint64_t>::max)(); ///< in bytes, for all that is kept of points
+  bool drop_non_finite =
+    false; ///< drop and count points with a non-finite coordinate instead of refusing the file
+  bool with_normals = false; ///< keep the normals, if the file has any
+  bool with_properties =
+    false; ///< keep all that the file tells of each point, and warn of what cannot be kept
+  Column_names columns; ///< of XYZ, as from `parse_column_names()`; empty if unnamed
 };
 
 /*!
-Reads the points of a file that nobody vouches for: no header and no content makes it crash, hang or take more memory
-than the file's size justifies.
+Reads the points of a file that nobody vouches for: no header and no content makes it crash, hang or
+take more memory than the file's size justifies.
 
-- PLY, ASCII or binary of either byte order: one element `vertex` with the scalar properties x, y, z and maybe nx, ny,
-  nz, of any type. Its other scalar properties can be kept.
-  Elements before it are skipped, those after it are not looked at.
-- OFF with its optional prefixes ST, C, N: the vertices. Only N says that there are normals, and only C that there are
-  colors, which become the properties red, green, blue and maybe alpha.
+- PLY, ASCII or binary of either byte order: one element `vertex` with the scalar properties x, y, z
+  and maybe nx, ny, nz, of any type. Its other scalar properties can be kept. Elements before it are
+  skipped, those after it are not looked at.
+- OFF with its optional prefixes ST, C, N: the vertices. Only N says that there are normals, and
+  only C that there are colors, which become the properties red, green, blue and maybe alpha.
 - XYZ: one point a line, the same number of columns in all of them. The first line may hold the
   number of points, and without it there has to be a point; empty lines and those that begin with #
   are skipped. The first three columns are coordinates, and if there are exactly six, the others are
   normals, unless more than 5 % of them have another length than 1: then a warning says so. Columns
   with names are read as `Text_columns` does.
-- PCD, ASCII or binary, of version 0.5 to 0.7: the fields x, y, z and maybe normal_x, normal_y, normal_z, of any type
-  but integers of 64 bits. The viewpoint is not looked at. Of the other fields that can be kept, one of several values
-  becomes as many properties, and the packed colors rgb and rgba become the properties red, green, blue and alpha.
-- NPY: an array of float32 or float64, of shape (n, 3), or (n, 6) for points with normals, in the order of C.
+- PCD, ASCII or binary, of version 0.5 to 0.7: the fields x, y, z and maybe normal_x, normal_y,
+  normal_z, of any type but integers of 64 bits. The viewpoint is not looked at. Of the other fields
+  that can be kept, one of several values becomes as many properties, and the packed colors rgb and
+  rgba become the properties red, green, blue and alpha.
+- NPY: an array of float32 or float64, of shape (n, 3), or (n, 6) for points with normals, in the
+order of C.
 
-\throws Failure with INPUT_REFUSED and the line or byte where the file is not what it should be, or holds more than
-        `max_points`; with RUN_TIME_FAILURE where the points need more than `max_memory`; with the status of an
-        interrupt
+\throws Failure with INPUT_REFUSED and the line or byte where the file is not what it should be, or
+holds more than
+        `max_points`; with RUN_TIME_FAILURE where the points need more than `max_memory`; with the
+        status of an interrupt
 */
 Point_cloud read_points(const std::string& path, File_format format, const Read_options& options,
                         Input_file::On_progress on_progress = {});

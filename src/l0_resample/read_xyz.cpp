@@ -40,7 +40,8 @@ void guess_columns(std::size_t number_of_columns, Point_collector& collector)
     collector.warn("the columns behind the third are left out; --columns can name them");
 }
 
-void check_count(const Input_file& file, Point_collector& collector, std::optional<std::uint64_t> announced)
+void check_count(const Input_file& file, Point_collector& collector,
+                 std::optional<std::uint64_t> announced)
 {
   const std::uint64_t n = collector.number_of_rows();
   if (!announced && n == 0)
@@ -79,13 +80,15 @@ void read_xyz(Input_file& file, Point_collector& collector, const Column_names& 
       if (n < 3)
         file.refuse("a point needs 3 numbers, found " + std::to_string(n));
       if (named && n != named->size())
-        file.refuse("--columns names " + std::to_string(named->size()) + ", found " + std::to_string(n));
+        file.refuse("--columns names " + std::to_string(named->size()) + ", found "
+                    + std::to_string(n));
       columns = n;
       if (!named)
         guess_columns(columns, collector);
     }
     if (n != columns)
-      file.refuse(std::to_string(columns) + " columns expected as in the lines before, found " + std::to_string(n));
+      file.refuse(std::to_string(columns) + " columns expected as in the lines before, found "
+                  + std::to_string(n));
 
     if (named)
       named->read(file, *line);

@@ -13,8 +13,8 @@
 
 namespace l0_tool {
 
-/// The first three words of `line` as a point, the next three as its normal if there is one. Further words do not
-/// matter.
+/// The first three words of `line` as a point, the next three as its normal if there is one.
+/// Further words do not matter.
 /// \throws Failure if there are fewer words, or one is not a number
 Point_row parse_row(const Input_file& file, std::string_view line, bool has_normal);
 

@@ -22,7 +22,8 @@ float to_linear(float srgb) { return std::pow(srgb, 2.2f); }
 
 Color color_of(const Vector& n)
 {
-  return {to_linear(float(0.5 + 0.5 * n.x())), to_linear(float(0.5 + 0.5 * n.y())), to_linear(float(0.5 + 0.5 * n.z()))};
+  return {to_linear(float(0.5 + 0.5 * n.x())), to_linear(float(0.5 + 0.5 * n.y())),
+          to_linear(float(0.5 + 0.5 * n.z()))};
 }
 
 /// Light gray to red.
@@ -50,8 +51,8 @@ Image render_panel(const std::vector<Point>& points, const std::vector<Vector>& 
     }
     splats.push_back(splat);
   }
-  return render_splats(splats, float(point_spacing(points) * camera.pixels_per_length()), has_normals, panel_width,
-                       panel_height);
+  return render_splats(splats, float(point_spacing(points) * camera.pixels_per_length()),
+                       has_normals, panel_width, panel_height);
 }
 
 } // namespace

@@ -15,9 +15,11 @@
 
 namespace l0_tool {
 
-/// Draws the input on the left and the result on the right, seen by the same camera. Points are colored by the
-/// direction of their normals, as in the figures of the paper; an input without normals is gray.
-/// \param feature_confidences of the result, in [0, 1], or none; with some, the result is the redder the higher they are
+/// Draws the input on the left and the result on the right, seen by the same camera. Points are
+/// colored by the direction of their normals, as in the figures of the paper; an input without
+/// normals is gray.
+/// \param feature_confidences of the result, in [0, 1], or none; with some, the result is the
+/// redder the higher they are
 /// \param towards_eye not zero; by default from the front right, a little above, with y pointing up
 Image render_snapshot(const Point_cloud& input, const std::vector<Oriented_point>& result,
                       const std::optional<std::array<double, 3>>& towards_eye,

@@ -67,7 +67,8 @@ Json report_as_json(const Report& report)
   for (const CGAL::L0_resampling::Warning warning : CGAL::L0_resampling::warnings(report))
     json["warnings"].push_back(CGAL::L0_resampling::name_of(warning));
   for (const Stage_report& stage : report.stages)
-    json["stages"].push_back({{"name", stage.name}, {"seconds", stage.seconds}, {"peak_bytes", stage.peak_bytes}});
+    json["stages"].push_back(
+      {{"name", stage.name}, {"seconds", stage.seconds}, {"peak_bytes", stage.peak_bytes}});
   for (const Iteration_report& iteration : report.iterations)
     json["iterations"].push_back(iteration_as_json(iteration));
   return json;
@@ -78,7 +79,9 @@ Json report_as_json(const Report& report)
 std::string report_as_json(const Options& options, const Run_record& record)
 {
   const Report& report = record.report;
-  Json json = {{"program", "l0_resample"}, {"version", L0_RESAMPLE_VERSION}, {"exit_status", int(record.status)}};
+  Json json = {{"program", "l0_resample"},
+               {"version", L0_RESAMPLE_VERSION},
+               {"exit_status", int(record.status)}};
   if (!record.error.empty())
     json["error"] = record.error;
   json["warnings"] = record.warnings;
@@ -89,8 +92,9 @@ std::string report_as_json(const Options& options, const Run_record& record)
   json["output"] = {{"file", options.output}, {"points", report.number_of_output_points}};
   json["parameters"] = parameters_as_json(options);
   json["device"] = {{"used", report.device}, {"reason", report.device_reason}};
-  json["seconds"] = {
-    {"read", record.seconds_to_read}, {"resample", record.seconds_to_resample}, {"write", record.seconds_to_write}};
+  json["seconds"] = {{"read", record.seconds_to_read},
+                     {"resample", record.seconds_to_resample},
+                     {"write", record.seconds_to_write}};
   json["resampling"] = report_as_json(report);
   // File names are bytes, JSON is UTF-8: what is not becomes U+FFFD
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -100,8 +104,8 @@ std::string summary_line(const Options& options, const Run_record& record)
 {
   const Report& report = record.report;
   char numbers[96];
-  std::snprintf(numbers, sizeof numbers, "%.2f s, one sign propagated to %.1f %%", record.seconds_to_resample,
-                100 * report.oriented_share);
+  std::snprintf(numbers, sizeof numbers, "%.2f s, one sign propagated to %.1f %%",
+                record.seconds_to_resample, 100 * report.oriented_share);
   const std::string input_points = std::to_string(report.number_of_input_points);
   std::string line = options.input_name() + ": " + input_points + " points in, ";
   if (report.number_of_dropped_points > 0)

@@ -33,56 +33,69 @@ namespace parameters = CGAL::parameters;
 using Concurrency_tag = CGAL::Parallel_if_available_tag;
 
 template <typename Tag, typename NamedParameters>
-void call(const Point_cloud& cloud, const Options& options, const NamedParameters& np, Resampled_points& result)
+void call(const Point_cloud& cloud, const Options& options, const NamedParameters& np,
+          Resampled_points& result)
 {
   namespace internal = CGAL::L0_resampling::internal;
   using Normal_map = decltype(CGAL::make_property_map(cloud.normals.data()));
   const Normal_map normals = CGAL::make_property_map(cloud.normals.data());
-  const auto if_asked_for = [&](bool is) { return is ? std::make_optional(normals) : std::nullopt; };
-  std::vector<std::uint32_t> sources(options.with_source_indices ? number_of_output_points(options, cloud.points.size())
-                                                                 : 0);
+  const auto if_asked_for = [&](bool is) {
+    return is ? std::make_optional(normals) : std::nullopt;
+  };
+  std::vector<std::uint32_t> sources(
+    options.with_source_indices ? number_of_output_points(options, cloud.points.size()) : 0);
   result.feature_confidences.resize(
     options.with_feature_confidences ? number_of_output_points(options, cloud.points.size()) : 0);
   const auto source_map = CGAL::make_property_map(sources.data());
   const auto confidence_map = CGAL::make_property_map(result.feature_confidences.data());
 
-  const auto whole_np = np.orientation_hint_map(if_asked_for(options.orient_by_normals))
-                          .source_index_map(options.with_source_indices ? std::make_optional(source_map) : std::nullopt)
-                          .feature_confidence_map(options.with_feature_confidences ? std::make_optional(confidence_map)
-                                                                                   : std::nullopt);
+  const auto whole_np =
+    np.orientation_hint_map(if_asked_for(options.orient_by_normals))
+      .source_index_map(options.with_source_indices ? std::make_optional(source_map) : std::nullopt)
+      .feature_confidence_map(options.with_feature_confidences ? std::make_optional(confidence_map)
+                                                               : std::nullopt);
   const auto write = [&](std::size_t size, const auto& pair_of, const internal::Point_data& data) {
     internal::write_point_data(whole_np, data, size, [](std::size_t i) { return i; });
     result.points.reserve(size);
     for (std::size_t i = 0; i < size; ++i)
       result.points.push_back(pair_of(i));
-    result.properties = carried_properties(cloud.properties, data.near_points, sources, result.feature_confidences, size);
+    result.properties = carried_properties(cloud.properties, data.near_points, sources,
+                                           result.feature_confidences, size);
   };
   internal::l0_resample_point_set<Tag, Kernel>(
-    boost::irange(std::size_t(0), cloud.points.size()), CGAL::make_property_map(cloud.points.data()),
-    if_asked_for(options.use_normals), cloud.properties.properties().empty() ? 0 : internal::number_of_averaged_points,
-    write, whole_np);
+    boost::irange(std::size_t(0), cloud.points.size()),
+    CGAL::make_property_map(cloud.points.data()), if_asked_for(options.use_normals),
+    cloud.properties.properties().empty() ? 0 : internal::number_of_averaged_points, write,
+    whole_np);
 }
 
 template <typename Solver_traits>
 Solver_traits iterative_solver(const Options& options)
 {
   constexpr double tolerance = 1e-5; // as by default
-  return options.solver_iterations ? Solver_traits(tolerance, std::size_t(*options.solver_iterations)) : Solver_traits();
+  return options.solver_iterations
+           ? Solver_traits(tolerance, std::size_t(*options.solver_iterations))
+           : Solver_traits();
 }
 
 template <typename NamedParameters>
-void call_with_solver(const Point_cloud& cloud, const Options& options, const NamedParameters& np, Resampled_points& result)
+void call_with_solver(const Point_cloud& cloud, const Options& options, const NamedParameters& np,
+                      Resampled_points& result)
 {
   using namespace CGAL::L0_resampling;
-  using Block_cg = Block_conjugate_gradient_solver_traits<float, Concurrency_tag>; // the function's own default
+  using Block_cg =
+    Block_conjugate_gradient_solver_traits<float, Concurrency_tag>; // the function's own default
   using Rows_cg = Eigen_least_squares_solver_traits<double>;
   switch (options.solver) {
   case Solver::BLOCK_CG:
-    return call<Concurrency_tag>(cloud, options, np.sparse_linear_solver(iterative_solver<Block_cg>(options)), result);
+    return call<Concurrency_tag>(
+      cloud, options, np.sparse_linear_solver(iterative_solver<Block_cg>(options)), result);
   case Solver::CHOLESKY:
-    return call<Concurrency_tag>(cloud, options, np.sparse_linear_solver(Eigen_cholesky_solver_traits<double>()), result);
+    return call<Concurrency_tag>(
+      cloud, options, np.sparse_linear_solver(Eigen_cholesky_solver_traits<double>()), result);
   case Solver::ROWS_CG:
-    return call<Concurrency_tag>(cloud, options, np.sparse_linear_solver(iterative_solver<Rows_cg>(options)), result);
+    return call<Concurrency_tag>(
+      cloud, options, np.sparse_linear_solver(iterative_solver<Rows_cg>(options)), result);
   }
 }
 
@@ -113,10 +126,12 @@ std::size_t number_of_output_points(const Options& options, std::size_t number_o
 {
   if (options.number_of_points)
     return std::size_t(*options.number_of_points);
-  return (std::max)(std::size_t(1), std::size_t(double(number_of_input_points) * options.percentage / 100));
+  return (std::max)(std::size_t(1),
+                    std::size_t(double(number_of_input_points) * options.percentage / 100));
 }
 
-Resampled_points resample(const Point_cloud& cloud, const Options& options, const std::function<bool(double)>& callback,
+Resampled_points resample(const Point_cloud& cloud, const Options& options,
+                          const std::function<bool(double)>& callback,
                           CGAL::L0_resampling::Report& report)
 {
   std::optional<tbb::global_control> limit;
@@ -127,7 +142,8 @@ Resampled_points resample(const Point_cloud& cloud, const Options& options, cons
                                                               : nullptr;
   const std::string name = options.input_name();
   if (normals_wanted_by && cloud.normals.empty() && !cloud.points.empty())
-    throw Failure(INPUT_REFUSED, name + ": " + normals_wanted_by + " is given, but the file has no normals");
+    throw Failure(INPUT_REFUSED,
+                  name + ": " + normals_wanted_by + " is given, but the file has no normals");
 
   Resampled_points result;
   try {
@@ -135,8 +151,10 @@ Resampled_points resample(const Point_cloud& cloud, const Options& options, cons
                       .normal_weight(options.normal_weight)
                       .sharpness_angle(options.sharpness_angle)
                       .random_seed(options.seed)
-                      .drop_outliers(options.method == CGAL::L0_resampling::Method::DEFAULT && !options.keep_outliers)
-                      .number_of_output_points(number_of_output_points(options, cloud.points.size()))
+                      .drop_outliers(options.method == CGAL::L0_resampling::Method::DEFAULT
+                                     && !options.keep_outliers)
+                      .number_of_output_points(
+                        number_of_output_points(options, cloud.points.size()))
                       .maximum_memory(options.max_memory)
                       .callback(callback)
                       .resampling_report(&report)
@@ -156,9 +174,10 @@ Resampled_points resample(const Point_cloud& cloud, const Options& options, cons
   } catch (const std::bad_alloc&) {
     if (options.device == Device::CUDA)
       throw Failure(RUN_TIME_FAILURE, "--device cuda: the device has too little memory");
-    throw Failure(RUN_TIME_FAILURE, name + ": not enough memory to resample " + std::to_string(cloud.points.size())
-                                      + " points"
-                                      + (options.max_memory < Options().max_memory ? " within --max-memory" : ""));
+    throw Failure(RUN_TIME_FAILURE,
+                  name + ": not enough memory to resample " + std::to_string(cloud.points.size())
+                    + " points"
+                    + (options.max_memory < Options().max_memory ? " within --max-memory" : ""));
   } catch (const std::invalid_argument& error) {
     throw Failure(INPUT_REFUSED, name + ": " + error.what());
   }

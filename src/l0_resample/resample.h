@@ -24,16 +24,18 @@ void check_device(const Options& options);
 std::size_t number_of_output_points(const Options& options, std::size_t number_of_input_points);
 
 /*!
-Calls `CGAL::l0_resample_point_set()` as the options ask. Points of the result get the properties of those near them in the
-cloud, as those of a `CGAL::Point_set_3` do.
+Calls `CGAL::l0_resample_point_set()` as the options ask. Points of the result get the properties of
+those near them in the cloud, as those of a `CGAL::Point_set_3` do.
 
 \param callback as the named parameter `callback`
 \param report filled as far as the call came, also if it throws
 
-\throws Failure with INPUT_REFUSED if the points cannot be resampled, with RUN_TIME_FAILURE if memory, a solver or a
+\throws Failure with INPUT_REFUSED if the points cannot be resampled, with RUN_TIME_FAILURE if
+memory, a solver or a
         device failed
 */
-Resampled_points resample(const Point_cloud& cloud, const Options& options, const std::function<bool(double)>& callback,
+Resampled_points resample(const Point_cloud& cloud, const Options& options,
+                          const std::function<bool(double)>& callback,
                           CGAL::L0_resampling::Report& report);
 
 } // namespace l0_tool

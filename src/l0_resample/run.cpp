@@ -44,7 +44,8 @@ Point_cloud read_input(const Options& options, Progress_bar& progress, Run_recor
   read_options.max_points = options.max_points;
   read_options.max_memory = options.max_memory;
   read_options.drop_non_finite = options.drop_non_finite;
-  read_options.with_normals = options.use_normals || options.orient_by_normals || !options.snapshot.empty();
+  read_options.with_normals = options.use_normals || options.orient_by_normals
+                              || !options.snapshot.empty();
   read_options.with_properties = true;
   read_options.columns = options.columns;
   Point_cloud cloud = read_points(options.input, options.input_format, read_options,
@@ -54,8 +55,8 @@ Point_cloud read_input(const Options& options, Progress_bar& progress, Run_recor
   return cloud;
 }
 
-Resampled_points resample_input(const Point_cloud& cloud, const Options& options, Progress_bar& progress,
-                                Run_record& record)
+Resampled_points resample_input(const Point_cloud& cloud, const Options& options,
+                                Progress_bar& progress, Run_record& record)
 {
   const Stopwatch stopwatch;
   progress.restart();
@@ -65,7 +66,8 @@ Resampled_points resample_input(const Point_cloud& cloud, const Options& options
   };
   Resampled_points result = resample(cloud, options, callback, record.report);
   throw_if_interrupted();
-  record.report.number_of_dropped_points = cloud.number_of_dropped_points; // the reader drops them, not the library
+  record.report.number_of_dropped_points =
+    cloud.number_of_dropped_points; // the reader drops them, not the library
   record.seconds_to_resample = stopwatch.seconds();
   return result;
 }
@@ -82,31 +84,37 @@ void resample_file(const Options& options, Run_record& record)
   Progress_bar progress(options.quiet);
   const Point_cloud cloud = read_input(options, progress, record);
   check_writable(options.output,
-                 largest_file_size(options.output_format, number_of_output_points(options, cloud.points.size()),
+                 largest_file_size(options.output_format,
+                                   number_of_output_points(options, cloud.points.size()),
                                    cloud.properties));
 
   if (cloud.file_has_normals && !options.orient_by_normals && !options.viewpoint)
-    record.notes.push_back(options.input + ": the file has normals, which --orient-by-normals lets decide the side");
+    record.notes.push_back(
+      options.input + ": the file has normals, which --orient-by-normals lets decide the side");
 
   const Resampled_points result = resample_input(cloud, options, progress, record);
   for (const CGAL::L0_resampling::Warning warning : CGAL::L0_resampling::warnings(record.report))
-    record.warnings.push_back(options.input + ": " + CGAL::L0_resampling::message_of(warning, record.report));
+    record.warnings.push_back(options.input + ": "
+                              + CGAL::L0_resampling::message_of(warning, record.report));
   if (options.strict && !record.report.converged)
     throw Failure(NOT_CONVERGED, name + ": a solve did not converge, nothing is written");
 
   const Stopwatch stopwatch;
-  const std::vector<std::string> left_out = write_points(options.output, options.output_format, result,
-                                                         options.existing_file());
+  const std::vector<std::string> left_out = write_points(options.output, options.output_format,
+                                                         result, options.existing_file());
   record.seconds_to_write = stopwatch.seconds();
   for (const std::string& property : left_out)
-    record.warnings.push_back(options.output + ": the format has no place for the property " + printable(property));
+    record.warnings.push_back(options.output + ": the format has no place for the property "
+                              + printable(property));
   if (!options.snapshot.empty())
-    write_png(options.snapshot, render_snapshot(cloud, result.points, options.view, result.feature_confidences));
+    write_png(options.snapshot,
+              render_snapshot(cloud, result.points, options.view, result.feature_confidences));
 }
 
 void print_summary(const Options& options, const Run_record& record)
 {
-  const bool is_taken = is_standard_output(options.output) || (!options.json.empty() && is_standard_output(options.json));
+  const bool is_taken = is_standard_output(options.output)
+                        || (!options.json.empty() && is_standard_output(options.json));
   std::ostream& stream = is_taken ? std::cerr : std::cout;
   stream << summary_line(options, record) << std::flush;
   if (!stream)

@@ -28,7 +28,8 @@ void prepare(const Command& command)
   std::error_code error;
   std::filesystem::create_directories(command.output_directory, error);
   if (error)
-    throw Failure(OUTPUT_NOT_WRITTEN, command.output_directory + ": cannot be made: " + error.message());
+    throw Failure(OUTPUT_NOT_WRITTEN,
+                  command.output_directory + ": cannot be made: " + error.message());
   if (!options.json.empty())
     check_writable(options.json, 0);
 }
@@ -41,13 +42,15 @@ std::string error_of(const Options& options, const Run_record& record)
   return names_file ? record.error : options.input + ": " + record.error;
 }
 
-void print_failures(const std::vector<std::string>& errors, std::size_t number_of_runs, std::size_t number_of_runs_left)
+void print_failures(const std::vector<std::string>& errors, std::size_t number_of_runs,
+                    std::size_t number_of_runs_left)
 {
   for (const std::string& error : errors)
     print_error(error);
   if (!errors.empty() || number_of_runs_left > 0)
-    print_error(std::to_string(errors.size()) + " of " + std::to_string(number_of_runs) + " files failed"
-                + (number_of_runs_left > 0 ? ", " + std::to_string(number_of_runs_left) + " not begun" : ""));
+    print_error(
+      std::to_string(errors.size()) + " of " + std::to_string(number_of_runs) + " files failed"
+      + (number_of_runs_left > 0 ? ", " + std::to_string(number_of_runs_left) + " not begun" : ""));
 }
 
 Exit_status common_status(const std::vector<Exit_status>& statuses)
@@ -55,7 +58,8 @@ Exit_status common_status(const std::vector<Exit_status>& statuses)
   const auto differs = [&](Exit_status status) { return status != statuses.front(); };
   if (statuses.empty())
     return SUCCESS;
-  return std::any_of(statuses.begin(), statuses.end(), differs) ? RUN_TIME_FAILURE : statuses.front();
+  return std::any_of(statuses.begin(), statuses.end(), differs) ? RUN_TIME_FAILURE
+                                                                : statuses.front();
 }
 
 } // namespace
@@ -80,7 +84,8 @@ Exit_status run_batch(const Command& command)
     Run_record record = run(options);
     print_outcome(options, record);
     if (!json.empty())
-      reports += (number_of_runs_left == command.runs.size() ? "\n" : ",\n") + report_as_json(options, record);
+      reports += (number_of_runs_left == command.runs.size() ? "\n" : ",\n")
+                 + report_as_json(options, record);
     --number_of_runs_left;
     if (record.status != SUCCESS) {
       errors.push_back(error_of(options, record));

@@ -11,7 +11,8 @@
 
 namespace l0_tool {
 
-/// Runs one input after the other, whatever becomes of one, until an interrupt; lists the failures at the end.
+/// Runs one input after the other, whatever becomes of one, until an interrupt; lists the failures
+/// at the end.
 /// \returns the status of the program, as `--help` tells it
 Exit_status run_batch(const Command& command);
 

@@ -17,7 +17,8 @@ namespace {
 
 // Written by the handler in whatever thread the signal arrives, read by all.
 std::atomic<int> noted_signal{0};
-static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may touch lock-free atomics only");
+static_assert(std::atomic<int>::is_always_lock_free,
+              "a signal handler may touch lock-free atomics only");
 
 void note_signal(int signal) { noted_signal = signal; }
 
@@ -48,8 +49,10 @@ void catch_signals(double timeout)
     const double seconds = std::floor(timeout);
     itimerval timer = {};
     timer.it_value.tv_sec = time_t(seconds);
-    timer.it_value.tv_usec = suseconds_t((timeout - seconds) * 999999) + 1; // 0 would switch the timer off
-    timer.it_interval.tv_usec = 100000; // again and again, for a read() that began just after the first
+    timer.it_value.tv_usec = suseconds_t((timeout - seconds) * 999999)
+                             + 1; // 0 would switch the timer off
+    timer.it_interval.tv_usec =
+      100000; // again and again, for a read() that began just after the first
     setitimer(ITIMER_REAL, &timer, nullptr);
   }
 }

@@ -9,8 +9,9 @@
 namespace l0_tool {
 
 /*!
-From now on the first SIGINT or SIGTERM is only noted, for `throw_if_interrupted()`; the second one kills. A write to
-a closed pipe or beyond a file size limit becomes an error of that write instead of a signal.
+From now on the first SIGINT or SIGTERM is only noted, for `throw_if_interrupted()`; the second one
+kills. A write to a closed pipe or beyond a file size limit becomes an error of that write instead
+of a signal.
 \param timeout seconds after which the program is interrupted in the same way; 0 for never
 */
 void catch_signals(double timeout);

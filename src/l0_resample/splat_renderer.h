@@ -18,19 +18,22 @@ namespace l0_tool {
 struct Splat
 {
   Projected_point center;
-  std::array<float, 3> normal; ///< in the directions of `Projected_point`, unit length; (0, 0, 1) faces the eye
+  std::array<float, 3>
+    normal; ///< in the directions of `Projected_point`, unit length; (0, 0, 1) faces the eye
   Color color;
 };
 
 /*!
-Draws the discs on white, smooth at their edges. Those that lie behind a surface are left out, although one could look
-at them between the discs in front: a first pass lets every disc grow until the surface closes and keeps its depth.
+Draws the discs on white, smooth at their edges. Those that lie behind a surface are left out,
+although one could look at them between the discs in front: a first pass lets every disc grow until
+the surface closes and keeps its depth.
 
 \param spacing of the points, in pixels
-\param has_normals whether the splats' normals mean something; if not, their light comes from the depth of what
-  surrounds them
+\param has_normals whether the splats' normals mean something; if not, their light comes from the
+  depth of what surrounds them
 */
-Image render_splats(const std::vector<Splat>& splats, float spacing, bool has_normals, int width, int height);
+Image render_splats(const std::vector<Splat>& splats, float spacing, bool has_normals, int width,
+                    int height);
 
 } // namespace l0_tool
 

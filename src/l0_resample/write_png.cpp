@@ -20,7 +20,8 @@ namespace {
 png_byte to_srgb(float linear)
 {
   const float x = (std::clamp)(linear, 0.f, 1.f);
-  const float encoded = x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1 / 2.4f) - 0.055f; // IEC 61966-2-1
+  const float encoded = x <= 0.0031308f ? 12.92f * x
+                                        : 1.055f * std::pow(x, 1 / 2.4f) - 0.055f; // IEC 61966-2-1
   return png_byte(std::lround(255 * encoded));
 }
 

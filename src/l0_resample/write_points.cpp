@@ -59,7 +59,10 @@ public:
 
   std::size_t size() const { return m_cloud.points.size(); }
   const Point& point(std::size_t i) const { return m_cloud.points[i]; }
-  Vector normal(std::size_t i) const { return m_cloud.normals.empty() ? Vector(0, 0, 0) : m_cloud.normals[i]; }
+  Vector normal(std::size_t i) const
+  {
+    return m_cloud.normals.empty() ? Vector(0, 0, 0) : m_cloud.normals[i];
+  }
   const char* properties(std::size_t i) const { return m_cloud.properties.row(i); }
 };
 
@@ -77,7 +80,8 @@ void append_text(const Row& row, const char* properties, const Layout& layout, s
   std::array<char, longest_number> digits;
   const auto append = [&](auto number) {
     // The shortest text that reads as the same number
-    text.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr);
+    text.append(digits.data(),
+                std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr);
     text += ' ';
   };
   for (std::size_t k = 0; k < layout.number_of_coordinates(); ++k)
@@ -111,8 +115,8 @@ void append_binary(const Row& row, const char* properties, const Layout& layout,
       bytes += byte == Output_column::zero ? '\0' : properties[byte];
 }
 
-/// Whether `float` holds the points to a millionth of their diagonal: not if they lie far from the origin, or beyond
-/// its range.
+/// Whether `float` holds the points to a millionth of their diagonal: not if they lie far from the
+/// origin, or beyond its range.
 template <typename Rows>
 bool is_single_precision_enough(const Rows& rows)
 {
@@ -128,7 +132,8 @@ bool is_single_precision_enough(const Rows& rows)
     squared_diagonal += (high - low) * (high - low);
   }
   using Limits = std::numeric_limits<float>;
-  const double rounding = (std::max)(largest * double(Limits::epsilon()) / 2, double(Limits::denorm_min()));
+  const double rounding = (std::max)(largest * double(Limits::epsilon()) / 2,
+                                     double(Limits::denorm_min()));
   return largest < double((Limits::max)()) && rounding <= share * std::sqrt(squared_diagonal);
 }
 
@@ -163,18 +168,21 @@ char pcd_letter(Number_type type)
 }
 
 /// Coordinates, normals and others, by the names that the format has for the first six.
-std::vector<Output_column> all_columns(const Layout& layout, const std::array<const char*, 6>& names)
+std::vector<Output_column> all_columns(const Layout& layout,
+                                       const std::array<const char*, 6>& names)
 {
   std::vector<Output_column> columns;
   for (std::size_t k = 0; k < layout.number_of_coordinates(); ++k)
-    columns.push_back({names[k], layout.is_single ? Number_type::FLOAT32 : Number_type::FLOAT64, {}});
+    columns.push_back(
+      {names[k], layout.is_single ? Number_type::FLOAT32 : Number_type::FLOAT64, {}});
   columns.insert(columns.end(), layout.others.begin(), layout.others.end());
   return columns;
 }
 
 std::string ply_header(std::size_t number_of_points, const Layout& layout)
 {
-  std::string text = "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(number_of_points) + "\n";
+  std::string text = "ply\nformat binary_little_endian 1.0\nelement vertex "
+                     + std::to_string(number_of_points) + "\n";
   for (const Output_column& column : all_columns(layout, {"x", "y", "z", "nx", "ny", "nz"}))
     text += "property " + ply_name(column.type) + " " + column.name + "\n";
   return text + "end_header\n";
@@ -183,15 +191,17 @@ std::string ply_header(std::size_t number_of_points, const Layout& layout)
 std::string pcd_header(std::size_t number_of_points, const Layout& layout)
 {
   std::string fields = "FIELDS", sizes = "\nSIZE", types = "\nTYPE", counts = "\nCOUNT";
-  for (const Output_column& column : all_columns(layout, {"x", "y", "z", "normal_x", "normal_y", "normal_z"})) {
+  for (const Output_column& column :
+       all_columns(layout, {"x", "y", "z", "normal_x", "normal_y", "normal_z"})) {
     fields += " " + column.name;
     sizes += " " + std::to_string(size_of(column.type));
     types += std::string(" ") + pcd_letter(column.type);
     counts += " 1";
   }
   const std::string n = std::to_string(number_of_points);
-  return "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\n" + fields + sizes + types + counts + "\nWIDTH " + n
-         + "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + n + "\nDATA binary\n";
+  return "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\n" + fields + sizes + types
+         + counts + "\nWIDTH " + n + "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + n
+         + "\nDATA binary\n";
 }
 
 std::string off_header(std::size_t number_of_points, const Layout& layout)
@@ -203,9 +213,10 @@ std::string off_header(std::size_t number_of_points, const Layout& layout)
 std::string npy_header(std::size_t number_of_points, const Layout& layout)
 {
   std::string text = std::string("{'descr': '") + (layout.is_single ? "<f4" : "<f8")
-                     + "', 'fortran_order': False, 'shape': (" + std::to_string(number_of_points) + ", "
-                     + std::to_string(layout.number_of_coordinates()) + "), }";
-  // The data begins at a multiple of 64 bytes, behind ten bytes of magic and length, the text and a line end.
+                     + "', 'fortran_order': False, 'shape': (" + std::to_string(number_of_points)
+                     + ", " + std::to_string(layout.number_of_coordinates()) + "), }";
+  // The data begins at a multiple of 64 bytes, behind ten bytes of magic and length, the text and a
+  // line end.
   text.append(63 - (10 + text.size()) % 64, ' ');
   text += '\n';
   return std::string("\x93NUMPY\x01\x00", 8) + char(text.size()) + '\0' + text;
@@ -223,10 +234,14 @@ std::string header_of(File_format format, std::size_t number_of_points, const La
   return npy_header(number_of_points, layout);
 }
 
-bool is_text(File_format format) { return format == File_format::OFF || format == File_format::XYZ; }
+bool is_text(File_format format)
+{
+  return format == File_format::OFF || format == File_format::XYZ;
+}
 
 template <typename Rows>
-void write_rows(const std::string& path, File_format format, const Rows& rows, Layout layout, Existing_file existing)
+void write_rows(const std::string& path, File_format format, const Rows& rows, Layout layout,
+                Existing_file existing)
 {
   if (format == File_format::PCD)
     layout.is_single = layout.is_single || is_single_precision_enough(rows);
@@ -244,37 +259,41 @@ void write_rows(const std::string& path, File_format format, const Rows& rows, L
 
 } // namespace
 
-void write_points(const std::string& path, File_format format, const std::vector<Oriented_point>& points,
-                  Existing_file existing)
+void write_points(const std::string& path, File_format format,
+                  const std::vector<Oriented_point>& points, Existing_file existing)
 {
   write_rows(path, format, Oriented_rows(points, {}), {true, false, {}}, existing);
 }
 
-std::vector<std::string> write_points(const std::string& path, File_format format, const Resampled_points& result,
-                                      Existing_file existing)
+std::vector<std::string> write_points(const std::string& path, File_format format,
+                                      const Resampled_points& result, Existing_file existing)
 {
   const Output_columns chosen = choose_columns(result.properties, format, true);
-  write_rows(path, format, Oriented_rows(result.points, result.properties), {true, false, chosen.columns}, existing);
+  write_rows(path, format, Oriented_rows(result.points, result.properties),
+             {true, false, chosen.columns}, existing);
   return chosen.left_out;
 }
 
-std::vector<std::string> write_point_cloud(const std::string& path, File_format format, const Point_cloud& cloud,
-                                           Existing_file existing)
+std::vector<std::string> write_point_cloud(const std::string& path, File_format format,
+                                           const Point_cloud& cloud, Existing_file existing)
 {
   const bool has_normals = !cloud.normals.empty();
   const Output_columns chosen = choose_columns(cloud.properties, format, has_normals);
   write_rows(path, format, Cloud_rows(cloud),
-             {has_normals, cloud.coordinate_type == Number_type::FLOAT32, chosen.columns}, existing);
+             {has_normals, cloud.coordinate_type == Number_type::FLOAT32, chosen.columns},
+             existing);
   return chosen.left_out;
 }
 
-std::uint64_t largest_file_size(File_format format, std::uint64_t number_of_points, const Property_table& properties)
+std::uint64_t largest_file_size(File_format format, std::uint64_t number_of_points,
+                                const Property_table& properties)
 {
   std::uint64_t header_size = 1024;
   for (const Property& property : properties.properties())
     header_size += property.name.size() + 32;
   // In text, of properties only four channels of a color, each of three digits and a blank
-  const std::uint64_t row_size = is_text(format) ? 6 * (longest_number + 1) + 4 * 4 : sizeof(Row) + properties.row_size();
+  const std::uint64_t row_size = is_text(format) ? 6 * (longest_number + 1) + 4 * 4
+                                                 : sizeof(Row) + properties.row_size();
   return header_size + number_of_points * row_size;
 }
 

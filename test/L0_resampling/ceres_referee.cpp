@@ -70,17 +70,20 @@ Eigen::VectorXd test::solve_with_ceres(const Paper_problem& paper)
   std::vector<Vector> p = paper.samples;
   ceres::Problem problem;
   for (const auto& t : paper.fit)
-    problem.AddResidualBlock(new ceres::AutoDiffCostFunction<Fit_residual, 3, 3>(new Fit_residual{std::sqrt(1 / t.v), t.q}),
+    problem.AddResidualBlock(new ceres::AutoDiffCostFunction<Fit_residual, 3, 3>(
+                               new Fit_residual{std::sqrt(1 / t.v), t.q}),
                              nullptr, p[t.i].data());
   for (const auto& t : paper.pairs)
   {
     if (paper.alpha > 0)
-      problem.AddResidualBlock(new ceres::AutoDiffCostFunction<Regularization_residual, 3, 3, 3>(
-                                 new Regularization_residual{std::sqrt(paper.alpha * t.stretch / paper.densities[t.i])}),
-                               nullptr, p[t.i].data(), p[t.k].data());
-    problem.AddResidualBlock(new ceres::AutoDiffCostFunction<Normal_residual, 1, 3, 3>(
-                               new Normal_residual{std::sqrt(paper.beta), paper.normals[t.i], t.offset}),
-                             nullptr, p[t.i].data(), p[t.k].data());
+      problem.AddResidualBlock(
+        new ceres::AutoDiffCostFunction<Regularization_residual, 3, 3, 3>(
+          new Regularization_residual{std::sqrt(paper.alpha * t.stretch / paper.densities[t.i])}),
+        nullptr, p[t.i].data(), p[t.k].data());
+    problem.AddResidualBlock(
+      new ceres::AutoDiffCostFunction<Normal_residual, 1, 3, 3>(
+        new Normal_residual{std::sqrt(paper.beta), paper.normals[t.i], t.offset}),
+      nullptr, p[t.i].data(), p[t.k].data());
   }
 
   ceres::Solver::Options options;

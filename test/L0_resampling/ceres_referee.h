@@ -12,8 +12,9 @@
 
 namespace test {
 
-/// The displacements from the current positions to the minimum of Eq. (10), found by Ceres, which gets the terms as the
-/// paper prints them. In a source file of its own, since Ceres' logging library has a macro `CHECK` too.
+/// The displacements from the current positions to the minimum of Eq. (10), found by Ceres, which
+/// gets the terms as the paper prints them. In a source file of its own, since Ceres' logging
+/// library has a macro `CHECK` too.
 /// \throws std::runtime_error if Ceres finds none
 Eigen::VectorXd solve_with_ceres(const Paper_problem& paper);
 

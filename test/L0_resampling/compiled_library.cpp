@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Writes results to the last bit. Built twice, with the compiled library and from headers alone: the
-// test compares what the two programs write.
+// Writes results to the last bit. Built twice, with the compiled library and from headers alone:
+// the test compares what the two programs write.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/IO/read_ply_points.h>
@@ -31,7 +31,8 @@ void write_result(const std::vector<Kernel::Point_3>& points, const NamedParamet
   CGAL::l0_resample_point_set<ConcurrencyTag>(points, std::back_inserter(result), np);
   std::cout << std::hexfloat;
   for (const auto& [p, n] : result)
-    std::cout << p.x() << ' ' << p.y() << ' ' << p.z() << ' ' << n.x() << ' ' << n.y() << ' ' << n.z() << '\n';
+    std::cout << p.x() << ' ' << p.y() << ' ' << p.z() << ' ' << n.x() << ' ' << n.y() << ' '
+              << n.z() << '\n';
 }
 
 } // namespace
@@ -46,7 +47,8 @@ int main(int, char** arguments)
   for (const Method method : {Method::DEFAULT, Method::LOR, Method::ALOR})
   {
     write_result<CGAL::Parallel_if_available_tag>(points, params::resampling_method(method));
-    write_result<CGAL::Sequential_tag>(points, params::resampling_method(method).sparse_linear_solver(
-                                                 Eigen_cholesky_solver_traits<double>()));
+    write_result<CGAL::Sequential_tag>(points,
+                                       params::resampling_method(method).sparse_linear_solver(
+                                         Eigen_cholesky_solver_traits<double>()));
   }
 }

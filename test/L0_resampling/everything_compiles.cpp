@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Never linked nor run: all public headers, and the function for every tag, solver, and kind of range that it knows, for
-// compilers to look at.
+// Never linked nor run: all public headers, and the function for every tag, solver, and kind of
+// range that it knows, for compilers to look at.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/L0_resampling/Block_conjugate_gradient_solver_traits.h>
@@ -40,24 +40,28 @@ void resample()
   const std::vector<Pair> pairs;
   std::vector<Pair> result;
   CGAL::l0_resample_point_set<ConcurrencyTag>(points, std::back_inserter(result));
-  CGAL::l0_resample_point_set<ConcurrencyTag>(pairs, std::back_inserter(result),
-                                              parameters::point_map(CGAL::First_of_pair_property_map<Pair>())
-                                                  .normal_map(CGAL::Second_of_pair_property_map<Pair>())
-                                                  .callback([](double) { return true; })
-                                                | parameters::resampling_method(Method::LOR));
+  CGAL::l0_resample_point_set<ConcurrencyTag>(
+    pairs, std::back_inserter(result),
+    parameters::point_map(CGAL::First_of_pair_property_map<Pair>())
+        .normal_map(CGAL::Second_of_pair_property_map<Pair>())
+        .callback([](double) { return true; })
+      | parameters::resampling_method(Method::LOR));
   if constexpr (!std::is_same_v<ConcurrencyTag, CGAL::CUDA_tag>) // which has its own solver
   {
     CGAL::l0_resample_point_set<ConcurrencyTag>(points, std::back_inserter(result),
-                                                parameters::sparse_linear_solver(Eigen_cholesky_solver_traits<>()));
+                                                parameters::sparse_linear_solver(
+                                                  Eigen_cholesky_solver_traits<>()));
     CGAL::l0_resample_point_set<ConcurrencyTag>(points, std::back_inserter(result),
-                                                parameters::sparse_linear_solver(Eigen_least_squares_solver_traits<>()));
+                                                parameters::sparse_linear_solver(
+                                                  Eigen_least_squares_solver_traits<>()));
     std::vector<std::size_t> sources;
     std::vector<double> confidences;
-    CGAL::l0_resample_point_set<ConcurrencyTag>(points, std::back_inserter(result),
-                                                parameters::source_index_map(CGAL::make_property_map(sources))
-                                                  .viewpoint(typename Kernel::Point_3(0, 0, 1))
-                                                  .feature_confidence_map(CGAL::make_property_map(confidences))
-                                                  .keep_density(true));
+    CGAL::l0_resample_point_set<ConcurrencyTag>(
+      points, std::back_inserter(result),
+      parameters::source_index_map(CGAL::make_property_map(sources))
+        .viewpoint(typename Kernel::Point_3(0, 0, 1))
+        .feature_confidence_map(CGAL::make_property_map(confidences))
+        .keep_density(true));
   }
 
   CGAL::Point_set_3<typename Kernel::Point_3> point_set, resampled;

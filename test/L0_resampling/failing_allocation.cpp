@@ -3,7 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Replaces the global operators. In a source file of its own, since compilers that see both sides take `std::free()` for a mistake.
+// Replaces the global operators. In a source file of its own, since compilers that see both sides
+// take `std::free()` for a mistake.
 
 #include "failing_allocation.h"
 

@@ -8,7 +8,8 @@
 
 namespace test {
 
-/// Lets `number` more calls of `operator new` succeed, in all threads together, and every later one throw `std::bad_alloc`.
+/// Lets `number` more calls of `operator new` succeed, in all threads together, and every later one
+/// throw `std::bad_alloc`.
 void fail_after_allocations(long number);
 
 /// Ends that.

@@ -44,16 +44,18 @@ struct Scene
     Oriented_points cube = cube_points(1500, 3, generator);
     add_gaussian_noise(cube.points, 0.1, generator);
     const Gridded_points input(cube.points, radius / 2);
-    const Gridded_points start(std::vector<Vector>(cube.points.begin(), cube.points.begin() + 400), radius / 2);
+    const Gridded_points start(std::vector<Vector>(cube.points.begin(), cube.points.begin() + 400),
+                               radius / 2);
     Unwatched unwatched;
     const Buffer<double> density_weights(1500, 1.5);
     samples.positions = start.points;
     samples.normals = to_buffer(permuted(start.order, cube.normals));
     samples.fit_weights.resize(400, 0.);
     samples.fit_centroids.resize(400);
-    rows = gather_fit_rows<CGAL::Sequential_tag>(start.grid, start.points, input.grid, input.points, density_weights,
-                                                 radius, 0, unwatched.progress);
-    neighbors = find_self_neighbors<CGAL::Sequential_tag>(start.grid, start.points, radius / 2, unwatched.progress);
+    rows = gather_fit_rows<CGAL::Sequential_tag>(start.grid, start.points, input.grid, input.points,
+                                                 density_weights, radius, 0, unwatched.progress);
+    neighbors = find_self_neighbors<CGAL::Sequential_tag>(start.grid, start.points, radius / 2,
+                                                          unwatched.progress);
     for (std::size_t i = 0; i < 400; ++i)
     {
       Vector sum = Vector::Zero();
@@ -82,8 +84,8 @@ struct Energy
 };
 
 /// Eq. (7) as it stands. The weights of Eq. (4) and (5) are those of the positions before the step.
-inline Energy energy(const Scene& scene, const Step& step, bool regularized, const std::vector<Vector>& p,
-                     const std::vector<double>& offsets)
+inline Energy energy(const Scene& scene, const Step& step, bool regularized,
+                     const std::vector<Vector>& p, const std::vector<double>& offsets)
 {
   const Minimization_parameters& parameters = scene.parameters;
   Energy energy;
@@ -102,14 +104,19 @@ inline Energy energy(const Scene& scene, const Step& step, bool regularized, con
     return (step.before[i] - step.before[k]).squaredNorm();
   };
   for_each_pair([&](std::size_t, std::size_t i, std::size_t k) {
-    w[i] += std::exp(-squared_distance(i, k) / parameters.squared_bandwidth) / mean_number_of_neighbors;
+    w[i] += std::exp(-squared_distance(i, k) / parameters.squared_bandwidth)
+            / mean_number_of_neighbors;
   });
   for_each_pair([&](std::size_t e, std::size_t i, std::size_t k) {
-    const double stretch = std::exp((std::min)(squared_distance(i, k) / parameters.squared_radius, 1.));
+    const double stretch = std::exp(
+      (std::min)(squared_distance(i, k) / parameters.squared_radius, 1.));
     if (regularized)
-      energy.regularization += parameters.regularization_weight * stretch / w[i] * (p[i] - p[k]).squaredNorm();
-    energy.normal += step.penalty * std::pow(scene.samples.normals[i].dot(p[i] - p[k]) - offsets[e], 2);
-    energy.sparsity += parameters.normal_weight * std::pow(parameters.sparsity_unit, 2) * (offsets[e] != 0);
+      energy.regularization += parameters.regularization_weight * stretch / w[i]
+                               * (p[i] - p[k]).squaredNorm();
+    energy.normal += step.penalty
+                     * std::pow(scene.samples.normals[i].dot(p[i] - p[k]) - offsets[e], 2);
+    energy.sparsity += parameters.normal_weight * std::pow(parameters.sparsity_unit, 2)
+                       * (offsets[e] != 0);
   });
   return energy;
 }

@@ -23,11 +23,12 @@ inline double normal_bandwidth(double sharpness_angle)
   return std::pow(1 - std::cos(sharpness_angle * EIGEN_PI / 180), 2);
 }
 
-/// Eq. (1) as it stands, once for all points, with any \f$ \psi \f$ of \f$ |n^T n'| \f$. A normal on the other side is
-/// turned first.
+/// Eq. (1) as it stands, once for all points, with any \f$ \psi \f$ of \f$ |n^T n'| \f$. A normal
+/// on the other side is turned first.
 template <typename Psi>
-std::vector<Vector> filter_normals_naively(const std::vector<Vector>& points, const std::vector<Vector>& normals,
-                                           double radius, double spatial_bandwidth, const Psi& psi)
+std::vector<Vector> filter_normals_naively(const std::vector<Vector>& points,
+                                           const std::vector<Vector>& normals, double radius,
+                                           double spatial_bandwidth, const Psi& psi)
 {
   const auto neighbors = brute_force_neighbors(points, points, radius);
   std::vector<Vector> filtered;
@@ -37,7 +38,8 @@ std::vector<Vector> filter_normals_naively(const std::vector<Vector>& points, co
     for (std::size_t k : neighbors[j])
     {
       const double cosine = normals[j].dot(normals[k]);
-      const double theta = std::exp(-(points[j] - points[k]).squaredNorm() / (spatial_bandwidth * spatial_bandwidth));
+      const double theta = std::exp(-(points[j] - points[k]).squaredNorm()
+                                    / (spatial_bandwidth * spatial_bandwidth));
       sum += theta * psi(std::abs(cosine)) * (cosine < 0 ? -1 : 1) * normals[k];
     }
     filtered.push_back(sum.normalized());
@@ -68,7 +70,8 @@ inline Oriented_points wedge_points(std::size_t n, Generator& generator)
 }
 
 /// Unit vectors near `normals`: each is moved by a Gaussian of this deviation in every coordinate.
-inline std::vector<Vector> noisy_normals(std::vector<Vector> normals, double deviation, Generator& generator)
+inline std::vector<Vector> noisy_normals(std::vector<Vector> normals, double deviation,
+                                         Generator& generator)
 {
   add_gaussian_noise(normals, deviation, generator);
   for (Vector& n : normals)

@@ -53,11 +53,13 @@ Vector as_vector(const Point_or_vector& p)
 
 /// Calls the function, with a report added to the named parameters.
 template <typename Kernel, typename ConcurrencyTag, typename NamedParameters>
-Resampled<Kernel> resample(const std::vector<typename Kernel::Point_3>& points, const NamedParameters& np)
+Resampled<Kernel> resample(const std::vector<typename Kernel::Point_3>& points,
+                           const NamedParameters& np)
 {
   Resampled<Kernel> result;
-  CGAL::l0_resample_point_set<ConcurrencyTag>(points, std::back_inserter(result.pairs),
-                                              np | CGAL::parameters::resampling_report(&result.report));
+  CGAL::l0_resample_point_set<ConcurrencyTag>(
+    points, std::back_inserter(result.pairs),
+    np | CGAL::parameters::resampling_report(&result.report));
   return result;
 }
 
@@ -89,13 +91,14 @@ std::size_t number_of_distinct(const std::vector<typename Kernel::Point_3>& poin
 }
 
 /*!
-What promise 4 forbids and `result` has, as text; empty for a clean result: every point finite and in the bounding box of the finite
-points grown by one radius, up to the rounding of the kernel's numbers; normals of unit length within 1e-6; `expected_size` points, no
-two of them equal unless the input had fewer distinct points.
+What promise 4 forbids and `result` has, as text; empty for a clean result: every point finite and
+in the bounding box of the finite points grown by one radius, up to the rounding of the kernel's
+numbers; normals of unit length within 1e-6; `expected_size` points, no two of them equal unless the
+input had fewer distinct points.
 */
 template <typename Kernel>
-std::string fault_of(const std::vector<typename Kernel::Point_3>& points, const Resampled<Kernel>& result,
-                     std::size_t expected_size)
+std::string fault_of(const std::vector<typename Kernel::Point_3>& points,
+                     const Resampled<Kernel>& result, std::size_t expected_size)
 {
   std::ostringstream fault;
   if (result.pairs.size() != expected_size)
@@ -123,7 +126,8 @@ std::string fault_of(const std::vector<typename Kernel::Point_3>& points, const 
     const Vector p = as_vector(point), n = as_vector(normal);
     positions.push_back(point);
     not_finite += !p.allFinite() || !n.allFinite();
-    outside += !((p.array() >= (low - margin).array()).all() && (p.array() <= (high + margin).array()).all());
+    outside += !((p.array() >= (low - margin).array()).all()
+                 && (p.array() <= (high + margin).array()).all());
     not_unit += !(std::abs(n.norm() - 1) <= 1e-6);
   }
   if (not_finite + outside + not_unit > 0)

@@ -56,9 +56,11 @@ struct Paper_problem
   }
 };
 
-/// A noisy cube of side 3; self neighbors are closer than half of the radius 1.5. The last three samples are isolated:
-/// one input point and no self neighbor. The offsets are random: Eq. (10) does not ask that delta_ik be -delta_ki.
-inline Paper_problem random_paper_problem(std::size_t number_of_samples, double alpha, double beta, Generator& generator)
+/// A noisy cube of side 3; self neighbors are closer than half of the radius 1.5. The last three
+/// samples are isolated: one input point and no self neighbor. The offsets are random: Eq. (10)
+/// does not ask that delta_ik be -delta_ki.
+inline Paper_problem random_paper_problem(std::size_t number_of_samples, double alpha, double beta,
+                                          Generator& generator)
 {
   const double radius = 1.5;
   Oriented_points input = cube_points(5 * number_of_samples, 3, generator);
@@ -71,7 +73,8 @@ inline Paper_problem random_paper_problem(std::size_t number_of_samples, double 
   {
     const bool is_isolated = i + 3 >= number_of_samples;
     problem.samples.push_back(is_isolated ? Vector(20 + 5 * double(i), 0, 0) : input.points[5 * i]);
-    problem.normals.push_back((input.normals[5 * i] + 0.2 * random_unit_vector(generator)).normalized());
+    problem.normals.push_back(
+      (input.normals[5 * i] + 0.2 * random_unit_vector(generator)).normalized());
     problem.densities.push_back(random_number(1, 3, generator));
     if (is_isolated)
       input.points.push_back(problem.samples.back() + 0.3 * random_unit_vector(generator));
@@ -90,14 +93,17 @@ inline Paper_problem random_paper_problem(std::size_t number_of_samples, double 
       if (k != i)
       {
         const double squared_distance = (problem.samples[i] - problem.samples[k]).squaredNorm();
-        const double offset = random_number(0, 1, generator) < 0.5 ? 0 : random_number(-0.5, 0.5, generator);
+        const double offset = random_number(0, 1, generator) < 0.5
+                                ? 0
+                                : random_number(-0.5, 0.5, generator);
         problem.pairs.push_back({i, k, std::exp(squared_distance / (radius * radius)), offset});
       }
   }
   return problem;
 }
 
-/// The arrays behind a `Quadratic_problem`, made of a `Paper_problem` by what its documentation says.
+/// The arrays behind a `Quadratic_problem`, made of a `Paper_problem` by what its documentation
+/// says.
 template <typename FT>
 class Collapsed_problem
 {
@@ -136,12 +142,13 @@ public:
   std::vector<FT> origins, fit_positions, row_weights, normal_offsets;
 
   explicit Collapsed_problem(const Paper_problem& paper)
-    : m_normals(flat(paper.normals)), m_offsets(offsets(paper.pairs, paper.samples.size())), m_beta(FT(paper.beta)),
-      fit_weights(paper.samples.size(), FT(0)), fit_offsets(offsets(paper.fit, paper.samples.size())),
-      origins(flat(paper.samples))
+    : m_normals(flat(paper.normals)), m_offsets(offsets(paper.pairs, paper.samples.size())),
+      m_beta(FT(paper.beta)), fit_weights(paper.samples.size(), FT(0)),
+      fit_offsets(offsets(paper.fit, paper.samples.size())), origins(flat(paper.samples))
   {
     const std::vector<Vector>& o = paper.samples;
-    std::vector<Vector> pulls(o.size(), Vector::Zero()); // minus half of the gradient of Eq. (10) at o
+    std::vector<Vector> pulls(o.size(),
+                              Vector::Zero()); // minus half of the gradient of Eq. (10) at o
     std::vector<Vector> fit_points;
     for (const auto& t : paper.fit)
     {
@@ -154,7 +161,8 @@ public:
     {
       const double weight = paper.alpha * t.stretch;
       const Vector pull = weight / paper.densities[t.i] * (o[t.i] - o[t.k])
-                          + paper.beta * (paper.normals[t.i].dot(o[t.i] - o[t.k]) - t.offset) * paper.normals[t.i];
+                          + paper.beta * (paper.normals[t.i].dot(o[t.i] - o[t.k]) - t.offset)
+                              * paper.normals[t.i];
       pulls[t.i] -= pull;
       pulls[t.k] += pull;
       m_indices.push_back(CGAL::L0_resampling::Index(t.k));
@@ -183,11 +191,16 @@ public:
   {
     const std::size_t m = fit_weights.size();
     const Eigen::Index columns = Eigen::Index(m);
-    m_rows = {fit_offsets.data(), fit_positions.data(), row_weights.data(), normal_offsets.data(), origins.data()};
-    return {{fit_weights.data(), columns},         {m, m_offsets.data(), m_indices.data()},
-            {m_normals.data(), 3, columns},        {pair_weights.data(), Eigen::Index(pair_weights.size())},
-            {right_hand_side.data(), 3, columns},  m_beta,
-            {m_normal_spreads.data(), 6, columns}, &m_rows};
+    m_rows = {fit_offsets.data(), fit_positions.data(), row_weights.data(), normal_offsets.data(),
+              origins.data()};
+    return {{fit_weights.data(), columns},
+            {m, m_offsets.data(), m_indices.data()},
+            {m_normals.data(), 3, columns},
+            {pair_weights.data(), Eigen::Index(pair_weights.size())},
+            {right_hand_side.data(), 3, columns},
+            m_beta,
+            {m_normal_spreads.data(), 6, columns},
+            &m_rows};
   }
 };
 

@@ -101,8 +101,9 @@ inline std::vector<Vector> far_points(Generator& generator)
 {
   const double end = 1 << 20;
   std::vector<Vector> points;
-  for (const Vector& center : {Vector(0, 0, 0), Vector(end, 0, 0), Vector(end + 40, -end, 3), Vector(-end - 40, 0, 5),
-                               Vector(1e9, 0, 0), Vector(1e9, 1e9, -1e9), Vector(-1e9, 0, 2e9), Vector(3e13, 7, 5e12)})
+  for (const Vector& center :
+       {Vector(0, 0, 0), Vector(end, 0, 0), Vector(end + 40, -end, 3), Vector(-end - 40, 0, 5),
+        Vector(1e9, 0, 0), Vector(1e9, 1e9, -1e9), Vector(-1e9, 0, 2e9), Vector(3e13, 7, 5e12)})
     for (int n = 0; n < 40; ++n)
       points.push_back(center + 2 * random_unit_vector(generator));
   return points;

@@ -31,17 +31,19 @@ struct Watching_solver
       step.before.emplace_back(Eigen::Map<const Vector>(problem.rows->origins + 3 * i));
       step.after.push_back(step.before.back() + x.segment<3>(Eigen::Index(3 * i)));
     }
-    step.offsets.assign(problem.rows->normal_offsets, problem.rows->normal_offsets + problem.pair_weights.size());
-    step.pair_weights.assign(problem.pair_weights.data(), problem.pair_weights.data() + problem.pair_weights.size());
+    step.offsets.assign(problem.rows->normal_offsets,
+                        problem.rows->normal_offsets + problem.pair_weights.size());
+    step.pair_weights.assign(problem.pair_weights.data(),
+                             problem.pair_weights.data() + problem.pair_weights.size());
     steps.push_back(std::move(step));
     return report;
   }
 };
 
-/// At a fixed penalty neither half of an iteration raises Eq. (7): line 2 finds offsets better than all others tried,
-/// line 3 positions.
-void check_descent(const Scene& scene, const std::vector<Step>& steps, const std::vector<Iteration_report>& reports,
-                   Generator& generator)
+/// At a fixed penalty neither half of an iteration raises Eq. (7): line 2 finds offsets better than
+/// all others tried, line 3 positions.
+void check_descent(const Scene& scene, const std::vector<Step>& steps,
+                   const std::vector<Iteration_report>& reports, Generator& generator)
 {
   std::vector<double> last_offsets(scene.neighbors.indices.size(), 0);
   for (std::size_t t = 0; t < steps.size(); ++t)
@@ -50,14 +52,17 @@ void check_descent(const Scene& scene, const std::vector<Step>& steps, const std
       const Energy e = energy(scene, steps[t], reports[t].regularized, p, offsets);
       return e.fit + e.regularization + e.normal + e.sparsity;
     };
-    const double shrunk = eq_7(steps[t].before, steps[t].offsets), solved = eq_7(steps[t].after, steps[t].offsets);
+    const double shrunk = eq_7(steps[t].before, steps[t].offsets),
+                 solved = eq_7(steps[t].after, steps[t].offsets);
     CHECK(shrunk <= eq_7(steps[t].before, last_offsets));
     CHECK(solved < shrunk);
 
     std::vector<double> other_offsets = steps[t].offsets;
     for (double& offset : other_offsets)
       if (std::bernoulli_distribution(0.1)(generator))
-        offset = offset == 0 || std::bernoulli_distribution()(generator) ? random_number(-0.4, 0.4, generator) : 0;
+        offset = offset == 0 || std::bernoulli_distribution()(generator)
+                   ? random_number(-0.4, 0.4, generator)
+                   : 0;
     CHECK(eq_7(steps[t].before, other_offsets) > shrunk);
     for (double size : {1e-3, 1e-6})
     {
@@ -69,29 +74,34 @@ void check_descent(const Scene& scene, const std::vector<Step>& steps, const std
   }
 }
 
-/// The report gives the terms of Eq. (7) after line 2, per squared radius, the fit term above its least value.
-void check_report(const Scene& scene, const std::vector<Step>& steps, const std::vector<Iteration_report>& reports)
+/// The report gives the terms of Eq. (7) after line 2, per squared radius, the fit term above its
+/// least value.
+void check_report(const Scene& scene, const std::vector<Step>& steps,
+                  const std::vector<Iteration_report>& reports)
 {
   const double unit = scene.parameters.squared_radius;
-  const std::vector<Vector> centroids(scene.samples.fit_centroids.begin(), scene.samples.fit_centroids.end());
+  const std::vector<Vector> centroids(scene.samples.fit_centroids.begin(),
+                                      scene.samples.fit_centroids.end());
   for (std::size_t t = 0; t < steps.size(); ++t)
   {
-    const Energy naive = energy(scene, steps[t], reports[t].regularized, steps[t].before, steps[t].offsets);
+    const Energy naive = energy(scene, steps[t], reports[t].regularized, steps[t].before,
+                                steps[t].offsets);
     const double least_fit = energy(scene, steps[t], false, centroids, steps[t].offsets).fit;
     CHECK(std::abs(reports[t].fit_energy * unit - (naive.fit - least_fit)) < 1e-13 * naive.fit);
     CHECK(is_close(reports[t].regularization_energy, naive.regularization / unit, 1e-10));
     CHECK(is_close(reports[t].normal_energy, naive.normal / unit, 1e-10));
     CHECK(is_close(reports[t].sparsity_energy, naive.sparsity / unit, 1e-10));
     const auto inactive = double(std::count(steps[t].offsets.begin(), steps[t].offsets.end(), 0.));
-    CHECK(is_close(1 - reports[t].active_pair_share, inactive / double(steps[t].offsets.size()), 1e-12));
+    CHECK(is_close(1 - reports[t].active_pair_share, inactive / double(steps[t].offsets.size()),
+                   1e-12));
     CHECK(reports[t].solver.converged);
   }
   // small penalties let no jump through, large ones some
   CHECK(reports.front().active_pair_share == 0 && reports.back().active_pair_share > 0.005);
 }
 
-/// Algorithm 1: eight penalties, each iteration from where the last one ended; the second half of Section 4 drops the
-/// pairs' weights in every second one.
+/// Algorithm 1: eight penalties, each iteration from where the last one ended; the second half of
+/// Section 4 drops the pairs' weights in every second one.
 void check_course(const Scene& start, const Scene& end, const std::vector<Step>& steps,
                   const std::vector<Iteration_report>& reports)
 {
@@ -99,21 +109,26 @@ void check_course(const Scene& start, const Scene& end, const std::vector<Step>&
   for (std::size_t t = 0; t < steps.size(); ++t)
   {
     const bool regularized = !start.parameters.interleave_regularization || t % 2 == 0;
-    CHECK(is_close(steps[t].penalty, 0.1 * std::pow(1.5, double(t)), 1e-12) && reports[t].penalty == steps[t].penalty);
+    CHECK(is_close(steps[t].penalty, 0.1 * std::pow(1.5, double(t)), 1e-12)
+          && reports[t].penalty == steps[t].penalty);
     CHECK(reports[t].regularized == regularized);
     CHECK(std::all_of(steps[t].pair_weights.begin(), steps[t].pair_weights.end(),
                       [&](double a) { return (a > 0) == regularized; }));
-    CHECK(to_buffer(steps[t].before) == (t == 0 ? start.samples.positions : to_buffer(steps[t - 1].after)));
+    CHECK(to_buffer(steps[t].before)
+          == (t == 0 ? start.samples.positions : to_buffer(steps[t - 1].after)));
   }
   CHECK(to_buffer(steps.back().after) == end.samples.positions);
-  CHECK(start.samples.normals == end.samples.normals && start.neighbors.indices == end.neighbors.indices);
+  CHECK(start.samples.normals == end.samples.normals
+        && start.neighbors.indices == end.neighbors.indices);
 }
 
-/// Of the pairs of the scene those that are no longer than that, but for the pair of these two samples; of a sample with itself, there is none.
+/// Of the pairs of the scene those that are no longer than that, but for the pair of these two
+/// samples; of a sample with itself, there is none.
 Neighborhoods pairs_within(const Scene& scene, double range, std::size_t one, std::size_t other)
 {
   const Buffer<Vector>& p = scene.samples.positions;
-  Neighborhoods pairs{Buffer<std::size_t>(1, 0, p.get_allocator()), Buffer<Index>(p.get_allocator())};
+  Neighborhoods pairs{Buffer<std::size_t>(1, 0, p.get_allocator()),
+                      Buffer<Index>(p.get_allocator())};
   for (std::size_t i = 0; i < p.size(); ++i)
   {
     for (std::size_t e = scene.neighbors.offsets[i]; e < scene.neighbors.offsets[i + 1]; ++e)
@@ -148,7 +163,8 @@ void check_end_of_range(const Scene& scene)
       Buffer<Vector> pulls(p.size());
       Buffer<double> pair_weights(pairs.indices.size(), 0.), no_offsets;
       shrink_normal_offsets<CGAL::Sequential_tag>(scene.samples, pairs, pair_weights, penalty,
-                                                  Shrunk_jumps<double>(jump, 0), range * range, pulls, no_offsets);
+                                                  Shrunk_jumps<double>(jump, 0), range * range,
+                                                  pulls, no_offsets);
       return pulls[i];
     };
     const Vector with_pair = pull_on_sample(pairs_within(scene, range, i, i)),
@@ -169,8 +185,8 @@ int main()
     Unwatched unwatched;
     Watching_solver solver;
     std::vector<Iteration_report> reports;
-    minimize_alternatingly<CGAL::Parallel_if_available_tag>(end.parameters, end.neighbors, end.rows, solver,
-                                                            unwatched.progress, end.samples, reports);
+    minimize_alternatingly<CGAL::Parallel_if_available_tag>(
+      end.parameters, end.neighbors, end.rows, solver, unwatched.progress, end.samples, reports);
     check_course(start, end, solver.steps, reports);
     check_descent(start, solver.steps, reports, generator);
     check_report(start, solver.steps, reports);
@@ -180,8 +196,9 @@ int main()
     Scene without_rows = start;
     without_rows.rows = Fit_rows();
     Eigen_cholesky_solver_traits<double> cholesky;
-    minimize_alternatingly<CGAL::Sequential_tag>(end.parameters, end.neighbors, without_rows.rows, cholesky,
-                                                 unwatched.progress, without_rows.samples, reports);
+    minimize_alternatingly<CGAL::Sequential_tag>(end.parameters, end.neighbors, without_rows.rows,
+                                                 cholesky, unwatched.progress, without_rows.samples,
+                                                 reports);
     CHECK(without_rows.samples.positions == end.samples.positions);
   }
   return result();

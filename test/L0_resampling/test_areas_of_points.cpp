@@ -16,7 +16,8 @@ Areas areas_of(const Gridded_points& input, double radius)
 {
   Unwatched unwatched;
   return areas_of_points<CGAL::Parallel_if_available_tag, float>(
-    input.grid, input.points, radius, units_per_length_for(input.grid.cell_size(), radius), unwatched.progress);
+    input.grid, input.points, radius, units_per_length_for(input.grid.cell_size(), radius),
+    unwatched.progress);
 }
 
 /// The units of all points, from balls counted one by one.
@@ -40,7 +41,8 @@ std::vector<std::uint64_t> naive_units(const Gridded_points& input, double radiu
   return units;
 }
 
-/// The counts are exact: a point on the border of a ball is outside, and inside of one that is larger by less than a `float` can tell.
+/// The counts are exact: a point on the border of a ball is outside, and inside of one that is
+/// larger by less than a `float` can tell.
 void check_exactness()
 {
   const double spacing = 1. / 16;
@@ -54,7 +56,8 @@ void check_exactness()
     const double radius = 3 * spacing * factor;
     const Gridded_points input(lattice, 0.15);
     const Areas areas = areas_of(input, radius);
-    CHECK(std::vector<std::uint64_t>(areas.units.begin(), areas.units.end()) == naive_units(input, radius));
+    CHECK(std::vector<std::uint64_t>(areas.units.begin(), areas.units.end())
+          == naive_units(input, radius));
   }
   CHECK(areas_of(Gridded_points(lattice, 0.15), 3 * spacing).units
         != areas_of(Gridded_points(lattice, 0.15), 3 * spacing * (1 + 1e-8)).units);
@@ -68,7 +71,8 @@ void check_counts(const std::vector<Vector>& points)
     {
       const Gridded_points input(points, cell_size);
       const Areas areas = areas_of(input, radius);
-      CHECK(std::vector<std::uint64_t>(areas.units.begin(), areas.units.end()) == naive_units(input, radius));
+      CHECK(std::vector<std::uint64_t>(areas.units.begin(), areas.units.end())
+            == naive_units(input, radius));
     }
 }
 
@@ -97,7 +101,8 @@ void check_areas(Generator& generator)
   CHECK(is_close(areas.total(), total, 1e-9));
 }
 
-/// Everybody stands for something, however many share a place; where not all candidates are looked at, those that are count for the others.
+/// Everybody stands for something, however many share a place; where not all candidates are looked
+/// at, those that are count for the others.
 void check_crowds()
 {
   std::vector<Vector> points(20000, Vector(1, 2, 3));

@@ -3,7 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What points of the result take from the input: the index of the nearest point, and the properties of a Point_set_3.
+// What points of the result take from the input: the index of the nearest point, and the properties
+// of a Point_set_3.
 
 #include "promise_support.h"
 
@@ -28,7 +29,8 @@ namespace params = CGAL::parameters;
 
 namespace {
 
-/// The index of the nearest point, the smallest of those at one distance; those that are not finite are none.
+/// The index of the nearest point, the smallest of those at one distance; those that are not finite
+/// are none.
 std::size_t nearest_index(const std::vector<Vector>& points, const Vector& query)
 {
   std::size_t nearest = points.size();
@@ -56,14 +58,16 @@ test::Pairs<K> resample_with_maps(const std::vector<typename K::Point_3>& points
   test::Pairs<K> result;
   maps.sources.assign(size, std::numeric_limits<std::size_t>::max());
   maps.confidences.assign(size, -1);
-  CGAL::l0_resample_point_set<Tag>(points, std::back_inserter(result),
-                                   np | params::source_index_map(CGAL::make_property_map(maps.sources))
-                                     | params::feature_confidence_map(CGAL::make_property_map(maps.confidences)));
+  CGAL::l0_resample_point_set<Tag>(
+    points, std::back_inserter(result),
+    np | params::source_index_map(CGAL::make_property_map(maps.sources))
+      | params::feature_confidence_map(CGAL::make_property_map(maps.confidences)));
   return result;
 }
 
 template <typename K, typename NamedParameters>
-void check_maps(const std::string& name, const std::vector<Vector>& input, std::size_t size, const NamedParameters& np)
+void check_maps(const std::string& name, const std::vector<Vector>& input, std::size_t size,
+                const NamedParameters& np)
 {
   const auto points = test::kernel_points<K>(input);
   std::vector<Vector> rounded;
@@ -71,17 +75,20 @@ void check_maps(const std::string& name, const std::vector<Vector>& input, std::
     rounded.push_back(test::as_vector(p));
   Maps maps, parallel_maps;
   const auto result = resample_with_maps<CGAL::Sequential_tag, K>(points, size, np, maps);
-  const auto parallel = resample_with_maps<CGAL::Parallel_if_available_tag, K>(points, size, np, parallel_maps);
+  const auto parallel = resample_with_maps<CGAL::Parallel_if_available_tag, K>(points, size, np,
+                                                                               parallel_maps);
   CHECK(test::are_identical<K>(result, parallel));
   CHECK(maps.sources == parallel_maps.sources && maps.confidences == parallel_maps.confidences);
   test::Pairs<K> without;
-  CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(points, std::back_inserter(without), np);
+  CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(points, std::back_inserter(without),
+                                                               np);
   CHECK(test::are_identical<K>(result, without)); // to be asked changes nothing
 
   bool are_nearest = result.size() == size, are_confidences = true;
   for (std::size_t i = 0; i < result.size(); ++i)
   {
-    are_nearest = are_nearest && maps.sources[i] == nearest_index(rounded, test::as_vector(result[i].first));
+    are_nearest = are_nearest
+                  && maps.sources[i] == nearest_index(rounded, test::as_vector(result[i].first));
     are_confidences = are_confidences && maps.confidences[i] >= 0 && maps.confidences[i] <= 1;
   }
   if (!CHECK(are_nearest && are_confidences))
@@ -92,18 +99,23 @@ void test_source_indices()
 {
   std::vector<Vector> points = noisy_cube(1500);
   check_maps<Kernel>("default", points, 750, params::select_percentage(50));
-  check_maps<Kernel>("LOR", points, 750, params::select_percentage(50) | params::resampling_method(Method::LOR));
+  check_maps<Kernel>("LOR", points, 750,
+                     params::select_percentage(50) | params::resampling_method(Method::LOR));
   check_maps<Kernel>("more than the input", points, 3000, params::number_of_output_points(3000));
   check_maps<CGAL::Simple_cartesian<float>>("float", points, 750, params::select_percentage(50));
 
   for (std::size_t i = 0; i < 300; ++i) // the same points again: the first of each pair is meant
     points.push_back(points[2 * i]);
   points.emplace_back(1e9, 0, 0);
-  check_maps<Kernel>("duplicates and an outlier", points, 900, params::number_of_output_points(900));
-  for (std::size_t i : {0, 7, 500}) // the places in the range are meant, not those among the finite points
+  check_maps<Kernel>("duplicates and an outlier", points, 900,
+                     params::number_of_output_points(900));
+  for (std::size_t i :
+       {0, 7, 500}) // the places in the range are meant, not those among the finite points
     points[i][1] = std::numeric_limits<double>::quiet_NaN();
-  check_maps<Kernel>("dropped points", points, 900, params::number_of_output_points(900) | params::drop_non_finite(true));
-  check_maps<Kernel>("one place", std::vector<Vector>(40, Vector(1, 2, 3)), 20, params::select_percentage(50));
+  check_maps<Kernel>("dropped points", points, 900,
+                     params::number_of_output_points(900) | params::drop_non_finite(true));
+  check_maps<Kernel>("one place", std::vector<Vector>(40, Vector(1, 2, 3)), 20,
+                     params::select_percentage(50));
   check_maps<Kernel>("one point", {Vector(1, 2, 3)}, 1, params::select_percentage(50));
   check_maps<Kernel>("no point", {}, 0, params::select_percentage(50));
 
@@ -132,8 +144,8 @@ void test_throwing_map()
 {
   const auto points = test::kernel_points<Kernel>(noisy_cube(500));
   test::Pairs<Kernel> result;
-  CHECK_THROWS(CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(points, std::back_inserter(result),
-                                                                            params::source_index_map(Throwing_map())),
+  CHECK_THROWS(CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(
+                 points, std::back_inserter(result), params::source_index_map(Throwing_map())),
                std::domain_error);
   CHECK(result.empty());
 }
@@ -185,7 +197,8 @@ void test_properties()
     word[i] = p.x() > 0 ? "right" : "left";
     flag[i] = p.x() > 0;
   }
-  points.remove(points.begin() + 5); // the last one takes its place in the range, and not among the indices
+  points.remove(points.begin()
+                + 5); // the last one takes its place in the range, and not among the indices
 
   Point_set result, plain;
   result.insert(Kernel::Point_3(9, 9, 9));
@@ -199,7 +212,8 @@ void test_properties()
     bare.insert(points.point(i));
   CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(bare, plain);
   CHECK(result.size() == 1 + plain.size() && result.has_normal_map() && !points.has_normal_map());
-  CHECK(result.point(0) == Kernel::Point_3(9, 9, 9) && source[0] == 12345 && own[0] == 5 && confidence[0] == -1);
+  CHECK(result.point(0) == Kernel::Point_3(9, 9, 9) && source[0] == 12345 && own[0] == 5
+        && confidence[0] == -1);
 
   const auto result_height = map_of(result.property_map<double>("height"));
   const auto result_weight = map_of(result.property_map<float>("weight"));
@@ -215,21 +229,23 @@ void test_properties()
   bool are_nearest = true, are_constant = true, are_alike = true, are_same = true;
   for (std::size_t k = 1; k < result.size(); ++k)
   {
-    const Point_set::Index i = *(result.begin() + std::ptrdiff_t(k)), j = *(points.begin() + std::ptrdiff_t(source[i]));
-    are_same = are_same && result.point(i) == plain.point(k - 1) && result.normal(i) == plain.normal(k - 1)
-               && confidence[i] >= 0;
-    are_nearest = are_nearest && result_label[i] == label[j] && result_byte[i] == byte[j] && result_word[i] == word[j]
-                  && result_flag[i] == flag[j];
+    const Point_set::Index i = *(result.begin() + std::ptrdiff_t(k)),
+                           j = *(points.begin() + std::ptrdiff_t(source[i]));
+    are_same = are_same && result.point(i) == plain.point(k - 1)
+               && result.normal(i) == plain.normal(k - 1) && confidence[i] >= 0;
+    are_nearest = are_nearest && result_label[i] == label[j] && result_byte[i] == byte[j]
+                  && result_word[i] == word[j] && result_flag[i] == flag[j];
     const CGAL::IO::Color& c = result_color[i];
-    are_constant = are_constant && result_weight[i] == 0.1f && result_green[i] == 77 && c.g() == 20 && c.b() == 30
-                   && c.a() == 40;
+    are_constant = are_constant && result_weight[i] == 0.1f && result_green[i] == 77 && c.g() == 20
+                   && c.b() == 30 && c.a() == 40;
     are_alike = are_alike && c.r() == result_red[i] && result_red[i] >= 100 && result_red[i] <= 200;
     number_of_mixed += result_red[i] > 100 && result_red[i] < 200;
     largest_error = (std::max)(largest_error, std::abs(result_height[i] - result.point(i).z()));
   }
   CHECK(are_same && are_nearest && are_constant && are_alike);
-  CHECK(number_of_mixed > 10 && number_of_mixed < result.size() / 5); // where left meets right, and nowhere else
-  CHECK(largest_error < 0.05);                                        // a few spacings
+  CHECK(number_of_mixed > 10
+        && number_of_mixed < result.size() / 5); // where left meets right, and nowhere else
+  CHECK(largest_error < 0.05);                   // a few spacings
   CHECK(!map_of(result.property_map<bool>("flag"))[0] && result_height[0] == 0);
 }
 

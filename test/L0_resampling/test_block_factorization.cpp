@@ -23,11 +23,12 @@ namespace internal = CGAL::L0_resampling::internal;
 template <typename FT>
 internal::Block_factorization<FT> factorize(const Eigen::Matrix3d& block)
 {
-  return internal::factorize_block(
-    {FT(block(0, 0)), FT(block(0, 1)), FT(block(0, 2)), FT(block(1, 1)), FT(block(1, 2)), FT(block(2, 2))});
+  return internal::factorize_block({FT(block(0, 0)), FT(block(0, 1)), FT(block(0, 2)),
+                                    FT(block(1, 1)), FT(block(1, 2)), FT(block(2, 2))});
 }
 
-/// weight * I plus a few normals, as in `Quadratic_problem`; `scale` takes it to where a determinant would underflow.
+/// weight * I plus a few normals, as in `Quadratic_problem`; `scale` takes it to where a
+/// determinant would underflow.
 template <typename FT>
 void test_products(double weight, double scale, Generator& generator)
 {
@@ -44,19 +45,22 @@ void test_products(double weight, double scale, Generator& generator)
     Eigen::Matrix<FT, 3, 1> product, back;
     internal::multiply_block(factors, x.data(), product.data());
     const double tolerance = 100 * double(std::numeric_limits<FT>::epsilon());
-    CHECK((product.template cast<double>() / scale - block / scale * x.template cast<double>()).norm() < tolerance);
+    CHECK(
+      (product.template cast<double>() / scale - block / scale * x.template cast<double>()).norm()
+      < tolerance);
 
     internal::solve_block(factors, product.data(), back.data());
     const Eigen::Matrix3d inverse = (block / scale).inverse();
     CHECK((back - x).template cast<double>().norm() < tolerance * 10 * inverse.norm());
     internal::solve_block(factors, x.data(), back.data());
     const Vector expected = inverse * x.template cast<double>();
-    CHECK((back.template cast<double>() * scale - expected).norm() < tolerance * inverse.norm() * 10 * expected.norm());
+    CHECK((back.template cast<double>() * scale - expected).norm()
+          < tolerance * inverse.norm() * 10 * expected.norm());
   }
 }
 
-/// All normals alike and next to no weight: rounding leaves nothing of the small pivots. Then too the factors are those
-/// of a positive definite block, and rounding cannot tell it from D.
+/// All normals alike and next to no weight: rounding leaves nothing of the small pivots. Then too
+/// the factors are those of a positive definite block, and rounding cannot tell it from D.
 void test_pivots_are_held(Generator& generator)
 {
   for (int trial = 0; trial < 1000; ++trial)

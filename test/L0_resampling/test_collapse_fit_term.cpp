@@ -13,7 +13,8 @@
 
 using namespace test;
 
-/// Noisy input, its density weights, and samples near it of which the last three are out of its reach.
+/// Noisy input, its density weights, and samples near it of which the last three are out of its
+/// reach.
 struct Scene
 {
   static constexpr double radius = 0.5;
@@ -56,11 +57,11 @@ Collapsed collapse(const Scene& scene)
 {
   Unwatched unwatched;
   const Buffer<T> density_weights(scene.density_weights.begin(), scene.density_weights.end());
-  Collapsed c{Buffer<double>(scene.samples.points.size()), Buffer<Vector>(scene.samples.points.size()), 0};
-  c.number_of_lonely = collapse_fit_term<CGAL::Parallel_if_available_tag>(scene.samples.grid, scene.samples.points,
-                                                                          scene.input.grid, scene.input.points,
-                                                                          density_weights, scene.radius, Buffer<Index>(),
-                                                                          unwatched.progress, c.weights, c.centroids);
+  Collapsed c{Buffer<double>(scene.samples.points.size()),
+              Buffer<Vector>(scene.samples.points.size()), 0};
+  c.number_of_lonely = collapse_fit_term<CGAL::Parallel_if_available_tag>(
+    scene.samples.grid, scene.samples.points, scene.input.grid, scene.input.points, density_weights,
+    scene.radius, Buffer<Index>(), unwatched.progress, c.weights, c.centroids);
   return c;
 }
 
@@ -69,7 +70,8 @@ template <typename T>
 void check_identity(const Scene& scene, double tolerance, Generator& generator)
 {
   const Collapsed c = collapse<T>(scene);
-  const auto neighbors = brute_force_neighbors(scene.samples.vector, scene.input.vector, scene.radius);
+  const auto neighbors = brute_force_neighbors(scene.samples.vector, scene.input.vector,
+                                               scene.radius);
   const auto fit_energy = [&](std::size_t i, const Vector& p) {
     double sum = 0;
     for (std::size_t j : neighbors[i])
@@ -80,20 +82,25 @@ void check_identity(const Scene& scene, double tolerance, Generator& generator)
   for (std::size_t i = 0; i < neighbors.size(); ++i)
     for (int n = 0; n < 5 && !neighbors[i].empty(); ++n)
     {
-      const Vector start = scene.samples.vector[i], p = start + scene.radius * random_unit_vector(generator);
+      const Vector start = scene.samples.vector[i],
+                   p = start + scene.radius * random_unit_vector(generator);
       const double change = fit_energy(i, p) - fit_energy(i, start);
       const double collapsed_change = c.weights[i]
-                                      * ((p - c.centroids[i]).squaredNorm() - (start - c.centroids[i]).squaredNorm());
-      worst = (std::max)(worst, std::abs(collapsed_change - change) / (c.weights[i] * scene.radius * scene.radius));
+                                      * ((p - c.centroids[i]).squaredNorm()
+                                         - (start - c.centroids[i]).squaredNorm());
+      worst = (std::max)(worst, std::abs(collapsed_change - change)
+                                  / (c.weights[i] * scene.radius * scene.radius));
     }
   CHECK(worst < tolerance);
 }
 
-/// A sample without an original neighbor is tied to where it is, with weight 1, so that Eq. (10) has one minimum.
+/// A sample without an original neighbor is tied to where it is, with weight 1, so that Eq. (10)
+/// has one minimum.
 void check_lonely(const Scene& scene)
 {
   const Collapsed c = collapse<float>(scene);
-  const auto neighbors = brute_force_neighbors(scene.samples.vector, scene.input.vector, scene.radius);
+  const auto neighbors = brute_force_neighbors(scene.samples.vector, scene.input.vector,
+                                               scene.radius);
   std::size_t number_of_lonely = 0;
   for (std::size_t i = 0; i < neighbors.size(); ++i)
   {
@@ -106,18 +113,18 @@ void check_lonely(const Scene& scene)
   CHECK(number_of_lonely >= 3 && c.number_of_lonely == number_of_lonely);
 }
 
-/// The rows of Eq. (11) are the original neighbors, and Algorithm 2 halves them, rounding up, without changing what
-/// they collapse to.
+/// The rows of Eq. (11) are the original neighbors, and Algorithm 2 halves them, rounding up,
+/// without changing what they collapse to.
 void check_fit_rows(const Scene& scene, std::size_t number_of_passes)
 {
   Unwatched unwatched;
   const Buffer<double> density_weights(scene.density_weights.begin(), scene.density_weights.end());
-  const Fit_rows rows = gather_fit_rows<CGAL::Parallel_if_available_tag>(scene.samples.grid, scene.samples.points,
-                                                                         scene.input.grid, scene.input.points,
-                                                                         density_weights, scene.radius,
-                                                                         number_of_passes, unwatched.progress);
+  const Fit_rows rows = gather_fit_rows<CGAL::Parallel_if_available_tag>(
+    scene.samples.grid, scene.samples.points, scene.input.grid, scene.input.points, density_weights,
+    scene.radius, number_of_passes, unwatched.progress);
   const Collapsed c = collapse<double>(scene);
-  const auto neighbors = brute_force_neighbors(scene.samples.vector, scene.input.vector, scene.radius);
+  const auto neighbors = brute_force_neighbors(scene.samples.vector, scene.input.vector,
+                                               scene.radius);
   CHECK(rows.offsets.size() == neighbors.size() + 1 && rows.offsets.front() == 0);
   CHECK(rows.positions.size() == rows.offsets.back() && rows.weights.size() == rows.offsets.back());
   for (std::size_t i = 0; i < neighbors.size(); ++i)
@@ -136,11 +143,13 @@ void check_fit_rows(const Scene& scene, std::size_t number_of_passes)
       if (number_of_passes == 0 && !neighbors[i].empty())
       {
         const std::size_t j = neighbors[i][r - rows.offsets[i]];
-        CHECK(rows.positions[r] == scene.input.vector[j] && rows.weights[r] == 1 / scene.density_weights[j]);
+        CHECK(rows.positions[r] == scene.input.vector[j]
+              && rows.weights[r] == 1 / scene.density_weights[j]);
       }
     }
     CHECK(is_close(weight, c.weights[i], 1e-12));
-    CHECK((centroid / weight + scene.samples.vector[i] - c.centroids[i]).norm() < 1e-12 * scene.radius);
+    CHECK((centroid / weight + scene.samples.vector[i] - c.centroids[i]).norm()
+          < 1e-12 * scene.radius);
   }
 }
 

@@ -17,7 +17,8 @@
 #include <limits>
 #include <new>
 
-// G4, G5, G7 of what is owed where the device fails: exceptions, no memory lost, no hang; and what works afterwards.
+// G4, G5, G7 of what is owed where the device fails: exceptions, no memory lost, no hang; and what
+// works afterwards.
 
 namespace {
 
@@ -40,8 +41,9 @@ std::size_t free_memory()
 Result resample(const Points& points, Method method)
 {
   Result result;
-  CGAL::l0_resample_point_set<CGAL::CUDA_tag>(points, std::back_inserter(result),
-                                              parameters::resampling_method(method).select_percentage(60));
+  CGAL::l0_resample_point_set<CGAL::CUDA_tag>(
+    points, std::back_inserter(result),
+    parameters::resampling_method(method).select_percentage(60));
   return result;
 }
 
@@ -62,7 +64,8 @@ int status_of_child(const F& f)
   return WIFEXITED(status) ? WEXITSTATUS(status) : 124;
 }
 
-/// G5: an error of a kernel is an exception that names a call, and so is everything that comes after it.
+/// G5: an error of a kernel is an exception that names a call, and so is everything that comes
+/// after it.
 void check_kernel_error()
 {
   CHECK(status_of_child([]() {
@@ -85,7 +88,9 @@ void check_kernel_error()
           CHECK(result.empty());
           for (int attempt = 0; attempt < 2; ++attempt)
           {
-            CHECK_THROWS(resampler.resample(std::back_inserter(result), parameters::select_percentage(60)), Device_error);
+            CHECK_THROWS(resampler.resample(std::back_inserter(result),
+                                            parameters::select_percentage(60)),
+                         Device_error);
             CHECK_THROWS(resample(points, Method::LOR), Device_error);
             CHECK_THROWS(CUDA_resampler<Kernel>(), Device_error);
           }
@@ -127,7 +132,8 @@ void check_allocations()
         break;
       number_of_allocations = k;
     }
-    std::cout << "method " << int(method) << ": " << number_of_allocations << " allocations" << std::endl;
+    std::cout << "method " << int(method) << ": " << number_of_allocations << " allocations"
+              << std::endl;
     CHECK(number_of_allocations >= 2);
     CHECK(resample(points, method) == expected);
 
@@ -169,8 +175,9 @@ void check_memory_of_many_calls()
     {
       Result result;
       resampler.upload(call % 3 == 2 ? fewer : points);
-      resampler.resample(std::back_inserter(result),
-                         parameters::resampling_method(methods[call % 3]).number_of_output_points(3000 + call));
+      resampler.resample(
+        std::back_inserter(result),
+        parameters::resampling_method(methods[call % 3]).number_of_output_points(3000 + call));
       if (call == 11)
         free_early = free_memory();
     }
@@ -182,8 +189,9 @@ void check_memory_of_many_calls()
   CHECK(free_memory() == free_before);
 }
 
-/// P8: the limit holds, in the first call and in those that find memory from the last. A call after one that failed at its limit needs what the
-/// first one did, which did not know how much it would need and may have held its memory in pieces.
+/// P8: the limit holds, in the first call and in those that find memory from the last. A call after
+/// one that failed at its limit needs what the first one did, which did not know how much it would
+/// need and may have held its memory in pieces.
 void check_limit()
 {
   const Points points = noisy_cube(20000, 0.01, 4);
@@ -194,8 +202,8 @@ void check_limit()
   const auto peak_bytes_within = [&](std::size_t limit) {
     Report report;
     Result result;
-    resampler.resample(std::back_inserter(result),
-                       np | parameters::maximum_memory(limit) | parameters::resampling_report(&report));
+    resampler.resample(std::back_inserter(result), np | parameters::maximum_memory(limit)
+                                                     | parameters::resampling_report(&report));
     CHECK(result == expected && report.peak_bytes <= limit);
     return report.peak_bytes;
   };
@@ -206,16 +214,18 @@ void check_limit()
   for (const double share : {0.5, 0.75, 0.95})
   {
     Result result;
-    CHECK_THROWS(resampler.resample(std::back_inserter(result),
-                                    np | parameters::maximum_memory(std::size_t(share * double(of_second)))),
-                 std::bad_alloc);
+    CHECK_THROWS(
+      resampler.resample(std::back_inserter(result),
+                         np | parameters::maximum_memory(std::size_t(share * double(of_second)))),
+      std::bad_alloc);
     CHECK(result.empty());
     resampler.upload(points);
     CHECK(peak_bytes_within(of_first) == of_first);
   }
 }
 
-/// G7: CUDA does not survive a fork; a call in the child says so. Exit runs in the child as in any process.
+/// G7: CUDA does not survive a fork; a call in the child says so. Exit runs in the child as in any
+/// process.
 void check_fork()
 {
   const Points points = noisy_cube(2000, 0.01, 5);
@@ -224,7 +234,9 @@ void check_fork()
   const Result expected = resample(points, Method::LOR);
   CHECK(status_of_child([&]() {
           Result result;
-          CHECK_THROWS(resampler.resample(std::back_inserter(result), parameters::select_percentage(60)), Device_error);
+          CHECK_THROWS(resampler.resample(std::back_inserter(result),
+                                          parameters::select_percentage(60)),
+                       Device_error);
           CHECK_THROWS(resampler.upload(points), Device_error);
           CHECK_THROWS(resample(points, Method::LOR), Device_error);
           CHECK_THROWS(CUDA_resampler<Kernel>(), Device_error);

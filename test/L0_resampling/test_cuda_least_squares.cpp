@@ -14,7 +14,8 @@
 #include <stdexcept>
 #include <vector>
 
-// The paper's rows on the device, beside stages of the CPU, find what the matrix-free solver of the CPU finds.
+// The paper's rows on the device, beside stages of the CPU, find what the matrix-free solver of the
+// CPU finds.
 
 namespace {
 
@@ -26,10 +27,11 @@ template <typename Solver>
 Result resample(const Points& points, Method method, const Solver& solver, Report& report)
 {
   Result result;
-  CGAL::l0_resample_point_set<CGAL::Sequential_tag>(
-    points, std::back_inserter(result),
-    parameters::resampling_method(method).resampling_report(&report).number_of_output_points(2000).sparse_linear_solver(
-      solver));
+  CGAL::l0_resample_point_set<CGAL::Sequential_tag>(points, std::back_inserter(result),
+                                                    parameters::resampling_method(method)
+                                                      .resampling_report(&report)
+                                                      .number_of_output_points(2000)
+                                                      .sparse_linear_solver(solver));
   return result;
 }
 
@@ -38,13 +40,17 @@ void check_agreement(Method method)
   const double tolerance = 1e-9;
   const Points points = noisy_cube(4000, 0.01, 1);
   Report report, device_report;
-  const Result expected = resample(points, method, Block_conjugate_gradient_solver_traits<double>(tolerance), report);
-  const Result result = resample(points, method, CUDA_least_squares_solver_traits<double>(tolerance, 1000), device_report);
+  const Result expected =
+    resample(points, method, Block_conjugate_gradient_solver_traits<double>(tolerance), report);
+  const Result result = resample(
+    points, method, CUDA_least_squares_solver_traits<double>(tolerance, 1000), device_report);
   if (!CHECK(result.size() == expected.size()))
     return;
   CHECK(device_report.converged);
-  CHECK(device_report.iterations.front().solver.iterations > report.iterations.front().solver.iterations);
-  // Algorithm 1 is not continuous: the last digits of a solve may decide a jump, and move a few samples.
+  CHECK(device_report.iterations.front().solver.iterations
+        > report.iterations.front().solver.iterations);
+  // Algorithm 1 is not continuous: the last digits of a solve may decide a jump, and move a few
+  // samples.
   std::size_t number_of_others = 0;
   for (std::size_t i = 0; i < result.size(); ++i)
     number_of_others += CGAL::squared_distance(result[i].first, expected[i].first)
@@ -54,7 +60,8 @@ void check_agreement(Method method)
   CHECK(number_of_others <= result.size() / 100);
 
   Report again_report;
-  CHECK(resample(points, method, CUDA_least_squares_solver_traits<double>(tolerance, 1000), again_report)
+  CHECK(resample(points, method, CUDA_least_squares_solver_traits<double>(tolerance, 1000),
+                 again_report)
         == result); // to the bit
 }
 

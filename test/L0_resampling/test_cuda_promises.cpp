@@ -64,9 +64,11 @@ void check_refusals()
   resampler.resample(std::back_inserter(result), parameters::number_of_output_points(10));
   CHECK(result.empty()); // no points yet
   resampler.upload(points);
-  CHECK_THROWS(resampler.resample(std::back_inserter(result), parameters::neighbor_radius(std::nan(""))),
+  CHECK_THROWS(resampler.resample(std::back_inserter(result),
+                                  parameters::neighbor_radius(std::nan(""))),
                std::invalid_argument);
-  CHECK_THROWS(resampler.resample(std::back_inserter(result), parameters::penalty_growth(1.)), std::invalid_argument);
+  CHECK_THROWS(resampler.resample(std::back_inserter(result), parameters::penalty_growth(1.)),
+               std::invalid_argument);
   CHECK(result.empty());
   resampler.resample(std::back_inserter(result), parameters::number_of_output_points(500));
   CHECK(result.size() == 500);
@@ -79,9 +81,10 @@ void check_refusals()
   CHECK(result.empty()); // the old points are gone
   Report report;
   resampler.upload(points, parameters::drop_non_finite(true));
-  resampler.resample(std::back_inserter(result),
-                     parameters::number_of_output_points(500) | parameters::resampling_report(&report));
-  CHECK(result.size() == 500 && report.number_of_dropped_points == 1 && report.number_of_input_points == good.size() - 1);
+  resampler.resample(std::back_inserter(result), parameters::number_of_output_points(500)
+                                                   | parameters::resampling_report(&report));
+  CHECK(result.size() == 500 && report.number_of_dropped_points == 1
+        && report.number_of_input_points == good.size() - 1);
 }
 
 /// P8, G4: too little memory is an exception, and the next call works.
@@ -93,7 +96,9 @@ void check_memory()
   const Result result = resample(points, np.resampling_report(&report));
   CHECK(report.peak_bytes > 0);
   for (const double share : {1e-6, 0.1, 0.3, 0.5, 0.8, 0.99})
-    CHECK_THROWS(resample(points, np.maximum_memory(std::size_t(double(report.peak_bytes) * share))), std::bad_alloc);
+    CHECK_THROWS(resample(points,
+                          np.maximum_memory(std::size_t(double(report.peak_bytes) * share))),
+                 std::bad_alloc);
   CHECK(resample(points, np.maximum_memory(report.peak_bytes)) == result);
   CHECK(resample(points, np) == result);
 }
@@ -114,12 +119,15 @@ void check_callback()
   };
   Report report;
   const Result all = resample(points, np.callback(watch) | parameters::resampling_report(&report));
-  CHECK(!falls && calls >= report.stages.size()); // asked at the begin of each, however fast the device
+  CHECK(!falls
+        && calls >= report.stages.size()); // asked at the begin of each, however fast the device
   CHECK(all == resample(points, np));
 
   for (const Points& refused : {points, noisy_cube(10, 0.003, 4)}) // short calls too
   {
-    CHECK(resample(refused, np.callback([](double) { return false; }) | parameters::resampling_report(&report)).empty());
+    CHECK(resample(refused, np.callback([](double) { return false; })
+                              | parameters::resampling_report(&report))
+            .empty());
     CHECK(report.outcome == CGAL::L0_resampling::Outcome::CANCELLED);
   }
   struct Own
@@ -193,7 +201,8 @@ void check_given_normals()
                     .normal_map(CGAL::Second_of_pair_property_map<Result::value_type>())
                     .select_percentage(50);
   CGAL::l0_resample_point_set<CGAL::CUDA_tag>(with_normals, std::back_inserter(result), np);
-  CGAL::l0_resample_point_set<CGAL::CUDA_tag>(with_other_signs, std::back_inserter(other_result), np);
+  CGAL::l0_resample_point_set<CGAL::CUDA_tag>(with_other_signs, std::back_inserter(other_result),
+                                              np);
   CHECK(result.size() == 2500 && result == other_result);
   for (const auto& [p, n] : result)
     CHECK(n * (p - CGAL::ORIGIN) > 0.95 * std::sqrt((p - CGAL::ORIGIN).squared_length()));

@@ -12,8 +12,9 @@
 #include <iomanip>
 #include <string>
 
-// P4, P5 on the device. Small enough to run under compute-sanitizer; for that, the first argument may be the number of points, and the second one the shape,
-// so that processes can share the clouds.
+// P4, P5 on the device. Small enough to run under compute-sanitizer; for that, the first argument
+// may be the number of points, and the second one the shape, so that processes can share the
+// clouds.
 
 namespace {
 
@@ -63,14 +64,14 @@ bool check_small_clouds(std::size_t only_size, const std::string& only_shape)
       lattice.emplace_back(double(i % 10), double(i / 10 % 10), double(i / 100));
       clusters.emplace_back(i % 2 ? 1e9 : 0., 0.001 * double(i), 0.001 * double(i % 3));
     }
-    const std::pair<const char*, Points> shapes[] = {{"cube", noisy_cube(n, 0.01, unsigned(n))},
-                                                     {"line", line},
-                                                     {"plane", plane},
-                                                     {"lattice", lattice},
-                                                     {"one place", one_place},
-                                                     {"clusters", clusters},
-                                                     {"crowd",
-                                                      with_crowd(noisy_sphere(n - n / 3, 0.1, 3), n / 3, 1.3, 4)}};
+    const std::pair<const char*, Points> shapes[] = {
+      {"cube", noisy_cube(n, 0.01, unsigned(n))},
+      {"line", line},
+      {"plane", plane},
+      {"lattice", lattice},
+      {"one place", one_place},
+      {"clusters", clusters},
+      {"crowd", with_crowd(noisy_sphere(n - n / 3, 0.1, 3), n / 3, 1.3, 4)}};
     for (const auto& [name, points] : shapes)
     {
       if (!only_shape.empty() && name != only_shape)
@@ -84,9 +85,10 @@ bool check_small_clouds(std::size_t only_size, const std::string& only_shape)
         const Result less = resample(points, np.select_percentage(60));
         Report cpu_report;
         Result on_cpu;
-        CGAL::l0_resample_point_set<CGAL::Sequential_tag>(
-          points, std::back_inserter(on_cpu),
-          parameters::resampling_method(method).resampling_report(&cpu_report).select_percentage(60));
+        CGAL::l0_resample_point_set<CGAL::Sequential_tag>(points, std::back_inserter(on_cpu),
+                                                          parameters::resampling_method(method)
+                                                            .resampling_report(&cpu_report)
+                                                            .select_percentage(60));
         CHECK(report.number_of_outliers == cpu_report.number_of_outliers);
         CHECK(report.number_of_distinct_points == cpu_report.number_of_distinct_points);
         CHECK(less.size() == (std::max)(std::size_t(1), n * 60 / 100));
@@ -99,8 +101,8 @@ bool check_small_clouds(std::size_t only_size, const std::string& only_shape)
             std::cout << std::setprecision(17) << p << " | " << normal << " | "
                       << CGAL::bbox_3(points.begin(), points.end()) << std::endl;
         if (test::number_of_failures() > failures_before)
-          std::cout << name << " of " << n << " points, method " << int(method) << ", radius " << report.neighbor_radius
-                    << std::endl;
+          std::cout << name << " of " << n << " points, method " << int(method) << ", radius "
+                    << report.neighbor_radius << std::endl;
       }
     }
   }

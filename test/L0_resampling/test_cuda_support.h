@@ -76,9 +76,11 @@ inline Points noisy_torus(std::size_t n, double noise, unsigned seed)
   Points points;
   for (std::size_t i = 0; i < n; ++i)
   {
-    const double u = test::random_number(0, 2 * CGAL_PI, generator), v = test::random_number(0, 2 * CGAL_PI, generator),
+    const double u = test::random_number(0, 2 * CGAL_PI, generator),
+                 v = test::random_number(0, 2 * CGAL_PI, generator),
                  tube_radius = 0.4 + gauss(generator), from_axis = 1 + tube_radius * std::cos(v);
-    points.emplace_back(from_axis * std::cos(u), from_axis * std::sin(u), tube_radius * std::sin(v));
+    points.emplace_back(from_axis * std::cos(u), from_axis * std::sin(u),
+                        tube_radius * std::sin(v));
   }
   return points;
 }
@@ -98,7 +100,8 @@ inline Points duplicated(Points points)
   return points;
 }
 
-/// With outliers: 5 % of the points uniform in a box around them, and a cluster of a few that is off by half the box.
+/// With outliers: 5 % of the points uniform in a box around them, and a cluster of a few that is
+/// off by half the box.
 inline Points with_outliers(Points points, unsigned seed)
 {
   test::Generator generator(seed);
@@ -150,8 +153,10 @@ inline Points noisy_plate(std::size_t n, double thickness, double noise, unsigne
   Points points;
   for (std::size_t i = 0; i < n; ++i)
   {
-    const double x = test::random_number(-1, 1, generator), y = test::random_number(-1, 1, generator);
-    points.emplace_back(x, y, (i % 2 ? 0.5 : -0.5) * thickness + (noise > 0 ? gauss(generator) : 0));
+    const double x = test::random_number(-1, 1, generator),
+                 y = test::random_number(-1, 1, generator);
+    points.emplace_back(x, y,
+                        (i % 2 ? 0.5 : -0.5) * thickness + (noise > 0 ? gauss(generator) : 0));
   }
   return points;
 }

@@ -24,8 +24,8 @@ double share_in_range(double squared_distance, double range)
 
 /// Eq. (5), its sum without the point itself.
 /// \param range where the weights end
-std::vector<double> naive_density_weights(const std::vector<Vector>& points, double radius, double bandwidth,
-                                          double range = infinity)
+std::vector<double> naive_density_weights(const std::vector<Vector>& points, double radius,
+                                          double bandwidth, double range = infinity)
 {
   const auto neighbors = brute_force_neighbors(points, points, radius);
   double mean_number_of_neighbors = 0;
@@ -37,24 +37,27 @@ std::vector<double> naive_density_weights(const std::vector<Vector>& points, dou
       if (k != j)
       {
         const double squared_distance = (points[j] - points[k]).squaredNorm();
-        weights[j] += share_in_range(squared_distance, range) * std::exp(-squared_distance / (bandwidth * bandwidth))
+        weights[j] += share_in_range(squared_distance, range)
+                      * std::exp(-squared_distance / (bandwidth * bandwidth))
                       / mean_number_of_neighbors;
       }
   return weights;
 }
 
 template <typename T>
-std::vector<double> input_density_weights(const Gridded_points& sorted, double radius, double bandwidth)
+std::vector<double> input_density_weights(const Gridded_points& sorted, double radius,
+                                          double bandwidth)
 {
   Unwatched unwatched;
   Buffer<T> weights(sorted.points.size());
-  compute_input_density_weights<CGAL::Parallel_if_available_tag>(sorted.grid, sorted.points, radius,
-                                                                 bandwidth * bandwidth, unwatched.progress, weights);
+  compute_input_density_weights<CGAL::Parallel_if_available_tag>(
+    sorted.grid, sorted.points, radius, bandwidth * bandwidth, unwatched.progress, weights);
   return std::vector<double>(weights.begin(), weights.end());
 }
 
 /// \param least differences are relative to at least this
-double largest_relative_difference(const std::vector<double>& a, const std::vector<double>& b, double least = 0)
+double largest_relative_difference(const std::vector<double>& a, const std::vector<double>& b,
+                                   double least = 0)
 {
   double largest = a.size() == b.size() ? 0 : 1;
   for (std::size_t i = 0; i < (std::min)(a.size(), b.size()); ++i)
@@ -69,30 +72,37 @@ void check_input(const std::vector<Vector>& points, double radius)
   {
     const Gridded_points sorted(points, cell_size);
     const std::vector<double> naive = naive_density_weights(sorted.vector, radius, 0.5 * radius);
-    CHECK(largest_relative_difference(input_density_weights<double>(sorted, radius, 0.5 * radius), naive) < 1e-12);
-    CHECK(largest_relative_difference(input_density_weights<float>(sorted, radius, 0.5 * radius), naive) < 1e-5);
+    CHECK(largest_relative_difference(input_density_weights<double>(sorted, radius, 0.5 * radius),
+                                      naive)
+          < 1e-12);
+    CHECK(
+      largest_relative_difference(input_density_weights<float>(sorted, radius, 0.5 * radius), naive)
+      < 1e-5);
   }
 }
 
-/// w_i of Eq. (5) for the samples, and with it the weights of the pairs of Eq. (4), once for each of the two; less where there is a jump between them, and where the range
-/// ends.
-void check_samples(const std::vector<Vector>& points, double radius, double bandwidth, double jump, double range,
-                   Generator& generator)
+/// w_i of Eq. (5) for the samples, and with it the weights of the pairs of Eq. (4), once for each
+/// of the two; less where there is a jump between them, and where the range ends.
+void check_samples(const std::vector<Vector>& points, double radius, double bandwidth, double jump,
+                   double range, Generator& generator)
 {
   const double regularization_weight = 0.15;
   const Gridded_points sorted(points, radius);
   Unwatched unwatched;
-  const Neighborhoods neighbors = find_self_neighbors<CGAL::Sequential_tag>(sorted.grid, sorted.points, radius / 2,
-                                                                            unwatched.progress);
+  const Neighborhoods neighbors = find_self_neighbors<CGAL::Sequential_tag>(
+    sorted.grid, sorted.points, radius / 2, unwatched.progress);
   Buffer<double> weights(points.size()), pair_weights(neighbors.indices.size());
   Buffer<Vector> normals;
   for (std::size_t i = 0; i < points.size(); ++i)
     normals.push_back(random_unit_vector(generator));
-  update_weights<CGAL::Parallel_if_available_tag>(sorted.points, normals, neighbors, bandwidth * bandwidth,
-                                                  radius * radius, jump * jump, range * range, regularization_weight,
+  update_weights<CGAL::Parallel_if_available_tag>(sorted.points, normals, neighbors,
+                                                  bandwidth * bandwidth, radius * radius,
+                                                  jump * jump, range * range, regularization_weight,
                                                   weights, pair_weights);
-  const std::vector<double> naive = naive_density_weights(sorted.vector, radius / 2, bandwidth, range);
-  CHECK(largest_relative_difference(std::vector<double>(weights.begin(), weights.end()), naive) < 1e-12);
+  const std::vector<double> naive = naive_density_weights(sorted.vector, radius / 2, bandwidth,
+                                                          range);
+  CHECK(largest_relative_difference(std::vector<double>(weights.begin(), weights.end()), naive)
+        < 1e-12);
 
   std::vector<double> naive_pair_weights;
   std::size_t number_of_low_weights = 0;
@@ -105,13 +115,15 @@ void check_samples(const std::vector<Vector>& points, double radius, double band
       const double decay_across_jump = std::exp(-height * height / (jump * jump));
       const double weight = std::exp(d.squaredNorm() / (radius * radius)) * decay_across_jump
                             * share_in_range(d.squaredNorm(), range);
-      naive_pair_weights.push_back(regularization_weight * weight / naive[i] + regularization_weight * weight / naive[k]);
+      naive_pair_weights.push_back(regularization_weight * weight / naive[i]
+                                   + regularization_weight * weight / naive[k]);
       number_of_low_weights += decay_across_jump < 0.5;
     }
   CHECK(std::isinf(jump) == (number_of_low_weights == 0));
   // what is left of a weight where it ends has few digits
   const double least = std::isinf(range) ? 0 : 0.01;
-  CHECK(largest_relative_difference(std::vector<double>(pair_weights.begin(), pair_weights.end()), naive_pair_weights, least)
+  CHECK(largest_relative_difference(std::vector<double>(pair_weights.begin(), pair_weights.end()),
+                                    naive_pair_weights, least)
         < 1e-12);
 }
 
@@ -122,10 +134,12 @@ void check_loners()
   const std::vector<double> ones(27, 1);
   CHECK(input_density_weights<float>(apart, 1, 0.5) == ones);
   Unwatched unwatched;
-  const Neighborhoods none = find_self_neighbors<CGAL::Sequential_tag>(apart.grid, apart.points, 1, unwatched.progress);
+  const Neighborhoods none = find_self_neighbors<CGAL::Sequential_tag>(apart.grid, apart.points, 1,
+                                                                       unwatched.progress);
   Buffer<double> weights(27, 0.), no_pair_weights;
   const Buffer<Vector> normals(27, Vector::UnitZ());
-  update_weights<CGAL::Sequential_tag>(apart.points, normals, none, 0.25, 1, 0.04, 0.3, 0.15, weights, no_pair_weights);
+  update_weights<CGAL::Sequential_tag>(apart.points, normals, none, 0.25, 1, 0.04, 0.3, 0.15,
+                                       weights, no_pair_weights);
   CHECK(std::vector<double>(weights.begin(), weights.end()) == ones);
 }
 

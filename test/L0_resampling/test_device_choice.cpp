@@ -24,7 +24,8 @@ struct Outcome
   bool has_too_little_memory = false;
 };
 
-Outcome outcome(Device device, bool is_usable, const Action& on_device = Action(), const std::string& obstacle = "")
+Outcome outcome(Device device, bool is_usable, const Action& on_device = Action(),
+                const std::string& obstacle = "")
 {
   Outcome result;
   const auto usable = [&](std::string& reason) {

@@ -23,12 +23,13 @@ Scales scales_of(const std::vector<Vector>& points)
   }
   Unwatched unwatched;
   const double radius = (high - low).norm() / std::cbrt(double(points.size()));
-  const Scales in_radii = estimate_scales<CGAL::Parallel_if_available_tag, float>(to_buffer(points), radius,
-                                                                                  unwatched.progress);
+  const Scales in_radii = estimate_scales<CGAL::Parallel_if_available_tag, float>(
+    to_buffer(points), radius, unwatched.progress);
   return {in_radii.spacing * radius, in_radii.noise * radius};
 }
 
-/// Spacing and noise of a surface come out within 15 %, the spacing within 20 % where the noise is twice as large. Where there is no noise, its bending is not taken for much.
+/// Spacing and noise of a surface come out within 15 %, the spacing within 20 % where the noise is
+/// twice as large. Where there is no noise, its bending is not taken for much.
 void check_scales(std::vector<Vector> points, double area, Generator& generator)
 {
   const double spacing = std::sqrt(area / double(points.size()));
@@ -40,7 +41,8 @@ void check_scales(std::vector<Vector> points, double area, Generator& generator)
     points = clean;
     add_gaussian_noise(points, noise, generator);
     const Scales scales = scales_of(points);
-    // balls around points that are off the sheet, or at its border, hold fewer, and stand for more of the area
+    // balls around points that are off the sheet, or at its border, hold fewer, and stand for more
+    // of the area
     CHECK(is_close(scales.spacing, spacing, noise < 2 * spacing ? 0.15 : 0.2));
     CHECK(is_close(scales.noise, noise, 0.15));
   }
@@ -49,7 +51,8 @@ void check_scales(std::vector<Vector> points, double area, Generator& generator)
 /// The spacing is that of half of the surface, though most points lie where they are dense.
 void check_uneven_density(Generator& generator)
 {
-  std::vector<Vector> points = plane_points(9000, 1, generator).points; // the unit square around the origin
+  std::vector<Vector> points =
+    plane_points(9000, 1, generator).points; // the unit square around the origin
   for (const Vector& p : plane_points(3000, 1, generator).points)
     points.push_back(p + Vector(1, 0, 0));
   for (const Vector& p : plane_points(3000, 1, generator).points)
@@ -57,7 +60,8 @@ void check_uneven_density(Generator& generator)
   CHECK(is_close(scales_of(points).spacing, std::sqrt(1. / 3000), 0.1));
 }
 
-/// The two sheets of a thin plate, closer than the first balls are wide, are not taken for one noisy sheet.
+/// The two sheets of a thin plate, closer than the first balls are wide, are not taken for one
+/// noisy sheet.
 void check_plate(double thickness, double noise, Generator& generator)
 {
   std::vector<Vector> points = plane_points(10000, 3, generator).points;
@@ -66,8 +70,10 @@ void check_plate(double thickness, double noise, Generator& generator)
     points.push_back(p + Vector(0, 0, thickness * spacing));
   add_gaussian_noise(points, noise * spacing, generator);
   const Scales scales = scales_of(points);
-  CHECK(is_close(scales.spacing, spacing, 0.08)); // the balls hold less of the other sheet than of their own
-  // and not half the thickness; the first balls hold a little of the other sheet where it is as far as they reach: 0.41 more at 4 spacings
+  CHECK(is_close(scales.spacing, spacing,
+                 0.08)); // the balls hold less of the other sheet than of their own
+  // and not half the thickness; the first balls hold a little of the other sheet where it is as far
+  // as they reach: 0.41 more at 4 spacings
   CHECK(scales.noise < (noise + 0.45) * spacing);
   CHECK(scales.noise > 0.6 * noise * spacing);
 }
@@ -87,14 +93,16 @@ void check_plate_with_outliers(Generator& generator)
   CHECK(is_close(scales_of(points).noise, noise, 0.25));
 }
 
-/// Where a shape is hardly wider than its noise, the balls do not grow until they find its width, not even with outliers.
+/// Where a shape is hardly wider than its noise, the balls do not grow until they find its width,
+/// not even with outliers.
 void check_tube(double radius, double noise, std::size_t number_of_outliers, Generator& generator)
 {
   std::vector<Vector> points;
   for (int i = 0; i < 12000; ++i)
   {
     const double angle = random_number(0, 2 * EIGEN_PI, generator);
-    points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), random_number(-1, 1, generator));
+    points.emplace_back(radius * std::cos(angle), radius * std::sin(angle),
+                        random_number(-1, 1, generator));
   }
   add_gaussian_noise(points, noise, generator);
   for (std::size_t i = 0; i < number_of_outliers; ++i)
@@ -104,13 +112,15 @@ void check_tube(double radius, double noise, std::size_t number_of_outliers, Gen
   CHECK(estimate > 0.8 * noise && estimate < 1.25 * noise);
 }
 
-/// Nor do the balls around far outliers count, which hold nothing else, though they are more than the third tenth.
+/// Nor do the balls around far outliers count, which hold nothing else, though they are more than
+/// the third tenth.
 void check_crowd(double noise, Generator& generator)
 {
   std::vector<Vector> points = sphere_points(20000, 1, generator).points;
   add_gaussian_noise(points, noise, generator);
   for (int i = 0; i < 12000; ++i)
-    points.emplace_back(random_number(-2, 2, generator), random_number(-2, 2, generator), random_number(-2, 2, generator));
+    points.emplace_back(random_number(-2, 2, generator), random_number(-2, 2, generator),
+                        random_number(-2, 2, generator));
   CHECK(is_close(scales_of(points).noise, noise, 0.15));
 }
 
@@ -141,7 +151,8 @@ void check_two_sheets(double share, double noise, Generator& generator)
   for (int i = 0; i < n; ++i)
     moments.add(1 + (i < share * n ? distance : 0) + gaussian(generator), 1);
   const Two_sheets sheets = two_sheets_of(moments.shape(n));
-  const double squared_noise = noise * noise, of_distance = share * (1 - share) * distance * distance;
+  const double squared_noise = noise * noise,
+               of_distance = share * (1 - share) * distance * distance;
   CHECK(std::abs(sheets.noise - squared_noise / (squared_noise + of_distance)) < 0.01);
   CHECK(std::abs(sheets.larger_sheet - (std::max)(share, 1 - share)) < 0.01);
 }
@@ -200,7 +211,9 @@ int main()
   check_unit(noisy);
 
   // no surface, and still a length
-  for (const auto& points : {std::vector<Vector>{Vector(0, 0, 0), Vector(1, 0, 0)}, lattice_points(2, 1)})
-    CHECK(scales_of(points).spacing > 0 && std::isfinite(scales_of(points).spacing) && scales_of(points).noise >= 0);
+  for (const auto& points :
+       {std::vector<Vector>{Vector(0, 0, 0), Vector(1, 0, 0)}, lattice_points(2, 1)})
+    CHECK(scales_of(points).spacing > 0 && std::isfinite(scales_of(points).spacing)
+          && scales_of(points).noise >= 0);
   return result();
 }

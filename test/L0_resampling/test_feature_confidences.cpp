@@ -3,7 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The named parameter feature_confidence_map: high on edges and corners, low away from them, on shapes whose edges are known.
+// The named parameter feature_confidence_map: high on edges and corners, low away from them, on
+// shapes whose edges are known.
 
 #include "promise_support.h"
 
@@ -55,10 +56,12 @@ std::vector<Segment> sharp_edges(const std::string& name)
     std::size_t v[3];
     file >> ignored >> v[0] >> v[1] >> v[2];
     const Vector a = vertices[v[1]] - vertices[v[0]], b = vertices[v[2]] - vertices[v[0]];
-    const Vector normal =
-      Vector(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]).normalized();
+    const Vector normal = Vector(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+                                 a[0] * b[1] - a[1] * b[0])
+                            .normalized();
     for (int k = 0; k < 3; ++k)
-      half_edges.push_back({(std::min)(v[k], v[(k + 1) % 3]), (std::max)(v[k], v[(k + 1) % 3]), normal});
+      half_edges.push_back(
+        {(std::min)(v[k], v[(k + 1) % 3]), (std::max)(v[k], v[(k + 1) % 3]), normal});
   }
   CHECK(!file.fail() && !half_edges.empty());
   std::sort(half_edges.begin(), half_edges.end(), [](const Half_edge& a, const Half_edge& b) {
@@ -83,7 +86,8 @@ Rates measure(const Points& points, const std::vector<Segment>& edges)
   std::vector<float> confidences(points.size() / 2);
   test::Pairs<Kernel> result;
   CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(
-    points, std::back_inserter(result), params::feature_confidence_map(CGAL::make_property_map(confidences)));
+    points, std::back_inserter(result),
+    params::feature_confidence_map(CGAL::make_property_map(confidences)));
   CHECK(result.size() == confidences.size());
 
   std::vector<Vector> positions;
@@ -116,7 +120,8 @@ Rates measure(const Points& points, const std::vector<Segment>& edges)
           number_far > 0 ? double(number_low) / double(number_far) : 1};
 }
 
-void check(const std::string& name, const Points& points, const std::vector<Segment>& edges, const Rates& least)
+void check(const std::string& name, const Points& points, const std::vector<Segment>& edges,
+           const Rates& least)
 {
   const Rates rates = measure(points, edges);
   std::cout << name << ": near and at least 0.5 " << rates.near_and_high << ", far and at most 0.2 "
@@ -131,7 +136,8 @@ void check_data(const std::string& name, const Rates& least)
   for (const char* kind : {"_clean", "_noisy"}) // the noise is 0.5 % of the diagonal
   {
     Points points;
-    CHECK(CGAL::IO::read_points(L0_TEST_DATA "/" + name + kind + ".ply", std::back_inserter(points)));
+    CHECK(
+      CGAL::IO::read_points(L0_TEST_DATA "/" + name + kind + ".ply", std::back_inserter(points)));
     check(name + kind, points, edges, least);
   }
 }
@@ -164,7 +170,7 @@ int main()
   check_data("dodecahedron", {0.85, 0.99});
   check_data("staircase", {0.9, 0.99});
   check_data("bracket", {0.9, 0.9});
-  check_data("torus",
-             {1, 0.7}); // smooth, but a handful of points around: at this number of points it bends by 20 degrees in a neighborhood
+  // smooth, but with few points around: it bends by 20 degrees in a neighborhood
+  check_data("torus", {1, 0.7});
   return test::result();
 }

@@ -19,11 +19,13 @@ std::vector<Vector> filter(const Oriented_points& cloud, double radius, double s
                            std::size_t number_of_iterations)
 {
   const Gridded_points sorted(cloud.points, radius / 2);
-  Buffer<Eigen::Matrix<T, 3, 1>> normals = to_local_vectors<T>(permuted(sorted.order, cloud.normals));
-  const Normal_filter<T> settings{radius, T(radius * radius / 4), T(normal_bandwidth(sharpness_angle))};
+  Buffer<Eigen::Matrix<T, 3, 1>> normals = to_local_vectors<T>(
+    permuted(sorted.order, cloud.normals));
+  const Normal_filter<T> settings{radius, T(radius * radius / 4),
+                                  T(normal_bandwidth(sharpness_angle))};
   Unwatched unwatched;
-  filter_normals<CGAL::Parallel_if_available_tag>(sorted.grid, sorted.points, settings, number_of_iterations,
-                                                  unwatched.progress, normals);
+  filter_normals<CGAL::Parallel_if_available_tag>(
+    sorted.grid, sorted.points, settings, number_of_iterations, unwatched.progress, normals);
   std::vector<Vector> result(normals.size());
   for (std::size_t i = 0; i < normals.size(); ++i)
     result[sorted.order[i]] = normals[i].template cast<double>();
@@ -46,8 +48,8 @@ Oriented_points noisy_wedge(Generator& generator)
   return wedge;
 }
 
-/// The wedge leaning on its edge: the cosines between the normals of its sides are sums of a number and its negative,
-/// which have a sign of their own.
+/// The wedge leaning on its edge: the cosines between the normals of its sides are sums of a number
+/// and its negative, which have a sign of their own.
 Oriented_points roof_points(std::size_t n, Generator& generator)
 {
   const double half = std::sqrt(0.5);
@@ -67,7 +69,8 @@ void check_equation(double tolerance, Generator& generator)
   {
     const double bandwidth = normal_bandwidth(sharpness_angle);
     const auto psi = [&](double cosine) { return std::exp(-std::pow(1 - cosine, 2) / bandwidth); };
-    const std::vector<Vector> once = filter_normals_naively(wedge.points, wedge.normals, 0.2, 0.1, psi);
+    const std::vector<Vector> once = filter_normals_naively(wedge.points, wedge.normals, 0.2, 0.1,
+                                                            psi);
     const std::vector<Vector> twice = filter_normals_naively(wedge.points, once, 0.2, 0.1, psi);
     double worst = 0;
     for (std::size_t rounds : {1, 2})
@@ -109,25 +112,30 @@ void check_noise(Generator& generator)
   CHECK(last < 0.25 * before);
 }
 
-/// The sign of a normal means nothing: turning some turns their results and changes nothing else, bit by bit.
-void check_signs(const Oriented_points& cloud, double radius, double sharpness_angle, Generator& generator)
+/// The sign of a normal means nothing: turning some turns their results and changes nothing else,
+/// bit by bit.
+void check_signs(const Oriented_points& cloud, double radius, double sharpness_angle,
+                 Generator& generator)
 {
   const std::vector<Vector> filtered = filter<float>(cloud, radius, sharpness_angle, 3);
   const Oriented_points turned = with_random_signs(cloud, generator);
   const std::vector<Vector> turned_filtered = filter<float>(turned, radius, sharpness_angle, 3);
   bool are_equal = true;
   for (std::size_t i = 0; i < filtered.size(); ++i)
-    are_equal = are_equal && turned_filtered[i] == (turned.normals[i] == cloud.normals[i] ? 1 : -1) * filtered[i];
+    are_equal = are_equal
+                && turned_filtered[i]
+                     == (turned.normals[i] == cloud.normals[i] ? 1 : -1) * filtered[i];
   CHECK(are_equal);
 }
 
 /// As `filter()`, looking at one ball after the other.
-std::vector<Vector> filter_ball_by_ball(const Oriented_points& cloud, double radius, double sharpness_angle,
-                                        std::size_t number_of_iterations)
+std::vector<Vector> filter_ball_by_ball(const Oriented_points& cloud, double radius,
+                                        double sharpness_angle, std::size_t number_of_iterations)
 {
   const Gridded_points sorted(cloud.points, radius / 2);
   Buffer<Vector> normals = to_buffer(permuted(sorted.order, cloud.normals));
-  const Normal_filter<double> settings{radius, radius * radius / 4, normal_bandwidth(sharpness_angle)};
+  const Normal_filter<double> settings{radius, radius * radius / 4,
+                                       normal_bandwidth(sharpness_angle)};
   Unwatched unwatched;
   for (std::size_t round = 0; round < number_of_iterations; ++round)
     update_normals<CGAL::Sequential_tag>(
@@ -142,8 +150,8 @@ std::vector<Vector> filter_ball_by_ball(const Oriented_points& cloud, double rad
   return result;
 }
 
-/// Pairs give what balls give. A crowd, of which balls take every so manieth point, and a point so far away that it shares an outermost cell, are left
-/// to balls.
+/// Pairs give what balls give. A crowd, of which balls take every so manieth point, and a point so
+/// far away that it shares an outermost cell, are left to balls.
 void check_unusual_cells(Generator& generator)
 {
   const Oriented_points wedge = noisy_wedge(generator);
@@ -160,7 +168,8 @@ void check_unusual_cells(Generator& generator)
   for (std::size_t i = 0; i < 6000; ++i)
   {
     with_crowd.points.push_back(Vector(50, 0, 0) + 0.01 * random_unit_vector(generator));
-    with_crowd.normals.push_back((Vector::UnitZ() + 0.3 * random_unit_vector(generator)).normalized());
+    with_crowd.normals.push_back(
+      (Vector::UnitZ() + 0.3 * random_unit_vector(generator)).normalized());
   }
   for (const Oriented_points& cloud : {with_outlier, with_crowd})
     CHECK(filter<double>(cloud, 0.2, 15, 2) == filter_ball_by_ball(cloud, 0.2, 15, 2));
@@ -170,7 +179,8 @@ void check_unusual_cells(Generator& generator)
 void check_loners(Generator& generator)
 {
   const Oriented_points wedge = noisy_wedge(generator);
-  const std::vector<Vector> unfiltered = filter<double>(wedge, 0.2, 15, 0), alone = filter<double>(wedge, 1e-6, 15, 5);
+  const std::vector<Vector> unfiltered = filter<double>(wedge, 0.2, 15, 0),
+                            alone = filter<double>(wedge, 1e-6, 15, 5);
   CHECK(unfiltered == wedge.normals);
   double worst = 0;
   for (std::size_t i = 0; i < alone.size(); ++i)

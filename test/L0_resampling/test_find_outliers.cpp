@@ -15,9 +15,11 @@ using namespace test;
 std::vector<bool> outliers_of(const std::vector<Vector>& points, double radius)
 {
   Unwatched unwatched;
-  const auto parallel = find_outliers<float, CGAL::Parallel_if_available_tag>(to_buffer(points), radius,
-                                                                              unwatched.progress);
-  CHECK((parallel == find_outliers<float, CGAL::Sequential_tag>(to_buffer(points), radius, unwatched.progress)));
+  const auto parallel = find_outliers<float, CGAL::Parallel_if_available_tag>(
+    to_buffer(points), radius, unwatched.progress);
+  CHECK(
+    (parallel
+     == find_outliers<float, CGAL::Sequential_tag>(to_buffer(points), radius, unwatched.progress)));
   return std::vector<bool>(parallel.begin(), parallel.end());
 }
 
@@ -26,7 +28,8 @@ std::size_t number_of(const std::vector<bool>& outliers)
   return std::size_t(std::count(outliers.begin(), outliers.end(), true));
 }
 
-/// Points of a surface stay: at borders and corners, through noise, and where it is ten times sparser than elsewhere.
+/// Points of a surface stay: at borders and corners, through noise, and where it is ten times
+/// sparser than elsewhere.
 void check_surfaces(Generator& generator)
 {
   CHECK(number_of(outliers_of(sphere_points(5000, 1, generator).points, 0.2)) == 0);
@@ -43,7 +46,8 @@ void check_surfaces(Generator& generator)
   CHECK(number_of(outliers_of(graded, 0.2)) <= graded.size() / 500);
 }
 
-/// Single points and clusters in the space around a surface are found, but for those that lie close to it.
+/// Single points and clusters in the space around a surface are found, but for those that lie close
+/// to it.
 void check_outliers(Generator& generator)
 {
   const double radius = 0.2;
@@ -81,8 +85,8 @@ void check_outliers(Generator& generator)
   CHECK(outliers_of_reversed == outliers);
 }
 
-/// A crowd of outliers that fills space is found even if each has enough others around that no comparison with its surroundings tells it; a
-/// sheet as sparse as the crowd stays.
+/// A crowd of outliers that fills space is found even if each has enough others around that no
+/// comparison with its surroundings tells it; a sheet as sparse as the crowd stays.
 void check_crowd(Generator& generator)
 {
   const double radius = 0.45;
@@ -92,7 +96,8 @@ void check_crowd(Generator& generator)
     points.push_back(p + Vector(6, 0, 0));
   const std::size_t size = points.size();
   for (int n = 0; n < 6000; ++n)
-    points.emplace_back(random_number(-2, 2, generator), random_number(-2, 2, generator), random_number(-2, 2, generator));
+    points.emplace_back(random_number(-2, 2, generator), random_number(-2, 2, generator),
+                        random_number(-2, 2, generator));
 
   const std::vector<bool> outliers = outliers_of(points, radius);
   std::size_t number_far = 0, number_found = 0;
@@ -104,11 +109,13 @@ void check_crowd(Generator& generator)
     }
   CHECK(number_far > 1000);
   CHECK(double(number_found) > 0.99 * double(number_far));
-  const auto number_lost = std::count(outliers.begin(), outliers.begin() + std::ptrdiff_t(size), true);
+  const auto number_lost = std::count(outliers.begin(), outliers.begin() + std::ptrdiff_t(size),
+                                      true);
   CHECK(number_lost <= 75); // at the border of the sparse sheet
 }
 
-/// Where nobody has neighbors, or all are one, nobody is apart from the others. A few parts of equal size are no outliers to each other.
+/// Where nobody has neighbors, or all are one, nobody is apart from the others. A few parts of
+/// equal size are no outliers to each other.
 void check_no_cloud(Generator& generator)
 {
   CHECK(number_of(outliers_of({Vector(1, 2, 3)}, 1)) == 0);

@@ -22,13 +22,14 @@ struct Fitted
 {
   std::vector<Vector> normals, centroids, outward;
   std::vector<double> weights, variances;
-  std::size_t number_of_scattered = 0; ///< samples with a sheet that is lower, but not by as much as it may
+  std::size_t number_of_scattered =
+    0; ///< samples with a sheet that is lower, but not by as much as it may
 };
 
 /// The stage, for input and samples in any order.
 template <typename T>
-Fitted fit(const Oriented_points& input, const std::vector<double>& densities, const Oriented_points& start,
-           const std::vector<Vector>& last_centroids)
+Fitted fit(const Oriented_points& input, const std::vector<double>& densities,
+           const Oriented_points& start, const std::vector<Vector>& last_centroids)
 {
   const Gridded_points sorted(input.points, radius / 2);
   const auto normals = to_local_vectors<T>(permuted(sorted.order, input.normals));
@@ -44,12 +45,14 @@ Fitted fit(const Oriented_points& input, const std::vector<double>& densities, c
   samples.fit_centroids = to_buffer(last_centroids);
   samples.outward_directions.resize(start.points.size());
   Unwatched unwatched;
-  fit_compatible_points<CGAL::Parallel_if_available_tag>(Fit_input<T>{sorted.grid, sorted.points, normals,
-                                                                      density_weights, radius, squared_sheet_height,
-                                                                      normal_bandwidth(25)},
-                                                         unwatched.progress, samples);
+  fit_compatible_points<CGAL::Parallel_if_available_tag>(
+    Fit_input<T>{sorted.grid, sorted.points, normals, density_weights, radius, squared_sheet_height,
+                 normal_bandwidth(25)},
+    unwatched.progress, samples);
   CHECK(samples.positions == to_buffer(start.points));
-  const auto vector = [](const Buffer<Vector>& b) { return std::vector<Vector>(b.begin(), b.end()); };
+  const auto vector = [](const Buffer<Vector>& b) {
+    return std::vector<Vector>(b.begin(), b.end());
+  };
   return {vector(samples.normals),
           vector(samples.fit_centroids),
           vector(samples.outward_directions),
@@ -72,7 +75,8 @@ double mean_over_disk(const F& f)
   const int steps = 100000;
   for (int k = 0; k < steps; ++k)
   {
-    const double r = (k + 0.5) / steps * radius, weight = r * std::exp(-r * r / (bandwidth * bandwidth));
+    const double r = (k + 0.5) / steps * radius,
+                 weight = r * std::exp(-r * r / (bandwidth * bandwidth));
     sum += f(r) * weight;
     total += weight;
   }
@@ -90,20 +94,24 @@ double half_disk_offset()
 double share_held_back(double distance, double effective_number, double squared_sine)
 {
   static const double squared_distance = mean_over_disk([](double r) { return r * r; });
-  const double chance = 1.8 * squared_distance / effective_number * clamped((0.15 - squared_sine) / 0.1);
-  return clamped((std::sqrt((std::max)(distance * distance - chance, 0.)) / half_disk_offset() - 0.35) / 0.2);
+  const double chance = 1.8 * squared_distance / effective_number
+                        * clamped((0.15 - squared_sine) / 0.1);
+  return clamped(
+    (std::sqrt((std::max)(distance * distance - chance, 0.)) / half_disk_offset() - 0.35) / 0.2);
 }
 
 /// The sums of the docstring for a sample.
 struct Naive_sums
 {
-  double all = 0, squared_sines = 0, total = 0, squared_weights = 0, height = 0, squared_heights = 0;
+  double all = 0, squared_sines = 0, total = 0, squared_weights = 0, height = 0,
+         squared_heights = 0;
   Vector mean = Vector::Zero(), normal = Vector::Zero();
   Eigen::Matrix3d normals = Eigen::Matrix3d::Zero();
 };
 
 Naive_sums sum_naively(const Oriented_points& input, const std::vector<double>& densities,
-                       const std::vector<Index>& neighbors, const Vector& p, const Vector& n, double squared_height)
+                       const std::vector<Index>& neighbors, const Vector& p, const Vector& n,
+                       double squared_height)
 {
   Naive_sums sums;
   for (Index j : neighbors)
@@ -130,36 +138,42 @@ Naive_sums sum_naively(const Oriented_points& input, const std::vector<double>& 
 }
 
 /// The formulas of the docstring, sample by sample.
-Fitted fit_naively(const Oriented_points& input, const std::vector<double>& densities, const Oriented_points& start)
+Fitted fit_naively(const Oriented_points& input, const std::vector<double>& densities,
+                   const Oriented_points& start)
 {
   Fitted result{start.normals, start.points, {}, {}, {}, 0};
   const auto neighbors = brute_force_neighbors(start.points, input.points, radius);
   for (std::size_t i = 0; i < start.points.size(); ++i)
   {
     Vector n = start.normals[i];
-    Naive_sums sums = sum_naively(input, densities, neighbors[i], start.points[i], n, squared_sheet_height);
+    Naive_sums sums = sum_naively(input, densities, neighbors[i], start.points[i], n,
+                                  squared_sheet_height);
     const double strayed = sums.all > 0 ? clamped((0.07 - sums.total / sums.all) / 0.02) : 0;
     if (strayed > 0)
     {
       sums.normals += (1 / strayed - 1) * sums.all * n * n.transpose();
       n = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(sums.normals).eigenvectors().col(2);
       n *= n.dot(start.normals[i]) < 0 ? -1 : 1;
-      const double squared_height = std::pow(squared_sheet_height, 1 - strayed) * std::pow(radius, 2 * strayed);
+      const double squared_height = std::pow(squared_sheet_height, 1 - strayed)
+                                    * std::pow(radius, 2 * strayed);
       sums = sum_naively(input, densities, neighbors[i], start.points[i], n, squared_height);
     }
     else if (sums.total > 0)
     {
-      const double mean = sums.height / sums.total, variance = sums.squared_heights / sums.total - mean * mean;
-      const double scattered = clamped((variance / squared_sheet_height - 1. / 6) / (1. / 5 - 1. / 6));
+      const double mean = sums.height / sums.total,
+                   variance = sums.squared_heights / sums.total - mean * mean;
+      const double scattered = clamped((variance / squared_sheet_height - 1. / 6)
+                                       / (1. / 5 - 1. / 6));
       result.number_of_scattered += scattered > 0 && scattered < 1;
       sums = sum_naively(input, densities, neighbors[i], start.points[i], n,
                          squared_sheet_height * (1 - scattered * (1 - 0.7 * 0.7)));
     }
     result.weights.push_back(sums.total > 1e-3 ? sums.total : 1);
     const double mean_height = sums.height / sums.total;
-    result.variances.push_back(sums.total > 1e-3 ? (sums.squared_heights / sums.total - mean_height * mean_height)
-                                                     * sums.squared_weights / (sums.total * sums.total)
-                                                 : 0);
+    result.variances.push_back(sums.total > 1e-3
+                                 ? (sums.squared_heights / sums.total - mean_height * mean_height)
+                                     * sums.squared_weights / (sums.total * sums.total)
+                                 : 0);
     result.outward.push_back(Vector::Zero());
     if (sums.total <= 1e-3)
       continue;
@@ -169,7 +183,8 @@ Fitted fit_naively(const Oriented_points& input, const std::vector<double>& dens
     result.centroids[i] += sums.height / sums.total * n;
     if (offset.norm() > largest_offset)
       result.centroids[i] += EIGEN_PI / 2 * (offset.norm() - largest_offset) * offset.normalized();
-    result.outward[i] = -std::sqrt(share_held_back(offset.norm(), square(sums.total) / sums.squared_weights,
+    result.outward[i] = -std::sqrt(share_held_back(offset.norm(),
+                                                   square(sums.total) / sums.squared_weights,
                                                    sums.squared_sines / sums.all))
                         * offset.normalized();
   }
@@ -211,18 +226,21 @@ void check_formulas(double tolerance, Generator& generator)
     // Outward directions begin as a square root, and a push takes them twice.
     worst = (std::max)(
       {worst, (fitted.centroids[i] - naive.centroids[i]).norm(),
-       Eigen::MatrixXd(fitted.normals[i] * fitted.normals[i].transpose() - naive.normals[i] * naive.normals[i].transpose())
+       Eigen::MatrixXd(fitted.normals[i] * fitted.normals[i].transpose()
+                       - naive.normals[i] * naive.normals[i].transpose())
          .norm(),
-       (fitted.outward[i].norm() * fitted.outward[i] - naive.outward[i].norm() * naive.outward[i]).norm()});
+       (fitted.outward[i].norm() * fitted.outward[i] - naive.outward[i].norm() * naive.outward[i])
+         .norm()});
   }
   CHECK(worst < tolerance);
   CHECK(naive.number_of_scattered > 10);
   // who sees nobody is drawn to where it was last fitted
-  CHECK(fitted.centroids.back() == last_centroids.back() && fitted.normals.back() == start.normals.back());
+  CHECK(fitted.centroids.back() == last_centroids.back()
+        && fitted.normals.back() == start.normals.back());
 }
 
-/// A sample with the normal of nobody around takes that of the face; one with that of a few points, those of a rim, keeps it. One that is as far off the
-/// face as another sheet finds it.
+/// A sample with the normal of nobody around takes that of the face; one with that of a few points,
+/// those of a rim, keeps it. One that is as far off the face as another sheet finds it.
 void check_strays(Generator& generator)
 {
   Oriented_points input;
@@ -234,11 +252,13 @@ void check_strays(Generator& generator)
   const Vector rim = Vector(0.5, 0.5, 0);
   for (int i = 0; i < 60; ++i)
   {
-    input.points.push_back(rim + Vector(0, random_number(-0.2, 0.2, generator), random_number(-0.05, 0.05, generator)));
+    input.points.push_back(
+      rim + Vector(0, random_number(-0.2, 0.2, generator), random_number(-0.05, 0.05, generator)));
     input.normals.push_back(Vector::UnitX());
   }
   Oriented_points start;
-  start.points = {Vector(-0.4, 0.1, 0.05), Vector(-0.4, 0.1, 0.05), rim, Vector(-0.4, 0.1, 0.9 * radius)};
+  start.points = {Vector(-0.4, 0.1, 0.05), Vector(-0.4, 0.1, 0.05), rim,
+                  Vector(-0.4, 0.1, 0.9 * radius)};
   start.normals = {Vector(0.6, -0.8, 0), Vector(0.6, 0, -0.8), Vector::UnitX(), Vector::UnitZ()};
   const Fitted fitted = fit<float>(input, start);
   CHECK(angle_of_lines(fitted.normals[0], Vector::UnitZ()) < 1e-3);
@@ -271,11 +291,13 @@ void check_no_step(Generator& generator)
 /// Two points of a sphere are at distance 0 in the symmetric sense: a sphere does not shrink.
 void check_sphere(Generator& generator)
 {
-  const Oriented_points sphere = sphere_points(4000, 1, generator), start = sphere_points(100, 1, generator);
+  const Oriented_points sphere = sphere_points(4000, 1, generator),
+                        start = sphere_points(100, 1, generator);
   const Fitted fitted = fit<float>(sphere, start);
   double worst = 0;
   for (std::size_t i = 0; i < start.points.size(); ++i)
-    worst = (std::max)(worst, std::abs(start.normals[i].dot(fitted.centroids[i] - start.points[i])));
+    worst = (std::max)(worst,
+                       std::abs(start.normals[i].dot(fitted.centroids[i] - start.points[i])));
   CHECK(worst < 1e-6);
 }
 
@@ -297,8 +319,8 @@ void check_edge(Generator& generator)
   CHECK(turned < 0.01);
 }
 
-/// On the border of half a plane a sample stays, and further in too; from further out it comes back to there. It knows where the border is, less and less of it
-/// further in.
+/// On the border of half a plane a sample stays, and further in too; from further out it comes back
+/// to there. It knows where the border is, less and less of it further in.
 void check_border()
 {
   Oriented_points half_plane;
@@ -319,7 +341,8 @@ void check_border()
   for (std::size_t i = 0; i < places.size(); ++i)
   {
     const double expected = (std::max)(places[i], 0.);
-    CHECK(std::abs(fitted.centroids[i][0] - expected) < 0.01 * radius + 0.15 * (expected - places[i]));
+    CHECK(std::abs(fitted.centroids[i][0] - expected)
+          < 0.01 * radius + 0.15 * (expected - places[i]));
     CHECK(std::abs(fitted.centroids[i][1]) < 1e-6);
     Vector sum = Vector::Zero();
     double total = 0, squared_weights = 0;
@@ -332,20 +355,24 @@ void check_border()
       total += weight;
       squared_weights += weight * weight;
     }
-    const double held_back = share_held_back(sum.norm() / total, total * total / squared_weights, 0);
+    const double held_back = share_held_back(sum.norm() / total, total * total / squared_weights,
+                                             0);
     CHECK(places[i] == 0.12 ? held_back > 0.1 && held_back < 0.9 : held_back == (places[i] < 0.1));
     CHECK((fitted.outward[i] - Vector(-std::sqrt(held_back), 0, 0)).norm() < 1e-5);
   }
 }
 
-/// Gaps between the points of a face are no borders, but wide holes are. Beside an edge, gaps hold a sample back as borders do: twice as often as on a face.
+/// Gaps between the points of a face are no borders, but wide holes are. Beside an edge, gaps hold
+/// a sample back as borders do: twice as often as on a face.
 void check_gaps(Generator& generator)
 {
   const double side = 8, inside = 6;
   const auto points_of_face = [&](double points_per_ball) {
-    return plane_points(std::size_t(points_per_ball / (EIGEN_PI * radius * radius) * side * side), side, generator);
+    return plane_points(std::size_t(points_per_ball / (EIGEN_PI * radius * radius) * side * side),
+                        side, generator);
   };
-  const Oriented_points face = points_of_face(20), sparse_face = points_of_face(7), dense_face = points_of_face(160);
+  const Oriented_points face = points_of_face(20), sparse_face = points_of_face(7),
+                        dense_face = points_of_face(160);
   Oriented_points with_holes, with_ribs = face;
   for (const Vector& p : dense_face.points)
     if ((Vector(p.x() - std::round(p.x()), p.y() - std::round(p.y()), 0)).norm() > 0.75 * radius)
@@ -373,7 +400,8 @@ void check_gaps(Generator& generator)
   CHECK(share_held_back(with_holes) > 0.3);
 }
 
-/// On a plate thinner than the radius, a sample is drawn to its own sheet and the other one does not move it.
+/// On a plate thinner than the radius, a sample is drawn to its own sheet and the other one does
+/// not move it.
 void check_plate(Generator& generator)
 {
   Oriented_points plate = plane_points(2000, 2, generator);
@@ -393,7 +421,8 @@ void check_plate(Generator& generator)
   CHECK(worst < 0.001);
 }
 
-/// Where two sheets are so near that each weighs much in the other, their points scatter more than those of one, and the sheets draw each other less.
+/// Where two sheets are so near that each weighs much in the other, their points scatter more than
+/// those of one, and the sheets draw each other less.
 void check_close_sheets(Generator& generator)
 {
   Oriented_points sheets = plane_points(6000, 2, generator);
@@ -406,8 +435,9 @@ void check_close_sheets(Generator& generator)
   double drawn = 0, drawn_by_all = 0;
   for (std::size_t i = 0; i < start.points.size(); ++i)
   {
-    const Naive_sums all = sum_naively(sheets, std::vector<double>(sheets.points.size(), 1), neighbors[i],
-                                       start.points[i], Vector::UnitZ(), squared_sheet_height);
+    const Naive_sums all = sum_naively(sheets, std::vector<double>(sheets.points.size(), 1),
+                                       neighbors[i], start.points[i], Vector::UnitZ(),
+                                       squared_sheet_height);
     drawn += fitted.centroids[i].z();
     drawn_by_all += all.height / all.total;
   }

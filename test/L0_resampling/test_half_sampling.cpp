@@ -144,14 +144,16 @@ double least_sum_over_matchings(const std::vector<double>& positions, std::vecto
     if (!is_taken[j])
     {
       is_taken[j] = true;
-      least = (std::min)(least, squared_distance(positions, i, j) + least_sum_over_matchings(positions, is_taken));
+      least = (std::min)(least, squared_distance(positions, i, j)
+                                  + least_sum_over_matchings(positions, is_taken));
       is_taken[j] = false;
     }
   is_taken[i] = false;
   return least;
 }
 
-/// "Eq. (14) is hard to solve": greedy is not optimal, and never better than optimal. Prints how far it is off.
+/// "Eq. (14) is hard to solve": greedy is not optimal, and never better than optimal. Prints how
+/// far it is off.
 void test_greedy_against_all_matchings(Generator& generator)
 {
   Pair_partitioner<double> partitioner;
@@ -164,7 +166,8 @@ void test_greedy_against_all_matchings(Generator& generator)
     {
       std::vector<Vector> points;
       for (std::size_t i = 0; i < n; ++i)
-        points.push_back(std::cbrt(test::random_number(0, 1, generator)) * test::random_unit_vector(generator));
+        points.push_back(std::cbrt(test::random_number(0, 1, generator))
+                         * test::random_unit_vector(generator));
       const std::vector<double> positions = flat<double>(points);
       std::vector<bool> is_taken(n, false);
       const double ratio = sum_over_pairs(positions, partitioner(positions.data(), n))
@@ -181,7 +184,8 @@ void test_greedy_against_all_matchings(Generator& generator)
   }
   CHECK(greatest_ratio > 1.01);
 
-  // Worked by hand: at 0, 2, 3, 5 greedy takes (2, 3) first and is left with (0, 5), 1 + 25; optimal is 4 + 4.
+  // Worked by hand: at 0, 2, 3, 5 greedy takes (2, 3) first and is left with (0, 5), 1 + 25;
+  // optimal is 4 + 4.
   const std::vector<double> line = {0, 0, 0, 2, 0, 0, 3, 0, 0, 5, 0, 0};
   std::vector<bool> is_taken(4, false);
   CHECK(partitioner(line.data(), 4) == std::vector<Index>({3, 2, 1, 0}));
@@ -189,7 +193,8 @@ void test_greedy_against_all_matchings(Generator& generator)
   CHECK(least_sum_over_matchings(line, is_taken) == 8);
 }
 
-/// Appendix A: with equal weights the objective of Eq. (13) is half of that of Eq. (14), whatever p_i is.
+/// Appendix A: with equal weights the objective of Eq. (13) is half of that of Eq. (14), whatever
+/// p_i is.
 void test_eq_13_is_half_of_eq_14(Generator& generator)
 {
   for (std::size_t n : {2, 10, 72})
@@ -213,13 +218,15 @@ void test_eq_13_is_half_of_eq_14(Generator& generator)
   }
 }
 
-/// Two passes, as the paper runs them, with weights: the sum of the weights and the weighted mean stay, which is all
-/// that the minimizer of Eq. (10) sees of the fit term; and each new point is the weighted mean of its pair.
+/// Two passes, as the paper runs them, with weights: the sum of the weights and the weighted mean
+/// stay, which is all that the minimizer of Eq. (10) sees of the fit term; and each new point is
+/// the weighted mean of its pair.
 void test_merging_keeps_the_fit_term(Generator& generator)
 {
   for (std::size_t n : {1, 2, 3, 9, 72, 301})
   {
-    std::vector<double> positions = flat<double>(test::cube_points(n, 2, generator).points), weights;
+    std::vector<double> positions = flat<double>(test::cube_points(n, 2, generator).points),
+                        weights;
     for (std::size_t j = 0; j < n; ++j)
       weights.push_back(1 / test::random_number(1, 3, generator));
     Pair_partitioner<double> partitioner;
@@ -250,7 +257,8 @@ void test_merging_keeps_the_fit_term(Generator& generator)
         {
           const Vector other = Eigen::Map<const Vector>(&old_positions[3 * k]);
           CHECK(weights[next] == old_weights[j] + old_weights[k]);
-          CHECK((merged - (old_weights[j] * q + old_weights[k] * other) / weights[next]).norm() < 1e-14);
+          CHECK((merged - (old_weights[j] * q + old_weights[k] * other) / weights[next]).norm()
+                < 1e-14);
         }
         ++next;
       }

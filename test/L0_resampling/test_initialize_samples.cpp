@@ -32,8 +32,8 @@ struct Start
   {
     Unwatched unwatched;
     const Initial_samples samples = initialize_samples<CGAL::Parallel_if_available_tag>(
-      input.grid, input.points, to_local_vectors<float>(permuted(input.order, cloud.normals)), areas_in_order(areas),
-      number_of_samples, radius, seed, unwatched.progress);
+      input.grid, input.points, to_local_vectors<float>(permuted(input.order, cloud.normals)),
+      areas_in_order(areas), number_of_samples, radius, seed, unwatched.progress);
     positions.assign(samples.positions.begin(), samples.positions.end());
     for (Index j : samples.sources)
       sources.push_back(input.vector[j]);
@@ -60,13 +60,14 @@ std::set<Key> distinct(const std::vector<Vector>& points)
   return keys;
 }
 
-/// Whatever number is asked for comes, and no two samples are one; up to the number of distinct points each starts on
-/// one of them.
+/// Whatever number is asked for comes, and no two samples are one; up to the number of distinct
+/// points each starts on one of them.
 void check_counts(const Oriented_points& cloud)
 {
   const std::set<Key> places = distinct(cloud.points);
-  for (std::size_t n : {std::size_t(1), std::size_t(2), std::size_t(37), places.size() / 2, places.size() - 1,
-                        places.size(), places.size() + 1, cloud.points.size(), 2 * places.size(), 5 * places.size() + 3})
+  for (std::size_t n : {std::size_t(1), std::size_t(2), std::size_t(37), places.size() / 2,
+                        places.size() - 1, places.size(), places.size() + 1, cloud.points.size(),
+                        2 * places.size(), 5 * places.size() + 3})
   {
     const Start start(cloud, n, 0);
     CHECK(start.positions.size() == n && start.sources.size() == n);
@@ -122,18 +123,22 @@ void check_spread(const Oriented_points& cloud)
     const std::set<Key> places = distinct(cloud.points);
     for (int part = 0; part < 8; ++part)
     {
-      const auto is_in_part = [&](const Key& p) { return (p[0] > 0) + 2 * (p[1] > 0) + 4 * (p[2] > 0) == part; };
+      const auto is_in_part = [&](const Key& p) {
+        return (p[0] > 0) + 2 * (p[1] > 0) + 4 * (p[2] > 0) == part;
+      };
       std::size_t count = 0;
       for (const Vector& p : start.sources)
         count += is_in_part(key(p));
-      const double share = double(std::count_if(places.begin(), places.end(), is_in_part)) / double(places.size());
+      const double share = double(std::count_if(places.begin(), places.end(), is_in_part))
+                           / double(places.size());
       CHECK(std::abs(double(count) / double(n) - share) < 0.04);
     }
   }
 }
 
-/// Where more samples are asked for than there are places, the others start on the way from their source to a point of
-/// its ball with a similar normal: on a cube, inside its faces and not across its edges.
+/// Where more samples are asked for than there are places, the others start on the way from their
+/// source to a point of its ball with a similar normal: on a cube, inside its faces and not across
+/// its edges.
 void check_upsampling(Generator& generator)
 {
   const Oriented_points cube = cube_points(600, 2, generator);
@@ -144,14 +149,16 @@ void check_upsampling(Generator& generator)
   bool are_on_faces = true, are_between = true;
   for (std::size_t i = 0; i < 1800; ++i)
   {
-    const Vector way = start.positions[i] - start.sources[i], normal = normals[key(start.sources[i])];
+    const Vector way = start.positions[i] - start.sources[i],
+                 normal = normals[key(start.sources[i])];
     are_on_faces = are_on_faces && std::abs(normal.dot(way)) < 1e-12;
     if (start.positions[i] == start.sources[i])
       continue;
     const auto is_on_way = [&](const Vector& partner) {
       const Vector whole = partner - start.sources[i];
       const double share = way.norm() / whole.norm();
-      return whole.norm() < radius && share > 0.19 && share < 0.46 && (share * whole - way).norm() < 1e-12;
+      return whole.norm() < radius && share > 0.19 && share < 0.46
+             && (share * whole - way).norm() < 1e-12;
     };
     are_between = are_between && std::any_of(cube.points.begin(), cube.points.end(), is_on_way);
   }
@@ -159,7 +166,8 @@ void check_upsampling(Generator& generator)
   CHECK(are_between);
 }
 
-/// With areas, samples are spread as the area is: each point gets as many as its own is worth, up to one, and no two are one.
+/// With areas, samples are spread as the area is: each point gets as many as its own is worth, up
+/// to one, and no two are one.
 void check_areas(Generator& generator)
 {
   Oriented_points cloud = plane_points(2000, 2, generator);
@@ -183,8 +191,11 @@ void check_areas(Generator& generator)
     const Gridded_points& input = start.input;
     for (std::size_t i = 0; i < input.vector.size(); ++i)
     {
-      const double share = double(n) * areas[input.order[i]] / total, count = counts[key(input.vector[i])];
-      are_fair = are_fair && std::abs(count - share) < 2; // the ends of its part may lie inside two more thresholds' parts
+      const double share = double(n) * areas[input.order[i]] / total,
+                   count = counts[key(input.vector[i])];
+      are_fair = are_fair
+                 && std::abs(count - share)
+                      < 2; // the ends of its part may lie inside two more thresholds' parts
       sum += share;
       counted += count;
       worst = (std::max)(worst, std::abs(counted - sum)); // nor do the differences add up
@@ -197,7 +208,8 @@ void check_areas(Generator& generator)
 /// Points that see nobody take a partner out of reach, and a single place has none.
 void check_small_clouds()
 {
-  const Oriented_points pair{{Vector(0, 0, 0), Vector(100, 0, 0)}, {Vector::UnitZ(), Vector::UnitZ()}};
+  const Oriented_points pair{{Vector(0, 0, 0), Vector(100, 0, 0)},
+                             {Vector::UnitZ(), Vector::UnitZ()}};
   for (std::size_t n : {3, 4, 9})
   {
     const Start start(pair, n, 0);
@@ -205,7 +217,8 @@ void check_small_clouds()
     for (const Vector& p : start.positions)
       CHECK(p[0] >= 0 && p[0] <= 100 && p[1] == 0 && p[2] == 0);
   }
-  const Oriented_points place{std::vector<Vector>(5, Vector(1, 2, 3)), std::vector<Vector>(5, Vector::UnitX())};
+  const Oriented_points place{std::vector<Vector>(5, Vector(1, 2, 3)),
+                              std::vector<Vector>(5, Vector::UnitX())};
   for (std::size_t n : {1, 5, 12})
   {
     const Start start(place, n, 0);

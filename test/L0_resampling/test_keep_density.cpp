@@ -3,7 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The named parameter keep_density: a ten-fold density gradient stays one, and is evened out without it.
+// The named parameter keep_density: a ten-fold density gradient stays one, and is evened out
+// without it.
 
 #include "promise_support.h"
 
@@ -26,11 +27,13 @@ struct Shape
 {
   std::string name;
   Eigen::Index axis;
-  std::function<Vector(test::Generator&)> random_point; // evenly over the surface; the coordinate lies in [-1, 1]
+  std::function<Vector(test::Generator&)>
+    random_point; // evenly over the surface; the coordinate lies in [-1, 1]
 };
 
 /// Ten times as dense at one end as at the other.
-std::vector<Vector> with_gradient(const Shape& shape, std::size_t n, double noise, test::Generator& generator)
+std::vector<Vector> with_gradient(const Shape& shape, std::size_t n, double noise,
+                                  test::Generator& generator)
 {
   std::vector<Vector> points;
   while (points.size() < n)
@@ -43,16 +46,19 @@ std::vector<Vector> with_gradient(const Shape& shape, std::size_t n, double nois
   return points;
 }
 
-/// How many times denser the points are at one end than at the other, by a line through the logarithms of the counts of ten bands.
+/// How many times denser the points are at one end than at the other, by a line through the
+/// logarithms of the counts of ten bands.
 template <typename Points>
 double measured_fold(const Points& points, Eigen::Index axis)
 {
   const int number_of_bands = 10;
   std::vector<double> counts(number_of_bands, 0.5);
   for (const auto& p : points)
-    counts[std::size_t((std::min)((std::max)(int((p[axis] + 1) / 2 * number_of_bands), 0), number_of_bands - 1))] += 1;
+    counts[std::size_t((std::min)((std::max)(int((p[axis] + 1) / 2 * number_of_bands), 0),
+                                  number_of_bands - 1))] += 1;
   double slope = 0, weight = 0;
-  for (int band = 1; band + 1 < number_of_bands; ++band) // not the ends, into which noise and borders bring points
+  for (int band = 1; band + 1 < number_of_bands;
+       ++band) // not the ends, into which noise and borders bring points
   {
     const double x = (2. * band + 1) / number_of_bands - 1;
     slope += x * std::log(counts[std::size_t(band)]);
@@ -61,7 +67,8 @@ double measured_fold(const Points& points, Eigen::Index axis)
   return std::exp(2 * slope / weight);
 }
 
-/// How much the distance to the nearest neighbor varies, as a share of its mean, where each is read relative to the spacing that its place asks for.
+/// How much the distance to the nearest neighbor varies, as a share of its mean, where each is read
+/// relative to the spacing that its place asks for.
 double unevenness(const std::vector<Vector>& points, Eigen::Index axis)
 {
   double sum = 0, sum_of_squares = 0;
@@ -71,7 +78,9 @@ double unevenness(const std::vector<Vector>& points, Eigen::Index axis)
     for (const Vector& q : points)
       if (&q != &p)
         nearest = (std::min)(nearest, (p - q).squaredNorm());
-    const double distance = std::sqrt(nearest) * std::pow(fold, p[axis] / 4); // the spacing falls as the root of the density
+    const double distance = std::sqrt(nearest)
+                            * std::pow(fold,
+                                       p[axis] / 4); // the spacing falls as the root of the density
     sum += distance;
     sum_of_squares += distance * distance;
   }
@@ -95,7 +104,8 @@ void check_within(const std::string& name, double measured, double low, double h
 {
   std::cout << name << ": " << measured << std::endl;
   if (!CHECK(measured >= low && measured <= high))
-    std::cerr << "  " << name << ": " << measured << " not in [" << low << ", " << high << "]" << std::endl;
+    std::cerr << "  " << name << ": " << measured << " not in [" << low << ", " << high << "]"
+              << std::endl;
 }
 
 } // namespace
@@ -105,24 +115,32 @@ int main()
   test::Generator generator(1);
   const Shape sphere{"sphere", 2, test::random_unit_vector};
   const Shape strip{"strip", 0, [](test::Generator& g) {
-                      return Vector(test::random_number(-1, 1, g), test::random_number(-0.5, 0.5, g), 0);
+                      return Vector(test::random_number(-1, 1, g),
+                                    test::random_number(-0.5, 0.5, g), 0);
                     }};
   for (const Shape& shape : {sphere, strip})
     for (double noise : {0., 0.01})
     {
       const std::vector<Vector> points = with_gradient(shape, 8000, noise, generator);
       const std::string name = shape.name + ", noise " + std::to_string(noise);
-      const auto check_fold = [&](const std::string& result, const auto& np, double low, double high) {
-        check_within(name + ", " + result, measured_fold(resampled(points, np), shape.axis), low, high);
+      const auto check_fold = [&](const std::string& result, const auto& np, double low,
+                                  double high) {
+        check_within(name + ", " + result, measured_fold(resampled(points, np), shape.axis), low,
+                     high);
       };
       check_within(name + ", input", measured_fold(points, shape.axis), 0.85 * fold, 1.15 * fold);
-      check_fold("kept", params::select_percentage(100) | params::keep_density(true), 0.7 * fold, 1.3 * fold);
-      check_fold("kept by LOR", params::keep_density(true).resampling_method(Method::LOR), 0.7 * fold, 1.3 * fold);
+      check_fold("kept", params::select_percentage(100) | params::keep_density(true), 0.7 * fold,
+                 1.3 * fold);
+      check_fold("kept by LOR", params::keep_density(true).resampling_method(Method::LOR),
+                 0.7 * fold, 1.3 * fold);
       check_fold("evened out", params::keep_density(false), 0.75, 1.35);
 
-      const std::vector<Vector> fewer = resampled(points, params::select_percentage(30) | params::keep_density(true));
-      check_within(name + ", kept by fewer points", measured_fold(fewer, shape.axis), 0.7 * fold, 1.3 * fold);
-      check_within(name + ", unevenness", unevenness(fewer, shape.axis), 0, 0.19); // 0.52 for points by chance
+      const std::vector<Vector> fewer = resampled(points, params::select_percentage(30)
+                                                            | params::keep_density(true));
+      check_within(name + ", kept by fewer points", measured_fold(fewer, shape.axis), 0.7 * fold,
+                   1.3 * fold);
+      check_within(name + ", unevenness", unevenness(fewer, shape.axis), 0,
+                   0.19); // 0.52 for points by chance
     }
   return test::result();
 }

@@ -51,7 +51,8 @@ double share_of_good_normals(const Scene& scene, const Rows& normals)
 {
   std::size_t count = 0;
   for (std::size_t i = 0; i < n; ++i)
-    count += normals.row(Eigen::Index(i)).dot(scene.cube.normals[i].transpose()) > std::cos(5 * EIGEN_PI / 180);
+    count += normals.row(Eigen::Index(i)).dot(scene.cube.normals[i].transpose())
+             > std::cos(5 * EIGEN_PI / 180);
   return double(count) / double(n);
 }
 
@@ -81,7 +82,8 @@ void every_point_has_enough_neighbors()
     ++degrees[i];
     ++degrees[j];
   }
-  CHECK(*std::min_element(degrees.begin(), degrees.end()) >= L0_denoising_parameters().number_of_neighbors);
+  CHECK(*std::min_element(degrees.begin(), degrees.end())
+        >= L0_denoising_parameters().number_of_neighbors);
 }
 
 // Piecewise constant, and the faces of the cube stay three directions apart.
@@ -97,18 +99,21 @@ void positions_lose_their_noise_along_the_normals_only()
 {
   const Scene scene = cube_scene(0, 0.2);
   const Rows normals = true_normals(scene);
-  const Rows denoised = denoised_positions(scene.positions, normals, scene.pairs, L0_denoising_parameters());
+  const Rows denoised = denoised_positions(scene.positions, normals, scene.pairs,
+                                           L0_denoising_parameters());
   CHECK(mean_distance_to_cube(denoised) < mean_distance_to_cube(scene.positions) / 2);
   const Rows steps = denoised - scene.positions;
   for (Eigen::Index i = 0; i < steps.rows(); ++i)
     CHECK((steps.row(i) - steps.row(i).dot(normals.row(i)) * normals.row(i)).norm() < 1e-9);
 }
 
-// A clean cube: what is far from the edges stays, and points at an edge move onto it without leaving the cube's surface.
+// A clean cube: what is far from the edges stays, and points at an edge move onto it without
+// leaving the cube's surface.
 void points_at_edges_move_onto_them()
 {
   const Scene scene = cube_scene(0, 0);
-  const Rows moved = points_on_edges(scene.positions, true_normals(scene), scene.pairs, L0_denoising_parameters());
+  const Rows moved = points_on_edges(scene.positions, true_normals(scene), scene.pairs,
+                                     L0_denoising_parameters());
   CHECK(mean_distance_to_cube(moved) < 1e-2);
   const auto distance_to_edge = [](const Eigen::RowVector3d& p) {
     Eigen::RowVector3d sizes = p.cwiseAbs();
@@ -118,7 +123,8 @@ void points_at_edges_move_onto_them()
   std::size_t number_moved = 0;
   for (Eigen::Index i = 0; i < moved.rows(); ++i)
   {
-    const double before = distance_to_edge(scene.positions.row(i)), after = distance_to_edge(moved.row(i));
+    const double before = distance_to_edge(scene.positions.row(i)),
+                 after = distance_to_edge(moved.row(i));
     if (before > 5) // spacings, beyond all neighbors
       CHECK(moved.row(i) == scene.positions.row(i));
     number_moved += before > 0.2 && before < 0.8 && after < before / 2;

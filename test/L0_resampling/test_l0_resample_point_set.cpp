@@ -3,7 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The ways to call the function: kernels, containers, property maps, and both forms of named parameters.
+// The ways to call the function: kernels, containers, property maps, and both forms of named
+// parameters.
 
 #include "promise_support.h"
 
@@ -28,7 +29,8 @@ std::vector<Vector> noisy_cube(std::size_t n)
 {
   std::vector<Vector> points = test::noisy_cube(n);
   for (Vector& p : points) // to what a float holds: the same cloud in every kernel
-    p = test::as_vector(CGAL::Simple_cartesian<float>::Point_3(float(p[0]), float(p[1]), float(p[2])));
+    p = test::as_vector(
+      CGAL::Simple_cartesian<float>::Point_3(float(p[0]), float(p[1]), float(p[2])));
   return points;
 }
 
@@ -38,7 +40,8 @@ double distance(const A& a, const B& b)
 {
   double largest = a.size() == b.size() && !a.empty() ? 0 : 1e9;
   for (std::size_t i = 0; i < (std::min)(a.size(), b.size()); ++i)
-    largest = (std::max)(largest, (test::as_vector(a[i].first) - test::as_vector(b[i].first)).norm());
+    largest = (std::max)(largest,
+                         (test::as_vector(a[i].first) - test::as_vector(b[i].first)).norm());
   return largest;
 }
 
@@ -47,13 +50,16 @@ template <typename Kernel>
 void test_kernel(double rounding)
 {
   const auto expected = test::resample<CGAL::Simple_cartesian<double>, Sequential_tag>(
-    test::kernel_points<CGAL::Simple_cartesian<double>>(noisy_cube(2000)), params::default_values());
+    test::kernel_points<CGAL::Simple_cartesian<double>>(noisy_cube(2000)),
+    params::default_values());
   const auto points = test::kernel_points<Kernel>(noisy_cube(2000));
   const auto result = test::resample<Kernel, Sequential_tag>(points, params::default_values());
   test::check_clean<Kernel>("kernel", points, result, 1000);
   if (!CHECK(distance(result.pairs, expected.pairs) <= rounding))
-    std::cerr << "  " << distance(result.pairs, expected.pairs) << " instead of " << rounding << std::endl;
-  const auto more = test::resample<Kernel, CGAL::Parallel_if_available_tag>(points, params::number_of_output_points(5000));
+    std::cerr << "  " << distance(result.pairs, expected.pairs) << " instead of " << rounding
+              << std::endl;
+  const auto more = test::resample<Kernel, CGAL::Parallel_if_available_tag>(
+    points, params::number_of_output_points(5000));
   test::check_clean<Kernel>("more points than the input", points, more, 5000);
 }
 
@@ -64,7 +70,8 @@ void test_containers_and_maps()
   using Normal = typename Kernel::Vector_3;
   const std::vector<Point> points = test::kernel_points<Kernel>(noisy_cube(1500));
   const std::size_t n = points.size();
-  const auto expected = test::resample<Kernel, Sequential_tag>(points, params::default_values()).pairs;
+  const auto expected =
+    test::resample<Kernel, Sequential_tag>(points, params::default_values()).pairs;
   const auto check = [&](const auto& range, const auto& np) {
     test::Pairs<Kernel> result;
     CGAL::l0_resample_point_set<Sequential_tag>(range, std::back_inserter(result), np);
@@ -83,8 +90,10 @@ void test_containers_and_maps()
   }
   using Pair_map = CGAL::First_of_pair_property_map<std::pair<Point, Normal>>;
   check(pairs, params::point_map(Pair_map()));
-  check(pairs, params::point_map(Pair_map()).normal_map(CGAL::Second_of_pair_property_map<std::pair<Point, Normal>>()));
-  check(tuples, params::point_map(CGAL::Nth_of_tuple_property_map<1, std::tuple<int, Point>>()).geom_traits(Kernel()));
+  check(pairs, params::point_map(Pair_map())
+                 .normal_map(CGAL::Second_of_pair_property_map<std::pair<Point, Normal>>()));
+  check(tuples, params::point_map(CGAL::Nth_of_tuple_property_map<1, std::tuple<int, Point>>())
+                  .geom_traits(Kernel()));
   check(indices, params::point_map(CGAL::make_property_map(points)));
 
   CGAL::Surface_mesh<Point> mesh;
@@ -107,8 +116,10 @@ void test_containers_and_maps()
   point_set.add_normal_map(Normal(1, 0, 0));
   CGAL::Point_set_3<Point> without, with;
   Report report;
-  CGAL::l0_resample_point_set<Sequential_tag>(point_set, without, params::resampling_report(&report));
-  CGAL::l0_resample_point_set<Sequential_tag>(point_set, with, params::normal_map(point_set.normal_map()));
+  CGAL::l0_resample_point_set<Sequential_tag>(point_set, without,
+                                              params::resampling_report(&report));
+  CGAL::l0_resample_point_set<Sequential_tag>(point_set, with,
+                                              params::normal_map(point_set.normal_map()));
   CHECK(report.number_of_output_points == expected.size() && without.size() == expected.size()
         && with.size() == expected.size());
   CHECK(without.point(0) == expected[0].first);
@@ -127,15 +138,18 @@ void test_named_parameter_chains()
     CGAL::l0_resample_point_set<Sequential_tag>(points, std::back_inserter(pairs), np);
     return pairs;
   };
-  const auto a = result(
-    params::normal_weight(0.5).neighbor_radius(0.2).resampling_method(Method::LOR).select_percentage(30));
+  const auto a = result(params::normal_weight(0.5)
+                          .neighbor_radius(0.2)
+                          .resampling_method(Method::LOR)
+                          .select_percentage(30));
   CHECK(a.size() == 300);
   CHECK(test::are_identical<Kernel>(a, result(params::neighbor_radius(0.2).select_percentage(30)
-                                              | params::normal_weight(0.5) | params::resampling_method(Method::LOR))));
+                                              | params::normal_weight(0.5)
+                                              | params::resampling_method(Method::LOR))));
   CHECK(test::are_identical<Kernel>(
-    a,
-    result(
-      (params::select_percentage(30) | params::normal_weight(0.5)).neighbor_radius(0.2).resampling_method(Method::LOR))));
+    a, result((params::select_percentage(30) | params::normal_weight(0.5))
+                .neighbor_radius(0.2)
+                .resampling_method(Method::LOR))));
   // each one matters: a name that were read from the wrong place would not be seen
   const auto plain = params::resampling_method(Method::LOR);
   const auto b = result(plain);

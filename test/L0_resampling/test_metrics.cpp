@@ -3,7 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The measures of the benchmarks where their values are known, and the sampler that makes the benchmarks' input.
+// The measures of the benchmarks where their values are known, and the sampler that makes the
+// benchmarks' input.
 
 #include "../../benchmark/L0_resampling/quality/metrics.h"
 
@@ -78,8 +79,8 @@ Triangle_mesh cube()
 Triangle_mesh fold(double degrees)
 {
   const double c = std::cos(degrees * pi / 180), s = std::sin(degrees * pi / 180);
-  return {{Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(1, 1, 0), Point_3(0, 1, 0), Point_3(1 + c, 0, -s),
-           Point_3(1 + c, 1, -s)},
+  return {{Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(1, 1, 0), Point_3(0, 1, 0),
+           Point_3(1 + c, 0, -s), Point_3(1 + c, 1, -s)},
           {{0, 1, 2}, {0, 2, 3}, {1, 4, 5}, {1, 5, 2}}};
 }
 
@@ -145,15 +146,18 @@ void test_coverage()
 
   // The mean distance from a corner of the unit square is (sqrt(2) + log(1 + sqrt(2))) / 3.
   const Evaluation corner = evaluate({Point_3(0, 0, 0)}, {}, truth);
-  check_close(corner.coverage.mean * percent, (std::sqrt(2.) + std::log(1 + std::sqrt(2.))) / 3, 0.003);
-  check(corner.coverage.max > 99 && corner.coverage.max <= 100, "the opposite corner is a diagonal away");
+  check_close(corner.coverage.mean * percent, (std::sqrt(2.) + std::log(1 + std::sqrt(2.))) / 3,
+              0.003);
+  check(corner.coverage.max > 99 && corner.coverage.max <= 100,
+        "the opposite corner is a diagonal away");
   check_close(corner.chamfer, corner.coverage.mean, 0);
   check_close(corner.hausdorff, corner.coverage.max, 0);
 
-  // Cells of a grid are 1 / 40 wide: no sample is farther than half a cell's diagonal. The mean in a square of half
-  // that width, from its corner, is again the formula above.
+  // Cells of a grid are 1 / 40 wide: no sample is farther than half a cell's diagonal. The mean in
+  // a square of half that width, from its corner, is again the formula above.
   const Evaluation covered = evaluate(grid(40, 0), {}, truth);
-  check_close(covered.coverage.mean * percent, (std::sqrt(2.) + std::log(1 + std::sqrt(2.))) / 3 / 80, 5e-5);
+  check_close(covered.coverage.mean * percent,
+              (std::sqrt(2.) + std::log(1 + std::sqrt(2.))) / 3 / 80, 5e-5);
   check(covered.coverage.max * percent <= std::sqrt(0.5) / 40, "a sample lies beyond its cell");
   check(covered.coverage.p99 <= covered.coverage.max, "quantiles rise");
 
@@ -172,8 +176,10 @@ void test_normals()
   const std::vector<Point_3> points = grid(20, 0.01);
   const auto measured = [&](double degrees, double sign) {
     const double length = 3; // must not matter
-    const Vector_3 normal = sign * length * Vector_3(std::sin(degrees * pi / 180), 0, std::cos(degrees * pi / 180));
-    return summarize(normal_deviations(points, std::vector<Vector_3>(points.size(), normal), truth));
+    const Vector_3 normal =
+      sign * length * Vector_3(std::sin(degrees * pi / 180), 0, std::cos(degrees * pi / 180));
+    return summarize(
+      normal_deviations(points, std::vector<Vector_3>(points.size(), normal), truth));
   };
   for (double sign : {1., -1.})
     for (double degrees : {0., 1e-6, 14.9, 15.1, 59.9, 60.1, 80.})
@@ -208,7 +214,8 @@ void test_normals_at_edges()
   check(normal_deviation(edge, -y, truth).inwards, "the opposite of a normal points inwards");
   for (const Vector_3& normal : {x, y, z})
     check_close(normal_deviation(vertex, normal, truth).angle, 0, 1e-12);
-  check_close(normal_deviation(vertex, x + y + z, truth).angle, std::acos(1 / std::sqrt(3.)) * 180 / pi, 1e-12);
+  check_close(normal_deviation(vertex, x + y + z, truth).angle,
+              std::acos(1 / std::sqrt(3.)) * 180 / pi, 1e-12);
   check_close(normal_deviation(face, y, truth).angle, 90, 1e-12);
   // Stored as float, a point on an edge is next to it.
   check_close(normal_deviation(Point_3(0.5, 1 - 1e-7, 1), y, truth).angle, 0, 1e-12);
@@ -229,9 +236,11 @@ void test_uniformity()
   points.insert(points.end(), wide.begin(), wide.end());
   const Search_tree two_rings(points.begin(), points.end());
   check_close(measure_uniformity(points, two_rings, 1).spacing_variation, 1. / 3, 1e-12);
-  check(measure_uniformity(points, two_rings, 1).density_variation > 0.01, "the rings differ in density");
+  check(measure_uniformity(points, two_rings, 1).density_variation > 0.01,
+        "the rings differ in density");
 
-  // In a square lattice the 6 nearest are 4 at 1 and 2 at sqrt(2) spacings; at the border there are fewer.
+  // In a square lattice the 6 nearest are 4 at 1 and 2 at sqrt(2) spacings; at the border there are
+  // fewer.
   const std::vector<Point_3> lattice = grid(20, 0);
   const Search_tree lattice_tree(lattice.begin(), lattice.end());
   const std::vector<double> means = mean_neighbor_distances(lattice, lattice_tree, 6);
@@ -246,10 +255,12 @@ void test_uniformity()
   check_close(local_densities(alone, alone_tree, 1)[0], 1, 0);
 }
 
-// Eq. (5) by hand: neighbor counts 1, 2 and 1 have the mean 4 / 3; the fourth point is out of reach of all.
+// Eq. (5) by hand: neighbor counts 1, 2 and 1 have the mean 4 / 3; the fourth point is out of reach
+// of all.
 void test_local_density()
 {
-  const std::vector<Point_3> points = {Point_3(0, 0, 0), Point_3(0.6, 0, 0), Point_3(1.2, 0, 0), Point_3(9, 0, 0)};
+  const std::vector<Point_3> points = {Point_3(0, 0, 0), Point_3(0.6, 0, 0), Point_3(1.2, 0, 0),
+                                       Point_3(9, 0, 0)};
   const Search_tree tree(points.begin(), points.end());
   const std::vector<double> densities = local_densities(points, tree, 1);
   const double theta = std::exp(-4 * 0.36);
@@ -261,11 +272,14 @@ void test_local_density()
 
 void test_features()
 {
-  check(feature_edges(cube(), 30).size() == 12, "a cube has 12 edges; the diagonals of its faces are none");
+  check(feature_edges(cube(), 30).size() == 12,
+        "a cube has 12 edges; the diagonals of its faces are none");
   check(feature_edges(fold(29.9), 30).empty(), "a fold of 29.9 degrees is no feature");
-  check(feature_edges(fold(30.1), 30).size() == 1, "a fold of 30.1 degrees is one, borders are none");
+  check(feature_edges(fold(30.1), 30).size() == 1,
+        "a fold of 30.1 degrees is one, borders are none");
 
-  // Points along one of the 12 edges, 0.001 apart: it is met, and the 4 edges at its ends up to 2 spacings.
+  // Points along one of the 12 edges, 0.001 apart: it is met, and the 4 edges at its ends up to 2
+  // spacings.
   const Ground_truth truth(cube());
   std::vector<Point_3> points;
   for (int i = 0; i <= 1000; ++i)
@@ -308,7 +322,8 @@ void test_refusals()
 
 void test_mesh_files()
 {
-  const std::string path = (std::filesystem::temp_directory_path() / "test_metrics_cube.off").string();
+  const std::string path =
+    (std::filesystem::temp_directory_path() / "test_metrics_cube.off").string();
   {
     // Every triangle with vertices of its own, as some exporters write them.
     const Triangle_mesh mesh = cube();
@@ -374,7 +389,8 @@ void test_area_uniform_sampling()
     check_close(sum / 60000, 0.5, 0.008);
 
   // A large and a small triangle: 9 to 1. Within the triangle the mean is the centroid.
-  const Triangle_mesh two = {{Point_3(0, 0, 0), Point_3(3, 0, 0), Point_3(0, 3, 0), Point_3(-1, 0, 0), Point_3(0, -1, 0)},
+  const Triangle_mesh two = {{Point_3(0, 0, 0), Point_3(3, 0, 0), Point_3(0, 3, 0),
+                              Point_3(-1, 0, 0), Point_3(0, -1, 0)},
                              {{0, 1, 2}, {0, 3, 4}}};
   std::size_t number_in_large = 0;
   double sum = 0;
@@ -387,8 +403,10 @@ void test_area_uniform_sampling()
   check_close(double(number_in_large) / 50000, 0.9, 0.006);
   check_close(sum / double(number_in_large), 1, 0.015);
 
-  check(sample_mesh(two, {100, 1, 10, 2, 5}) == sample_mesh(two, {100, 1, 10, 2, 5}), "same seed, same points");
-  check(sample_mesh(two, {100, 1, 10, 2, 5}) != sample_mesh(two, {100, 1, 10, 2, 6}), "another seed, other points");
+  check(sample_mesh(two, {100, 1, 10, 2, 5}) == sample_mesh(two, {100, 1, 10, 2, 5}),
+        "same seed, same points");
+  check(sample_mesh(two, {100, 1, 10, 2, 5}) != sample_mesh(two, {100, 1, 10, 2, 6}),
+        "another seed, other points");
 }
 
 // Noise ten times the diagonal: the square itself adds less than 0.1 % to the spread of x and y.
@@ -424,14 +442,17 @@ void test_outliers()
     std::vector<double> positions;
     for (const Point_3& p : outliers)
       positions.push_back((p[axis] - lower[axis]) / (upper[axis] - lower[axis]));
-    check(*std::min_element(positions.begin(), positions.end()) >= 0, "an outlier is below the box");
-    check(*std::max_element(positions.begin(), positions.end()) <= 1, "an outlier is above the box");
+    check(*std::min_element(positions.begin(), positions.end()) >= 0,
+          "an outlier is below the box");
+    check(*std::max_element(positions.begin(), positions.end()) <= 1,
+          "an outlier is above the box");
     for (double share : {0.001, 0.25, 0.5, 0.75, 0.999})
       check_close(quantile(positions, share), share, 0.012);
   }
 }
 
-// Along the longest axis, here y, the density is proportional to 8^height: a share of (8^h - 1) / 7 lies below h.
+// Along the longest axis, here y, the density is proportional to 8^height: a share of (8^h - 1) / 7
+// lies below h.
 void test_density_gradient()
 {
   const double ratio = 8;
@@ -447,7 +468,8 @@ void test_density_gradient()
   };
   for (double h : {0.1, 0.25, 0.5, 0.75})
     check_close(share_below(heights, h), (std::pow(ratio, h) - 1) / (ratio - 1), 0.006);
-  check_close((1 - share_below(heights, 0.9)) / share_below(heights, 0.1) / std::pow(ratio, 0.9), 1, 0.06);
+  check_close((1 - share_below(heights, 0.9)) / share_below(heights, 0.1) / std::pow(ratio, 0.9), 1,
+              0.06);
   check_close(share_below(widths, 0.5), 0.5, 0.006);
 }
 

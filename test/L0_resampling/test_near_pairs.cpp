@@ -28,13 +28,16 @@ std::vector<Pair> pairs_by_grid(const Gridded_points& points, double radius)
         CHECK(candidates.indices[i] == queries.first + i);
         const Vector center = candidates.take(i);
         for (std::size_t k = 0; k < candidates.indices.size(); ++k)
-          if ((Vector(candidates.x[k], candidates.y[k], candidates.z[k]) - center).squaredNorm() < radius * radius)
+          if ((Vector(candidates.x[k], candidates.y[k], candidates.z[k]) - center).squaredNorm()
+              < radius * radius)
             pairs.push_back(std::minmax(Index(queries.first + i), candidates.indices[k]));
       }
     };
   };
-  for_each_cell_and_those_ahead<double, CGAL::Sequential_tag>(
-    points.grid, points.points, Tiles_of_rows(points.grid, reach), reach, unwatched.progress, make_visitor);
+  for_each_cell_and_those_ahead<double, CGAL::Sequential_tag>(points.grid, points.points,
+                                                              Tiles_of_rows(points.grid, reach),
+                                                              reach, unwatched.progress,
+                                                              make_visitor);
   return pairs;
 }
 
@@ -54,7 +57,8 @@ void check_pairs(const std::vector<Vector>& points, double cell_size, double rad
   CHECK(pairs == expected);
 }
 
-/// Tiles of one color, and what lies ahead of them, have no point in common; all rows are in one tile each.
+/// Tiles of one color, and what lies ahead of them, have no point in common; all rows are in one
+/// tile each.
 void check_colors(const std::vector<Vector>& points, double cell_size, int reach)
 {
   const Gridded_points sorted(points, cell_size);
@@ -73,11 +77,12 @@ void check_colors(const std::vector<Vector>& points, double cell_size, int reach
       for (const Index* row = begin; row != end; ++row)
       {
         ++number_of_visits[*row];
-        for_each_cell_of_row(sorted.grid, *row, cursor, ranges, [&](Index, const auto& around, std::size_t) {
-          for (const Search_grid_3::Range& range : around)
-            for (Index k = range.first; k < range.second; ++k)
-              touched.insert(k);
-        });
+        for_each_cell_of_row(sorted.grid, *row, cursor, ranges,
+                             [&](Index, const auto& around, std::size_t) {
+                               for (const Search_grid_3::Range& range : around)
+                                 for (Index k = range.first; k < range.second; ++k)
+                                   touched.insert(k);
+                             });
       }
       for (Index k : touched)
         are_apart = taken.insert(k).second && are_apart;
@@ -85,7 +90,8 @@ void check_colors(const std::vector<Vector>& points, double cell_size, int reach
   }
   CHECK(are_apart);
   CHECK(number_of_tiles > 4);
-  CHECK(std::all_of(number_of_visits.begin(), number_of_visits.end(), [](int n) { return n == 1; }));
+  CHECK(
+    std::all_of(number_of_visits.begin(), number_of_visits.end(), [](int n) { return n == 1; }));
 }
 
 int main()

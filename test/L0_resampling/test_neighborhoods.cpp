@@ -18,12 +18,13 @@ using Lists = std::vector<std::vector<std::uint32_t>>;
 Lists self_neighbors(const Gridded_points& samples, double radius)
 {
   Unwatched unwatched;
-  const Neighborhoods n = find_self_neighbors<CGAL::Sequential_tag>(samples.grid, samples.points, radius,
-                                                                    unwatched.progress);
-  const Neighborhoods parallel = find_self_neighbors<CGAL::Parallel_if_available_tag>(samples.grid, samples.points,
-                                                                                      radius, unwatched.progress);
+  const Neighborhoods n = find_self_neighbors<CGAL::Sequential_tag>(samples.grid, samples.points,
+                                                                    radius, unwatched.progress);
+  const Neighborhoods parallel = find_self_neighbors<CGAL::Parallel_if_available_tag>(
+    samples.grid, samples.points, radius, unwatched.progress);
   CHECK(n.offsets == parallel.offsets && n.indices == parallel.indices);
-  CHECK(n.offsets.size() == samples.points.size() + 1 && n.offsets.front() == 0 && n.offsets.back() == n.indices.size());
+  CHECK(n.offsets.size() == samples.points.size() + 1 && n.offsets.front() == 0
+        && n.offsets.back() == n.indices.size());
   CHECK(n.view().size == samples.points.size());
   Lists lists;
   for (std::size_t i = 0; i < samples.points.size(); ++i)
@@ -42,8 +43,8 @@ void check_self_neighbors(const std::vector<Vector>& points, double cell_size, d
   CHECK(self_neighbors(samples, radius) == expected);
 }
 
-/// Lists that are too long for the package are thinned: bounded, still symmetric and ascending, and of true neighbors
-/// only. A sample whose surroundings are not crowded keeps all.
+/// Lists that are too long for the package are thinned: bounded, still symmetric and ascending, and
+/// of true neighbors only. A sample whose surroundings are not crowded keeps all.
 void check_thinning(Generator& generator)
 {
   std::vector<Vector> points;
@@ -64,22 +65,27 @@ void check_thinning(Generator& generator)
   std::size_t longest = 0;
   for (std::uint32_t i = 0; i < lists.size(); ++i)
   {
-    are_true = are_true && std::includes(all[i].begin(), all[i].end(), lists[i].begin(), lists[i].end());
+    are_true = are_true
+               && std::includes(all[i].begin(), all[i].end(), lists[i].begin(), lists[i].end());
     are_ascending = are_ascending
-                    && std::adjacent_find(lists[i].begin(), lists[i].end(), std::greater_equal<>()) == lists[i].end();
+                    && std::adjacent_find(lists[i].begin(), lists[i].end(), std::greater_equal<>())
+                         == lists[i].end();
     for (std::uint32_t k : lists[i])
-      are_symmetric = are_symmetric && k != i && std::binary_search(lists[k].begin(), lists[k].end(), i);
+      are_symmetric = are_symmetric && k != i
+                      && std::binary_search(lists[k].begin(), lists[k].end(), i);
     if (samples.vector[i][0] >= 2)
       for (std::uint32_t k : all[i])
         if (samples.vector[k][0] >= 2)
-          are_complete = are_complete && (k == i || std::binary_search(lists[i].begin(), lists[i].end(), k));
+          are_complete = are_complete
+                         && (k == i || std::binary_search(lists[i].begin(), lists[i].end(), k));
     longest = (std::max)(longest, lists[i].size());
   }
   CHECK(are_true);
   CHECK(are_ascending);
   CHECK(are_symmetric);
   CHECK(are_complete);
-  CHECK(longest > 150 && longest <= 512 + 10); // one more at most for each run of cells, and one for rounding
+  CHECK(longest > 150
+        && longest <= 512 + 10); // one more at most for each run of cells, and one for rounding
 }
 
 int main()
@@ -90,7 +96,8 @@ int main()
   check_self_neighbors(cloud, 0.5, 0.5);
   check_self_neighbors(cloud, 0.7, 0.5);
 
-  const std::vector<Vector> lattice = lattice_points(8, 0.25); // distances equal to the radius, exactly: outside
+  const std::vector<Vector> lattice =
+    lattice_points(8, 0.25); // distances equal to the radius, exactly: outside
   for (double radius : {0.25, 0.5, 0.75})
     check_self_neighbors(lattice, radius, radius);
   for (double cell_size : {0.25, 0.1})

@@ -27,7 +27,9 @@ void check_orientation(const Oriented_points& truth, double spacing, Generator& 
       n = -n;
   const Buffer<Vector> positions = to_buffer(truth.points), unoriented = normals;
   Unwatched unwatched;
-  CHECK(orient_normals<CGAL::Parallel_if_available_tag>(positions, 12, spacing, no_hint, unwatched.progress, normals).oriented_share
+  CHECK(orient_normals<CGAL::Parallel_if_available_tag>(positions, 12, spacing, no_hint,
+                                                        unwatched.progress, normals)
+          .oriented_share
         == 1);
 
   CHECK(positions == to_buffer(truth.points)); // by index: nobody changed places
@@ -35,7 +37,8 @@ void check_orientation(const Oriented_points& truth, double spacing, Generator& 
   std::size_t number_outward = 0;
   for (std::size_t i = 0; i < normals.size(); ++i)
   {
-    are_only_turned = are_only_turned && (normals[i] == unoriented[i] || normals[i] == -unoriented[i]);
+    are_only_turned = are_only_turned
+                      && (normals[i] == unoriented[i] || normals[i] == -unoriented[i]);
     number_outward += normals[i].dot(truth.normals[i]) > 0;
   }
   CHECK(are_only_turned);
@@ -55,7 +58,9 @@ void check_nearest(const Oriented_points& cloud, double spacing_guess)
     for (Index k = 0; k < cloud.points.size(); ++k)
       if (k != i)
         others.push_back(k);
-    const auto distance = [&](Index k) { return (cloud.points[i] - cloud.points[k]).squaredNorm(); };
+    const auto distance = [&](Index k) {
+      return (cloud.points[i] - cloud.points[k]).squaredNorm();
+    };
     std::partial_sort(others.begin(), others.begin() + 12, others.end(),
                       [&](Index a, Index b) { return distance(a) < distance(b); });
     std::vector<double> found, expected; // of equally far ones, any will do
@@ -63,7 +68,8 @@ void check_nearest(const Oriented_points& cloud, double spacing_guess)
       found.push_back(distance(*k));
     std::sort(found.begin(), found.end());
     std::transform(others.begin(), others.begin() + 12, std::back_inserter(expected), distance);
-    are_nearest = are_nearest && found == expected && std::set<Index>(nearest.begin(i), nearest.end(i)).size() == 12
+    are_nearest = are_nearest && found == expected
+                  && std::set<Index>(nearest.begin(i), nearest.end(i)).size() == 12
                   && !nearest.contains(i, i);
   }
   CHECK(are_nearest);
@@ -73,7 +79,8 @@ void check_nearest(const Oriented_points& cloud, double spacing_guess)
 Oriented_points in_order_of_cells(const Oriented_points& cloud, double cell_size)
 {
   Oriented_points result;
-  for (const Index i : Search_grid_3::sorted_order<CGAL::Sequential_tag>(to_buffer(cloud.points), cell_size))
+  for (const Index i :
+       Search_grid_3::sorted_order<CGAL::Sequential_tag>(to_buffer(cloud.points), cell_size))
   {
     result.points.push_back(cloud.points[i]);
     result.normals.push_back(cloud.normals[i]);
@@ -81,8 +88,8 @@ Oriented_points in_order_of_cells(const Oriented_points& cloud, double cell_size
   return result;
 }
 
-/// Samples without the clusters and holes of chance, as resampling leaves them: of twelve candidates the one furthest
-/// from the rest.
+/// Samples without the clusters and holes of chance, as resampling leaves them: of twelve
+/// candidates the one furthest from the rest.
 Oriented_points evenly(std::size_t n, const std::function<Oriented_points(std::size_t)>& candidates)
 {
   Oriented_points result;
@@ -108,8 +115,8 @@ Oriented_points evenly(std::size_t n, const std::function<Oriented_points(std::s
   return result;
 }
 
-/// On the box [0, size] without its part above and behind the middle if `is_step`: that leaves an edge of 90 degrees
-/// that is concave.
+/// On the box [0, size] without its part above and behind the middle if `is_step`: that leaves an
+/// edge of 90 degrees that is concave.
 Oriented_points box_points(std::size_t n, const Vector& size, bool is_step, Generator& generator)
 {
   // faces: axis, coordinate on it, outward sign, low and high corner
@@ -164,7 +171,8 @@ Oriented_points torus_points(std::size_t n, Generator& generator)
   Oriented_points result;
   for (std::size_t i = 0; i < n; ++i)
   {
-    const double u = random_number(0, 2 * EIGEN_PI, generator), v = random_number(0, 2 * EIGEN_PI, generator);
+    const double u = random_number(0, 2 * EIGEN_PI, generator),
+                 v = random_number(0, 2 * EIGEN_PI, generator);
     const Vector out(std::cos(u), std::sin(u), 0);
     result.normals.push_back(std::cos(v) * out + std::sin(v) * Vector::UnitZ());
     result.points.push_back(out + 0.4 * result.normals.back());
@@ -181,7 +189,8 @@ Oriented_points together(const Oriented_points& a, const Oriented_points& b, con
   return result;
 }
 
-/// A flat patch has no outside, but one side: the same for all its normals, whatever signs they came with.
+/// A flat patch has no outside, but one side: the same for all its normals, whatever signs they
+/// came with.
 void check_plane(Generator& generator)
 {
   Oriented_points plane = plane_points(500, 1, generator);
@@ -195,13 +204,15 @@ void check_plane(Generator& generator)
       if (std::bernoulli_distribution()(generator))
         normal = -normal;
     Unwatched unwatched;
-    orient_normals<CGAL::Sequential_tag>(to_buffer(plane.points), 12, 0.05, no_hint, unwatched.progress, results.back());
+    orient_normals<CGAL::Sequential_tag>(to_buffer(plane.points), 12, 0.05, no_hint,
+                                         unwatched.progress, results.back());
     CHECK(std::count(results.back().begin(), results.back().end(), results.back().front()) == 500);
     CHECK(results.back() == results.front());
   }
 }
 
-/// A dipole has no field through a wide sheet, neither in its own plane nor over it; with what lies on the other side of a line it agrees.
+/// A dipole has no field through a wide sheet, neither in its own plane nor over it; with what lies
+/// on the other side of a line it agrees.
 void check_dipole_and_sheet()
 {
   const double step = 0.2, reach = 100, squared_core = squared_core_of_dipole(1);
@@ -209,17 +220,22 @@ void check_dipole_and_sheet()
     double sum = 0;
     for (double x = first; x <= reach; x += step)
       for (double y = -reach; y <= reach; y += step)
-        if (const double squared_distance = x * x + y * y + height * height; squared_distance <= reach * reach)
-          sum += step * step * dipole_agreement(1., height * height, squared_distance, squared_core);
+        if (const double squared_distance = x * x + y * y + height * height;
+            squared_distance <= reach * reach)
+          sum += step * step
+                 * dipole_agreement(1., height * height, squared_distance, squared_core);
     return sum;
   };
   for (const double height : {0., 0.25, 0.5, 1., 2., 4.})
     CHECK(std::abs(agreement(height, -reach)) < 0.1);
   const double to_line = 0.5;
-  CHECK(std::abs(agreement(0, to_line + step / 2) - 2 * to_line / (to_line * to_line + squared_core)) < 0.1); // Biot and Savart
+  CHECK(
+    std::abs(agreement(0, to_line + step / 2) - 2 * to_line / (to_line * to_line + squared_core))
+    < 0.1); // Biot and Savart
 }
 
-/// Sets grow by the surest edges until they are large, and no further; but as far as they can, if they stay small.
+/// Sets grow by the surest edges until they are large, and no further; but as far as they can, if
+/// they stay small.
 void check_forest(Generator& generator)
 {
   const Index columns = 90, n = columns * columns;
@@ -231,7 +247,8 @@ void check_forest(Generator& generator)
     Signed_union_find whole(n, {});
     const auto add = [&](Index i, Index k) {
       const bool is_doubtful = random_number(0, 1, generator) < doubtful_share;
-      const double agreement = is_doubtful ? random_number(0, 0.97, generator) : random_number(0.985, 1, generator);
+      const double agreement = is_doubtful ? random_number(0, 0.97, generator)
+                                           : random_number(0.985, 1, generator);
       edges.push_back({float(signs[i] * signs[k] * agreement), i, k});
       if (!is_doubtful)
         whole.join(i, k, 1);
@@ -266,8 +283,8 @@ void check_forest(Generator& generator)
   forest_of(0.8); // few are more than two or three
 }
 
-/// A chain of samples on an edge of a cube, whose normals lead over edges beyond doubt from the outside of one face to the inside of the other. It must
-/// not turn one of them.
+/// A chain of samples on an edge of a cube, whose normals lead over edges beyond doubt from the
+/// outside of one face to the inside of the other. It must not turn one of them.
 void check_misleading_chain(const Oriented_points& even_cube, Generator& generator)
 {
   const double spacing = std::sqrt(24. / double(even_cube.points.size()));
@@ -285,15 +302,16 @@ void check_misleading_chain(const Oriented_points& even_cube, Generator& generat
     if (std::bernoulli_distribution()(generator))
       n = -n;
   Unwatched unwatched;
-  orient_normals<CGAL::Parallel_if_available_tag>(to_buffer(cloud.points), 12, spacing, no_hint, unwatched.progress,
-                                                  normals);
+  orient_normals<CGAL::Parallel_if_available_tag>(to_buffer(cloud.points), 12, spacing, no_hint,
+                                                  unwatched.progress, normals);
   std::size_t number_outward = 0;
   for (std::size_t i = 0; i < normals.size(); ++i)
     number_outward += normals[i].dot(cloud.normals[i]) > 0;
   CHECK(number_outward >= even_cube.points.size());
 }
 
-/// The sheets of a plate, of so many samples that each dipole stands for an area wider than the plate is thick.
+/// The sheets of a plate, of so many samples that each dipole stands for an area wider than the
+/// plate is thick.
 void check_wide_plate(double thickness_in_spacings, Generator& generator)
 {
   const double width = 2, spacing = width / 128, thickness = thickness_in_spacings * spacing;
@@ -317,7 +335,8 @@ void check_wide_plate(double thickness_in_spacings, Generator& generator)
   check_orientation(in_order_of_cells(plate, 4 * spacing), spacing, generator);
 }
 
-/// Six faces, each of one mind but of any sign. Few votes between them, all of them wrong, do not keep the field from turning each outwards; many do.
+/// Six faces, each of one mind but of any sign. Few votes between them, all of them wrong, do not
+/// keep the field from turning each outwards; many do.
 void check_field(Generator& generator)
 {
   const Oriented_points cube = cube_points(3000, 2, generator);
@@ -343,16 +362,19 @@ void check_field(Generator& generator)
       Signed_union_find trees = voting.sets;
       for (std::size_t a = 0; a < 6; ++a)
       {
-        trees.join(first[0], first[a], a == 4 ? -own_sign(0) * own_sign(a) : own_sign(0) * own_sign(a)); // one face is turned
+        trees.join(first[0], first[a],
+                   a == 4 ? -own_sign(0) * own_sign(a)
+                          : own_sign(0) * own_sign(a)); // one face is turned
         for (std::size_t b = 0; b < a; ++b)
           if (a != b + 3) // neighbors: all votes are for that
-            voting.votes.push_back({first[a], first[b],
-                                    number_of_votes * own_sign(a) * own_sign(b) * (a == 4 || b == 4 ? -1 : 1),
-                                    number_of_votes});
+            voting.votes.push_back(
+              {first[a], first[b],
+               number_of_votes * own_sign(a) * own_sign(b) * (a == 4 || b == 4 ? -1 : 1),
+               number_of_votes});
       }
       pass_votes_on<CGAL::Sequential_tag>(voting);
-      const bool is_turned = join_by_field<CGAL::Parallel_if_available_tag>(trees, to_buffer(cube.points), normals,
-                                                                            0.09, voting);
+      const bool is_turned = join_by_field<CGAL::Parallel_if_available_tag>(
+        trees, to_buffer(cube.points), normals, 0.09, voting);
       CHECK(is_turned == (number_of_votes < 1000));
       if (!is_turned)
         continue;
@@ -367,7 +389,8 @@ void check_field(Generator& generator)
     }
 }
 
-/// Faces that are turned together, and whose edges would not let one turn alone, are turned back together; unless the edges to the others are for that they stay.
+/// Faces that are turned together, and whose edges would not let one turn alone, are turned back
+/// together; unless the edges to the others are for that they stay.
 /// \param first_turned of the faces that are
 void check_field_of_groups(std::size_t first_turned, Generator& generator)
 {
@@ -396,12 +419,13 @@ void check_field_of_groups(std::size_t first_turned, Generator& generator)
       {
         const bool are_of_one_group = a < first_turned || b >= first_turned;
         const double number_of_votes = are_of_one_group ? 300 : votes_for_others;
-        with_votes.votes.push_back(
-          {first[b], first[a], are_of_one_group ? number_of_votes : -number_of_votes, number_of_votes});
+        with_votes.votes.push_back({first[b], first[a],
+                                    are_of_one_group ? number_of_votes : -number_of_votes,
+                                    number_of_votes});
       }
     pass_votes_on<CGAL::Sequential_tag>(with_votes);
-    const bool is_turned = join_by_field<CGAL::Parallel_if_available_tag>(trees, to_buffer(cube.points),
-                                                                          to_buffer(cube.normals), 0.09, with_votes);
+    const bool is_turned = join_by_field<CGAL::Parallel_if_available_tag>(
+      trees, to_buffer(cube.points), to_buffer(cube.normals), 0.09, with_votes);
     CHECK(is_turned == (votes_for_others == 0));
     const auto sign_of = [&](std::size_t face) { return with_votes.sets.find(first[face]).second; };
     for (std::size_t face = 1; is_turned && face < 6; ++face)
@@ -409,22 +433,26 @@ void check_field_of_groups(std::size_t first_turned, Generator& generator)
   }
 }
 
-/// Where the surface bends away within few spacings, edges are beyond doubt at single flat spots only.
+/// Where the surface bends away within few spacings, edges are beyond doubt at single flat spots
+/// only.
 void check_coarse_sets(Generator& generator)
 {
   for (const std::size_t n : {250, 300, 350, 400, 500})
     for (int repetition = 0; repetition < 4; ++repetition)
     {
-      const Oriented_points torus = evenly(n, [&](std::size_t size) { return torus_points(size, generator); });
+      const Oriented_points torus =
+        evenly(n, [&](std::size_t size) { return torus_points(size, generator); });
       check_orientation(torus, std::sqrt(1.6 * EIGEN_PI * EIGEN_PI / double(n)), generator);
     }
 }
 
-/// Two spots of a torus whose normals are parallel, one behind the other, would have one of them turned, if there were nothing in between. Whether the rest takes part or
-/// is too scattered to, they are left as they are.
+/// Two spots of a torus whose normals are parallel, one behind the other, would have one of them
+/// turned, if there were nothing in between. Whether the rest takes part or is too scattered to,
+/// they are left as they are.
 void check_field_of_spots(std::size_t n, Generator& generator)
 {
-  const Oriented_points torus = evenly(n, [&](std::size_t size) { return torus_points(size, generator); });
+  const Oriented_points torus =
+    evenly(n, [&](std::size_t size) { return torus_points(size, generator); });
   const Buffer<Vector> positions = to_buffer(torus.points), normals = to_buffer(torus.normals);
   Voting voting{Signed_union_find(n, {}), {}};
   for (const Vector& center : {Vector(1.4, 0, 0), Vector(-0.6, 0, 0)})
@@ -440,21 +468,23 @@ void check_field_of_spots(std::size_t n, Generator& generator)
   Signed_union_find trees = voting.sets;
   for (Index i = 1; i < n; ++i)
     trees.join(0, i, 1);
-  CHECK(!join_by_field<CGAL::Parallel_if_available_tag>(trees, positions, normals,
-                                                        std::sqrt(1.6 * EIGEN_PI * EIGEN_PI / double(n)), voting));
+  CHECK(!join_by_field<CGAL::Parallel_if_available_tag>(
+    trees, positions, normals, std::sqrt(1.6 * EIGEN_PI * EIGEN_PI / double(n)), voting));
 }
 
 /// Of few samples each counts, even where each is a set of its own.
 void check_field_of_single_samples(Generator& generator)
 {
   const std::size_t n = 300;
-  const Oriented_points cube = evenly(n, [&](std::size_t size) { return cube_points(size, 2, generator); });
+  const Oriented_points cube =
+    evenly(n, [&](std::size_t size) { return cube_points(size, 2, generator); });
   const Buffer<Vector> positions = to_buffer(cube.points), normals = to_buffer(cube.normals);
   Voting voting{Signed_union_find(n, {}), {}};
   Signed_union_find trees = voting.sets;
   for (Index i = 1; i < n; ++i)
     trees.join(0, i, i % 10 == 0 ? -1 : 1);
-  CHECK(join_by_field<CGAL::Parallel_if_available_tag>(trees, positions, normals, std::sqrt(24. / double(n)), voting));
+  CHECK(join_by_field<CGAL::Parallel_if_available_tag>(trees, positions, normals,
+                                                       std::sqrt(24. / double(n)), voting));
   const int sign_of_first = voting.sets.find(0).second;
   for (Index i = 1; i < n; ++i)
     CHECK(voting.sets.find(i).second == sign_of_first);
@@ -473,7 +503,8 @@ int main()
   check_orientation(even_sphere, 0.12, generator);
   check_orientation(evenly(1000, torus), 0.12, generator);
   check_orientation(evenly(1500, step), 0.08, generator);
-  check_orientation(evenly(1500, plate), 0.08, generator); // twice as thick as the samples are apart
+  check_orientation(evenly(1500, plate), 0.08,
+                    generator); // twice as thick as the samples are apart
   check_orientation(together(even_sphere, even_cube, Vector(5, 1, 0)), 0.13, generator);
   for (double factor : {0.5, 2.}) // the spacing need not be known well
     check_orientation(even_cube, factor * 0.14, generator);

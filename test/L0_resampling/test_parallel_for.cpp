@@ -40,7 +40,8 @@ void test_every_index_once_in_fixed_blocks()
       std::atomic<bool> blocks_are_right(true);
       for_each_block<ConcurrencyTag>(n, block_size, [&](std::size_t begin, std::size_t end) {
         const std::size_t size = end - begin;
-        if (begin % block_size != 0 || size == 0 || size > block_size || (size != block_size && end != n))
+        if (begin % block_size != 0 || size == 0 || size > block_size
+            || (size != block_size && end != n))
           blocks_are_right = false;
         for (std::size_t i = begin; i < end; ++i)
           ++visits[i];
@@ -50,7 +51,8 @@ void test_every_index_once_in_fixed_blocks()
     }
 }
 
-/// Addition of doubles does depend on the order, by this much: the sum by blocks is not the plain sum.
+/// Addition of doubles does depend on the order, by this much: the sum by blocks is not the plain
+/// sum.
 template <typename ConcurrencyTag>
 void test_sum_is_in_the_order_of_the_blocks()
 {
@@ -85,7 +87,9 @@ template <typename ConcurrencyTag>
 void test_sum_of_a_type_of_ones_own()
 {
   const std::string alphabet = "abcdefghijklmnopqrstuvwxyz";
-  const auto letters = [&](std::size_t begin, std::size_t end) { return Text{alphabet.substr(begin, end - begin)}; };
+  const auto letters = [&](std::size_t begin, std::size_t end) {
+    return Text{alphabet.substr(begin, end - begin)};
+  };
   CHECK(block_sum<ConcurrencyTag>(26, 3, letters).letters == alphabet);
   CHECK(block_sum<ConcurrencyTag>(0, 3, letters).letters.empty());
 }
@@ -115,7 +119,8 @@ struct Counting_watcher final : CGAL::L0_resampling::internal::Loop_watcher
   }
 };
 
-/// A look a block, on whatever thread, also from a loop within a loop; none once the scope has ended.
+/// A look a block, on whatever thread, also from a loop within a loop; none once the scope has
+/// ended.
 template <typename ConcurrencyTag>
 void test_loops_are_watched()
 {
@@ -144,7 +149,8 @@ void test_loops_are_watched()
   impatient.last_look = 3;
   const Watched_loops watched(&impatient);
   std::atomic<std::size_t> blocks{0};
-  CHECK_THROWS(for_each_block<ConcurrencyTag>(1000000, 1, [&](std::size_t, std::size_t) { ++blocks; }),
+  CHECK_THROWS(for_each_block<ConcurrencyTag>(1000000, 1,
+                                              [&](std::size_t, std::size_t) { ++blocks; }),
                std::runtime_error);
   CHECK(blocks < 1000000);
 }
@@ -169,7 +175,8 @@ void test_buffers_and_sorts_are_watched()
     memory.take_peak();
     fill_buffer(size / 2, 4, numbers);
   }
-  CHECK(filling_again.looks == blocks / 2 && memory.peak() == size * sizeof(int)); // the room of before
+  CHECK(filling_again.looks == blocks / 2
+        && memory.peak() == size * sizeof(int)); // the room of before
   CHECK(numbers == Buffer<int>(size / 2, 4, allocator));
 
   test::Generator generator(2);
@@ -196,10 +203,13 @@ void test_buffers_and_sorts_are_watched()
   const Watched_loops watched(&impatient);
   CHECK_THROWS(filled_buffer(size, 3, allocator), std::runtime_error);
   CHECK_THROWS(copy_of(numbers), std::runtime_error);
-  CHECK_THROWS(std::sort(numbers.begin(), numbers.end(), watched_order(less, number_of_comparisons)), std::runtime_error);
+  CHECK_THROWS(std::sort(numbers.begin(), numbers.end(),
+                         watched_order(less, number_of_comparisons)),
+               std::runtime_error);
   memory.take_peak();
   resize_to_overwrite(size + 1, numbers);
-  CHECK(numbers.size() == size + 1 && memory.take_peak() == (size + 1) * sizeof(int)); // not beside what was there
+  CHECK(numbers.size() == size + 1
+        && memory.take_peak() == (size + 1) * sizeof(int)); // not beside what was there
   resize_to_overwrite(size, numbers);
   CHECK(numbers.size() == size && memory.peak() == (size + 1) * sizeof(int)); // the room of before
   release(numbers);
@@ -218,7 +228,8 @@ void test_selection(std::vector<Number> numbers, std::size_t n)
   CHECK(std::all_of(nth, numbers.end(), [&](Number x) { return !(x < *nth); }));
 }
 
-/// More numbers than are handed to the standard library at once: all different, sorted, few different ones, all alike
+/// More numbers than are handed to the standard library at once: all different, sorted, few
+/// different ones, all alike
 void test_selections()
 {
   const std::size_t size = 1500000;

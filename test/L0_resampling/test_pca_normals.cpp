@@ -22,12 +22,13 @@ struct Normals
 template <typename T>
 Normals pca_normals(const std::vector<Vector>& points, double radius)
 {
-  const Gridded_points sorted(points, radius / 1.4); // the cells of the package are not those of this radius
+  const Gridded_points sorted(
+    points, radius / 1.4); // the cells of the package are not those of this radius
   Unwatched unwatched;
   Buffer<Eigen::Matrix<T, 3, 1>> normals(points.size());
   Normals result{std::vector<Vector>(points.size()), 0};
-  result.number_of_degenerate = estimate_pca_normals<CGAL::Parallel_if_available_tag>(sorted.grid, sorted.points, radius,
-                                                                                      unwatched.progress, normals);
+  result.number_of_degenerate = estimate_pca_normals<CGAL::Parallel_if_available_tag>(
+    sorted.grid, sorted.points, radius, unwatched.progress, normals);
   for (std::size_t i = 0; i < points.size(); ++i)
     result.vectors[sorted.order[i]] = normals[i].template cast<double>();
   bool are_unit = true;
@@ -39,7 +40,8 @@ Normals pca_normals(const std::vector<Vector>& points, double radius)
 
 /// Variances and their directions in the ball around a point, from the definition in two passes.
 Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> covariance_of_ball(const std::vector<Vector>& points,
-                                                                  const Vector& center, double radius)
+                                                                  const Vector& center,
+                                                                  double radius)
 {
   const auto ball = brute_force_neighbors({center}, points, radius).front();
   Vector mean = Vector::Zero();
@@ -53,7 +55,8 @@ Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> covariance_of_ball(const std::vec
 
 Eigen::Matrix3d random_rotation(Generator& generator)
 {
-  return Eigen::AngleAxisd(random_number(0, 2 * EIGEN_PI, generator), random_unit_vector(generator)).toRotationMatrix();
+  return Eigen::AngleAxisd(random_number(0, 2 * EIGEN_PI, generator), random_unit_vector(generator))
+    .toRotationMatrix();
 }
 
 template <typename T>
@@ -101,10 +104,12 @@ void check_rotation(Generator& generator)
   std::vector<Vector> turned;
   for (const Vector& p : points)
     turned.push_back(rotation * p);
-  const Normals normals = pca_normals<float>(points, 0.3), turned_normals = pca_normals<float>(turned, 0.3);
+  const Normals normals = pca_normals<float>(points, 0.3),
+                turned_normals = pca_normals<float>(turned, 0.3);
   double worst = 0;
   for (std::size_t i = 0; i < points.size(); ++i)
-    worst = (std::max)(worst, angle_of_lines(rotation * normals.vectors[i], turned_normals.vectors[i]));
+    worst = (std::max)(worst,
+                       angle_of_lines(rotation * normals.vectors[i], turned_normals.vectors[i]));
   CHECK(worst < 0.01);
 }
 
@@ -126,7 +131,8 @@ void check_lines(Generator& generator)
   }
 }
 
-/// Points whose ball spans no plane take the normal of the first ball that does, of twice, four times ... the radius.
+/// Points whose ball spans no plane take the normal of the first ball that does, of twice, four
+/// times ... the radius.
 void check_larger_balls(Generator& generator)
 {
   const Eigen::Matrix3d rotation = random_rotation(generator);
@@ -139,7 +145,8 @@ void check_larger_balls(Generator& generator)
   const double radius = 0.3;
   const Normals normals = pca_normals<float>(points, radius);
   CHECK(normals.number_of_degenerate == 52);
-  for (const auto& [i, factor] : {std::pair<std::size_t, int>(500, 2), {501, 16}, {502, 4}, {551, 4}})
+  for (const auto& [i, factor] :
+       {std::pair<std::size_t, int>(500, 2), {501, 16}, {502, 4}, {551, 4}})
   {
     CHECK(covariance_of_ball(points, points[i], factor / 2 * radius).eigenvalues()[1] < 1e-9);
     const auto naive = covariance_of_ball(points, points[i], factor * radius);
@@ -159,7 +166,8 @@ void check_fallback()
       CHECK(n == Vector(0, 0, 1));
   }
   // further apart than the largest ball reaches
-  const Normals apart = pca_normals<float>({Vector(0, 0, 0), Vector(1e6, 0, 0), Vector(0, 1e6, 0)}, 1);
+  const Normals apart = pca_normals<float>({Vector(0, 0, 0), Vector(1e6, 0, 0), Vector(0, 1e6, 0)},
+                                           1);
   CHECK(apart.number_of_degenerate == 3);
   CHECK(apart.vectors == std::vector<Vector>(3, Vector(0, 0, 1)));
 }

@@ -3,7 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The nearest points, against a search of all of them: ties by index, duplicates, coordinates of any size.
+// The nearest points, against a search of all of them: ties by index, duplicates, coordinates of
+// any size.
 
 #include "stage_support.h"
 
@@ -28,7 +29,8 @@ Point_tree_3 tree_of(const std::vector<Vector>& points)
   return Point_tree_3(to_buffer(points), indices);
 }
 
-void check_nearest(const std::vector<Vector>& points, const std::vector<Vector>& queries, std::size_t k)
+void check_nearest(const std::vector<Vector>& points, const std::vector<Vector>& queries,
+                   std::size_t k)
 {
   const Point_tree_3 tree = tree_of(points);
   std::vector<Candidate> found(k), expected;
@@ -67,7 +69,8 @@ std::vector<Vector> lattice(Generator& generator)
   return points;
 }
 
-/// A place that holds many points is that of the one with the smallest index, and is not searched point by point.
+/// A place that holds many points is that of the one with the smallest index, and is not searched
+/// point by point.
 void test_crowd(Generator& generator)
 {
   std::vector<Vector> points = random_points(50, generator);
@@ -93,13 +96,15 @@ void test_means()
   Near_points near;
   near.count = 4; // more than there are
   find_near_points<CGAL::Sequential_tag, double>(
-    tree, Buffer<std::array<double, 3>>{{0.5, 0, 0}, {0.1, 0, 0}, {0, 2.9, 0}}, unwatched.progress, near);
+    tree, Buffer<std::array<double, 3>>{{0.5, 0, 0}, {0.1, 0, 0}, {0, 2.9, 0}}, unwatched.progress,
+    near);
   CHECK(near.nearest(0) == 0 && near.nearest(1) == 0 && near.nearest(2) == 2);
   const auto mean = [&](std::size_t i, float a, float b, float c) {
     const std::array<float, 3> values = {a, b, c};
     return near.mean(i, [&](Index j) { return double(values[j]); });
   };
-  CHECK(mean(0, 0, 1, 0.5f) == 0.5); // as far from the first as from the second, and the third is in the middle
+  CHECK(mean(0, 0, 1, 0.5f)
+        == 0.5); // as far from the first as from the second, and the third is in the middle
   CHECK(mean(1, 0, 1, 0) > 0 && mean(1, 0, 1, 0) < 0.5);
   CHECK(mean(1, 0.1f, 0.1f, 0.1f) == double(0.1f));
   CHECK(mean(1, infinity, 7, infinity) == 7); // what is not finite does not count
@@ -108,7 +113,8 @@ void test_means()
   Near_points parallel;
   parallel.count = 4;
   find_near_points<CGAL::Parallel_if_available_tag, double>(
-    tree, Buffer<std::array<double, 3>>{{0.5, 0, 0}, {0.1, 0, 0}, {0, 2.9, 0}}, unwatched.progress, parallel);
+    tree, Buffer<std::array<double, 3>>{{0.5, 0, 0}, {0.1, 0, 0}, {0, 2.9, 0}}, unwatched.progress,
+    parallel);
   CHECK(parallel.indices == near.indices && parallel.weights == near.weights);
 }
 
@@ -117,7 +123,8 @@ void test_means()
 int main()
 {
   Generator generator(1);
-  const std::vector<Vector> cloud = random_points(1000, generator), queries = random_points(200, generator);
+  const std::vector<Vector> cloud = random_points(1000, generator),
+                            queries = random_points(200, generator);
   for (std::size_t k : {1, 8, 1001})
     check_nearest(cloud, queries, k);
   check_nearest({Vector(1, 2, 3)}, queries, 2);
@@ -142,7 +149,8 @@ int main()
     Candidate found;
     bool is_itself = true;
     for (Index i = 0; i < scaled.size(); ++i)
-      is_itself = is_itself && tree.find_nearest(scaled[i], 1, &found) == 1 && found == Candidate(0, i);
+      is_itself = is_itself && tree.find_nearest(scaled[i], 1, &found) == 1
+                  && found == Candidate(0, i);
     CHECK(is_itself);
   }
   test_crowd(generator);

@@ -3,7 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// LOP, CLOP and the smaller input of KLOP, as the benchmarks have them: what their papers say of them.
+// LOP, CLOP and the smaller input of KLOP, as the benchmarks have them: what their papers say of
+// them.
 
 #include "../../benchmark/L0_resampling/methods/continuous_projection.h"
 #include "../../benchmark/L0_resampling/methods/locally_optimal_projection.h"
@@ -53,7 +54,8 @@ double mean_distance_to_nearest(const std::vector<Point_3>& points)
   for (const Point_3& p : points)
   {
     const std::vector<std::size_t> two = tree.nearest(p, 2);
-    sum += std::sqrt((std::max)(CGAL::squared_distance(p, points[two[0]]), CGAL::squared_distance(p, points[two[1]])));
+    sum += std::sqrt((std::max)(CGAL::squared_distance(p, points[two[0]]),
+                                CGAL::squared_distance(p, points[two[1]])));
   }
   return sum / double(points.size());
 }
@@ -65,7 +67,8 @@ Projection_parameters parameters_of(double h)
   return parameters;
 }
 
-// Where the kernel is flat and nothing repels, LOP finds the L1 median: of a convex quadrilateral, where the diagonals cross.
+// Where the kernel is flat and nothing repels, LOP finds the L1 median: of a convex quadrilateral,
+// where the diagonals cross.
 void lop_finds_the_l1_median()
 {
   const std::vector<Point_3> corners = {{0, 0, 0}, {4, 0, 0}, {5, 4, 0}, {0, 3, 0}};
@@ -99,7 +102,8 @@ void repulsion_spreads_the_samples()
 void lop_does_not_depend_on_the_order()
 {
   std::vector<Point_3> points = noisy_plane(1000);
-  std::vector<Point_3> samples(points.begin(), points.begin() + 200), reversed(samples.rbegin(), samples.rend());
+  std::vector<Point_3> samples(points.begin(), points.begin() + 200),
+    reversed(samples.rbegin(), samples.rend());
   Projection_parameters parameters = parameters_of(radius);
   parameters.number_of_iterations = 10;
   locally_optimal_projection(points, parameters, samples);
@@ -140,7 +144,8 @@ void clop_is_lop_for_narrow_gaussians()
   {
     const Point_3 sample(0.1 * i, -0.05 * i, 0.2 * radius);
     const Point_3 discrete = local_mean(sample, points, tree, radius, 1);
-    CHECK(CGAL::squared_distance(attract(sample), discrete) < 1e-3 * CGAL::squared_distance(sample, discrete));
+    CHECK(CGAL::squared_distance(attract(sample), discrete)
+          < 1e-3 * CGAL::squared_distance(sample, discrete));
   }
 }
 

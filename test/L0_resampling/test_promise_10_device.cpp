@@ -14,9 +14,11 @@
 
 #include <string>
 
-// P10: a call runs where it was asked to, and its report says where that was and why. Where no device can be used, CUDA_tag throws, and nothing of that
-// stays behind. Run with CUDA_VISIBLE_DEVICES=-1, so that the same holds on a machine that has one; what is owed where a device fails is in
-// test_cuda_faults.cpp, and what the tool does that may choose in test_tool_cli.sh.
+// P10: a call runs where it was asked to, and its report says where that was and why. Where no
+// device can be used, CUDA_tag throws, and nothing of that stays behind. Run with
+// CUDA_VISIBLE_DEVICES=-1, so that the same holds on a machine that has one; what is owed where a
+// device fails is in test_cuda_faults.cpp, and what the tool does that may choose in
+// test_tool_cli.sh.
 
 namespace {
 
@@ -31,7 +33,8 @@ void check_processor()
 {
   for (const Method method : {Method::LOR, Method::ALOR, Method::DEFAULT})
   {
-    const auto result = resample<Kernel, ConcurrencyTag>(points(), CGAL::parameters::resampling_method(method));
+    const auto result =
+      resample<Kernel, ConcurrencyTag>(points(), CGAL::parameters::resampling_method(method));
     CHECK(result.pairs.size() == 200);
     CHECK(result.report.device == "cpu");
     CHECK(!result.report.device_reason.empty());
@@ -46,11 +49,13 @@ void check_without_device()
   std::string reason;
   CHECK(!CGAL::L0_resampling::is_cuda_device_usable(&reason));
   CHECK(!reason.empty());
-  const auto before = resample<Kernel, CGAL::Parallel_tag>(points(), CGAL::parameters::random_seed(0));
+  const auto before = resample<Kernel, CGAL::Parallel_tag>(points(),
+                                                           CGAL::parameters::random_seed(0));
   test::Pairs<Kernel> pairs;
   for (int attempt = 0; attempt < 2; ++attempt)
   {
-    CHECK_THROWS(CGAL::l0_resample_point_set<CGAL::CUDA_tag>(points(), std::back_inserter(pairs)), Device_error);
+    CHECK_THROWS(CGAL::l0_resample_point_set<CGAL::CUDA_tag>(points(), std::back_inserter(pairs)),
+                 Device_error);
     CHECK_THROWS(CGAL::L0_resampling::CUDA_resampler<Kernel>(), Device_error);
     CHECK(cudaPeekAtLastError() == error_before);
   }
@@ -59,7 +64,8 @@ void check_without_device()
                                                            CGAL::parameters::neighbor_radius(-1.)),
                std::exception);
   CHECK(pairs.empty());
-  const auto after = resample<Kernel, CGAL::Parallel_tag>(points(), CGAL::parameters::random_seed(0));
+  const auto after = resample<Kernel, CGAL::Parallel_tag>(points(),
+                                                          CGAL::parameters::random_seed(0));
   CHECK(!after.pairs.empty() && test::are_identical<Kernel>(before.pairs, after.pairs));
   CHECK(after.report.device == "cpu");
 }

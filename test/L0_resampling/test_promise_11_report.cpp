@@ -35,7 +35,9 @@ void test_completed_call()
   for (Method method : {Method::LOR, Method::ALOR, Method::DEFAULT})
   {
     const Report report =
-      test::resample<Kernel, Sequential_tag>(points, params::neighbor_radius(0.25) | params::resampling_method(method)).report;
+      test::resample<Kernel, Sequential_tag>(points, params::neighbor_radius(0.25)
+                                                       | params::resampling_method(method))
+        .report;
     CHECK(report.outcome == CGAL::L0_resampling::Outcome::COMPLETED);
     CHECK(report.number_of_input_points == 1001 && report.number_of_distinct_points == 1000);
     CHECK(report.number_of_output_points == 500 && report.number_of_dropped_points == 0);
@@ -44,17 +46,20 @@ void test_completed_call()
     CHECK(report.oriented_share > 0.9 && report.oriented_share <= 1);
     CHECK(report.converged && report.device == "cpu" && !report.device_reason.empty());
     const double growth = method == Method::DEFAULT ? 2. : 1.5;
-    CHECK(report.iterations.size() == (method == Method::DEFAULT ? 5u : 8u)); // 0.1 * 2^4 = 1.6, 0.1 * 1.5^7 = 1.71
+    CHECK(report.iterations.size()
+          == (method == Method::DEFAULT ? 5u : 8u)); // 0.1 * 2^4 = 1.6, 0.1 * 1.5^7 = 1.71
     double penalty = 0.1;
     for (std::size_t k = 0; k < report.iterations.size(); ++k, penalty *= growth)
     {
       const CGAL::L0_resampling::Iteration_report& iteration = report.iterations[k];
       CHECK(test::is_close(iteration.penalty, penalty, 1e-12));
       CHECK(iteration.regularized == (method != Method::ALOR || k % 2 == 0));
-      CHECK(iteration.fit_energy > 0 && iteration.normal_energy > 0 && iteration.sparsity_energy >= 0);
+      CHECK(iteration.fit_energy > 0 && iteration.normal_energy > 0
+            && iteration.sparsity_energy >= 0);
       CHECK((iteration.regularization_energy > 0) == iteration.regularized);
       CHECK(iteration.active_pair_share >= 0 && iteration.active_pair_share <= 1);
-      CHECK(iteration.solver.converged && iteration.solver.iterations > 0 && iteration.solver.relative_residual < 1e-3);
+      CHECK(iteration.solver.converged && iteration.solver.iterations > 0
+            && iteration.solver.relative_residual < 1e-3);
     }
     std::size_t largest = 0;
     CHECK(report.stages.size() >= 5);
@@ -65,8 +70,8 @@ void test_completed_call()
     }
     CHECK(report.peak_bytes == largest && largest > 1001 * sizeof(Vector));
   }
-  CHECK((test::resample<Kernel, Sequential_tag>(points,
-                                                params::neighbor_radius(1e-9) | params::resampling_method(Method::LOR))
+  CHECK((test::resample<Kernel, Sequential_tag>(points, params::neighbor_radius(1e-9)
+                                                          | params::resampling_method(Method::LOR))
            .report.number_of_degenerate_neighborhoods
          == 1001));
 }
@@ -86,7 +91,8 @@ void test_failed_call()
   CHECK_THROWS(call(params::normal_weight(-1)), std::invalid_argument);
   CHECK(report.number_of_input_points == 0 && report.stages.empty() && report.iterations.empty());
   call(params::number_of_output_points(0));
-  CHECK(report.outcome == CGAL::L0_resampling::Outcome::COMPLETED && report.number_of_output_points == 0);
+  CHECK(report.outcome == CGAL::L0_resampling::Outcome::COMPLETED
+        && report.number_of_output_points == 0);
 }
 
 /// Running out of iterations is an answer, and said.
@@ -101,20 +107,22 @@ void test_solver_that_does_not_converge()
     test::check_clean<Kernel>("one iteration", points, result, 500);
     CHECK(!result.report.converged);
     for (const CGAL::L0_resampling::Iteration_report& iteration : result.report.iterations)
-      CHECK(iteration.solver.iterations == 1 && !iteration.solver.converged && iteration.solver.relative_residual > 1e-12);
+      CHECK(iteration.solver.iterations == 1 && !iteration.solver.converged
+            && iteration.solver.relative_residual > 1e-12);
   }
 }
 
 /// One turn that does not converge is enough, whichever it is.
-struct Solver_that_fails_once : public CGAL::L0_resampling::Block_conjugate_gradient_solver_traits<double>
+struct Solver_that_fails_once
+  : public CGAL::L0_resampling::Block_conjugate_gradient_solver_traits<double>
 {
   using Base = CGAL::L0_resampling::Block_conjugate_gradient_solver_traits<double>;
   int calls_left;
 
   explicit Solver_that_fails_once(int call) : calls_left(call) {}
 
-  CGAL::L0_resampling::Solver_report solve(const CGAL::L0_resampling::Quadratic_problem<double>& problem,
-                                           Eigen::Ref<Eigen::VectorXd> x)
+  CGAL::L0_resampling::Solver_report solve(
+    const CGAL::L0_resampling::Quadratic_problem<double>& problem, Eigen::Ref<Eigen::VectorXd> x)
   {
     CGAL::L0_resampling::Solver_report report = Base::solve(problem, x);
     report.converged = report.converged && calls_left-- != 0;
@@ -129,8 +137,8 @@ void test_turn_that_does_not_converge()
   {
     const auto run = [&](int call) {
       Solver_that_fails_once solver(call);
-      return test::resample<Kernel, Sequential_tag>(points, params::resampling_method(method).sparse_linear_solver(
-                                                              std::ref(solver)))
+      return test::resample<Kernel, Sequential_tag>(
+               points, params::resampling_method(method).sparse_linear_solver(std::ref(solver)))
         .report;
     };
     const int number_of_turns = int(run(-1).iterations.size());
@@ -140,26 +148,32 @@ void test_turn_that_does_not_converge()
   }
 }
 
-/// Points off the cloud are left out by the default method only, unless it is told otherwise; either way the count is what was asked for.
+/// Points off the cloud are left out by the default method only, unless it is told otherwise;
+/// either way the count is what was asked for.
 void test_outliers()
 {
   std::vector<Vector> cube = noisy_cube(3000);
   test::Generator generator(3);
   for (int i = 0; i < 150; ++i)
     cube.push_back(3
-                   * Vector(test::random_number(-1, 1, generator), test::random_number(-1, 1, generator),
+                   * Vector(test::random_number(-1, 1, generator),
+                            test::random_number(-1, 1, generator),
                             test::random_number(-1, 1, generator)));
   const auto points = test::kernel_points<Kernel>(cube);
   for (const Method method : {Method::DEFAULT, Method::LOR, Method::ALOR})
     for (const bool drops : {true, false})
     {
       const auto run = test::resample<Kernel, Sequential_tag>(
-        points, params::resampling_method(method).number_of_output_points(1000).drop_outliers(drops));
-      CHECK(run.report.number_of_output_points == 1000 && run.report.number_of_input_points == 3150);
+        points,
+        params::resampling_method(method).number_of_output_points(1000).drop_outliers(drops));
+      CHECK(run.report.number_of_output_points == 1000
+            && run.report.number_of_input_points == 3150);
       CHECK(drops ? run.report.number_of_outliers > 120 && run.report.number_of_outliers <= 150
                   : run.report.number_of_outliers == 0);
-      const Report by_default =
-        test::resample<Kernel, Sequential_tag>(points, params::resampling_method(method).number_of_output_points(1000)).report;
+      const Report by_default = test::resample<Kernel, Sequential_tag>(
+                                  points,
+                                  params::resampling_method(method).number_of_output_points(1000))
+                                  .report;
       if (drops == (method == Method::DEFAULT))
         CHECK(by_default.number_of_outliers == run.report.number_of_outliers);
     }
@@ -172,17 +186,18 @@ void test_exceptional_points()
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t i : {0, 17, 999})
     cube[i][1] = nan;
-  const Report dropped =
-    test::resample<Kernel, Sequential_tag>(test::kernel_points<Kernel>(cube), params::drop_non_finite(true)).report;
+  const Report dropped = test::resample<Kernel, Sequential_tag>(test::kernel_points<Kernel>(cube),
+                                                                params::drop_non_finite(true))
+                           .report;
   CHECK(dropped.number_of_dropped_points == 3 && dropped.number_of_input_points == 997
         && dropped.number_of_output_points == 498);
 
   // half of the samples start between two points, which nobody reaches with such a radius
   const auto points = test::kernel_points<Kernel>(noisy_cube(1000));
-  const Report lonely =
-    test::resample<Kernel, Sequential_tag>(points, params::neighbor_radius(1e-6).number_of_output_points(2000)
-                                                     | params::resampling_method(Method::LOR))
-      .report;
+  const Report lonely = test::resample<Kernel, Sequential_tag>(
+                          points, params::neighbor_radius(1e-6).number_of_output_points(2000)
+                                    | params::resampling_method(Method::LOR))
+                          .report;
   CHECK(lonely.number_of_lonely_samples == 1000 && lonely.number_of_output_points == 2000);
 
   // no surface at all
@@ -191,11 +206,12 @@ void test_exceptional_points()
   for (int i = 0; i < 1000; ++i)
     fog.push_back(Vector(test::random_number(0, 1, generator), test::random_number(0, 1, generator),
                          test::random_number(0, 1, generator)));
-  const Report unsure = test::resample<Kernel, Sequential_tag>(test::kernel_points<Kernel>(fog),
-                                                               params::neighbor_radius(0.1)
-                                                                 | params::number_of_normal_filter_iterations(0)
-                                                                 | params::resampling_method(Method::LOR))
-                          .report;
+  const Report unsure =
+    test::resample<Kernel, Sequential_tag>(test::kernel_points<Kernel>(fog),
+                                           params::neighbor_radius(0.1)
+                                             | params::number_of_normal_filter_iterations(0)
+                                             | params::resampling_method(Method::LOR))
+      .report;
   CHECK(unsure.oriented_share > 0 && unsure.oriented_share < 1);
 }
 
@@ -223,7 +239,8 @@ void test_limits_of_warnings()
   report.number_of_outliers = 32;
   report.extent_share = 0.5;
   CHECK((warnings(report) == Warnings{Warning::MANY_OUTLIERS, Warning::SHRUNKEN_EXTENT}));
-  CHECK(message_of(Warning::MANY_OUTLIERS, report) == "3.2 % of the points were left out as outliers");
+  CHECK(message_of(Warning::MANY_OUTLIERS, report)
+        == "3.2 % of the points were left out as outliers");
   report.number_of_output_points = 0;
   CHECK(warnings(report).empty());
   CHECK(warnings(Report()).empty());
@@ -242,11 +259,13 @@ void test_good_results_without_warnings()
     for (const auto& points : {cube, plane})
       for (std::size_t size : {1, 10, 100, 3000, 12000})
       {
-        const Report report = test::resample<Kernel, Sequential_tag>(test::kernel_points<Kernel>(points),
-                                                                     params::number_of_output_points(size))
-                                .report;
+        const Report report =
+          test::resample<Kernel, Sequential_tag>(test::kernel_points<Kernel>(points),
+                                                 params::number_of_output_points(size))
+            .report;
         if (!CHECK(warnings(report).empty()))
-          std::cerr << "  noise " << noise << ", " << size << " points, extent " << report.extent_share << std::endl;
+          std::cerr << "  noise " << noise << ", " << size << " points, extent "
+                    << report.extent_share << std::endl;
       }
   }
 }
@@ -269,18 +288,21 @@ void test_warnings()
     with_outliers.push_back(3 * random_vector());
   const auto of_outliers = [&](bool drops) {
     return test::resample<Kernel, Sequential_tag>(test::kernel_points<Kernel>(with_outliers),
-                                                  params::number_of_output_points(1000) | params::drop_outliers(drops))
+                                                  params::number_of_output_points(1000)
+                                                    | params::drop_outliers(drops))
       .report;
   };
-  CHECK(has(of_outliers(true), Warning::MANY_OUTLIERS) && !has(of_outliers(false), Warning::MANY_OUTLIERS));
+  CHECK(has(of_outliers(true), Warning::MANY_OUTLIERS)
+        && !has(of_outliers(false), Warning::MANY_OUTLIERS));
 
   // a far part that is left out, of fewer points than would be many
   std::vector<Vector> with_far_part = cube;
   for (int i = 0; i < 60; ++i)
     with_far_part.push_back(Vector(4, 0, 0) + random_vector());
-  const Report far_part = test::resample<Kernel, Sequential_tag>(test::kernel_points<Kernel>(with_far_part),
-                                                                 params::number_of_output_points(1000))
-                            .report;
+  const Report far_part =
+    test::resample<Kernel, Sequential_tag>(test::kernel_points<Kernel>(with_far_part),
+                                           params::number_of_output_points(1000))
+      .report;
   CHECK(warnings(far_part) == Warnings{Warning::SHRUNKEN_EXTENT});
   CHECK(far_part.extent_share > 0.2 && far_part.extent_share < 0.6);
 
@@ -292,13 +314,16 @@ void test_warnings()
     for (double radius : {1e-4, 0.2})
     {
       const auto np = params::neighbor_radius(radius) | params::resampling_method(method);
-      CHECK(has(test::resample<Kernel, Sequential_tag>(test::kernel_points<Kernel>(cube), np).report, Warning::SMALL_RADIUS)
-            == (radius < 0.1));
+      CHECK(
+        has(test::resample<Kernel, Sequential_tag>(test::kernel_points<Kernel>(cube), np).report,
+            Warning::SMALL_RADIUS)
+        == (radius < 0.1));
       Report report;
       test::Pairs<Kernel> result;
       CGAL::l0_resample_point_set<Sequential_tag>(
         oriented, std::back_inserter(result),
-        np.point_map(CGAL::First_of_pair_property_map<Oriented>()).normal_map(CGAL::Second_of_pair_property_map<Oriented>())
+        np.point_map(CGAL::First_of_pair_property_map<Oriented>())
+            .normal_map(CGAL::Second_of_pair_property_map<Oriented>())
           | params::resampling_report(&report));
       CHECK(has(report, Warning::SMALL_RADIUS) == (radius < 0.1));
     }
@@ -306,8 +331,10 @@ void test_warnings()
   // half of the samples start between two points, where no point is that near
   for (Method method : {Method::DEFAULT, Method::LOR})
   {
-    const auto np = params::neighbor_radius(1e-6).number_of_output_points(6000) | params::resampling_method(method);
-    const Report report = test::resample<Kernel, Sequential_tag>(test::kernel_points<Kernel>(cube), np).report;
+    const auto np = params::neighbor_radius(1e-6).number_of_output_points(6000)
+                    | params::resampling_method(method);
+    const Report report =
+      test::resample<Kernel, Sequential_tag>(test::kernel_points<Kernel>(cube), np).report;
     CHECK(report.number_of_lonely_samples == 3000 && has(report, Warning::UNSUPPORTED_SAMPLES));
   }
 }

@@ -3,7 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Promises 1 and 5: degenerate and extreme input gives a clean result. What is refused is in test_promise_3_refusals.cpp.
+// Promises 1 and 5: degenerate and extreme input gives a clean result. What is refused is in
+// test_promise_3_refusals.cpp.
 
 #include "promise_support.h"
 
@@ -94,7 +95,8 @@ std::vector<Case> cases()
     {"a few least denormal numbers", scaled(sphere, 1e-322)},
     {"outlier at 1e9", joined(sphere, {Vector(1e9, 1e9, 1e9)})},
     {"outlier at 1e300", joined(sphere, {Vector(1e300, 0, -1e300)})},
-    {"outlier at 1.7e308 and denormal numbers", joined(scaled(sphere, 1e-315), {Vector(1.7e308, -1.7e308, 0)})},
+    {"outlier at 1.7e308 and denormal numbers",
+     joined(scaled(sphere, 1e-315), {Vector(1.7e308, -1.7e308, 0)})},
   };
 }
 
@@ -112,7 +114,8 @@ void test_counts()
     for (Method method : {Method::LOR, Method::ALOR})
       for (std::size_t m : {(n + 1) / 2, 3 * n})
         test::check_clean<Kernel>(c.name + ", the paper's method, " + std::to_string(m), points,
-                                  resample(points, params::number_of_output_points(m) | params::resampling_method(method)),
+                                  resample(points, params::number_of_output_points(m)
+                                                     | params::resampling_method(method)),
                                   m);
   }
 }
@@ -136,7 +139,8 @@ std::vector<Case> crowds(std::size_t n)
     {"half at one place", with_crowd(n / 2, [](std::size_t) { return Vector(1, 0.4, 0.5); })},
     {"half within 1e-9", with_crowd(n / 2, [&](std::size_t) { return scattered(1e-9); })},
     {"all but 100 in a cell", with_crowd(n - 100, [&](std::size_t) { return scattered(1e-3); })},
-    {"half in ten places", with_crowd(n / 2, [&](std::size_t i) -> Vector { return cube[n - 1 - i % 10]; })},
+    {"half in ten places",
+     with_crowd(n / 2, [&](std::size_t i) -> Vector { return cube[n - 1 - i % 10]; })},
   };
 }
 
@@ -166,7 +170,8 @@ void test_memory_of_crowds()
     }
     // a point that everything has to start from
     const auto result = resample(Points{Kernel::Point_3(1, 2, 3)},
-                                 params::number_of_output_points(n) | params::resampling_method(method));
+                                 params::number_of_output_points(n)
+                                   | params::resampling_method(method));
     CHECK(result.pairs.size() == n && result.report.peak_bytes <= 2 * of_even_cloud);
     CHECK(result.report.number_of_self_neighbor_pairs < n);
   }
@@ -175,18 +180,21 @@ void test_memory_of_crowds()
 /// Two points with no number between them. There is no room for more, so no more are asked for.
 void test_points_next_to_each_other()
 {
-  const Points points{Kernel::Point_3(1, 1, 1), Kernel::Point_3(1, 1, 1 + std::numeric_limits<double>::epsilon())};
+  const Points points{Kernel::Point_3(1, 1, 1),
+                      Kernel::Point_3(1, 1, 1 + std::numeric_limits<double>::epsilon())};
   for (std::size_t m : {1, 2})
     for (double radius : {1e-300, 1e-16, 1e300})
-      test::check_clean<Kernel>("next to each other", points,
-                                resample(points, params::neighbor_radius(radius).number_of_output_points(m)), m);
+      test::check_clean<Kernel>(
+        "next to each other", points,
+        resample(points, params::neighbor_radius(radius).number_of_output_points(m)), m);
 }
 
 void test_percentages()
 {
   Generator generator(2);
   const Points points = test::kernel_points<Kernel>(test::sphere_points(250, 1, generator).points);
-  test::check_clean<Kernel>("1e-300 %", points, resample(points, params::select_percentage(1e-300)), 1);
+  test::check_clean<Kernel>("1e-300 %", points, resample(points, params::select_percentage(1e-300)),
+                            1);
   test::check_clean<Kernel>("0.5 %", points, resample(points, params::select_percentage(0.5)), 1);
   test::check_clean<Kernel>("33 %", points, resample(points, params::select_percentage(33)), 82);
   test::check_clean<Kernel>("100 %", points, resample(points, params::select_percentage(100)), 250);
@@ -199,16 +207,19 @@ void test_radii()
   {
     const Points points = test::kernel_points<Kernel>(c.points);
     const std::size_t n = points.size();
-    for (double radius : {1e-300, 1e300, std::numeric_limits<double>::denorm_min(), (std::numeric_limits<double>::max)()})
+    for (double radius : {1e-300, 1e300, std::numeric_limits<double>::denorm_min(),
+                          (std::numeric_limits<double>::max)()})
       for (std::size_t m : {(n + 1) / 2, 2 * n})
         for (Method method : {Method::DEFAULT, Method::LOR})
         {
-          const std::string name = c.name + (radius < 1 ? ", radius of nobody, " : ", radius of everybody, ")
-                                   + std::to_string(m);
-          test::check_clean<Kernel>(name, points,
-                                    resample(points, params::neighbor_radius(radius).number_of_output_points(m)
-                                                       | params::resampling_method(method)),
-                                    m);
+          const std::string name =
+            c.name + (radius < 1 ? ", radius of nobody, " : ", radius of everybody, ")
+            + std::to_string(m);
+          test::check_clean<Kernel>(
+            name, points,
+            resample(points, params::neighbor_radius(radius).number_of_output_points(m)
+                               | params::resampling_method(method)),
+            m);
         }
   }
 }
@@ -219,20 +230,22 @@ void test_radius_that_reaches_nobody()
   Generator generator(3);
   for (double scale : {1e-300, 1., 1e300})
   {
-    const Points points = test::kernel_points<Kernel>(scaled(test::sphere_points(300, 1, generator).points, scale));
+    const Points points = test::kernel_points<Kernel>(
+      scaled(test::sphere_points(300, 1, generator).points, scale));
     for (double radius : {1e-12 * scale, 1e-5 * scale, std::numeric_limits<double>::denorm_min()})
       for (Method method : {Method::DEFAULT, Method::LOR})
       {
         std::size_t on_input = 0;
-        const test::Resampled<Kernel> result = resample(points, params::neighbor_radius(radius)
-                                                                  | params::resampling_method(method));
+        const test::Resampled<Kernel> result =
+          resample(points, params::neighbor_radius(radius) | params::resampling_method(method));
         for (const auto& [p, n] : result.pairs)
-          on_input += std::any_of(points.begin(), points.end(), [&, &point = p](const Kernel::Point_3& q) {
-            return (test::as_vector(point) / scale - test::as_vector(q) / scale).norm() < 1e-12;
-          });
+          on_input +=
+            std::any_of(points.begin(), points.end(), [&, &point = p](const Kernel::Point_3& q) {
+              return (test::as_vector(point) / scale - test::as_vector(q) / scale).norm() < 1e-12;
+            });
         if (!CHECK(on_input == 150))
-          std::cerr << "  scale " << scale << ", radius " << radius << ", method " << int(method) << ": " << on_input
-                    << std::endl;
+          std::cerr << "  scale " << scale << ", radius " << radius << ", method " << int(method)
+                    << ": " << on_input << std::endl;
       }
   }
 }
@@ -243,13 +256,15 @@ void test_filter_radius_far_above_neighbor_radius()
   Generator generator(4);
   const Points points = test::kernel_points<Kernel>(test::sphere_points(300, 1, generator).points);
   for (double radius : {1e-300, 1e-12, 1e-6, 1e-3})
-    test::check_clean<Kernel>("filter radius 1e300", points,
-                              resample(points, params::neighbor_radius(radius) | params::normal_filter_radius(1e300)),
-                              150);
-  test::check_clean<Kernel>("filter radius 1e-300", points, resample(points, params::normal_filter_radius(1e-300)), 150);
+    test::check_clean<Kernel>(
+      "filter radius 1e300", points,
+      resample(points, params::neighbor_radius(radius) | params::normal_filter_radius(1e300)), 150);
+  test::check_clean<Kernel>("filter radius 1e-300", points,
+                            resample(points, params::normal_filter_radius(1e-300)), 150);
 }
 
-double mean_distance_to_unit_sphere(const test::Pairs<Kernel>& pairs, const Vector& center, double scale)
+double mean_distance_to_unit_sphere(const test::Pairs<Kernel>& pairs, const Vector& center,
+                                    double scale)
 {
   double sum = 0;
   for (const auto& [p, n] : pairs)
@@ -264,7 +279,8 @@ void test_sphere_stays_a_sphere()
   std::vector<Vector> sphere = test::sphere_points(3000, 1, generator).points;
   test::add_gaussian_noise(sphere, 0.01, generator);
   const auto distance = [](const std::vector<Vector>& vectors, const Vector& center, double scale) {
-    const test::Resampled<Kernel> result = resample(test::kernel_points<Kernel>(vectors), params::default_values());
+    const test::Resampled<Kernel> result = resample(test::kernel_points<Kernel>(vectors),
+                                                    params::default_values());
     return mean_distance_to_unit_sphere(result.pairs, center, scale);
   };
   const double bound = 1.05 * distance(sphere, Vector::Zero(), 1);
@@ -274,7 +290,8 @@ void test_sphere_stays_a_sphere()
   const Vector utm(256075.1, 3935300.5, 120);
   CHECK(distance(moved(sphere, utm), utm, 1) < bound);
   for (double place : {1e3, 1e9, 1e15})
-    CHECK(distance(joined(sphere, {place * Vector(1, 1, 1)}), Vector::Zero(), 1) < bound + 1. / 1500);
+    CHECK(distance(joined(sphere, {place * Vector(1, 1, 1)}), Vector::Zero(), 1)
+          < bound + 1. / 1500);
 }
 
 /// Twenty thousand points in one cell of the search grid: neighborhoods are thinned, not quadratic.
@@ -284,9 +301,11 @@ void test_crowded_cell()
   std::vector<Vector> crowd;
   for (int i = 0; i < 20000; ++i)
     crowd.push_back(Vector(0.5, 0.5, 0.5) + 1e-4 * test::random_unit_vector(generator));
-  const Points points = test::kernel_points<Kernel>(joined(crowd, test::sphere_points(500, 1, generator).points));
+  const Points points = test::kernel_points<Kernel>(
+    joined(crowd, test::sphere_points(500, 1, generator).points));
   test::check_clean<Kernel>("crowd", points, resample(points, params::neighbor_radius(0.2)), 10250);
-  test::check_clean<Kernel>("crowd, default radius", points, resample(points, params::default_values()), 10250);
+  test::check_clean<Kernel>("crowd, default radius", points,
+                            resample(points, params::default_values()), 10250);
 }
 
 } // namespace

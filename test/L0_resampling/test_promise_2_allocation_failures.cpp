@@ -3,7 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Promise 2 where memory runs out: whichever allocation fails, the call ends in std::bad_alloc, writes nothing and keeps nothing.
+// Promise 2 where memory runs out: whichever allocation fails, the call ends in std::bad_alloc,
+// writes nothing and keeps nothing.
 
 #include "failing_allocation.h"
 #include "promise_support.h"
@@ -47,14 +48,16 @@ void test_every_allocation(std::size_t expected_size, const NamedParameters& np)
       ++number_of_failures;
     }
     test::stop_failing_allocations();
-    all_clean = all_clean && test::number_of_living_allocations() == living && result.empty() != succeeded;
+    all_clean = all_clean && test::number_of_living_allocations() == living
+                && result.empty() != succeeded;
   }
   CHECK(all_clean);
   CHECK(number_of_failures > 30);
   CHECK(result.size() == expected_size);
 }
 
-/// Lets the call have more and more memory until it succeeds. A refusal keeps nothing, in the caller's solver neither.
+/// Lets the call have more and more memory until it succeeds. A refusal keeps nothing, in the
+/// caller's solver neither.
 template <typename ConcurrencyTag, typename NamedParameters>
 void test_every_limit(std::size_t expected_size, const NamedParameters& np)
 {
@@ -72,7 +75,8 @@ void test_every_limit(std::size_t expected_size, const NamedParameters& np)
   {
     try
     {
-      CGAL::l0_resample_point_set<ConcurrencyTag>(points, std::back_inserter(result), np | params::maximum_memory(limit));
+      CGAL::l0_resample_point_set<ConcurrencyTag>(points, std::back_inserter(result),
+                                                  np | params::maximum_memory(limit));
     }
     catch (const std::bad_alloc&)
     {
@@ -97,8 +101,9 @@ int main()
   test_every_allocation<CGAL::Sequential_tag>(30, params::default_values());
   test_every_allocation<CGAL::Sequential_tag>(120, params::number_of_output_points(120)
                                                      | params::normal_filter_radius(1e-3));
-  test_every_allocation<CGAL::Sequential_tag>(30, params::sparse_linear_solver(
-                                                    CGAL::L0_resampling::Eigen_least_squares_solver_traits<double>()));
+  test_every_allocation<CGAL::Sequential_tag>(
+    30,
+    params::sparse_linear_solver(CGAL::L0_resampling::Eigen_least_squares_solver_traits<double>()));
   test_every_allocation<CGAL::Parallel_if_available_tag>(30, params::default_values());
   return test::result();
 }

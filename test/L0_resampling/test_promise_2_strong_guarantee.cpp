@@ -3,7 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Promise 2: the input stays as it is, bit by bit; exceptions of the caller's own types pass; nothing is written before the end.
+// Promise 2: the input stays as it is, bit by bit; exceptions of the caller's own types pass;
+// nothing is written before the end.
 
 #include "promise_support.h"
 
@@ -42,8 +43,10 @@ std::vector<Pair> oriented_cube(std::size_t n)
   std::vector<Pair> pairs;
   for (std::size_t i = 0; i < n; ++i)
   {
-    const Vector p = cube.points[i], normal = test::random_number(-3, 3, generator) * cube.normals[i];
-    pairs.emplace_back(Kernel::Point_3(p[0], p[1], p[2]), Kernel::Vector_3(normal[0], normal[1], normal[2]));
+    const Vector p = cube.points[i],
+                 normal = test::random_number(-3, 3, generator) * cube.normals[i];
+    pairs.emplace_back(Kernel::Point_3(p[0], p[1], p[2]),
+                       Kernel::Vector_3(normal[0], normal[1], normal[2]));
   }
   return pairs;
 }
@@ -113,7 +116,8 @@ void test_input_is_unchanged()
   for (std::size_t m : {500, 5000})
     CGAL::l0_resample_point_set<ConcurrencyTag>(
       pairs, std::back_inserter(result),
-      params::point_map(Point_map()).normal_map(Normal_map()).number_of_output_points(m) | params::drop_non_finite(true));
+      params::point_map(Point_map()).normal_map(Normal_map()).number_of_output_points(m)
+        | params::drop_non_finite(true));
   CHECK(result.size() == 5500);
   CHECK_THROWS(CGAL::l0_resample_point_set<ConcurrencyTag>(pairs, std::back_inserter(result),
                                                            params::point_map(Point_map())),
@@ -130,12 +134,16 @@ void test_property_maps_that_throw()
     std::atomic<int> left{accesses};
     check_passes_through([&](auto out) {
       CGAL::l0_resample_point_set<ConcurrencyTag>(
-        pairs, out, params::point_map(Throwing_map<Kernel::Point_3, &Pair::first>{&left}).geom_traits(Kernel()));
+        pairs, out,
+        params::point_map(Throwing_map<Kernel::Point_3, &Pair::first>{&left})
+          .geom_traits(Kernel()));
     });
     left = accesses;
     check_passes_through([&](auto out) {
       CGAL::l0_resample_point_set<ConcurrencyTag>(
-        pairs, out, params::point_map(Point_map()).normal_map(Throwing_map<Kernel::Vector_3, &Pair::second>{&left}));
+        pairs, out,
+        params::point_map(Point_map())
+          .normal_map(Throwing_map<Kernel::Vector_3, &Pair::second>{&left}));
     });
   }
 }
@@ -149,11 +157,12 @@ void test_callback_that_throws()
   {
     std::atomic<int> calls{0};
     check_passes_through([&](auto out) {
-      CGAL::l0_resample_point_set<ConcurrencyTag>(pairs, out, params::point_map(Point_map()).callback([&](double) -> bool {
-        if (++calls >= throwing_call)
-          throw Callers_exception{42};
-        return true;
-      }));
+      CGAL::l0_resample_point_set<ConcurrencyTag>(
+        pairs, out, params::point_map(Point_map()).callback([&](double) -> bool {
+          if (++calls >= throwing_call)
+            throw Callers_exception{42};
+          return true;
+        }));
     });
     CHECK(calls == throwing_call);
   }
@@ -182,14 +191,17 @@ void test_returned_iterator()
 {
   const std::vector<Pair> pairs = oriented_cube(300);
   std::vector<Pair> result(150);
-  const auto end = CGAL::l0_resample_point_set<ConcurrencyTag>(pairs, result.begin(), params::point_map(Point_map()));
+  const auto end = CGAL::l0_resample_point_set<ConcurrencyTag>(pairs, result.begin(),
+                                                               params::point_map(Point_map()));
   CHECK(end == result.end());
   const std::vector<Pair> nothing;
-  CHECK(CGAL::l0_resample_point_set<ConcurrencyTag>(nothing, result.begin(), params::point_map(Point_map()))
+  CHECK(CGAL::l0_resample_point_set<ConcurrencyTag>(nothing, result.begin(),
+                                                    params::point_map(Point_map()))
         == result.begin());
 }
 
-/// Normals of no use are replaced by PCA's, for those points alone; the length of the others does not matter.
+/// Normals of no use are replaced by PCA's, for those points alone; the length of the others does
+/// not matter.
 template <typename ConcurrencyTag>
 void test_given_normals_of_no_use()
 {
@@ -201,8 +213,8 @@ void test_given_normals_of_no_use()
   };
   const auto with_normals = params::point_map(Point_map()).normal_map(Normal_map());
   const test::Pairs<Kernel> by_pca = resampled(pairs, params::point_map(Point_map()));
-  for (const Vector& useless :
-       {Vector(0, 0, 0), Vector(-0., 0, 0), Vector(nan, 0, 0), Vector(0, infinity, 0), Vector(1, 1, -infinity)})
+  for (const Vector& useless : {Vector(0, 0, 0), Vector(-0., 0, 0), Vector(nan, 0, 0),
+                                Vector(0, infinity, 0), Vector(1, 1, -infinity)})
   {
     std::vector<Pair> input = pairs;
     for (Pair& pair : input)
@@ -215,7 +227,8 @@ void test_given_normals_of_no_use()
   {
     std::vector<Pair> input = pairs;
     for (Pair& pair : input)
-      pair.second = Kernel::Vector_3(std::ldexp(pair.second.x(), exponent), std::ldexp(pair.second.y(), exponent),
+      pair.second = Kernel::Vector_3(std::ldexp(pair.second.x(), exponent),
+                                     std::ldexp(pair.second.y(), exponent),
                                      std::ldexp(pair.second.z(), exponent));
     CHECK(test::are_identical<Kernel>(resampled(input, with_normals), by_given));
   }

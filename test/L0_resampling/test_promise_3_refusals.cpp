@@ -3,7 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Promise 3: what is refused, with the type and the words that say why; and what only looks like it.
+// Promise 3: what is refused, with the type and the words that say why; and what only looks like
+// it.
 
 #include "promise_support.h"
 
@@ -40,7 +41,8 @@ std::string refusal(const Points& points, const NamedParameters& np)
   test::Pairs<Kernel> result;
   try
   {
-    CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(points, std::back_inserter(result), np);
+    CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(points, std::back_inserter(result),
+                                                                 np);
   }
   catch (const std::invalid_argument& error)
   {
@@ -49,7 +51,10 @@ std::string refusal(const Points& points, const NamedParameters& np)
   return "";
 }
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+bool contains(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
 
 /// Refused on a healthy cloud and on none, and the message has the name and the value.
 template <typename NamedParameters>
@@ -59,8 +64,8 @@ void check_refused(const std::string& name, const std::string& value, const Name
   {
     const std::string message = refusal(points, np);
     if (!CHECK(contains(message, name) && contains(message, value)))
-      std::cerr << "  " << name << " = " << value << ", " << points.size() << " points: \"" << message << '"'
-                << std::endl;
+      std::cerr << "  " << name << " = " << value << ", " << points.size() << " points: \""
+                << message << '"' << std::endl;
   }
 }
 
@@ -68,7 +73,10 @@ void test_lengths_and_angles()
 {
   for (double bad : {0., -0., -1., nan, infinity, -infinity})
   {
-    const std::string value = std::isnan(bad) ? "nan" : std::isinf(bad) ? "inf" : bad == 0 ? "0" : "-1";
+    const std::string value = std::isnan(bad)   ? "nan"
+                              : std::isinf(bad) ? "inf"
+                              : bad == 0        ? "0"
+                                                : "-1";
     check_refused("neighbor_radius", value, params::neighbor_radius(bad));
     check_refused("normal_filter_radius", value, params::normal_filter_radius(bad));
     check_refused("sharpness_angle", value, params::sharpness_angle(bad));
@@ -88,12 +96,14 @@ void test_lengths_and_angles()
     {
       Vector v(1, 2, 3);
       v[axis] = bad;
-      check_refused("viewpoint", std::isnan(bad) ? "nan" : "inf", params::viewpoint(Kernel::Point_3(v[0], v[1], v[2])));
+      check_refused("viewpoint", std::isnan(bad) ? "nan" : "inf",
+                    params::viewpoint(Kernel::Point_3(v[0], v[1], v[2])));
     }
-  check_refused("viewpoint", "given",
-                params::viewpoint(Kernel::Point_3(0, 0, 9))
-                  .orientation_hint_map(
-                    CGAL::Constant_property_map<Kernel::Point_3, Kernel::Vector_3>(Kernel::Vector_3(0, 0, 1))));
+  check_refused(
+    "viewpoint", "given",
+    params::viewpoint(Kernel::Point_3(0, 0, 9))
+      .orientation_hint_map(
+        CGAL::Constant_property_map<Kernel::Point_3, Kernel::Vector_3>(Kernel::Vector_3(0, 0, 1))));
   check_refused("sharpness_angle", "90.5", params::sharpness_angle(90.5));
   check_refused("select_percentage", "100.5", params::select_percentage(100.5));
   check_refused("penalty_growth", "1", params::penalty_growth(1));
@@ -103,15 +113,20 @@ void test_lengths_and_angles()
 void test_counts()
 {
   check_refused("number_of_output_points", "-1", params::number_of_output_points(-1));
-  check_refused("number_of_output_points", "4294967295", params::number_of_output_points((std::size_t(1) << 32) - 1));
+  check_refused("number_of_output_points", "4294967295",
+                params::number_of_output_points((std::size_t(1) << 32) - 1));
   check_refused("number_of_output_points", "18446744073709551615",
                 params::number_of_output_points((std::numeric_limits<std::size_t>::max)()));
   check_refused("number_of_output_points", "nan", params::number_of_output_points(nan));
-  check_refused("number_of_normal_filter_iterations", "-1", params::number_of_normal_filter_iterations(-1));
-  check_refused("number_of_normal_filter_iterations", "10001", params::number_of_normal_filter_iterations(10001));
+  check_refused("number_of_normal_filter_iterations", "-1",
+                params::number_of_normal_filter_iterations(-1));
+  check_refused("number_of_normal_filter_iterations", "10001",
+                params::number_of_normal_filter_iterations(10001));
   for (int bad : {-1, 0, 2, 1001})
-    check_refused("number_of_orientation_neighbors", std::to_string(bad), params::number_of_orientation_neighbors(bad));
-  check_refused("resampling_method", "7", params::resampling_method(static_cast<CGAL::L0_resampling::Method>(7)));
+    check_refused("number_of_orientation_neighbors", std::to_string(bad),
+                  params::number_of_orientation_neighbors(bad));
+  check_refused("resampling_method", "7",
+                params::resampling_method(static_cast<CGAL::L0_resampling::Method>(7)));
 }
 
 /// The ends of the permitted ranges, and values so large or small that a product of two overflows.
@@ -121,7 +136,8 @@ void test_extreme_values_are_not_refused()
   const auto check = [&](const std::string& name, const auto& np) {
     try
     {
-      test::check_clean<Kernel>(name, points, test::resample<Kernel, CGAL::Parallel_if_available_tag>(points, np), 100);
+      test::check_clean<Kernel>(
+        name, points, test::resample<Kernel, CGAL::Parallel_if_available_tag>(points, np), 100);
     }
     catch (const std::exception& error)
     {
@@ -129,7 +145,8 @@ void test_extreme_values_are_not_refused()
       std::cerr << "  " << name << ": " << error.what() << std::endl;
     }
   };
-  const double largest = (std::numeric_limits<double>::max)(), least = std::numeric_limits<double>::denorm_min();
+  const double largest = (std::numeric_limits<double>::max)(),
+               least = std::numeric_limits<double>::denorm_min();
   check("sharpness_angle 90", params::sharpness_angle(90));
   check("sharpness_angle least", params::sharpness_angle(least));
   check("normal_weight 0", params::normal_weight(0));
@@ -137,12 +154,14 @@ void test_extreme_values_are_not_refused()
   check("normal_weight largest", params::normal_weight(largest));
   check("regularization_weight 0", params::regularization_weight(0));
   check("regularization_weight 1e12", params::regularization_weight(1e12));
-  check("normal_weight 0, regularization_weight 0", params::normal_weight(0).regularization_weight(0));
+  check("normal_weight 0, regularization_weight 0",
+        params::normal_weight(0).regularization_weight(0));
   check("maximum_penalty below initial_penalty", params::maximum_penalty(0.01));
   check("initial_penalty least", params::initial_penalty(least).maximum_penalty(least));
   check("initial_penalty least, that growth leaves as it is",
         params::initial_penalty(least).maximum_penalty(100 * least).penalty_growth(1.4));
-  check("initial_penalty 1e-300 to 1e300", params::initial_penalty(1e-300).maximum_penalty(1e300).penalty_growth(1e10));
+  check("initial_penalty 1e-300 to 1e300",
+        params::initial_penalty(1e-300).maximum_penalty(1e300).penalty_growth(1e10));
   check("initial_penalty 1e12", params::initial_penalty(1e12));
   check("penalty_growth largest", params::penalty_growth(largest));
   check("no filtering", params::number_of_normal_filter_iterations(0));
@@ -151,7 +170,8 @@ void test_extreme_values_are_not_refused()
   check("random_seed -1", params::random_seed(-1));
 }
 
-/// Where the fit term drowns in the rounding of the others there may be no answer; that ends in the exception for it.
+/// Where the fit term drowns in the rounding of the others there may be no answer; that ends in the
+/// exception for it.
 void test_overflowing_weights()
 {
   const Points points = sphere(200);
@@ -159,7 +179,8 @@ void test_overflowing_weights()
   const auto check = [&](const std::string& name, const auto& np) {
     try
     {
-      test::check_clean<Kernel>(name, points, test::resample<Kernel, CGAL::Parallel_if_available_tag>(points, np), 100);
+      test::check_clean<Kernel>(
+        name, points, test::resample<Kernel, CGAL::Parallel_if_available_tag>(points, np), 100);
     }
     catch (const CGAL::L0_resampling::Solver_error&)
     {
@@ -170,7 +191,8 @@ void test_overflowing_weights()
   {
     check("regularization_weight", params::regularization_weight(weight));
     check("initial_penalty", params::initial_penalty(weight));
-    check("both and normal_weight", params::regularization_weight(weight).normal_weight(weight).initial_penalty(weight));
+    check("both and normal_weight",
+          params::regularization_weight(weight).normal_weight(weight).initial_penalty(weight));
   }
 }
 
@@ -191,34 +213,43 @@ void test_points_that_are_not_finite()
       CHECK(contains(refusal(points, params::drop_non_finite(false)), "point 17"));
 
       const test::Resampled<Kernel> dropped =
-        test::resample<Kernel, CGAL::Parallel_if_available_tag>(points, params::drop_non_finite(true));
+        test::resample<Kernel, CGAL::Parallel_if_available_tag>(points,
+                                                                params::drop_non_finite(true));
       test::check_clean<Kernel>("dropped", points, dropped, 49);
       CHECK(dropped.report.number_of_dropped_points == 2);
       CHECK(dropped.report.number_of_input_points == 98);
       points.erase(points.begin() + 60);
       points.erase(points.begin() + 17);
-      const auto without = test::resample<Kernel, CGAL::Parallel_if_available_tag>(points, params::default_values());
+      const auto without =
+        test::resample<Kernel, CGAL::Parallel_if_available_tag>(points, params::default_values());
       CHECK(test::are_identical<Kernel>(dropped.pairs, without.pairs));
     }
   const Points all_bad(5, Kernel::Point_3(nan, 0, 0));
   for (std::size_t m : {0, 1, 7})
-    test::check_clean<Kernel>(
-      "nothing left", all_bad,
-      test::resample<Kernel, CGAL::Sequential_tag>(all_bad, params::drop_non_finite(true).number_of_output_points(m)), 0);
+    test::check_clean<Kernel>("nothing left", all_bad,
+                              test::resample<Kernel, CGAL::Sequential_tag>(
+                                all_bad, params::drop_non_finite(true).number_of_output_points(m)),
+                              0);
 }
 
 void test_empty_range()
 {
-  test::check_clean<Kernel>("empty", {}, test::resample<Kernel, CGAL::Sequential_tag>({}, params::default_values()), 0);
   test::check_clean<Kernel>(
-    "empty", {}, test::resample<Kernel, CGAL::Parallel_if_available_tag>({}, params::number_of_output_points(9)), 0);
+    "empty", {}, test::resample<Kernel, CGAL::Sequential_tag>({}, params::default_values()), 0);
+  test::check_clean<Kernel>(
+    "empty", {},
+    test::resample<Kernel, CGAL::Parallel_if_available_tag>({}, params::number_of_output_points(9)),
+    0);
 }
 
-/// An empty optional is as good as a parameter that is not there, and one with a value as good as the value.
+/// An empty optional is as good as a parameter that is not there, and one with a value as good as
+/// the value.
 void test_optional_values()
 {
   const Points points = sphere(200);
-  const auto resampled = [&](const auto& np) { return test::resample<Kernel, CGAL::Sequential_tag>(points, np); };
+  const auto resampled = [&](const auto& np) {
+    return test::resample<Kernel, CGAL::Sequential_tag>(points, np);
+  };
   const auto expected = resampled(params::default_values());
   const auto empty = resampled(
     params::normal_weight(std::optional<double>())
@@ -227,9 +258,10 @@ void test_optional_values()
       .viewpoint(std::optional<Kernel::Point_3>())
       .normal_map(std::optional<CGAL::Constant_property_map<Kernel::Point_3, Kernel::Vector_3>>()));
   CHECK(test::are_identical<Kernel>(empty.pairs, expected.pairs));
-  const auto some = resampled(
-    params::normal_weight(std::optional<double>(0.2)).number_of_output_points(std::optional<int>(30)));
-  CHECK(test::are_identical<Kernel>(some.pairs, resampled(params::normal_weight(0.2).number_of_output_points(30)).pairs));
+  const auto some = resampled(params::normal_weight(std::optional<double>(0.2))
+                                .number_of_output_points(std::optional<int>(30)));
+  CHECK(test::are_identical<Kernel>(
+    some.pairs, resampled(params::normal_weight(0.2).number_of_output_points(30)).pairs));
   CHECK(some.pairs.size() == 30);
   check_refused("neighbor_radius", "-1", params::neighbor_radius(std::optional<double>(-1)));
 }
@@ -241,7 +273,8 @@ void test_maximum_memory()
   for (int n_fold : {0, 1, 3})
   {
     const std::size_t m = n_fold == 0 ? 500 : points.size() * std::size_t(n_fold);
-    const auto free = test::resample<Kernel, CGAL::Parallel_if_available_tag>(points, params::number_of_output_points(m));
+    const auto free = test::resample<Kernel, CGAL::Parallel_if_available_tag>(
+      points, params::number_of_output_points(m));
     const std::size_t peak = free.report.peak_bytes;
     CHECK(peak > points.size() * sizeof(Kernel::Point_3));
     const auto limited = test::resample<Kernel, CGAL::Parallel_if_available_tag>(
@@ -249,20 +282,20 @@ void test_maximum_memory()
     CHECK(test::are_identical<Kernel>(limited.pairs, free.pairs));
     test::Pairs<Kernel> result;
     for (std::size_t limit = peak - 1; limit > 0; limit /= 2)
-      CHECK_THROWS(CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(points, std::back_inserter(result),
-                                                                                params::number_of_output_points(m)
-                                                                                  | params::maximum_memory(limit)),
+      CHECK_THROWS(CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(
+                     points, std::back_inserter(result),
+                     params::number_of_output_points(m) | params::maximum_memory(limit)),
                    std::bad_alloc);
-    CHECK_THROWS(CGAL::l0_resample_point_set<CGAL::Sequential_tag>(points, std::back_inserter(result),
-                                                                   params::maximum_memory(0)),
+    CHECK_THROWS(CGAL::l0_resample_point_set<CGAL::Sequential_tag>(
+                   points, std::back_inserter(result), params::maximum_memory(0)),
                  std::bad_alloc);
     CHECK(result.empty());
   }
   // as many as may be asked for: 100 GB
-  CHECK_THROWS(
-    (test::resample<Kernel, CGAL::Sequential_tag>(points, params::number_of_output_points((std::size_t(1) << 32) - 2)
-                                                            | params::maximum_memory(std::size_t(1) << 30))),
-    std::bad_alloc);
+  CHECK_THROWS((test::resample<Kernel, CGAL::Sequential_tag>(
+                 points, params::number_of_output_points((std::size_t(1) << 32) - 2)
+                           | params::maximum_memory(std::size_t(1) << 30))),
+               std::bad_alloc);
 }
 
 } // namespace

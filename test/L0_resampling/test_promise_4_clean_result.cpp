@@ -3,7 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Promise 4: what a result is, whatever the input, in every kernel: finite, in its box, of unit normals, of the exact count, no point twice.
+// Promise 4: what a result is, whatever the input, in every kernel: finite, in its box, of unit
+// normals, of the exact count, no point twice.
 
 #include "promise_support.h"
 
@@ -44,12 +45,14 @@ std::vector<Cloud> clouds()
 
   std::vector<Vector> needle;
   for (int i = 0; i < 800; ++i)
-    needle.emplace_back(test::random_number(-1, 1, generator), 1e-7 * test::random_number(-1, 1, generator), 0);
+    needle.emplace_back(test::random_number(-1, 1, generator),
+                        1e-7 * test::random_number(-1, 1, generator), 0);
   result.push_back({"needle", needle});
 
   std::vector<Vector> uneven;
   for (int i = 0; i < 1000; ++i)
-    uneven.push_back(std::exp(test::random_number(-20, 2, generator)) * test::random_unit_vector(generator));
+    uneven.push_back(std::exp(test::random_number(-20, 2, generator))
+                     * test::random_unit_vector(generator));
   result.push_back({"density that varies by many orders", uneven});
   return result;
 }
@@ -64,7 +67,8 @@ void test_clouds(const std::string& kernel_name)
     const std::size_t n = points.size();
     const auto check = [&](const std::string& setting, std::size_t m, const auto& np) {
       test::check_clean<Kernel>(kernel_name + ", " + cloud.name + ", " + setting, points,
-                                test::resample<Kernel, CGAL::Parallel_if_available_tag>(points, np), m);
+                                test::resample<Kernel, CGAL::Parallel_if_available_tag>(points, np),
+                                m);
     };
     for (std::size_t m : {std::size_t(1), n / 10, n, n + 1, 3 * n})
       check(std::to_string(m), m, params::number_of_output_points(m));
@@ -77,8 +81,10 @@ void test_clouds(const std::string& kernel_name)
         check("radius, more", 2 * n, np.number_of_output_points(2 * n));
       }
     check("ALOR", n / 2, params::resampling_method(Method::ALOR));
-    check("LOR, more", 3 * n, params::resampling_method(Method::LOR).number_of_output_points(3 * n));
-    check("LOR, strong regularization", n / 2, params::resampling_method(Method::LOR).regularization_weight(1e6));
+    check("LOR, more", 3 * n,
+          params::resampling_method(Method::LOR).number_of_output_points(3 * n));
+    check("LOR, strong regularization", n / 2,
+          params::resampling_method(Method::LOR).regularization_weight(1e6));
     check("strong regularization", n / 2, params::regularization_weight(1e6));
     check("no regularization", n / 2, params::regularization_weight(0));
     check("all jumps kept", n / 2, params::normal_weight(0));
@@ -97,14 +103,15 @@ void test_largest_coordinates(const std::string& kernel_name)
     p *= double((std::numeric_limits<typename Kernel::FT>::max)());
   const auto points = test::kernel_points<Kernel>(sphere);
   for (std::size_t m : {150, 600})
-    test::check_clean<Kernel>(kernel_name + ", largest coordinates", points,
-                              test::resample<Kernel, CGAL::Sequential_tag>(points, params::number_of_output_points(m)),
-                              m);
+    test::check_clean<Kernel>(
+      kernel_name + ", largest coordinates", points,
+      test::resample<Kernel, CGAL::Sequential_tag>(points, params::number_of_output_points(m)), m);
   for (Vector& p : sphere)
     p *= double(std::numeric_limits<typename Kernel::FT>::epsilon()) * 1e-38;
   const auto small_points = test::kernel_points<Kernel>(sphere);
-  test::check_clean<Kernel>(kernel_name + ", small coordinates", small_points,
-                            test::resample<Kernel, CGAL::Sequential_tag>(small_points, params::default_values()), 150);
+  test::check_clean<Kernel>(
+    kernel_name + ", small coordinates", small_points,
+    test::resample<Kernel, CGAL::Sequential_tag>(small_points, params::default_values()), 150);
 }
 
 /// `max(1, floor(n * percentage / 100))`, also for the percentages that binary numbers have not.
@@ -120,9 +127,11 @@ void test_counts()
       const std::size_t expected = (std::max)(std::size_t(1), n * percentage / 100);
       test::check_clean<Kernel>(
         std::to_string(percentage) + " % of " + std::to_string(n), points,
-        test::resample<Kernel, CGAL::Sequential_tag>(points, params::select_percentage(percentage)), expected);
+        test::resample<Kernel, CGAL::Sequential_tag>(points, params::select_percentage(percentage)),
+        expected);
     }
-    CHECK((test::resample<Kernel, CGAL::Sequential_tag>(points, params::select_percentage(10).number_of_output_points(5))
+    CHECK((test::resample<Kernel, CGAL::Sequential_tag>(
+             points, params::select_percentage(10).number_of_output_points(5))
              .pairs.size()
            == 5));
   }

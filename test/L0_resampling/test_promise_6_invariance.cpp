@@ -3,7 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Promise 6: the unit of length, the place, the order of the points and the signs of given normals do not matter.
+// Promise 6: the unit of length, the place, the order of the points and the signs of given normals
+// do not matter.
 
 #include "promise_support.h"
 
@@ -39,7 +40,8 @@ Cloud on_grid(Cloud cloud)
   return cloud;
 }
 
-/// A cube as a mesh with a normal a face corner gives it: points of an edge come twice and corners three times, each with another normal.
+/// A cube as a mesh with a normal a face corner gives it: points of an edge come twice and corners
+/// three times, each with another normal.
 test::Oriented_points cube_of_face_corners(test::Generator& generator)
 {
   test::Oriented_points cube = test::cube_points(1200, 1, generator);
@@ -71,8 +73,10 @@ std::vector<Cloud> clouds()
   test::Oriented_points noisy_cube = test::cube_points(1500, 1, generator);
   test::add_gaussian_noise(noisy_cube.points, 0.01, generator);
   test::Oriented_points duplicates = noisy_cube;
-  duplicates.points.insert(duplicates.points.end(), noisy_cube.points.begin(), noisy_cube.points.begin() + 300);
-  duplicates.normals.insert(duplicates.normals.end(), noisy_cube.normals.begin(), noisy_cube.normals.begin() + 300);
+  duplicates.points.insert(duplicates.points.end(), noisy_cube.points.begin(),
+                           noisy_cube.points.begin() + 300);
+  duplicates.normals.insert(duplicates.normals.end(), noisy_cube.normals.begin(),
+                            noisy_cube.normals.begin() + 300);
   test::Oriented_points lattice{test::lattice_points(9, 0.125), {}};
   for (std::size_t i = 0; i < lattice.points.size(); ++i)
     lattice.normals.push_back(test::random_unit_vector(generator));
@@ -87,8 +91,9 @@ std::vector<Cloud> clouds()
 
 /// The point `scale * p + translation` for each point p; normals are used if `with_normals`.
 template <typename NamedParameters>
-test::Pairs<Kernel> resample(const test::Oriented_points& points, double scale, const Vector& translation,
-                             bool with_normals, const NamedParameters& np)
+test::Pairs<Kernel> resample(const test::Oriented_points& points, double scale,
+                             const Vector& translation, bool with_normals,
+                             const NamedParameters& np)
 {
   std::vector<Pair> input;
   for (std::size_t i = 0; i < points.points.size(); ++i)
@@ -101,13 +106,15 @@ test::Pairs<Kernel> resample(const test::Oriented_points& points, double scale, 
   const auto with_points = np.point_map(CGAL::First_of_pair_property_map<Pair>());
   if (with_normals)
     CGAL::l0_resample_point_set<Tag>(input, std::back_inserter(result),
-                                     with_points.normal_map(CGAL::Second_of_pair_property_map<Pair>()));
+                                     with_points.normal_map(
+                                       CGAL::Second_of_pair_property_map<Pair>()));
   else
     CGAL::l0_resample_point_set<Tag>(input, std::back_inserter(result), with_points);
   return result;
 }
 
-/// The settings that each law is checked with; `f` gets named parameters whose lengths are multiples of `scale`.
+/// The settings that each law is checked with; `f` gets named parameters whose lengths are
+/// multiples of `scale`.
 template <typename F>
 void for_each_setting(const Cloud& cloud, double scale, const F& f)
 {
@@ -116,11 +123,14 @@ void for_each_setting(const Cloud& cloud, double scale, const F& f)
   f(params::select_percentage(50) | params::resampling_method(Method::LOR));
   f(params::select_percentage(30) | params::resampling_method(Method::ALOR));
   f(params::neighbor_radius(0.1 * length) | params::normal_filter_radius(0.15 * length));
-  f(params::number_of_output_points(2 * cloud.points.points.size()).random_seed(5) | params::normal_weight(2));
+  f(params::number_of_output_points(2 * cloud.points.points.size()).random_seed(5)
+    | params::normal_weight(2));
 }
 
-/// The results of `resample()` with `scale` and `translation`, one for each setting, without and with normals.
-std::vector<test::Pairs<Kernel>> results(const Cloud& cloud, double scale, const Vector& translation)
+/// The results of `resample()` with `scale` and `translation`, one for each setting, without and
+/// with normals.
+std::vector<test::Pairs<Kernel>> results(const Cloud& cloud, double scale,
+                                         const Vector& translation)
 {
   std::vector<test::Pairs<Kernel>> all;
   for (bool with_normals : {false, true})
@@ -147,7 +157,8 @@ void test_scale(const Cloud& cloud, const std::vector<test::Pairs<Kernel>>& expe
     compare("scale", cloud, expected, results(cloud, scale, Vector::Zero()),
             [&](test::Pairs<Kernel> a, const test::Pairs<Kernel>& b) {
               for (Pair& pair : a)
-                pair.first = Kernel::Point_3(scale * pair.first.x(), scale * pair.first.y(), scale * pair.first.z());
+                pair.first = Kernel::Point_3(scale * pair.first.x(), scale * pair.first.y(),
+                                             scale * pair.first.z());
               return test::are_identical<Kernel>(a, b);
             });
   }
@@ -186,7 +197,9 @@ void test_any_scale(const Cloud& cloud)
   const auto results_at = [&](double scale) {
     const double length = scale * cloud.length;
     std::vector<test::Pairs<Kernel>> all;
-    const auto add = [&](const auto& np) { all.push_back(resample(cloud.points, scale, Vector::Zero(), false, np)); };
+    const auto add = [&](const auto& np) {
+      all.push_back(resample(cloud.points, scale, Vector::Zero(), false, np));
+    };
     add(params::select_percentage(50));
     add(params::select_percentage(50) | params::keep_density(true));
     add(params::select_percentage(50).neighbor_radius(0.1 * length));
@@ -195,14 +208,17 @@ void test_any_scale(const Cloud& cloud)
   };
   const std::vector<test::Pairs<Kernel>> expected = results_at(1);
   for (double scale : {3., 1. / 3, 1000., 0.001, 0.3048, 7.})
-    compare("times " + std::to_string(scale), cloud, expected, results_at(scale), [&](const auto& a, const auto& b) {
-      const double least_diagonal = std::sqrt(3.) * cloud.length;
-      for (std::size_t i = 0; i < a.size(); ++i)
-        if (!((test::as_vector(b[i].first) / scale - test::as_vector(a[i].first)).norm() <= 1e-6 * least_diagonal
-              && (test::as_vector(b[i].second) - test::as_vector(a[i].second)).norm() <= 1e-4))
-          return false;
-      return true;
-    });
+    compare("times " + std::to_string(scale), cloud, expected, results_at(scale),
+            [&](const auto& a, const auto& b) {
+              const double least_diagonal = std::sqrt(3.) * cloud.length;
+              for (std::size_t i = 0; i < a.size(); ++i)
+                if (!((test::as_vector(b[i].first) / scale - test::as_vector(a[i].first)).norm()
+                        <= 1e-6 * least_diagonal
+                      && (test::as_vector(b[i].second) - test::as_vector(a[i].second)).norm()
+                           <= 1e-4))
+                  return false;
+              return true;
+            });
 }
 
 /// At UTM offsets and at the largest coordinates of maps.
@@ -288,7 +304,8 @@ void test_translation(const Cloud& cloud, const std::vector<test::Pairs<Kernel>>
   }
 }
 
-/// Points for each of which there is a point of the other set, and its normal, closer than 1e-9 of the size.
+/// Points for each of which there is a point of the other set, and its normal, closer than 1e-9 of
+/// the size.
 bool are_same_set(const test::Pairs<Kernel>& a, const test::Pairs<Kernel>& b, double length)
 {
   return std::all_of(a.begin(), a.end(), [&](const Pair& x) {
@@ -313,9 +330,10 @@ void test_permutation(const Cloud& cloud, const std::vector<test::Pairs<Kernel>>
       shuffled.points.points[i] = cloud.points.points[order[i]];
       shuffled.points.normals[i] = cloud.points.normals[order[i]];
     }
-    compare("permutation", cloud, expected, results(shuffled, 1, Vector::Zero()), [&](const auto& a, const auto& b) {
-      return are_same_set(a, b, cloud.length) && are_same_set(b, a, cloud.length);
-    });
+    compare("permutation", cloud, expected, results(shuffled, 1, Vector::Zero()),
+            [&](const auto& a, const auto& b) {
+              return are_same_set(a, b, cloud.length) && are_same_set(b, a, cloud.length);
+            });
   }
 }
 
@@ -328,9 +346,10 @@ void test_signs_of_normals(const Cloud& cloud, const std::vector<test::Pairs<Ker
     for (Vector& n : turned.points.normals)
       if (test::random_number(0, 1, generator) < 0.5)
         n = -n;
-    compare("signs", cloud, expected, results(turned, 1, Vector::Zero()), [&](const auto& a, const auto& b) {
-      return are_same_set(a, b, cloud.length) && are_same_set(b, a, cloud.length);
-    });
+    compare("signs", cloud, expected, results(turned, 1, Vector::Zero()),
+            [&](const auto& a, const auto& b) {
+              return are_same_set(a, b, cloud.length) && are_same_set(b, a, cloud.length);
+            });
   }
 }
 

@@ -50,9 +50,10 @@ std::vector<double> numbers(const CGAL::L0_resampling::Report& report)
                              report.oriented_share,
                              report.hinted_share};
   for (const CGAL::L0_resampling::Iteration_report& iteration : report.iterations)
-    result.insert(result.end(), {iteration.fit_energy, iteration.regularization_energy, iteration.normal_energy,
-                                 iteration.sparsity_energy, iteration.active_pair_share,
-                                 double(iteration.solver.iterations), iteration.solver.relative_residual});
+    result.insert(result.end(),
+                  {iteration.fit_energy, iteration.regularization_energy, iteration.normal_energy,
+                   iteration.sparsity_energy, iteration.active_pair_share,
+                   double(iteration.solver.iterations), iteration.solver.relative_residual});
   return result;
 }
 
@@ -99,12 +100,14 @@ void test_calls_at_once()
     CHECK(are_identical(expected[i], results[i]));
 }
 
-/// The seed is what chooses among the possible results, and the only thing. Samples start by area in the default method and by number in the paper's.
+/// The seed is what chooses among the possible results, and the only thing. Samples start by area
+/// in the default method and by number in the paper's.
 void test_seed(Method method)
 {
   const Points points = cloud(1500);
   const auto with_seed = [&](auto seed) {
-    return test::resample<Kernel, CGAL::Sequential_tag>(points, params::resampling_method(method).random_seed(seed));
+    return test::resample<Kernel, CGAL::Sequential_tag>(
+      points, params::resampling_method(method).random_seed(seed));
   };
   const test::Resampled<Kernel> without =
     test::resample<Kernel, CGAL::Sequential_tag>(points, params::resampling_method(method));
@@ -119,19 +122,23 @@ int main()
 {
   const Points points = cloud(3000);
   test_tags_and_threads("default", points, params::default_values());
-  test_tags_and_threads("more than the input", points, params::number_of_output_points(2 * points.size()));
+  test_tags_and_threads("more than the input", points,
+                        params::number_of_output_points(2 * points.size()));
   test_tags_and_threads("LOR", points, params::resampling_method(Method::LOR));
   test_tags_and_threads("ALOR", points, params::resampling_method(Method::ALOR));
   test_tags_and_threads("kept density, seen from a point", points,
                         params::keep_density(true).viewpoint(Kernel::Point_3(0, 0, 3)));
-  test_tags_and_threads("radius that reaches everybody", points, params::neighbor_radius(1e300).select_percentage(20));
+  test_tags_and_threads("radius that reaches everybody", points,
+                        params::neighbor_radius(1e300).select_percentage(20));
   test_tags_and_threads("radius that reaches nobody", points, params::neighbor_radius(1e-300));
   const Points few = cloud(800);
   test_tags_and_threads("Cholesky", few,
-                        params::sparse_linear_solver(CGAL::L0_resampling::Eigen_cholesky_solver_traits<double>()));
-  test_tags_and_threads(
-    "least squares", few,
-    params::sparse_linear_solver(CGAL::L0_resampling::Eigen_least_squares_solver_traits<double>()).neighbor_radius(0.2));
+                        params::sparse_linear_solver(
+                          CGAL::L0_resampling::Eigen_cholesky_solver_traits<double>()));
+  test_tags_and_threads("least squares", few,
+                        params::sparse_linear_solver(
+                          CGAL::L0_resampling::Eigen_least_squares_solver_traits<double>())
+                          .neighbor_radius(0.2));
   test_calls_at_once();
   test_seed(Method::DEFAULT);
   test_seed(Method::LOR);

@@ -3,7 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Promise 8: memory is bounded by `maximum_memory`; what the numbers of points alone rule out is refused before any point is read, and no number wraps.
+// Promise 8: memory is bounded by `maximum_memory`; what the numbers of points alone rule out is
+// refused before any point is read, and no number wraps.
 
 #include "promise_support.h"
 
@@ -75,22 +76,27 @@ struct Unreadable_map
 // Each further type of parameters would be one more instance of the whole function to compile.
 auto parameters(Method method, std::size_t number_of_output_points, std::size_t limit)
 {
-  return params::resampling_method(method).number_of_output_points(number_of_output_points).maximum_memory(limit);
+  return params::resampling_method(method)
+    .number_of_output_points(number_of_output_points)
+    .maximum_memory(limit);
 }
 
-void resample_unreadable(std::size_t size, std::size_t number_of_output_points, std::size_t limit = unlimited,
-                         Method method = Method::DEFAULT)
+void resample_unreadable(std::size_t size, std::size_t number_of_output_points,
+                         std::size_t limit = unlimited, Method method = Method::DEFAULT)
 {
   std::vector<std::pair<Kernel::Point_3, Kernel::Vector_3>> out;
-  CGAL::l0_resample_point_set<CGAL::Sequential_tag>(
-    Endless_range{size}, std::back_inserter(out),
-    parameters(method, number_of_output_points, limit).point_map(Unreadable_map()).geom_traits(Kernel()));
+  CGAL::l0_resample_point_set<CGAL::Sequential_tag>(Endless_range{size}, std::back_inserter(out),
+                                                    parameters(method, number_of_output_points,
+                                                               limit)
+                                                      .point_map(Unreadable_map())
+                                                      .geom_traits(Kernel()));
 }
 
 /// Beyond 32 bits, and just before.
 void test_counts()
 {
-  const std::size_t largest = 0xfffffffeu, two_to_31 = std::size_t(1) << 31, gibibyte = std::size_t(1) << 30;
+  const std::size_t largest = 0xfffffffeu, two_to_31 = std::size_t(1) << 31,
+                    gibibyte = std::size_t(1) << 30;
   for (std::size_t size : {largest + 1, largest + 2, largest + 2 + 1000, std::size_t(1) << 62})
   {
     CHECK_THROWS(resample_unreadable(size, 5), std::invalid_argument);
@@ -108,7 +114,8 @@ void test_counts()
   }
 }
 
-test::Resampled<Kernel> resample(const Points& points, Method method, std::size_t m, std::size_t limit = unlimited)
+test::Resampled<Kernel> resample(const Points& points, Method method, std::size_t m,
+                                 std::size_t limit = unlimited)
 {
   return test::resample<Kernel, CGAL::Sequential_tag>(points, parameters(method, m, limit));
 }
@@ -153,11 +160,13 @@ void test_growth()
     const auto bytes_a_point = [&](std::size_t n) {
       const Points points = test::kernel_points<Kernel>(test::noisy_cube(n));
       const auto result = resample(points, method, n * 55 / 100);
-      const std::size_t lists = 12 * result.report.number_of_self_neighbor_pairs; // an index, and two numbers of the solver
+      const std::size_t lists =
+        12 * result.report.number_of_self_neighbor_pairs; // an index, and two numbers of the solver
       return (double(result.report.peak_bytes) - double(lists)) / double(n);
     };
     const double few = bytes_a_point(10000), many = bytes_a_point(100000);
-    std::cout << few << " and " << many << " bytes a point beside the lists of neighbors" << std::endl;
+    std::cout << few << " and " << many << " bytes a point beside the lists of neighbors"
+              << std::endl;
     CHECK(test::is_close(few, many, 0.2));
   }
 }

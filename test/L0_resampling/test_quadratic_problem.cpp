@@ -3,7 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Eq. (10) in its three forms: the paper's terms, the rows of Eq. (11), and the collapsed form with its normal matrix.
+// Eq. (10) in its three forms: the paper's terms, the rows of Eq. (11), and the collapsed form with
+// its normal matrix.
 
 #include "random_problem.h"
 #include "test_support.h"
@@ -46,7 +47,8 @@ double paper_energy(const Paper_problem& paper, const std::vector<Vector>& x)
   return paper.energy(p);
 }
 
-/// The fit term in the documentation of `Quadratic_problem`, without its constant, and in place of Eq. (10)'s.
+/// The fit term in the documentation of `Quadratic_problem`, without its constant, and in place of
+/// Eq. (10)'s.
 double collapsed_energy(const Paper_problem& paper, const Quadratic_problem<double>& problem,
                         const std::vector<Vector>& centroids, const std::vector<Vector>& x)
 {
@@ -54,11 +56,13 @@ double collapsed_energy(const Paper_problem& paper, const Quadratic_problem<doub
   others.fit.clear();
   double sum = paper_energy(others, x);
   for (std::size_t i = 0; i < x.size(); ++i)
-    sum += problem.fit_weights[Eigen::Index(i)] * (paper.samples[i] + x[i] - centroids[i]).squaredNorm();
+    sum += problem.fit_weights[Eigen::Index(i)]
+           * (paper.samples[i] + x[i] - centroids[i]).squaredNorm();
   return sum;
 }
 
-void test_rows_have_the_energy_of_eq_10(const Paper_problem& paper, const Quadratic_problem<double>& problem,
+void test_rows_have_the_energy_of_eq_10(const Paper_problem& paper,
+                                        const Quadratic_problem<double>& problem,
                                         Generator& generator)
 {
   const auto system = internal::least_squares_system(problem);
@@ -67,17 +71,20 @@ void test_rows_have_the_energy_of_eq_10(const Paper_problem& paper, const Quadra
 
   const std::size_t pairs = paper.pairs.size(), active_pairs = paper.alpha > 0 ? pairs / 2 : 0;
   CHECK(std::size_t(system.matrix.rows()) == 3 * paper.fit.size() + 3 * active_pairs + pairs);
-  CHECK(std::size_t(system.matrix.nonZeros()) == 3 * paper.fit.size() + 6 * active_pairs + 6 * pairs);
+  CHECK(std::size_t(system.matrix.nonZeros())
+        == 3 * paper.fit.size() + 6 * active_pairs + 6 * pairs);
 
   for (int trial = 0; trial < 5; ++trial)
   {
     const std::vector<Vector> x = random_displacements(paper, generator);
-    const double squared_residual = (system.matrix * test::coordinates(x) - system.rhs).squaredNorm();
+    const double squared_residual =
+      (system.matrix * test::coordinates(x) - system.rhs).squaredNorm();
     CHECK(test::is_close(squared_residual, paper_energy(paper, x), 1e-12));
   }
 }
 
-void test_collapsed_fit_term_differs_by_a_constant(const Paper_problem& paper, const Quadratic_problem<double>& problem,
+void test_collapsed_fit_term_differs_by_a_constant(const Paper_problem& paper,
+                                                   const Quadratic_problem<double>& problem,
                                                    Generator& generator)
 {
   std::vector<Vector> centroids(paper.samples.size(), Vector::Zero());
@@ -89,7 +96,8 @@ void test_collapsed_fit_term_differs_by_a_constant(const Paper_problem& paper, c
   for (int trial = 0; trial < 5; ++trial)
   {
     const std::vector<Vector> x = random_displacements(paper, generator);
-    CHECK(test::is_close(paper_energy(paper, x), collapsed_energy(paper, problem, centroids, x) + constant, 1e-12));
+    CHECK(test::is_close(paper_energy(paper, x),
+                         collapsed_energy(paper, problem, centroids, x) + constant, 1e-12));
   }
 }
 
@@ -103,15 +111,18 @@ void test_normal_equations_are_those_of_the_rows(const Quadratic_problem<double>
     for (auto e = matrix.outerIndexPtr()[column] + 1; e < matrix.outerIndexPtr()[column + 1]; ++e)
       CHECK(matrix.innerIndexPtr()[e - 1] < matrix.innerIndexPtr()[e]);
 
-  const Eigen::Map<const Eigen::VectorXd> rhs(problem.right_hand_side.data(), problem.right_hand_side.size());
+  const Eigen::Map<const Eigen::VectorXd> rhs(problem.right_hand_side.data(),
+                                              problem.right_hand_side.size());
   CHECK((rhs - system.matrix.transpose() * system.rhs).norm() < 1e-13 * rhs.norm());
 }
 
 /// E(x) of Eq. (10) is x^T H x - 2 g^T x plus E(0): what a solver gets is all of Eq. (10).
-void test_quadratic_form(const Paper_problem& paper, const Quadratic_problem<double>& problem, Generator& generator)
+void test_quadratic_form(const Paper_problem& paper, const Quadratic_problem<double>& problem,
+                         Generator& generator)
 {
   const internal::Normal_matrix<double> matrix = internal::assemble_normal_matrix(problem);
-  const Eigen::Map<const Eigen::VectorXd> rhs(problem.right_hand_side.data(), problem.right_hand_side.size());
+  const Eigen::Map<const Eigen::VectorXd> rhs(problem.right_hand_side.data(),
+                                              problem.right_hand_side.size());
   const double energy_at_zero = paper.energy(paper.samples);
   for (int trial = 0; trial < 5; ++trial)
   {
@@ -122,8 +133,8 @@ void test_quadratic_form(const Paper_problem& paper, const Quadratic_problem<dou
   }
 }
 
-/// Section 4.1 replaces the original neighbors by merged ones. With weights that add up at the weighted mean, Eq. (11)
-/// has fewer rows and the same normal equations.
+/// Section 4.1 replaces the original neighbors by merged ones. With weights that add up at the
+/// weighted mean, Eq. (11) has fewer rows and the same normal equations.
 void test_merged_rows_have_the_same_normal_equations(Collapsed_problem<double>& collapsed)
 {
   const auto full = internal::least_squares_system(collapsed.view());
@@ -140,7 +151,8 @@ void test_merged_rows_have_the_same_normal_equations(Collapsed_problem<double>& 
                           collapsed.row_weights.begin() + std::ptrdiff_t(last));
     for (int pass = 0; pass < 2; ++pass)
     {
-      const std::size_t size = internal::merge_pairs(partitioner(q.data(), w.size()), q.data(), w.data());
+      const std::size_t size = internal::merge_pairs(partitioner(q.data(), w.size()), q.data(),
+                                                     w.data());
       q.resize(3 * size);
       w.resize(size);
     }
@@ -157,7 +169,8 @@ void test_merged_rows_have_the_same_normal_equations(Collapsed_problem<double>& 
   CHECK(merged.matrix.rows() < full.matrix.rows());
   const internal::Normal_matrix<double> full_matrix = full.matrix.transpose() * full.matrix;
   const internal::Normal_matrix<double> merged_matrix = merged.matrix.transpose() * merged.matrix;
-  CHECK(internal::Normal_matrix<double>(full_matrix - merged_matrix).norm() < 1e-14 * full_matrix.norm());
+  CHECK(internal::Normal_matrix<double>(full_matrix - merged_matrix).norm()
+        < 1e-14 * full_matrix.norm());
   const Eigen::VectorXd full_rhs = full.matrix.transpose() * full.rhs;
   CHECK((full_rhs - merged.matrix.transpose() * merged.rhs).norm() < 1e-13 * full_rhs.norm());
 }
@@ -171,7 +184,8 @@ void test_sizes_are_checked()
   CHECK_THROWS(Checked_count().add(largest + 1, 1), std::length_error);
   CHECK_THROWS(Checked_count().add(largest, 1).add(1, 1), std::length_error);
   CHECK_THROWS(Checked_count().add(largest / 3 + 1, 3), std::length_error);
-  CHECK_THROWS(Checked_count().add((std::numeric_limits<std::size_t>::max)(), 2), std::length_error);
+  CHECK_THROWS(Checked_count().add((std::numeric_limits<std::size_t>::max)(), 2),
+               std::length_error);
 }
 
 } // namespace

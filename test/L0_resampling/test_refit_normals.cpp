@@ -24,21 +24,23 @@ struct Refitted
   Gridded_points sorted;
   std::vector<Vector> before, after;
 
-  Refitted(const Oriented_points& cloud) : sorted(cloud.points, radius), before(permuted(sorted.order, cloud.normals))
+  Refitted(const Oriented_points& cloud)
+    : sorted(cloud.points, radius), before(permuted(sorted.order, cloud.normals))
   {
     auto normals = to_local_vectors<double>(before), sequential = normals;
     const Normal_filter<double> filter{radius, bandwidth * bandwidth, normal_bandwidth(angle)};
     Unwatched unwatched;
-    refit_normals<CGAL::Parallel_if_available_tag>(sorted.grid, sorted.points, filter, squared_sheet_height,
-                                                   unwatched.progress, normals);
-    refit_normals<CGAL::Sequential_tag>(sorted.grid, sorted.points, filter, squared_sheet_height, unwatched.progress,
-                                        sequential);
+    refit_normals<CGAL::Parallel_if_available_tag>(
+      sorted.grid, sorted.points, filter, squared_sheet_height, unwatched.progress, normals);
+    refit_normals<CGAL::Sequential_tag>(sorted.grid, sorted.points, filter, squared_sheet_height,
+                                        unwatched.progress, sequential);
     CHECK(normals == sequential);
     after.assign(normals.begin(), normals.end());
   }
 };
 
-/// The formula of the docstring, with another decomposition: the direction in which the weighted points spread least.
+/// The formula of the docstring, with another decomposition: the direction in which the weighted
+/// points spread least.
 void check_formula(Generator& generator)
 {
   Oriented_points cloud = wedge_points(1200, generator);
@@ -67,7 +69,8 @@ void check_formula(Generator& generator)
         continue;
       const double cosine = n.dot(refitted.before[j]);
       const double height = 0.5 * (n + (cosine < 0 ? -1 : 1) * refitted.before[j]).dot(q - p);
-      const double similarity = std::exp(-std::pow(1 - std::abs(cosine), 2) / normal_bandwidth(angle)
+      const double similarity = std::exp(-std::pow(1 - std::abs(cosine), 2)
+                                           / normal_bandwidth(angle)
                                          - height * height / squared_sheet_height);
       weights.push_back(std::exp(-(q - p).squaredNorm() / (bandwidth * bandwidth)) * similarity);
       points.push_back(q);
@@ -85,9 +88,9 @@ void check_formula(Generator& generator)
     number_of_strips += trust < 0.9;
     if (std::abs(std::abs(plane.dot(n)) - 0.5) < 1e-6)
       continue;
-    const Vector expected = std::abs(plane.dot(n)) > 0.5
-                              ? Vector((n + (plane.dot(n) < 0 ? -trust : trust) * plane).normalized())
-                              : n;
+    const Vector expected = std::abs(plane.dot(n)) > 0.5 ? Vector(
+                              (n + (plane.dot(n) < 0 ? -trust : trust) * plane).normalized())
+                                                         : n;
     worst = (std::max)(worst, (refitted.after[i] - expected).norm());
   }
   CHECK(worst < 1e-7);
@@ -116,7 +119,8 @@ void check_leaning_normals(Generator& generator)
   CHECK(after < 0.6 * before); // 0.51: half, and a little for points of the other side
 }
 
-/// Points on a line determine no plane, and a lonely point even less: their normals stay, up to what rounding makes of a line.
+/// Points on a line determine no plane, and a lonely point even less: their normals stay, up to
+/// what rounding makes of a line.
 void check_no_plane()
 {
   Oriented_points cloud;
@@ -131,7 +135,8 @@ void check_no_plane()
   CHECK(refitted.after == refitted.before);
 }
 
-/// On a line, two variances are equal up to rounding, and which normal across it has the smaller one says nothing: normals across it stay as they are.
+/// On a line, two variances are equal up to rounding, and which normal across it has the smaller
+/// one says nothing: normals across it stay as they are.
 void check_line()
 {
   const Vector along = Vector(1, 2, -3).normalized(), across = along.unitOrthogonal();

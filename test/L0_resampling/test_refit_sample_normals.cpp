@@ -28,7 +28,8 @@ struct Refitted
   std::vector<Vector> before, after;
   std::vector<double> variances;
 
-  Refitted(const Oriented_points& cloud, const std::vector<double>& unsorted_variances, std::size_t number_of_passes)
+  Refitted(const Oriented_points& cloud, const std::vector<double>& unsorted_variances,
+           std::size_t number_of_passes)
     : sorted(cloud.points, radius), before(permuted(sorted.order, cloud.normals))
   {
     for (Index i : sorted.order)
@@ -38,10 +39,11 @@ struct Refitted
     samples.normals = to_buffer(before);
     samples.fit_variances.assign(variances.begin(), variances.end());
     Unwatched unwatched;
-    const Neighborhoods neighbors = find_self_neighbors<CGAL::Sequential_tag>(sorted.grid, sorted.points, radius,
-                                                                              unwatched.progress);
+    const Neighborhoods neighbors = find_self_neighbors<CGAL::Sequential_tag>(
+      sorted.grid, sorted.points, radius, unwatched.progress);
     Samples<double> sequential = samples;
-    refit_sample_normals<CGAL::Parallel_if_available_tag>(kernel, neighbors, number_of_passes, samples);
+    refit_sample_normals<CGAL::Parallel_if_available_tag>(kernel, neighbors, number_of_passes,
+                                                          samples);
     refit_sample_normals<CGAL::Sequential_tag>(kernel, neighbors, number_of_passes, sequential);
     CHECK(samples.normals == sequential.normals);
     after.assign(samples.normals.begin(), samples.normals.end());
@@ -95,8 +97,10 @@ void check_formula(Generator& generator)
       covariance = (covariance / covariance.trace() + 0.01 * Eigen::Matrix3d::Identity()).eval();
       const Vector plane = (covariance.inverse() * (covariance.inverse() * n)).normalized();
       const double cosine = plane.dot(n);
-      const double share = 1 - std::exp(-square(2 * (1 - cosine) / (variance / total / square(radius) + 1e-12)));
-      const double weight = (std::min)((total - 2) / 2, 1.) * (std::min)((std::max)((cosine - 0.5) / 0.1, 0.), 1.) * share;
+      const double share =
+        1 - std::exp(-square(2 * (1 - cosine) / (variance / total / square(radius) + 1e-12)));
+      const double weight = (std::min)((total - 2) / 2, 1.)
+                            * (std::min)((std::max)((cosine - 0.5) / 0.1, 0.), 1.) * share;
       number_halfway += weight > 0.99;
       number_in_between += weight > 0.1 && weight < 0.9;
       expected = (n + weight * plane).normalized();
@@ -108,7 +112,8 @@ void check_formula(Generator& generator)
   CHECK(number_in_between > 100);
 }
 
-/// Where fits are exact, a pass halves the error of normals, on a bent surface as on two faces with an edge between them.
+/// Where fits are exact, a pass halves the error of normals, on a bent surface as on two faces with
+/// an edge between them.
 void check_exact_fits(const Oriented_points& truth, Generator& generator)
 {
   Oriented_points cloud = truth;
@@ -123,7 +128,8 @@ void check_exact_fits(const Oriented_points& truth, Generator& generator)
   }
 }
 
-/// Normals that are exact on a plane stay so where the heights of the samples are known to be noise, and follow them where not.
+/// Normals that are exact on a plane stay so where the heights of the samples are known to be
+/// noise, and follow them where not.
 void check_noise(Generator& generator)
 {
   const double noise = 0.01;
@@ -133,7 +139,8 @@ void check_noise(Generator& generator)
   const Refitted with_noise(plane, noise * noise, 2), without(plane, 0, 2);
   const double of_noise = mean_angle(without.after, without.before);
   CHECK(of_noise > 0.3);
-  CHECK(mean_angle(with_noise.after, with_noise.before) < 0.3 * of_noise); // 0.21: a tilt may be twice what is usual
+  CHECK(mean_angle(with_noise.after, with_noise.before)
+        < 0.3 * of_noise); // 0.21: a tilt may be twice what is usual
 }
 
 /// Samples on a line, in one place, and alone have no plane.

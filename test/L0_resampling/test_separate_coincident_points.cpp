@@ -26,7 +26,8 @@ struct Box
   FT length; // below which coordinates count as zero
 
   /// The bounding box, grown on all sides.
-  Box(const Points<FT>& points, FT margin) : low(points.front()), high(points.front()), length(margin)
+  Box(const Points<FT>& points, FT margin)
+    : low(points.front()), high(points.front()), length(margin)
   {
     for (const auto& p : points)
       for (std::size_t axis = 0; axis < 3; ++axis)
@@ -37,15 +38,17 @@ struct Box
   }
 };
 
-/// Afterwards all points differ and lie in the box. Points that were alone are as they were, as is one of each group;
-/// the others move by at most so many units in the last place.
+/// Afterwards all points differ and lie in the box. Points that were alone are as they were, as is
+/// one of each group; the others move by at most so many units in the last place.
 template <typename FT>
 void check_separation(const Points<FT>& points, FT margin, double units)
 {
   const Box<FT> box(points, margin);
   Buffer<std::array<FT, 3>> separated(points.begin(), points.end());
-  separate_coincident_points<CGAL::Parallel_if_available_tag>(box.low, box.high, box.length, separated);
-  const std::set<std::array<FT, 3>> before(points.begin(), points.end()), after(separated.begin(), separated.end());
+  separate_coincident_points<CGAL::Parallel_if_available_tag>(box.low, box.high, box.length,
+                                                              separated);
+  const std::set<std::array<FT, 3>> before(points.begin(), points.end()),
+    after(separated.begin(), separated.end());
   CHECK(separated.size() == points.size());
   CHECK(after.size() == points.size());
   CHECK(std::includes(after.begin(), after.end(), before.begin(), before.end()));
@@ -57,9 +60,11 @@ void check_separation(const Points<FT>& points, FT margin, double units)
     number_of_moved += separated[i] != points[i];
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      const FT size = (std::max)({std::abs(points[i][axis]), margin, std::numeric_limits<FT>::min()});
+      const FT size = (std::max)(
+        {std::abs(points[i][axis]), margin, std::numeric_limits<FT>::min()});
       const FT way = std::abs(separated[i][axis] - points[i][axis]);
-      are_inside = are_inside && separated[i][axis] >= box.low[axis] && separated[i][axis] <= box.high[axis];
+      are_inside = are_inside && separated[i][axis] >= box.low[axis]
+                   && separated[i][axis] <= box.high[axis];
       are_near = are_near && way <= FT(units) * std::numeric_limits<FT>::epsilon() * size;
     }
   }
@@ -85,7 +90,8 @@ void check(Generator& generator)
   std::shuffle(with_duplicates.begin(), with_duplicates.end(), generator);
   check_separation(with_duplicates, FT(0.1), 8);
 
-  const Points<FT> places{{0, 0, 0}, {1, 0, 0}, {448262, 5411932, 35}, {FT(0.999999999), -2, FT(1e-20)}};
+  const Points<FT> places{
+    {0, 0, 0}, {1, 0, 0}, {448262, 5411932, 35}, {FT(0.999999999), -2, FT(1e-20)}};
   for (const std::array<FT, 3>& place : places)
     check_separation(Points<FT>(3000, place), FT(100), 40); // 15 nodes of the lattice for an axis
   check_separation(Points<FT>(3000, {FT(1e-30), FT(-1e-30), 0}), FT(1e-30), 40);
@@ -94,11 +100,13 @@ void check(Generator& generator)
   // neighbors in the last place, where a group finds nodes taken
   Points<FT> crowd(50, std::array<FT, 3>{1, 1, 1});
   for (int n = 1; n <= 40; ++n)
-    crowd.insert(crowd.end(), 2, std::array<FT, 3>{1 + FT(n) * std::numeric_limits<FT>::epsilon(), 1, 1});
+    crowd.insert(crowd.end(), 2,
+                 std::array<FT, 3>{1 + FT(n) * std::numeric_limits<FT>::epsilon(), 1, 1});
   check_separation(crowd, FT(0.1), 40);
 }
 
-/// Where the points are large against the margin, and so the steps, there is room for a way along another axis only.
+/// Where the points are large against the margin, and so the steps, there is room for a way along
+/// another axis only.
 void check_small_boxes()
 {
   for (std::size_t n : {3, 10, 3000})
@@ -106,7 +114,8 @@ void check_small_boxes()
   check_separation(Points<float>(100, {0, 0, 0}), 1e-41f, 1e3); // a margin of few digits
 }
 
-/// In a corner of the box, or a few steps from it, all ways but those few lead inwards, and there is room enough.
+/// In a corner of the box, or a few steps from it, all ways but those few lead inwards, and there
+/// is room enough.
 template <typename FT>
 void check_corners()
 {
@@ -117,9 +126,11 @@ void check_corners()
     const auto coordinate = [&](std::size_t axis, int side) {
       return corners[side][axis] + (side == 0 ? inset : -inset);
     };
-    const std::array<FT, 3> place{coordinate(0, corner % 2), coordinate(1, corner / 2 % 2), coordinate(2, corner / 4 % 2)};
+    const std::array<FT, 3> place{coordinate(0, corner % 2), coordinate(1, corner / 2 % 2),
+                                  coordinate(2, corner / 4 % 2)};
     Buffer<std::array<FT, 3>> points(3000, place);
-    separate_coincident_points<CGAL::Parallel_if_available_tag>(corners[0], corners[1], FT(1), points);
+    separate_coincident_points<CGAL::Parallel_if_available_tag>(corners[0], corners[1], FT(1),
+                                                                points);
     CHECK((std::set<std::array<FT, 3>>(points.begin(), points.end()).size() == points.size()));
     CHECK(std::all_of(points.begin(), points.end(), [&](const std::array<FT, 3>& p) {
       for (std::size_t axis = 0; axis < 3; ++axis)
@@ -135,15 +146,16 @@ void check_full_box()
 {
   const double margin = 4 * std::numeric_limits<double>::epsilon();
   Buffer<std::array<double, 3>> points(3000, std::array<double, 3>{1, 1, 1});
-  separate_coincident_points<CGAL::Parallel_if_available_tag>({1 - margin, 1 - margin, 1 - margin},
-                                                              {1 + margin, 1 + margin, 1 + margin}, margin, points);
+  separate_coincident_points<CGAL::Parallel_if_available_tag>(
+    {1 - margin, 1 - margin, 1 - margin}, {1 + margin, 1 + margin, 1 + margin}, margin, points);
   CHECK((std::set<std::array<double, 3>>(points.begin(), points.end()).size() == points.size()));
   for (const std::array<double, 3>& p : points)
     for (double x : p)
       CHECK(std::abs(x - 1) <= 10 * margin);
 }
 
-/// At the largest number there is one way only, whether the box has room or not, and a radius may be no number any more.
+/// At the largest number there is one way only, whether the box has room or not, and a radius may
+/// be no number any more.
 template <typename FT>
 void check_largest_numbers()
 {
@@ -151,8 +163,8 @@ void check_largest_numbers()
   const FT infinity = std::numeric_limits<FT>::infinity();
   const auto check_box = [&](FT low, FT length) {
     Buffer<std::array<FT, 3>> points(200, std::array<FT, 3>{largest, largest, -largest});
-    separate_coincident_points<CGAL::Parallel_if_available_tag>({low, low, -largest}, {largest, largest, -low}, length,
-                                                                points);
+    separate_coincident_points<CGAL::Parallel_if_available_tag>(
+      {low, low, -largest}, {largest, largest, -low}, length, points);
     CHECK((std::set<std::array<FT, 3>>(points.begin(), points.end()).size() == points.size()));
     for (const std::array<FT, 3>& p : points)
       for (FT x : p)
@@ -174,7 +186,8 @@ void check_order(Generator& generator)
   {
     std::shuffle(points.begin(), points.end(), generator);
     Buffer<std::array<double, 3>> separated(points.begin(), points.end());
-    separate_coincident_points<CGAL::Parallel_if_available_tag>(box.low, box.high, box.length, separated);
+    separate_coincident_points<CGAL::Parallel_if_available_tag>(box.low, box.high, box.length,
+                                                                separated);
     results.emplace(separated.begin(), separated.end());
   }
   CHECK(results.size() == 1);

@@ -36,15 +36,16 @@ template <typename T, typename ConcurrencyTag = CGAL::Parallel_if_available_tag>
 Samples<double> settled(Samples<double> samples)
 {
   Unwatched unwatched;
-  settle_on_quadrics<ConcurrencyTag, T>({radius, normal_bandwidth(30), squared_sheet_height}, 0, unwatched.progress,
-                                        samples);
+  settle_on_quadrics<ConcurrencyTag, T>({radius, normal_bandwidth(30), squared_sheet_height}, 0,
+                                        unwatched.progress, samples);
   return samples;
 }
 
 /// All of them are asked.
 Samples<double> all_voters(const Oriented_points& points, double own_deviation)
 {
-  return make_samples(points, std::vector<double>(points.points.size(), own_deviation * own_deviation),
+  return make_samples(points,
+                      std::vector<double>(points.points.size(), own_deviation * own_deviation),
                       std::vector<unsigned char>(points.points.size(), 1));
 }
 
@@ -61,10 +62,12 @@ struct Naively_settled
   double share_of_quadric, share_of_plane;
 };
 
-double share_of_surface(double number, int unknowns, double leverage, double variance, double noise, double roughness)
+double share_of_surface(double number, int unknowns, double leverage, double variance, double noise,
+                        double roughness)
 {
   const double ratio = variance / (roughness * roughness * noise);
-  return clamped((number - 3 * unknowns) / (3 * unknowns)) * clamped(2 - leverage / 10) * std::exp(-ratio * ratio);
+  return clamped((number - 3 * unknowns) / (3 * unknowns)) * clamped(2 - leverage / 10)
+         * std::exp(-ratio * ratio);
 }
 
 Naively_settled settled_naively(const Samples<double>& samples, std::size_t i)
@@ -80,11 +83,13 @@ Naively_settled settled_naively(const Samples<double>& samples, std::size_t i)
     const Vector d = samples.positions[k] - samples.positions[i];
     const double cosine = n.dot(samples.normals[k]);
     const double h = 0.5 * (n + (cosine < 0 ? -1 : 1) * samples.normals[k]).dot(d);
-    const double w = samples.are_voters[k] * clamped((1 - d.squaredNorm() / (radius * radius)) / 0.1)
+    const double w = samples.are_voters[k]
+                     * clamped((1 - d.squaredNorm() / (radius * radius)) / 0.1)
                      * std::exp(-std::pow(1 - std::abs(cosine), 2) / normal_bandwidth(30))
                      * std::exp(-h * h / squared_sheet_height);
     const double x = u.dot(d) / radius, y = v.dot(d) / radius, z = n.dot(d);
-    const Eigen::Matrix<double, 6, 1> row = (Eigen::Matrix<double, 6, 1>() << 1, x, y, x * x, x * y, y * y).finished();
+    const Eigen::Matrix<double, 6, 1> row =
+      (Eigen::Matrix<double, 6, 1>() << 1, x, y, x * x, x * y, y * y).finished();
     total += w;
     variance += w * samples.fit_variances[k];
     mean += w * d;
@@ -105,20 +110,23 @@ Naively_settled settled_naively(const Samples<double>& samples, std::size_t i)
   const double determined = clamped((values[1] - values[0]) / (0.1 * values[2]));
 
   // what the voters leave open is as small as can be
-  matrix.diagonal() += 1e-6 * total * (Eigen::Matrix<double, 6, 1>() << 0, 1, 1, 1, 0.5, 1).finished();
+  matrix.diagonal() += 1e-6 * total
+                       * (Eigen::Matrix<double, 6, 1>() << 0, 1, 1, 1, 0.5, 1).finished();
   const Eigen::LDLT<Eigen::Matrix<double, 6, 6>> factors(matrix);
   const Eigen::Matrix<double, 6, 1> quadric = factors.solve(right);
   const double leverage = total * factors.solve(Eigen::Matrix<double, 6, 1>::Unit(0))[0];
   const Vector of_quadric = (n - quadric[1] / radius * u - quadric[2] / radius * v).normalized();
   if (of_quadric.dot(n) > 0.5)
     result.share_of_quadric = determined
-                              * share_of_surface(total, 6, leverage, (squares - quadric.dot(right)) / (total - 6),
+                              * share_of_surface(total, 6, leverage,
+                                                 (squares - quadric.dot(right)) / (total - 6),
                                                  variance / total, 2.5);
   const double distance = (mean - plane.dot(mean) * plane).norm();
   if (plane.dot(n) > 0.5)
     result.share_of_plane = determined
                             * share_of_surface(total, 3, 1 + distance * distance / values[1],
-                                               values[0] * total / (total - 3), variance / total, 3);
+                                               values[0] * total / (total - 3), variance / total,
+                                               3);
 
   const double rest = 1 - result.share_of_plane;
   const double height = rest * result.share_of_quadric * quadric[0]
@@ -154,7 +162,8 @@ template <typename T>
 Occurrences check_formulas(Oriented_points points, double tolerance, Generator& generator)
 {
   for (std::size_t i = 0; i < points.points.size(); ++i)
-    points.points[i] += random_number(-1, 1, generator) * (points.points[i].x() < 1.5 ? 0.01 : 0.2) * points.normals[i];
+    points.points[i] += random_number(-1, 1, generator) * (points.points[i].x() < 1.5 ? 0.01 : 0.2)
+                        * points.normals[i];
   points.normals = noisy_normals(points.normals, 0.1, generator);
   std::vector<double> variances;
   std::vector<unsigned char> are_voters;
@@ -164,14 +173,16 @@ Occurrences check_formulas(Oriented_points points, double tolerance, Generator& 
     variances.push_back(random_number(2.5e-5, 2.5e-4, generator));
     are_voters.push_back(std::bernoulli_distribution(0.4)(generator));
   }
-  const Samples<double> samples = make_samples(points, variances, are_voters), result = settled<T>(samples);
+  const Samples<double> samples = make_samples(points, variances, are_voters),
+                        result = settled<T>(samples);
   double off = 0;
   Occurrences occurrences;
   const double share = 1 / double(points.points.size());
   for (std::size_t i = 0; i < points.points.size(); ++i)
   {
     const Naively_settled naive = settled_naively(samples, i);
-    off = (std::max)({off, (result.positions[i] - naive.position).norm(), (result.normals[i] - naive.normal).norm()});
+    off = (std::max)({off, (result.positions[i] - naive.position).norm(),
+                      (result.normals[i] - naive.normal).norm()});
     const double plane = naive.share_of_plane, quadric = naive.share_of_quadric;
     occurrences.planes += plane > 0.9 ? share : 0;
     occurrences.quadrics += plane < 0.1 && quadric > 0.9 ? share : 0;
@@ -181,7 +192,8 @@ Occurrences check_formulas(Oriented_points points, double tolerance, Generator& 
   return occurrences;
 }
 
-/// On a wedge, where samples are some of them flat, some few, some rough, some beside the edge; and on a sphere, on which there are no planes.
+/// On a wedge, where samples are some of them flat, some few, some rough, some beside the edge; and
+/// on a sphere, on which there are no planes.
 template <typename T>
 void check_formulas(double tolerance, Generator& generator)
 {
@@ -189,7 +201,8 @@ void check_formulas(double tolerance, Generator& generator)
   for (Vector& p : wedge.points)
     p *= 3;
   CHECK(check_formulas<T>(wedge, tolerance, generator).planes > 0.1);
-  const Occurrences on_sphere = check_formulas<T>(sphere_points(4000, 2, generator), tolerance, generator);
+  const Occurrences on_sphere = check_formulas<T>(sphere_points(4000, 2, generator), tolerance,
+                                                  generator);
   CHECK(on_sphere.planes < 0.01 && on_sphere.quadrics > 0.3 && on_sphere.in_part > 0.05);
 }
 
@@ -230,7 +243,8 @@ void check_curved(Generator& generator)
     const double height = on_sphere.positions[i].norm() - size;
     off += std::abs(height) / double(sphere.points.size());
     shrunk += height / double(sphere.points.size());
-    turned = (std::max)(turned, angle_of_lines(on_sphere.normals[i], sphere.points[i].normalized()));
+    turned = (std::max)(turned,
+                        angle_of_lines(on_sphere.normals[i], sphere.points[i].normalized()));
   }
   CHECK(off < 0.003);
   CHECK(std::abs(shrunk) < 0.001);
@@ -266,8 +280,8 @@ void check_extrapolation(Generator& generator)
   double highest = 0;
   for (std::size_t i = 0; i < plane.points.size(); ++i)
     if (plane.points[i].x() < -0.3)
-      highest = (std::max)(highest,
-                           std::abs(result.positions[i].z() - plane.points[i].z()) - std::abs(plane.points[i].z()));
+      highest = (std::max)(highest, std::abs(result.positions[i].z() - plane.points[i].z())
+                                      - std::abs(plane.points[i].z()));
   CHECK(highest < 0.02);
 }
 
@@ -276,7 +290,9 @@ void check_quadric()
 {
   Quadric_moments<double> moments;
   CHECK(!moments.quadric().is_determined);
-  const auto height_at = [](double u, double v) { return 0.25 + 0.5 * u - 0.125 * v + u * u - 2 * u * v + 0.5 * v * v; };
+  const auto height_at = [](double u, double v) {
+    return 0.25 + 0.5 * u - 0.125 * v + u * u - 2 * u * v + 0.5 * v * v;
+  };
   for (double u : {-1., -0.5, 0., 0.5, 1.})
     for (double v : {-0.75, 0., 0.25, 1.})
       moments.add(u, v, height_at(u, v), 1 + u * v / 2);
@@ -301,7 +317,8 @@ void check_what_stays(Generator& generator)
   }
   CHECK(settled<double>(few).positions == to_buffer(few.points));
   std::vector<unsigned char> nobody(wedge.points.size(), 0);
-  const Samples<double> unasked = make_samples(wedge, std::vector<double>(nobody.size(), 1e-4), nobody);
+  const Samples<double> unasked = make_samples(wedge, std::vector<double>(nobody.size(), 1e-4),
+                                               nobody);
   CHECK(are_the_same(settled<double>(unasked), unasked));
 }
 
@@ -315,8 +332,10 @@ void check_detail(Generator& generator)
     waves.points[i].z() += 0.1 * std::sin(x);
     waves.normals[i] = Vector(-0.8 * std::cos(x), 0, 1).normalized();
   }
-  CHECK(largest_distance(settled<float>(waves, deviation / 5).positions, to_buffer(waves.points)) < 1e-3);
-  CHECK(largest_distance(settled<float>(waves, 20 * deviation).positions, to_buffer(waves.points)) > 0.05);
+  CHECK(largest_distance(settled<float>(waves, deviation / 5).positions, to_buffer(waves.points))
+        < 1e-3);
+  CHECK(largest_distance(settled<float>(waves, 20 * deviation).positions, to_buffer(waves.points))
+        > 0.05);
 }
 
 /// Each side of an edge keeps its plane, and the edge its place.
@@ -330,7 +349,8 @@ void check_edge(Generator& generator)
   double off_face = 0, turned = 0;
   for (std::size_t i = 0; i < clean.points.size(); ++i)
   {
-    off_face += std::abs((result.positions[i] - clean.points[i]).dot(clean.normals[i])) / double(clean.points.size());
+    off_face += std::abs((result.positions[i] - clean.points[i]).dot(clean.normals[i]))
+                / double(clean.points.size());
     turned = (std::max)(turned, angle_of_lines(result.normals[i], clean.normals[i]));
   }
   CHECK(off_face < 0.002);
@@ -343,7 +363,8 @@ void check_two_sheets(Generator& generator)
   Oriented_points sheets = plane_points(4000, 2, generator);
   for (std::size_t i = 0; i < sheets.points.size(); ++i)
     sheets.points[i].z() += i % 2 ? 0.6 : 0;
-  CHECK(largest_distance(settled<float>(sheets).positions, to_buffer(sheets.points)) < 0.6 * std::exp(-9) * 2);
+  CHECK(largest_distance(settled<float>(sheets).positions, to_buffer(sheets.points))
+        < 0.6 * std::exp(-9) * 2);
 }
 
 /// A narrow strip has no plane across it, so that a rounding would turn its normals.
@@ -352,7 +373,8 @@ void check_strip(Generator& generator)
   Oriented_points strip;
   for (int i = 0; i < 400; ++i)
   {
-    strip.points.emplace_back(random_number(-2, 2, generator), random_number(-1e-3, 1e-3, generator),
+    strip.points.emplace_back(random_number(-2, 2, generator),
+                              random_number(-1e-3, 1e-3, generator),
                               random_number(-1e-3, 1e-3, generator));
     strip.normals.push_back(Vector::UnitZ());
   }
@@ -371,7 +393,8 @@ void check_threads(Generator& generator)
                      settled<float, CGAL::Parallel_if_available_tag>(samples)));
 }
 
-/// About as many in every ball, however dense the samples are, if only there are enough; never none that start on a point.
+/// About as many in every ball, however dense the samples are, if only there are enough; never none
+/// that start on a point.
 void check_choice()
 {
   for (double spacing : {0.001, 0.01, 0.1, 0.3})
@@ -386,11 +409,15 @@ void check_choice()
       const std::size_t count = 4000 * choice.stride;
       for (std::size_t source = 0; source < (std::min)(count, std::size_t(20000000)); ++source)
         taken += choice.takes(source);
-      CHECK(std::abs(double(taken) * double(choice.stride) / double((std::min)(count, std::size_t(20000000))) - 1) < 0.1);
+      CHECK(std::abs(double(taken) * double(choice.stride)
+                       / double((std::min)(count, std::size_t(20000000)))
+                     - 1)
+            < 0.1);
     }
   }
   CHECK(Choice_of_voters(7, 1, 2, 1, 1).takes(0));
-  CHECK(Choice_of_voters(7, 1, 1e-9, 1000, 1000).stride == std::uint64_t(1) << 20); // a length of no samples
+  CHECK(Choice_of_voters(7, 1, 1e-9, 1000, 1000).stride
+        == std::uint64_t(1) << 20); // a length of no samples
 }
 
 int main()

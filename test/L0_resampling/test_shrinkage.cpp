@@ -33,15 +33,18 @@ void check_minimum(double normal_weight, double penalty, Generator& generator)
     const double least = cost(distance, offset, normal_weight, penalty);
     bool is_minimum = cost(distance, 0, normal_weight, penalty) >= least;
     for (int step = -400; step <= 400; ++step)
-      is_minimum = is_minimum && cost(distance, threshold * step / 100, normal_weight, penalty) >= least;
+      is_minimum = is_minimum
+                   && cost(distance, threshold * step / 100, normal_weight, penalty) >= least;
     CHECK(is_minimum);
     CHECK(offset == 0 || offset == distance);
     CHECK(shrink(-distance, jumps) == -offset);
-    CHECK(shrink(float(distance), Shrunk_jumps<float>(threshold, 0)) == (offset == 0 ? 0 : float(distance)));
+    CHECK(shrink(float(distance), Shrunk_jumps<float>(threshold, 0))
+          == (offset == 0 ? 0 : float(distance)));
   }
 }
 
-/// Firm shrinkage keeps and zeroes what Eq. (9) does but near the threshold, and has no step there: neighboring numbers stay neighbors.
+/// Firm shrinkage keeps and zeroes what Eq. (9) does but near the threshold, and has no step there:
+/// neighboring numbers stay neighbors.
 void check_firm_shrinkage()
 {
   const Shrunk_jumps<double> jumps(2, 0.1);
@@ -73,9 +76,11 @@ int main()
   const double infinity = std::numeric_limits<double>::infinity();
   CHECK(is_close(shrinkage_threshold(0.9, 0.1, 0.5, infinity), 1.5, 1e-15));
   CHECK(shrinkage_threshold(0.9, 0.1, 0.5, 1.4) == 1.4);
-  CHECK(is_close(shrinkage_threshold(0.9, 0.4, 0.5, 1.4), 0.75, 1e-15)); // the bound matters only while the penalty is small
+  CHECK(is_close(shrinkage_threshold(0.9, 0.4, 0.5, 1.4), 0.75,
+                 1e-15)); // the bound matters only while the penalty is small
 
-  // Without a price nothing is zeroed, and just below and at the threshold the two candidates change places.
+  // Without a price nothing is zeroed, and just below and at the threshold the two candidates
+  // change places.
   CHECK(shrink(1e-300, Shrunk_jumps<double>(0, 0)) == 1e-300);
   const Shrunk_jumps<double> jumps(2, 0);
   CHECK(shrink(std::nextafter(2., 0.), jumps) == 0);

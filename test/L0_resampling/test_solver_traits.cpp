@@ -3,7 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Every model of L0ResamplingSolverTraits keeps the concept, and agrees with Ceres, which gets Eq. (10) as printed.
+// Every model of L0ResamplingSolverTraits keeps the concept, and agrees with Ceres, which gets Eq.
+// (10) as printed.
 
 #include "ceres_referee.h"
 #include "random_problem.h"
@@ -66,9 +67,12 @@ double relative_residual(const Quadratic_problem<FT>& problem, const Coordinates
   Eigen::Matrix3Xd residual = problem.right_hand_side.template cast<double>();
   for (Eigen::Index i = 0; i < displacements.cols(); ++i)
   {
-    const auto vector = [](const Vectors& v, Eigen::Index j) -> Vector { return v.col(j).template cast<double>(); };
+    const auto vector = [](const Vectors& v, Eigen::Index j) -> Vector {
+      return v.col(j).template cast<double>();
+    };
     residual.col(i) -= double(problem.fit_weights[i]) * vector(displacements, i);
-    for (std::size_t e = problem.self_neighbors.offsets[i]; e < problem.self_neighbors.offsets[i + 1]; ++e)
+    for (std::size_t e = problem.self_neighbors.offsets[i];
+         e < problem.self_neighbors.offsets[i + 1]; ++e)
     {
       const Eigen::Index k = Eigen::Index(problem.self_neighbors.indices[e]);
       const Vector d = vector(displacements, i) - vector(displacements, k);
@@ -104,7 +108,8 @@ void test_agrees_with_ceres(Solver solver, Generator& generator)
     }
 }
 
-/// `loose` and `tight` have tolerances 1e-3 and 1e-9, `impatient` has 1e-9 and at most one iteration.
+/// `loose` and `tight` have tolerances 1e-3 and 1e-9, `impatient` has 1e-9 and at most one
+/// iteration.
 template <typename Solver>
 void test_stopping_rule(Solver loose, Solver tight, Solver impatient, Generator& generator)
 {
@@ -126,7 +131,8 @@ void test_stopping_rule(Solver loose, Solver tight, Solver impatient, Generator&
   const std::size_t iterations_from_afar = tight.solve(collapsed.view(), from_afar).iterations;
   const Solver_report tight_report = tight.solve(collapsed.view(), x);
   CHECK(tight_report.converged && relative_residual(collapsed.view(), x) <= 1.001e-9);
-  CHECK(is_direct || (tight_report.iterations > 0 && tight_report.iterations < iterations_from_afar));
+  CHECK(is_direct
+        || (tight_report.iterations > 0 && tight_report.iterations < iterations_from_afar));
 
   if (!is_direct)
   {
@@ -138,7 +144,8 @@ void test_stopping_rule(Solver loose, Solver tight, Solver impatient, Generator&
   }
 }
 
-/// Where an earlier solve had a right-hand side a thousand times as long, a thousandth of the residual is asked for.
+/// Where an earlier solve had a right-hand side a thousand times as long, a thousandth of the
+/// residual is asked for.
 template <typename Solver>
 void test_scale_of_earlier_solves(Solver tight, Generator& generator)
 {
@@ -155,12 +162,14 @@ void test_scale_of_earlier_solves(Solver tight, Generator& generator)
   CHECK(std::abs(relative_residual(problem, x) - 1000 * report.relative_residual) < 1e-12);
   CHECK((std::is_same<Solver, Cholesky>::value) || report.iterations < iterations);
 
-  problem.right_hand_side_scale = 0.001 * double(problem.right_hand_side.norm()); // its own is longer
+  problem.right_hand_side_scale = 0.001
+                                  * double(problem.right_hand_side.norm()); // its own is longer
   x.setZero();
   CHECK(tight.solve(problem, x).iterations == iterations);
 }
 
-/// Isolated samples with one fit row of weight 1 each, displaced by small multiples of 1/4: solved to the last bit.
+/// Isolated samples with one fit row of weight 1 each, displaced by small multiples of 1/4: solved
+/// to the last bit.
 Paper_problem exact_paper_problem()
 {
   Paper_problem paper{{}, {}, {}, {}, {}, 0.15, 1};
@@ -182,7 +191,8 @@ Eigen::VectorXd exact_solution(const Paper_problem& paper)
   return test::coordinates(x);
 }
 
-/// No quotient of zeros: g = 0, a start that is the solution to the last bit, and no samples at all.
+/// No quotient of zeros: g = 0, a start that is the solution to the last bit, and no samples at
+/// all.
 template <typename Solver>
 void test_zeros(Solver solver)
 {
@@ -216,7 +226,8 @@ void test_zeros(Solver solver)
     x.setZero();
     report = solver.solve(collapsed.view(), x);
     CHECK((x - exact_solution(paper)).norm() < 1e-12);
-    CHECK(report.converged && report.iterations == std::size_t(!std::is_same<Solver, Cholesky>::value));
+    CHECK(report.converged
+          && report.iterations == std::size_t(!std::is_same<Solver, Cholesky>::value));
   }
   {
     Collapsed_problem<double> collapsed(Paper_problem{{}, {}, {}, {}, {}, 0.15, 1});
@@ -233,7 +244,8 @@ void test_refuses_values_that_are_not_finite(Solver solver)
   Collapsed_problem<double> collapsed(test::random_paper_problem(50, 0.15, 1, generator));
   const Eigen::VectorXd start = Eigen::VectorXd::Zero(150);
   Eigen::VectorXd x = start;
-  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
   {
     const auto planted = [&](double& in_the_problem, double& in_the_rows) {
       const double good = in_the_problem, good_row = in_the_rows;
@@ -261,14 +273,15 @@ void test_refuses_values_that_are_not_finite(Solver solver)
     CHECK_THROWS(solver.solve(huge.view(), x), Solver_error);
   }
   x = start;
-  CHECK(solver.solve(collapsed.view(), x).converged); // and an object that has thrown goes on to work
+  CHECK(
+    solver.solve(collapsed.view(), x).converged); // and an object that has thrown goes on to work
 }
 
 template <typename Solver>
 void test_refuses_tolerances()
 {
-  for (const double tolerance :
-       {0., 1., -1e-6, 2., std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+  for (const double tolerance : {0., 1., -1e-6, 2., std::numeric_limits<double>::quiet_NaN(),
+                                 std::numeric_limits<double>::infinity()})
     CHECK_THROWS(Solver(tolerance), std::invalid_argument);
   CHECK(!test::throws<std::exception>([]() { Solver(1e-12); }));
   std::string message;
@@ -320,20 +333,24 @@ void test_tolerances_below_rounding()
     CHECK(relative_residual(collapsed.view(), x) < 10 * double(std::numeric_limits<FT>::epsilon()));
     x = random_start(collapsed.view(), generator);
     Eigen_least_squares_solver_traits<FT>(tolerance, 100).solve(collapsed.view(), x);
-    CHECK(relative_residual(collapsed.view(), x) < 100 * double(std::numeric_limits<FT>::epsilon()));
+    CHECK(relative_residual(collapsed.view(), x)
+          < 100 * double(std::numeric_limits<FT>::epsilon()));
     CHECK(!Eigen_cholesky_solver_traits<FT>(tolerance).solve(collapsed.view(), x).converged);
 
     const Paper_problem exact = exact_paper_problem();
     Collapsed_problem<FT> collapsed_exact(exact);
     x = exact_solution(exact).template cast<FT>();
-    CHECK(Block_conjugate_gradient_solver_traits<FT>(tolerance).solve(collapsed_exact.view(), x).converged);
-    CHECK(Eigen_least_squares_solver_traits<FT>(tolerance).solve(collapsed_exact.view(), x).converged);
+    CHECK(Block_conjugate_gradient_solver_traits<FT>(tolerance)
+            .solve(collapsed_exact.view(), x)
+            .converged);
+    CHECK(
+      Eigen_least_squares_solver_traits<FT>(tolerance).solve(collapsed_exact.view(), x).converged);
     CHECK(x == exact_solution(exact).template cast<FT>());
   }
 }
 
-/// Blocks and a matrix that rounding may make indefinite: fit weights far below beta, normals alike. No matter
-/// whether that can be solved, no step may raise E or go far.
+/// Blocks and a matrix that rounding may make indefinite: fit weights far below beta, normals
+/// alike. No matter whether that can be solved, no step may raise E or go far.
 void test_weak_fit(double weakness)
 {
   Generator generator(14);
@@ -354,7 +371,8 @@ void test_weak_fit(double weakness)
 }
 
 #ifdef CGAL_LINKED_WITH_TBB
-/// Bitwise equal results for `Sequential_tag` and `Parallel_tag`, for every number of threads and from run to run.
+/// Bitwise equal results for `Sequential_tag` and `Parallel_tag`, for every number of threads and
+/// from run to run.
 void test_threads_change_no_bit()
 {
   Generator generator(15);
@@ -369,7 +387,8 @@ void test_threads_change_no_bit()
     {
       Eigen::VectorXd x = start;
       const Solver_report report =
-        Block_conjugate_gradient_solver_traits<double, CGAL::Parallel_tag>(1e-10).solve(collapsed.view(), x);
+        Block_conjugate_gradient_solver_traits<double, CGAL::Parallel_tag>(1e-10).solve(
+          collapsed.view(), x);
       CHECK(x == expected);
       CHECK(report.iterations == expected_report.iterations);
       CHECK(report.relative_residual == expected_report.relative_residual);
@@ -398,11 +417,13 @@ void test_reuse()
 
 int main()
 {
-  static_assert(!Block::needs_explicit_rows && !Cholesky::needs_explicit_rows && Least_squares::needs_explicit_rows,
+  static_assert(!Block::needs_explicit_rows && !Cholesky::needs_explicit_rows
+                  && Least_squares::needs_explicit_rows,
                 "only the paper's way needs the rows");
   test_model(Block(1e-3), Block(1e-9), Block(1e-9, 1), Block(1e-13, 1000));
   test_model(Cholesky(1e-3), Cholesky(1e-9), Cholesky(1e-9), Cholesky(1e-13));
-  test_model(Least_squares(1e-3), Least_squares(1e-9, 1000), Least_squares(1e-9, 1), Least_squares(1e-13, 1000));
+  test_model(Least_squares(1e-3), Least_squares(1e-9, 1000), Least_squares(1e-9, 1),
+             Least_squares(1e-13, 1000));
   test_float(Block_conjugate_gradient_solver_traits<float>(1e-5));
   test_float(Eigen_cholesky_solver_traits<float>(1e-5));
   test_float(Eigen_least_squares_solver_traits<float>(1e-5));

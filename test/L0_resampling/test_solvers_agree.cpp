@@ -49,17 +49,22 @@ struct Failing_solver_traits
   }
 };
 
-std::vector<Kernel::Point_3> noisy_cube(std::size_t n) { return test::kernel_points<Kernel>(test::noisy_cube(n)); }
+std::vector<Kernel::Point_3> noisy_cube(std::size_t n)
+{
+  return test::kernel_points<Kernel>(test::noisy_cube(n));
+}
 
 template <typename Solver>
 test::Resampled<Kernel> resample(Method method, const Solver& solver)
 {
   return test::resample<Kernel, CGAL::Sequential_tag>(
-    noisy_cube(600), params::resampling_method(method).neighbor_radius(0.3).sparse_linear_solver(solver));
+    noisy_cube(600),
+    params::resampling_method(method).neighbor_radius(0.3).sparse_linear_solver(solver));
 }
 
-/// Share of the samples of `a` with no sample of `b` within 1e-4 radii; the order may differ. Algorithm 1 is not continuous: the last digits
-/// of a solve may decide a jump at the threshold of Eq. (9), and move a few samples.
+/// Share of the samples of `a` with no sample of `b` within 1e-4 radii; the order may differ.
+/// Algorithm 1 is not continuous: the last digits of a solve may decide a jump at the threshold of
+/// Eq. (9), and move a few samples.
 double share_of_different(const test::Pairs<Kernel>& a, const test::Pairs<Kernel>& b)
 {
   if (a.size() != b.size() || a.empty())
@@ -76,15 +81,19 @@ void test_models_agree(Method method)
 {
   const double tolerance = 1e-10;
   const std::size_t many = 10000;
-  const auto expected = resample(method, Block_conjugate_gradient_solver_traits<double>(tolerance, many));
+  const auto expected = resample(method,
+                                 Block_conjugate_gradient_solver_traits<double>(tolerance, many));
   const auto check = [&](const std::string& name, const auto& solver) {
     const auto result = resample(method, solver);
     const double share = share_of_different(result.pairs, expected.pairs);
     if (!CHECK(share <= 0.01 && result.report.converged))
       std::cerr << "  " << name << ", method " << int(method) << ": " << share << std::endl;
   };
-  check("parallel", Block_conjugate_gradient_solver_traits<double, CGAL::Parallel_if_available_tag>(tolerance, many));
-  if (method != Method::DEFAULT) // which looks for neighbors anew in every turn: that amplifies what a solve leaves
+  check("parallel", Block_conjugate_gradient_solver_traits<double, CGAL::Parallel_if_available_tag>(
+                      tolerance, many));
+  if (method
+      != Method::
+        DEFAULT) // which looks for neighbors anew in every turn: that amplifies what a solve leaves
     check("default tolerance", Block_conjugate_gradient_solver_traits<double>());
   check("Cholesky", Eigen_cholesky_solver_traits<double>());
   check("least squares", Eigen_least_squares_solver_traits<double>(tolerance, many));

@@ -16,13 +16,14 @@
 #include <random>
 #include <vector>
 
-/// Counts and reports an expression that is false, in release builds too. The test goes on; `test::result()` remembers.
-/// A macro because the report shows the expression and its line.
-#define CHECK(expression) ::test::check(static_cast<bool>(expression), #expression, __FILE__, __LINE__)
+/// Counts and reports an expression that is false, in release builds too. The test goes on;
+/// `test::result()` remembers. A macro because the report shows the expression and its line.
+#define CHECK(expression)                                                                          \
+  ::test::check(static_cast<bool>(expression), #expression, __FILE__, __LINE__)
 
 /// Checks that the expression throws an `Exception`, or a type derived from it.
-#define CHECK_THROWS(expression, Exception)                                                                            \
-  ::test::check(::test::throws<Exception>([&]() { static_cast<void>(expression); }),                                   \
+#define CHECK_THROWS(expression, Exception)                                                        \
+  ::test::check(::test::throws<Exception>([&]() { static_cast<void>(expression); }),               \
                 #expression " throws " #Exception, __FILE__, __LINE__)
 
 namespace test {
@@ -107,7 +108,8 @@ inline Oriented_points sphere_points(std::size_t n, double radius, Generator& ge
   return result;
 }
 
-/// On the surface of the cube [-side/2, side/2]^3, uniform by area: planes, sharp edges and corners.
+/// On the surface of the cube [-side/2, side/2]^3, uniform by area: planes, sharp edges and
+/// corners.
 inline Oriented_points cube_points(std::size_t n, double side, Generator& generator)
 {
   Oriented_points result;
@@ -165,9 +167,10 @@ inline std::vector<Vector> noisy_cube(std::size_t n)
   return points;
 }
 
-/// For each query the points strictly closer than `radius`, by increasing index, in time O(queries * points).
-inline std::vector<std::vector<std::uint32_t>> brute_force_neighbors(const std::vector<Vector>& queries,
-                                                                     const std::vector<Vector>& points, double radius)
+/// For each query the points strictly closer than `radius`, by increasing index, in time O(queries
+/// * points).
+inline std::vector<std::vector<std::uint32_t>> brute_force_neighbors(
+  const std::vector<Vector>& queries, const std::vector<Vector>& points, double radius)
 {
   std::vector<std::vector<std::uint32_t>> result(queries.size());
   for (std::size_t i = 0; i < queries.size(); ++i)

@@ -23,13 +23,17 @@ Eigen::Matrix3d random_rotation(Generator& generator)
     .toRotationMatrix();
 }
 
-/// The values are those the matrix was made of, and the vector is one of the smallest: A v = value v, of length 1.
+/// The values are those the matrix was made of, and the vector is one of the smallest: A v = value
+/// v, of length 1.
 void check(double smallest, double middle, double largest, Generator& generator)
 {
   const Eigen::Matrix3d rotation = random_rotation(generator);
-  const Eigen::Matrix3d a = rotation * Eigen::Vector3d(smallest, middle, largest).asDiagonal() * rotation.transpose();
-  const Eigen_decomposition found = decompose({a(0, 0), a(0, 1), a(0, 2), a(1, 1), a(1, 2), a(2, 2)});
-  const Eigen::Vector3d v(found.smallest_vector.x, found.smallest_vector.y, found.smallest_vector.z);
+  const Eigen::Matrix3d a = rotation * Eigen::Vector3d(smallest, middle, largest).asDiagonal()
+                            * rotation.transpose();
+  const Eigen_decomposition found = decompose(
+    {a(0, 0), a(0, 1), a(0, 2), a(1, 1), a(1, 2), a(2, 2)});
+  const Eigen::Vector3d v(found.smallest_vector.x, found.smallest_vector.y,
+                          found.smallest_vector.z);
   const double scale = std::abs(smallest) + std::abs(middle) + std::abs(largest);
   // roots that are nearly double lose half of the digits
   CHECK(std::abs(found.values[0] - smallest) <= 1e-7 * scale);

@@ -21,7 +21,8 @@ struct Repelled
 constexpr double range_per_spacing = 2.5;
 
 /// \param outward one a point; none means nowhere
-Repelled repel(const Oriented_points& cloud, std::vector<Vector> outward, double spacing, std::size_t number_of_steps)
+Repelled repel(const Oriented_points& cloud, std::vector<Vector> outward, double spacing,
+               std::size_t number_of_steps)
 {
   const double self_neighbor_radius = range_per_spacing * spacing;
   outward.resize(cloud.points.size(), Vector::Zero());
@@ -31,13 +32,13 @@ Repelled repel(const Oriented_points& cloud, std::vector<Vector> outward, double
   samples.normals = to_buffer(permuted(sorted.order, cloud.normals));
   samples.outward_directions = to_buffer(permuted(sorted.order, outward));
   Unwatched unwatched;
-  const Neighborhoods neighbors = find_self_neighbors<CGAL::Sequential_tag>(sorted.grid, sorted.points,
-                                                                            self_neighbor_radius, unwatched.progress);
+  const Neighborhoods neighbors = find_self_neighbors<CGAL::Sequential_tag>(
+    sorted.grid, sorted.points, self_neighbor_radius, unwatched.progress);
   Samples<double> sequential = samples;
-  repel_tangentially<CGAL::Parallel_if_available_tag>(neighbors, sorted.points, self_neighbor_radius, spacing, spacing,
-                                                      number_of_steps, samples);
-  repel_tangentially<CGAL::Sequential_tag>(neighbors, sorted.points, self_neighbor_radius, spacing, spacing,
-                                           number_of_steps, sequential);
+  repel_tangentially<CGAL::Parallel_if_available_tag>(
+    neighbors, sorted.points, self_neighbor_radius, spacing, spacing, number_of_steps, samples);
+  repel_tangentially<CGAL::Sequential_tag>(neighbors, sorted.points, self_neighbor_radius, spacing,
+                                           spacing, number_of_steps, sequential);
   CHECK(sequential.positions == samples.positions);
   return {sorted.vector,
           {samples.positions.begin(), samples.positions.end()},
@@ -74,7 +75,8 @@ double unevenness(const std::vector<Vector>& points)
   return std::sqrt(sum_of_squares - sum * sum) / sum;
 }
 
-/// Where all pushes cancel nobody moves; those on the border would fall off unless they knew that it is one.
+/// Where all pushes cancel nobody moves; those on the border would fall off unless they knew that
+/// it is one.
 void check_lattice()
 {
   const Oriented_points lattice = flat_lattice(13);
@@ -88,7 +90,8 @@ void check_lattice()
     inward.push_back(-border_direction(p));
   }
   const Repelled free = repel(lattice, {}, 1, 1), bound = repel(lattice, outward, 1, 1);
-  CHECK(repel(lattice, inward, 1, 1).after == free.after); // only what points to the border is left out
+  CHECK(repel(lattice, inward, 1, 1).after
+        == free.after); // only what points to the border is left out
   double inner = 0, off_border = 0, off_free_border = 0;
   for (std::size_t i = 0; i < lattice.points.size(); ++i)
   {
@@ -105,25 +108,28 @@ void check_lattice()
   CHECK(off_free_border > 0.1);
 }
 
-/// How far two samples go away from each other that were so far apart when they were found to be neighbors, and are half as far now.
+/// How far two samples go away from each other that were so far apart when they were found to be
+/// neighbors, and are half as far now.
 double push_of_pair(double distance)
 {
   const double spacing = 1;
   const std::vector<Vector> places = {Vector::Zero(), Vector(distance, 0, 0)};
   const Gridded_points sorted(places, range_per_spacing);
   Unwatched unwatched;
-  const Neighborhoods neighbors = find_self_neighbors<CGAL::Sequential_tag>(sorted.grid, sorted.points,
-                                                                            range_per_spacing, unwatched.progress);
+  const Neighborhoods neighbors = find_self_neighbors<CGAL::Sequential_tag>(
+    sorted.grid, sorted.points, range_per_spacing, unwatched.progress);
   Samples<double> samples{Counting_allocator<Vector>()};
   for (const Vector& place : sorted.points)
     samples.positions.push_back(place / 2);
   samples.normals = samples.outward_directions = Buffer<Vector>(2, Vector::UnitZ());
   const Buffer<Vector> before = samples.positions;
-  repel_tangentially<CGAL::Sequential_tag>(neighbors, sorted.points, range_per_spacing, spacing, spacing, 1, samples);
+  repel_tangentially<CGAL::Sequential_tag>(neighbors, sorted.points, range_per_spacing, spacing,
+                                           spacing, 1, samples);
   return (samples.positions[0] - before[0]).norm() + (samples.positions[1] - before[1]).norm();
 }
 
-/// No rounding that decides whether two samples are neighbors moves them, however near they have come.
+/// No rounding that decides whether two samples are neighbors moves them, however near they have
+/// come.
 void check_end_of_range()
 {
   CHECK(push_of_pair(0.9 * range_per_spacing) > 0.1);
@@ -147,7 +153,8 @@ void check_step(Generator& generator)
       longest = (std::max)(longest, step.norm());
     }
     CHECK(off_plane < 1e-14);
-    CHECK(longest > 0.1 * spacing && longest <= 0.3 * spacing * double(number_of_steps) * (1 + 1e-12));
+    CHECK(longest > 0.1 * spacing
+          && longest <= 0.3 * spacing * double(number_of_steps) * (1 + 1e-12));
   }
   const Repelled untouched = repel(sphere, {}, spacing, 0);
   CHECK(untouched.after == untouched.before);

@@ -3,7 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Crowds of points are thinned, and nothing else is; samples that are left out follow their leaders.
+// Crowds of points are thinned, and nothing else is; samples that are left out follow their
+// leaders.
 
 #include "stage_support.h"
 
@@ -45,7 +46,8 @@ void check_thinning(const std::vector<Vector>& unsorted, double cell_size)
 {
   const Gridded_points points(unsorted, cell_size);
   const Representatives r = thin_crowds<CGAL::Sequential_tag>(points.grid, points.points, limit);
-  CHECK(thin_crowds<CGAL::Parallel_if_available_tag>(points.grid, points.points, limit).of_points == r.of_points);
+  CHECK(thin_crowds<CGAL::Parallel_if_available_tag>(points.grid, points.points, limit).of_points
+        == r.of_points);
 
   std::map<std::array<long long, 3>, std::vector<std::size_t>> subcells;
   for (std::size_t i = 0; i < points.vector.size(); ++i)
@@ -69,7 +71,8 @@ void check_thinning(const std::vector<Vector>& unsorted, double cell_size)
         ++number_of_kept;
         last_kept = rank;
       }
-      is_right = is_right && r.of_points[members[rank]] == members[last_kept] && rank - last_kept < largest_gap;
+      is_right = is_right && r.of_points[members[rank]] == members[last_kept]
+                 && rank - last_kept < largest_gap;
     }
     CHECK(is_right);
     CHECK(number_of_kept == (std::min)(members.size(), std::size_t(limit)));
@@ -121,7 +124,8 @@ void test_followers()
   CHECK(values == to_buffer<double>({7, 8, 7, 7, 8}));
   CHECK(none.empty());
   CHECK(positions
-        == to_buffer<Vector>({Vector(10, 0, 0), Vector(0, 20, 0), Vector(10, 0, 1), Vector(10, 0, 2), Vector(5, 20, 0)}));
+        == to_buffer<Vector>({Vector(10, 0, 0), Vector(0, 20, 0), Vector(10, 0, 1),
+                              Vector(10, 0, 2), Vector(5, 20, 0)}));
 }
 
 } // namespace

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The readers of l0_resample: no file, however wrong, gives anything but its points or a refusal that says where, nor
-// takes more memory than its size justifies.
+// The readers of l0_resample: no file, however wrong, gives anything but its points or a refusal
+// that says where, nor takes more memory than its size justifies.
 
 #include "test_support.h"
 #include "test_tool_support.h"
@@ -21,7 +21,8 @@ std::size_t largest_allocation = 0;
 
 } // namespace
 
-// None of the three is inlined, lest the compiler takes malloc() and free() for the wrong partners of delete and new.
+// None of the three is inlined, lest the compiler takes malloc() and free() for the wrong partners
+// of delete and new.
 
 [[gnu::noinline]] void* operator new(std::size_t size)
 {
@@ -42,12 +43,14 @@ using namespace tool_test;
 
 const Scratch_folder scratch;
 
-Point_cloud read(const std::string& extension, const std::string& bytes, const Read_options& options = {})
+Point_cloud read(const std::string& extension, const std::string& bytes,
+                 const Read_options& options = {})
 {
   return tool_test::read(scratch, extension, bytes, options);
 }
 
-Failure_seen refusal(const std::string& extension, const std::string& bytes, const Read_options& options = {})
+Failure_seen refusal(const std::string& extension, const std::string& bytes,
+                     const Read_options& options = {})
 {
   return failure_of([&]() { read(extension, bytes, options); });
 }
@@ -59,12 +62,13 @@ struct Hostile_file
   const char* expected; // a part of the message
 };
 
-// Each of them is refused with its own reason, and with no more memory than the reader's fixed buffer and what a
-// message takes.
+// Each of them is refused with its own reason, and with no more memory than the reader's fixed
+// buffer and what a message takes.
 void test_hostile_files()
 {
   const std::string ascii_vertex = "element vertex 1\n" + float_xyz;
-  const std::string three_floats = bytes_of(1.f, false) + bytes_of(2.f, false) + bytes_of(3.f, false);
+  const std::string three_floats = bytes_of(1.f, false) + bytes_of(2.f, false)
+                                   + bytes_of(3.f, false);
   const auto binary = [](const std::string& elements, const std::string& body) {
     return ply_header("binary_little_endian", elements) + body;
   };
@@ -123,50 +127,76 @@ void test_hostile_files()
     {".ply", "ply\nformat ascii 2.0\n", "version 1.0"},
     {".ply", "ply\nformat binary_middle_endian 1.0\n", "'binary_middle_endian' is not a format"},
     {".ply", "ply\nformat ascii 1.0\nfancy\n", "line 3: 'fancy' is not a keyword"},
-    {".ply", ply_header("ascii", "element vertex -1\n" + float_xyz), "'-1' is not a number of elements"},
-    {".ply", ply_header("ascii", "element vertex 99999999999999999999\n" + float_xyz), "is not a number of elements"},
+    {".ply", ply_header("ascii", "element vertex -1\n" + float_xyz),
+     "'-1' is not a number of elements"},
+    {".ply", ply_header("ascii", "element vertex 99999999999999999999\n" + float_xyz),
+     "is not a number of elements"},
     {".ply", ply_header("ascii", "element vertex\n" + float_xyz), "'' is not a number of elements"},
     {".ply", ply_header("ascii", float_xyz), "a property before the first element"},
     {".ply", ply_header("ascii", "element vertex 1\nproperty quad x\n"), "'quad' is not a type"},
-    {".ply", ply_header("ascii", "element vertex 1\nproperty float\n"), "a property without a name"},
-    {".ply", ply_header("ascii", "element vertex 1\nproperty list float int x\n"), "floating-point type"},
+    {".ply", ply_header("ascii", "element vertex 1\nproperty float\n"),
+     "a property without a name"},
+    {".ply", ply_header("ascii", "element vertex 1\nproperty list float int x\n"),
+     "floating-point type"},
     {".ply", ply_header("ascii", "element vertex 1\nproperty list\n"), "'' is not a type"},
-    {".ply", ply_header("ascii", "element face 0\nproperty list uchar int v\n"), "no element \"vertex\""},
-    {".ply", ply_header("ascii", "element vertex 1\nproperty float x\nproperty float y\n") + "1 2\n", "no property z"},
-    {".ply", ply_header("ascii", ascii_vertex + "property float x\n") + "1 2 3 4\n", "two properties x"},
+    {".ply", ply_header("ascii", "element face 0\nproperty list uchar int v\n"),
+     "no element \"vertex\""},
     {".ply",
-     ply_header("ascii", "element vertex 1\nproperty list uchar int x\nproperty int y\nproperty int z\n") + "0 2 3\n",
+     ply_header("ascii", "element vertex 1\nproperty float x\nproperty float y\n") + "1 2\n",
+     "no property z"},
+    {".ply", ply_header("ascii", ascii_vertex + "property float x\n") + "1 2 3 4\n",
+     "two properties x"},
+    {".ply",
+     ply_header("ascii",
+                "element vertex 1\nproperty list uchar int x\nproperty int y\nproperty int z\n")
+       + "0 2 3\n",
      "property x of the vertices is a list"},
     {".ply", ply_header("ascii", "element vertex 1\n") + "1 2 3\n", "no property x"},
-    {".ply", "ply\nformat ascii 1.0\ncomment " + std::string(70000, 'c') + "\n", "longer than 65536 bytes"},
+    {".ply", "ply\nformat ascii 1.0\ncomment " + std::string(70000, 'c') + "\n",
+     "longer than 65536 bytes"},
     // rows of PLY
-    {".ply", ply_header("ascii", "element vertex 1000000000\n" + float_xyz) + "1 2 3\n", "1000000000 points are announced"},
-    {".ply", ply_header("ascii", "element vertex 2\n" + float_xyz) + "1 2 3.0000000\n", "another row is expected"},
+    {".ply", ply_header("ascii", "element vertex 1000000000\n" + float_xyz) + "1 2 3\n",
+     "1000000000 points are announced"},
+    {".ply", ply_header("ascii", "element vertex 2\n" + float_xyz) + "1 2 3.0000000\n",
+     "another row is expected"},
     {".ply", ply_header("ascii", ascii_vertex) + "1 2    \n", "ends before its property 'z'"},
     {".ply", ply_header("ascii", ascii_vertex) + "1 2 3 4\n", "more values than its 3 properties"},
     {".ply", ply_header("ascii", ascii_vertex) + "1 2 z\n", "'z' is not a number"},
     {".ply", ply_header("ascii", ascii_vertex) + "1 2 nan\n", "not finite"},
-    {".ply", ply_header("ascii", ascii_vertex + "property list uchar int v\n") + "1 2 3 4294967295 1\n",
+    {".ply",
+     ply_header("ascii", ascii_vertex + "property list uchar int v\n") + "1 2 3 4294967295 1\n",
      "ends before its property 'v'"},
     {".ply", ply_header("ascii", ascii_vertex + "property list uchar int v\n") + "1 2 3 -1\n",
      "'-1' is not the length of a list"},
-    {".ply", ply_header("ascii", "element a 1000000000\nproperty int i\n" + ascii_vertex) + "1\n1 2 3\n",
+    {".ply",
+     ply_header("ascii", "element a 1000000000\nproperty int i\n" + ascii_vertex) + "1\n1 2 3\n",
      "rows of 'a' are announced"},
-    {".ply", binary("element vertex 2\n" + float_xyz, three_floats), "2 points are announced, but only 12 bytes are left"},
-    {".ply", binary("element vertex 18446744073709551615\n" + float_xyz, three_floats), "are announced"},
+    {".ply", binary("element vertex 2\n" + float_xyz, three_floats),
+     "2 points are announced, but only 12 bytes are left"},
+    {".ply", binary("element vertex 18446744073709551615\n" + float_xyz, three_floats),
+     "are announced"},
     // times 12 is 8 in 64 bits
-    {".ply", binary("element vertex 1537228672809129302\n" + float_xyz, three_floats), "are announced"},
-    {".ply", binary(ascii_vertex, bytes_of(1.f, false) + bytes_of(2.f, false) + bytes_of(std::nanf(""), false)),
+    {".ply", binary("element vertex 1537228672809129302\n" + float_xyz, three_floats),
+     "are announced"},
+    {".ply",
+     binary(ascii_vertex,
+            bytes_of(1.f, false) + bytes_of(2.f, false) + bytes_of(std::nanf(""), false)),
      "not finite"},
-    {".ply", binary("element vertex 1\n" + float_xyz + "property list uint double v\n", three_floats + "\xff\xff\xff\xff"),
+    {".ply",
+     binary("element vertex 1\n" + float_xyz + "property list uint double v\n",
+            three_floats + "\xff\xff\xff\xff"),
      "34359738360 bytes are announced"},
-    {".ply", binary("element vertex 1\nproperty list int uchar v\n" + float_xyz, "\xff\xff\xff\xff" + three_floats),
+    {".ply",
+     binary("element vertex 1\nproperty list int uchar v\n" + float_xyz,
+            "\xff\xff\xff\xff" + three_floats),
      "negative length"},
     {".ply",
      binary("element vertex 2\nproperty list uchar uchar v\n" + float_xyz,
             std::string(1, '\0') + three_floats + "\x0c" + three_floats),
      "the file ends here, where 4 more bytes"},
-    {".ply", binary("element face 4000000000\nproperty list uchar int v\n" + ascii_vertex, three_floats), "rows of 'face'"},
+    {".ply",
+     binary("element face 4000000000\nproperty list uchar int v\n" + ascii_vertex, three_floats),
+     "rows of 'face'"},
     // PCD
     {".pcd", "", "ends within its header"},
     {".pcd", "# nothing\n", "ends within its header"},
@@ -201,26 +231,33 @@ void test_hostile_files()
     {".pcd", pcd("HEIGHT 0"), "WIDTH times HEIGHT"},
     {".pcd", pcd("WIDTH -1"), "'-1' is not a number of columns"},
     // times 4294967296 is 0 in 64 bits
-    {".pcd", pcd("WIDTH 4294967296\nHEIGHT 4294967296\nPOINTS 0\nDATA ascii"), "WIDTH times HEIGHT"},
+    {".pcd", pcd("WIDTH 4294967296\nHEIGHT 4294967296\nPOINTS 0\nDATA ascii"),
+     "WIDTH times HEIGHT"},
     {".pcd", pcd("POINTS one"), "'one' is not a number of points"},
     {".pcd", pcd("DATA binary_compressed"), "compressed PCD is not supported"},
     {".pcd", pcd("DATA base64"), "'base64' is not a kind of DATA"},
-    {".pcd", pcd("WIDTH 1000000000\nHEIGHT 1\nPOINTS 1000000000\nDATA ascii"), "1000000000 points are announced"},
-    {".pcd", pcd("WIDTH 18446744073709551615\nHEIGHT 1\nPOINTS 18446744073709551615\nDATA binary"), "are announced"},
+    {".pcd", pcd("WIDTH 1000000000\nHEIGHT 1\nPOINTS 1000000000\nDATA ascii"),
+     "1000000000 points are announced"},
+    {".pcd", pcd("WIDTH 18446744073709551615\nHEIGHT 1\nPOINTS 18446744073709551615\nDATA binary"),
+     "are announced"},
     // times 12 is 8 in 64 bits
-    {".pcd", pcd("WIDTH 1537228672809129302\nHEIGHT 1\nPOINTS 1537228672809129302\nDATA binary", three_floats),
+    {".pcd",
+     pcd("WIDTH 1537228672809129302\nHEIGHT 1\nPOINTS 1537228672809129302\nDATA binary",
+         three_floats),
      "are announced"},
     {".pcd", pcd("VIEWPOINT 0", "1 2\n    "), "ends before its field 'z'"},
     {".pcd", pcd("VIEWPOINT 0", "1 2 3 4\n"), "more than its 3 values"},
     {".pcd", pcd("VIEWPOINT 0", "1 2 0,5\n"), "'0,5' is not a number"},
     {".pcd", pcd("VIEWPOINT 0", "nan nan nan\n"), "not finite"},
     {".pcd", pcd("VIEWPOINT 0", "\n\n\n\n\n\n"), "another row is expected"},
-    {".pcd", pcd("DATA binary", three_floats.substr(0, 11)), "1 points are announced, but only 11 bytes are left"},
+    {".pcd", pcd("DATA binary", three_floats.substr(0, 11)),
+     "1 points are announced, but only 11 bytes are left"},
     {".pcd", pcd("DATA binary", bytes_of(std::nanf(""), false) + three_floats), "not finite"},
     {".pcd", pcd_header("", "8 4 4", "U F F", "1", "binary") + three_floats + three_floats,
      "the field x is an integer of 64 bits"},
     {".pcd",
-     "VERSION 0.7\nFIELDS x y z _\nSIZE 4 4 4 1\nTYPE F F F U\nCOUNT 1 1 1 100\nWIDTH 2\nHEIGHT 1\nPOINTS 2\n"
+     "VERSION 0.7\nFIELDS x y z _\nSIZE 4 4 4 1\nTYPE F F F U\nCOUNT 1 1 1 100\nWIDTH 2\nHEIGHT "
+     "1\nPOINTS 2\n"
      "DATA binary\n"
        + three_floats + std::string(150, 'p'),
      "2 points are announced, but only 162 bytes are left"},
@@ -229,9 +266,11 @@ void test_hostile_files()
     {".npy", "", "6 more bytes are expected"},
     {".npy", "NUMPY\x01\x00", "does not begin as an NPY file does"},
     {".npy", std::string("\x93NUMPY\x01\x00\x10", 9), "1 more bytes are expected"},
-    {".npy", std::string("\x93NUMPY\x04\x00\x00\x00", 10), "version 1, 2 or 3 of NPY expected, found 4"},
+    {".npy", std::string("\x93NUMPY\x04\x00\x00\x00", 10),
+     "version 1, 2 or 3 of NPY expected, found 4"},
     {".npy", std::string("\x93NUMPY\x01\x00\xff\xff", 10) + "{}", "65533 more bytes are expected"},
-    {".npy", std::string("\x93NUMPY\x02\x00\xff\xff\xff\xff", 12) + "{}", "longer than 65536 bytes"},
+    {".npy", std::string("\x93NUMPY\x02\x00\xff\xff\xff\xff", 12) + "{}",
+     "longer than 65536 bytes"},
     {".npy", npy(""), "the header has '' where { is expected"},
     {".npy", npy("{"), "where ' is expected"},
     {".npy", npy("{}"), "lacks one of descr"},
@@ -241,15 +280,18 @@ void test_hostile_files()
     {".npy", npy("{'descr': '<f4' 'shape': (1, 3)}"), "where } is expected"},
     {".npy", npy("{'descr': '<f4', 'descr': '<f4'}"), "'descr' twice"},
     {".npy", npy("{'color': 'red'}"), "'color' is not a name"},
-    {".npy", npy("{'descr': [('x', '<f4')], 'fortran_order': False, 'shape': (1,)}"), "named columns"},
+    {".npy", npy("{'descr': [('x', '<f4')], 'fortran_order': False, 'shape': (1,)}"),
+     "named columns"},
     {".npy", npy("{'fortran_order': 0}"), "where False is expected"},
     {".npy", npy("{'shape': (1, 3"), "where ) is expected"},
     {".npy", npy("{'shape': (-1, 3)}"), "numbers that fit"},
     {".npy", npy("{'shape': (,)}"), "numbers that fit"},
     {".npy", npy("{'shape': (99999999999999999999, 3)}"), "numbers that fit"},
     {".npy", npy("{'shape': (" + std::string(200, '1') + ",)}"), "numbers that fit"},
-    {".npy", npy("{'shape': (1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,3)"), "numbers that fit"},
-    {".npy", npy(npy_header("<f4", "(1, 3)") + "import os"), "goes on after its end with 'import os'"},
+    {".npy", npy("{'shape': (1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,3)"),
+     "numbers that fit"},
+    {".npy", npy(npy_header("<f4", "(1, 3)") + "import os"),
+     "goes on after its end with 'import os'"},
     {".npy", npy(npy_header("<i4", "(1, 3)")), "of type '<i4', expected float32 or float64"},
     {".npy", npy(npy_header("|O", "(1, 3)")), "of type '|O'"},
     {".npy", npy(npy_header("<f2", "(1, 3)")), "of type '<f2'"},
@@ -258,11 +300,14 @@ void test_hostile_files()
     {".npy", npy(npy_header("<f4", "(1, 4)")), "not of shape"},
     {".npy", npy(npy_header("<f4", "(3, 1)")), "not of shape"},
     {".npy", npy(npy_header("<f4", "(1, 3, 1)")), "not of shape"},
-    {".npy", npy("{'descr': '<f4', 'fortran_order': True, 'shape': (1, 3)}"), "stored column by column"},
-    {".npy", npy(npy_header("<f4", "(2, 3)")), "2 points are announced, but only 12 bytes are left"},
+    {".npy", npy("{'descr': '<f4', 'fortran_order': True, 'shape': (1, 3)}"),
+     "stored column by column"},
+    {".npy", npy(npy_header("<f4", "(2, 3)")),
+     "2 points are announced, but only 12 bytes are left"},
     {".npy", npy(npy_header("<f4", "(18446744073709551615, 3)")), "are announced"},
     {".npy", npy(npy_header("<f4", "(1537228672809129302, 3)")), "are announced"},
-    {".npy", npy_file(npy_header("<f4", "(1, 3)"), bytes_of(std::nanf(""), false) + three_floats), "not finite"},
+    {".npy", npy_file(npy_header("<f4", "(1, 3)"), bytes_of(std::nanf(""), false) + three_floats),
+     "not finite"},
   };
   Read_options everything;
   everything.with_normals = true;
@@ -276,11 +321,12 @@ void test_hostile_files()
     largest_allocation = 0;
     const Failure_seen seen = failure_of([&]() { read_points(path, *format_of(path), options); });
     if (!CHECK(seen.status == INPUT_REFUSED && seen.says(file.expected) && seen.says(path + ": ")))
-      std::cerr << "  expected \"" << file.expected << "\", found status " << seen.status << ", \"" << seen.message
-                << "\"\n";
+      std::cerr << "  expected \"" << file.expected << "\", found status " << seen.status << ", \""
+                << seen.message << "\"\n";
     CHECK(seen.message.find('\n') == std::string::npos);
     if (!CHECK(largest_allocation <= 512 * 1024))
-      std::cerr << "  " << largest_allocation << " bytes allocated for \"" << file.expected << "\"\n";
+      std::cerr << "  " << largest_allocation << " bytes allocated for \"" << file.expected
+                << "\"\n";
   }
 
   std::string many_properties = "element vertex 1\n" + float_xyz;
@@ -294,20 +340,26 @@ void test_hostile_files()
   std::string long_header;
   for (int i = 0; i < 30; ++i)
     long_header += "comment " + std::string(40000, 'c') + "\n";
-  CHECK(refusal(".ply", ply_header("ascii", long_header + ascii_vertex) + "1 2 3\n").says("longer than 1048576 bytes"));
+  CHECK(refusal(".ply", ply_header("ascii", long_header + ascii_vertex) + "1 2 3\n")
+          .says("longer than 1048576 bytes"));
 
   std::string many_fields;
   for (int i = 0; i < 1000; ++i)
     many_fields += " f" + std::to_string(i);
-  CHECK(refusal(".pcd", pcd_header(many_fields, "4", "F", "1", "ascii")).says("more than 1000 fields"));
+  CHECK(
+    refusal(".pcd", pcd_header(many_fields, "4", "F", "1", "ascii")).says("more than 1000 fields"));
   std::string long_pcd;
   for (int i = 0; i < 30; ++i)
     long_pcd += "# " + std::string(40000, 'c') + "\n";
   long_pcd += pcd_header("", "4 4 4", "F F F", "1", "ascii") + "1 2 3\n";
   CHECK(refusal(".pcd", long_pcd).says("longer than 1048576 bytes"));
 
-  CHECK(failure_of([]() { read_points(scratch.file("missing.ply"), File_format::PLY, {}); }).says("No such file"));
-  CHECK(failure_of([]() { read_points(scratch.file(""), File_format::PLY, {}); }).says("Is a directory"));
+  CHECK(failure_of([]() {
+          read_points(scratch.file("missing.ply"), File_format::PLY, {});
+        }).says("No such file"));
+  CHECK(failure_of([]() {
+          read_points(scratch.file(""), File_format::PLY, {});
+        }).says("Is a directory"));
 }
 
 // A file that announces its number of points is refused wherever it is cut.
@@ -326,7 +378,8 @@ void test_truncated_files()
   for (int i = 0; i < 9; ++i)
     floats += bytes_of(float(i), false);
   for (const auto& [extension, bytes] :
-       {std::pair<const char*, std::string>{".pcd", pcd_header("", "4 4 4", "F F F", "3", "binary") + floats},
+       {std::pair<const char*, std::string>{".pcd", pcd_header("", "4 4 4", "F F F", "3", "binary")
+                                                      + floats},
         {".npy", npy_file(npy_header("<f4", "(3, 3)"), floats)}})
   {
     CHECK(read(extension, bytes).points.size() == 3);
@@ -335,29 +388,35 @@ void test_truncated_files()
   }
 
   const std::string rows = "0 1 2\n3 4 5\n6 7 8\n";
-  for (const auto& [extension, text] : {std::pair<const char*, std::string>{".off", "OFF\n3 0 0\n" + rows},
-                                        {".xyz", "3\n" + rows},
-                                        {".ply", ply_header("ascii", "element vertex 3\n" + float_xyz) + rows},
-                                        {".pcd", pcd_header("", "4 4 4", "F F F", "3", "ascii") + rows}})
-    for (std::size_t length = 1; length < text.size() - 1; ++length) // without the last line end it is still whole
+  for (const auto& [extension, text] :
+       {std::pair<const char*, std::string>{".off", "OFF\n3 0 0\n" + rows},
+        {".xyz", "3\n" + rows},
+        {".ply", ply_header("ascii", "element vertex 3\n" + float_xyz) + rows},
+        {".pcd", pcd_header("", "4 4 4", "F F F", "3", "ascii") + rows}})
+    for (std::size_t length = 1; length < text.size() - 1;
+         ++length) // without the last line end it is still whole
       CHECK(refusal(extension, text.substr(0, length)).status == INPUT_REFUSED);
 }
 
 // Whatever bytes are changed, the reader gives finite points or refuses.
 void test_changed_bytes()
 {
-  const std::string three_floats = bytes_of(1.f, false) + bytes_of(2.f, false) + bytes_of(3.f, false);
+  const std::string three_floats = bytes_of(1.f, false) + bytes_of(2.f, false)
+                                   + bytes_of(3.f, false);
   const std::vector<std::pair<std::string, std::string>> files = {
     {".xyz", "0.5 1 2 0 0 1\n3 -4e2 5 0 1 0\n6 7 8 1 0 0\n"},
     {".off", "NOFF\n3 1 0\n0.5 1 2 0 0 1\n3 -4e2 5 0 1 0\n6 7 8 1 0 0\n3 0 1 2\n"},
     {".ply", ply_header("ascii", "element vertex 2\n" + float_xyz + "property list uchar int v\n")
                + "0.5 1 2 1 7\n3 -4e2 5 0\n"},
-    {".ply", ply_header("binary_big_endian", "element vertex 2\n" + float_xyz + "property list uchar int v\n")
-               + bytes_of(1.f, true) + bytes_of(2.f, true) + bytes_of(3.f, true) + std::string(1, '\0') + bytes_of(1.f, true)
-               + bytes_of(2.f, true) + bytes_of(3.f, true) + "\x01" + bytes_of(std::int32_t(5), true)},
+    {".ply", ply_header("binary_big_endian",
+                        "element vertex 2\n" + float_xyz + "property list uchar int v\n")
+               + bytes_of(1.f, true) + bytes_of(2.f, true) + bytes_of(3.f, true)
+               + std::string(1, '\0') + bytes_of(1.f, true) + bytes_of(2.f, true)
+               + bytes_of(3.f, true) + "\x01" + bytes_of(std::int32_t(5), true)},
     {".pcd", pcd_header(" normal_x normal_y normal_z", "4 4 4 4 4 4", "F F F F F F", "2", "ascii")
                + "0.5 1 2 0 0 1\n3 -4e2 5 0 1 0\n"},
-    {".pcd", pcd_header(" i", "4 4 4 2", "F F F I", "2", "binary") + three_floats + "ab" + three_floats + "cd"},
+    {".pcd", pcd_header(" i", "4 4 4 2", "F F F I", "2", "binary") + three_floats + "ab"
+               + three_floats + "cd"},
     {".npy", npy_file(npy_header("<f4", "(2, 3)"), three_floats + three_floats)}};
   const std::size_t number_of_reads = 2000 * files.size();
   std::mt19937 random(11);
@@ -368,7 +427,8 @@ void test_changed_bytes()
     {
       std::string changed = bytes;
       for (unsigned k = 0; k < 1 + random() % 3; ++k)
-        changed[random() % changed.size()] = random() % 2 ? char(random() % 256) : "0123456789+-.eE \n\r"[random() % 18];
+        changed[random() % changed.size()] = random() % 2 ? char(random() % 256)
+                                                          : "0123456789+-.eE \n\r"[random() % 18];
       const Failure_seen seen = failure_of([&, extension = extension]() {
         const Point_cloud cloud = read(extension, changed, with_normals());
         ++read_well;

@@ -71,7 +71,8 @@ void test_no_commit()
   {
     Output_file file(path);
     file.write(new_content);
-    CHECK(folder.number_of_files() == 1); // the temporary is in the target's own folder, where it can be renamed
+    CHECK(folder.number_of_files()
+          == 1); // the temporary is in the target's own folder, where it can be renamed
   }
   CHECK(folder.number_of_files() == 0);
 
@@ -100,7 +101,8 @@ void test_links_and_devices()
   CHECK(symlink("/dev/full", full.c_str()) == 0);
   check_writable(full, 1000000000000000000);
   const Failure_seen seen = failure_of([&]() { write_all(full); });
-  CHECK(seen.status == OUTPUT_NOT_WRITTEN && seen.says("No space left on device") && seen.says(full));
+  CHECK(seen.status == OUTPUT_NOT_WRITTEN && seen.says("No space left on device")
+        && seen.says(full));
   CHECK(std::filesystem::is_character_file(full));
 }
 
@@ -131,7 +133,8 @@ void test_ways_to_a_file()
   CHECK(!would_replace_file(link) && !would_replace_file(path));
   write_all(link);
   CHECK(std::filesystem::is_symlink(link) && read_bytes(path) == new_content);
-  CHECK(would_replace_file(link) && would_replace_file(path) && !would_replace_file(folder.file("")));
+  CHECK(would_replace_file(link) && would_replace_file(path)
+        && !would_replace_file(folder.file("")));
   CHECK(are_same_file(link, path) && are_same_file(folder.file("./none"), folder.file("none")));
   CHECK(!are_same_file(path, folder.file("none")) && !are_same_file("", ""));
   CHECK(are_same_file("-", "/dev/stdout") && !are_same_file("-", "/dev/stderr"));
@@ -140,7 +143,8 @@ void test_ways_to_a_file()
   CHECK(!destination_of("/proc/1/fd/2").descriptor);
 }
 
-// A descriptor that is open already is written to where it stands, and may be one that does not block.
+// A descriptor that is open already is written to where it stands, and may be one that does not
+// block.
 void test_open_descriptors()
 {
   const Scratch_folder folder;
@@ -162,7 +166,8 @@ void test_open_descriptors()
     std::array<char, 1000> bytes;
     pollfd waiting = {ends[0], POLLIN, 0};
     while (received.size() < new_content.size() && poll(&waiting, 1, 10000) == 1)
-      received.append(bytes.data(), std::size_t((std::max)(read(ends[0], bytes.data(), bytes.size()), ssize_t(0))));
+      received.append(bytes.data(), std::size_t((std::max)(
+                                      read(ends[0], bytes.data(), bytes.size()), ssize_t(0))));
   });
   CHECK(failure_of([&]() { write_all("/dev/fd/" + std::to_string(ends[1])); }).status == 0);
   reader.join();

@@ -22,17 +22,20 @@ using namespace tool_test;
 
 const Scratch_folder scratch;
 
-Point_cloud read(const std::string& extension, const std::string& bytes, const Read_options& options = {})
+Point_cloud read(const std::string& extension, const std::string& bytes,
+                 const Read_options& options = {})
 {
   return tool_test::read(scratch, extension, bytes, options);
 }
 
-Failure_seen refusal(const std::string& extension, const std::string& bytes, const Read_options& options = {})
+Failure_seen refusal(const std::string& extension, const std::string& bytes,
+                     const Read_options& options = {})
 {
   return failure_of([&]() { read(extension, bytes, options); });
 }
 
-// What the writer writes, the reader reads, bit by bit; also numbers that few decimal digits would spoil.
+// What the writer writes, the reader reads, bit by bit; also numbers that few decimal digits would
+// spoil.
 void test_round_trip(File_format format, const std::string& extension)
 {
   std::mt19937_64 random(7);
@@ -46,7 +49,8 @@ void test_round_trip(File_format format, const std::string& extension)
   for (int i = 0; i < 20000; ++i) // more than the buffers of reader and writer hold
   {
     const Vector normal(gauss(random), gauss(random), gauss(random));
-    points.push_back({Point(gauss(random), gauss(random), gauss(random)), normal / std::sqrt(normal.squared_length())});
+    points.push_back({Point(gauss(random), gauss(random), gauss(random)),
+                      normal / std::sqrt(normal.squared_length())});
   }
 
   const std::string path = scratch.file("round_trip" + extension);
@@ -70,9 +74,10 @@ void test_ply_type(const std::string& name)
 {
   for (const bool big : {false, true})
   {
-    const std::string header = ply_header(big ? "binary_big_endian" : "binary_little_endian",
-                                          "element vertex 2\nproperty uchar flag\nproperty " + name + " x\nproperty "
-                                            + name + " y\nproperty list ushort int id\nproperty " + name + " z\n");
+    const std::string header =
+      ply_header(big ? "binary_big_endian" : "binary_little_endian",
+                 "element vertex 2\nproperty uchar flag\nproperty " + name + " x\nproperty " + name
+                   + " y\nproperty list ushort int id\nproperty " + name + " z\n");
     std::string body;
     for (int k = 0; k < 2; ++k)
     {
@@ -102,21 +107,24 @@ void test_ply()
   test_ply_type<double>("float64");
 
   // ASCII, CR LF, elements before and after the vertices, normals between other properties
-  const Point_cloud cloud =
-    read(".ply",
-         "ply\r\nformat ascii 1.0\r\nelement camera 2\r\nproperty float f\r\nelement vertex 2\r\nproperty double nz\r\n"
-         "property double x\r\nproperty list uchar int id\r\nproperty double y\r\nproperty double z\r\nproperty double "
-         "nx\r\n"
-         "property double ny\r\nelement face 1\r\nproperty list uchar int v\r\nend_header\r\n50\r\n60\r\n"
-         "6 1 2 7 7 2 3 4 5\r\n-6 +1.5 0 -2e3 .5 -4 -5\r\n3 0 1 0\r\n",
-         with_normals());
+  const Point_cloud cloud = read(".ply",
+                                 "ply\r\nformat ascii 1.0\r\nelement camera 2\r\nproperty float "
+                                 "f\r\nelement vertex 2\r\nproperty double nz\r\n"
+                                 "property double x\r\nproperty list uchar int id\r\nproperty "
+                                 "double y\r\nproperty double z\r\nproperty double "
+                                 "nx\r\n"
+                                 "property double ny\r\nelement face 1\r\nproperty list uchar int "
+                                 "v\r\nend_header\r\n50\r\n60\r\n"
+                                 "6 1 2 7 7 2 3 4 5\r\n-6 +1.5 0 -2e3 .5 -4 -5\r\n3 0 1 0\r\n",
+                                 with_normals());
   CHECK(cloud.points == (std::vector<Point>{Point(1, 2, 3), Point(1.5, -2000, .5)}));
   CHECK(cloud.normals == (std::vector<Vector>{Vector(4, 5, 6), Vector(-4, -5, -6)}));
 
   // The same before binary vertices
   const std::string bytes =
     ply_header("binary_little_endian",
-               "element strip 2\nproperty list uint short v\nproperty char c\nelement vertex 1\n" + float_xyz)
+               "element strip 2\nproperty list uint short v\nproperty char c\nelement vertex 1\n"
+                 + float_xyz)
     + bytes_of(std::uint32_t(3), false) + "aabbcc" + "c" + bytes_of(std::uint32_t(0), false) + "c"
     + bytes_of(1.f, false) + bytes_of(2.f, false) + bytes_of(3.f, false);
   CHECK(read(".ply", bytes).points == std::vector<Point>{Point(1, 2, 3)});
@@ -125,7 +133,9 @@ void test_ply()
   CHECK(read(".ply", ply_header("ascii", "element vertex 0\n" + float_xyz)).points.empty());
   // two of three normal coordinates are no normals
   CHECK(read(".ply",
-             ply_header("ascii", "element vertex 1\n" + float_xyz + "property float nx\nproperty float ny\n") + "1 2 3 4 5\n",
+             ply_header("ascii",
+                        "element vertex 1\n" + float_xyz + "property float nx\nproperty float ny\n")
+               + "1 2 3 4 5\n",
              with_normals())
           .normals.empty());
 }
@@ -134,7 +144,8 @@ void test_off()
 {
   CHECK(read(".off", "OFF\n# corners\n2 1 0\n\n0 0 .5 255 0 0\n 1 2 3\n3 0 1 1\n").points
         == (std::vector<Point>{Point(0, 0, .5), Point(1, 2, 3)}));
-  CHECK(read(".OFF", "OFF 1 0 0 # on one line\n1 2 3").points == std::vector<Point>{Point(1, 2, 3)});
+  CHECK(read(".OFF", "OFF 1 0 0 # on one line\n1 2 3").points
+        == std::vector<Point>{Point(1, 2, 3)});
   CHECK(read(".off", "STCNOFF\n1 0 0\n1 2 3 4 5 6 7 8 9\n", with_normals()).normals
         == std::vector<Vector>{Vector(4, 5, 6)});
   CHECK(read(".off", "OFF\n1 0 0\n1 2 3 4 5 6\n", with_normals()).normals.empty());
@@ -164,8 +175,10 @@ std::string repeated(int times, const std::string& line)
 // Vectors of a text are normals if nearly all of them have unit length.
 void test_vectors_of_xyz()
 {
-  const std::string unit = "1 2 3 0 .6 -.8\n", nearly = "1 2 3 .58 .58 .58\n", zero = "1 2 3 0 0 0\n";
-  const std::string short_one = "1 2 3 0 0 .98\n", color = "1 2 3 200 100 0\n", none = "1 2 3 nan 0 1\n";
+  const std::string unit = "1 2 3 0 .6 -.8\n", nearly = "1 2 3 .58 .58 .58\n",
+                    zero = "1 2 3 0 0 0\n";
+  const std::string short_one = "1 2 3 0 0 .98\n", color = "1 2 3 200 100 0\n",
+                    none = "1 2 3 nan 0 1\n";
   const auto are_normals = [](const std::string& text) {
     const Point_cloud cloud = read(".xyz", text, with_normals());
     const bool are = !cloud.normals.empty();
@@ -189,8 +202,8 @@ void test_vectors_of_xyz()
 void test_pcd()
 {
   // As PCL writes it: padding, a packed color, normals after other fields
-  std::string header = pcd_header(" _ rgb normal_x normal_y normal_z curvature", "4 4 4 1 4 4 4 4 4",
-                                  "F F F U U F F F F", "2", "binary");
+  std::string header = pcd_header(" _ rgb normal_x normal_y normal_z curvature",
+                                  "4 4 4 1 4 4 4 4 4", "F F F U U F F F F", "2", "binary");
   header.insert(header.find("WIDTH"), "COUNT 1 1 1 4 1 1 1 1 1\n");
   std::string body;
   for (int k = 0; k < 2; ++k)
@@ -208,14 +221,17 @@ void test_pcd()
   CHECK(read(".pcd", header + body + "more").warnings.size() == 1);
 
   // every type, in either order of the fields
-  const std::string mixed =
-    "VERSION .7\nFIELDS z y x i j\nSIZE 8 2 1 8 8\nTYPE F I U I U\nCOUNT 1 1 1 1 1\nWIDTH 1\nHEIGHT 1\nPOINTS 1\n"
-    "DATA binary\n"
-    + bytes_of(0.1, false) + bytes_of(std::int16_t(-300), false) + bytes_of(std::uint8_t(200), false);
-  CHECK(read(".pcd", mixed + std::string(16, 'i')).points == std::vector<Point>{Point(200, -300, 0.1)});
+  const std::string mixed = "VERSION .7\nFIELDS z y x i j\nSIZE 8 2 1 8 8\nTYPE F I U I U\nCOUNT 1 "
+                            "1 1 1 1\nWIDTH 1\nHEIGHT 1\nPOINTS 1\n"
+                            "DATA binary\n"
+                            + bytes_of(0.1, false) + bytes_of(std::int16_t(-300), false)
+                            + bytes_of(std::uint8_t(200), false);
+  CHECK(read(".pcd", mixed + std::string(16, 'i')).points
+        == std::vector<Point>{Point(200, -300, 0.1)});
 
   // ASCII, CR LF, an organized cloud with an empty place
-  std::string text = pcd_header(" label", "4 4 4 4", "F F F U", "2", "ascii") + "1 2 3 4294967295\n\nnan nan nan 0\n";
+  std::string text = pcd_header(" label", "4 4 4 4", "F F F U", "2", "ascii")
+                     + "1 2 3 4294967295\n\nnan nan nan 0\n";
   text.replace(text.find("WIDTH 2\nHEIGHT 1"), 16, "WIDTH 1\nHEIGHT 2");
   Read_options options;
   options.drop_non_finite = true;
@@ -225,7 +241,8 @@ void test_pcd()
   for (const char c : text)
     windows += c == '\n' ? std::string("\r\n") : std::string(1, c);
   CHECK(read(".pcd", windows, options).points == std::vector<Point>{Point(1, 2, 3)});
-  const std::string one_normal_coordinate = pcd_header(" normal_x", "4 4 4 4", "F F F F", "1", "ascii") + "1 2 3 4\n";
+  const std::string one_normal_coordinate =
+    pcd_header(" normal_x", "4 4 4 4", "F F F F", "1", "ascii") + "1 2 3 4\n";
   CHECK(read(".pcd", one_normal_coordinate, with_normals()).normals.empty());
   CHECK(read(".pcd", pcd_header("", "4 4 4", "F F F", "0", "binary")).points.empty());
 }
@@ -244,17 +261,20 @@ void test_npy()
     const auto single = [](int k) { return double(float(k) / 3); };
     CHECK(read(".npy", npy_file(npy_header(order + "f4", "(2, 3)"), singles)).points
           == (std::vector<Point>{Point(0, single(1), single(2)), Point(1, single(4), single(5))}));
-    CHECK(read(".npy", npy_file(npy_header(order + "f8", "(2,3)"), doubles), with_normals()).normals.empty());
-    const Point_cloud cloud = read(".npy", npy_file(npy_header(order + "f8", "(1, 6)"), doubles), with_normals());
+    CHECK(read(".npy", npy_file(npy_header(order + "f8", "(2,3)"), doubles), with_normals())
+            .normals.empty());
+    const Point_cloud cloud = read(".npy", npy_file(npy_header(order + "f8", "(1, 6)"), doubles),
+                                   with_normals());
     CHECK(cloud.points == std::vector<Point>{Point(0, 1. / 3, 2. / 3)});
     CHECK(cloud.normals == std::vector<Vector>{Vector(1, 4. / 3, 5. / 3)});
     CHECK(read(".npy", npy_file(npy_header(order + "f8", "(1, 3)"), doubles)).warnings.size() == 1);
   }
   // another order of the names, no comma at the end, a long header of version 2
-  const std::string header = "{'shape':(0,3),'fortran_order':False,'descr':'<f4'}" + std::string(100, ' ') + "\n";
+  const std::string header = "{'shape':(0,3),'fortran_order':False,'descr':'<f4'}"
+                             + std::string(100, ' ') + "\n";
   CHECK(read(".npy", npy_file(header)).points.empty());
-  const std::string version_2 = std::string("\x93NUMPY\x02\x00", 8) + bytes_of(std::uint32_t(header.size()), false)
-                                + header;
+  const std::string version_2 = std::string("\x93NUMPY\x02\x00", 8)
+                                + bytes_of(std::uint32_t(header.size()), false) + header;
   CHECK(read(".npy", version_2).points.empty());
 }
 
@@ -277,7 +297,8 @@ void test_precision_of_pcd()
     const Point_cloud cloud = read_points(path, File_format::PCD, with_normals());
     for (std::size_t i = 0; i < points.size(); ++i)
     {
-      CHECK(std::sqrt((cloud.points[i] - moved[i].first).squared_length()) <= (is_single ? 2e-6 * diagonal : 0));
+      CHECK(std::sqrt((cloud.points[i] - moved[i].first).squared_length())
+            <= (is_single ? 2e-6 * diagonal : 0));
       CHECK(std::sqrt((cloud.normals[i] - moved[i].second).squared_length()) <= 1e-6);
     }
   }
@@ -296,8 +317,9 @@ void test_options()
   options = {};
   options.max_points = 2;
   CHECK(read(".xyz", "1 2 3\n4 5 6\n", options).points.size() == 2);
-  for (const auto& [extension, bytes] : {std::pair<const char*, const char*>{".xyz", "1 2 3\n4 5 6\n7 8 9\n"},
-                                         {".off", "OFF\n3 0 0\n1 2 3\n4 5 6\n7 8 9\n"}})
+  for (const auto& [extension, bytes] :
+       {std::pair<const char*, const char*>{".xyz", "1 2 3\n4 5 6\n7 8 9\n"},
+        {".off", "OFF\n3 0 0\n1 2 3\n4 5 6\n7 8 9\n"}})
   {
     const Failure_seen seen = refusal(extension, bytes, options);
     CHECK(seen.status == INPUT_REFUSED && seen.says("more than the 2 points"));

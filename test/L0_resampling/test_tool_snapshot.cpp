@@ -31,8 +31,10 @@ std::vector<Oriented_point> sphere(std::size_t n)
   std::vector<Oriented_point> points;
   for (std::size_t i = 0; i < n; ++i)
   {
-    const double z = 1 - (2 * double(i) + 1) / double(n), angle = 2.399963229728653 * double(i); // the golden angle
-    const Vector v(std::sqrt(1 - z * z) * std::cos(angle), std::sqrt(1 - z * z) * std::sin(angle), z);
+    const double z = 1 - (2 * double(i) + 1) / double(n),
+                 angle = 2.399963229728653 * double(i); // the golden angle
+    const Vector v(std::sqrt(1 - z * z) * std::cos(angle), std::sqrt(1 - z * z) * std::sin(angle),
+                   z);
     points.emplace_back(CGAL::ORIGIN + v, v);
   }
   return points;
@@ -98,11 +100,14 @@ void test_sphere()
   // (n + 1) / 2: blue in the middle, more red to the right, more green upwards
   const Patch middle = patch_around(image, 400, 400, 60);
   CHECK(middle.color[2] > 2 * middle.color[0] && middle.color[2] > 2 * middle.color[1]);
-  CHECK(patch_around(image, 600, 400, 20).color[0] > 2 * patch_around(image, 200, 400, 20).color[0]);
-  CHECK(patch_around(image, 400, 200, 20).color[1] > 2 * patch_around(image, 400, 600, 20).color[1]);
+  CHECK(patch_around(image, 600, 400, 20).color[0]
+        > 2 * patch_around(image, 200, 400, 20).color[0]);
+  CHECK(patch_around(image, 400, 200, 20).color[1]
+        > 2 * patch_around(image, 400, 600, 20).color[1]);
 }
 
-// What lies behind the surface shows in no gap of it: whatever its normals, the middle of the picture stays.
+// What lies behind the surface shows in no gap of it: whatever its normals, the middle of the
+// picture stays.
 void test_hidden_points()
 {
   std::vector<Oriented_point> points = sphere(4000);
@@ -139,7 +144,9 @@ void test_invariance()
 
   std::vector<Oriented_point> with_outlier = points;
   with_outlier.emplace_back(Point(1e9, -1e9, 1e9), Vector(0, 0, 1));
-  CHECK(patch_around(render_snapshot(cloud_of(with_outlier), with_outlier, {}), 400, 400, 60).white_share < 0.5);
+  CHECK(patch_around(render_snapshot(cloud_of(with_outlier), with_outlier, {}), 400, 400, 60)
+          .white_share
+        < 0.5);
 }
 
 void test_gray_input()
@@ -153,7 +160,8 @@ void test_gray_input()
       colored += image.at(x, y)[0] != image.at(x, y)[1] || image.at(x, y)[1] != image.at(x, y)[2];
   CHECK(colored == 0);
   // lit from the upper left of the eye
-  CHECK(patch_around(image, 300, 300, 40).color[0] > 1.3f * patch_around(image, 550, 550, 40).color[0]);
+  CHECK(patch_around(image, 300, 300, 40).color[0]
+        > 1.3f * patch_around(image, 550, 550, 40).color[0]);
 }
 
 // No set of points is too small or too odd for a picture.
@@ -164,7 +172,9 @@ void test_degenerate()
     {},
     {{Point(1, 2, 3), Vector(0, 0, 1)}},
     {{Point(1, 2, 3), Vector(0, 0, 1)}, {Point(1, 2, 3), Vector(0, 0, 0)}},
-    {{Point(0, 0, 0), Vector(nan, 0, 1)}, {Point(1, 0, 0), Vector(1, 0, 0)}, {Point(3, 0, 0), Vector(0, 1, 0)}},
+    {{Point(0, 0, 0), Vector(nan, 0, 1)},
+     {Point(1, 0, 0), Vector(1, 0, 0)},
+     {Point(3, 0, 0), Vector(0, 1, 0)}},
     {{Point(-1e308, 0, 0), Vector(0, 0, 1)}, {Point(1e308, 0, 0), Vector(0, 0, 1)}}};
   for (const std::vector<Oriented_point>& points : sets)
   {
@@ -178,7 +188,8 @@ void test_degenerate()
   for (const Vector& normal : {Vector(0, 0, 1), Vector(0, 0, 0), Vector(nan, 0, 1)})
   {
     const std::vector<Oriented_point> one = {{Point(1, 2, 3), normal}};
-    CHECK(patch_around(render_snapshot(cloud_of(one), one, from_above), 400, 400, 2).white_share < 1);
+    CHECK(patch_around(render_snapshot(cloud_of(one), one, from_above), 400, 400, 2).white_share
+          < 1);
   }
 }
 
@@ -188,8 +199,10 @@ void test_spacing()
   for (int x = 0; x < 400; ++x)
     for (int y = 0; y < 400; ++y)
       grid.emplace_back(x, y, 0);
-  // The sixth nearest on a square grid: four at 1 and two at sqrt(2). Every second point, row by row, makes columns.
-  CHECK(std::abs(point_spacing(std::vector<Point>(grid.begin(), grid.begin() + 10000)) - (4 + 2 * std::sqrt(2.)) / 6)
+  // The sixth nearest on a square grid: four at 1 and two at sqrt(2). Every second point, row by
+  // row, makes columns.
+  CHECK(std::abs(point_spacing(std::vector<Point>(grid.begin(), grid.begin() + 10000))
+                 - (4 + 2 * std::sqrt(2.)) / 6)
         < 1e-9);
   CHECK(std::abs(point_spacing(grid) - 1) < 0.3);
   CHECK(point_spacing({}) == 0 && point_spacing({Point(1, 2, 3)}) == 0);

@@ -29,7 +29,8 @@ class Scratch_folder
 public:
   Scratch_folder()
   {
-    std::string name = (std::filesystem::temp_directory_path() / "l0_resample_test_XXXXXX").string();
+    std::string name =
+      (std::filesystem::temp_directory_path() / "l0_resample_test_XXXXXX").string();
     if (!mkdtemp(name.data()))
       throw std::runtime_error("no folder for temporary files");
     m_path = name;
@@ -48,7 +49,8 @@ public:
 
   std::size_t number_of_files() const
   {
-    return std::size_t(std::distance(std::filesystem::directory_iterator(m_path), std::filesystem::directory_iterator()));
+    return std::size_t(std::distance(std::filesystem::directory_iterator(m_path),
+                                     std::filesystem::directory_iterator()));
   }
 };
 
@@ -63,7 +65,8 @@ inline std::string read_bytes(const std::string& path)
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
-/// The exit status and the message of the Failure that `function` throws; status 0 if it throws none.
+/// The exit status and the message of the Failure that `function` throws; status 0 if it throws
+/// none.
 struct Failure_seen
 {
   int status = 0;
@@ -86,7 +89,8 @@ inline Failure_seen failure_of(const std::function<void()>& function)
 }
 
 /// Writes `bytes` into a file and reads them as points.
-inline l0_tool::Point_cloud read(const Scratch_folder& folder, const std::string& extension, const std::string& bytes,
+inline l0_tool::Point_cloud read(const Scratch_folder& folder, const std::string& extension,
+                                 const std::string& bytes,
                                  const l0_tool::Read_options& options = {})
 {
   const std::string path = folder.file("points" + extension);
@@ -106,7 +110,8 @@ std::string bytes_of(T value, bool big_endian)
 {
   std::string bytes(sizeof(T), '\0');
   std::memcpy(bytes.data(), &value, sizeof(T));
-  return big_endian ? std::string(bytes.rbegin(), bytes.rend()) : bytes; // the tests run on little-endian machines
+  return big_endian ? std::string(bytes.rbegin(), bytes.rend())
+                    : bytes; // the tests run on little-endian machines
 }
 
 inline std::string ply_header(const std::string& format, const std::string& elements)
@@ -115,18 +120,21 @@ inline std::string ply_header(const std::string& format, const std::string& elem
 }
 
 /// Of a PCD file with fields x, y, z and maybe more.
-inline std::string pcd_header(const std::string& more_fields, const std::string& sizes, const std::string& types,
-                              const std::string& number_of_points, const std::string& data)
+inline std::string pcd_header(const std::string& more_fields, const std::string& sizes,
+                              const std::string& types, const std::string& number_of_points,
+                              const std::string& data)
 {
-  return "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z" + more_fields + "\nSIZE " + sizes
-         + "\nTYPE " + types + "\nWIDTH " + number_of_points + "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS "
-         + number_of_points + "\nDATA " + data + "\n";
+  return "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z" + more_fields
+         + "\nSIZE " + sizes + "\nTYPE " + types + "\nWIDTH " + number_of_points
+         + "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + number_of_points + "\nDATA " + data
+         + "\n";
 }
 
 /// An NPY file of version 1 with the text as its header.
 inline std::string npy_file(const std::string& header, const std::string& body = "")
 {
-  return std::string("\x93NUMPY\x01\x00", 8) + bytes_of(std::uint16_t(header.size()), false) + header + body;
+  return std::string("\x93NUMPY\x01\x00", 8) + bytes_of(std::uint16_t(header.size()), false)
+         + header + body;
 }
 
 inline std::string npy_header(const std::string& type, const std::string& shape)

@@ -43,15 +43,18 @@ void check_known_values()
   // the difference of the cosine from 1 cancels digits
   CHECK(is_close(bilateral_weight(T(0), T(4), cosine, bandwidth), 1 / e, 100 * tolerance));
   CHECK(is_close(bilateral_weight(T(4), T(4), cosine, bandwidth), 1 / (e * e), 100 * tolerance));
-  CHECK(bilateral_weight(T(1), T(4), T(-cosine), bandwidth) == bilateral_weight(T(1), T(4), cosine, bandwidth));
+  CHECK(bilateral_weight(T(1), T(4), T(-cosine), bandwidth)
+        == bilateral_weight(T(1), T(4), cosine, bandwidth));
 }
 
-/// Weights fall (Eq. 2) or grow (Eq. 4) with the distance, and fall with the height, stay normal numbers, and end in a plateau.
+/// Weights fall (Eq. 2) or grow (Eq. 4) with the distance, and fall with the height, stay normal
+/// numbers, and end in a plateau.
 template <typename T>
 void check_clamps()
 {
   T last_gaussian = 2, last_stretch = 0, last_across_jump = 2;
-  for (T squared_distance = 0; squared_distance < T(1e30); squared_distance = squared_distance * T(1.5) + T(0.01))
+  for (T squared_distance = 0; squared_distance < T(1e30);
+       squared_distance = squared_distance * T(1.5) + T(0.01))
   {
     const T gaussian = gaussian_weight(squared_distance, T(1));
     const T stretch = pair_weight(squared_distance, T(1), T(0), T(1));
@@ -67,10 +70,12 @@ void check_clamps()
   }
   CHECK(last_gaussian <= T(std::exp(-39.)));
   CHECK(is_close(last_stretch, e, 1e-6));
-  CHECK(gaussian_weight(T(39), T(1)) > gaussian_weight(T(40), T(1))); // far enough out for every sum
+  CHECK(gaussian_weight(T(39), T(1))
+        > gaussian_weight(T(40), T(1))); // far enough out for every sum
 }
 
-/// Each lane of a register gets what the formula gives for one number, up to the rounding of two kinds of exp.
+/// Each lane of a register gets what the formula gives for one number, up to the rounding of two
+/// kinds of exp.
 template <typename T>
 void check_lanes(Generator& generator)
 {
@@ -93,7 +98,8 @@ void check_lanes(Generator& generator)
     for (int k = 0; k < L::size; ++k)
     {
       const T scalar_gaussian = gaussian_weight(squared_distances[k], T(2));
-      const T scalar_bilateral = bilateral_weight(squared_distances[k], T(2), cosines[k], bandwidth);
+      const T scalar_bilateral = bilateral_weight(squared_distances[k], T(2), cosines[k],
+                                                  bandwidth);
       CHECK(is_close(gaussian.packet[k], scalar_gaussian, tolerance));
       const T scalar_pair = pair_weight(squared_distances[k], T(2), squared_distances[k], T(3));
       CHECK(is_close(pair.packet[k], scalar_pair, tolerance));
@@ -108,14 +114,16 @@ void check_lanes(Generator& generator)
   }
 }
 
-/// Why Eq. (2) is not taken as printed. Without the square only normals within some 3 degrees of each other count, so
-/// on noisy normals at an edge five rounds of Eq. (1) change next to nothing, where with the square they take 45 % of
-/// 22 degrees of noise.
+/// Why Eq. (2) is not taken as printed. Without the square only normals within some 3 degrees of
+/// each other count, so on noisy normals at an edge five rounds of Eq. (1) change next to nothing,
+/// where with the square they take 45 % of 22 degrees of noise.
 void check_psi(Generator& generator)
 {
   const double bandwidth = normal_bandwidth(15);
   const auto printed_psi = [&](double cosine) { return std::exp(-(1 - cosine) / bandwidth); };
-  const auto squared_psi = [&](double cosine) { return bilateral_weight(0., 1., cosine, bandwidth); };
+  const auto squared_psi = [&](double cosine) {
+    return bilateral_weight(0., 1., cosine, bandwidth);
+  };
 
   const Oriented_points wedge = wedge_points(1200, generator);
   const std::vector<Vector> noisy = noisy_normals(wedge.normals, 0.3, generator);

@@ -39,7 +39,8 @@ struct Framed
   }
 };
 
-/// The frame of a cloud times a power of two is the same frame, bit by bit, and leaves it with the same bits.
+/// The frame of a cloud times a power of two is the same frame, bit by bit, and leaves it with the
+/// same bits.
 void check_scale(const std::vector<Vector>& cloud)
 {
   const Framed framed(cloud, 0.3);
@@ -50,7 +51,8 @@ void check_scale(const std::vector<Vector>& cloud)
     const Framed scaled_framed(scaled_cloud, radius);
     CHECK(scaled_framed.points == framed.points);
     CHECK(scaled_framed.frame.length_in_frame(radius) == framed.frame.length_in_frame(0.3));
-    CHECK(scaled_framed.frame.length_of_input(1.7) == std::ldexp(framed.frame.length_of_input(1.7), exponent));
+    CHECK(scaled_framed.frame.length_of_input(1.7)
+          == std::ldexp(framed.frame.length_of_input(1.7), exponent));
     std::vector<Vector> left, scaled_left;
     for (const Vector& p : framed.points)
     {
@@ -75,7 +77,8 @@ void check_any_scale(const std::vector<Vector>& cloud)
     for (std::size_t i = 0; i < cloud.size(); ++i)
       worst = (std::max)(worst, (scaled_framed.points[i] - framed.points[i]).cwiseAbs().maxCoeff());
     CHECK(worst < 1e-14);
-    CHECK(is_close(scaled_framed.frame.length_of_input(1.7), factor * framed.frame.length_of_input(1.7), 1e-15));
+    CHECK(is_close(scaled_framed.frame.length_of_input(1.7),
+                   factor * framed.frame.length_of_input(1.7), 1e-15));
   }
 }
 
@@ -93,7 +96,8 @@ void check_frame(const std::vector<Vector>& cloud, double radius)
   for (std::size_t i = 0; i < cloud.size(); ++i)
   {
     largest = (std::max)(largest, first_step[i].cwiseAbs().maxCoeff());
-    worst = (std::max)(worst, (framed.frame.leave(framed.points[i]) - cloud[i]).cwiseAbs().maxCoeff());
+    worst = (std::max)(worst,
+                       (framed.frame.leave(framed.points[i]) - cloud[i]).cwiseAbs().maxCoeff());
     diagonal = (std::max)(diagonal, cloud[i].cwiseAbs().maxCoeff());
   }
   CHECK(largest <= 2);
@@ -115,7 +119,8 @@ void check_frame(const std::vector<Vector>& cloud, double radius)
   }
 }
 
-/// A cloud and its copy at UTM coordinates, which has the digits that are left there, differ by those digits only.
+/// A cloud and its copy at UTM coordinates, which has the digits that are left there, differ by
+/// those digits only.
 void check_offset(const std::vector<Vector>& cloud)
 {
   const Vector utm(448262, 5411932, 35);
@@ -124,7 +129,8 @@ void check_offset(const std::vector<Vector>& cloud)
   for (std::size_t i = 0; i < cloud.size(); ++i)
   {
     const Vector in_radii = here.points[i] / here.frame.length_in_frame(0.3);
-    worst = (std::max)(worst, (there.points[i] / there.frame.length_in_frame(0.3) - in_radii).norm());
+    worst = (std::max)(worst,
+                       (there.points[i] / there.frame.length_in_frame(0.3) - in_radii).norm());
   }
   CHECK(worst < 1e-8);
   CHECK(worst > 0);
@@ -160,8 +166,10 @@ void check_diagonal(const std::vector<Vector>& cloud)
   {
     std::vector<Vector> with_outlier = cloud;
     with_outlier.insert(with_outlier.begin() + 7, outlier);
-    CHECK(robust_diagonal<CGAL::Parallel_if_available_tag>(to_buffer(with_outlier)) <= diagonal * (1 + 1e-12));
-    CHECK(robust_diagonal<CGAL::Parallel_if_available_tag>(to_buffer(with_outlier)) >= diagonal * 0.999);
+    CHECK(robust_diagonal<CGAL::Parallel_if_available_tag>(to_buffer(with_outlier))
+          <= diagonal * (1 + 1e-12));
+    CHECK(robust_diagonal<CGAL::Parallel_if_available_tag>(to_buffer(with_outlier))
+          >= diagonal * 0.999);
   }
 }
 
@@ -172,9 +180,11 @@ void check_sensible_radius(const std::vector<Vector>& cloud)
   const Buffer<Vector> points = to_buffer(cloud);
   CHECK(sensible_radius(0.3, box_diagonal(points)) == 0.3);
   CHECK(sensible_radius(1e300, box_diagonal(points)) == diagonal);
-  CHECK(sensible_radius(1e-300, box_diagonal(points)) > 0 && sensible_radius(1e-300, box_diagonal(points)) < 1e-20 * diagonal);
+  CHECK(sensible_radius(1e-300, box_diagonal(points)) > 0
+        && sensible_radius(1e-300, box_diagonal(points)) < 1e-20 * diagonal);
   // a float has room for the whole cloud in units of the radius
-  CHECK(diagonal / sensible_radius(1e-300, box_diagonal(points)) < 1e-3 * double((std::numeric_limits<float>::max)()));
+  CHECK(diagonal / sensible_radius(1e-300, box_diagonal(points))
+        < 1e-3 * double((std::numeric_limits<float>::max)()));
   CHECK(sensible_radius(5, box_diagonal(to_buffer(std::vector<Vector>(3, Vector(1, 2, 3))))) == 1);
 }
 
@@ -196,10 +206,14 @@ int main()
   const std::vector<Vector> plane = plane_points(400, 3, generator).points;
   const std::vector<Vector> few = sphere_points(30, 1, generator).points;
   for (const auto& points : {cloud, plane, few, lattice_points(5, 0.5)})
-    CHECK(robust_diagonal<CGAL::Parallel_if_available_tag>(to_buffer(points)) == plain_diagonal(points));
-  CHECK(robust_diagonal<CGAL::Parallel_if_available_tag>(to_buffer(std::vector<Vector>{Vector(0, 0, 0), Vector(1, 2, 2)}))
+    CHECK(robust_diagonal<CGAL::Parallel_if_available_tag>(to_buffer(points))
+          == plain_diagonal(points));
+  CHECK(robust_diagonal<CGAL::Parallel_if_available_tag>(
+          to_buffer(std::vector<Vector>{Vector(0, 0, 0), Vector(1, 2, 2)}))
         == 3);
-  CHECK(robust_diagonal<CGAL::Parallel_if_available_tag>(to_buffer(std::vector<Vector>(40, Vector(1, 2, 2)))) == 0);
+  CHECK(robust_diagonal<CGAL::Parallel_if_available_tag>(
+          to_buffer(std::vector<Vector>(40, Vector(1, 2, 2))))
+        == 0);
   check_diagonal(cloud);
   check_sensible_radius(cloud);
   return result();

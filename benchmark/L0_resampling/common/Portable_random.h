@@ -12,8 +12,9 @@
 
 namespace L0_benchmark {
 
-/// Random numbers that do not depend on the standard library: the standard fixes the bits of `std::mt19937_64`, but
-/// leaves the distributions to the implementation. Only the rounding of `std::log()` may differ between platforms.
+/// Random numbers that do not depend on the standard library: the standard fixes the bits of
+/// `std::mt19937_64`, but leaves the distributions to the implementation. Only the rounding of
+/// `std::log()` may differ between platforms.
 class Portable_random
 {
 public:
@@ -22,8 +23,8 @@ public:
   /// In [0, 1), a multiple of 2^-53.
   double uniform() { return double(m_engine() >> 11) * 0x1p-53; }
 
-  /// Mean 0, standard deviation 1, by the polar method of Marsaglia. The second value of each pair is thrown away,
-  /// so that the state of the engine is the whole state.
+  /// Mean 0, standard deviation 1, by the polar method of Marsaglia. The second value of each pair
+  /// is thrown away, so that the state of the engine is the whole state.
   double normal()
   {
     double u, squared_radius;

@@ -26,7 +26,8 @@ using Point_3 = Kernel::Point_3;
 using Vector_3 = Kernel::Vector_3;
 using Triangle_3 = Kernel::Triangle_3;
 
-/// The ground truth of a benchmark: triangles, counterclockwise seen from outside. It may have borders.
+/// The ground truth of a benchmark: triangles, counterclockwise seen from outside. It may have
+/// borders.
 struct Triangle_mesh
 {
   using Triangle = std::array<std::size_t, 3>;
@@ -46,10 +47,14 @@ inline CGAL::Bbox_3 bounding_box(const Triangle_mesh& mesh)
 }
 
 /// The length that all errors and all noise are percentages of.
-inline double diagonal(const CGAL::Bbox_3& box) { return std::hypot(box.x_span(), box.y_span(), box.z_span()); }
+inline double diagonal(const CGAL::Bbox_3& box)
+{
+  return std::hypot(box.x_span(), box.y_span(), box.z_span());
+}
 
 /// Vertices at the same position become one, since edges are recognised by their vertices.
-/// \throws std::runtime_error if the file cannot be read, is empty or has a face that is not a triangle
+/// \throws std::runtime_error if the file cannot be read, is empty or has a face that is not a
+/// triangle
 inline Triangle_mesh read_triangle_mesh(const std::string& path)
 {
   Triangle_mesh mesh;
@@ -62,7 +67,8 @@ inline Triangle_mesh read_triangle_mesh(const std::string& path)
   mesh.triangles.reserve(polygons.size());
   for (const std::vector<std::size_t>& polygon : polygons) {
     if (polygon.size() != 3)
-      throw std::runtime_error(path + ": has a face with " + std::to_string(polygon.size()) + " vertices, not 3");
+      throw std::runtime_error(path + ": has a face with " + std::to_string(polygon.size())
+                               + " vertices, not 3");
     mesh.triangles.push_back({polygon[0], polygon[1], polygon[2]});
   }
   return mesh;

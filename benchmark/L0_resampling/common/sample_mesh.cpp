@@ -20,11 +20,17 @@ int main(int argc, char* argv[])
   L0_benchmark::Sampling sampling;
   app.add_option("mesh", mesh_path, "Triangle mesh, OFF")->required()->check(CLI::ExistingFile);
   app.add_option("points", points_path, "Point set to write, binary PLY")->required();
-  app.add_option("--points", sampling.number_of_points, "Number of points, outliers included")->capture_default_str();
-  app.add_option("--noise", sampling.noise, "Standard deviation of each coordinate, % of the bounding box's diagonal")
+  app.add_option("--points", sampling.number_of_points, "Number of points, outliers included")
     ->capture_default_str();
-  app.add_option("--outliers", sampling.outliers, "Share of outliers, %, in the box grown by 10 %")->capture_default_str();
-  app.add_option("--density-gradient", sampling.density_gradient, "Ratio of densities at the ends of the longest axis")
+  app
+    .add_option("--noise", sampling.noise,
+                "Standard deviation of each coordinate, % of the bounding box's diagonal")
+    ->capture_default_str();
+  app.add_option("--outliers", sampling.outliers, "Share of outliers, %, in the box grown by 10 %")
+    ->capture_default_str();
+  app
+    .add_option("--density-gradient", sampling.density_gradient,
+                "Ratio of densities at the ends of the longest axis")
     ->capture_default_str();
   app.add_option("--seed", sampling.seed, "Same seed, same points")->capture_default_str();
   CLI11_PARSE(app, argc, argv);

@@ -25,9 +25,10 @@ namespace L0_benchmark {
 struct Sampling
 {
   std::size_t number_of_points = 10000; ///< exact, outliers included
-  double noise = 0;                     ///< standard deviation of each coordinate, % of the bounding box's diagonal
-  double outliers = 0;                  ///< share of the points, %
-  double density_gradient = 1; ///< >= 1: density at the upper end of the longest axis over that at the lower end
+  double noise = 0;    ///< standard deviation of each coordinate, % of the bounding box's diagonal
+  double outliers = 0; ///< share of the points, %
+  double density_gradient =
+    1; ///< >= 1: density at the upper end of the longest axis over that at the lower end
   std::uint64_t seed = 1;
 };
 
@@ -53,9 +54,11 @@ public:
   Point_3 operator()(Portable_random& random) const
   {
     const double position = random.uniform() * area();
-    const auto found = std::upper_bound(m_cumulated_areas.begin(), m_cumulated_areas.end(), position);
+    const auto found = std::upper_bound(m_cumulated_areas.begin(), m_cumulated_areas.end(),
+                                        position);
     // Rounding may put the position on the total area, which belongs to no triangle.
-    const std::size_t t = (std::min)(std::size_t(found - m_cumulated_areas.begin()), m_cumulated_areas.size() - 1);
+    const std::size_t t = (std::min)(std::size_t(found - m_cumulated_areas.begin()),
+                                     m_cumulated_areas.size() - 1);
     const Triangle_3 triangle = m_mesh.triangle(t);
     double u = random.uniform();
     double v = random.uniform();
@@ -75,18 +78,22 @@ inline void check(const Sampling& sampling)
 {
   const auto demand = [](bool condition, const char* name, double value, const char* range) {
     if (!condition)
-      throw std::invalid_argument(std::string(name) + " is " + std::to_string(value) + ", must be " + range);
+      throw std::invalid_argument(std::string(name) + " is " + std::to_string(value) + ", must be "
+                                  + range);
   };
-  demand(sampling.noise >= 0 && std::isfinite(sampling.noise), "noise", sampling.noise, "finite and not negative");
-  demand(sampling.outliers >= 0 && sampling.outliers <= 100, "outliers", sampling.outliers, "in [0, 100]");
-  demand(sampling.density_gradient >= 1 && std::isfinite(sampling.density_gradient), "density gradient",
-         sampling.density_gradient, "finite and at least 1");
+  demand(sampling.noise >= 0 && std::isfinite(sampling.noise), "noise", sampling.noise,
+         "finite and not negative");
+  demand(sampling.outliers >= 0 && sampling.outliers <= 100, "outliers", sampling.outliers,
+         "in [0, 100]");
+  demand(sampling.density_gradient >= 1 && std::isfinite(sampling.density_gradient),
+         "density gradient", sampling.density_gradient, "finite and at least 1");
 }
 
-/// Points on the surface first, moved by isotropic Gaussian noise, then the outliers: uniform in the bounding box
-/// with each side grown by 10 % of the diagonal, since 10 % of a flat side would be nothing.
-/// The density grows exponentially along the longest axis of the box.
-/// \throws std::invalid_argument if a value of `sampling` is out of its range, or the mesh has no area
+/// Points on the surface first, moved by isotropic Gaussian noise, then the outliers: uniform in
+/// the bounding box with each side grown by 10 % of the diagonal, since 10 % of a flat side would
+/// be nothing. The density grows exponentially along the longest axis of the box.
+/// \throws std::invalid_argument if a value of `sampling` is out of its range, or the mesh has no
+/// area
 inline std::vector<Point_3> sample_mesh(const Triangle_mesh& mesh, const Sampling& sampling)
 {
   check(sampling);
@@ -104,7 +111,8 @@ inline std::vector<Point_3> sample_mesh(const Triangle_mesh& mesh, const Samplin
   while (points.size() < sampling.number_of_points - number_of_outliers) {
     const Point_3 p = draw(random);
     const double height = (p[axis] - (box.min)(axis)) / extents[axis];
-    if (sampling.density_gradient > 1 && random.uniform() >= std::pow(sampling.density_gradient, height - 1))
+    if (sampling.density_gradient > 1
+        && random.uniform() >= std::pow(sampling.density_gradient, height - 1))
       continue;
     double offset[3] = {0, 0, 0};
     if (standard_deviation > 0)

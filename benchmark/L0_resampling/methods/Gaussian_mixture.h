@@ -34,11 +34,13 @@ struct Gaussian
 using Gaussian_mixture = std::vector<Gaussian>;
 
 /// The Kullback-Leibler divergence of `child` from `parent`.
-inline double divergence(const Gaussian& child, const Gaussian& parent, const Eigen::Matrix3d& inverse_of_parent)
+inline double divergence(const Gaussian& child, const Gaussian& parent,
+                         const Eigen::Matrix3d& inverse_of_parent)
 {
   const Eigen::Vector3d difference = child.mean - parent.mean;
   return 0.5
-         * ((inverse_of_parent * child.covariance).trace() + difference.dot(inverse_of_parent * difference) - 3
+         * ((inverse_of_parent * child.covariance).trace()
+            + difference.dot(inverse_of_parent * difference) - 3
             - std::log(child.covariance.determinant() / parent.covariance.determinant()));
 }
 
@@ -61,7 +63,8 @@ inline Gaussian_mixture gaussians_of_points(const std::vector<Point_3>& points, 
   return mixture;
 }
 
-/// What a parent takes over of its children, weighted by its responsibility for them: number, mean and covariance.
+/// What a parent takes over of its children, weighted by its responsibility for them: number, mean
+/// and covariance.
 class Merged_gaussian
 {
   double m_weight = 0;
@@ -91,13 +94,15 @@ public:
 };
 
 /*!
-One level of hierarchical expectation maximization (Preiner et al. 2014): a third of the components, chosen at random,
-become parents. The others are shared out among the parents close by, closeness being the divergence, and what is close
-to none stays. Number, mean and covariance of the whole mixture do not change.
+One level of hierarchical expectation maximization (Preiner et al. 2014): a third of the components,
+chosen at random, become parents. The others are shared out among the parents close by, closeness
+being the divergence, and what is close to none stays. Number, mean and covariance of the whole
+mixture do not change.
 
 \param reach alpha: children diverge from their parent by alpha^2 / 2 at most
 */
-inline Gaussian_mixture reduced_mixture(const Gaussian_mixture& mixture, double reach, Portable_random& random)
+inline Gaussian_mixture reduced_mixture(const Gaussian_mixture& mixture, double reach,
+                                        Portable_random& random)
 {
   std::vector<std::size_t> parents;
   for (std::size_t s = 0; s < mixture.size(); ++s)
@@ -120,13 +125,15 @@ inline Gaussian_mixture reduced_mixture(const Gaussian_mixture& mixture, double 
     const Eigen::Matrix3d inverse = parent.covariance.inverse();
     const double longest_axis = std::sqrt(
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(parent.covariance).eigenvalues().maxCoeff());
-    // The divergence is at least half the squared Mahalanobis distance, so no other child can be close.
+    // The divergence is at least half the squared Mahalanobis distance, so no other child can be
+    // close.
     for (std::size_t c : tree.in_ball(means[parents[p]], reach * longest_axis)) {
       if (divergence(mixture[c], parent, inverse) > reach * reach / 2)
         continue;
       const Eigen::Vector3d difference = mixture[c].mean - parent.mean;
       const double of_one_point = -0.5
-                                  * (difference.dot(inverse * difference) + (inverse * mixture[c].covariance).trace()
+                                  * (difference.dot(inverse * difference)
+                                     + (inverse * mixture[c].covariance).trace()
                                      + std::log(parent.covariance.determinant()));
       candidates[c].push_back({p, mixture[c].weight * of_one_point + std::log(parent.weight)});
     }

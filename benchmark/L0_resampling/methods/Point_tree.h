@@ -23,7 +23,8 @@
 
 namespace L0_benchmark {
 
-/// Finds the indices of points in balls, and of the nearest ones. The points have to outlive the tree, unchanged.
+/// Finds the indices of points in balls, and of the nearest ones. The points have to outlive the
+/// tree, unchanged.
 class Point_tree
 {
   using Map = CGAL::Pointer_property_map<Point_3>::const_type;
@@ -37,14 +38,15 @@ class Point_tree
 public:
   explicit Point_tree(const std::vector<Point_3>& points)
     : m_map(CGAL::make_property_map(points)),
-      m_tree(boost::counting_iterator<std::size_t>(0), boost::counting_iterator<std::size_t>(points.size()),
-             Tree::Splitter(), Traits(m_map))
+      m_tree(boost::counting_iterator<std::size_t>(0),
+             boost::counting_iterator<std::size_t>(points.size()), Tree::Splitter(), Traits(m_map))
   {}
 
   std::vector<std::size_t> in_ball(const Point_3& center, double radius) const
   {
     std::vector<std::size_t> found;
-    m_tree.search(std::back_inserter(found), CGAL::Fuzzy_sphere<Traits>(center, radius, 0, Traits(m_map)));
+    m_tree.search(std::back_inserter(found),
+                  CGAL::Fuzzy_sphere<Traits>(center, radius, 0, Traits(m_map)));
     return found;
   }
 

@@ -21,8 +21,10 @@ int main(int argc, char** argv)
   constexpr std::uint64_t seed = 1;
   CLI::App app("Continuous locally optimal projection");
   arguments.add_to(app);
-  app.add_option("--radius-in-spacings", radius_in_spacings, "h, the radius of the kernel")->check(CLI::PositiveNumber);
-  app.add_option("--reach", reach, "alpha of the hierarchical expectation maximization")->check(CLI::PositiveNumber);
+  app.add_option("--radius-in-spacings", radius_in_spacings, "h, the radius of the kernel")
+    ->check(CLI::PositiveNumber);
+  app.add_option("--reach", reach, "alpha of the hierarchical expectation maximization")
+    ->check(CLI::PositiveNumber);
   app.add_option("--levels", number_of_levels, "each leaves about a third of the components");
 
   return run_program(app, argc, argv, [&] {
@@ -30,7 +32,8 @@ int main(int argc, char** argv)
 
     Oriented_points result;
     Measurement measurement;
-    const double spacing = CGAL::compute_average_spacing<CGAL::Sequential_tag>(points, number_of_spacing_neighbors);
+    const double spacing =
+      CGAL::compute_average_spacing<CGAL::Sequential_tag>(points, number_of_spacing_neighbors);
     std::vector<Point> samples = points;
     keep_random_subset(samples, arguments.number_of_output_points, seed);
     Gaussian_mixture mixture;

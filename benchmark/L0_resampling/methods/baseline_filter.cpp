@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// CGAL's simpler ways to fewer or cleaner points. Filters that keep the number of points get a random subset of their
-// result. Normals are PCA normals oriented over a spanning tree, but for bilateral smoothing, which has its own.
+// CGAL's simpler ways to fewer or cleaner points. Filters that keep the number of points get a
+// random subset of their result. Normals are PCA normals oriented over a spanning tree, but for
+// bilateral smoothing, which has its own.
 
 #include "baseline_steps.h"
 #include "subsampling.h"
@@ -32,7 +33,8 @@ std::vector<Point> one_a_cell(std::vector<Point> points, double cell_size)
 }
 
 /// The largest cells that leave enough points, of which a random few are then too many.
-std::vector<Point> simplified_by_grid(const std::vector<Point>& points, std::size_t count, double spacing)
+std::vector<Point> simplified_by_grid(const std::vector<Point>& points, std::size_t count,
+                                      double spacing)
 {
   double enough = 1e-3 * spacing, too_few = 100 * spacing;
   for (int i = 0; i < 30; ++i) {
@@ -44,25 +46,28 @@ std::vector<Point> simplified_by_grid(const std::vector<Point>& points, std::siz
   return result;
 }
 
-void run_filter(const std::string& filter, unsigned number_of_neighbors, std::vector<Point>& points, std::size_t count,
-                Measurement& measurement, Oriented_points& result)
+void run_filter(const std::string& filter, unsigned number_of_neighbors, std::vector<Point>& points,
+                std::size_t count, Measurement& measurement, Oriented_points& result)
 {
   if (filter == "random")
     measurement.phase(filter, [&] { keep_random_subset(points, count, seed); });
   else if (filter == "grid")
     measurement.phase(filter, [&] {
       points = simplified_by_grid(
-        points, count, CGAL::compute_average_spacing<CGAL::Sequential_tag>(points, number_of_spacing_neighbors));
+        points, count,
+        CGAL::compute_average_spacing<CGAL::Sequential_tag>(points, number_of_spacing_neighbors));
     });
   else if (filter == "jet")
-    measurement.phase(filter, [&] { CGAL::jet_smooth_point_set<CGAL::Sequential_tag>(points, number_of_neighbors); });
+    measurement.phase(filter, [&] {
+      CGAL::jet_smooth_point_set<CGAL::Sequential_tag>(points, number_of_neighbors);
+    });
 
   add_normals(points, measurement, result);
   if (filter == "bilateral")
     measurement.phase(filter, [&] {
       for (unsigned i = 0; i < number_of_bilateral_iterations; ++i)
-        CGAL::bilateral_smooth_point_set<CGAL::Sequential_tag>(result, number_of_neighbors,
-                                                               point_and_normal_maps().sharpness_angle(sharpness_angle));
+        CGAL::bilateral_smooth_point_set<CGAL::Sequential_tag>(
+          result, number_of_neighbors, point_and_normal_maps().sharpness_angle(sharpness_angle));
     });
   keep_random_subset(result, count, seed);
 }
@@ -76,8 +81,11 @@ int main(int argc, char** argv)
   unsigned number_of_neighbors = 24;
   CLI::App app("CGAL's random and grid simplification, jet and bilateral smoothing");
   arguments.add_to(app);
-  app.add_option("--filter", filter)->required()->check(CLI::IsMember({"random", "grid", "jet", "bilateral"}));
-  app.add_option("--neighbors", number_of_neighbors, "of each point, for jet and bilateral")->check(CLI::PositiveNumber);
+  app.add_option("--filter", filter)
+    ->required()
+    ->check(CLI::IsMember({"random", "grid", "jet", "bilateral"}));
+  app.add_option("--neighbors", number_of_neighbors, "of each point, for jet and bilateral")
+    ->check(CLI::PositiveNumber);
 
   return run_program(app, argc, argv, [&] {
     std::vector<Point> points = read_positions(arguments.input);
@@ -85,7 +93,8 @@ int main(int argc, char** argv)
 
     Oriented_points result;
     Measurement measurement;
-    run_filter(filter, number_of_neighbors, points, arguments.number_of_output_points, measurement, result);
+    run_filter(filter, number_of_neighbors, points, arguments.number_of_output_points, measurement,
+               result);
     const Json measured = measurement.result();
 
     write_oriented_points(arguments.output, result);

@@ -3,7 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// LOP, then PCA normals oriented over a spanning tree. With --kernel-density-share, LOP on fewer points, as in KLOP.
+// LOP, then PCA normals oriented over a spanning tree. With --kernel-density-share, LOP on fewer
+// points, as in KLOP.
 
 #include "baseline_steps.h"
 #include "locally_optimal_projection.h"
@@ -16,11 +17,13 @@ int main(int argc, char** argv)
   Arguments arguments;
   double radius_in_spacings = 8;
   double kernel_density_share = 100;
-  constexpr double bandwidth_in_spacings = 0.5; // of the kernel density estimate: half a spacing fills the gaps
+  constexpr double bandwidth_in_spacings =
+    0.5; // of the kernel density estimate: half a spacing fills the gaps
   constexpr std::uint64_t seed = 1;
   CLI::App app("Locally optimal projection");
   arguments.add_to(app);
-  app.add_option("--radius-in-spacings", radius_in_spacings, "h, the radius of the kernel")->check(CLI::PositiveNumber);
+  app.add_option("--radius-in-spacings", radius_in_spacings, "h, the radius of the kernel")
+    ->check(CLI::PositiveNumber);
   app
     .add_option("--kernel-density-share", kernel_density_share,
                 "% of the points, drawn from their kernel density estimate, that take part")
@@ -32,7 +35,8 @@ int main(int argc, char** argv)
 
     Oriented_points result;
     Measurement measurement;
-    const double spacing = CGAL::compute_average_spacing<CGAL::Sequential_tag>(points, number_of_spacing_neighbors);
+    const double spacing =
+      CGAL::compute_average_spacing<CGAL::Sequential_tag>(points, number_of_spacing_neighbors);
     std::vector<Point> samples = points;
     keep_random_subset(samples, arguments.number_of_output_points, seed);
     if (kernel_density_share < 100)
@@ -50,6 +54,8 @@ int main(int argc, char** argv)
 
     write_oriented_points(arguments.output, result);
     print_result("baseline_lop", arguments, number_of_input_points, result.size(),
-                 {{"radius_in_spacings", radius_in_spacings}, {"kernel_density_share", kernel_density_share}}, measured);
+                 {{"radius_in_spacings", radius_in_spacings},
+                  {"kernel_density_share", kernel_density_share}},
+                 measured);
   });
 }

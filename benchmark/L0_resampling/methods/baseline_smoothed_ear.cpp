@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What EAR of CGAL can do at its best on noisy points: unlike in baseline_ear, the whole input gets normals and is
-// smoothed, before WLOP with uniform sampling makes it two thirds of the output. Then normals again and upsampling.
+// What EAR of CGAL can do at its best on noisy points: unlike in baseline_ear, the whole input gets
+// normals and is smoothed, before WLOP with uniform sampling makes it two thirds of the output.
+// Then normals again and upsampling.
 
 #include "baseline_steps.h"
 
@@ -31,12 +32,13 @@ void smooth_with_normals(Oriented_points& points, const Parameters& parameters, 
   orient_normals(points);
   for (unsigned i = 0; smooth && i < number_of_iterations; ++i)
     CGAL::bilateral_smooth_point_set<ConcurrencyTag>(points, number_of_neighbors,
-                                                     point_and_normal_maps().sharpness_angle(parameters.sharpness_angle));
+                                                     point_and_normal_maps().sharpness_angle(
+                                                       parameters.sharpness_angle));
 }
 
 template <typename ConcurrencyTag>
-void run_pipeline(std::vector<Point>& points, std::size_t number_of_output_points, const Parameters& parameters,
-                  Measurement& measurement, Oriented_points& result)
+void run_pipeline(std::vector<Point>& points, std::size_t number_of_output_points,
+                  const Parameters& parameters, Measurement& measurement, Oriented_points& result)
 {
   measurement.phase("smooth input", [&] {
     Oriented_points smoothed;
@@ -47,11 +49,15 @@ void run_pipeline(std::vector<Point>& points, std::size_t number_of_output_point
       points[i] = smoothed[i].first;
   });
   measurement.phase("wlop", [&] {
-    wlop<ConcurrencyTag>(points, 2 * number_of_output_points / 3, parameters.radius_in_spacings, true, result);
+    wlop<ConcurrencyTag>(points, 2 * number_of_output_points / 3, parameters.radius_in_spacings,
+                         true, result);
   });
-  measurement.phase("normals", [&] { smooth_with_normals<ConcurrencyTag>(result, parameters, parameters.smooth_again); });
+  measurement.phase("normals", [&] {
+    smooth_with_normals<ConcurrencyTag>(result, parameters, parameters.smooth_again);
+  });
   measurement.phase("upsample", [&] {
-    upsample<ConcurrencyTag>(number_of_output_points, parameters.sharpness_angle, parameters.edge_sensitivity, result);
+    upsample<ConcurrencyTag>(number_of_output_points, parameters.sharpness_angle,
+                             parameters.edge_sensitivity, result);
   });
 }
 
@@ -67,7 +73,8 @@ int main(int argc, char** argv)
     .add_option("--radius-in-spacings", parameters.radius_in_spacings,
                 "neighbor_radius of WLOP; without it CGAL's default, 8")
     ->check(CLI::PositiveNumber);
-  app.add_option("--sharpness-angle", parameters.sharpness_angle, "degrees")->check(CLI::Range(0., 90.));
+  app.add_option("--sharpness-angle", parameters.sharpness_angle, "degrees")
+    ->check(CLI::Range(0., 90.));
   app.add_option("--edge-sensitivity", parameters.edge_sensitivity)->check(CLI::Range(0., 1.));
   app.add_flag("--smooth-again", parameters.smooth_again, "also after WLOP");
 
@@ -78,7 +85,8 @@ int main(int argc, char** argv)
     Oriented_points result(arguments.number_of_output_points);
     Measurement measurement;
     with_concurrency_tag(arguments.number_of_threads, [&](auto tag) {
-      run_pipeline<decltype(tag)>(points, arguments.number_of_output_points, parameters, measurement, result);
+      run_pipeline<decltype(tag)>(points, arguments.number_of_output_points, parameters,
+                                  measurement, result);
     });
     const Json measured = measurement.result();
 

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// CGAL's WLOP, then PCA normals oriented over a spanning tree, so that its result can be compared with oriented points.
-// Comparisons of speed take the phase "wlop" alone.
+// CGAL's WLOP, then PCA normals oriented over a spanning tree, so that its result can be compared
+// with oriented points. Comparisons of speed take the phase "wlop" alone.
 
 #include "baseline_steps.h"
 
@@ -17,7 +17,9 @@ int main(int argc, char** argv)
   bool require_uniform_sampling = false;
   CLI::App app("CGAL::wlop_simplify_and_regularize_point_set()");
   arguments.add_to(app);
-  app.add_option("--radius-in-spacings", radius_in_spacings, "neighbor_radius; without it CGAL's default, 8")
+  app
+    .add_option("--radius-in-spacings", radius_in_spacings,
+                "neighbor_radius; without it CGAL's default, 8")
     ->check(CLI::PositiveNumber);
   app.add_flag("--require-uniform-sampling", require_uniform_sampling);
 
@@ -30,7 +32,8 @@ int main(int argc, char** argv)
     with_concurrency_tag(arguments.number_of_threads, [&](auto tag) {
       using Tag = decltype(tag);
       measurement.phase("wlop", [&] {
-        wlop<Tag>(points, arguments.number_of_output_points, radius_in_spacings, require_uniform_sampling, result);
+        wlop<Tag>(points, arguments.number_of_output_points, radius_in_spacings,
+                  require_uniform_sampling, result);
       });
       measurement.phase("estimate normals", [&] { estimate_normals<Tag>(result); });
       measurement.phase("orient normals", [&] { orient_normals(result); });

@@ -18,11 +18,13 @@
 namespace L0_benchmark {
 
 /*!
-The kernel of LOP's attraction, theta(r) / r, as a sum of Gaussians, so that it can be integrated over others.
+The kernel of LOP's attraction, theta(r) / r, as a sum of Gaussians, so that it can be integrated
+over others.
 
-From 1/r = 2 / sqrt(pi) * integral of exp(-r^2 t^2) over t from 0, with t = e^u, a sum over the integers u. It is within
-2 % of 1/r between 0.02 and 1, and stays finite below. All u below 0 are one term with their mean exponent, 0.09, since
-they hardly differ beside the 16 of theta(r) = exp(-16 r^2). Lengths are in units of h.
+From 1/r = 2 / sqrt(pi) * integral of exp(-r^2 t^2) over t from 0, with t = e^u, a sum over the
+integers u. It is within 2 % of 1/r between 0.02 and 1, and stays finite below. All u below 0 are
+one term with their mean exponent, 0.09, since they hardly differ beside the 16 of theta(r) =
+exp(-16 r^2). Lengths are in units of h.
 */
 class Attraction_kernel
 {
@@ -86,8 +88,10 @@ public:
   {
     for (const Gaussian& gaussian : mixture) {
       const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(gaussian.covariance);
-      m_components.push_back({gaussian.weight, gaussian.mean, solver.eigenvectors(), solver.eigenvalues().cwiseMax(0)});
-      m_longest_axis = (std::max)(m_longest_axis, std::sqrt(m_components.back().variances.maxCoeff()));
+      m_components.push_back(
+        {gaussian.weight, gaussian.mean, solver.eigenvectors(), solver.eigenvalues().cwiseMax(0)});
+      m_longest_axis = (std::max)(m_longest_axis,
+                                  std::sqrt(m_components.back().variances.maxCoeff()));
     }
   }
 
@@ -97,19 +101,24 @@ public:
 
   Point_3 operator()(const Point_3& sample) const
   {
-    constexpr double support = 2.5; // standard deviations of a component, which hold nearly all of it
+    constexpr double support =
+      2.5; // standard deviations of a component, which hold nearly all of it
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     double sum_of_weights = 0;
-    for (std::size_t s : m_tree.in_ball(sample, kernel_reach * m_radius + support * m_longest_axis)) {
+    for (std::size_t s :
+         m_tree.in_ball(sample, kernel_reach * m_radius + support * m_longest_axis)) {
       const Component& component = m_components[s];
-      const Eigen::Vector3d difference = component.axes.transpose() * (component.mean - to_eigen(sample));
-      if (difference.norm() > kernel_reach * m_radius + support * std::sqrt(component.variances.maxCoeff()))
+      const Eigen::Vector3d difference = component.axes.transpose()
+                                         * (component.mean - to_eigen(sample));
+      if (difference.norm()
+          > kernel_reach * m_radius + support * std::sqrt(component.variances.maxCoeff()))
         continue;
       for (const Attraction_kernel::Term& term : m_kernel.terms()) {
         // The term is a Gaussian around the sample; its product with the component is one again.
         const double variance = m_radius * m_radius / (2 * term.exponent);
         const Eigen::Array3d sums = component.variances.array() + variance;
-        const double weight = component.weight * term.height * std::sqrt(variance * variance * variance / sums.prod())
+        const double weight = component.weight * term.height
+                              * std::sqrt(variance * variance * variance / sums.prod())
                               * std::exp(-0.5 * (difference.array().square() / sums).sum());
         sum += weight * (component.axes * (variance * difference.array() / sums).matrix());
         sum_of_weights += weight;
@@ -120,12 +129,13 @@ public:
 };
 
 /*!
-CLOP (Preiner et al. 2014, "Continuous projection for fast L1 reconstruction"): LOP on a Gaussian mixture that stands
-for the points.
+CLOP (Preiner et al. 2014, "Continuous projection for fast L1 reconstruction"): LOP on a Gaussian
+mixture that stands for the points.
 
 \param samples where they start, and where they end
 */
-inline void continuous_projection(const Gaussian_mixture& mixture, const Projection_parameters& parameters,
+inline void continuous_projection(const Gaussian_mixture& mixture,
+                                  const Projection_parameters& parameters,
                                   std::vector<Point_3>& samples)
 {
   const Continuous_attraction attract(mixture, parameters.radius);

@@ -20,10 +20,10 @@
 #include <utility>
 #include <vector>
 
-// LOD (Sun et al. 2015, "Denoising point sets via L0 minimization"): normals that are constant but for jumps, then
-// points whose tangent planes agree with their neighbors but for jumps, then points at jumps onto the edge. The
-// upsampling that follows there is left out, as in the paper that we compare with. Lengths are in units of the average
-// spacing.
+// LOD (Sun et al. 2015, "Denoising point sets via L0 minimization"): normals that are constant but
+// for jumps, then points whose tangent planes agree with their neighbors but for jumps, then points
+// at jumps onto the edge. The upsampling that follows there is left out, as in the paper that we
+// compare with. Lengths are in units of the average spacing.
 
 namespace L0_benchmark {
 
@@ -57,7 +57,8 @@ inline Pairs neighbor_pairs(const std::vector<Point_3>& points, unsigned number_
 
 /// Solves a symmetric positive definite system, one for each column of `rhs`, from the guess `x`.
 template <typename Right_hand_side>
-Right_hand_side solve(const Eigen::SparseMatrix<double>& matrix, const Right_hand_side& rhs, const Right_hand_side& x)
+Right_hand_side solve(const Eigen::SparseMatrix<double>& matrix, const Right_hand_side& rhs,
+                      const Right_hand_side& x)
 {
   Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper> solver(matrix);
   solver.setTolerance(1e-6);
@@ -67,9 +68,10 @@ Right_hand_side solve(const Eigen::SparseMatrix<double>& matrix, const Right_han
   return solution;
 }
 
-/// Minimizes sum |n_i - m_i|^2 + lambda * sum over pairs |n_i - n_j|_0 over vectors n_i, which are made unit after each
-/// turn. m_i are the `normals`, consistently oriented.
-inline Rows denoised_normals(const Rows& normals, const Pairs& pairs, const L0_denoising_parameters& parameters)
+/// Minimizes sum |n_i - m_i|^2 + lambda * sum over pairs |n_i - n_j|_0 over vectors n_i, which are
+/// made unit after each turn. m_i are the `normals`, consistently oriented.
+inline Rows denoised_normals(const Rows& normals, const Pairs& pairs,
+                             const L0_denoising_parameters& parameters)
 {
   Rows result = normals;
   for (double penalty = 2 * parameters.normal_weight; penalty <= parameters.last_normal_penalty;
@@ -99,8 +101,8 @@ inline Rows denoised_normals(const Rows& normals, const Pairs& pairs, const L0_d
   return result;
 }
 
-/// Minimizes sum a_i^2 + lambda * sum |n_i (p_i - p_j)|_0 over the steps a_i of points along their normals,
-/// p_i = q_i + a_i n_i. Each pair counts twice, once for each of its normals.
+/// Minimizes sum a_i^2 + lambda * sum |n_i (p_i - p_j)|_0 over the steps a_i of points along their
+/// normals, p_i = q_i + a_i n_i. Each pair counts twice, once for each of its normals.
 /// \returns the positions p_i
 inline Rows denoised_positions(const Rows& positions, const Rows& normals, const Pairs& pairs,
                                const L0_denoising_parameters& parameters)
@@ -115,8 +117,8 @@ inline Rows denoised_positions(const Rows& positions, const Rows& normals, const
     for (Eigen::Index i = 0; i < positions.rows(); ++i)
       entries.emplace_back(i, i, 1);
     for (const auto& [first, second] : pairs)
-      for (const auto& [i, j] :
-           {std::pair(Eigen::Index(first), Eigen::Index(second)), std::pair(Eigen::Index(second), Eigen::Index(first))}) {
+      for (const auto& [i, j] : {std::pair(Eigen::Index(first), Eigen::Index(second)),
+                                 std::pair(Eigen::Index(second), Eigen::Index(first))}) {
         // n_i (p_i - p_j) = height + a_i - cosine * a_j
         const double height = normals.row(i).dot(positions.row(i) - positions.row(j));
         const double cosine = normals.row(i).dot(normals.row(j));
@@ -149,7 +151,8 @@ inline Rows points_on_edges(const Rows& positions, const Rows& normals, const Pa
   for (const auto& [first, second] : pairs)
     for (const auto& [i, j] : {std::pair(first, second), std::pair(second, first)}) {
       const Eigen::Vector3d normal = normals.row(Eigen::Index(j)).transpose();
-      const Eigen::Vector3d difference = (positions.row(Eigen::Index(j)) - positions.row(Eigen::Index(i))).transpose();
+      const Eigen::Vector3d difference =
+        (positions.row(Eigen::Index(j)) - positions.row(Eigen::Index(i))).transpose();
       matrices[i] += normal * normal.transpose();
       sums[i] += normal * normal.dot(difference);
       if (normal.dot(normals.row(Eigen::Index(i)).transpose()) < cosine_at_edge)

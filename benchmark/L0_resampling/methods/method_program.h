@@ -57,10 +57,15 @@ struct Arguments
 
   void add_to(CLI::App& app)
   {
-    app.add_option("input", input, "PLY file; only the positions are used")->required()->check(CLI::ExistingFile);
+    app.add_option("input", input, "PLY file; only the positions are used")
+      ->required()
+      ->check(CLI::ExistingFile);
     app.add_option("output", output, "binary PLY file of points with normals")->required();
-    app.add_option("--points", number_of_output_points, "number of output points")->required()->check(CLI::PositiveNumber);
-    app.add_option("--threads", number_of_threads, "1 runs the sequential code")->check(CLI::PositiveNumber);
+    app.add_option("--points", number_of_output_points, "number of output points")
+      ->required()
+      ->check(CLI::PositiveNumber);
+    app.add_option("--threads", number_of_threads, "1 runs the sequential code")
+      ->check(CLI::PositiveNumber);
   }
 };
 
@@ -93,8 +98,9 @@ inline std::size_t resident_bytes(const std::string& field)
 }
 
 /*!
-Wall-clock time and CPU time of all threads for each phase of a program, and how far the resident memory rises above
-what it was when the measurement began. So input and output must be resident before: the peak then counts neither.
+Wall-clock time and CPU time of all threads for each phase of a program, and how far the resident
+memory rises above what it was when the measurement began. So input and output must be resident
+before: the peak then counts neither.
 */
 class Measurement
 {
@@ -116,8 +122,9 @@ public:
     wall.start();
     function();
     wall.stop();
-    m_phases.push_back(
-      {{"name", name}, {"wall_seconds", wall.time()}, {"cpu_seconds", double(std::clock() - cpu) / CLOCKS_PER_SEC}});
+    m_phases.push_back({{"name", name},
+                        {"wall_seconds", wall.time()},
+                        {"cpu_seconds", double(std::clock() - cpu) / CLOCKS_PER_SEC}});
   }
 
   Json result() const
@@ -139,7 +146,8 @@ private:
   Json m_phases = Json::array();
 };
 
-/// Calls `function` with the concurrency tag for `number_of_threads`, and with no more threads than that.
+/// Calls `function` with the concurrency tag for `number_of_threads`, and with no more threads than
+/// that.
 template <typename Function>
 void with_concurrency_tag(unsigned number_of_threads, const Function& function)
 {
@@ -151,8 +159,9 @@ void with_concurrency_tag(unsigned number_of_threads, const Function& function)
 }
 
 /// Prints one line of JSON: what was run, on what, and its measurement.
-inline void print_result(const std::string& program, const Arguments& arguments, std::size_t number_of_input_points,
-                         std::size_t number_of_output_points, const Json& parameters, const Json& measured)
+inline void print_result(const std::string& program, const Arguments& arguments,
+                         std::size_t number_of_input_points, std::size_t number_of_output_points,
+                         const Json& parameters, const Json& measured)
 {
   Json line = {{"program", program},
                {"cgal_version", CGAL_VERSION_STR},

@@ -29,31 +29,37 @@ const std::vector<std::string> solver_names = {"block", "cholesky", "rows", "cud
 const std::vector<std::string> solver_names = {"block", "cholesky", "rows"};
 #endif
 
-const std::map<std::string, Method> methods = {{"default", Method::DEFAULT}, {"lor", Method::LOR}, {"alor", Method::ALOR}};
+const std::map<std::string, Method> methods = {
+  {"default", Method::DEFAULT}, {"lor", Method::LOR}, {"alor", Method::ALOR}};
 
 /// Resamples with the solver that the command line names; "block" is the function's own default.
 template <typename ConcurrencyTag>
 void resample(const std::vector<Point>& points, std::size_t number_of_output_points, Method method,
-              const std::string& solver, double normal_weight, Report& report, Oriented_points& result)
+              const std::string& solver, double normal_weight, Report& report,
+              Oriented_points& result)
 {
   namespace solvers = CGAL::L0_resampling;
   const auto out = std::back_inserter(result);
   const auto parameters = CGAL::parameters::number_of_output_points(number_of_output_points)
-                          | CGAL::parameters::resampling_method(method) | CGAL::parameters::normal_weight(normal_weight)
+                          | CGAL::parameters::resampling_method(method)
+                          | CGAL::parameters::normal_weight(normal_weight)
                           | CGAL::parameters::resampling_report(&report);
   if (solver == "block")
     CGAL::l0_resample_point_set<ConcurrencyTag>(points, out, parameters);
   else if (solver == "cholesky")
-    CGAL::l0_resample_point_set<ConcurrencyTag>(
-      points, out, parameters.sparse_linear_solver(solvers::Eigen_cholesky_solver_traits<double>()));
+    CGAL::l0_resample_point_set<ConcurrencyTag>(points, out,
+                                                parameters.sparse_linear_solver(
+                                                  solvers::Eigen_cholesky_solver_traits<double>()));
 #ifdef CGAL_L0_LINKED_WITH_CUDA
   else if (solver == "cuda_rows")
     CGAL::l0_resample_point_set<ConcurrencyTag>(
-      points, out, parameters.sparse_linear_solver(solvers::CUDA_least_squares_solver_traits<double>()));
+      points, out,
+      parameters.sparse_linear_solver(solvers::CUDA_least_squares_solver_traits<double>()));
 #endif
   else
     CGAL::l0_resample_point_set<ConcurrencyTag>(
-      points, out, parameters.sparse_linear_solver(solvers::Eigen_least_squares_solver_traits<double>()));
+      points, out,
+      parameters.sparse_linear_solver(solvers::Eigen_least_squares_solver_traits<double>()));
 }
 
 Json to_json(const Report& report)
@@ -64,7 +70,8 @@ Json to_json(const Report& report)
 
   Json stages = Json::array();
   for (const CGAL::L0_resampling::Stage_report& stage : report.stages)
-    stages.push_back({{"name", stage.name}, {"seconds", stage.seconds}, {"peak_bytes", stage.peak_bytes}});
+    stages.push_back(
+      {{"name", stage.name}, {"seconds", stage.seconds}, {"peak_bytes", stage.peak_bytes}});
 
   return {{"peak_bytes", report.peak_bytes},
           {"neighbor_radius", report.neighbor_radius},
@@ -89,7 +96,8 @@ int main(int argc, char** argv)
   app
     .add_option("--solver", solver,
                 "block: conjugate gradients on 3x3 blocks; cholesky: of the normal equations; "
-                "rows: least-squares conjugate gradients on the paper's rows; cuda_rows: the same on a CUDA device, "
+                "rows: least-squares conjugate gradients on the paper's rows; cuda_rows: the same "
+                "on a CUDA device, "
                 "where built with CUDA")
     ->check(CLI::IsMember(solver_names));
   app.add_option("--normal-weight", normal_weight, "lambda")->check(CLI::NonNegativeNumber);
@@ -102,15 +110,15 @@ int main(int argc, char** argv)
     result.clear();
     if (solver == "cuda_rows") // the first call starts the device
     {
-      resample<CGAL::Parallel_tag>(points, arguments.number_of_output_points, methods.at(method), solver, normal_weight,
-                                   report, result);
+      resample<CGAL::Parallel_tag>(points, arguments.number_of_output_points, methods.at(method),
+                                   solver, normal_weight, report, result);
       result.clear();
     }
     Measurement measurement;
     with_concurrency_tag(arguments.number_of_threads, [&](auto tag) {
       measurement.phase("l0_resample", [&] {
-        resample<decltype(tag)>(points, arguments.number_of_output_points, methods.at(method), solver, normal_weight,
-                                report, result);
+        resample<decltype(tag)>(points, arguments.number_of_output_points, methods.at(method),
+                                solver, normal_weight, report, result);
       });
     });
     Json measured = measurement.result();
@@ -118,6 +126,7 @@ int main(int argc, char** argv)
 
     write_oriented_points(arguments.output, result);
     print_result("run_l0", arguments, points.size(), result.size(),
-                 {{"method", method}, {"solver", solver}, {"normal_weight", normal_weight}}, measured);
+                 {{"method", method}, {"solver", solver}, {"normal_weight", normal_weight}},
+                 measured);
   });
 }

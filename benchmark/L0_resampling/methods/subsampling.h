@@ -25,19 +25,22 @@ void keep_random_subset(std::vector<T>& values, std::size_t count, std::uint64_t
   count = (std::min)(count, values.size());
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t rest = values.size() - i;
-    std::swap(values[i], values[i + (std::min)(std::size_t(random.uniform() * double(rest)), rest - 1)]);
+    std::swap(values[i],
+              values[i + (std::min)(std::size_t(random.uniform() * double(rest)), rest - 1)]);
   }
   values.erase(values.begin() + std::ptrdiff_t(count), values.end());
 }
 
 /*!
-KLOP's smaller input (Liao et al. 2013): draws from the kernel density estimate of the points, so that the density of
-what is drawn tends to that of all points. To draw from the estimate is to choose a point and to move it by the kernel.
+KLOP's smaller input (Liao et al. 2013): draws from the kernel density estimate of the points, so
+that the density of what is drawn tends to that of all points. To draw from the estimate is to
+choose a point and to move it by the kernel.
 
 \param bandwidth standard deviation of the Gaussian kernel, a length
 */
-inline std::vector<Point_3> draw_from_kernel_density(const std::vector<Point_3>& points, std::size_t count,
-                                                     double bandwidth, std::uint64_t seed)
+inline std::vector<Point_3> draw_from_kernel_density(const std::vector<Point_3>& points,
+                                                     std::size_t count, double bandwidth,
+                                                     std::uint64_t seed)
 {
   std::vector<Point_3> drawn = points;
   keep_random_subset(drawn, count, seed);

@@ -3,7 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// How often the callback is called, and how soon a call ends once it has said no. Prints one line of JSON.
+// How often the callback is called, and how soon a call ends once it has said no. Prints one line
+// of JSON.
 
 #include "../common/Portable_random.h"
 #include "../methods/method_program.h"
@@ -22,7 +23,8 @@ using namespace L0_benchmark;
 using CGAL::L0_resampling::Method;
 using CGAL::L0_resampling::Report;
 
-const std::map<std::string, Method> methods = {{"default", Method::DEFAULT}, {"lor", Method::LOR}, {"alor", Method::ALOR}};
+const std::map<std::string, Method> methods = {
+  {"default", Method::DEFAULT}, {"lor", Method::LOR}, {"alor", Method::ALOR}};
 
 /// A noisy unit sphere
 std::vector<Point> sphere(std::size_t n, double noise)
@@ -69,7 +71,8 @@ std::vector<Point> input_points(const std::string& input, std::size_t n, double 
   return input == "volume" ? volume(n) : input == "crowd" ? crowd(n, noise) : sphere(n, noise);
 }
 
-/// Wall-clock time, and the time that all threads of the process have had: of the two, a busy machine lengthens the first.
+/// Wall-clock time, and the time that all threads of the process have had: of the two, a busy
+/// machine lengthens the first.
 struct Instant
 {
   std::chrono::steady_clock::time_point wall = std::chrono::steady_clock::now();
@@ -115,22 +118,25 @@ struct Observation
 };
 
 /// \param refusal the progress from which on the callback says no; above 1 for never
-Observation observe(const std::vector<Point>& points, Method method, double radius, unsigned threads, double refusal,
-                    Report& report)
+Observation observe(const std::vector<Point>& points, Method method, double radius,
+                    unsigned threads, double refusal, Report& report)
 {
   const std::size_t m = points.size() * 6 / 10;
   Oriented_points result(m); // resident, so that the first write to each page does not count
   result.clear();
   Observation observation;
   const std::function<bool(double)> callback = [&](double progress) {
-    observation.is_monotonic = observation.is_monotonic && progress >= observation.progress && progress <= 1;
+    observation.is_monotonic = observation.is_monotonic && progress >= observation.progress
+                               && progress <= 1;
     observation.progress = progress;
     ++observation.number_of_calls;
     observation.note(report.stages.empty() ? "read points" : report.stages.back().name);
     return progress < refusal;
   };
-  const auto parameters =
-    CGAL::parameters::resampling_method(method).number_of_output_points(m).callback(callback).resampling_report(&report);
+  const auto parameters = CGAL::parameters::resampling_method(method)
+                            .number_of_output_points(m)
+                            .callback(callback)
+                            .resampling_report(&report);
   with_concurrency_tag(threads, [&](auto tag) {
     const auto resample = [&](const auto& np) {
       observation.last = Instant();
@@ -160,7 +166,8 @@ int main(int argc, char** argv)
   app.add_option("--method", method)->check(CLI::IsMember(methods));
   app.add_option("--threads", threads, "1 runs the sequential code")->check(CLI::PositiveNumber);
   app.add_option("--noise-in-spacings", noise_in_spacings)->check(CLI::NonNegativeNumber);
-  app.add_option("--radius-in-spacings", radius_in_spacings, "0 for the method's own")->check(CLI::NonNegativeNumber);
+  app.add_option("--radius-in-spacings", radius_in_spacings, "0 for the method's own")
+    ->check(CLI::NonNegativeNumber);
   app.add_option("--cancellations", number_of_cancellations,
                  "calls that are cancelled at evenly spread values of progress");
 
@@ -177,8 +184,9 @@ int main(int argc, char** argv)
     const Json last_gap = to_json(complete.gaps.back().duration);
     complete.gaps.pop_back();
     const auto longest_by = [&](double Duration::*seconds) {
-      std::sort(complete.gaps.begin(), complete.gaps.end(),
-                [&](const Gap& a, const Gap& b) { return a.duration.*seconds > b.duration.*seconds; });
+      std::sort(complete.gaps.begin(), complete.gaps.end(), [&](const Gap& a, const Gap& b) {
+        return a.duration.*seconds > b.duration.*seconds;
+      });
       Json gaps = Json::array();
       for (std::size_t i = 0; i < (std::min)(complete.gaps.size(), std::size_t(20)); ++i) {
         Json gap = to_json(complete.gaps[i].duration);
@@ -194,7 +202,8 @@ int main(int argc, char** argv)
     for (std::size_t k = 1; k <= number_of_cancellations; ++k) {
       Report report_of_cancelled;
       const double refusal = double(k) / double(number_of_cancellations + 1);
-      const Observation cancelled = observe(points, methods.at(method), radius, threads, refusal, report_of_cancelled);
+      const Observation cancelled = observe(points, methods.at(method), radius, threads, refusal,
+                                            report_of_cancelled);
       is_monotonic = is_monotonic && cancelled.is_monotonic;
       Json cancellation = to_json(cancelled.gaps.back().duration);
       cancellation["progress"] = cancelled.progress;

@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Measures what a CUDA device can do at most: bytes a second from its memory and from its cache, and operations a second; and how long it takes at least to launch a
-// kernel, to wait for a number, and to add up over all threads of a launch. Prints one JSON object.
+// Measures what a CUDA device can do at most: bytes a second from its memory and from its cache,
+// and operations a second; and how long it takes at least to launch a kernel, to wait for a number,
+// and to add up over all threads of a launch. Prints one JSON object.
 
 #include "../../../src/CGAL_L0_CUDA/Grid_sum.cuh"
 
@@ -81,7 +82,8 @@ __global__ void multiply_and_add(T factor, T* sums)
 template <typename T>
 double operations_a_second(unsigned blocks, void* memory)
 {
-  const double seconds = seconds_of([&]() { multiply_and_add<<<blocks, 256>>>(T(0.999), static_cast<T*>(memory)); });
+  const double seconds = seconds_of(
+    [&]() { multiply_and_add<<<blocks, 256>>>(T(0.999), static_cast<T*>(memory)); });
   return 2. * operations_of_thread * blocks * 256 / seconds;
 }
 
@@ -98,7 +100,8 @@ double seconds_of_launch()
   return seconds / number_of_launches;
 }
 
-/// Seconds from the end of a kernel to the begin of the next one, if the host reads a number in between.
+/// Seconds from the end of a kernel to the begin of the next one, if the host reads a number in
+/// between.
 /// \param number on the device
 double seconds_of_read(const int* number, double of_launch)
 {
@@ -119,7 +122,8 @@ double seconds_of_read(const int* number, double of_launch)
 constexpr unsigned threads_of_sum = 512; // as many as the solver has
 
 /// The sum of two numbers of each thread, again and again.
-__global__ void __launch_bounds__(threads_of_sum, 2) add_up(int times, double* partial_sums, double* result)
+__global__ void __launch_bounds__(threads_of_sum, 2)
+  add_up(int times, double* partial_sums, double* result)
 {
   using Sum = CGAL::L0_resampling::internal::cuda::Grid_sum<2>;
   __shared__ double shared[Sum::size_of_shared(threads_of_sum)];
@@ -141,8 +145,9 @@ double seconds_of_sum(int number_of_multiprocessors, void* memory)
   const auto run = [&](int times) {
     void* arguments[] = {&times, &partial_sums, &result};
     return seconds_of([&]() {
-      demand(cudaLaunchCooperativeKernel(reinterpret_cast<void*>(add_up), dim3(2 * number_of_multiprocessors),
-                                         dim3(threads_of_sum), arguments, 0, nullptr));
+      demand(cudaLaunchCooperativeKernel(reinterpret_cast<void*>(add_up),
+                                         dim3(2 * number_of_multiprocessors), dim3(threads_of_sum),
+                                         arguments, 0, nullptr));
     });
   };
   return (run(1100) - run(100)) / 1000;
@@ -160,21 +165,26 @@ int main()
     demand(cudaMalloc(&from, bytes));
     demand(cudaMalloc(&to, bytes));
     demand(cudaMemset(from, 1, bytes));
-    const double copy = seconds_of([&]() { demand(cudaMemcpyAsync(to, from, bytes, cudaMemcpyDeviceToDevice)); });
+    const double copy = seconds_of(
+      [&]() { demand(cudaMemcpyAsync(to, from, bytes, cudaMemcpyDeviceToDevice)); });
     const unsigned blocks = unsigned(device.multiProcessorCount) * 8;
     const std::size_t size = bytes_in_cache / sizeof(float4);
     const double reads = seconds_of([&]() {
-      read_again_and_again<<<blocks, 256>>>(reinterpret_cast<const float4*>(from), size, reinterpret_cast<float*>(to));
+      read_again_and_again<<<blocks, 256>>>(reinterpret_cast<const float4*>(from), size,
+                                            reinterpret_cast<float*>(to));
     });
     const double launch = seconds_of_launch();
-    std::cout << "{\"device\": \"" << device.name << "\", \"multiprocessors\": " << device.multiProcessorCount
+    std::cout << "{\"device\": \"" << device.name
+              << "\", \"multiprocessors\": " << device.multiProcessorCount
               << ", \"memory_bytes_a_second\": " << 2. * double(bytes) / copy
               << ", \"cache_bytes_a_second\": " << double(bytes_in_cache) * blocks / reads
               << ", \"float_operations_a_second\": " << operations_a_second<float>(blocks * 16, to)
-              << ", \"double_operations_a_second\": " << operations_a_second<double>(blocks * 16, to)
-              << ", \"launch_seconds\": " << launch
-              << ", \"read_seconds\": " << seconds_of_read(reinterpret_cast<const int*>(from), launch)
-              << ", \"sum_seconds\": " << seconds_of_sum(device.multiProcessorCount, to) << "}" << std::endl;
+              << ", \"double_operations_a_second\": "
+              << operations_a_second<double>(blocks * 16, to) << ", \"launch_seconds\": " << launch
+              << ", \"read_seconds\": "
+              << seconds_of_read(reinterpret_cast<const int*>(from), launch)
+              << ", \"sum_seconds\": " << seconds_of_sum(device.multiProcessorCount, to) << "}"
+              << std::endl;
     demand(cudaFree(from));
     demand(cudaFree(to));
     return 0;

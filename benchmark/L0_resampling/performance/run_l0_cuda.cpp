@@ -3,7 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Times the stages on a CUDA device: a mesh is sampled with noise, and its points are resampled again and again. Prints one JSON object.
+// Times the stages on a CUDA device: a mesh is sampled with noise, and its points are resampled
+// again and again. Prints one JSON object.
 
 #include "../common/sample_mesh.h"
 
@@ -33,7 +34,8 @@ using CGAL::L0_resampling::Method;
 using CGAL::L0_resampling::internal::Parameters;
 using Json = nlohmann::ordered_json;
 
-const std::map<std::string, Method> methods = {{"default", Method::DEFAULT}, {"lor", Method::LOR}, {"alor", Method::ALOR}};
+const std::map<std::string, Method> methods = {
+  {"default", Method::DEFAULT}, {"lor", Method::LOR}, {"alor", Method::ALOR}};
 
 void demand(const cuda::Answer& answer)
 {
@@ -128,7 +130,8 @@ public:
   {
     Json stages = Json::array();
     for (std::size_t s = 0; s < m_names.size(); ++s)
-      stages.push_back({{"name", m_names[s]}, {"seconds", median(m_seconds[s])}, {"peak_bytes", m_peak_bytes[s]}});
+      stages.push_back(
+        {{"name", m_names[s]}, {"seconds", median(m_seconds[s])}, {"peak_bytes", m_peak_bytes[s]}});
     return stages;
   }
 };
@@ -146,26 +149,32 @@ int main(int argc, char** argv)
   bool measures_bandwidth = false, is_profiled = false;
   CLI::App app("l0_resample_point_set<CUDA_tag>(), stage by stage");
   app.add_option("mesh", mesh_path, "triangle mesh, OFF")->required()->check(CLI::ExistingFile);
-  app.add_option("--points-in", sampling.number_of_points, "points sampled from the mesh")->capture_default_str();
-  app.add_option("--noise", sampling.noise, "% of the bounding box's diagonal")->capture_default_str();
+  app.add_option("--points-in", sampling.number_of_points, "points sampled from the mesh")
+    ->capture_default_str();
+  app.add_option("--noise", sampling.noise, "% of the bounding box's diagonal")
+    ->capture_default_str();
   app.add_option("--noise-in-spacings", noise_in_spacings,
-                 "in place of --noise: multiples of the spacing of the points, so that clouds of any size are alike");
-  app.add_option("--points", parameters.number_of_output_points, "number of output points")->required();
+                 "in place of --noise: multiples of the spacing of the points, so that clouds of "
+                 "any size are alike");
+  app.add_option("--points", parameters.number_of_output_points, "number of output points")
+    ->required();
   app.add_option("--method", method)->check(CLI::IsMember(methods))->capture_default_str();
   app.add_option("--radius-in-spacings", radius_in_spacings,
                  "of the input, for a cost that is linear in its size; 0: the method's rule");
   app.add_option("--repetitions", repetitions)->check(CLI::PositiveNumber)->capture_default_str();
   app.add_flag("--bandwidth", measures_bandwidth, "measure the copy bandwidth of the device too");
-  app.add_flag(
-    "--profile", is_profiled,
-    "one call more, after the warm-up, with profilers switched on: for `ncu --profile-from-start off`, which is slow");
+  app.add_flag("--profile", is_profiled,
+               "one call more, after the warm-up, with profilers switched on: for `ncu "
+               "--profile-from-start off`, which is slow");
   CLI11_PARSE(app, argc, argv);
 
   try {
     const L0_benchmark::Triangle_mesh mesh = L0_benchmark::read_triangle_mesh(mesh_path);
-    const double spacing = std::sqrt(L0_benchmark::Area_sampler(mesh).area() / double(sampling.number_of_points));
+    const double spacing = std::sqrt(L0_benchmark::Area_sampler(mesh).area()
+                                     / double(sampling.number_of_points));
     if (noise_in_spacings >= 0)
-      sampling.noise = 100 * noise_in_spacings * spacing / L0_benchmark::diagonal(L0_benchmark::bounding_box(mesh));
+      sampling.noise = 100 * noise_in_spacings * spacing
+                       / L0_benchmark::diagonal(L0_benchmark::bounding_box(mesh));
     const std::vector<L0_benchmark::Point_3> points = L0_benchmark::sample_mesh(mesh, sampling);
     std::vector<double> coordinates;
     coordinates.reserve(3 * points.size());
@@ -184,10 +193,13 @@ int main(int argc, char** argv)
     std::vector<float> normals(3 * m);
     demand(cuda::create(session));
     const auto upload = [&]() {
-      demand(cuda::upload(*session, coordinates.data(), points.size(), nullptr, nullptr, parameters.maximum_memory));
+      demand(cuda::upload(*session, coordinates.data(), points.size(), nullptr, nullptr,
+                          parameters.maximum_memory));
     };
     const auto resample = [&]() { demand(cuda::resample(*session, parameters, {}, report)); };
-    const auto download = [&]() { demand(cuda::download(*session, positions.data(), normals.data())); };
+    const auto download = [&]() {
+      demand(cuda::download(*session, positions.data(), normals.data()));
+    };
     for (int i = 0; i < 3; ++i) {
       upload();
       resample();

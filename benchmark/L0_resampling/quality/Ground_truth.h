@@ -24,7 +24,8 @@ constexpr double degrees_per_radian = 57.29577951308232;
 /// Angle in degrees between two vectors, by atan2: an acos would lose all digits of small angles.
 inline double angle_in_degrees(const Vector_3& u, const Vector_3& v)
 {
-  return degrees_per_radian * std::atan2(std::sqrt(CGAL::cross_product(u, v).squared_length()), u * v);
+  return degrees_per_radian
+         * std::atan2(std::sqrt(CGAL::cross_product(u, v).squared_length()), u * v);
 }
 
 inline Vector_3 area_normal(const Triangle_3& triangle)
@@ -32,8 +33,9 @@ inline Vector_3 area_normal(const Triangle_3& triangle)
   return CGAL::cross_product(triangle[1] - triangle[0], triangle[2] - triangle[0]);
 }
 
-/// Edges between two triangles whose normals differ by `angle` degrees or more. Borders are no features: nothing is
-/// known about the surface beyond them. Triangles without area have no normal, so their edges are left out.
+/// Edges between two triangles whose normals differ by `angle` degrees or more. Borders are no
+/// features: nothing is known about the surface beyond them. Triangles without area have no normal,
+/// so their edges are left out.
 inline std::vector<Segment_3> feature_edges(const Triangle_mesh& mesh, double angle)
 {
   std::map<std::pair<std::size_t, std::size_t>, std::vector<Vector_3>> normals_of_edges;
@@ -42,7 +44,8 @@ inline std::vector<Segment_3> feature_edges(const Triangle_mesh& mesh, double an
     if (normal == CGAL::NULL_VECTOR)
       continue;
     for (int i = 0; i < 3; ++i)
-      normals_of_edges[std::minmax({mesh.triangles[t][i], mesh.triangles[t][(i + 1) % 3]})].push_back(normal);
+      normals_of_edges[std::minmax({mesh.triangles[t][i], mesh.triangles[t][(i + 1) % 3]})]
+        .push_back(normal);
   }
   std::vector<Segment_3> features;
   for (const auto& [edge, normals] : normals_of_edges)
@@ -62,7 +65,8 @@ public:
   /// \throws std::invalid_argument if no triangle has an area
   explicit Ground_truth(Triangle_mesh mesh, double feature_angle = 30)
     : m_mesh(std::move(mesh)), m_diagonal(L0_benchmark::diagonal(bounding_box(m_mesh))),
-      m_triangles(proper_triangles(m_mesh)), m_features(L0_benchmark::feature_edges(m_mesh, feature_angle))
+      m_triangles(proper_triangles(m_mesh)),
+      m_features(L0_benchmark::feature_edges(m_mesh, feature_angle))
   {
     if (m_triangles.empty())
       throw std::invalid_argument("a mesh without area is no ground truth");
@@ -83,10 +87,13 @@ public:
   double distance(const Point_3& p) const { return std::sqrt(m_triangle_tree.squared_distance(p)); }
 
   /// \pre there is a feature edge
-  double distance_to_features(const Point_3& p) const { return std::sqrt(m_feature_tree.squared_distance(p)); }
+  double distance_to_features(const Point_3& p) const
+  {
+    return std::sqrt(m_feature_tree.squared_distance(p));
+  }
 
-  /// The normals that are right at `p`: of the nearest triangle or, where the foot point lies on an edge or a vertex,
-  /// of all triangles there. Not of unit length.
+  /// The normals that are right at `p`: of the nearest triangle or, where the foot point lies on an
+  /// edge or a vertex, of all triangles there. Not of unit length.
   std::vector<Vector_3> nearest_normals(const Point_3& p) const
   {
     const Point_3 foot = m_triangle_tree.closest_point(p);

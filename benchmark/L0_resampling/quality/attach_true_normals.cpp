@@ -3,7 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Gives points the normals of the surface that they were sampled from, and on request the places: what a method could know that estimates them without any error.
+// Gives points the normals of the surface that they were sampled from, and on request the places:
+// what a method could know that estimates them without any error.
 
 #include "../methods/method_program.h"
 #include "Ground_truth.h"
@@ -15,7 +16,9 @@ int main(int argc, char** argv)
   std::string input, truth_path, output;
   bool moves = false;
   CLI::App app("The normals of the nearest faces");
-  app.add_option("input", input, "PLY file; only the positions are used")->required()->check(CLI::ExistingFile);
+  app.add_option("input", input, "PLY file; only the positions are used")
+    ->required()
+    ->check(CLI::ExistingFile);
   app.add_option("truth", truth_path, "Triangle mesh, OFF")->required()->check(CLI::ExistingFile);
   app.add_option("output", output, "binary PLY file of points with normals")->required();
 
@@ -26,7 +29,8 @@ int main(int argc, char** argv)
     Oriented_points points;
     for (const Point& p : read_positions(input)) {
       const Vector normal = truth.nearest_normals(p).front();
-      points.emplace_back(moves ? truth.nearest_point(p) : p, normal / std::sqrt(normal.squared_length()));
+      points.emplace_back(moves ? truth.nearest_point(p) : p,
+                          normal / std::sqrt(normal.squared_length()));
     }
     write_oriented_points(output, points);
   });

@@ -51,7 +51,9 @@ int main(int argc, char* argv[])
 {
   CLI::App app("Measures on which side of a mesh points lie, by distance from its edges.");
   std::string result_path, truth_path;
-  app.add_option("result", result_path, "points: PLY, OFF, XYZ")->required()->check(CLI::ExistingFile);
+  app.add_option("result", result_path, "points: PLY, OFF, XYZ")
+    ->required()
+    ->check(CLI::ExistingFile);
   app.add_option("truth", truth_path, "closed mesh, OFF")->required()->check(CLI::ExistingFile);
   CLI11_PARSE(app, argc, argv);
 

@@ -3,7 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Measures a point set against the mesh that it should be a sampling of, and prints one JSON object.
+// Measures a point set against the mesh that it should be a sampling of, and prints one JSON
+// object.
 
 #include "metrics.h"
 
@@ -77,23 +78,24 @@ Json to_json(const Evaluation& e, const L0_benchmark::Ground_truth& truth)
   return json;
 }
 
-/// For each point, as two `float`: distance to the mesh, % of the diagonal, and density of Eq. (5), with the radius of
-/// `measure_uniformity()`.
+/// For each point, as two `float`: distance to the mesh, % of the diagonal, and density of Eq. (5),
+/// with the radius of `measure_uniformity()`.
 void write_values_of_points(const std::string& path, const std::vector<Point_3>& points,
                             const L0_benchmark::Ground_truth& truth)
 {
   const double area = L0_benchmark::Area_sampler(truth.mesh()).area();
   const L0_benchmark::Search_tree tree(points.begin(), points.end());
   const std::vector<double> distances = distances_to_mesh(points, truth);
-  const std::vector<double> densities = L0_benchmark::local_densities(points, tree,
-                                                                      L0_benchmark::density_radius(area, points.size()));
+  const std::vector<double> densities =
+    L0_benchmark::local_densities(points, tree, L0_benchmark::density_radius(area, points.size()));
   std::vector<float> values;
   for (std::size_t i = 0; i < points.size(); ++i) {
     values.push_back(float(distances[i] / truth.diagonal() * 100));
     values.push_back(float(densities[i]));
   }
   std::ofstream out(path, std::ios::binary);
-  if (!out.write(reinterpret_cast<const char*>(values.data()), std::streamsize(sizeof(float) * values.size())))
+  if (!out.write(reinterpret_cast<const char*>(values.data()),
+                 std::streamsize(sizeof(float) * values.size())))
     throw std::runtime_error(path + ": cannot be written");
 }
 
@@ -101,11 +103,15 @@ void write_values_of_points(const std::string& path, const std::vector<Point_3>&
 
 int main(int argc, char* argv[])
 {
-  CLI::App app("Measures a point set against a triangle mesh. Lengths are % of the bounding box's diagonal.");
+  CLI::App app(
+    "Measures a point set against a triangle mesh. Lengths are % of the bounding box's diagonal.");
   std::string result_path, truth_path, values_path;
-  app.add_option("result", result_path, "Point set: PLY, OFF or XYZ")->required()->check(CLI::ExistingFile);
+  app.add_option("result", result_path, "Point set: PLY, OFF or XYZ")
+    ->required()
+    ->check(CLI::ExistingFile);
   app.add_option("truth", truth_path, "Triangle mesh, OFF")->required()->check(CLI::ExistingFile);
-  app.add_option("--values", values_path, "File for distance and density of each point, two float32 a point");
+  app.add_option("--values", values_path,
+                 "File for distance and density of each point, two float32 a point");
   CLI11_PARSE(app, argc, argv);
 
   try {

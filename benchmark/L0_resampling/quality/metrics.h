@@ -43,19 +43,21 @@ struct Normal_statistics
   double mean_error = 0; ///< degrees, without regard to the sign
   double share_above_15_degrees = 0;
   double share_inwards = 0; ///< share of normals that point to the wrong side
-  double share_turned = 0;  ///< of these, by more than 120 degrees, which no edge of a right angle explains
+  double share_turned =
+    0; ///< of these, by more than 120 degrees, which no edge of a right angle explains
 };
 
 struct Uniformity
 {
-  double median_spacing = 0;    ///< median distance to the nearest neighbor, a length
-  double spacing_variation = 0; ///< coefficient of variation of the mean distance to the 6 nearest neighbors
+  double median_spacing = 0; ///< median distance to the nearest neighbor, a length
+  double spacing_variation =
+    0; ///< coefficient of variation of the mean distance to the 6 nearest neighbors
   double density_variation = 0; ///< coefficient of variation of w_i of Eq. (5)
 };
 
 struct Feature_statistics
 {
-  double edge_recall = 0;                  ///< share of the edges' length with a point within 2 median spacings
+  double edge_recall = 0; ///< share of the edges' length with a point within 2 median spacings
   std::size_t number_of_points = 0;        ///< points within 1.5 % of the diagonal of an edge
   double mean_distance = 0;                ///< of those points to the mesh
   std::optional<double> mean_normal_error; ///< of those points, degrees
@@ -81,7 +83,8 @@ inline double mean(const std::vector<double>& values)
 /// Smallest value that at least `share` of the values do not exceed.
 inline double quantile(std::vector<double> values, double share)
 {
-  const std::size_t rank = (std::max)(std::size_t(std::ceil(share * double(values.size()))), std::size_t(1));
+  const std::size_t rank = (std::max)(std::size_t(std::ceil(share * double(values.size()))),
+                                      std::size_t(1));
   std::nth_element(values.begin(), values.begin() + (rank - 1), values.end());
   return values[rank - 1];
 }
@@ -102,7 +105,8 @@ inline Distance_statistics summarize(const std::vector<double>& lengths, double 
           *std::max_element(lengths.begin(), lengths.end()) / unit};
 }
 
-inline std::vector<double> distances_to_mesh(const std::vector<Point_3>& points, const Ground_truth& truth)
+inline std::vector<double> distances_to_mesh(const std::vector<Point_3>& points,
+                                             const Ground_truth& truth)
 {
   std::vector<double> distances;
   distances.reserve(points.size());
@@ -111,7 +115,8 @@ inline std::vector<double> distances_to_mesh(const std::vector<Point_3>& points,
   return distances;
 }
 
-inline std::vector<double> distances_to_nearest(const std::vector<Point_3>& queries, const Search_tree& points)
+inline std::vector<double> distances_to_nearest(const std::vector<Point_3>& queries,
+                                                const Search_tree& points)
 {
   std::vector<double> distances;
   distances.reserve(queries.size());
@@ -120,15 +125,16 @@ inline std::vector<double> distances_to_nearest(const std::vector<Point_3>& quer
   return distances;
 }
 
-/// Angle in degrees, below or equal to 90, between a normal and the best of the normals that are right at the point.
-/// A vector that is no direction (zero or not finite) is 90 degrees wrong.
+/// Angle in degrees, below or equal to 90, between a normal and the best of the normals that are
+/// right at the point. A vector that is no direction (zero or not finite) is 90 degrees wrong.
 struct Normal_deviation
 {
   double angle = 90;
   bool inwards = false;
 };
 
-inline Normal_deviation normal_deviation(const Point_3& point, const Vector_3& normal, const Ground_truth& truth)
+inline Normal_deviation normal_deviation(const Point_3& point, const Vector_3& normal,
+                                         const Ground_truth& truth)
 {
   Normal_deviation best;
   if (!(normal.squared_length() > 0) || !std::isfinite(normal.squared_length()))
@@ -142,7 +148,8 @@ inline Normal_deviation normal_deviation(const Point_3& point, const Vector_3& n
 }
 
 inline std::vector<Normal_deviation> normal_deviations(const std::vector<Point_3>& points,
-                                                       const std::vector<Vector_3>& normals, const Ground_truth& truth)
+                                                       const std::vector<Vector_3>& normals,
+                                                       const Ground_truth& truth)
 {
   std::vector<Normal_deviation> deviations;
   deviations.reserve(points.size());
@@ -169,15 +176,16 @@ inline Normal_statistics summarize(const std::vector<Normal_deviation>& deviatio
 }
 
 /// For each point, the mean distance to its `k` nearest neighbors.
-inline std::vector<double> mean_neighbor_distances(const std::vector<Point_3>& points, const Search_tree& tree,
-                                                   unsigned int k)
+inline std::vector<double> mean_neighbor_distances(const std::vector<Point_3>& points,
+                                                   const Search_tree& tree, unsigned int k)
 {
   std::vector<double> means;
   means.reserve(points.size());
   for (const Point_3& p : points) {
     double sum = 0;
     std::size_t number_of_neighbors = 0;
-    const Neighbor_search search(tree, p, k + 1); // the point itself is found too, and adds 0 to the sum
+    const Neighbor_search search(tree, p,
+                                 k + 1); // the point itself is found too, and adds 0 to the sum
     for (const auto& [neighbor, squared_distance] : search) {
       sum += std::sqrt(squared_distance);
       ++number_of_neighbors;
@@ -187,9 +195,10 @@ inline std::vector<double> mean_neighbor_distances(const std::vector<Point_3>& p
   return means;
 }
 
-/// The density w_i of Eq. (5), with theta falling to e^-4 at the radius, as CGAL's point set algorithms have it.
-/// A point is not its own neighbor: the "1 +" counts it.
-inline std::vector<double> local_densities(const std::vector<Point_3>& points, const Search_tree& tree, double radius)
+/// The density w_i of Eq. (5), with theta falling to e^-4 at the radius, as CGAL's point set
+/// algorithms have it. A point is not its own neighbor: the "1 +" counts it.
+inline std::vector<double> local_densities(const std::vector<Point_3>& points,
+                                           const Search_tree& tree, double radius)
 {
   std::vector<double> densities;
   densities.reserve(points.size());
@@ -204,21 +213,23 @@ inline std::vector<double> local_densities(const std::vector<Point_3>& points, c
       sum += std::exp(-4 * CGAL::squared_distance(p, neighbor) / (radius * radius));
     densities.push_back(sum);
   }
-  const double mean_number_of_neighbors = double((std::max)(number_of_neighbors, std::size_t(1))) / points.size();
+  const double mean_number_of_neighbors = double((std::max)(number_of_neighbors, std::size_t(1)))
+                                          / points.size();
   for (double& density : densities)
     density = 1 + density / mean_number_of_neighbors;
   return densities;
 }
 
-/// The radius of Eq. (5): three times the spacing of so many points that share the area evenly, so that results of equal
-/// size are measured with one radius, however clustered they are.
+/// The radius of Eq. (5): three times the spacing of so many points that share the area evenly, so
+/// that results of equal size are measured with one radius, however clustered they are.
 inline double density_radius(double area, std::size_t number_of_points)
 {
   return 3 * std::sqrt(area / double(number_of_points));
 }
 
 /// \param area of the surface
-inline Uniformity measure_uniformity(const std::vector<Point_3>& points, const Search_tree& tree, double area)
+inline Uniformity measure_uniformity(const std::vector<Point_3>& points, const Search_tree& tree,
+                                     double area)
 {
   const double radius = density_radius(area, points.size());
   return {quantile(mean_neighbor_distances(points, tree, 1), 0.5),
@@ -227,14 +238,16 @@ inline Uniformity measure_uniformity(const std::vector<Point_3>& points, const S
 }
 
 /// Points on the segments, evenly spaced, `count` or a little more.
-inline std::vector<Point_3> sample_segments(const std::vector<Segment_3>& segments, std::size_t count)
+inline std::vector<Point_3> sample_segments(const std::vector<Segment_3>& segments,
+                                            std::size_t count)
 {
   double length = 0;
   for (const Segment_3& segment : segments)
     length += std::sqrt(segment.squared_length());
   std::vector<Point_3> samples;
   for (const Segment_3& segment : segments) {
-    const std::size_t steps = std::size_t(std::ceil(double(count) * std::sqrt(segment.squared_length()) / length));
+    const std::size_t steps = std::size_t(
+      std::ceil(double(count) * std::sqrt(segment.squared_length()) / length));
     for (std::size_t i = 0; i < steps; ++i)
       samples.push_back(segment.source() + (double(i) + 0.5) / double(steps) * segment.to_vector());
   }
@@ -243,14 +256,17 @@ inline std::vector<Point_3> sample_segments(const std::vector<Segment_3>& segmen
 
 /// \param deviations of the normals of the points, empty if they have none
 /// \pre the mesh has a feature edge
-inline Feature_statistics measure_features(const std::vector<Point_3>& points, const Search_tree& tree,
-                                           const std::vector<Normal_deviation>& deviations, const Ground_truth& truth,
-                                           double median_spacing)
+inline Feature_statistics measure_features(const std::vector<Point_3>& points,
+                                           const Search_tree& tree,
+                                           const std::vector<Normal_deviation>& deviations,
+                                           const Ground_truth& truth, double median_spacing)
 {
   Feature_statistics statistics;
-  const std::vector<double> gaps = distances_to_nearest(sample_segments(truth.feature_edges(), 20000), tree);
+  const std::vector<double> gaps =
+    distances_to_nearest(sample_segments(truth.feature_edges(), 20000), tree);
   const auto is_met = [&](double gap) { return gap <= 2 * median_spacing; };
-  statistics.edge_recall = double(std::count_if(gaps.begin(), gaps.end(), is_met)) / double(gaps.size());
+  statistics.edge_recall = double(std::count_if(gaps.begin(), gaps.end(), is_met))
+                           / double(gaps.size());
 
   std::vector<double> distances, angles;
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -269,7 +285,8 @@ inline Feature_statistics measure_features(const std::vector<Point_3>& points, c
 
 /// All measures of a result.
 /// \param normals as many as points, or none
-/// \throws std::invalid_argument if there is no point, a coordinate is not finite, or the numbers do not match
+/// \throws std::invalid_argument if there is no point, a coordinate is not finite, or the numbers
+/// do not match
 inline Evaluation evaluate(const std::vector<Point_3>& points, const std::vector<Vector_3>& normals,
                            const Ground_truth& truth)
 {
@@ -279,7 +296,8 @@ inline Evaluation evaluate(const std::vector<Point_3>& points, const std::vector
     throw std::invalid_argument("there are " + std::to_string(normals.size()) + " normals for "
                                 + std::to_string(points.size()) + " points");
   for (std::size_t i = 0; i < points.size(); ++i)
-    if (!std::isfinite(points[i].x()) || !std::isfinite(points[i].y()) || !std::isfinite(points[i].z()))
+    if (!std::isfinite(points[i].x()) || !std::isfinite(points[i].y())
+        || !std::isfinite(points[i].z()))
       throw std::invalid_argument("point " + std::to_string(i) + " is not finite");
 
   const double percent = truth.diagonal() / 100;
@@ -289,16 +307,19 @@ inline Evaluation evaluate(const std::vector<Point_3>& points, const std::vector
 
   Evaluation evaluation;
   evaluation.distance = summarize(distances_to_mesh(points, truth), percent);
-  evaluation.coverage = summarize(distances_to_nearest(sample_mesh(truth.mesh(), dense), tree), percent);
+  evaluation.coverage = summarize(distances_to_nearest(sample_mesh(truth.mesh(), dense), tree),
+                                  percent);
   evaluation.chamfer = evaluation.distance.mean + evaluation.coverage.mean;
   evaluation.hausdorff = (std::max)(evaluation.distance.max, evaluation.coverage.max);
   evaluation.uniformity = measure_uniformity(points, tree, Area_sampler(truth.mesh()).area());
-  const std::vector<Normal_deviation> deviations = normals.empty() ? std::vector<Normal_deviation>()
-                                                                   : normal_deviations(points, normals, truth);
+  const std::vector<Normal_deviation> deviations = normals.empty()
+                                                     ? std::vector<Normal_deviation>()
+                                                     : normal_deviations(points, normals, truth);
   if (!deviations.empty())
     evaluation.normals = summarize(deviations);
   if (!truth.feature_edges().empty())
-    evaluation.features = measure_features(points, tree, deviations, truth, evaluation.uniformity.median_spacing);
+    evaluation.features = measure_features(points, tree, deviations, truth,
+                                           evaluation.uniformity.median_spacing);
   return evaluation;
 }
 

@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// How far a result moves when nothing changes but roundings: the coordinates are scaled by numbers that differ from 1 by about 1e-9, or the CUDA device
-// computes it. Prints a JSON list, an object for each comparison; lengths are in radii.
+// How far a result moves when nothing changes but roundings: the coordinates are scaled by numbers
+// that differ from 1 by about 1e-9, or the CUDA device computes it. Prints a JSON list, an object
+// for each comparison; lengths are in radii.
 
 #include "../methods/method_program.h"
 
@@ -24,23 +25,25 @@ using CGAL::L0_resampling::Method;
 using CGAL::L0_resampling::Report;
 using Search = CGAL::Orthogonal_k_neighbor_search<CGAL::Search_traits_3<Kernel>>;
 
-const std::map<std::string, Method> methods = {{"default", Method::DEFAULT}, {"lor", Method::LOR}, {"alor", Method::ALOR}};
+const std::map<std::string, Method> methods = {
+  {"default", Method::DEFAULT}, {"lor", Method::LOR}, {"alor", Method::ALOR}};
 
 /// What is added to 1 for x, y and z, in 1e-9: unequal, so that distances do not all grow alike.
-const std::vector<std::array<double, 3>> scalings = {{1, 0.7, -0.4}, {-1, -0.7, 0.4}, {-0.3, 1.1, 0.6}, {0.5, -0.8, 1.3}};
+const std::vector<std::array<double, 3>> scalings = {
+  {1, 0.7, -0.4}, {-1, -0.7, 0.4}, {-0.3, 1.1, 0.6}, {0.5, -0.8, 1.3}};
 
 /// Bound of the Hausdorff distance between the results of CPU and device.
 constexpr double far = 0.05;
 
 template <typename ConcurrencyTag>
-std::vector<Point> resample(const std::vector<Point>& points, std::size_t number_of_output_points, Method method,
-                            Report& report)
+std::vector<Point> resample(const std::vector<Point>& points, std::size_t number_of_output_points,
+                            Method method, Report& report)
 {
   Oriented_points result;
-  CGAL::l0_resample_point_set<ConcurrencyTag>(points, std::back_inserter(result),
-                                              CGAL::parameters::number_of_output_points(number_of_output_points)
-                                                | CGAL::parameters::resampling_method(method)
-                                                | CGAL::parameters::resampling_report(&report));
+  CGAL::l0_resample_point_set<ConcurrencyTag>(
+    points, std::back_inserter(result),
+    CGAL::parameters::number_of_output_points(number_of_output_points)
+      | CGAL::parameters::resampling_method(method) | CGAL::parameters::resampling_report(&report));
   std::vector<Point> positions;
   for (const Oriented_point& point : result)
     positions.push_back(point.first);
@@ -48,7 +51,8 @@ std::vector<Point> resample(const std::vector<Point>& points, std::size_t number
 }
 
 /// Of each point of `from` to the nearest of `to`, in radii.
-std::vector<double> nearest_distances(const std::vector<Point>& from, const std::vector<Point>& to, double radius)
+std::vector<double> nearest_distances(const std::vector<Point>& from, const std::vector<Point>& to,
+                                      double radius)
 {
   const Search::Tree tree(to.begin(), to.end());
   std::vector<double> distances;
@@ -66,7 +70,8 @@ Json compare(const std::vector<Point>& result, const std::vector<Point>& other, 
   return {{"median", distances[n / 2]},
           {"largest_but_a_thousandth", distances[n - 1 - n / 1000]},
           {"hausdorff", (std::max)(distances.back(), *std::max_element(back.begin(), back.end()))},
-          {"number_far", std::count_if(distances.begin(), distances.end(), [](double d) { return d > far; })}};
+          {"number_far",
+           std::count_if(distances.begin(), distances.end(), [](double d) { return d > far; })}};
 }
 
 } // namespace
@@ -77,11 +82,16 @@ int main(int argc, char** argv)
   std::size_t number_of_output_points = 0;
   bool on_device = false;
   CLI::App app("How far a result moves when nothing changes but roundings");
-  app.add_option("input", input, "PLY file; only the positions are used")->required()->check(CLI::ExistingFile);
-  app.add_option("--points", number_of_output_points, "number of output points")->required()->check(CLI::PositiveNumber);
+  app.add_option("input", input, "PLY file; only the positions are used")
+    ->required()
+    ->check(CLI::ExistingFile);
+  app.add_option("--points", number_of_output_points, "number of output points")
+    ->required()
+    ->check(CLI::PositiveNumber);
   app.add_option("--method", method)->check(CLI::IsMember(methods))->capture_default_str();
 #ifdef CGAL_L0_LINKED_WITH_CUDA
-  app.add_flag("--device", on_device, "compare with the result of the CUDA device, not with those of scaled coordinates");
+  app.add_flag("--device", on_device,
+               "compare with the result of the CUDA device, not with those of scaled coordinates");
 #endif
 
   return run_program(app, argc, argv, [&] {

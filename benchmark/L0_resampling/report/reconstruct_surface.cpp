@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Poisson reconstruction of oriented points, as the paper's figures have it, by CGAL. Writes the mesh, and another one for
-// pictures, in which edges are collapsed until it has so many triangles.
+// Poisson reconstruction of oriented points, as the paper's figures have it, by CGAL. Writes the
+// mesh, and another one for pictures, in which edges are collapsed until it has so many triangles.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/IO/read_points.h>
@@ -29,7 +29,8 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 namespace {
 
-/// A stop predicate of `edge_collapse()`. Those of CGAL count edges, under names that differ from version to version.
+/// A stop predicate of `edge_collapse()`. Those of CGAL count edges, under names that differ from
+/// version to version.
 struct Few_triangles
 {
   std::size_t largest_number;
@@ -53,12 +54,13 @@ bool write_mesh(const Mesh& mesh, const std::string& path)
 int main(int argc, char* argv[])
 {
   if (argc != 6) {
-    std::cerr
-      << "usage: reconstruct_surface POINTS_WITH_NORMALS.ply MESH.off DISTANCE_IN_SPACINGS PICTURE.off TRIANGLES"
-      << std::endl;
+    std::cerr << "usage: reconstruct_surface POINTS_WITH_NORMALS.ply MESH.off DISTANCE_IN_SPACINGS "
+                 "PICTURE.off TRIANGLES"
+              << std::endl;
     return EXIT_FAILURE;
   }
-  CGAL::get_default_random() = CGAL::Random(1); // else it begins with the time, and each run gives another mesh
+  CGAL::get_default_random() = CGAL::Random(
+    1); // else it begins with the time, and each run gives another mesh
   const CGAL::First_of_pair_property_map<Point_with_normal> point_map;
   const CGAL::Second_of_pair_property_map<Point_with_normal> normal_map;
   std::vector<Point_with_normal> points;
@@ -67,20 +69,22 @@ int main(int argc, char* argv[])
     std::cerr << argv[1] << ": cannot be read" << std::endl;
     return EXIT_FAILURE;
   }
-  const double spacing = CGAL::compute_average_spacing<CGAL::Sequential_tag>(points, 6,
-                                                                             CGAL::parameters::point_map(point_map));
+  const double spacing = CGAL::compute_average_spacing<CGAL::Sequential_tag>(
+    points, 6, CGAL::parameters::point_map(point_map));
   // CGAL's defaults for angle and size of the triangles
   constexpr double angle = 20, largest_triangle = 30;
   const double distance = std::atof(argv[3]);
   Mesh mesh;
-  if (!CGAL::poisson_surface_reconstruction_delaunay(points.begin(), points.end(), point_map, normal_map, mesh, spacing,
-                                                     angle, largest_triangle, distance)) {
+  if (!CGAL::poisson_surface_reconstruction_delaunay(points.begin(), points.end(), point_map,
+                                                     normal_map, mesh, spacing, angle,
+                                                     largest_triangle, distance)) {
     std::cerr << argv[1] << ": Poisson reconstruction failed" << std::endl;
     return EXIT_FAILURE;
   }
   if (!write_mesh(mesh, argv[2]))
     return EXIT_FAILURE;
-  CGAL::Surface_mesh_simplification::edge_collapse(mesh, Few_triangles{std::size_t(std::atoll(argv[5]))});
+  CGAL::Surface_mesh_simplification::edge_collapse(mesh,
+                                                   Few_triangles{std::size_t(std::atoll(argv[5]))});
   mesh.collect_garbage();
   return write_mesh(mesh, argv[4]) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// LOR with its energy changed as the paper's Fig. 2, 4 and 5 have it. A solver that is given the rows of Eq. (11)
-// changes them before it solves, so that nothing of the package has to know.
+// LOR with its energy changed as the paper's Fig. 2, 4 and 5 have it. A solver that is given the
+// rows of Eq. (11) changes them before it solves, so that nothing of the package has to know.
 
 #include "../methods/method_program.h"
 
@@ -31,9 +31,9 @@ namespace l0 = CGAL::L0_resampling;
 
 struct Change
 {
-  int equation = 6;                    // 3: no regularization, no density weights; 4: no density weights
-  std::string neighbors = "all";       // the original neighbors that are left: see the option
-  bool interleave = false;             // Section 4.2
+  int equation = 6;              // 3: no regularization, no density weights; 4: no density weights
+  std::string neighbors = "all"; // the original neighbors that are left: see the option
+  bool interleave = false;       // Section 4.2
   double regularization_weight = 0.15; // alpha
 };
 
@@ -58,10 +58,12 @@ public:
 
   explicit Changing_solver_traits(const Change& change) : m_change(change) {}
 
-  /// After each solve, w_i of Eq. (5) at the samples that are a tenth, five tenths and nine tenths through the list.
+  /// After each solve, w_i of Eq. (5) at the samples that are a tenth, five tenths and nine tenths
+  /// through the list.
   const Json& densities() const { return m_densities; }
 
-  l0::Solver_report solve(const l0::Quadratic_problem<double>& problem, Eigen::Ref<Eigen::VectorXd> x)
+  l0::Solver_report solve(const l0::Quadratic_problem<double>& problem,
+                          Eigen::Ref<Eigen::VectorXd> x)
   {
     if (m_number_of_solves == 0)
       m_rows = changed_rows(problem);
@@ -108,14 +110,18 @@ private:
       }
       std::size_t size = positions.size();
       if (m_change.neighbors == "smaller-radius")
-        size = keep_if(positions, weights, [&](const Eigen::Vector3d& q) { return (q - origin).norm() < 0.75 * radius; });
+        size = keep_if(positions, weights, [&](const Eigen::Vector3d& q) {
+          return (q - origin).norm() < 0.75 * radius;
+        });
       else if (m_change.neighbors == "random-half")
-        size = keep_if(positions, weights, [&](const Eigen::Vector3d&) { return (random() & 1) == 0; });
+        size = keep_if(positions, weights,
+                       [&](const Eigen::Vector3d&) { return (random() & 1) == 0; });
       else if (m_change.neighbors == "merged-pairs")
-        size = l0::internal::merge_pairs(pair_up(positions.data()->data(), size), positions.data()->data(),
-                                         weights.data());
+        size = l0::internal::merge_pairs(pair_up(positions.data()->data(), size),
+                                         positions.data()->data(), weights.data());
       for (std::size_t j = 0; j < size; ++j) {
-        changed.positions.insert(changed.positions.end(), positions[j].data(), positions[j].data() + 3);
+        changed.positions.insert(changed.positions.end(), positions[j].data(),
+                                 positions[j].data() + 3);
         changed.weights.push_back(weights[j]);
       }
       changed.offsets.push_back(changed.weights.size());
@@ -146,22 +152,27 @@ private:
       std::fill(pair_weights.begin(), pair_weights.end(), 0.);
     else if (m_change.equation == 4) {
       // a_ik of LOR, with w_i = w_k = 1
-      const double squared_radius = radius * radius, infinite = std::numeric_limits<double>::infinity();
+      const double squared_radius = radius * radius,
+                   infinite = std::numeric_limits<double>::infinity();
       for_each_pair(problem, Eigen::VectorXd::Zero(3 * Eigen::Index(problem.number_of_samples())),
                     [&](std::size_t, std::size_t e, double squared_distance) {
                       pair_weights[e] = 2 * m_change.regularization_weight
-                                        * l0::internal::pair_weight(squared_distance, squared_radius, 0., infinite);
+                                        * l0::internal::pair_weight(squared_distance,
+                                                                    squared_radius, 0., infinite);
                     });
     }
     return pair_weights;
   }
 
-  /// Calls `f` with i, the entry of the pair (i, k) and the squared distance of the samples, moved by `x`.
+  /// Calls `f` with i, the entry of the pair (i, k) and the squared distance of the samples, moved
+  /// by `x`.
   template <typename Function>
-  static void for_each_pair(const l0::Quadratic_problem<double>& problem, const Eigen::VectorXd& x, const Function& f)
+  static void for_each_pair(const l0::Quadratic_problem<double>& problem, const Eigen::VectorXd& x,
+                            const Function& f)
   {
     const auto position = [&](std::size_t i) -> Eigen::Vector3d {
-      return Eigen::Map<const Eigen::Vector3d>(problem.rows->origins + 3 * i) + x.segment<3>(3 * Eigen::Index(i));
+      return Eigen::Map<const Eigen::Vector3d>(problem.rows->origins + 3 * i)
+             + x.segment<3>(3 * Eigen::Index(i));
     };
     const l0::Neighborhoods_view& neighbors = problem.self_neighbors;
     for (std::size_t i = 0; i < neighbors.size; ++i)
@@ -179,8 +190,8 @@ private:
       ++number_of_pairs;
     });
     const double mean_number = (std::max)(double(number_of_pairs) / double(m), 1.);
-    m_densities.push_back(
-      {1 + sums[m / 10] / mean_number, 1 + sums[m / 2] / mean_number, 1 + sums[9 * m / 10] / mean_number});
+    m_densities.push_back({1 + sums[m / 10] / mean_number, 1 + sums[m / 2] / mean_number,
+                           1 + sums[9 * m / 10] / mean_number});
   }
 };
 
@@ -195,7 +206,8 @@ int main(int argc, char** argv)
   app.add_option("--equation", change.equation, "3, 4 or 6")->check(CLI::IsMember({3, 4, 6}));
   app
     .add_option("--neighbors", change.neighbors,
-                "the original neighbors: all, those in a radius smaller by a quarter, a random half, or Algorithm 2's "
+                "the original neighbors: all, those in a radius smaller by a quarter, a random "
+                "half, or Algorithm 2's "
                 "merged pairs")
     ->check(CLI::IsMember({"all", "smaller-radius", "random-half", "merged-pairs"}));
   app.add_flag("--interleave", change.interleave, "regularize in every second iteration only");
@@ -209,15 +221,19 @@ int main(int argc, char** argv)
     measurement.phase("l0_resample", [&] {
       CGAL::l0_resample_point_set<CGAL::Sequential_tag>(
         points, std::back_inserter(result),
-        CGAL::parameters::number_of_output_points(arguments.number_of_output_points).sparse_linear_solver(std::ref(solver))
-          | CGAL::parameters::resampling_method(l0::Method::LOR) | CGAL::parameters::resampling_report(&report)
+        CGAL::parameters::number_of_output_points(arguments.number_of_output_points)
+            .sparse_linear_solver(std::ref(solver))
+          | CGAL::parameters::resampling_method(l0::Method::LOR)
+          | CGAL::parameters::resampling_report(&report)
           | CGAL::parameters::regularization_weight(change.regularization_weight));
     });
     Json measured = measurement.result();
     measured["densities"] = solver.densities();
     write_oriented_points(arguments.output, result);
     print_result("study_l0", arguments, points.size(), result.size(),
-                 {{"equation", change.equation}, {"neighbors", change.neighbors}, {"interleave", change.interleave}},
+                 {{"equation", change.equation},
+                  {"neighbors", change.neighbors},
+                  {"interleave", change.interleave}},
                  measured);
   });
 }

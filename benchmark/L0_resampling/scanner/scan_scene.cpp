@@ -53,7 +53,8 @@ int main(int argc, char* argv[])
   Scanning scanning;
   app.add_option("scene", scene_name, "street, forest, room, or an OFF file")->required();
   app.add_option("output", output, "start of the names of the files to write")->required();
-  app.add_option("--scanner", kind, "spinning, terrestrial, structured-light, range-camera")->required();
+  app.add_option("--scanner", kind, "spinning, terrestrial, structured-light, range-camera")
+    ->required();
   app
     .add_option("--columns", columns, "rays across the field of view; 0: as many as the device has")
     ->capture_default_str();

@@ -7,10 +7,11 @@
 //
 //   draw_variants INPUT.ply OUTPUT.png TOWARDS_EYE BOX VARIANT...
 //
-// TOWARDS_EYE is x,y,z and BOX x0,y0,z0,x1,y1,z1: only what lies in it is drawn. A variant is `input`, or `default`, or
-// names and values such as `method=1,normal_weight=5`, with the names of the named parameters and the number of a Method.
-// A radius is read in units of its default. Besides, `viewpoint_z=5` is a viewpoint on the z-axis, `features=1` draws the
-// feature confidences in place of the normals, and `cut=1` resamples only what lies in BOX, which then has a border.
+// TOWARDS_EYE is x,y,z and BOX x0,y0,z0,x1,y1,z1: only what lies in it is drawn. A variant is
+// `input`, or `default`, or names and values such as `method=1,normal_weight=5`, with the names of
+// the named parameters and the number of a Method. A radius is read in units of its default.
+// Besides, `viewpoint_z=5` is a viewpoint on the z-axis, `features=1` draws the feature confidences
+// in place of the normals, and `cut=1` resamples only what lies in BOX, which then has a border.
 
 #include "file_formats.h"
 #include "read_points.h"
@@ -99,18 +100,19 @@ struct Result
 Result resample(const std::vector<Point>& points, Values values)
 {
   const Method method = Method(int(take(values, "method", double(Method::DEFAULT))));
-  const auto defaults = CGAL::L0_resampling::internal::checked_parameters(parameters::resampling_method(method),
-                                                                          points.size());
+  const auto defaults = CGAL::L0_resampling::internal::checked_parameters(
+    parameters::resampling_method(method), points.size());
 
   // The radii that the points ask for are known after a call only.
   CGAL::L0_resampling::Report report;
   Result result;
   CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(
-    points, std::back_inserter(result.points), parameters::resampling_method(method).resampling_report(&report));
+    points, std::back_inserter(result.points),
+    parameters::resampling_method(method).resampling_report(&report));
   result.points.clear();
   const double radius = take(values, "neighbor_radius", 1) * report.neighbor_radius;
-  const double filter_radius = take(values, "normal_filter_radius", 1) * radius * report.normal_filter_radius
-                               / report.neighbor_radius;
+  const double filter_radius = take(values, "normal_filter_radius", 1) * radius
+                               * report.normal_filter_radius / report.neighbor_radius;
   const double share = take(values, "select_percentage", 50) / 100;
   std::optional<Point> viewpoint;
   if (const double z = take(values, "viewpoint_z", 0); z != 0)
@@ -125,15 +127,17 @@ Result resample(const std::vector<Point>& points, Values values)
       .neighbor_radius(radius)
       .normal_filter_radius(filter_radius)
       .sharpness_angle(take(values, "sharpness_angle", defaults.sharpness_angle))
-      .number_of_normal_filter_iterations(std::size_t(
-        take(values, "number_of_normal_filter_iterations", double(defaults.number_of_normal_filter_iterations))))
+      .number_of_normal_filter_iterations(
+        std::size_t(take(values, "number_of_normal_filter_iterations",
+                         double(defaults.number_of_normal_filter_iterations))))
       .normal_weight(take(values, "normal_weight", defaults.normal_weight))
       .regularization_weight(take(values, "regularization_weight", defaults.regularization_weight))
       .initial_penalty(take(values, "initial_penalty", defaults.initial_penalty))
       .maximum_penalty(take(values, "maximum_penalty", defaults.maximum_penalty))
       .penalty_growth(take(values, "penalty_growth", defaults.penalty_growth))
       .number_of_orientation_neighbors(
-        std::size_t(take(values, "number_of_orientation_neighbors", double(defaults.number_of_orientation_neighbors))))
+        std::size_t(take(values, "number_of_orientation_neighbors",
+                         double(defaults.number_of_orientation_neighbors))))
       .random_seed(std::size_t(take(values, "random_seed", 0)))
       .keep_density(take(values, "keep_density", 0) != 0)
       .drop_outliers(take(values, "drop_outliers", double(defaults.drop_outliers)) != 0)
@@ -142,7 +146,8 @@ Result resample(const std::vector<Point>& points, Values values)
       .number_of_output_points(number);
   if (!values.empty())
     throw std::invalid_argument(values.begin()->first + " is not a named parameter");
-  CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(points, std::back_inserter(result.points), np);
+  CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(
+    points, std::back_inserter(result.points), np);
   if (draws_features)
     result.feature_confidences = confidences;
   return result;
@@ -226,8 +231,8 @@ void draw(int argc, char** argv)
             visible_result.feature_confidences.push_back(result.feature_confidences[i]);
         }
     }
-    const Image snapshot = l0_tool::render_snapshot(visible_cloud, visible_result.points, towards_eye,
-                                                    visible_result.feature_confidences);
+    const Image snapshot = l0_tool::render_snapshot(
+      visible_cloud, visible_result.points, towards_eye, visible_result.feature_confidences);
     if (v == 5)
       picture = Image((argc - 5) * snapshot.width / 4, snapshot.height / 2, {1, 1, 1});
     copy_panel(snapshot, is_input ? 0 : 1, v - 5, picture);

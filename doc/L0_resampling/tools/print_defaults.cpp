@@ -3,9 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Prints the defaults of the named parameters and the constants of the methods as JSON, for generate_text.py and
-// check_manual.py. With two numbers, spacing and noise, it prints the radius that the default
-// method takes.
+// Prints the defaults of the named parameters and the constants of the methods as JSON, for
+// generate_text.py and check_manual.py. With two numbers, spacing and noise, it prints the radius
+// that the default method takes.
 
 #include <CGAL/L0_resampling/internal/Border_of_ball.h>
 #include <CGAL/L0_resampling/internal/checked_parameters.h>
@@ -56,7 +56,8 @@ void print_defaults(const char* name, Method method)
 
 void print_constants()
 {
-  const Repulsion repulsion(1, 1e3); // in units of the spacing, of a radius that does not limit the step
+  const Repulsion repulsion(
+    1, 1e3); // in units of the spacing, of a radius that does not limit the step
   std::cout << "  \"constant\": {";
   Object object;
   object.add("self_neighbor_radius_factor", self_neighbor_radius_factor);

@@ -28,13 +28,15 @@ namespace L0_resampling {
 /*!
 \ingroup PkgL0ResamplingRef
 
-The default solver: conjugate gradients on \f$ Hx = g \f$ of `Quadratic_problem`, which never forms \f$ H \f$,
-preconditioned by its 3 x 3 diagonal blocks \f$ D_i \f$. The coupling of the samples is weak, so that a handful of
-iterations does.
+The default solver: conjugate gradients on \f$ Hx = g \f$ of `Quadratic_problem`, which never forms
+\f$ H \f$, preconditioned by its 3 x 3 diagonal blocks \f$ D_i \f$. The coupling of the samples is
+weak, so that a handful of iterations does.
 
-The result is bitwise the same for `Sequential_tag` and for `Parallel_tag` with any number of threads.
+The result is bitwise the same for `Sequential_tag` and for `Parallel_tag` with any number of
+threads.
 
-`solve()` takes arrays of 20 numbers a sample, booked with the problem's `memory`, and gives them back at its end.
+`solve()` takes arrays of 20 numbers a sample, booked with the problem's `memory`, and gives them
+back at its end.
 
 \cgalModels{L0ResamplingSolverTraits}
 
@@ -51,14 +53,17 @@ public:
   /// \param tolerance when to stop: relative residual as in `L0ResamplingSolverTraits::solve()`
   /// \param maximum_number_of_iterations of one solve
   /// \throws std::invalid_argument if `tolerance` is not in (0, 1)
-  explicit Block_conjugate_gradient_solver_traits(double tolerance = 1e-5, std::size_t maximum_number_of_iterations = 100)
-    : m_tolerance(internal::checked_tolerance(tolerance)), m_maximum_number_of_iterations(maximum_number_of_iterations)
+  explicit Block_conjugate_gradient_solver_traits(double tolerance = 1e-5,
+                                                  std::size_t maximum_number_of_iterations = 100)
+    : m_tolerance(internal::checked_tolerance(tolerance)),
+      m_maximum_number_of_iterations(maximum_number_of_iterations)
   {}
 
-  /// Solves `problem`, from the initial guess `x`, which becomes the solution. The residual of the report is the one
-  /// that the recurrence keeps.
+  /// Solves `problem`, from the initial guess `x`, which becomes the solution. The residual of the
+  /// report is the one that the recurrence keeps.
   /// \throws Solver_error if a value is not finite; `x` is then unspecified
-  Solver_report solve(const Quadratic_problem<FT>& problem, Eigen::Ref<Eigen::Matrix<FT, Eigen::Dynamic, 1>> x)
+  Solver_report solve(const Quadratic_problem<FT>& problem,
+                      Eigen::Ref<Eigen::Matrix<FT, Eigen::Dynamic, 1>> x)
   {
     const std::size_t m = problem.number_of_samples();
     CGAL_precondition(std::size_t(x.size()) == 3 * m);
@@ -67,14 +72,18 @@ public:
     for_each_block(m, [&](std::size_t begin, std::size_t end) { start(problem, begin, end); });
     const bool starts_at_zero =
       0 == sum_over_blocks(m, [&](std::size_t begin, std::size_t end) {
-        return (x.segment(Eigen::Index(3 * begin), Eigen::Index(3 * (end - begin))).array() != FT(0)).count();
+        return (x.segment(Eigen::Index(3 * begin), Eigen::Index(3 * (end - begin))).array()
+                != FT(0))
+          .count();
       });
     if (!starts_at_zero)
     {
       for_each_block(m, [&](std::size_t begin, std::size_t end) {
         update_directions(problem, x.data(), FT(0), begin, end);
       });
-      sum_over_blocks(m, [&](std::size_t begin, std::size_t end) { return multiply(problem, begin, end); });
+      sum_over_blocks(m, [&](std::size_t begin, std::size_t end) {
+        return multiply(problem, begin, end);
+      });
     }
     Sums sums = sum_over_blocks(m, [&](std::size_t begin, std::size_t end) {
       return compute_residuals(problem, starts_at_zero, begin, end);
@@ -97,8 +106,9 @@ public:
       for_each_block(m, [&](std::size_t begin, std::size_t end) {
         update_directions(problem, m_products.data(), ratio, begin, end);
       });
-      const Curvatures curvatures =
-        sum_over_blocks(m, [&](std::size_t begin, std::size_t end) { return multiply(problem, begin, end); });
+      const Curvatures curvatures = sum_over_blocks(m, [&](std::size_t begin, std::size_t end) {
+        return multiply(problem, begin, end);
+      });
       if (!std::isfinite(curvatures.full))
         internal::throw_values_not_finite();
       // H is positive definite, but near the rounding of its terms a step could go anywhere.
@@ -107,7 +117,9 @@ public:
 
       previous_energy = sums.energy;
       const FT step = FT(sums.energy / curvatures.full);
-      sums = sum_over_blocks(m, [&](std::size_t begin, std::size_t end) { return take_step(step, x.data(), begin, end); });
+      sums = sum_over_blocks(m, [&](std::size_t begin, std::size_t end) {
+        return take_step(step, x.data(), begin, end);
+      });
       ++report.iterations;
       if (!std::isfinite(sums.residual))
         internal::throw_values_not_finite();
@@ -125,8 +137,10 @@ private:
 
     explicit Arrays_of_one_solve(Block_conjugate_gradient_solver_traits& s) : solver(s) {}
 
-    // Where one of the allocations throws, the destructor runs, since the constructor called first has ended.
-    Arrays_of_one_solve(Block_conjugate_gradient_solver_traits& s, std::size_t m, internal::Memory_counter* memory)
+    // Where one of the allocations throws, the destructor runs, since the constructor called first
+    // has ended.
+    Arrays_of_one_solve(Block_conjugate_gradient_solver_traits& s, std::size_t m,
+                        internal::Memory_counter* memory)
       : Arrays_of_one_solve(s)
     {
       const internal::Counting_allocator<FT> allocator(memory);
@@ -199,18 +213,21 @@ private:
     for (std::size_t i = begin; i < end; ++i)
     {
       FT weight = problem.fit_weights[Eigen::Index(i)];
-      for (std::size_t e = problem.self_neighbors.offsets[i]; e < problem.self_neighbors.offsets[i + 1]; ++e)
+      for (std::size_t e = problem.self_neighbors.offsets[i];
+           e < problem.self_neighbors.offsets[i + 1]; ++e)
         weight += problem.pair_weights[Eigen::Index(e)];
       const FT* const spread = problem.normal_spreads.data() + 6 * i;
       const FT beta = problem.penalty;
       std::fill_n(m_directions.begin() + std::ptrdiff_t(8 * i), 8, FT(0));
-      m_blocks[i] = internal::factorize_block({weight + beta * spread[0], beta * spread[1], beta * spread[2],
-                                               weight + beta * spread[3], beta * spread[4], weight + beta * spread[5]});
+      m_blocks[i] = internal::factorize_block({weight + beta * spread[0], beta * spread[1],
+                                               beta * spread[2], weight + beta * spread[3],
+                                               beta * spread[4], weight + beta * spread[5]});
     }
   }
 
   /// r = g - H x and z = D^{-1} r
-  Sums compute_residuals(const Quadratic_problem<FT>& problem, bool starts_at_zero, std::size_t begin, std::size_t end)
+  Sums compute_residuals(const Quadratic_problem<FT>& problem, bool starts_at_zero,
+                         std::size_t begin, std::size_t end)
   {
     const FT* const rhs = problem.right_hand_side.data();
     Sums sums;
@@ -239,10 +256,11 @@ private:
     }
   }
 
-  /// p = source + ratio * p. Stored with each p_i is beta n_i n_i^T p_i, all that its neighbors need of n_i. Each of the two takes the
-  /// room of four numbers, so that they fill vector registers.
-  void update_directions(const Quadratic_problem<FT>& problem, const FT* source, FT ratio, std::size_t begin,
-                         std::size_t end)
+  /// p = source + ratio * p. Stored with each p_i is beta n_i n_i^T p_i, all that its neighbors
+  /// need of n_i. Each of the two takes the room of four numbers, so that they fill vector
+  /// registers.
+  void update_directions(const Quadratic_problem<FT>& problem, const FT* source, FT ratio,
+                         std::size_t begin, std::size_t end)
   {
     for (std::size_t i = begin; i < end; ++i)
     {
@@ -256,8 +274,9 @@ private:
     }
   }
 
-  /// The product H p, as (Hp)_i = D_i p_i - sum of [a_ik I + beta (n_i n_i^T + n_k n_k^T)] p_k. For a neighbor, all
-  /// that `update_directions()` has stored is added, and its first half once more, times a_ik.
+  /// The product H p, as (Hp)_i = D_i p_i - sum of [a_ik I + beta (n_i n_i^T + n_k n_k^T)] p_k. For
+  /// a neighbor, all that `update_directions()` has stored is added, and its first half once more,
+  /// times a_ik.
   Curvatures multiply(const Quadratic_problem<FT>& problem, std::size_t begin, std::size_t end)
   {
     const FT* const directions = m_directions.data();
@@ -268,7 +287,8 @@ private:
     {
       Eight sum = Eight::Zero();        // of p_k and beta n_k n_k^T p_k
       Four weighted_sum = Four::Zero(); // of a_ik p_k
-      for (std::size_t e = problem.self_neighbors.offsets[i]; e < problem.self_neighbors.offsets[i + 1]; ++e)
+      for (std::size_t e = problem.self_neighbors.offsets[i];
+           e < problem.self_neighbors.offsets[i + 1]; ++e)
       {
         const FT* const p = directions + 8 * std::size_t(indices[e]);
         sum += Eigen::Map<const Eight>(p);
@@ -311,7 +331,7 @@ private:
   internal::Buffer<FT> m_residuals;                             // r, 3 m
   internal::Buffer<FT> m_products;                              // H p, then z = D^{-1} r; 3 m
   internal::Buffer<internal::Block_factorization<FT>> m_blocks; // D, m
-  internal::Buffer<FT> m_directions;                            // p_i, 0, beta n_i n_i^T p_i, 0; 8 m
+  internal::Buffer<FT> m_directions; // p_i, 0, beta n_i n_i^T p_i, 0; 8 m
 };
 
 #ifdef CGAL_L0_LINKED_WITH_COMPILED

@@ -30,9 +30,10 @@ namespace L0_resampling {
 /*!
 \ingroup PkgL0ResamplingRef
 
-The paper's way on its own hardware: conjugate gradients for least squares on the rows \f$ A = \{A_f; A_r; A_n\} \f$ of
-Eq. (11), without a preconditioner, with cuSPARSE and cuBLAS. The stages run on the CPU; each solve brings \f$ A \f$ and
-\f$ A^T \f$ to the device. There for fidelity and comparison, as `Eigen_least_squares_solver_traits` is.
+The paper's way on its own hardware: conjugate gradients for least squares on the rows
+\f$ A = \{A_f; A_r; A_n\} \f$ of Eq. (11), without a preconditioner, with cuSPARSE and cuBLAS. The
+stages run on the CPU; each solve brings \f$ A \f$ and \f$ A^T \f$ to the device. There for fidelity
+and comparison, as `Eigen_least_squares_solver_traits` is.
 
 \cgalModels{L0ResamplingSolverTraits}
 
@@ -48,8 +49,10 @@ public:
   /// \param tolerance when to stop: relative residual as in `L0ResamplingSolverTraits::solve()`
   /// \param maximum_number_of_iterations of one solve
   /// \throws std::invalid_argument if `tolerance` is not in (0, 1)
-  explicit CUDA_least_squares_solver_traits(double tolerance = 1e-5, std::size_t maximum_number_of_iterations = 100)
-    : m_tolerance(internal::checked_tolerance(tolerance)), m_maximum_number_of_iterations(maximum_number_of_iterations)
+  explicit CUDA_least_squares_solver_traits(double tolerance = 1e-5,
+                                            std::size_t maximum_number_of_iterations = 100)
+    : m_tolerance(internal::checked_tolerance(tolerance)),
+      m_maximum_number_of_iterations(maximum_number_of_iterations)
   {}
 
   /// Solves `problem`, from the initial guess `x`, which becomes the solution.
@@ -57,7 +60,8 @@ public:
   /// \throws Solver_error if a value is not finite; `x` is then as before
   /// \throws Device_error if there is no usable device, or it failed
   /// \throws std::bad_alloc if the device has no memory for A
-  Solver_report solve(const Quadratic_problem<FT>& problem, Eigen::Ref<Eigen::Matrix<FT, Eigen::Dynamic, 1>> x) const
+  Solver_report solve(const Quadratic_problem<FT>& problem,
+                      Eigen::Ref<Eigen::Matrix<FT, Eigen::Dynamic, 1>> x) const
   {
     CGAL_precondition(problem.rows != nullptr);
     CGAL_precondition(std::size_t(x.size()) == 3 * problem.number_of_samples());
@@ -67,9 +71,9 @@ public:
     const std::decay_t<decltype(system.matrix)> transposed(system.matrix.transpose());
     Eigen::Matrix<FT, Eigen::Dynamic, 1> solution(x);
     internal::cuda::Least_squares_report device_report;
-    internal::throw_if_failed(
-      internal::cuda::solve_least_squares(view(system.matrix), view(transposed), system.rhs.data(), m_tolerance * scale,
-                                          m_maximum_number_of_iterations, solution.data(), device_report));
+    internal::throw_if_failed(internal::cuda::solve_least_squares(
+      view(system.matrix), view(transposed), system.rhs.data(), m_tolerance * scale,
+      m_maximum_number_of_iterations, solution.data(), device_report));
     x = solution;
     Solver_report report;
     report.iterations = device_report.iterations;
@@ -82,7 +86,8 @@ private:
   template <typename Matrix>
   static internal::cuda::Sparse_matrix<FT> view(const Matrix& matrix)
   {
-    static_assert(sizeof(typename Matrix::StorageIndex) == sizeof(long long), "indices have 64 bits on both sides");
+    static_assert(sizeof(typename Matrix::StorageIndex) == sizeof(long long),
+                  "indices have 64 bits on both sides");
     return {static_cast<long long>(matrix.rows()), static_cast<long long>(matrix.cols()),
             reinterpret_cast<const long long*>(matrix.outerIndexPtr()),
             reinterpret_cast<const long long*>(matrix.innerIndexPtr()), matrix.valuePtr()};

@@ -52,14 +52,17 @@ class Device_progress
   std::exception_ptr m_exception;
 
 public:
-  explicit Device_progress(std::function<bool(double)> callback) : m_callback(std::move(callback)) {}
+  explicit Device_progress(std::function<bool(double)> callback) : m_callback(std::move(callback))
+  {}
 
   cuda::Progress_callback as_callback()
   {
     cuda::Progress_callback callback;
     if (m_callback)
     {
-      callback.function = [](void* context, double share) { return static_cast<Device_progress*>(context)->ask(share); };
+      callback.function = [](void* context, double share) {
+        return static_cast<Device_progress*>(context)->ask(share);
+      };
       callback.context = this;
     }
     return callback;
@@ -103,18 +106,20 @@ inline void fill_report(const cuda::Call_report& call, Report& report)
   report.extent_share = call.extent_share;
   report.peak_bytes = call.peak_bytes;
   for (std::size_t i = 0; i < call.number_of_stages; ++i)
-    report.stages.push_back({call.stages[i].name, call.stages[i].seconds, call.stages[i].peak_bytes});
+    report.stages.push_back(
+      {call.stages[i].name, call.stages[i].seconds, call.stages[i].peak_bytes});
   for (std::size_t i = 0; i < call.number_of_iterations; ++i)
   {
     const cuda::Iteration& iteration = call.iterations[i];
-    report.iterations.push_back({iteration.penalty,
-                                 iteration.regularized,
-                                 iteration.fit_energy,
-                                 iteration.regularization_energy,
-                                 iteration.normal_energy,
-                                 iteration.sparsity_energy,
-                                 iteration.active_pair_share,
-                                 {iteration.solver_iterations, iteration.relative_residual, iteration.converged}});
+    report.iterations.push_back(
+      {iteration.penalty,
+       iteration.regularized,
+       iteration.fit_energy,
+       iteration.regularization_energy,
+       iteration.normal_energy,
+       iteration.sparsity_energy,
+       iteration.active_pair_share,
+       {iteration.solver_iterations, iteration.relative_residual, iteration.converged}});
     report.converged = report.converged && iteration.converged;
   }
 }
@@ -131,28 +136,33 @@ Near_points find_near_points_of_range(const PointRange& points, PointMap point_m
   Report unwanted_report;
   Memory_counter memory;
   Progress progress(nullptr, unwanted_report, memory);
-  find_near_points<Parallel_if_available_tag>(tree_of_range(points, point_map, memory), positions, progress, near_points);
+  find_near_points<Parallel_if_available_tag>(tree_of_range(points, point_map, memory), positions,
+                                              progress, near_points);
   return near_points;
 }
 
 /// The confidences of a result of the device, computed by all threads of the host.
-inline void estimate_feature_confidences(const Buffer<Vector>& result, const std::vector<float>& result_normals,
+inline void estimate_feature_confidences(const Buffer<Vector>& result,
+                                         const std::vector<float>& result_normals,
                                          double sharpness_angle, Buffer<float>& confidences)
 {
   Buffer<Vector> positions(result);
   Working_frame frame;
   frame.enter<Parallel_if_available_tag>(positions);
-  double spacing = robust_diagonal<Parallel_if_available_tag>(positions) / std::sqrt(double(positions.size()));
+  double spacing = robust_diagonal<Parallel_if_available_tag>(positions)
+                   / std::sqrt(double(positions.size()));
   spacing = sensible_radius(spacing, box_diagonal(positions));
   frame.set_unit<Parallel_if_available_tag>(spacing, positions);
   Buffer<Local_vector> normals;
   for (std::size_t i = 0; i < positions.size(); ++i)
-    normals.emplace_back(result_normals[3 * i], result_normals[3 * i + 1], result_normals[3 * i + 2]);
+    normals.emplace_back(result_normals[3 * i], result_normals[3 * i + 1],
+                         result_normals[3 * i + 2]);
   Report unwanted_report;
   Memory_counter memory;
   Progress progress(nullptr, unwanted_report, memory);
   estimate_feature_confidences<Parallel_if_available_tag>(
-    positions, normals, 1, normal_bandwidth(fit_angle_factor * sharpness_angle), progress, confidences);
+    positions, normals, 1, normal_bandwidth(fit_angle_factor * sharpness_angle), progress,
+    confidences);
 }
 
 } // namespace internal
@@ -171,12 +181,14 @@ inline bool is_cuda_device_usable(std::string* reason = nullptr)
 /*!
 \ingroup PkgL0ResamplingRef
 
-Resamples one point set again and again on a CUDA device, as an application does in which somebody moves sliders: the points are brought to
-the device once, and a call like the last one allocates nothing there. The first call does not know how much memory it will need, and may hold more
-than those after it, in pieces: `maximum_memory` bounds that too. The work is that of `l0_resample_point_set<CUDA_tag>()`, which makes
-one object for one call.
+Resamples one point set again and again on a CUDA device, as an application does in which somebody
+moves sliders: the points are brought to the device once, and a call like the last one allocates
+nothing there. The first call does not know how much memory it will need, and may hold more than
+those after it, in pieces: `maximum_memory` bounds that too. The work is that of
+`l0_resample_point_set<CUDA_tag>()`, which makes one object for one call.
 
-An object uses the device that is current when it is made. Calls of one object from several threads wait for each other.
+An object uses the device that is current when it is made. Calls of one object from several threads
+wait for each other.
 
 \tparam Kernel a model of `Kernel` whose `FT` is `float` or `double`
 */
@@ -204,19 +216,22 @@ public:
 
   /// Brings points to the device, in place of those it holds.
   /// \param points as for `l0_resample_point_set()`
-  /// \param np `point_map`, `normal_map`, `orientation_hint_map` and `drop_non_finite` of `l0_resample_point_set()`; `maximum_memory` is of the device; others
-  /// are checked
+  /// \param np `point_map`, `normal_map`, `orientation_hint_map` and `drop_non_finite` of
+  /// `l0_resample_point_set()`; `maximum_memory` is of the device; others are checked
   /// \throws std::invalid_argument for what `l0_resample_point_set()` refuses
-  /// \throws std::bad_alloc if the device has not enough memory for the points, or is not allowed it
+  /// \throws std::bad_alloc if the device has not enough memory for the points, or is not allowed
+  /// it
   /// \throws Device_error if the device fails
   ///
-  /// What the property maps throw passes through. In all of these cases the object then holds no points.
+  /// What the property maps throw passes through. In all of these cases the object then holds no
+  /// points.
   template <typename PointRange, typename NamedParameters = parameters::Default_named_parameters>
   void upload(const PointRange& points, const NamedParameters& np = parameters::default_values())
   {
     using Value = typename std::iterator_traits<decltype(points.begin())>::value_type;
-    using Point_map = typename internal_np::Lookup_named_param_def<internal_np::point_t, NamedParameters,
-                                                                   Identity_property_map<const Value>>::type;
+    using Point_map =
+      typename internal_np::Lookup_named_param_def<internal_np::point_t, NamedParameters,
+                                                   Identity_property_map<const Value>>::type;
     const Point_map point_map = parameters::choose_parameter<Point_map>(
       parameters::get_parameter(np, internal_np::point_map));
     if constexpr (parameters::is_default_parameter<NamedParameters, internal_np::normal_t>::value)
@@ -225,22 +240,27 @@ public:
       upload(points, point_map, parameters::get_parameter(np, internal_np::normal_map), np);
   }
 
-  /// Resamples the points that the last `upload()` brought; of none, the result is empty. A named parameter that is not given has its default,
-  /// whatever an earlier call had.
+  /// Resamples the points that the last `upload()` brought; of none, the result is empty. A named
+  /// parameter that is not given has its default, whatever an earlier call had.
   /// \param out takes one `std::pair<Point_3, Vector_3>` for each point of the result
-  /// \param np as for `l0_resample_point_set()`, without those that `upload()` reads, and without `sparse_linear_solver` and `source_index_map`
+  /// \param np as for `l0_resample_point_set()`, without those that `upload()` reads, and without
+  /// `sparse_linear_solver` and `source_index_map`
   /// \returns the output iterator behind the last pair written
   /// \throws std::invalid_argument for a parameter out of its range
   /// \throws std::bad_alloc if memory does not suffice, on the device or here
   /// \throws Device_error if the device fails
   ///
   /// What the callback, `feature_confidence_map` and the output iterator throw passes through.
-  template <typename OutputIterator, typename NamedParameters = parameters::Default_named_parameters>
-  OutputIterator resample(OutputIterator out, const NamedParameters& np = parameters::default_values())
+  template <typename OutputIterator,
+            typename NamedParameters = parameters::Default_named_parameters>
+  OutputIterator resample(OutputIterator out,
+                          const NamedParameters& np = parameters::default_values())
   {
-    static_assert(parameters::is_default_parameter<NamedParameters, internal_np::source_index_map_t>::value,
-                  "The points are on the device only: l0_resample_point_set<CUDA_tag>() can tell the indices.");
-    const auto write = [&](std::size_t size, const auto& pair_of, const internal::Point_data& data) {
+    static_assert(
+      parameters::is_default_parameter<NamedParameters, internal_np::source_index_map_t>::value,
+      "The points are on the device only: l0_resample_point_set<CUDA_tag>() can tell the indices.");
+    const auto write = [&](std::size_t size, const auto& pair_of,
+                           const internal::Point_data& data) {
       internal::write_point_data(np, data, size, [](std::size_t i) { return i; });
       for (std::size_t i = 0; i < size; ++i)
         *out++ = pair_of(i);
@@ -252,12 +272,14 @@ public:
   /// \cond SKIP_IN_MANUAL
   // For `l0_resample_point_set()`, which has the points at hand.
   template <typename PointRange, typename PointMap, typename Write, typename NamedParameters>
-  void resample(const PointRange& points, PointMap point_map, std::size_t near_count, const Write& write,
-                const NamedParameters& np)
+  void resample(const PointRange& points, PointMap point_map, std::size_t near_count,
+                const Write& write, const NamedParameters& np)
   {
     using namespace internal;
-    const auto find_near = [&](const Buffer<std::array<FT, 3>>& positions, Near_points& near_points) {
-      near_points = find_near_points_of_range(points, point_map, positions, number_of_near_points(np, near_count));
+    const auto find_near = [&](const Buffer<std::array<FT, 3>>& positions,
+                               Near_points& near_points) {
+      near_points = find_near_points_of_range(points, point_map, positions,
+                                              number_of_near_points(np, near_count));
     };
     resample_and_write(find_near, write, np);
   }
@@ -281,8 +303,8 @@ public:
   /// \param np `drop_non_finite` and `maximum_memory`; others are checked
   template <typename NamedParameters>
   void upload_from_device(const internal::cuda::Device_rows& points, std::size_t size,
-                          const internal::cuda::Device_rows* normals, const internal::cuda::Device_rows* hints,
-                          const NamedParameters& np)
+                          const internal::cuda::Device_rows* normals,
+                          const internal::cuda::Device_rows* hints, const NamedParameters& np)
   {
     using namespace internal;
     m_size = m_number_of_dropped_points = 0;
@@ -293,12 +315,13 @@ public:
     if (size == 0)
       return;
     cuda::Device_points taken;
-    throw_if_failed(cuda::upload_from_device(*m_session, points, size, normals, hints, drop_non_finite,
-                                             checked.maximum_memory, taken));
+    throw_if_failed(cuda::upload_from_device(*m_session, points, size, normals, hints,
+                                             drop_non_finite, checked.maximum_memory, taken));
     if (taken.first_non_finite < size && !drop_non_finite)
     {
       cuda::Device_rows row = points;
-      row.data = static_cast<const char*>(points.data) + std::ptrdiff_t(taken.first_non_finite) * points.row_stride;
+      row.data = static_cast<const char*>(points.data)
+                 + std::ptrdiff_t(taken.first_non_finite) * points.row_stride;
       Vector point;
       throw_if_failed(cuda::copy_to_host(*m_session, row, 1, point.data()));
       refuse_non_finite_point(taken.first_non_finite, point);
@@ -328,8 +351,8 @@ public:
     using namespace internal;
     const std::array<std::array<FT, 3>, 2> box = box_of_result<FT>(m_box, report.neighbor_radius);
     bool may_have_equal_points = false;
-    throw_if_failed(
-      cuda::download_to_device(*m_session, box[0].data(), box[1].data(), positions, normals, may_have_equal_points));
+    throw_if_failed(cuda::download_to_device(*m_session, box[0].data(), box[1].data(), positions,
+                                             normals, may_have_equal_points));
     const std::size_t m = report.number_of_output_points;
     if (!may_have_equal_points || !is_separate(m, report))
       return;
@@ -339,7 +362,8 @@ public:
     throw_if_failed(cuda::download(*m_session, coordinates(exact), unused_normals.data()));
     const Buffer<std::array<FT, 3>> rounded =
       rounded_positions<Parallel_if_available_tag, FT>(exact, m_box, report.neighbor_radius, true);
-    throw_if_failed(cuda::copy_to_device(*m_session, rounded.data(), m * sizeof(rounded[0]), positions));
+    throw_if_failed(
+      cuda::copy_to_device(*m_session, rounded.data(), m * sizeof(rounded[0]), positions));
   }
 
   /// The confidences of the result, found on the host.
@@ -365,14 +389,16 @@ private:
     using namespace internal;
     static_assert(
       parameters::is_default_parameter<NamedParameters, internal_np::sparse_linear_solver_t>::value,
-      "On the device there is one solver. CUDA_least_squares_solver_traits runs beside the stages of the CPU.");
+      "On the device there is one solver. CUDA_least_squares_solver_traits runs beside the stages "
+      "of the CPU.");
     report = Report();
     report.device = "cuda";
     report.device_reason = "asked for";
     report.number_of_input_points = m_size;
     report.number_of_dropped_points = m_number_of_dropped_points;
     parameters = checked_parameters(np, m_size);
-    check_parameter(!(parameters.has_viewpoint && m_has_hints), "viewpoint", "given", "no orientation_hint_map beside it");
+    check_parameter(!(parameters.has_viewpoint && m_has_hints), "viewpoint", "given",
+                    "no orientation_hint_map beside it");
     if (parameters.number_of_output_points == 0)
       return false;
 
@@ -413,23 +439,26 @@ private:
     Buffer<Vector> positions(m, Vector::Zero());
     std::vector<float> normals(3 * m);
     throw_if_failed(cuda::download(*m_session, coordinates(positions), normals.data()));
-    const Buffer<std::array<FT, 3>> rounded =
-      rounded_positions<Parallel_if_available_tag, FT>(positions, m_box, report.neighbor_radius, is_separate(m, report));
+    const Buffer<std::array<FT, 3>> rounded = rounded_positions<Parallel_if_available_tag, FT>(
+      positions, m_box, report.neighbor_radius, is_separate(m, report));
     Point_data data;
     find_near(rounded, data.near_points);
     if (parameters.with_feature_confidences)
-      estimate_feature_confidences(positions, normals, parameters.sharpness_angle, data.feature_confidences);
+      estimate_feature_confidences(positions, normals, parameters.sharpness_angle,
+                                   data.feature_confidences);
     report.number_of_output_points = m;
     const auto pair_of = [&](std::size_t i) {
       return std::make_pair(Point(rounded[i][0], rounded[i][1], rounded[i][2]),
-                            Normal(FT(normals[3 * i]), FT(normals[3 * i + 1]), FT(normals[3 * i + 2])));
+                            Normal(FT(normals[3 * i]), FT(normals[3 * i + 1]),
+                                   FT(normals[3 * i + 2])));
     };
     write(m, pair_of, data);
   }
 
 public:
   template <typename PointRange, typename PointMap, typename NormalMap, typename NamedParameters>
-  void upload(const PointRange& points, PointMap point_map, NormalMap normal_map, const NamedParameters& np)
+  void upload(const PointRange& points, PointMap point_map, NormalMap normal_map,
+              const NamedParameters& np)
   {
     using namespace internal;
     m_size = 0;
@@ -437,7 +466,8 @@ public:
     bool drop_non_finite = false;
     read_parameter(np, internal_np::drop_non_finite, drop_non_finite);
     // checked before any point is looked at
-    const Parameters checked = checked_parameters(np, std::size_t(std::distance(points.begin(), points.end())));
+    const Parameters checked =
+      checked_parameters(np, std::size_t(std::distance(points.begin(), points.end())));
     Input input;
     read_points(points, point_map, drop_non_finite, report, input);
     read_normals_if_given(points, normal_map, input);
@@ -451,7 +481,8 @@ public:
       return;
     throw_if_failed(cuda::upload(*m_session, coordinates(input.points), input.points.size(),
                                  input.normals.empty() ? nullptr : input.normals.front().data(),
-                                 m_has_hints ? input.hints.front().data() : nullptr, checked.maximum_memory));
+                                 m_has_hints ? input.hints.front().data() : nullptr,
+                                 checked.maximum_memory));
     m_size = input.points.size();
   }
   /// \endcond

@@ -25,8 +25,8 @@ namespace L0_resampling {
 /*!
 \ingroup PkgL0ResamplingRef
 
-Sparse Cholesky factorization of \f$ A^T A \f$, one of the ways Section 3.3 of the paper names: exact up to
-rounding, at a cost in time and memory that grows faster than the number of samples.
+Sparse Cholesky factorization of \f$ A^T A \f$, one of the ways Section 3.3 of the paper names:
+exact up to rounding, at a cost in time and memory that grows faster than the number of samples.
 
 \cgalModels{L0ResamplingSolverTraits}
 
@@ -41,14 +41,18 @@ public:
   using FT = FT_;
   static constexpr bool needs_explicit_rows = false;
 
-  /// A direct solver cannot be told when to stop: the tolerance only decides what the report calls converged.
+  /// A direct solver cannot be told when to stop: the tolerance only decides what the report calls
+  /// converged.
   /// \throws std::invalid_argument if `tolerance` is not in (0, 1)
-  explicit Eigen_cholesky_solver_traits(double tolerance = 1e-5) : m_tolerance(internal::checked_tolerance(tolerance))
+  explicit Eigen_cholesky_solver_traits(double tolerance = 1e-5)
+    : m_tolerance(internal::checked_tolerance(tolerance))
   {}
 
   /// Solves `problem` and writes the solution to `x`; the initial guess does not matter.
-  /// \throws Solver_error if a value is not finite or the factorization breaks down; `x` is then as before
-  Solver_report solve(const Quadratic_problem<FT>& problem, Eigen::Ref<Eigen::Matrix<FT, Eigen::Dynamic, 1>> x) const
+  /// \throws Solver_error if a value is not finite or the factorization breaks down; `x` is then as
+  /// before
+  Solver_report solve(const Quadratic_problem<FT>& problem,
+                      Eigen::Ref<Eigen::Matrix<FT, Eigen::Dynamic, 1>> x) const
   {
     using Vector = Eigen::Matrix<FT, Eigen::Dynamic, 1>;
     using Matrix = internal::Normal_matrix<FT>;
@@ -67,7 +71,8 @@ public:
     using Ordering = Eigen::AMDOrdering<typename Matrix::StorageIndex>;
     const Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Ordering> factorization(matrix);
     if (factorization.info() != Eigen::Success)
-      throw Solver_error("The Cholesky factorization broke down: the quadratic problem is not positive definite.");
+      throw Solver_error(
+        "The Cholesky factorization broke down: the quadratic problem is not positive definite.");
     const Vector solution = factorization.solve(rhs);
     if (!solution.allFinite())
       internal::throw_values_not_finite();
@@ -75,7 +80,8 @@ public:
 
     Solver_report report;
     const Vector residual = rhs - matrix * solution;
-    report.relative_residual = residual.template cast<double>().norm() / internal::residual_scale(problem, rhs_norm);
+    report.relative_residual = residual.template cast<double>().norm()
+                               / internal::residual_scale(problem, rhs_norm);
     report.converged = report.relative_residual <= m_tolerance;
     return report;
   }

@@ -28,9 +28,10 @@ namespace L0_resampling {
 /*!
 \ingroup PkgL0ResamplingRef
 
-The paper's way: conjugate gradients for least squares on the rows \f$ A = \{A_f; A_r; A_n\} \f$ of Eq. (11), here
-Eigen's, with a diagonal preconditioner. There for fidelity and comparison: in exact arithmetic the rows of the fit
-term, which make up most of \f$ A \f$, add nothing to what the collapsed form of `Quadratic_problem` knows.
+The paper's way: conjugate gradients for least squares on the rows \f$ A = \{A_f; A_r; A_n\} \f$ of
+Eq. (11), here Eigen's, with a diagonal preconditioner. There for fidelity and comparison: in exact
+arithmetic the rows of the fit term, which make up most of \f$ A \f$, add nothing to what the
+collapsed form of `Quadratic_problem` knows.
 
 \cgalModels{L0ResamplingSolverTraits}
 
@@ -49,14 +50,17 @@ public:
   /// \param tolerance when to stop: relative residual as in `L0ResamplingSolverTraits::solve()`
   /// \param maximum_number_of_iterations of one solve
   /// \throws std::invalid_argument if `tolerance` is not in (0, 1)
-  explicit Eigen_least_squares_solver_traits(double tolerance = 1e-5, std::size_t maximum_number_of_iterations = 100)
-    : m_tolerance(internal::checked_tolerance(tolerance)), m_maximum_number_of_iterations(maximum_number_of_iterations)
+  explicit Eigen_least_squares_solver_traits(double tolerance = 1e-5,
+                                             std::size_t maximum_number_of_iterations = 100)
+    : m_tolerance(internal::checked_tolerance(tolerance)),
+      m_maximum_number_of_iterations(maximum_number_of_iterations)
   {}
 
   /// Solves `problem`, from the initial guess `x`, which becomes the solution.
   /// \pre `problem.rows` is not null
   /// \throws Solver_error if a value is not finite; `x` is then as before
-  Solver_report solve(const Quadratic_problem<FT>& problem, Eigen::Ref<Eigen::Matrix<FT, Eigen::Dynamic, 1>> x) const
+  Solver_report solve(const Quadratic_problem<FT>& problem,
+                      Eigen::Ref<Eigen::Matrix<FT, Eigen::Dynamic, 1>> x) const
   {
     using Vector = Eigen::Matrix<FT, Eigen::Dynamic, 1>;
     CGAL_precondition(problem.rows != nullptr);
@@ -67,15 +71,18 @@ public:
       x.setZero();
       return Solver_report();
     }
-    const double scale = internal::residual_scale(problem, rhs_norm) / rhs_norm; // Eigen measures by the norm
+    const double scale = internal::residual_scale(problem, rhs_norm)
+                         / rhs_norm; // Eigen measures by the norm
     const auto system = internal::least_squares_system(problem);
 
     Eigen::LeastSquaresConjugateGradient<std::decay_t<decltype(system.matrix)>> solver;
-    // Below rounding, Eigen would go on from a residual of zero to a quotient of zeros; and its square must be finite.
+    // Below rounding, Eigen would go on from a residual of zero to a quotient of zeros; and its
+    // square must be finite.
     const double relative_tolerance = (std::min)(m_tolerance * scale, 1.);
     solver.setTolerance((std::max)(FT(relative_tolerance), std::numeric_limits<FT>::epsilon()));
     constexpr std::size_t largest_index = std::size_t((std::numeric_limits<Eigen::Index>::max)());
-    solver.setMaxIterations(Eigen::Index((std::min)(m_maximum_number_of_iterations, largest_index)));
+    solver.setMaxIterations(
+      Eigen::Index((std::min)(m_maximum_number_of_iterations, largest_index)));
     solver.compute(system.matrix);
     const Vector solution = solver.solveWithGuess(system.rhs, x);
     if (!solution.allFinite() || !std::isfinite(solver.error()))
@@ -85,7 +92,8 @@ public:
     report.relative_residual = double(solver.error()) / scale;
     report.converged = report.relative_residual <= m_tolerance;
     // Eigen does not count the iteration in which it converges.
-    report.iterations = std::size_t(solver.iterations()) + std::size_t(report.converged && solution != x);
+    report.iterations = std::size_t(solver.iterations())
+                        + std::size_t(report.converged && solution != x);
     x = solution;
     return report;
   }

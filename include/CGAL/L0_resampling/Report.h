@@ -35,14 +35,15 @@ struct Stage_report
 /*!
 \ingroup PkgL0ResamplingRef
 
-One outer iteration of Algorithm 1. The energies are the terms of Eq. (7) after line 2, the choice of the offsets, in units
-of the squared radius \f$ r_p^2 \f$; the fit term leaves out the constant that does not depend on the samples.
+One outer iteration of Algorithm 1. The energies are the terms of Eq. (7) after line 2, the choice
+of the offsets, in units of the squared radius \f$ r_p^2 \f$; the fit term leaves out the constant
+that does not depend on the samples.
 */
 struct Iteration_report
 {
-  double penalty = 0;               ///< \f$ \beta \f$
-  bool regularized = true;          ///< `false` in the iterations that interleaved regularization skips
-  double fit_energy = 0;            ///< \f$ \sum W_i \|p_i - c_i\|^2 \f$
+  double penalty = 0;      ///< \f$ \beta \f$
+  bool regularized = true; ///< `false` in the iterations that interleaved regularization skips
+  double fit_energy = 0;   ///< \f$ \sum W_i \|p_i - c_i\|^2 \f$
   double regularization_energy = 0; ///< the second term of Eq. (7); 0 where not `regularized`
   double normal_energy = 0;         ///< \f$ \beta \sum (n_i^T(p_i - p_{i'}) - \delta_{ii'})^2 \f$
   double sparsity_energy = 0;       ///< \f$ \lambda \|\delta\|_0 \f$, \f$ \lambda \f$ as in Eq. (8)
@@ -54,15 +55,17 @@ struct Iteration_report
 \ingroup PkgL0ResamplingRef
 
 What a call of `CGAL::l0_resample_point_set()` did. Pass the address of one with the named parameter
-`resampling_report`; it is reset on entry and filled as far as the call came, also when the call throws.
+`resampling_report`; it is reset on entry and filled as far as the call came, also when the call
+throws.
 */
 struct Report
 {
   Outcome outcome = Outcome::COMPLETED; ///< how the call ended, unless it threw
 
-  std::size_t number_of_input_points = 0;    ///< points used, without the dropped ones
-  std::size_t number_of_dropped_points = 0;  ///< non-finite points, with `drop_non_finite(true)`
-  std::size_t number_of_outliers = 0;        ///< points off the cloud that were left out, with `drop_outliers(true)`
+  std::size_t number_of_input_points = 0;   ///< points used, without the dropped ones
+  std::size_t number_of_dropped_points = 0; ///< non-finite points, with `drop_non_finite(true)`
+  std::size_t number_of_outliers =
+    0; ///< points off the cloud that were left out, with `drop_outliers(true)`
   std::size_t number_of_distinct_points = 0; ///< of the points used, without outliers
   std::size_t number_of_output_points = 0;   ///< points that were written
   /// Points whose ball of \f$ 0.7 r_p \f$ spans no plane, or holds fewer than six points. If all
@@ -72,17 +75,22 @@ struct Report
   /// Samples without an original neighbor, which stay where they start. In the default method
   /// samples without a compatible one in the last fit: they end where they were last fitted.
   std::size_t number_of_lonely_samples = 0;
-  std::size_t number_of_self_neighbor_pairs = 0; ///< ordered pairs \f$ (i, i') \f$ of the normal term
+  std::size_t number_of_self_neighbor_pairs =
+    0; ///< ordered pairs \f$ (i, i') \f$ of the normal term
 
   double neighbor_radius = 0;      ///< \f$ r_p \f$, in the unit of the input
   double normal_filter_radius = 0; ///< \f$ r_q \f$, in the unit of the input
-  double estimated_spacing = 0; ///< square root of the area a point mid-surface, in the unit of the input; default method only
-  double estimated_noise = 0; ///< standard deviation across the surface, in the unit of the input; default method only
+  double estimated_spacing =
+    /// square root of the area a point mid-surface, in the unit of the input; default method only
+    0;
+  double estimated_noise =
+    0; ///< standard deviation across the surface, in the unit of the input; default method only
   /// Share of the samples to which one sign was propagated, over edges beyond doubt, in [0, 1]. It
   /// does not say how many normals are on the right side: on thin parts under noise half of them
   /// may be wrong at a share of 1.
   double oriented_share = 0;
-  double hinted_share = 0; ///< share of samples whose side `viewpoint` or `orientation_hint_map` decided, in [0, 1]
+  double hinted_share =
+    0; ///< share of samples whose side `viewpoint` or `orientation_hint_map` decided, in [0, 1]
   /// Diagonal of the bounding box of the result per that of the input, in [0, 1]. At either end of
   /// each axis 0.5 % of the input points and 2.6 standard deviations of the noise (if it is
   /// estimated) do not count, and half a spacing of the samples counts as reached.
@@ -92,7 +100,8 @@ struct Report
   bool converged = true;                    ///< whether every solve converged
 
   std::vector<Stage_report> stages; ///< in the order of execution
-  std::size_t peak_bytes = 0;       ///< most memory held by the call's own arrays, input and output not counted
+  std::size_t peak_bytes =
+    0; ///< most memory held by the call's own arrays, input and output not counted
 
   std::string device = "cpu"; ///< `"cpu"` or `"cuda"`
   std::string device_reason;  ///< why that device was taken

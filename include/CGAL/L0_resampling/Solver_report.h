@@ -15,15 +15,15 @@ namespace L0_resampling {
 /*!
 \ingroup PkgL0ResamplingRef
 
-What one solve of Eq. (10) did. Running out of iterations is a report and not an exception: Algorithm 1
-lives well with an inexact solve.
+What one solve of Eq. (10) did. Running out of iterations is a report and not an exception:
+Algorithm 1 lives well with an inexact solve.
 */
 struct Solver_report
 {
   std::size_t iterations = 0; ///< iterations spent, 0 for a direct solver
 
-  /// \f$ \|A^T(b - Ax)\| \f$ on exit, divided by \f$ \|A^T b\| \f$ or by `Quadratic_problem::right_hand_side_scale`, whichever is larger; 0
-  /// where \f$ A^T b = 0 \f$
+  /// \f$ \|A^T(b - Ax)\| \f$ on exit, divided by \f$ \|A^T b\| \f$ or by
+  /// `Quadratic_problem::right_hand_side_scale`, whichever is larger; 0 where \f$ A^T b = 0 \f$
   double relative_residual = 0;
 
   bool converged = true; ///< whether the relative residual reached the solver's tolerance

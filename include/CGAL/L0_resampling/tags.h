@@ -21,7 +21,9 @@ enum class Method
 {
   DEFAULT, ///< what this package recommends
   LOR,     ///< Section 3 of the paper: Eq. (6) by Algorithm 1, every term in every iteration
-  ALOR     ///< Section 4 of the paper: two passes of local half-sampling, regularization every second iteration
+  /// Section 4 of the paper: two passes of local half-sampling, regularization every second
+  /// iteration
+  ALOR
 };
 
 } // namespace L0_resampling

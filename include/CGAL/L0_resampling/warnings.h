@@ -22,22 +22,28 @@ namespace L0_resampling {
 /// Why a result cannot be good, see `warnings()`.
 enum class Warning
 {
-  MANY_OUTLIERS,       ///< more than 3 % of the points were left out as outliers
-  SHRUNKEN_EXTENT,     ///< `Report::extent_share` is below 95 %
-  SMALL_RADIUS,        ///< more than half of the points have a degenerate neighborhood
-  UNSUPPORTED_SAMPLES, ///< more than 5 % of the samples have no original neighbor or no compatible one
+  MANY_OUTLIERS,   ///< more than 3 % of the points were left out as outliers
+  SHRUNKEN_EXTENT, ///< `Report::extent_share` is below 95 %
+  SMALL_RADIUS,    ///< more than half of the points have a degenerate neighborhood
+  /// more than 5 % of the samples have no original neighbor or no compatible one
+  UNSUPPORTED_SAMPLES,
 };
 
 namespace internal {
 
 constexpr double largest_share_of_outliers = 0.03, least_extent_share = 0.95;
-constexpr double largest_share_of_degenerate_neighborhoods = 0.5, largest_share_of_lonely_samples = 0.05;
+constexpr double largest_share_of_degenerate_neighborhoods = 0.5,
+                 largest_share_of_lonely_samples = 0.05;
 
-inline double share_of(std::size_t part, std::size_t whole) { return double(part) / (std::max)(double(whole), 1.); }
+inline double share_of(std::size_t part, std::size_t whole)
+{
+  return double(part) / (std::max)(double(whole), 1.);
+}
 
 inline double share_of_degenerate_neighborhoods(const Report& report)
 {
-  return share_of(report.number_of_degenerate_neighborhoods, report.number_of_input_points - report.number_of_outliers);
+  return share_of(report.number_of_degenerate_neighborhoods,
+                  report.number_of_input_points - report.number_of_outliers);
 }
 
 /// A share as a percentage, rounded down so that no part is called all.
@@ -65,10 +71,12 @@ inline std::vector<Warning> warnings(const Report& report)
   };
   if (report.number_of_output_points == 0)
     return found;
-  add_if(internal::share_of(report.number_of_outliers, report.number_of_input_points) > internal::largest_share_of_outliers,
+  add_if(internal::share_of(report.number_of_outliers, report.number_of_input_points)
+           > internal::largest_share_of_outliers,
          Warning::MANY_OUTLIERS);
   add_if(report.extent_share < internal::least_extent_share, Warning::SHRUNKEN_EXTENT);
-  add_if(internal::share_of_degenerate_neighborhoods(report) > internal::largest_share_of_degenerate_neighborhoods,
+  add_if(internal::share_of_degenerate_neighborhoods(report)
+           > internal::largest_share_of_degenerate_neighborhoods,
          Warning::SMALL_RADIUS);
   add_if(internal::share_of(report.number_of_lonely_samples, report.number_of_output_points)
            > internal::largest_share_of_lonely_samples,
@@ -106,7 +114,9 @@ inline std::string message_of(Warning warning, const Report& report)
     return "the result has " + as_percentage(report.extent_share) + " of the extent of the input";
   case Warning::SMALL_RADIUS:
     return as_percentage(share_of_degenerate_neighborhoods(report))
-           + " of the points have fewer than six points, or points on a line only, within the radius, which is " + radius;
+           + " of the points have fewer than six points, or points on a line only, within the "
+             "radius, which is "
+           + radius;
   case Warning::UNSUPPORTED_SAMPLES:
     return as_percentage(share_of(report.number_of_lonely_samples, report.number_of_output_points))
            + " of the result has no compatible input points near it";

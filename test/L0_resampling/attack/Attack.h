@@ -26,8 +26,8 @@ enum class Solver
   LEAST_SQUARES
 };
 
-/// All that one call is asked for. Counts are numbers of any kind, as a caller's arithmetic may have made them; what has no value is
-/// not passed at all.
+/// All that one call is asked for. Counts are numbers of any kind, as a caller's arithmetic may
+/// have made them; what has no value is not passed at all.
 struct Parameters
 {
   int method = 0;
@@ -53,7 +53,8 @@ struct Parameters
   bool keep_density = false;
   std::size_t maximum_memory = (std::numeric_limits<std::size_t>::max)();
 
-  // The first access to the point map, and the first point written, that throws. None if it is never reached.
+  // The first access to the point map, and the first point written, that throws. None if it is
+  // never reached.
   std::size_t throwing_access = (std::numeric_limits<std::size_t>::max)();
   std::size_t throwing_write = (std::numeric_limits<std::size_t>::max)();
 };

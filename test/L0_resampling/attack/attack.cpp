@@ -3,13 +3,14 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Attacks the function in a child process with limits of time and memory, so that a crash or an endless loop is a finding too.
+// Attacks the function in a child process with limits of time and memory, so that a crash or an
+// endless loop is a finding too.
 //
-//   attack named [--every K] ...     our point sets, each with our parameter sets; of all pairs every K-th
+//   attack named [--every K] ...     our point sets, each with our parameter sets; every K-th pair
 //   attack random RUNS [--seed S] ...  the seeds S, S + 1, ... each make one of both
-//   attack large N ...               a noisy cube of N points by each method: enough for many threads
+//   attack large N ...               a noisy cube of N points by each method, for many threads
 //   attack replay FILE... ...        the attacks that once succeeded
-//   attack minimize FILE ...         writes FILE.minimal, with as few points and parameters as still break the same
+//   attack minimize FILE ...         writes FILE.minimal, which still breaks the same
 //
 // --save FOLDER      a file for each attack that succeeds
 // --memory MIB       of address space for one attack; 0 for no limit, as sanitizers need it
@@ -81,7 +82,8 @@ std::size_t patience_with(const Attack& attack)
 
 /// Carries attacks out, the first `count` that `make` gives, and counts those that succeed.
 /// \returns the exit status
-int carry_out_all(const Options& options, std::size_t count, const std::function<Attack(std::size_t)>& make)
+int carry_out_all(const Options& options, std::size_t count,
+                  const std::function<Attack(std::size_t)>& make)
 {
   const auto start = std::chrono::steady_clock::now();
   std::size_t attacks = 0, successes = 0;
@@ -89,8 +91,9 @@ int carry_out_all(const Options& options, std::size_t count, const std::function
     if (options.json.empty())
       return;
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-    std::ofstream(options.json) << "{\"kind\": \"" << options.words.front() << "\", \"seed\": " << options.seed
-                                << ", \"attacks\": " << attacks << ", \"succeeded\": " << successes
+    std::ofstream(options.json) << "{\"kind\": \"" << options.words.front()
+                                << "\", \"seed\": " << options.seed << ", \"attacks\": " << attacks
+                                << ", \"succeeded\": " << successes
                                 << ", \"seconds\": " << time.count() << "}\n";
   };
 
@@ -105,7 +108,8 @@ int carry_out_all(const Options& options, std::size_t count, const std::function
       ++successes;
       std::cerr << "failed: " << attack.name << ": " << faults << std::endl;
       if (!options.folder.empty())
-        write_attack(options.folder + "/" + options.words.front() + "_" + std::to_string(options.seed + attacks) + ".txt",
+        write_attack(options.folder + "/" + options.words.front() + "_"
+                       + std::to_string(options.seed + attacks) + ".txt",
                      attack);
     }
     if (++attacks % 100 == 0)
@@ -123,7 +127,8 @@ Attack random_attack(std::size_t seed)
   attack.name = "random " + std::to_string(seed);
   attack.points = random_point_set(generator);
   attack.normals = random_normals(attack.points.size(), generator);
-  attack.parameters = random_parameters(attack.points.size(), diagonal_of(attack.points), generator);
+  attack.parameters = random_parameters(attack.points.size(), diagonal_of(attack.points),
+                                        generator);
   return attack;
 }
 
@@ -135,9 +140,11 @@ int attack_with_named(const Options& options)
   for (const Named_points& points : hostile_point_sets())
   {
     const std::vector<Vector> normals = random_normals(points.points.size(), generator);
-    for (const Named_parameters& parameters : hostile_parameter_sets(points.points.size(), diagonal_of(points.points)))
+    for (const Named_parameters& parameters :
+         hostile_parameter_sets(points.points.size(), diagonal_of(points.points)))
       if (pair++ % options.every == 0)
-        attacks.push_back({points.name + ", " + parameters.name, points.points, normals, parameters.parameters});
+        attacks.push_back(
+          {points.name + ", " + parameters.name, points.points, normals, parameters.parameters});
   }
   return carry_out_all(options, attacks.size(), [&](std::size_t i) { return attacks[i]; });
 }
@@ -146,7 +153,8 @@ int attack_at_random(const Options& options)
 {
   const std::size_t runs = std::stoul(options.words.at(1));
   std::cout << "seeds " << options.seed << " to " << options.seed + runs - 1 << std::endl;
-  return carry_out_all(options, runs, [&](std::size_t i) { return random_attack(options.seed + i); });
+  return carry_out_all(options, runs,
+                       [&](std::size_t i) { return random_attack(options.seed + i); });
 }
 
 int attack_with_many(const Options& options)
@@ -155,7 +163,8 @@ int attack_with_many(const Options& options)
   test::Oriented_points cube = test::cube_points(std::stoul(options.words.at(1)), 1, generator);
   test::add_gaussian_noise(cube.points, 0.01, generator);
   return carry_out_all(options, 3, [&](std::size_t method) {
-    Attack attack{"large, method " + std::to_string(method), cube.points, cube.normals, Parameters()};
+    Attack attack{"large, method " + std::to_string(method), cube.points, cube.normals,
+                  Parameters()};
     attack.parameters.method = int(method);
     return attack;
   });

@@ -32,9 +32,16 @@ std::string text_of(const std::optional<T>& value)
   return value ? text_of(*value) : "";
 }
 
-// The streams of the standard library write hexadecimal digits, infinities and NaN, and do not read them.
-void read_text(const std::string& text, double& value) { value = std::strtod(text.c_str(), nullptr); }
-void read_text(const std::string& text, std::size_t& value) { value = std::strtoull(text.c_str(), nullptr, 10); }
+// The streams of the standard library write hexadecimal digits, infinities and NaN, and do not read
+// them.
+void read_text(const std::string& text, double& value)
+{
+  value = std::strtod(text.c_str(), nullptr);
+}
+void read_text(const std::string& text, std::size_t& value)
+{
+  value = std::strtoull(text.c_str(), nullptr, 10);
+}
 void read_text(const std::string& text, int& value) { value = std::atoi(text.c_str()); }
 void read_text(const std::string& text, bool& value) { value = text == "1"; }
 void read_text(const std::string& text, Solver& value) { value = Solver(std::atoi(text.c_str())); }
@@ -76,7 +83,8 @@ Attack read_attack(const std::string& path)
   while (std::getline(file, line) && line != "points")
   {
     const std::size_t blank = line.find(' ');
-    const std::string word = line.substr(0, blank), text = blank == std::string::npos ? "" : line.substr(blank + 1);
+    const std::string word = line.substr(0, blank),
+                      text = blank == std::string::npos ? "" : line.substr(blank + 1);
     bool is_known = word == "name";
     if (is_known)
       attack.name = text;

@@ -12,7 +12,8 @@
 
 namespace attack {
 
-/// As text: the parameters that are not at their defaults, then a line for each point and its normal, in hexadecimal digits.
+/// As text: the parameters that are not at their defaults, then a line for each point and its
+/// normal, in hexadecimal digits.
 void write_attack(const std::string& path, const Attack& attack);
 
 /// \throws std::runtime_error if the file is not of that form

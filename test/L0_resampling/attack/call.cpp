@@ -84,7 +84,8 @@ std::vector<Value> converted(const std::vector<Vector>& vectors)
 template <typename Value>
 bool are_same_bits(const std::vector<Value>& a, const std::vector<Value>& b)
 {
-  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Value)) == 0);
+  return a.size() == b.size()
+         && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Value)) == 0);
 }
 
 template <typename ConcurrencyTag, typename Kernel, typename SolverTraits>
@@ -98,51 +99,56 @@ void call_with(const Attack& attack, const SolverTraits& solver, Answer& answer)
   const std::vector<Normal> normals = converted<Normal>(attack.normals), normals_before = normals;
   std::vector<std::size_t> range(points.size());
   std::iota(range.begin(), range.end(), std::size_t(0));
-  std::size_t accesses_left = p.throwing_access, normals_left = (std::numeric_limits<std::size_t>::max)();
+  std::size_t accesses_left = p.throwing_access,
+              normals_left = (std::numeric_limits<std::size_t>::max)();
 
   double last_progress = 0;
   const std::function<bool(double)> callback = [&](double progress) {
-    answer.progress_is_sound = answer.progress_is_sound && progress >= last_progress && progress <= 1;
+    answer.progress_is_sound = answer.progress_is_sound && progress >= last_progress
+                               && progress <= 1;
     last_progress = progress;
     return true;
   };
-  const auto write = boost::make_function_output_iterator([&](const std::pair<Point, Normal>& pair) {
-    if (answer.points.size() == p.throwing_write)
-      throw Exception_of_caller();
-    answer.points.emplace_back(pair.first.x(), pair.first.y(), pair.first.z());
-    answer.normals.emplace_back(pair.second.x(), pair.second.y(), pair.second.z());
-  });
+  const auto write = boost::make_function_output_iterator(
+    [&](const std::pair<Point, Normal>& pair) {
+      if (answer.points.size() == p.throwing_write)
+        throw Exception_of_caller();
+      answer.points.emplace_back(pair.first.x(), pair.first.y(), pair.first.z());
+      answer.normals.emplace_back(pair.second.x(), pair.second.y(), pair.second.z());
+    });
 
   const Vector eye = viewpoint(p);
   const Map_of_indices<Normal> directions{&normals, &normals_left};
-  const auto np = params::resampling_method(CGAL::L0_resampling::Method(p.method))
-                    .point_map(Map_of_indices<Point>{&points, &accesses_left})
-                    .normal_map(given_if(p.with_normals, directions))
-                    .orientation_hint_map(given_if(p.with_hints, directions))
-                    .viewpoint(given_if(p.viewpoint.has_value(), Point(FT(eye[0]), FT(eye[1]), FT(eye[2]))))
-                    .geom_traits(Kernel())
-                    .sparse_linear_solver(solver)
-                    .number_of_output_points(p.number_of_output_points)
-                    .neighbor_radius(p.neighbor_radius)
-                    .normal_filter_radius(p.normal_filter_radius)
-                    .select_percentage(p.select_percentage)
-                    .sharpness_angle(p.sharpness_angle)
-                    .number_of_normal_filter_iterations(p.number_of_normal_filter_iterations)
-                    .normal_weight(p.normal_weight)
-                    .regularization_weight(p.regularization_weight)
-                    .initial_penalty(p.initial_penalty)
-                    .maximum_penalty(p.maximum_penalty)
-                    .penalty_growth(p.penalty_growth)
-                    .number_of_orientation_neighbors(p.number_of_orientation_neighbors)
-                    .random_seed(p.random_seed)
-                    .drop_non_finite(p.drop_non_finite)
-                    .drop_outliers(p.drop_outliers)
-                    .keep_density(p.keep_density)
-                    .source_index_map(given_if(p.with_point_data, Map_to_vector<std::size_t>{&answer.sources}))
-                    .feature_confidence_map(given_if(p.with_point_data, Map_to_vector<float>{&answer.confidences}))
-                    .maximum_memory(p.maximum_memory)
-                    .callback(callback)
-                    .resampling_report(&answer.report);
+  const auto np =
+    params::resampling_method(CGAL::L0_resampling::Method(p.method))
+      .point_map(Map_of_indices<Point>{&points, &accesses_left})
+      .normal_map(given_if(p.with_normals, directions))
+      .orientation_hint_map(given_if(p.with_hints, directions))
+      .viewpoint(given_if(p.viewpoint.has_value(), Point(FT(eye[0]), FT(eye[1]), FT(eye[2]))))
+      .geom_traits(Kernel())
+      .sparse_linear_solver(solver)
+      .number_of_output_points(p.number_of_output_points)
+      .neighbor_radius(p.neighbor_radius)
+      .normal_filter_radius(p.normal_filter_radius)
+      .select_percentage(p.select_percentage)
+      .sharpness_angle(p.sharpness_angle)
+      .number_of_normal_filter_iterations(p.number_of_normal_filter_iterations)
+      .normal_weight(p.normal_weight)
+      .regularization_weight(p.regularization_weight)
+      .initial_penalty(p.initial_penalty)
+      .maximum_penalty(p.maximum_penalty)
+      .penalty_growth(p.penalty_growth)
+      .number_of_orientation_neighbors(p.number_of_orientation_neighbors)
+      .random_seed(p.random_seed)
+      .drop_non_finite(p.drop_non_finite)
+      .drop_outliers(p.drop_outliers)
+      .keep_density(p.keep_density)
+      .source_index_map(given_if(p.with_point_data, Map_to_vector<std::size_t>{&answer.sources}))
+      .feature_confidence_map(
+        given_if(p.with_point_data, Map_to_vector<float>{&answer.confidences}))
+      .maximum_memory(p.maximum_memory)
+      .callback(callback)
+      .resampling_report(&answer.report);
   try
   {
     CGAL::l0_resample_point_set<ConcurrencyTag>(range, write, np);
@@ -171,7 +177,8 @@ void call_with(const Attack& attack, const SolverTraits& solver, Answer& answer)
     answer.message = e.what();
   }
 
-  answer.input_is_unchanged = are_same_bits(points, points_before) && are_same_bits(normals, normals_before);
+  answer.input_is_unchanged = are_same_bits(points, points_before)
+                              && are_same_bits(normals, normals_before);
 }
 
 template <typename ConcurrencyTag, typename SolverTraits>
@@ -197,7 +204,9 @@ Answer call(const Attack& attack, bool in_parallel)
   Answer answer;
   switch (attack.parameters.solver)
   {
-  case Solver::CHOLESKY: call_with<CGAL::Sequential_tag>(attack, Eigen_cholesky_solver_traits<double>(), answer); break;
+  case Solver::CHOLESKY:
+    call_with<CGAL::Sequential_tag>(attack, Eigen_cholesky_solver_traits<double>(), answer);
+    break;
   case Solver::LEAST_SQUARES:
     call_with<CGAL::Sequential_tag>(attack, Eigen_least_squares_solver_traits<double>(), answer);
     break;
@@ -205,10 +214,11 @@ Answer call(const Attack& attack, bool in_parallel)
     // as a call without a solver does
     if (in_parallel)
       call_with<CGAL::Parallel_if_available_tag>(
-        attack, Block_conjugate_gradient_solver_traits<float, CGAL::Parallel_if_available_tag>(), answer);
+        attack, Block_conjugate_gradient_solver_traits<float, CGAL::Parallel_if_available_tag>(),
+        answer);
     else
-      call_with<CGAL::Sequential_tag>(attack, Block_conjugate_gradient_solver_traits<float, CGAL::Sequential_tag>(),
-                                      answer);
+      call_with<CGAL::Sequential_tag>(
+        attack, Block_conjugate_gradient_solver_traits<float, CGAL::Sequential_tag>(), answer);
   }
   return answer;
 }

@@ -41,7 +41,8 @@ struct Answer
 /// The caller's point of view; of use if the parameters have one.
 Vector viewpoint(const Parameters& parameters);
 
-/// Calls the function as the attack says: sequentially, or in parallel where TBB was found and the solver is the package's own.
+/// Calls the function as the attack says: sequentially, or in parallel where TBB was found and the
+/// solver is the package's own.
 Answer call(const Attack& attack, bool in_parallel);
 
 } // namespace attack

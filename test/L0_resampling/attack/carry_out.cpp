@@ -19,7 +19,8 @@ namespace {
 
 bool are_same_bits(const std::vector<Vector>& a, const std::vector<Vector>& b)
 {
-  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Vector)) == 0);
+  return a.size() == b.size()
+         && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Vector)) == 0);
 }
 
 /// All that the report says and that is neither time, memory nor text.
@@ -33,7 +34,8 @@ std::vector<double> numbers(const CGAL::L0_resampling::Report& report)
                              report.neighbor_radius,
                              report.oriented_share};
   for (const CGAL::L0_resampling::Iteration_report& iteration : report.iterations)
-    result.insert(result.end(), {iteration.fit_energy, iteration.active_pair_share, double(iteration.solver.iterations)});
+    result.insert(result.end(), {iteration.fit_energy, iteration.active_pair_share,
+                                 double(iteration.solver.iterations)});
   return result;
 }
 
@@ -67,17 +69,22 @@ Vector larger(const Vector& v)
   return {std::ldexp(v[0], exponent), std::ldexp(v[1], exponent), std::ldexp(v[2], exponent)};
 }
 
-/// Whether all numbers of the attack keep their digits when they become larger, with some room for the radii. A cloud at the origin has no
-/// length to scale.
+/// Whether all numbers of the attack keep their digits when they become larger, with some room for
+/// the radii. A cloud at the origin has no length to scale.
 bool can_be_larger(const Attack& attack)
 {
-  const auto has_room = [](double x) { return x == 0 || !std::isfinite(x) || std::abs(std::ilogb(x)) < 900; };
+  const auto has_room = [](double x) {
+    return x == 0 || !std::isfinite(x) || std::abs(std::ilogb(x)) < 900;
+  };
   return !attack.parameters.in_single_precision
          && std::any_of(attack.points.begin(), attack.points.end(),
                         [](const Vector& p) { return p.allFinite() && !p.isZero(0); })
          && std::all_of(attack.points.begin(), attack.points.end(),
-                        [&](const Vector& p) { return has_room(p[0]) && has_room(p[1]) && has_room(p[2]); })
-         && has_room(attack.parameters.viewpoint.value_or(1)) && has_room(attack.parameters.neighbor_radius.value_or(1))
+                        [&](const Vector& p) {
+                          return has_room(p[0]) && has_room(p[1]) && has_room(p[2]);
+                        })
+         && has_room(attack.parameters.viewpoint.value_or(1))
+         && has_room(attack.parameters.neighbor_radius.value_or(1))
          && has_room(attack.parameters.normal_filter_radius.value_or(1));
 }
 
@@ -86,7 +93,8 @@ std::string difference_of_larger(const Attack& attack, Answer answer)
   Attack large = attack;
   std::transform(large.points.begin(), large.points.end(), large.points.begin(), larger);
   for (std::optional<double>* length :
-       {&large.parameters.neighbor_radius, &large.parameters.normal_filter_radius, &large.parameters.viewpoint})
+       {&large.parameters.neighbor_radius, &large.parameters.normal_filter_radius,
+        &large.parameters.viewpoint})
     if (*length)
       **length = std::ldexp(**length, exponent);
   const Answer answer_of_large = call(large, false);
@@ -138,7 +146,8 @@ std::string difference_of_shuffled(const Attack& attack, const Answer& answer)
   if (answer.ending != answer_of_shuffled.ending)
     return "another ending: " + answer_of_shuffled.message;
   const double tolerance = 1e-9 * diagonal_of(attack.points);
-  return is_contained(answer, answer_of_shuffled, tolerance) && is_contained(answer_of_shuffled, answer, tolerance)
+  return is_contained(answer, answer_of_shuffled, tolerance)
+             && is_contained(answer_of_shuffled, answer, tolerance)
            ? ""
            : "another set";
 }
@@ -158,9 +167,12 @@ std::string carry_out(const Attack& attack)
   if (can_be_larger(attack))
     add("the larger cloud", difference_of_larger(attack, answer));
   // which point is the first that is refused, or at which a map throws, does depend on the order
-  if (answer.ending == Ending::COMPLETED && p.throwing_access >= most_readings * attack.points.size())
+  if (answer.ending == Ending::COMPLETED
+      && p.throwing_access >= most_readings * attack.points.size())
     add("another order", difference_of_shuffled(attack, answer));
-  return faults.empty() ? faults : faults.substr(2) + (answer.message.empty() ? "" : " (" + answer.message + ")");
+  return faults.empty()
+           ? faults
+           : faults.substr(2) + (answer.message.empty() ? "" : " (" + answer.message + ")");
 }
 
 } // namespace attack

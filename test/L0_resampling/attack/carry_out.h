@@ -13,9 +13,10 @@
 namespace attack {
 
 /*!
-Calls the function with the attack: sequentially, in parallel, with the cloud and its lengths 2^40 times as large, and with the points in another
-order and the normals turned. The first must keep the promises 1 to 5, the second equal it bit by bit (7), and so must the others up to what
-promise 6 allows.
+Calls the function with the attack: sequentially, in parallel, with the cloud and its lengths 2^40
+times as large, and with the points in another order and the normals turned. The first must keep the
+promises 1 to 5, the second equal it bit by bit (7), and so must the others up to what promise 6
+allows.
 \returns what is broken, as text; empty if nothing is
 */
 std::string carry_out(const Attack& attack);

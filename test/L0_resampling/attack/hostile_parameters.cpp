@@ -144,9 +144,11 @@ std::vector<Named_parameters> hostile_parameter_sets(std::size_t size, double di
     {"3 orientation neighbors", with([](P& p) { p.number_of_orientation_neighbors = 3; })},
     {"1000 orientation neighbors", with([](P& p) { p.number_of_orientation_neighbors = 1000; })},
     {"2 orientation neighbors", with([](P& p) { p.number_of_orientation_neighbors = 2; })},
-    {"2^32 - 1 orientation neighbors", with([](P& p) { p.number_of_orientation_neighbors = 4294967295.; })},
+    {"2^32 - 1 orientation neighbors",
+     with([](P& p) { p.number_of_orientation_neighbors = 4294967295.; })},
     // The rest
-    {"the last seed", with([](P& p) { p.random_seed = (std::numeric_limits<std::size_t>::max)(); })},
+    {"the last seed",
+     with([](P& p) { p.random_seed = (std::numeric_limits<std::size_t>::max)(); })},
     {"dropping what is not finite", with([](P& p) { p.drop_non_finite = true; })},
     {"dropping all that can be", with([](P& p) {
        p.drop_non_finite = true;
@@ -196,13 +198,16 @@ std::vector<Named_parameters> hostile_parameter_sets(std::size_t size, double di
 
 Parameters random_parameters(std::size_t n, double diagonal, Generator& generator)
 {
-  const auto random = [&](double low, double high) { return test::random_number(low, high, generator); };
+  const auto random = [&](double low, double high) {
+    return test::random_number(low, high, generator);
+  };
   const auto one_in = [&](double k) { return random(0, k) < 1; };
   // mostly sensible, so that more is reached than the checks of parameters
   const auto number = [&](double low, double high) {
-    static const std::vector<double> bad{0,   -1, nan,   infinity, -infinity, largest, Limits::denorm_min(),
-                                         -0., 1,  1e-30, 1e30};
-    return one_in(60) ? bad[std::size_t(random(0, double(bad.size())))] : low * std::pow(high / low, random(0, 1));
+    static const std::vector<double> bad{
+      0, -1, nan, infinity, -infinity, largest, Limits::denorm_min(), -0., 1, 1e-30, 1e30};
+    return one_in(60) ? bad[std::size_t(random(0, double(bad.size())))]
+                      : low * std::pow(high / low, random(0, 1));
   };
 
   const std::vector<Named_parameters> named = hostile_parameter_sets(n, diagonal);
@@ -261,7 +266,8 @@ Parameters random_parameters(std::size_t n, double diagonal, Generator& generato
     p.with_hints = true;
   if (one_in(6))
     p.with_point_data = true;
-  // where everybody is everybody's neighbor, a factorization takes the cube of the number of samples, in each of hundreds of iterations
+  // where everybody is everybody's neighbor, a factorization takes the cube of the number of
+  // samples, in each of hundreds of iterations
   if (p.solver != Solver::BLOCK_CONJUGATE_GRADIENT)
     p.number_of_output_points = (std::min)(p.number_of_output_points.value_or(100), 100.);
   return p;

@@ -25,7 +25,8 @@ std::vector<Named_parameters> hostile_parameter_sets(std::size_t size, double di
 /// Some of the parameters from the same sources as above, the others at their defaults.
 Parameters random_parameters(std::size_t n, double diagonal, Generator& generator);
 
-/// How often the penalty grows until it is its maximum, which is how often Algorithm 1 repeats its steps. No finite number for some that are refused.
+/// How often the penalty grows until it is its maximum, which is how often Algorithm 1 repeats its
+/// steps. No finite number for some that are refused.
 double number_of_growths(const Parameters& parameters);
 
 /// Of the bounding box of the finite points, and finite itself.

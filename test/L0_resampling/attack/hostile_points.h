@@ -22,7 +22,8 @@ struct Named_points
 /// Our inventions, each with its name; at most 300 points in one.
 std::vector<Named_points> hostile_point_sets();
 
-/// One of these or a random shape, then a few random misfortunes: other units, other places, duplicates, outliers, NaN ...
+/// One of these or a random shape, then a few random misfortunes: other units, other places,
+/// duplicates, outliers, NaN ...
 std::vector<Vector> random_point_set(Generator& generator);
 
 /// As many normals as points, of any length, some of them of no use.

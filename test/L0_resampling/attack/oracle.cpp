@@ -24,7 +24,8 @@ bool is_count(double x, double low, double high) { return x >= low && x < high +
 
 double rounded_to_float(double x)
 {
-  const volatile float rounded = float(x); // GCC 12 leaves the rounding of three numbers at once out
+  const volatile float rounded = float(
+    x); // GCC 12 leaves the rounding of three numbers at once out
   return rounded;
 }
 
@@ -49,22 +50,27 @@ bool parameters_are_good(const Attack& attack)
 {
   const Parameters& p = attack.parameters;
   const double steps = number_of_growths(p);
-  return p.method >= 0 && p.method <= 2 && !(p.viewpoint && p.with_hints) && given(attack, viewpoint(p)).allFinite()
+  return p.method >= 0 && p.method <= 2 && !(p.viewpoint && p.with_hints)
+         && given(attack, viewpoint(p)).allFinite()
          && (!p.number_of_output_points || is_count(*p.number_of_output_points, 0, 4294967294.))
-         && is_positive(p.neighbor_radius.value_or(1)) && is_positive(p.normal_filter_radius.value_or(1))
-         && is_not_negative(p.regularization_weight.value_or(1)) && is_positive(p.penalty_growth.value_or(2) - 1)
-         && p.select_percentage > 0 && p.select_percentage <= 100 && p.sharpness_angle > 0 && p.sharpness_angle <= 90
-         && is_count(p.number_of_normal_filter_iterations, 0, 10000) && is_not_negative(p.normal_weight)
-         && is_positive(p.initial_penalty) && is_positive(p.maximum_penalty) && !(std::isfinite(steps) && steps > 10000)
+         && is_positive(p.neighbor_radius.value_or(1))
+         && is_positive(p.normal_filter_radius.value_or(1))
+         && is_not_negative(p.regularization_weight.value_or(1))
+         && is_positive(p.penalty_growth.value_or(2) - 1) && p.select_percentage > 0
+         && p.select_percentage <= 100 && p.sharpness_angle > 0 && p.sharpness_angle <= 90
+         && is_count(p.number_of_normal_filter_iterations, 0, 10000)
+         && is_not_negative(p.normal_weight) && is_positive(p.initial_penalty)
+         && is_positive(p.maximum_penalty) && !(std::isfinite(steps) && steps > 10000)
          && is_count(p.number_of_orientation_neighbors, 3, 1000);
 }
 
-/// Weights with which the paper's system is far from what double precision holds: the solver may say that it has no answer.
+/// Weights with which the paper's system is far from what double precision holds: the solver may
+/// say that it has no answer.
 bool weights_are_extreme(const Parameters& p)
 {
   const auto is_extreme = [](double x) { return x != 0 && !(x > 1e-12 && x < 1e12); };
-  return is_extreme(p.normal_weight) || is_extreme(p.regularization_weight.value_or(1)) || is_extreme(p.initial_penalty)
-         || is_extreme(p.maximum_penalty);
+  return is_extreme(p.normal_weight) || is_extreme(p.regularization_weight.value_or(1))
+         || is_extreme(p.initial_penalty) || is_extreme(p.maximum_penalty);
 }
 
 std::size_t number_of_distinct(const std::vector<Vector>& points)
@@ -76,7 +82,8 @@ std::size_t number_of_distinct(const std::vector<Vector>& points)
   return std::size_t(std::unique(rows.begin(), rows.end()) - rows.begin());
 }
 
-/// Whether the point of the input is as near to `query` as any, but for rounding, and for distances whose squares, in the unit of the cloud, are none.
+/// Whether the point of the input is as near to `query` as any, but for rounding, and for distances
+/// whose squares, in the unit of the cloud, are none.
 bool is_nearest(const std::vector<Vector>& points, std::size_t index, const Vector& query)
 {
   const auto distance = [&](const Vector& p) {
@@ -89,11 +96,12 @@ bool is_nearest(const std::vector<Vector>& points, std::size_t index, const Vect
   for (const Vector& p : points)
     if (p.allFinite())
       largest = (std::max)(largest, p.cwiseAbs().maxCoeff());
-  const double tolerance = 4 * std::numeric_limits<double>::epsilon() * query.cwiseAbs().maxCoeff() + 1e-150 * largest
-                           + 8 * std::numeric_limits<double>::denorm_min();
+  const double tolerance = 4 * std::numeric_limits<double>::epsilon() * query.cwiseAbs().maxCoeff()
+                           + 1e-150 * largest + 8 * std::numeric_limits<double>::denorm_min();
   const double bound = distance(points[index]);
-  return std::none_of(points.begin(), points.end(),
-                      [&](const Vector& p) { return p.allFinite() && distance(p) * (1 + 1e-9) + tolerance < bound; });
+  return std::none_of(points.begin(), points.end(), [&](const Vector& p) {
+    return p.allFinite() && distance(p) * (1 + 1e-9) + tolerance < bound;
+  });
 }
 
 std::string faults_of_point_data(const Attack& attack, const Answer& answer)
@@ -116,7 +124,8 @@ std::string faults_of_point_data(const Attack& attack, const Answer& answer)
     out_of_range += std::size_t(!(answer.confidences[i] >= 0 && answer.confidences[i] <= 1));
   }
   if (not_nearest + out_of_range > 0)
-    faults << "; " << not_nearest << " points are not the nearest, " << out_of_range << " confidences out of [0, 1]";
+    faults << "; " << not_nearest << " points are not the nearest, " << out_of_range
+           << " confidences out of [0, 1]";
   return faults.str();
 }
 
@@ -130,7 +139,8 @@ std::string faults_of_result(const Attack& attack, const Answer& answer)
   if (answer.report.number_of_output_points != size)
     faults << "; the report says " << answer.report.number_of_output_points << " points";
   if (answer.report.number_of_dropped_points != attack.points.size() - input.size())
-    faults << "; the report says that " << answer.report.number_of_dropped_points << " were dropped";
+    faults << "; the report says that " << answer.report.number_of_dropped_points
+           << " were dropped";
   if (answer.points.empty())
     return faults.str();
 
@@ -140,8 +150,9 @@ std::string faults_of_result(const Attack& attack, const Answer& answer)
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
   }
-  const double epsilon = attack.parameters.in_single_precision ? double(std::numeric_limits<float>::epsilon())
-                                                               : std::numeric_limits<double>::epsilon();
+  const double epsilon = attack.parameters.in_single_precision
+                           ? double(std::numeric_limits<float>::epsilon())
+                           : std::numeric_limits<double>::epsilon();
   const Vector radius = Vector::Constant(answer.report.neighbor_radius);
   const Vector margin = radius + epsilon * (low.cwiseAbs().cwiseMax(high.cwiseAbs()) + radius);
   std::size_t not_finite = 0, outside = 0, not_unit = 0;
@@ -149,25 +160,35 @@ std::string faults_of_result(const Attack& attack, const Answer& answer)
   {
     const Vector& p = answer.points[i];
     not_finite += std::size_t(!p.allFinite() || !answer.normals[i].allFinite());
-    outside += std::size_t(!((p.array() >= (low - margin).array()).all() && (p.array() <= (high + margin).array()).all()));
+    outside += std::size_t(!((p.array() >= (low - margin).array()).all()
+                             && (p.array() <= (high + margin).array()).all()));
     not_unit += std::size_t(!(std::abs(answer.normals[i].norm() - 1) <= 1e-6));
   }
   if (not_finite + not_unit > 0)
     faults << "; " << not_finite << " not finite, " << not_unit << " normals not of length 1";
 
-  // points that differ keep inside where there is room for them, at distances of some units in the last place
-  const double least = attack.parameters.in_single_precision ? double(std::numeric_limits<float>::denorm_min())
-                                                             : std::numeric_limits<double>::denorm_min();
-  const Vector spacing = (epsilon * (low - radius).cwiseAbs().cwiseMax((high + radius).cwiseAbs())).cwiseMax(least);
-  const double room =
-    ((high - low + 2 * radius).cwiseQuotient(spacing) / 8).array().floor().cwiseMax(1).cwiseMin(1e6).prod();
+  // points that differ keep inside where there is room for them, at distances of some units in the
+  // last place
+  const double least = attack.parameters.in_single_precision
+                         ? double(std::numeric_limits<float>::denorm_min())
+                         : std::numeric_limits<double>::denorm_min();
+  const Vector spacing =
+    (epsilon * (low - radius).cwiseAbs().cwiseMax((high + radius).cwiseAbs())).cwiseMax(least);
+  const double room = ((high - low + 2 * radius).cwiseQuotient(spacing) / 8)
+                        .array()
+                        .floor()
+                        .cwiseMax(1)
+                        .cwiseMin(1e6)
+                        .prod();
   if (outside > 0 && room > double(size))
     faults << "; " << outside << " outside of the box";
 
-  const std::size_t distinct_input = number_of_distinct(input), distinct = number_of_distinct(answer.points);
+  const std::size_t distinct_input = number_of_distinct(input),
+                    distinct = number_of_distinct(answer.points);
   const bool may_repeat = distinct_input < input.size() && distinct_input < size;
   if (!may_repeat && distinct != size)
-    faults << "; " << size - distinct << " points come twice, of an input with " << distinct_input << " distinct points";
+    faults << "; " << size - distinct << " points come twice, of an input with " << distinct_input
+           << " distinct points";
   return faults.str();
 }
 
@@ -195,19 +216,22 @@ std::string broken_promises(const Attack& attack, const Answer& answer)
     faults << "; progress fell or left [0, 1]";
   if (ended(Ending::ANOTHER_EXCEPTION))
     faults << "; an exception that is not documented";
-  if (answer.ending != Ending::COMPLETED && !answer.points.empty() && answer.points.size() != p.throwing_write)
+  if (answer.ending != Ending::COMPLETED && !answer.points.empty()
+      && answer.points.size() != p.throwing_write)
     faults << "; points were written although the call failed";
 
   // Refusals come first, and name what is wrong.
   const auto is_bad = [&](const Vector& v) { return !given(attack, v).allFinite(); };
-  const std::size_t first_bad = p.drop_non_finite
-                                  ? unlimited
-                                  : std::size_t(std::find_if(attack.points.begin(), attack.points.end(), is_bad)
-                                                - attack.points.begin());
+  const std::size_t first_bad =
+    p.drop_non_finite ? unlimited
+                      : std::size_t(std::find_if(attack.points.begin(), attack.points.end(), is_bad)
+                                    - attack.points.begin());
   const bool has_bad_point = first_bad < attack.points.size();
-  const bool map_throws = p.throwing_access < (std::min)(attack.points.size(), has_bad_point ? first_bad + 1 : unlimited);
+  const bool map_throws = p.throwing_access < (std::min)(attack.points.size(),
+                                                         has_bad_point ? first_bad + 1 : unlimited);
   const bool is_limited = p.maximum_memory != unlimited;
-  if (ended(Ending::INVALID_ARGUMENT) && answer.message.compare(0, 23, "l0_resample_point_set: ") != 0)
+  if (ended(Ending::INVALID_ARGUMENT)
+      && answer.message.compare(0, 23, "l0_resample_point_set: ") != 0)
     faults << "; the message does not say who refuses";
   if (!parameters_are_good(attack))
   {
@@ -234,7 +258,8 @@ std::string broken_promises(const Attack& attack, const Answer& answer)
   const std::size_t n = finite_points(attack).size(), m = documented_size(attack);
   if (n > 0 && m > 0 && p.maximum_memory / sizeof(Vector) < (std::max)(n, m))
     faults << "; the limit of memory was passed";
-  if (ended(Ending::SOLVER_ERROR) && p.solver == Solver::BLOCK_CONJUGATE_GRADIENT && !weights_are_extreme(p))
+  if (ended(Ending::SOLVER_ERROR) && p.solver == Solver::BLOCK_CONJUGATE_GRADIENT
+      && !weights_are_extreme(p))
     faults << "; the solver has no answer to sensible weights";
   if (p.throwing_write < m && !ended(Ending::EXCEPTION_OF_CALLER) && !ended(Ending::SOLVER_ERROR))
     faults << "; the exception of the output did not come through";

@@ -44,8 +44,8 @@ enum class Reading
   TOO_LATE
 };
 
-/// \param seconds_left counted down while this process waits; without end if there are none to count. The time for which somebody has
-/// stopped both processes does not count.
+/// \param seconds_left counted down while this process waits; without end if there are none to
+/// count. The time for which somebody has stopped both processes does not count.
 Reading read_all(int pipe, void* bytes, std::size_t size, std::size_t* seconds_left = nullptr)
 {
   for (std::size_t done = 0; done < size;)
@@ -79,12 +79,13 @@ void limit_seconds(std::size_t seconds)
 {
   rusage used{};
   getrusage(RUSAGE_SELF, &used);
-  const rlimit soft{rlim_t(used.ru_utime.tv_sec + used.ru_stime.tv_sec) + 2 + seconds, RLIM_INFINITY};
+  const rlimit soft{rlim_t(used.ru_utime.tv_sec + used.ru_stime.tv_sec) + 2 + seconds,
+                    RLIM_INFINITY};
   setrlimit(RLIMIT_CPU, &soft);
 }
 
-[[noreturn]] void be_the_child(const std::function<std::string(std::size_t)>& f, const Limits& limits, int questions,
-                               int answers)
+[[noreturn]] void be_the_child(const std::function<std::string(std::size_t)>& f,
+                               const Limits& limits, int questions, int answers)
 {
   const rlimit none{0, 0};
   setrlimit(RLIMIT_CORE, &none);

@@ -17,12 +17,15 @@ namespace attack {
 struct Limits
 {
   std::size_t cpu_seconds = 30;
-  std::size_t wall_seconds = 600;           // for one that waits for ever; far above the other, as machines are busy
-  std::size_t bytes = std::size_t(4) << 30; // of address space; 0 for no limit, which the shadow of a sanitizer needs
+  std::size_t wall_seconds =
+    600; // for one that waits for ever; far above the other, as machines are busy
+  std::size_t bytes =
+    std::size_t(4) << 30; // of address space; 0 for no limit, which the shadow of a sanitizer needs
 };
 
-/// Calls a function of an index in a child process. The child takes one call after the other, as starting it, and its threads, would be most of the
-/// time; one that died, or was ended for a limit, is replaced at the next call.
+/// Calls a function of an index in a child process. The child takes one call after the other, as
+/// starting it, and its threads, would be most of the time; one that died, or was ended for a
+/// limit, is replaced at the next call.
 class Sandbox
 {
   std::function<std::string(std::size_t)> m_function;
@@ -37,7 +40,8 @@ public:
   Sandbox& operator=(const Sandbox&) = delete;
 
   /// \param patience how often each call has the limits of time
-  /// \returns `f(i)`, or how the child died. Memory that an earlier call has lost is missing in the later ones.
+  /// \returns `f(i)`, or how the child died. Memory that an earlier call has lost is missing in the
+  /// later ones.
   std::string operator()(std::size_t i, std::size_t patience = 1);
 
   /// Has the next call come to a new child.

@@ -23,8 +23,8 @@ int main()
   std::vector<Kernel::Point_3> points;
   std::copy_n(sphere, 2000, std::back_inserter(points));
   std::vector<std::pair<Kernel::Point_3, Kernel::Vector_3>> result;
-  CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(points, std::back_inserter(result),
-                                                               CGAL::parameters::number_of_output_points(1000));
+  CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(
+    points, std::back_inserter(result), CGAL::parameters::number_of_output_points(1000));
   for (const auto& [point, normal] : result)
     if (std::abs(CGAL::to_double((point - CGAL::ORIGIN).squared_length()) - 1) > 0.05
         || normal * (point - CGAL::ORIGIN) < 0.9)

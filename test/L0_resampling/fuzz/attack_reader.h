@@ -54,11 +54,12 @@ inline void require_message(const std::string& message, const std::string& path)
 {
   require(message.compare(0, path.size(), path) == 0, "the message begins with the file");
   for (const char c : message)
-    require(static_cast<unsigned char>(c) >= ' ' && c != '\x7f', "no control character is in the message");
+    require(static_cast<unsigned char>(c) >= ' ' && c != '\x7f',
+            "no control character is in the message");
 }
 
-/// Reads the bytes as a file of that format. They are either refused, with a line that names the file, or give points
-/// that can be used, no more of them than bytes; else the program ends.
+/// Reads the bytes as a file of that format. They are either refused, with a line that names the
+/// file, or give points that can be used, no more of them than bytes; else the program ends.
 inline void attack_reader(l0_tool::File_format format, const std::uint8_t* bytes, std::size_t size)
 {
   static Memory_file file;
@@ -72,12 +73,17 @@ inline void attack_reader(l0_tool::File_format format, const std::uint8_t* bytes
   try
   {
     const l0_tool::Point_cloud cloud = l0_tool::read_points(file.path(), format, options);
-    require(cloud.points.size() + cloud.number_of_dropped_points <= size, "no more points than bytes");
-    require(cloud.normals.empty() || cloud.normals.size() == cloud.points.size(), "a normal for each point, or none");
-    require(is_lenient || cloud.number_of_dropped_points == 0, "no point is dropped without a word");
+    require(cloud.points.size() + cloud.number_of_dropped_points <= size,
+            "no more points than bytes");
+    require(cloud.normals.empty() || cloud.normals.size() == cloud.points.size(),
+            "a normal for each point, or none");
+    require(is_lenient || cloud.number_of_dropped_points == 0,
+            "no point is dropped without a word");
     for (const l0_tool::Point& p : cloud.points)
-      require(std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()), "points are finite");
-    require(options.with_properties || cloud.properties.row_size() == 0, "only the properties that are wanted");
+      require(std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()),
+              "points are finite");
+    require(options.with_properties || cloud.properties.row_size() == 0,
+            "only the properties that are wanted");
     for (const l0_tool::Property& property : cloud.properties.properties())
       for (std::size_t i = 0; i < cloud.points.size(); ++i)
         cloud.properties.value(i, property); // AddressSanitizer sees that it is there

@@ -3,7 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The readers under libFuzzer. "--format=ply" chooses one of ply, off, xyz, pcd, npy; the other arguments are libFuzzer's.
+// The readers under libFuzzer. "--format=ply" chooses one of ply, off, xyz, pcd, npy; the other
+// arguments are libFuzzer's.
 
 #include "attack_reader.h"
 
@@ -20,7 +21,8 @@ extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv)
   const char option[] = "--format=";
   for (int i = 1; i < *argc; ++i)
     if (std::strncmp((*argv)[i], option, sizeof(option) - 1) == 0)
-      if (const auto named = l0_tool::format_of(std::string("points.") + ((*argv)[i] + sizeof(option) - 1)))
+      if (const auto named = l0_tool::format_of(std::string("points.")
+                                                + ((*argv)[i] + sizeof(option) - 1)))
       {
         format = *named;
         return 0;

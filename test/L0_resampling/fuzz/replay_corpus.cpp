@@ -3,7 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Attacks the readers with every file of a folder, as libFuzzer once made them: replay_corpus FORMAT FOLDER
+// Attacks the readers with every file of a folder, as libFuzzer once made them: replay_corpus
+// FORMAT FOLDER
 
 #include "attack_reader.h"
 
@@ -14,7 +15,8 @@
 
 int main(int argc, char** argv)
 {
-  const auto format = argc == 3 ? l0_tool::format_of(std::string("points.") + argv[1]) : std::nullopt;
+  const auto format = argc == 3 ? l0_tool::format_of(std::string("points.") + argv[1])
+                                : std::nullopt;
   if (!format)
   {
     std::cerr << "usage: replay_corpus FORMAT FOLDER" << std::endl;
@@ -24,9 +26,12 @@ int main(int argc, char** argv)
   for (const std::filesystem::directory_entry& entry : std::filesystem::directory_iterator(argv[2]))
   {
     std::ifstream file(entry.path(), std::ios::binary);
-    const std::vector<char> bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-    std::cout << entry.path().filename().string() << std::endl; // the last one, should it be the last
-    tool_test::attack_reader(*format, reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+    const std::vector<char> bytes{std::istreambuf_iterator<char>(file),
+                                  std::istreambuf_iterator<char>()};
+    std::cout << entry.path().filename().string()
+              << std::endl; // the last one, should it be the last
+    tool_test::attack_reader(*format, reinterpret_cast<const std::uint8_t*>(bytes.data()),
+                             bytes.size());
     ++number_of_files;
   }
   std::cout << number_of_files << " files" << std::endl;

@@ -41,12 +41,15 @@ public:
       }),
       needs_explicit_rows(SolverTraits::needs_explicit_rows)
   {
-    static_assert(
-      !SolverTraits::needs_explicit_rows || std::is_same<FT, double>::value,
-      "The rows of Eq. (11) hold positions and not differences, so that a solver that needs them has to take double.");
+    static_assert(!SolverTraits::needs_explicit_rows || std::is_same<FT, double>::value,
+                  "The rows of Eq. (11) hold positions and not differences, so that a solver that "
+                  "needs them has to take double.");
   }
 
-  Solver_report solve(const Quadratic_problem<FT>& problem, Unknowns x) { return m_solve(m_solver, problem, x); }
+  Solver_report solve(const Quadratic_problem<FT>& problem, Unknowns x)
+  {
+    return m_solve(m_solver, problem, x);
+  }
 };
 
 } // namespace internal

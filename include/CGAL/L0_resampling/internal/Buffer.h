@@ -26,7 +26,9 @@ class Memory_counter
   std::size_t m_limit;
 
 public:
-  explicit Memory_counter(std::size_t limit = (std::numeric_limits<std::size_t>::max)()) : m_limit(limit) {}
+  explicit Memory_counter(std::size_t limit = (std::numeric_limits<std::size_t>::max)())
+    : m_limit(limit)
+  {}
 
   /// \throws std::bad_alloc if the sum would pass the limit
   void acquire(std::size_t bytes)
@@ -91,8 +93,8 @@ struct Counting_allocator
       counter->release(n * sizeof(T));
   }
 
-  /// Numbers that are given no value are left as they are: whoever makes an array of them writes all of it before it is read, which all threads can
-  /// do at the same time.
+  /// Numbers that are given no value are left as they are: whoever makes an array of them writes
+  /// all of it before it is read, which all threads can do at the same time.
   template <typename U>
   void construct(U* p)
   {
@@ -127,8 +129,9 @@ void release(Buffer<T>& buffer)
   Buffer<T>(buffer.get_allocator()).swap(buffer);
 }
 
-/// Makes it an array of `n` values that are all written before they are read. `resize()` would keep those it has: take room for twice as many beside
-/// them, and copy them while nobody asks the callback.
+/// Makes it an array of `n` values that are all written before they are read. `resize()` would keep
+/// those it has: take room for twice as many beside them, and copy them while nobody asks the
+/// callback.
 template <typename T>
 void resize_to_overwrite(std::size_t n, Buffer<T>& buffer)
 {

@@ -23,13 +23,15 @@ struct Field_of_sets
 {
   using Set = std::size_t;
 
-  std::vector<Index> roots;       // of the sets, ascending
-  std::vector<Index> trees;       // that they belong to
-  std::vector<int> signs;         // relative to the tree
-  std::vector<double> agreements; // a row for each set, of 0 with itself and with those of other trees
+  std::vector<Index> roots; // of the sets, ascending
+  std::vector<Index> trees; // that they belong to
+  std::vector<int> signs;   // relative to the tree
+  std::vector<double>
+    agreements; // a row for each set, of 0 with itself and with those of other trees
 
-  /// Turns the set that disagrees most with all others, one after the other, until none does; and where none does, the group that does so together, each of
-  /// which the others of it keep from turning.
+  /// Turns the set that disagrees most with all others, one after the other, until none does; and
+  /// where none does, the group that does so together, each of which the others of it keep from
+  /// turning.
   /// \returns whether there was one
   bool turn_what_disagrees()
   {
@@ -70,7 +72,10 @@ private:
   };
 
   /// Of two sets, as they are turned now.
-  double agreement(Set a, Set b) const { return signs[a] * signs[b] * agreements[a * roots.size() + b]; }
+  double agreement(Set a, Set b) const
+  {
+    return signs[a] * signs[b] * agreements[a * roots.size() + b];
+  }
 
   /// The set that disagrees most with all others, or none.
   std::vector<Set> disagreeing_set(const std::vector<double>& with_others) const
@@ -81,12 +86,15 @@ private:
     return {Set(least - with_others.begin())};
   }
 
-  /// The group that disagrees most with all others, of those that come to be where the two that agree most become one, again and again; or none.
+  /// The group that disagrees most with all others, of those that come to be where the two that
+  /// agree most become one, again and again; or none.
   std::vector<Set> disagreeing_group(const std::vector<double>& with_others) const
   {
     const Set n = roots.size();
     std::vector<Group> groups(n);
-    std::vector<double> links(n * n); // how far two groups agree; no more than 0 where one of them has become part of another
+    std::vector<double> links(
+      n
+      * n); // how far two groups agree; no more than 0 where one of them has become part of another
     for (Set a = 0; a < n; ++a)
       for (Set b = 0; b < n; ++b)
         links[a * n + b] = a == b ? 0 : agreement(a, b);

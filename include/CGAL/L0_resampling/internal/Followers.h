@@ -14,11 +14,12 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// Samples that start close to a crowd of others and are not worked on: each keeps its place relative
-/// to a sample that is, its leader.
+/// Samples that start close to a crowd of others and are not worked on: each keeps its place
+/// relative to a sample that is, its leader.
 struct Followers
 {
-  Buffer<Index> leaders;            ///< for each follower, where its leader stands in the first order of samples
+  Buffer<Index>
+    leaders; ///< for each follower, where its leader stands in the first order of samples
   Buffer<Vector> offsets;           ///< from the leader to the follower, at the start
   Buffer<Index> numbers_of_samples; ///< for each leader, itself included; none without followers
 
@@ -32,15 +33,17 @@ struct Followers
   /// \param start_indices where each leader stood in the first order of samples
   void append_positions(const Buffer<Index>& start_indices, Buffer<Vector>& positions) const
   {
-    append(start_indices, positions,
-           [&](std::size_t k, std::size_t leader) -> Vector { return positions[leader] + offsets[k]; });
+    append(start_indices, positions, [&](std::size_t k, std::size_t leader) -> Vector {
+      return positions[leader] + offsets[k];
+    });
   }
 
   /// Appends to each array, of one value for each leader, the same for each follower.
   template <typename T>
   void append_values(const Buffer<Index>& start_indices, Buffer<T>& values) const
   {
-    append(start_indices, values, [&](std::size_t, std::size_t leader) -> T { return values[leader]; });
+    append(start_indices, values,
+           [&](std::size_t, std::size_t leader) -> T { return values[leader]; });
   }
 
 private:
@@ -50,9 +53,11 @@ private:
     if (is_empty() || values.empty())
       return;
     Buffer<Index> places = filled_buffer(start_indices.size(), Index(0), leaders.get_allocator());
-    for_each_in_order(start_indices.size(), [&](std::size_t i) { places[start_indices[i]] = Index(i); });
+    for_each_in_order(start_indices.size(),
+                      [&](std::size_t i) { places[start_indices[i]] = Index(i); });
     values.reserve(start_indices.size() + leaders.size());
-    for_each_in_order(leaders.size(), [&](std::size_t k) { values.push_back(value_of(k, places[leaders[k]])); });
+    for_each_in_order(leaders.size(),
+                      [&](std::size_t k) { values.push_back(value_of(k, places[leaders[k]])); });
   }
 };
 

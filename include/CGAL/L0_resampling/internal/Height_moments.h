@@ -14,20 +14,23 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// What the distribution of heights looks like, whatever their mean and variance: Pearson's \f$ \beta_1 \f$ and \f$ \beta_2 \f$.
+/// What the distribution of heights looks like, whatever their mean and variance: Pearson's
+/// \f$ \beta_1 \f$ and \f$ \beta_2 \f$.
 struct Shape_of_heights
 {
   double squared_skewness, kurtosis;
 
-  /// \f$ \beta_2 - \beta_1 \f$: 3 for one sheet with Gaussian noise, about 2.5 for points that fill a ball, and 1, the least there is, for two sheets
-  /// without noise, whatever their shares.
+  /// \f$ \beta_2 - \beta_1 \f$: 3 for one sheet with Gaussian noise, about 2.5 for points that fill
+  /// a ball, and 1, the least there is, for two sheets without noise, whatever their shares.
   CGAL_L0_HOST_DEVICE double single_sheet_index() const { return kurtosis - squared_skewness; }
 };
 
-/// Heights are of two sheets where the median of their `single_sheet_index()` is less than this: that of sheets four standard deviations apart is 2, and outliers raise it a little;
-/// where points fill the balls it is 2.5, and on noisy shapes with edges more.
+/// Heights are of two sheets where the median of their `single_sheet_index()` is less than this:
+/// that of sheets four standard deviations apart is 2, and outliers raise it a little; where points
+/// fill the balls it is 2.5, and on noisy shapes with edges more.
 constexpr double largest_index_of_two_sheets = 2.2;
-/// Of a ball that is not surely flat, they are of one sheet if it is more than this. Of few points in one noisy sheet it is 2.5; in between, the ball may see the next sheet already.
+/// Of a ball that is not surely flat, they are of one sheet if it is more than this. Of few points
+/// in one noisy sheet it is 2.5; in between, the ball may see the next sheet already.
 constexpr double least_index_of_one_sheet = 2.4;
 
 /// The moments of the heights of points over a plane, up to the fourth.
@@ -55,7 +58,8 @@ struct Height_moments
     const double a = first / n, b = second / n, c = third / n, d = fourth / n, variance = b - a * a;
     if (!(variance > 1e-12 * b))
       return {0, 3};
-    const double skewness = c - 3 * a * b + 2 * a * a * a, tails = d - 4 * a * c + 6 * a * a * b - 3 * a * a * a * a;
+    const double skewness = c - 3 * a * b + 2 * a * a * a,
+                 tails = d - 4 * a * c + 6 * a * a * b - 3 * a * a * a * a;
     return {skewness * skewness / (variance * variance * variance), tails / (variance * variance)};
   }
 };
@@ -68,9 +72,11 @@ struct Two_sheets
 };
 
 /*!
-The two sheets that heights of such a shape are of. If they hold the shares p and q of the points, and the share x of the variance is that of the distance of the
-sheets, then \f$ \beta_1 = x^3 (1/pq - 4) \f$ and \f$ \beta_2 - 3 = x^2 (1/pq - 6) \f$, so that \f$ 2 x^3 + (\beta_2 - 3) x = \beta_1 \f$. That has one root
-above 0, which is at most 1 since \f$ \beta_2 \ge \beta_1 + 1 \f$.
+The two sheets that heights of such a shape are of. If they hold the shares p and q of the points,
+and the share x of the variance is that of the distance of the sheets, then
+\f$ \beta_1 = x^3 (1/pq - 4) \f$ and \f$ \beta_2 - 3 = x^2 (1/pq - 6) \f$, so that
+\f$ 2 x^3 + (\beta_2 - 3) x = \beta_1 \f$. That has one root above 0, which is at most 1 since
+\f$ \beta_2 \ge \beta_1 + 1 \f$.
 */
 CGAL_L0_HOST_DEVICE inline Two_sheets two_sheets_of(const Shape_of_heights& shape)
 {

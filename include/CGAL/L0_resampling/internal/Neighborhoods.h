@@ -27,16 +27,18 @@ struct Neighborhoods
 };
 
 /*!
-Lists, for each sample, the other samples strictly closer than `radius`: the self neighbors \f$ N_{p_i} \f$, ascending and symmetric.
+Lists, for each sample, the other samples strictly closer than `radius`: the self neighbors
+\f$ N_{p_i} \f$, ascending and symmetric.
 
-Where more than `maximum_number_of_candidates` samples share a block of cells, a sample keeps those whose index equals its own modulo a
-power of two, the larger one of the two samples', which keeps the lists symmetric and bounds their length.
+Where more than `maximum_number_of_candidates` samples share a block of cells, a sample keeps those
+whose index equals its own modulo a power of two, the larger one of the two samples', which keeps
+the lists symmetric and bounds their length.
 
 \param samples sorted for `grid`, whose cells are no smaller than `radius`
 */
 template <typename ConcurrencyTag>
-Neighborhoods find_self_neighbors(const Search_grid_3& grid, const Buffer<Vector>& samples, double radius,
-                                  Progress& progress)
+Neighborhoods find_self_neighbors(const Search_grid_3& grid, const Buffer<Vector>& samples,
+                                  double radius, Progress& progress)
 {
   const std::size_t maximum_number_of_candidates = 512;
   const double squared_radius = radius * radius;
@@ -53,38 +55,45 @@ Neighborhoods find_self_neighbors(const Search_grid_3& grid, const Buffer<Vector
     };
   });
 
-  Neighborhoods neighbors{filled_buffer(samples.size() + 1, std::size_t(0), samples.get_allocator()),
+  Neighborhoods neighbors{filled_buffer(samples.size() + 1, std::size_t(0),
+                                        samples.get_allocator()),
                           Buffer<Index>(samples.get_allocator())};
-  const auto append_neighbors = [&](std::size_t begin_row, std::size_t end_row, Buffer<Index>& indices) {
+  const auto append_neighbors = [&](std::size_t begin_row, std::size_t end_row,
+                                    Buffer<Index>& indices) {
     Search_grid_3::Block_cursor cursor(grid, 1);
     Ranges ranges;
     std::vector<Index> found;
     for (std::size_t row = begin_row; row < end_row; ++row)
-      for_each_cell_of_row(grid, row, cursor, ranges, [&](Index cell, const Ranges& around, std::size_t number_around) {
-        found.resize(number_around + 1);
-        const Search_grid_3::Range queries = grid.points_of_cell(cell);
-        for (Index i = queries.first; i < queries.second; ++i)
-        {
-          const Vector center = samples[i];
-          const Index stride = strides[i];
-          std::size_t count = 0;
-          // Which candidates are near is beyond any branch prediction: each is written, and overwritten by the next unless it is.
-          for (const Search_grid_3::Range& range : around)
-            for (Index k = range.first + ((i - range.first) & (stride - 1)); k < range.second; k += stride)
-            {
-              found[count] = k;
-              count += std::size_t((center - samples[k]).squaredNorm() < squared_radius) & std::size_t(k != i)
-                       & std::size_t(((k - i) & (strides[k] - 1)) == 0);
-            }
-          indices.insert(indices.end(), found.begin(), found.begin() + std::ptrdiff_t(count));
-          neighbors.offsets[i + 1] = count;
-        }
-        progress.advance(queries.second - queries.first);
-      });
+      for_each_cell_of_row(
+        grid, row, cursor, ranges,
+        [&](Index cell, const Ranges& around, std::size_t number_around) {
+          found.resize(number_around + 1);
+          const Search_grid_3::Range queries = grid.points_of_cell(cell);
+          for (Index i = queries.first; i < queries.second; ++i)
+          {
+            const Vector center = samples[i];
+            const Index stride = strides[i];
+            std::size_t count = 0;
+            // Which candidates are near is beyond any branch prediction: each is written, and
+            // overwritten by the next unless it is.
+            for (const Search_grid_3::Range& range : around)
+              for (Index k = range.first + ((i - range.first) & (stride - 1)); k < range.second;
+                   k += stride)
+              {
+                found[count] = k;
+                count += std::size_t((center - samples[k]).squaredNorm() < squared_radius)
+                         & std::size_t(k != i) & std::size_t(((k - i) & (strides[k] - 1)) == 0);
+              }
+            indices.insert(indices.end(), found.begin(), found.begin() + std::ptrdiff_t(count));
+            neighbors.offsets[i + 1] = count;
+          }
+          progress.advance(queries.second - queries.first);
+        });
   };
-  neighbors.indices = append_by_blocks<ConcurrencyTag>(grid.number_of_rows(), rows_per_block,
-                                                       neighbors.indices.get_allocator(), append_neighbors);
-  for_each_in_order(samples.size(), [&](std::size_t i) { neighbors.offsets[i + 1] += neighbors.offsets[i]; });
+  neighbors.indices = append_by_blocks<ConcurrencyTag>(
+    grid.number_of_rows(), rows_per_block, neighbors.indices.get_allocator(), append_neighbors);
+  for_each_in_order(samples.size(),
+                    [&](std::size_t i) { neighbors.offsets[i + 1] += neighbors.offsets[i]; });
   return neighbors;
 }
 

@@ -15,8 +15,9 @@ namespace L0_resampling {
 namespace internal {
 
 /*!
-What hints say of the side of a set of samples whose normals are fixed relative to each other: a vote, in which each counts \f$ n_i^T h_i \f$, where
-\f$ h_i \f$ points to the side that its normal shall be on, and is the longer the more it counts.
+What hints say of the side of a set of samples whose normals are fixed relative to each other: a
+vote, in which each counts \f$ n_i^T h_i \f$, where \f$ h_i \f$ points to the side that its normal
+shall be on, and is the longer the more it counts.
 */
 struct Hint_votes
 {
@@ -39,17 +40,20 @@ struct Hint_votes
 };
 
 /*!
-The hint of a viewpoint: towards it, as long as the solid angle that an area of 1 would fill, seen from there. A closed surface around the viewpoint fills
-all of it with one side; one that is seen from outside fills as much with its front as with its back, so that the votes cancel and it is turned
-outwards as if there were no viewpoint.
+The hint of a viewpoint: towards it, as long as the solid angle that an area of 1 would fill, seen
+from there. A closed surface around the viewpoint fills all of it with one side; one that is seen
+from outside fills as much with its front as with its back, so that the votes cancel and it is
+turned outwards as if there were no viewpoint.
 
 \param squared_spacing of the samples: those nearer than that do not count more
 */
-inline Vector hint_of_viewpoint(const Vector& viewpoint, const Vector& position, double squared_spacing)
+inline Vector hint_of_viewpoint(const Vector& viewpoint, const Vector& position,
+                                double squared_spacing)
 {
   const Vector to_viewpoint = viewpoint - position;
   const double length = to_viewpoint.stableNorm();
-  return length > 0 ? Vector(to_viewpoint / length / (length * length + squared_spacing)) : Vector(Vector::Zero());
+  return length > 0 ? Vector(to_viewpoint / length / (length * length + squared_spacing))
+                    : Vector(Vector::Zero());
 }
 
 } // namespace internal

@@ -19,7 +19,8 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// What has to be known of the whole cloud before a call can be planned. Lengths are in any one unit.
+/// What has to be known of the whole cloud before a call can be planned. Lengths are in any one
+/// unit.
 struct Facts
 {
   std::size_t number_of_points;
@@ -29,8 +30,9 @@ struct Facts
   Scales scales = {0, 0}; ///< in units of `paper_radius()`; known if `Plan::needs_scales()`
 };
 
-/// The radius itself, but at most the diagonal of the bounding box, which reaches all points, and not so
-/// small that a `float` cannot hold the extent of the cloud in units of it. 1 if all points are one.
+/// The radius itself, but at most the diagonal of the bounding box, which reaches all points, and
+/// not so small that a `float` cannot hold the extent of the cloud in units of it. 1 if all points
+/// are one.
 inline double sensible_radius(double radius, double box_diagonal)
 {
   if (!(box_diagonal > 0))
@@ -41,11 +43,12 @@ inline double sensible_radius(double radius, double box_diagonal)
 /// \f$ l_{diag} / \sqrt[3]{n} \f$, the radius of the paper.
 inline double paper_radius(const Facts& facts)
 {
-  return sensible_radius(facts.robust_diagonal / std::cbrt(double(facts.number_of_points)), facts.box_diagonal);
+  return sensible_radius(facts.robust_diagonal / std::cbrt(double(facts.number_of_points)),
+                         facts.box_diagonal);
 }
 
-/// \f$ (1 - \cos\sigma_n)^2 \f$ of Eq. (2), for an angle in degrees; never so small that its inverse is
-/// not finite.
+/// \f$ (1 - \cos\sigma_n)^2 \f$ of Eq. (2), for an angle in degrees; never so small that its
+/// inverse is not finite.
 inline double normal_bandwidth(double angle)
 {
   const double pi = 3.141592653589793;
@@ -55,17 +58,17 @@ inline double normal_bandwidth(double angle)
 /// The weights of Algorithm 1 in the working frame.
 struct Minimization_parameters
 {
-  double squared_radius;                                   ///< \f$ r_p^2 \f$
-  double squared_bandwidth;                                ///< \f$ \sigma_q^2 \f$
-  double sparsity_unit;                                    ///< length in which \f$ \sqrt{\lambda/\beta} \f$ is read
-  double largest_shrunk_jump;                              ///< a length; infinite in LOR and ALOR
-  double regularized_jump;                                 ///< J of `pair_weight()`, a length; infinite in LOR and ALOR
-  double range_of_pairs;                                   ///< of the self neighbors; infinite in LOR and ALOR
-  double half_width_of_shrinkage;                          ///< see `Shrunk_jumps`; 0 in LOR and ALOR
-  double normal_weight;                                    ///< \f$ \lambda \f$
-  double regularization_weight;                            ///< \f$ \alpha \f$
+  double squared_radius;          ///< \f$ r_p^2 \f$
+  double squared_bandwidth;       ///< \f$ \sigma_q^2 \f$
+  double sparsity_unit;           ///< length in which \f$ \sqrt{\lambda/\beta} \f$ is read
+  double largest_shrunk_jump;     ///< a length; infinite in LOR and ALOR
+  double regularized_jump;        ///< J of `pair_weight()`, a length; infinite in LOR and ALOR
+  double range_of_pairs;          ///< of the self neighbors; infinite in LOR and ALOR
+  double half_width_of_shrinkage; ///< see `Shrunk_jumps`; 0 in LOR and ALOR
+  double normal_weight;           ///< \f$ \lambda \f$
+  double regularization_weight;   ///< \f$ \alpha \f$
   double initial_penalty, maximum_penalty, penalty_growth; ///< \f$ \beta, \beta_{max}, \mu \f$
-  bool interleave_regularization;                          ///< Section 4.2: regularize in every second iteration only
+  bool interleave_regularization; ///< Section 4.2: regularize in every second iteration only
 
   /// The values of \f$ \beta \f$, one for each time that lines 2 to 5 of Algorithm 1 run.
   std::vector<double> penalties() const
@@ -78,7 +81,10 @@ struct Minimization_parameters
   }
 
   /// Whether the regularization takes part in an iteration of this number, counted from 0.
-  bool regularizes(std::size_t iteration) const { return !interleave_regularization || iteration % 2 == 0; }
+  bool regularizes(std::size_t iteration) const
+  {
+    return !interleave_regularization || iteration % 2 == 0;
+  }
 };
 
 /*!
@@ -113,12 +119,15 @@ struct Plan
   bool starts_evenly;  ///< samples start evenly by area; else as the points do
   bool weighs_density; ///< by Eq. (5) of the input
   bool keeps_spacings; ///< the repulsion follows the spacing of the input around each sample
-  bool refines;        ///< Algorithm 1 as the default method runs it, and projection to local quadrics
+  bool refines; ///< Algorithm 1 as the default method runs it, and projection to local quadrics
 
   Minimization_parameters minimization;
 
   /// Whether `Facts::scales` have to be known.
-  static bool needs_scales(const Parameters& parameters) { return parameters.method == Method::DEFAULT; }
+  static bool needs_scales(const Parameters& parameters)
+  {
+    return parameters.method == Method::DEFAULT;
+  }
 
   /// Sets the spacing of the samples, and what follows from it.
   void set_sample_spacing(double spacing)
@@ -126,7 +135,8 @@ struct Plan
     sample_spacing = spacing;
     if (refines)
     {
-      // Beyond r_p the surface may bend away, and the fit could not hold a sample that the other terms move.
+      // Beyond r_p the surface may bend away, and the fit could not hold a sample that the other
+      // terms move.
       self_neighbor_radius = (std::min)(self_neighbor_radius_per_spacing * spacing, radius);
       minimization.range_of_pairs = self_neighbor_radius;
     }
@@ -138,8 +148,8 @@ struct Plan
   double self_cell_size() const { return (std::max)(self_neighbor_radius, smallest_cell_size); }
 };
 
-/// Chooses what the caller left open: the radius by the paper's rule, or by the spacing and the noise of
-/// the points for the default method.
+/// Chooses what the caller left open: the radius by the paper's rule, or by the spacing and the
+/// noise of the points for the default method.
 /// \param parameters checked
 inline Plan make_plan(const Parameters& parameters, const Facts& facts)
 {
@@ -147,7 +157,8 @@ inline Plan make_plan(const Parameters& parameters, const Facts& facts)
   const double paper = paper_radius(facts), infinity = std::numeric_limits<double>::infinity();
   const double n = double(facts.number_of_points), m = double(parameters.number_of_output_points);
   Plan plan;
-  double radius = is_default ? default_radius(facts.scales.spacing, facts.scales.noise) * paper : paper;
+  double radius = is_default ? default_radius(facts.scales.spacing, facts.scales.noise) * paper
+                             : paper;
   if (parameters.neighbor_radius > 0)
     radius = std::ldexp(parameters.neighbor_radius, facts.exponent_of_input);
   radius = sensible_radius(radius, facts.box_diagonal);
@@ -160,14 +171,17 @@ inline Plan make_plan(const Parameters& parameters, const Facts& facts)
   plan.filter_radius = default_filter_radius;
   if (parameters.normal_filter_radius > 0)
     plan.filter_radius = (std::max)(
-      sensible_radius(std::ldexp(parameters.normal_filter_radius, facts.exponent_of_input), facts.box_diagonal) / radius,
+      sensible_radius(std::ldexp(parameters.normal_filter_radius, facts.exponent_of_input),
+                      facts.box_diagonal)
+        / radius,
       least_filter_radius_factor);
   plan.pca_radius = pca_radius_factor * plan.radius;
   // A radius far below the spacing would spread the cloud over more cells than a grid can number.
   plan.smallest_cell_size = std::ldexp(facts.robust_diagonal / radius, -18);
-  // The balls of the filter reach one cell far, or two if they are the larger ones: cells as large as that
-  // share a block of candidates among many queries.
-  plan.cell_size = (std::max)(plan.filter_radius > plan.radius ? plan.filter_radius / 2 : plan.radius,
+  // The balls of the filter reach one cell far, or two if they are the larger ones: cells as large
+  // as that share a block of candidates among many queries.
+  plan.cell_size = (std::max)(plan.filter_radius > plan.radius ? plan.filter_radius / 2
+                                                               : plan.radius,
                               plan.smallest_cell_size);
 
   plan.squared_bandwidth = square(spatial_bandwidth_factor * plan.filter_radius);
@@ -176,7 +190,9 @@ inline Plan make_plan(const Parameters& parameters, const Facts& facts)
   plan.refit_bandwidth = normal_bandwidth(sample_refit_angle_factor * parameters.sharpness_angle);
 
   plan.number_of_filter_passes = parameters.number_of_normal_filter_iterations;
-  plan.number_of_refits = is_default ? (std::min)(number_of_normal_refits, plan.number_of_filter_passes) : 0;
+  plan.number_of_refits = is_default
+                            ? (std::min)(number_of_normal_refits, plan.number_of_filter_passes)
+                            : 0;
   plan.number_of_half_samplings = parameters.method == Method::ALOR ? 2 : 0;
 
   plan.drops_outliers = parameters.drop_outliers;
@@ -186,19 +202,20 @@ inline Plan make_plan(const Parameters& parameters, const Facts& facts)
   plan.keeps_spacings = is_default && parameters.keep_density;
   plan.refines = is_default;
 
-  plan.minimization = {square(plan.radius),
-                       plan.squared_bandwidth,
-                       sparsity_unit_factor * plan.radius,
-                       is_default ? largest_shrunk_jump_per_sheet_height * plan.sheet_height : infinity,
-                       is_default ? regularized_jump_per_sheet_height * plan.sheet_height : infinity,
-                       infinity,
-                       is_default ? half_width_of_firm_shrinkage : 0,
-                       parameters.normal_weight,
-                       parameters.regularization_weight,
-                       parameters.initial_penalty,
-                       parameters.maximum_penalty,
-                       parameters.penalty_growth,
-                       parameters.method == Method::ALOR};
+  plan.minimization = {
+    square(plan.radius),
+    plan.squared_bandwidth,
+    sparsity_unit_factor * plan.radius,
+    is_default ? largest_shrunk_jump_per_sheet_height * plan.sheet_height : infinity,
+    is_default ? regularized_jump_per_sheet_height * plan.sheet_height : infinity,
+    infinity,
+    is_default ? half_width_of_firm_shrinkage : 0,
+    parameters.normal_weight,
+    parameters.regularization_weight,
+    parameters.initial_penalty,
+    parameters.maximum_penalty,
+    parameters.penalty_growth,
+    parameters.method == Method::ALOR};
   plan.self_neighbor_radius = self_neighbor_radius_factor * plan.radius;
   // without scales: a surface through the middle of a cube of that diagonal, evenly sampled
   const double spacing = is_default ? facts.scales.spacing * paper * std::sqrt(n / m) / radius

@@ -27,7 +27,8 @@ struct Point_data
   Buffer<float> feature_confidences; ///< if they are asked for
 };
 
-/// How many near points a call with these named parameters has to find, of which `others` are asked for elsewhere.
+/// How many near points a call with these named parameters has to find, of which `others` are asked
+/// for elsewhere.
 template <typename NamedParameters>
 std::size_t number_of_near_points(const NamedParameters& np, std::size_t others)
 {
@@ -37,7 +38,8 @@ std::size_t number_of_near_points(const NamedParameters& np, std::size_t others)
 /// Writes the data to the maps among the named parameters.
 /// \param key_of called with the place of a point in the result
 template <typename NamedParameters, typename KeyOf>
-void write_point_data(const NamedParameters& np, const Point_data& data, std::size_t size, const KeyOf& key_of)
+void write_point_data(const NamedParameters& np, const Point_data& data, std::size_t size,
+                      const KeyOf& key_of)
 {
   using boost::put;
   const auto write = [&](const auto& map, const auto& value_of) {
@@ -45,10 +47,12 @@ void write_point_data(const NamedParameters& np, const Point_data& data, std::si
     for (std::size_t i = 0; i < size; ++i)
       put(map, key_of(i), Value(value_of(i)));
   };
-  if_given(np, internal_np::source_index_map,
-           [&](const auto& map) { write(map, [&](std::size_t i) { return data.near_points.nearest(i); }); });
-  if_given(np, internal_np::feature_confidence_map,
-           [&](const auto& map) { write(map, [&](std::size_t i) { return data.feature_confidences[i]; }); });
+  if_given(np, internal_np::source_index_map, [&](const auto& map) {
+    write(map, [&](std::size_t i) { return data.near_points.nearest(i); });
+  });
+  if_given(np, internal_np::feature_confidence_map, [&](const auto& map) {
+    write(map, [&](std::size_t i) { return data.feature_confidences[i]; });
+  });
 }
 
 } // namespace internal

@@ -19,17 +19,19 @@ namespace L0_resampling {
 namespace internal {
 
 /*!
-A kd-tree that answers in double precision and breaks ties by index, so that an answer depends neither on rounding within a cell nor on how the tree
-was built. A grid has one cell size; this one holds for queries far from all points, and for a million points at one place, which
-count as the one of the smallest index. CGAL's tree breaks no ties, and its memory is not counted.
+A kd-tree that answers in double precision and breaks ties by index, so that an answer depends
+neither on rounding within a cell nor on how the tree was built. A grid has one cell size; this one
+holds for queries far from all points, and for a million points at one place, which count as the one
+of the smallest index. CGAL's tree breaks no ties, and its memory is not counted.
 */
 class Point_tree_3
 {
   static constexpr std::size_t points_per_leaf = 8;
   static constexpr std::size_t points_per_look = 65536; // at the loop
-  static constexpr unsigned char no_axis = 3;           // of a node whose points are all at one place
+  static constexpr unsigned char no_axis = 3; // of a node whose points are all at one place
 
-  // The node of [begin, end) is the point in its middle; smaller ones along its axis stand before it.
+  // The node of [begin, end) is the point in its middle; smaller ones along its axis stand before
+  // it.
   Buffer<Vector> m_points;
   Buffer<Index> m_indices;
   Buffer<unsigned char> m_axes;
@@ -46,8 +48,9 @@ public:
       m_axes(m_points.size(), no_axis, m_points.get_allocator())
   {
     double largest = 0;
-    for_each_in_order(m_points.size(),
-                      [&](std::size_t i) { largest = (std::max)(largest, m_points[i].cwiseAbs().maxCoeff()); });
+    for_each_in_order(m_points.size(), [&](std::size_t i) {
+      largest = (std::max)(largest, m_points[i].cwiseAbs().maxCoeff());
+    });
     if (largest > 0)
       m_exponent = -std::ilogb(largest) - 1;
     for_each_in_order(m_points.size(), [&](std::size_t i) { m_points[i] = scaled(m_points[i]); });
@@ -60,7 +63,8 @@ public:
     apply_order(order, m_indices);
   }
 
-  /// Finds the `k` points nearest to `query`, by distance and, where distances are equal, by index; fewer if there are fewer places.
+  /// Finds the `k` points nearest to `query`, by distance and, where distances are equal, by index;
+  /// fewer if there are fewer places.
   /// \param found room for k
   /// \returns how many there are
   std::size_t find_nearest(const Vector& query, std::size_t k, Candidate* found) const
@@ -78,7 +82,10 @@ private:
     Candidate* found; // ascending
     std::size_t size;
 
-    bool may_hold(double squared_distance) const { return size < k || squared_distance <= found[size - 1].first; }
+    bool may_hold(double squared_distance) const
+    {
+      return size < k || squared_distance <= found[size - 1].first;
+    }
 
     void add(const Candidate& candidate)
     {
@@ -94,10 +101,14 @@ private:
 
   Vector scaled(const Vector& p) const
   {
-    return {std::ldexp(p[0], m_exponent), std::ldexp(p[1], m_exponent), std::ldexp(p[2], m_exponent)};
+    return {std::ldexp(p[0], m_exponent), std::ldexp(p[1], m_exponent),
+            std::ldexp(p[2], m_exponent)};
   }
 
-  static std::size_t middle_of(std::size_t begin, std::size_t end) { return begin + (end - begin) / 2; }
+  static std::size_t middle_of(std::size_t begin, std::size_t end)
+  {
+    return begin + (end - begin) / 2;
+  }
 
   void build(std::size_t begin, std::size_t end, Buffer<Index>& order)
   {
@@ -121,10 +132,12 @@ private:
       return;
     }
     const auto is_lower = [&](Index a, Index b) {
-      return m_points[a][axis] != m_points[b][axis] ? m_points[a][axis] < m_points[b][axis] : has_smaller_index(a, b);
+      return m_points[a][axis] != m_points[b][axis] ? m_points[a][axis] < m_points[b][axis]
+                                                    : has_smaller_index(a, b);
     };
     std::size_t number_of_comparisons = 0;
-    std::nth_element(at(begin), at(middle), at(end), watched_order(is_lower, number_of_comparisons));
+    std::nth_element(at(begin), at(middle), at(end),
+                     watched_order(is_lower, number_of_comparisons));
     m_axes[middle] = static_cast<unsigned char>(axis);
     build(begin, middle, order);
     build(middle + 1, end, order);

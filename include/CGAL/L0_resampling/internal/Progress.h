@@ -24,12 +24,14 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// Thrown by `Progress::look()` once the caller's callback has said no, or has thrown; never leaves the package.
+/// Thrown by `Progress::look()` once the caller's callback has said no, or has thrown; never leaves
+/// the package.
 struct Interrupted
 {};
 
-/// Tells the caller's callback how far the call is, and keeps the time and memory of the stages. As long as it lives it watches the loops of the
-/// thread that has made it. It asks the callback at the begin of each stage, so that short calls can be ended too, and every `interval()` inside.
+/// Tells the caller's callback how far the call is, and keeps the time and memory of the stages. As
+/// long as it lives it watches the loops of the thread that has made it. It asks the callback at
+/// the begin of each stage, so that short calls can be ended too, and every `interval()` inside.
 class Progress final : public Loop_watcher
 {
   using Clock = std::chrono::steady_clock;
@@ -44,7 +46,8 @@ class Progress final : public Loop_watcher
   std::mutex m_mutex; // guards the callback and the three values below
   Clock::time_point m_last_call = Clock::now();
   double m_last_value = 0;
-  std::exception_ptr m_exception; // what the callback threw: threads that stop for it must not replace it
+  std::exception_ptr
+    m_exception; // what the callback threw: threads that stop for it must not replace it
 
   std::atomic<bool> m_interrupted{false};
   std::atomic<std::size_t> m_done{0};
@@ -59,7 +62,8 @@ public:
     : m_callback(std::move(callback)), m_report(report), m_memory(memory)
   {}
 
-  /// Starts a stage of `total` steps that makes up `share` of the whole call. Not to be called from a loop.
+  /// Starts a stage of `total` steps that makes up `share` of the whole call. Not to be called from
+  /// a loop.
   /// \throws Interrupted as `look()` does
   void begin_stage(const std::string& name, double share, std::size_t total)
   {
@@ -81,7 +85,8 @@ public:
   {
     if (m_report.stages.empty())
       return;
-    m_report.stages.back().seconds = std::chrono::duration<double>(Clock::now() - m_stage_start).count();
+    m_report.stages.back().seconds =
+      std::chrono::duration<double>(Clock::now() - m_stage_start).count();
     m_report.peak_bytes = (std::max)(m_report.peak_bytes, m_memory.peak());
     m_report.stages.back().peak_bytes = m_memory.take_peak();
   }
@@ -121,7 +126,8 @@ private:
   void ask()
   {
     const double in_stage = (std::min)(1., double(m_done) / double(m_total));
-    m_last_value = (std::max)(m_last_value, (std::min)(1., m_stage_begin + m_stage_share * in_stage));
+    m_last_value = (std::max)(m_last_value,
+                              (std::min)(1., m_stage_begin + m_stage_share * in_stage));
     try
     {
       m_interrupted = !m_callback(m_last_value);

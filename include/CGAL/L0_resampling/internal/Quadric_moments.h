@@ -18,7 +18,8 @@ namespace internal {
 /// \param right_sides in: B, a column each; out: the solutions
 /// \returns whether the matrix is positive definite; if not, `right_sides` mean nothing
 template <int n, int columns>
-CGAL_L0_HOST_DEVICE inline bool solve_positive_definite(double (&matrix)[n][n], double (&right_sides)[columns][n])
+CGAL_L0_HOST_DEVICE inline bool solve_positive_definite(double (&matrix)[n][n],
+                                                        double (&right_sides)[columns][n])
 {
   for (int j = 0; j < n; ++j)
   {
@@ -54,17 +55,19 @@ struct Fitted_quadric
   bool is_determined;
   double height, slope_u, slope_v; ///< at the origin
   double variance;                 ///< of the points about it
-  double leverage;                 ///< that of the height at the origin, per `variance` over the number of points
+  double leverage; ///< that of the height at the origin, per `variance` over the number of points
 };
 
-/// The weighted moments that a quadric over a tangent plane takes from points (u, v, h), with h along the normal, and u and v in the plane (Cazals and Pouget 2005).
+/// The weighted moments that a quadric over a tangent plane takes from points (u, v, h), with h
+/// along the normal, and u and v in the plane (Cazals and Pouget 2005).
 /// \tparam S a number, or lanes of numbers
 template <typename S>
 struct Quadric_moments
 {
   static constexpr int number_of_unknowns = 6, number_of_products = 15;
 
-  S products[number_of_products] = {}; ///< \f$ \sum w u^a v^b \f$ up to the fourth degree, degree by degree, each by falling a
+  S products[number_of_products] =
+    {}; ///< \f$ \sum w u^a v^b \f$ up to the fourth degree, degree by degree, each by falling a
   S heights[number_of_unknowns] = {}; ///< \f$ \sum w h u^a v^b \f$ up to the second
   S squared_heights = S();
 
@@ -107,10 +110,12 @@ struct Quadric_moments
   }
 
   /// The least squares fit.
-  /// \pre `S` is a number, the sum of the weights is more than `number_of_unknowns`, and u and v are of the order of 1
+  /// \pre `S` is a number, the sum of the weights is more than `number_of_unknowns`, and u and v
+  /// are of the order of 1
   CGAL_L0_HOST_DEVICE Fitted_quadric quadric() const
   {
-    const int powers_of_v[number_of_unknowns] = {0, 0, 1, 0, 1, 2}, degrees[number_of_unknowns] = {0, 1, 1, 2, 2, 2};
+    const int powers_of_v[number_of_unknowns] = {0, 0, 1, 0, 1, 2},
+              degrees[number_of_unknowns] = {0, 1, 1, 2, 2, 2};
     const double number = products[0];
     double matrix[number_of_unknowns][number_of_unknowns] = {};
     double solutions[2][number_of_unknowns] = {{}, {1}};
@@ -123,7 +128,8 @@ struct Quadric_moments
         matrix[i][j] = products[degree * (degree + 1) / 2 + powers_of_v[i] + powers_of_v[j]];
       }
     }
-    // what points leave open that stand in one or two rows is as small as can be: slopes, and the entries of the second derivatives, of which two are that of uv
+    // what points leave open that stand in one or two rows is as small as can be: slopes, and the
+    // entries of the second derivatives, of which two are that of uv
     const double ridge = 1e-6 * number;
     for (int i = 1; i < number_of_unknowns; ++i)
       matrix[i][i] += i == 4 ? ridge / 2 : ridge;
@@ -133,7 +139,8 @@ struct Quadric_moments
     for (int i = 0; i < number_of_unknowns; ++i)
       squares -= solutions[0][i] * heights[i];
     const double variance = squares < 0 ? 0 : squares / (number - number_of_unknowns);
-    return {true, solutions[0][0], solutions[0][1], solutions[0][2], variance, solutions[1][0] * number};
+    return {true,     solutions[0][0],         solutions[0][1], solutions[0][2],
+            variance, solutions[1][0] * number};
   }
 };
 

@@ -13,29 +13,42 @@ namespace L0_resampling {
 namespace internal {
 
 /// S, with what the fit term of Eq. (6) ties it to.
-/// \tparam FT the number type of the solver, for all but places in space: `float` cannot tell neighbors apart far from the origin
+/// \tparam FT the number type of the solver, for all but places in space: `float` cannot tell
+/// neighbors apart far from the origin
 template <typename FT>
 struct Samples
 {
   using Local_vector = Eigen::Matrix<FT, 3, 1>;
 
-  Buffer<Vector> positions;                ///< \f$ p_i \f$
-  Buffer<Local_vector> normals;            ///< \f$ n_i \f$, unit length
-  Buffer<FT> fit_weights;                  ///< \f$ W_i \f$
-  Buffer<Vector> fit_centroids;            ///< \f$ c_i \f$
-  Buffer<FT> fit_variances;                ///< default method only: of the height of \f$ c_i \f$
-  Buffer<Local_vector> outward_directions; ///< default method only: where an edge or a border is near, the way towards it, whose squared length is the share of a push there that is left out; else zero
+  Buffer<Vector> positions;     ///< \f$ p_i \f$
+  Buffer<Local_vector> normals; ///< \f$ n_i \f$, unit length
+  Buffer<FT> fit_weights;       ///< \f$ W_i \f$
+  Buffer<Vector> fit_centroids; ///< \f$ c_i \f$
+  Buffer<FT> fit_variances;     ///< default method only: of the height of \f$ c_i \f$
+  Buffer<Local_vector>
+    /// default method only: where an edge or a border is near, the way towards it, whose squared
+    /// length is the share of a push there that is left out; else zero
+    outward_directions;
 
-  Buffer<unsigned char> are_voters; ///< default method only: whether quadrics are fitted to the sample, which few of many are
-  Buffer<FT> spacings; ///< where the density of the input is kept: how far apart the samples around are to be; else none
-  Buffer<Local_vector> hints; ///< unit or zero vectors on the side that the normals shall point to, if the caller has some; else none
+  Buffer<unsigned char>
+    /// default method only: whether quadrics are fitted to the sample, which few of many are
+    are_voters;
+  Buffer<FT>
+    /// where the density of the input is kept: how far apart the samples around are to be; else
+    /// none
+    spacings;
+  Buffer<Local_vector>
+    /// unit or zero vectors on the side that the normals shall point to, if the caller has some;
+    /// else none
+    hints;
 
-  Buffer<Index> start_indices; ///< where samples follow others: the place of each in the first order; else none
+  Buffer<Index>
+    start_indices; ///< where samples follow others: the place of each in the first order; else none
 
   explicit Samples(const Counting_allocator<Vector>& allocator)
     : positions(allocator), normals(allocator), fit_weights(allocator), fit_centroids(allocator),
-      fit_variances(allocator), outward_directions(allocator), are_voters(allocator), spacings(allocator),
-      hints(allocator), start_indices(allocator)
+      fit_variances(allocator), outward_directions(allocator), are_voters(allocator),
+      spacings(allocator), hints(allocator), start_indices(allocator)
   {}
 };
 

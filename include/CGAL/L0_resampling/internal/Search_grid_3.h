@@ -44,20 +44,22 @@ T* coordinates(Buffer<Eigen::Matrix<T, 3, 1>>& vectors)
 /*!
 Cubic cells of one size over the whole space, of which only the occupied ones are stored.
 
-The points are kept by the caller, sorted as `sorted_order()` says: by cell, x fastest, and within a cell by coordinates.
-So a run of cells along x is a run of points, and the order does not depend on the order of the input.
+The points are kept by the caller, sorted as `sorted_order()` says: by cell, x fastest, and within a
+cell by coordinates. So a run of cells along x is a run of points, and the order does not depend on
+the order of the input.
 */
 class Search_grid_3
 {
-  // 21 bits an axis. Coordinates beyond +-2^20 cells share the outermost cell. That keeps neighbors neighbors:
-  // clamping never moves two cells apart.
+  // 21 bits an axis. Coordinates beyond +-2^20 cells share the outermost cell. That keeps neighbors
+  // neighbors: clamping never moves two cells apart.
   static constexpr std::int64_t half_range = std::int64_t(1) << 20;
   static constexpr int axis_bits = 21;
 
   double m_cell_size;
   Buffer<std::uint64_t> m_keys; // of the occupied cells, ascending
   Buffer<Index> m_begins;       // first point of each cell, and the number of points
-  Buffer<Index> m_rows;         // first cell of each row of cells that share y and z, and the number of cells
+  Buffer<Index>
+    m_rows; // first cell of each row of cells that share y and z, and the number of cells
 
 public:
   /// A run of points, `[first, second)`.
@@ -107,7 +109,8 @@ public:
     return m_cell_size * Vector(axis(0), axis(1), axis(2));
   }
 
-  /// Which cells of a block count: all, or the one in the middle and those that come after it in the order of cells.
+  /// Which cells of a block count: all, or the one in the middle and those that come after it in
+  /// the order of cells.
   enum class Block
   {
     WHOLE,
@@ -115,8 +118,8 @@ public:
   };
 
   /*!
-  Walks along the rows of another grid of the same cell size and finds, for one of its cells after the other, the
-  points of this grid in the block of cells around it.
+  Walks along the rows of another grid of the same cell size and finds, for one of its cells after
+  the other, the points of this grid in the block of cells around it.
   */
   class Block_cursor
   {
@@ -145,15 +148,17 @@ public:
       for (std::int64_t z = first_z; z <= axis_of(key, 2) + m_reach; ++z)
       {
         const bool starts_with_own_row = m_block == Block::AHEAD && z == first_z;
-        const std::int64_t low = (std::max)(axis_of(key, 1) - (starts_with_own_row ? 0 : m_reach), std::int64_t(0));
+        const std::int64_t low = (std::max)(axis_of(key, 1) - (starts_with_own_row ? 0 : m_reach),
+                                            std::int64_t(0));
         const std::int64_t high = (std::min)(axis_of(key, 1) + m_reach, 2 * half_range - 1);
         if (z < 0 || z >= 2 * half_range)
           continue;
         // the rows of one z follow each other, so that one search finds them all
         const auto begin = m_grid.m_rows.begin(), end = m_grid.m_rows.end() - 1;
-        auto it = std::lower_bound(begin, end, row_key(low, z), [&](Index first_cell, std::uint64_t k) {
-          return row_of(m_grid.m_keys[first_cell]) < k;
-        });
+        auto it = std::lower_bound(begin, end, row_key(low, z),
+                                   [&](Index first_cell, std::uint64_t k) {
+                                     return row_of(m_grid.m_keys[first_cell]) < k;
+                                   });
         for (; it != end && row_of(m_grid.m_keys[*it]) <= row_key(high, z); ++it)
           m_rows.push_back({*it, *it, *(it + 1)});
       }
@@ -206,18 +211,20 @@ public:
       Index index;
     };
     const std::size_t block_size = 4096;
-    const Box box = block_sum<ConcurrencyTag>(points.size(), block_size, [&](std::size_t begin, std::size_t end) {
-      Box box_of_block;
-      for (std::size_t i = begin; i < end; ++i)
-        box_of_block += {points[i], points[i]};
-      return box_of_block;
-    });
+    const Box box = block_sum<ConcurrencyTag>(points.size(), block_size,
+                                              [&](std::size_t begin, std::size_t end) {
+                                                Box box_of_block;
+                                                for (std::size_t i = begin; i < end; ++i)
+                                                  box_of_block += {points[i], points[i]};
+                                                return box_of_block;
+                                              });
     const Short_keys short_key(cell_key(box.low, cell_size), cell_key(box.high, cell_size));
     Buffer<Entry> entries(points.size(), points.get_allocator());
-    for_each_block<ConcurrencyTag>(points.size(), block_size, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
-        entries[i] = {short_key(points[i], cell_size), Index(i)};
-    });
+    for_each_block<ConcurrencyTag>(points.size(), block_size,
+                                   [&](std::size_t begin, std::size_t end) {
+                                     for (std::size_t i = begin; i < end; ++i)
+                                       entries[i] = {short_key(points[i], cell_size), Index(i)};
+                                   });
     sort_by_key<ConcurrencyTag>(
       entries, [](const Entry& e) { return e.key; },
       [&](const Entry& a, const Entry& b) {
@@ -228,10 +235,11 @@ public:
         return a.index < b.index;
       });
     Buffer<Index> order(points.size(), points.get_allocator());
-    for_each_block<ConcurrencyTag>(points.size(), block_size, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
-        order[i] = entries[i].index;
-    });
+    for_each_block<ConcurrencyTag>(points.size(), block_size,
+                                   [&](std::size_t begin, std::size_t end) {
+                                     for (std::size_t i = begin; i < end; ++i)
+                                       order[i] = entries[i].index;
+                                   });
     return order;
   }
 
@@ -248,8 +256,9 @@ private:
     }
   };
 
-  /// Keys in the order of `cell_key()`, of as few bits as the box of the cells needs, and of x within the cell after that as far as
-  /// there is room: a radix sort of them leaves next to nothing to comparisons.
+  /// Keys in the order of `cell_key()`, of as few bits as the box of the cells needs, and of x
+  /// within the cell after that as far as there is room: a radix sort of them leaves next to
+  /// nothing to comparisons.
   class Short_keys
   {
     std::uint64_t m_lowest;
@@ -318,10 +327,11 @@ void apply_order(const Buffer<Index>& order, Buffer<T>& values)
 {
   const std::size_t values_per_block = 4096;
   Buffer<T> sorted(order.size(), values.get_allocator());
-  for_each_block<ConcurrencyTag>(order.size(), values_per_block, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      sorted[i] = values[order[i]];
-  });
+  for_each_block<ConcurrencyTag>(order.size(), values_per_block,
+                                 [&](std::size_t begin, std::size_t end) {
+                                   for (std::size_t i = begin; i < end; ++i)
+                                     sorted[i] = values[order[i]];
+                                 });
   values.swap(sorted);
 }
 

@@ -17,8 +17,8 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// Sets of samples whose normals are fixed relative to each other: union-find, where each sample knows whether it is turned
-/// against its parent.
+/// Sets of samples whose normals are fixed relative to each other: union-find, where each sample
+/// knows whether it is turned against its parent.
 class Signed_union_find
 {
   Buffer<Index> m_parents;
@@ -35,7 +35,8 @@ public:
   }
 
   Signed_union_find(const Signed_union_find& other)
-    : m_parents(copy_of(other.m_parents)), m_signs(copy_of(other.m_signs)), m_sizes(copy_of(other.m_sizes))
+    : m_parents(copy_of(other.m_parents)), m_signs(copy_of(other.m_signs)),
+      m_sizes(copy_of(other.m_sizes))
   {}
   Signed_union_find(Signed_union_find&&) = default;
   Signed_union_find& operator=(Signed_union_find&&) = default;
@@ -70,7 +71,8 @@ public:
     return {root, sign};
   }
 
-  /// Joins the sets of `i` and `k` so that the two have the relative sign `sign`, if they are not in one set yet.
+  /// Joins the sets of `i` and `k` so that the two have the relative sign `sign`, if they are not
+  /// in one set yet.
   void join(Index i, Index k, int sign)
   {
     auto [root_i, sign_i] = find_and_compress(i);

@@ -23,8 +23,9 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-inline Iteration_report iteration_report(const Minimization_parameters& p, double penalty, bool regularized,
-                                         const Energy_sums& sums, std::size_t number_of_pairs, const Solver_report& solver)
+inline Iteration_report iteration_report(const Minimization_parameters& p, double penalty,
+                                         bool regularized, const Energy_sums& sums,
+                                         std::size_t number_of_pairs, const Solver_report& solver)
 {
   Iteration_report report;
   report.penalty = penalty;
@@ -32,9 +33,11 @@ inline Iteration_report iteration_report(const Minimization_parameters& p, doubl
   report.fit_energy = sums.fit / p.squared_radius;
   report.regularization_energy = sums.regularization / p.squared_radius;
   report.normal_energy = penalty * sums.squared_normal_misfit / p.squared_radius;
-  report.sparsity_energy = p.normal_weight * p.sparsity_unit * p.sparsity_unit * double(sums.number_of_active_pairs)
-                           / p.squared_radius;
-  report.active_pair_share = number_of_pairs ? double(sums.number_of_active_pairs) / double(number_of_pairs) : 0;
+  report.sparsity_energy = p.normal_weight * p.sparsity_unit * p.sparsity_unit
+                           * double(sums.number_of_active_pairs) / p.squared_radius;
+  report.active_pair_share = number_of_pairs
+                               ? double(sums.number_of_active_pairs) / double(number_of_pairs)
+                               : 0;
   report.solver = solver;
   return report;
 }
@@ -54,8 +57,8 @@ class Minimization_step
   double m_right_hand_side_scale = negligible_displacement; // the largest of the turns so far
 
 public:
-  Minimization_step(const Minimization_parameters& parameters, SolverTraits& solver, Progress& progress,
-                    const Counting_allocator<Vector>& allocator)
+  Minimization_step(const Minimization_parameters& parameters, SolverTraits& solver,
+                    Progress& progress, const Counting_allocator<Vector>& allocator)
     : m_parameters(parameters), m_solver(solver), m_progress(progress), m_pair_weights(allocator),
       m_normal_offsets(allocator), m_right_hand_side(allocator), m_displacements(allocator)
   {}
@@ -66,8 +69,8 @@ public:
   /// \param fit_rows the fit rows of Eq. (11), for solvers that need them; may be empty for others
   /// \returns the terms of Eq. (7) after line 2 and what the solver did
   Iteration_report operator()(double penalty, bool regularize, const Neighborhoods& neighbors,
-                              const Buffer<Upper_triangle<FT>>& normal_spreads, const Fit_rows& fit_rows,
-                              Samples<FT>& samples)
+                              const Buffer<Upper_triangle<FT>>& normal_spreads,
+                              const Fit_rows& fit_rows, Samples<FT>& samples)
   {
     const Minimization_parameters& p = m_parameters;
     const std::size_t m = samples.positions.size(), number_of_pairs = neighbors.indices.size();
@@ -82,18 +85,22 @@ public:
     else
     {
       Buffer<FT> density_weights(m, samples.positions.get_allocator());
-      update_weights<ConcurrencyTag>(samples.positions, samples.normals, neighbors, p.squared_bandwidth,
-                                     p.squared_radius, square(p.regularized_jump), square(p.range_of_pairs),
+      update_weights<ConcurrencyTag>(samples.positions, samples.normals, neighbors,
+                                     p.squared_bandwidth, p.squared_radius,
+                                     square(p.regularized_jump), square(p.range_of_pairs),
                                      p.regularization_weight, density_weights, m_pair_weights);
     }
     m_progress.advance(0);
 
-    // Line 2: Eq. (8), (9). Beyond these bounds one term of Eq. (7) is lost in the rounding of the others, whatever the penalty.
+    // Line 2: Eq. (8), (9). Beyond these bounds one term of Eq. (7) is lost in the rounding of the
+    // others, whatever the penalty.
     const FT bounded_penalty = FT((std::min)((std::max)(penalty, 1e-15), 1e15));
-    const double threshold = shrinkage_threshold(p.normal_weight, penalty, p.sparsity_unit, p.largest_shrunk_jump);
+    const double threshold = shrinkage_threshold(p.normal_weight, penalty, p.sparsity_unit,
+                                                 p.largest_shrunk_jump);
     const Energy_sums sums = shrink_normal_offsets<ConcurrencyTag, FT>(
-      samples, neighbors, m_pair_weights, bounded_penalty, Shrunk_jumps<FT>(threshold, p.half_width_of_shrinkage),
-      FT(square(p.range_of_pairs)), m_right_hand_side, m_normal_offsets);
+      samples, neighbors, m_pair_weights, bounded_penalty,
+      Shrunk_jumps<FT>(threshold, p.half_width_of_shrinkage), FT(square(p.range_of_pairs)),
+      m_right_hand_side, m_normal_offsets);
     m_progress.advance(0);
 
     // Line 3: Eq. (10), for the displacements
@@ -113,7 +120,8 @@ public:
                                         scale_so_far,
                                         samples.positions.get_allocator().counter};
     const Solver_report solver_report = m_solver.solve(
-      problem, Eigen::Map<Eigen::Matrix<FT, Eigen::Dynamic, 1>>(coordinates(m_displacements), Eigen::Index(3 * m)));
+      problem, Eigen::Map<Eigen::Matrix<FT, Eigen::Dynamic, 1>>(coordinates(m_displacements),
+                                                                Eigen::Index(3 * m)));
     for_each_block<ConcurrencyTag>(m, samples_per_block, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
         samples.positions[i] += m_displacements[i].template cast<double>();
@@ -127,16 +135,21 @@ public:
 /// \param fit_rows the fit rows of Eq. (11), for solvers that need them; may be empty for others
 /// \param reports out: one for each value of the penalty
 template <typename ConcurrencyTag, typename SolverTraits>
-void minimize_alternatingly(const Minimization_parameters& p, const Neighborhoods& neighbors, const Fit_rows& fit_rows,
-                            SolverTraits& solver, Progress& progress, Samples<typename SolverTraits::FT>& samples,
+void minimize_alternatingly(const Minimization_parameters& p, const Neighborhoods& neighbors,
+                            const Fit_rows& fit_rows, SolverTraits& solver, Progress& progress,
+                            Samples<typename SolverTraits::FT>& samples,
                             std::vector<Iteration_report>& reports)
 {
-  Minimization_step<ConcurrencyTag, SolverTraits> step(p, solver, progress, samples.positions.get_allocator());
-  Buffer<Upper_triangle<typename SolverTraits::FT>> normal_spreads(samples.positions.get_allocator());
-  sum_normal_spreads<ConcurrencyTag>(samples.normals, neighbors, normal_spreads); // the normals stay
+  Minimization_step<ConcurrencyTag, SolverTraits> step(p, solver, progress,
+                                                       samples.positions.get_allocator());
+  Buffer<Upper_triangle<typename SolverTraits::FT>> normal_spreads(
+    samples.positions.get_allocator());
+  sum_normal_spreads<ConcurrencyTag>(samples.normals, neighbors,
+                                     normal_spreads); // the normals stay
   const std::vector<double> penalties = p.penalties();
   for (std::size_t i = 0; i < penalties.size(); ++i)
-    reports.push_back(step(penalties[i], p.regularizes(i), neighbors, normal_spreads, fit_rows, samples));
+    reports.push_back(
+      step(penalties[i], p.regularizes(i), neighbors, normal_spreads, fit_rows, samples));
 }
 
 } // namespace internal

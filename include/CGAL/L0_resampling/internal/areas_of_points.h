@@ -35,19 +35,21 @@ struct Areas
 };
 
 /*!
-The area that each point stands for: that of a disk, shared by the points in the ball of that radius. The points of a cell share theirs evenly, as far from the
-surface those on it would seem to be the denser ones.
+The area that each point stands for: that of a disk, shared by the points in the ball of that
+radius. The points of a cell share theirs evenly, as far from the surface those on it would seem to
+be the denser ones.
 
 \param points sorted for `grid`
 \param units_per_length `units_per_length_for()` the grid and its queries
 */
 template <typename ConcurrencyTag, typename T>
-Areas areas_of_points(const Search_grid_3& grid, const Buffer<Vector>& points, double radius, double units_per_length,
-                      Progress& progress)
+Areas areas_of_points(const Search_grid_3& grid, const Buffer<Vector>& points, double radius,
+                      double units_per_length, Progress& progress)
 {
   const Exact_ball ball(radius, units_per_length);
   const int reach = cells_in_reach(radius, grid.cell_size());
-  // How far relative coordinates may be off: whoever is that near to the border of the ball is asked exactly.
+  // How far relative coordinates may be off: whoever is that near to the border of the ball is
+  // asked exactly.
   const double rounding = std::ldexp(radius + (reach + 1) * grid.cell_size(), -21);
   const T squared_inner_radius = T((radius - rounding) * std::abs(radius - rounding)),
           squared_outer_radius = T((radius + rounding) * (radius + rounding));
@@ -69,21 +71,24 @@ Areas areas_of_points(const Search_grid_3& grid, const Buffer<Vector>& points, d
   Areas areas{filled_buffer(points.size(), std::uint64_t(0), points.get_allocator()),
               double(EIGEN_PI) * radius * radius / double(area_units_of_ball)};
   const auto make_visitor = [&]() {
-    return [&](Search_grid_3::Range queries, const Local_points<T>& candidates, const Vector& origin) {
-      using L = Lanes<T>;
-      for (Index i = queries.first; i < queries.second; ++i)
-      {
-        const Eigen::Matrix<T, 3, 1> center = (points[i] - origin).template cast<T>();
-        L inner, outer;
-        candidates.for_each_run_in_ball(center, squared_outer_radius, [&](std::size_t, const L& squared_distance) {
-          inner += where_less(squared_distance, squared_inner_radius, L(T(1)));
-          outer += where_less(squared_distance, squared_outer_radius, L(T(1)));
-        });
-        const T count = inner.sum();
-        areas.units[i] = area_units_of_point((count == outer.sum() ? std::uint64_t(count) : exact_count(i, candidates))
-                                             * candidates.stride);
-      }
-    };
+    return
+      [&](Search_grid_3::Range queries, const Local_points<T>& candidates, const Vector& origin) {
+        using L = Lanes<T>;
+        for (Index i = queries.first; i < queries.second; ++i)
+        {
+          const Eigen::Matrix<T, 3, 1> center = (points[i] - origin).template cast<T>();
+          L inner, outer;
+          candidates.for_each_run_in_ball(
+            center, squared_outer_radius, [&](std::size_t, const L& squared_distance) {
+              inner += where_less(squared_distance, squared_inner_radius, L(T(1)));
+              outer += where_less(squared_distance, squared_outer_radius, L(T(1)));
+            });
+          const T count = inner.sum();
+          areas.units[i] = area_units_of_point(
+            (count == outer.sum() ? std::uint64_t(count) : exact_count(i, candidates))
+            * candidates.stride);
+        }
+      };
   };
   for_each_cell<T, ConcurrencyTag>(grid, points, grid, points, reach, progress, make_visitor);
 

@@ -13,11 +13,13 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// How many near points an average is taken of: about those of four points of a result of half as many.
+/// How many near points an average is taken of: about those of four points of a result of half as
+/// many.
 constexpr std::size_t number_of_averaged_points = 8;
 
-/// Whether integers of this name are averaged as numbers of floating-point types are: those of colors, which PLY files have channel by channel. Other
-/// integers are labels, of which there is no mean.
+/// Whether integers of this name are averaged as numbers of floating-point types are: those of
+/// colors, which PLY files have channel by channel. Other integers are labels, of which there is no
+/// mean.
 inline bool is_color_channel(const std::string& name)
 {
   return name == "red" || name == "green" || name == "blue" || name == "alpha";

@@ -22,22 +22,28 @@ namespace L0_resampling {
 namespace internal {
 
 /// Cells to each side that a ball of this radius around any point of a cell can touch.
-inline int cells_in_reach(double radius, double cell_size) { return int(std::ceil(radius / cell_size)); }
+inline int cells_in_reach(double radius, double cell_size)
+{
+  return int(std::ceil(radius / cell_size));
+}
 
 /*!
-The points of a block of cells, as arrays of coordinates relative to the block, ready for vector instructions.
+The points of a block of cells, as arrays of coordinates relative to the block, ready for vector
+instructions.
 
-A ball holds few points of a cloud that is everywhere; relative coordinates of type `float` resolve it as well as `double`
-does, and twice as many fit in a register. The arrays are padded to full lanes with points so far away that no ball holds them.
+A ball holds few points of a cloud that is everywhere; relative coordinates of type `float` resolve
+it as well as `double` does, and twice as many fit in a register. The arrays are padded to full
+lanes with points so far away that no ball holds them.
 
-A block of more than `maximum_number_of_candidates` points is thinned to every s-th point, s a power of two: this bounds the
-neighbors of a point, and the time, where a million points share a cell.
+A block of more than `maximum_number_of_candidates` points is thinned to every s-th point, s a power
+of two: this bounds the neighbors of a point, and the time, where a million points share a cell.
 */
 template <typename T>
 class Local_points
 {
 public:
-  /// Well above what any sensible radius gathers: the paper's, at ten million points, gathers about 600.
+  /// Well above what any sensible radius gathers: the paper's, at ten million points, gathers about
+  /// 600.
   static constexpr std::size_t maximum_number_of_candidates = 4096;
 
   Aligned_vector<T> x, y, z;
@@ -45,8 +51,8 @@ public:
   Index stride = 1;           ///< s: one of so many points was taken
 
   /// \param count the number of points in the ranges
-  void gather(const std::vector<Search_grid_3::Range>& ranges, std::size_t count, const Buffer<Vector>& points,
-              const Vector& origin)
+  void gather(const std::vector<Search_grid_3::Range>& ranges, std::size_t count,
+              const Buffer<Vector>& points, const Vector& origin)
   {
     stride = 1;
     while (count / stride > maximum_number_of_candidates)
@@ -87,13 +93,14 @@ public:
   /// \param vectors xyz interleaved, one for each point of the cloud
   /// \param to_x, to_y, to_z have room for all points
   template <typename U>
-  void gather_coordinates(const U* vectors, const U* origin, Aligned_vector<T>& to_x, Aligned_vector<T>& to_y,
-                          Aligned_vector<T>& to_z) const
+  void gather_coordinates(const U* vectors, const U* origin, Aligned_vector<T>& to_x,
+                          Aligned_vector<T>& to_y, Aligned_vector<T>& to_z) const
   {
     const U x0 = origin[0], y0 = origin[1], z0 = origin[2];
     const auto gather_run = [&](const Run& run, auto step) {
       const U* const from = vectors + 3 * std::size_t(run.first);
-      T *const tx = to_x.data() + run.begin, *const ty = to_y.data() + run.begin, *const tz = to_z.data() + run.begin;
+      T *const tx = to_x.data() + run.begin, *const ty = to_y.data() + run.begin,
+               *const tz = to_z.data() + run.begin;
       for (std::size_t k = 0, size = run.end - run.begin; k < size; ++k)
       {
         tx[k] = T(from[3 * step * k] - x0);
@@ -103,7 +110,9 @@ public:
     };
     for (const Run& run : m_runs_of_indices)
       if (stride == 1)
-        gather_run(run, std::integral_constant<std::size_t, 1>()); // known to the compiler, which then uses vector instructions
+        gather_run(
+          run, std::integral_constant<
+                 std::size_t, 1>()); // known to the compiler, which then uses vector instructions
       else
         gather_run(run, std::size_t(stride));
   }
@@ -120,11 +129,13 @@ public:
   /// Number of points, padding included: a multiple of the number of lanes.
   std::size_t padded_size() const { return x.size(); }
 
-  /// Calls `f(k, squared_distances)` for each run of as many points as there are lanes, from the k-th on, of which one is in the ball.
-  /// Points that follow each other are neighbors, so that half of the runs have none. Which half, no processor foresees: listing the
-  /// others before calling `f` costs less than a branch that is guessed wrong half of the time.
+  /// Calls `f(k, squared_distances)` for each run of as many points as there are lanes, from the
+  /// k-th on, of which one is in the ball. Points that follow each other are neighbors, so that
+  /// half of the runs have none. Which half, no processor foresees: listing the others before
+  /// calling `f` costs less than a branch that is guessed wrong half of the time.
   template <typename F>
-  void for_each_run_in_ball(const Eigen::Matrix<T, 3, 1>& center, T squared_radius, const F& f) const
+  void for_each_run_in_ball(const Eigen::Matrix<T, 3, 1>& center, T squared_radius,
+                            const F& f) const
   {
     constexpr std::size_t lanes = Lanes<T>::size;
     m_runs.resize(padded_size() / lanes + 1);
@@ -167,7 +178,8 @@ private:
   static constexpr T far_away = T(1e12); // its square is finite in `float`
 };
 
-/// Queries in any order, sorted into the cells of a grid, so that those near each other share their candidates.
+/// Queries in any order, sorted into the cells of a grid, so that those near each other share their
+/// candidates.
 class Sorted_queries
 {
 public:
@@ -190,10 +202,11 @@ private:
   }
 };
 
-/// Calls `visitor(cell, ranges, count)` for each occupied cell of a row, with the runs of points that the cursor finds around it, and their
-/// number. Runs ascend.
+/// Calls `visitor(cell, ranges, count)` for each occupied cell of a row, with the runs of points
+/// that the cursor finds around it, and their number. Runs ascend.
 template <typename Visitor>
-void for_each_cell_of_row(const Search_grid_3& grid, std::size_t row, Search_grid_3::Block_cursor& cursor,
+void for_each_cell_of_row(const Search_grid_3& grid, std::size_t row,
+                          Search_grid_3::Block_cursor& cursor,
                           std::vector<Search_grid_3::Range>& ranges, const Visitor& visitor)
 {
   const Search_grid_3::Range cells = grid.row(row);
@@ -209,69 +222,79 @@ void for_each_cell_of_row(const Search_grid_3& grid, std::size_t row, Search_gri
 constexpr std::size_t rows_per_block = 4;
 
 /*!
-Calls `visitor(cell, ranges, count)` for each occupied cell of `query_grid`, with the runs of points of `point_grid` that lie
-within `reach` cells of it, and their number. Runs ascend.
+Calls `visitor(cell, ranges, count)` for each occupied cell of `query_grid`, with the runs of points
+of `point_grid` that lie within `reach` cells of it, and their number. Runs ascend.
 
-`make_visitor` is called once in a while to make a visitor with arrays of its own, so that visitors can run at the same time.
+`make_visitor` is called once in a while to make a visitor with arrays of its own, so that visitors
+can run at the same time.
 */
 template <typename ConcurrencyTag, typename Make_visitor>
-void for_each_cell_block(const Search_grid_3& query_grid, const Search_grid_3& point_grid, int reach,
-                         Progress& progress, const Make_visitor& make_visitor)
+void for_each_cell_block(const Search_grid_3& query_grid, const Search_grid_3& point_grid,
+                         int reach, Progress& progress, const Make_visitor& make_visitor)
 {
-  for_each_block<ConcurrencyTag>(query_grid.number_of_rows(), rows_per_block, [&](std::size_t begin, std::size_t end) {
-    auto visitor = make_visitor();
-    Search_grid_3::Block_cursor cursor(point_grid, reach);
-    std::vector<Search_grid_3::Range> ranges;
-    for (std::size_t r = begin; r < end; ++r)
-      for_each_cell_of_row(query_grid, r, cursor, ranges, [&](Index cell, const auto& found, std::size_t count) {
-        visitor(cell, found, count);
-        const Search_grid_3::Range queries = query_grid.points_of_cell(cell);
-        progress.advance(queries.second - queries.first);
-      });
-  });
+  for_each_block<ConcurrencyTag>(
+    query_grid.number_of_rows(), rows_per_block, [&](std::size_t begin, std::size_t end) {
+      auto visitor = make_visitor();
+      Search_grid_3::Block_cursor cursor(point_grid, reach);
+      std::vector<Search_grid_3::Range> ranges;
+      for (std::size_t r = begin; r < end; ++r)
+        for_each_cell_of_row(query_grid, r, cursor, ranges,
+                             [&](Index cell, const auto& found, std::size_t count) {
+                               visitor(cell, found, count);
+                               const Search_grid_3::Range queries = query_grid.points_of_cell(cell);
+                               progress.advance(queries.second - queries.first);
+                             });
+    });
 }
 
-/// Whether `Local_points` takes all points of each block of cells as they are: no block is thinned, and no cell is an outermost one, whose
-/// points may be anywhere.
+/// Whether `Local_points` takes all points of each block of cells as they are: no block is thinned,
+/// and no cell is an outermost one, whose points may be anywhere.
 template <typename T, typename ConcurrencyTag>
 bool has_plain_blocks_only(const Search_grid_3& grid, int reach)
 {
-  return 0 == block_sum<ConcurrencyTag>(grid.number_of_rows(), rows_per_block, [&](std::size_t begin, std::size_t end) {
-           Search_grid_3::Block_cursor cursor(grid, reach);
-           std::vector<Search_grid_3::Range> ranges;
-           std::size_t number_of_others = 0;
-           for (std::size_t r = begin; r < end; ++r)
-             for_each_cell_of_row(grid, r, cursor, ranges, [&](Index cell, const auto&, std::size_t count) {
-               number_of_others += grid.is_unbounded(cell) || count > Local_points<T>::maximum_number_of_candidates;
-             });
-           return number_of_others;
-         });
+  return 0
+         == block_sum<ConcurrencyTag>(
+           grid.number_of_rows(), rows_per_block, [&](std::size_t begin, std::size_t end) {
+             Search_grid_3::Block_cursor cursor(grid, reach);
+             std::vector<Search_grid_3::Range> ranges;
+             std::size_t number_of_others = 0;
+             for (std::size_t r = begin; r < end; ++r)
+               for_each_cell_of_row(
+                 grid, r, cursor, ranges, [&](Index cell, const auto&, std::size_t count) {
+                   number_of_others += grid.is_unbounded(cell)
+                                       || count > Local_points<T>::maximum_number_of_candidates;
+                 });
+             return number_of_others;
+           });
 }
 
-/// As `for_each_cell_block()`, but calls `visitor(queries, candidates, origin)`: `queries` is the run of query points of the
-/// cell, and `candidates` holds the points around them relative to `origin`.
+/// As `for_each_cell_block()`, but calls `visitor(queries, candidates, origin)`: `queries` is the
+/// run of query points of the cell, and `candidates` holds the points around them relative to
+/// `origin`.
 template <typename T, typename ConcurrencyTag, typename Make_visitor>
-void for_each_cell(const Search_grid_3& query_grid, const Buffer<Vector>& query_points, const Search_grid_3& point_grid,
-                   const Buffer<Vector>& points, int reach, Progress& progress, const Make_visitor& make_visitor)
+void for_each_cell(const Search_grid_3& query_grid, const Buffer<Vector>& query_points,
+                   const Search_grid_3& point_grid, const Buffer<Vector>& points, int reach,
+                   Progress& progress, const Make_visitor& make_visitor)
 {
   for_each_cell_block<ConcurrencyTag>(query_grid, point_grid, reach, progress, [&]() {
-    return [&, visitor = make_visitor(), candidates = Local_points<T>()](
-             Index cell, const std::vector<Search_grid_3::Range>& ranges, std::size_t count) mutable {
-      const Search_grid_3::Range queries = query_grid.points_of_cell(cell);
-      if (!query_grid.is_unbounded(cell))
-      {
-        const Vector origin = query_grid.cell_center(cell);
-        candidates.gather(ranges, count, points, origin);
-        visitor(queries, candidates, origin);
-        return;
-      }
-      // no single origin is near to all points of such a cell
-      for (Index i = queries.first; i < queries.second; ++i)
-      {
-        candidates.gather(ranges, count, points, query_points[i]);
-        visitor(Search_grid_3::Range(i, i + 1), candidates, query_points[i]);
-      }
-    };
+    return
+      [&, visitor = make_visitor(), candidates = Local_points<T>()](
+        Index cell, const std::vector<Search_grid_3::Range>& ranges, std::size_t count) mutable {
+        const Search_grid_3::Range queries = query_grid.points_of_cell(cell);
+        if (!query_grid.is_unbounded(cell))
+        {
+          const Vector origin = query_grid.cell_center(cell);
+          candidates.gather(ranges, count, points, origin);
+          visitor(queries, candidates, origin);
+          return;
+        }
+        // no single origin is near to all points of such a cell
+        for (Index i = queries.first; i < queries.second; ++i)
+        {
+          candidates.gather(ranges, count, points, query_points[i]);
+          visitor(Search_grid_3::Range(i, i + 1), candidates, query_points[i]);
+        }
+      };
   });
 }
 

@@ -14,9 +14,10 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// The factors of a symmetric positive definite 3 x 3 block, D = L diag(pivots) L^T with ones on the diagonal of L.
-/// One copy serves the product with D and with its inverse, and takes no more room than D. Unlike the determinant
-/// of an explicit inverse, no value in it is of the third power of the block's scale, so `float` does not underflow.
+/// The factors of a symmetric positive definite 3 x 3 block, D = L diag(pivots) L^T with ones on
+/// the diagonal of L. One copy serves the product with D and with its inverse, and takes no more
+/// room than D. Unlike the determinant of an explicit inverse, no value in it is of the third power
+/// of the block's scale, so `float` does not underflow.
 template <typename FT>
 struct Block_factorization
 {
@@ -24,9 +25,10 @@ struct Block_factorization
   FT l10, l20, l21;
 };
 
-/// Factorizes the positive definite block with the upper triangle (xx, xy, xz, yy, yz, zz). Pivots are held above the
-/// rounding of the block's trace: below, cancellation may have left anything of them, and dividing by that would turn
-/// rounding into displacements. So the factors are those of a positive definite block that rounding cannot tell from D.
+/// Factorizes the positive definite block with the upper triangle (xx, xy, xz, yy, yz, zz). Pivots
+/// are held above the rounding of the block's trace: below, cancellation may have left anything of
+/// them, and dividing by that would turn rounding into displacements. So the factors are those of a
+/// positive definite block that rounding cannot tell from D.
 template <typename FT>
 CGAL_L0_HOST_DEVICE inline Block_factorization<FT> factorize_block(const FT (&upper)[6])
 {

@@ -45,10 +45,13 @@ bool has_other_properties(const PointSet& points)
   return false;
 }
 
-/// Replaces the property of the nearest points by the mean of the near ones, if it has the type `T`.
-/// \param mean_of called with a point of `carried` and a function that gives a number for a property value
+/// Replaces the property of the nearest points by the mean of the near ones, if it has the type
+/// `T`.
+/// \param mean_of called with a point of `carried` and a function that gives a number for a
+/// property value
 template <typename T, typename PointSet, typename MeanOf>
-void average_if_of_type(const PointSet& points, const std::pair<std::string, std::type_index>& property,
+void average_if_of_type(const PointSet& points,
+                        const std::pair<std::string, std::type_index>& property,
                         const MeanOf& mean_of, PointSet& carried)
 {
   if (property.second != std::type_index(typeid(T)))
@@ -60,19 +63,20 @@ void average_if_of_type(const PointSet& points, const std::pair<std::string, std
 }
 
 /*!
-Appends the points of a result to `result`, each with the properties of the nearest input point, of any type, or with the mean of those near it where
-numbers have one.
+Appends the points of a result to `result`, each with the properties of the nearest input point, of
+any type, or with the mean of those near it where numbers have one.
 
 \param pair_of gives the i-th pair of the result
 */
 template <typename PointSet, typename PairOf>
-void append_with_properties(const PointSet& points, const Near_points& near_points, std::size_t size,
-                            const PairOf& pair_of, PointSet& result)
+void append_with_properties(const PointSet& points, const Near_points& near_points,
+                            std::size_t size, const PairOf& pair_of, PointSet& result)
 {
   using Point_index = typename PointSet::Index;
   const auto input_index = [&](Index j) { return *(points.begin() + std::ptrdiff_t(j)); };
 
-  // The same properties in the same order: what insert() asks for. A normal map that is not there comes later.
+  // The same properties in the same order: what insert() asks for. A normal map that is not there
+  // comes later.
   PointSet carried;
   carried.copy_properties(points);
   carried.reserve(size);
@@ -89,18 +93,21 @@ void append_with_properties(const PointSet& points, const Near_points& near_poin
   const auto number = [&](std::size_t i, const auto& map) {
     return near_points.mean(i, [&](Index j) { return double(map[input_index(j)]); });
   };
-  const auto rounded = [&](std::size_t i, const auto& map) { return std::uint8_t(std::floor(number(i, map) + 0.5)); };
+  const auto rounded = [&](std::size_t i, const auto& map) {
+    return std::uint8_t(std::floor(number(i, map) + 0.5));
+  };
   const auto color = [&](std::size_t i, const auto& map) {
     const auto channel = [&](std::size_t c) {
-      return static_cast<unsigned char>(
-        std::floor(near_points.mean(i, [&](Index j) { return double(map[input_index(j)][c]); }) + 0.5));
+      return static_cast<unsigned char>(std::floor(
+        near_points.mean(i, [&](Index j) { return double(map[input_index(j)][c]); }) + 0.5));
     };
     return CGAL::IO::Color(channel(0), channel(1), channel(2), channel(3));
   };
   for (const auto& property : points.properties_and_types())
   {
     average_if_of_type<float>(
-      points, property, [&](std::size_t i, const auto& map) { return float(number(i, map)); }, carried);
+      points, property, [&](std::size_t i, const auto& map) { return float(number(i, map)); },
+      carried);
     average_if_of_type<double>(points, property, number, carried);
     average_if_of_type<CGAL::IO::Color>(points, property, color, carried);
     if (is_color_channel(property.first))

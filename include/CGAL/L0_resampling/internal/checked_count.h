@@ -16,8 +16,8 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// A sum of products of counts that refuses to leave the range of `Eigen::Index`, so that sizes of matrices can be
-/// known to be right before anything is allocated.
+/// A sum of products of counts that refuses to leave the range of `Eigen::Index`, so that sizes of
+/// matrices can be known to be right before anything is allocated.
 class Checked_count
 {
   std::size_t m_count = 0;
@@ -29,7 +29,8 @@ public:
   {
     constexpr std::size_t limit = std::size_t((std::numeric_limits<Eigen::Index>::max)());
     if (n > (limit - m_count) / factor)
-      throw std::length_error("The quadratic problem has more rows or matrix entries than a 64-bit index counts.");
+      throw std::length_error(
+        "The quadratic problem has more rows or matrix entries than a 64-bit index counts.");
     m_count += n * factor;
     return *this;
   }

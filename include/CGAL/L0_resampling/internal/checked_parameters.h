@@ -42,8 +42,10 @@ template <typename T>
 struct Is_optional<std::optional<T>> : std::true_type
 {};
 
-/// Calls `use` with a copy of the named parameter if the caller gave it: as a value, or as a `std::optional` that has one. The latter is for programs that learn
-/// at run time what is given, where the names of a chain are known to the compiler. Never binds a reference: that would outlive its value.
+/// Calls `use` with a copy of the named parameter if the caller gave it: as a value, or as a
+/// `std::optional` that has one. The latter is for programs that learn at run time what is given,
+/// where the names of a chain are known to the compiler. Never binds a reference: that would
+/// outlive its value.
 template <typename NamedParameters, typename Tag, typename F>
 void if_given(const NamedParameters& np, Tag tag, const F& use)
 {
@@ -82,8 +84,9 @@ template <typename NamedParameters, typename Tag>
 void read_count(const NamedParameters& np, Tag tag, const char* name, std::size_t& target)
 {
   if_given(np, tag, [&](const auto& value) {
-    check_parameter(!(value < 0) && double(value) <= double((std::numeric_limits<std::size_t>::max)() / 2), name, value,
-                    "a count that is not negative");
+    check_parameter(!(value < 0)
+                      && double(value) <= double((std::numeric_limits<std::size_t>::max)() / 2),
+                    name, value, "a count that is not negative");
     target = std::size_t(value);
   });
 }
@@ -99,42 +102,48 @@ Parameters checked_parameters(const NamedParameters& np, std::size_t n)
   const auto is_not_negative = [](double x) { return std::isfinite(x) && x >= 0; };
 
   read_parameter(np, internal_np::resampling_method, p.method);
-  check_parameter(p.method == Method::DEFAULT || p.method == Method::LOR || p.method == Method::ALOR,
+  check_parameter(p.method == Method::DEFAULT || p.method == Method::LOR
+                    || p.method == Method::ALOR,
                   "resampling_method", int(p.method), "a Method");
 
   const bool has_radius = is_given(np, internal_np::neighbor_radius);
   read_parameter(np, internal_np::neighbor_radius, p.neighbor_radius);
-  check_parameter(!has_radius || is_positive(p.neighbor_radius), "neighbor_radius", p.neighbor_radius,
-                  "a finite length above 0");
+  check_parameter(!has_radius || is_positive(p.neighbor_radius), "neighbor_radius",
+                  p.neighbor_radius, "a finite length above 0");
   const bool has_filter_radius = is_given(np, internal_np::normal_filter_radius);
   read_parameter(np, internal_np::normal_filter_radius, p.normal_filter_radius);
   check_parameter(!has_filter_radius || is_positive(p.normal_filter_radius), "normal_filter_radius",
                   p.normal_filter_radius, "a finite length above 0");
 
   read_parameter(np, internal_np::sharpness_angle, p.sharpness_angle);
-  check_parameter(is_positive(p.sharpness_angle) && p.sharpness_angle <= 90, "sharpness_angle", p.sharpness_angle,
-                  "an angle in (0, 90] degrees");
-  read_count(np, internal_np::number_of_normal_filter_iterations, "number_of_normal_filter_iterations",
-             p.number_of_normal_filter_iterations);
-  check_parameter(p.number_of_normal_filter_iterations <= 10000, "number_of_normal_filter_iterations",
-                  p.number_of_normal_filter_iterations, "at most 10000");
+  check_parameter(is_positive(p.sharpness_angle) && p.sharpness_angle <= 90, "sharpness_angle",
+                  p.sharpness_angle, "an angle in (0, 90] degrees");
+  read_count(np, internal_np::number_of_normal_filter_iterations,
+             "number_of_normal_filter_iterations", p.number_of_normal_filter_iterations);
+  check_parameter(p.number_of_normal_filter_iterations <= 10000,
+                  "number_of_normal_filter_iterations", p.number_of_normal_filter_iterations,
+                  "at most 10000");
 
   read_parameter(np, internal_np::normal_weight, p.normal_weight);
-  check_parameter(is_not_negative(p.normal_weight), "normal_weight", p.normal_weight, "a finite number, 0 or above");
-  read_parameter(np, internal_np::regularization_weight, p.regularization_weight);
-  check_parameter(is_not_negative(p.regularization_weight), "regularization_weight", p.regularization_weight,
+  check_parameter(is_not_negative(p.normal_weight), "normal_weight", p.normal_weight,
                   "a finite number, 0 or above");
+  read_parameter(np, internal_np::regularization_weight, p.regularization_weight);
+  check_parameter(is_not_negative(p.regularization_weight), "regularization_weight",
+                  p.regularization_weight, "a finite number, 0 or above");
 
   read_parameter(np, internal_np::initial_penalty, p.initial_penalty);
-  check_parameter(is_positive(p.initial_penalty), "initial_penalty", p.initial_penalty, "a finite number above 0");
+  check_parameter(is_positive(p.initial_penalty), "initial_penalty", p.initial_penalty,
+                  "a finite number above 0");
   read_parameter(np, internal_np::maximum_penalty, p.maximum_penalty);
-  check_parameter(is_positive(p.maximum_penalty), "maximum_penalty", p.maximum_penalty, "a finite number above 0");
+  check_parameter(is_positive(p.maximum_penalty), "maximum_penalty", p.maximum_penalty,
+                  "a finite number above 0");
   if (p.method == Method::DEFAULT)
     p.penalty_growth = default_penalty_growth;
   read_parameter(np, internal_np::penalty_growth, p.penalty_growth);
-  check_parameter(std::isfinite(p.penalty_growth) && p.penalty_growth > 1, "penalty_growth", p.penalty_growth,
-                  "a finite number above 1");
-  const double number_of_steps = (std::log(p.maximum_penalty) - std::log(p.initial_penalty)) / std::log(p.penalty_growth);
+  check_parameter(std::isfinite(p.penalty_growth) && p.penalty_growth > 1, "penalty_growth",
+                  p.penalty_growth, "a finite number above 1");
+  const double number_of_steps = (std::log(p.maximum_penalty) - std::log(p.initial_penalty))
+                                 / std::log(p.penalty_growth);
   check_parameter(number_of_steps <= 1e4, "penalty_growth", p.penalty_growth,
                   "a growth that reaches maximum_penalty in 10000 steps");
 
@@ -147,7 +156,8 @@ Parameters checked_parameters(const NamedParameters& np, std::size_t n)
     for (int axis = 0; axis < 3; ++axis)
     {
       p.viewpoint[axis] = double(viewpoint[axis]);
-      check_parameter(std::isfinite(p.viewpoint[axis]), "viewpoint", p.viewpoint[axis], "three finite coordinates");
+      check_parameter(std::isfinite(p.viewpoint[axis]), "viewpoint", p.viewpoint[axis],
+                      "three finite coordinates");
     }
     check_parameter(!is_given(np, internal_np::orientation_hint_map), "viewpoint", "given",
                     "no orientation_hint_map beside it");
@@ -156,21 +166,25 @@ Parameters checked_parameters(const NamedParameters& np, std::size_t n)
 
   read_count(np, internal_np::number_of_orientation_neighbors, "number_of_orientation_neighbors",
              p.number_of_orientation_neighbors);
-  check_parameter(p.number_of_orientation_neighbors >= 3 && p.number_of_orientation_neighbors <= 1000,
-                  "number_of_orientation_neighbors", p.number_of_orientation_neighbors, "3 to 1000");
+  check_parameter(
+    p.number_of_orientation_neighbors >= 3 && p.number_of_orientation_neighbors <= 1000,
+    "number_of_orientation_neighbors", p.number_of_orientation_neighbors, "3 to 1000");
 
   read_parameter(np, internal_np::random_seed, p.random_seed);
   read_parameter(np, internal_np::maximum_memory, p.maximum_memory);
 
   double percentage = 50;
   read_parameter(np, internal_np::select_percentage, percentage);
-  check_parameter(percentage > 0 && percentage <= 100, "select_percentage", percentage, "a number in (0, 100]");
-  p.number_of_output_points = n == 0 ? 0
-                                     : (std::max)(std::size_t(1), std::size_t(std::floor(double(n) * percentage / 100)));
-  read_count(np, internal_np::number_of_output_points, "number_of_output_points", p.number_of_output_points);
-  check_parameter(n < (std::numeric_limits<Index>::max)(), "the number of points", n, "fewer than 2^32 - 1");
-  check_parameter(p.number_of_output_points < (std::numeric_limits<Index>::max)(), "number_of_output_points",
-                  p.number_of_output_points, "fewer than 2^32 - 1");
+  check_parameter(percentage > 0 && percentage <= 100, "select_percentage", percentage,
+                  "a number in (0, 100]");
+  p.number_of_output_points =
+    n == 0 ? 0 : (std::max)(std::size_t(1), std::size_t(std::floor(double(n) * percentage / 100)));
+  read_count(np, internal_np::number_of_output_points, "number_of_output_points",
+             p.number_of_output_points);
+  check_parameter(n < (std::numeric_limits<Index>::max)(), "the number of points", n,
+                  "fewer than 2^32 - 1");
+  check_parameter(p.number_of_output_points < (std::numeric_limits<Index>::max)(),
+                  "number_of_output_points", p.number_of_output_points, "fewer than 2^32 - 1");
   if (n == 0)
     p.number_of_output_points = 0;
   return p;

@@ -21,8 +21,8 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// Samples can start in crowds: where points do, or where many more samples are asked for than there
-/// are points. Removes the samples of each crowd but for a few, which the others follow.
+/// Samples can start in crowds: where points do, or where many more samples are asked for than
+/// there are points. Removes the samples of each crowd but for a few, which the others follow.
 /// \param samples sorted for a grid of cells of size `plan.cell_size`, before and after
 template <typename ConcurrencyTag>
 Followers take_followers(const Plan& plan, Initial_samples& samples)
@@ -30,24 +30,30 @@ Followers take_followers(const Plan& plan, Initial_samples& samples)
   const std::size_t m = samples.positions.size();
   Followers followers(samples.positions.get_allocator());
   // a crowd in the smaller cells is one in these too
-  if (!Crowded_cells(Search_grid_3(samples.positions, plan.cell_size), samples.positions, most_samples_of_subcell)
+  if (!Crowded_cells(Search_grid_3(samples.positions, plan.cell_size), samples.positions,
+                     most_samples_of_subcell)
          .are_there_any<ConcurrencyTag>())
     return followers;
   const double cell_size = plan.self_cell_size();
-  const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(samples.positions, cell_size);
+  const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(samples.positions,
+                                                                          cell_size);
   Buffer<Vector> positions = copy_of(samples.positions);
   apply_order<ConcurrencyTag>(order, positions);
-  const Representatives kept = thin_crowds<ConcurrencyTag>(Search_grid_3(positions, cell_size), positions,
-                                                           most_samples_of_subcell);
+  const Representatives kept = thin_crowds<ConcurrencyTag>(Search_grid_3(positions, cell_size),
+                                                           positions, most_samples_of_subcell);
   if (kept.are_all_points())
     return followers;
 
   Representatives in_old_order{filled_buffer(m, Index(0), order.get_allocator())};
-  for_each_in_order(m, [&](std::size_t i) { in_old_order.of_points[order[i]] = order[kept.of_points[i]]; });
+  for_each_in_order(m, [&](std::size_t i) {
+    in_old_order.of_points[order[i]] = order[kept.of_points[i]];
+  });
   Buffer<Index> places(order.get_allocator()); // of the kept ones among themselves
   places.reserve(m);
   Index number_of_kept = 0;
-  for_each_in_order(m, [&](std::size_t i) { places.push_back(in_old_order.is_kept(i) ? number_of_kept++ : 0); });
+  for_each_in_order(m, [&](std::size_t i) {
+    places.push_back(in_old_order.is_kept(i) ? number_of_kept++ : 0);
+  });
   followers.leaders.reserve(m - number_of_kept);
   followers.offsets.reserve(m - number_of_kept);
   for_each_in_order(m, [&](std::size_t i) {
@@ -57,21 +63,23 @@ Followers take_followers(const Plan& plan, Initial_samples& samples)
     followers.leaders.push_back(places[leader]);
     followers.offsets.push_back(samples.positions[i] - samples.positions[leader]);
   });
-  followers.numbers_of_samples = in_old_order.numbers_of_points([](std::size_t) { return Index(1); });
+  followers.numbers_of_samples = in_old_order.numbers_of_points(
+    [](std::size_t) { return Index(1); });
   in_old_order.keep(samples.positions);
   in_old_order.keep(samples.sources);
   return followers;
 }
 
-/// Section 3.2: the first S. The area that the points stand for, where it is used, tells the spacing of
-/// the samples.
+/// Section 3.2: the first S. The area that the points stand for, where it is used, tells the
+/// spacing of the samples.
 /// \param plan in and out
 /// \param hints used up
 /// \param samples out: all but what the fit finds
 /// \returns the samples that follow others
 template <typename ConcurrencyTag, typename FT>
-Followers choose_samples(const Parameters& parameters, const Prepared_points& input, Buffer<Local_vector>& hints,
-                         Progress& progress, Plan& plan, Samples<FT>& samples)
+Followers choose_samples(const Parameters& parameters, const Prepared_points& input,
+                         Buffer<Local_vector>& hints, Progress& progress, Plan& plan,
+                         Samples<FT>& samples)
 {
   const Buffer<Vector>& points = input.points;
   const std::size_t m = parameters.number_of_output_points;
@@ -79,14 +87,15 @@ Followers choose_samples(const Parameters& parameters, const Prepared_points& in
   Areas areas{Buffer<std::uint64_t>(points.get_allocator()), 0};
   if (plan.uses_areas)
   {
-    areas = areas_of_points<ConcurrencyTag, Local>(input.grid, points, plan.area_radius(),
-                                                   units_per_length_for(plan.cell_size, plan.longest_query()), progress);
+    areas = areas_of_points<ConcurrencyTag, Local>(
+      input.grid, points, plan.area_radius(),
+      units_per_length_for(plan.cell_size, plan.longest_query()), progress);
     plan.set_sample_spacing(std::sqrt(areas.total() / double(m)));
   }
   const Buffer<std::uint64_t> no_areas(points.get_allocator());
-  Initial_samples start = initialize_samples<ConcurrencyTag>(input.grid, points, input.normals,
-                                                             plan.starts_evenly ? areas.units : no_areas, m,
-                                                             plan.radius, parameters.random_seed, progress);
+  Initial_samples start = initialize_samples<ConcurrencyTag>(
+    input.grid, points, input.normals, plan.starts_evenly ? areas.units : no_areas, m, plan.radius,
+    parameters.random_seed, progress);
   Followers followers = take_followers<ConcurrencyTag>(plan, start);
   samples.positions = std::move(start.positions);
   const std::size_t size = samples.positions.size();
@@ -94,24 +103,31 @@ Followers choose_samples(const Parameters& parameters, const Prepared_points& in
   const auto for_each_source = [&](const auto& f) {
     for_each_in_order(size, [&](std::size_t i) { f(start.sources[i]); });
   };
-  for_each_source([&](Index source) { samples.normals.push_back(input.normals[source].cast<FT>().normalized()); });
+  for_each_source([&](Index source) {
+    samples.normals.push_back(input.normals[source].cast<FT>().normalized());
+  });
   if (plan.keeps_spacings)
     for_each_source([&](Index source) {
-      samples.spacings.push_back(FT(std::sqrt(areas.of_point(source) * double(points.size()) / double(m))));
+      samples.spacings.push_back(
+        FT(std::sqrt(areas.of_point(source) * double(points.size()) / double(m))));
     });
   if (plan.refines)
   {
-    const auto starts_on_point = [&](std::size_t i) { return samples.positions[i] == points[start.sources[i]]; };
+    const auto starts_on_point = [&](std::size_t i) {
+      return samples.positions[i] == points[start.sources[i]];
+    };
     std::size_t number_on_points = 0;
     for_each_in_order(size, [&](std::size_t i) { number_on_points += starts_on_point(i); });
-    const Choice_of_voters choice(parameters.random_seed, plan.radius, plan.sample_spacing, m, number_on_points);
+    const Choice_of_voters choice(parameters.random_seed, plan.radius, plan.sample_spacing, m,
+                                  number_on_points);
     samples.are_voters.reserve(size);
     for_each_in_order(size, [&](std::size_t i) {
       samples.are_voters.push_back(starts_on_point(i) && choice.takes(start.sources[i]));
     });
   }
   if (!hints.empty())
-    for_each_source([&](Index source) { samples.hints.push_back(hints[source].template cast<FT>()); });
+    for_each_source(
+      [&](Index source) { samples.hints.push_back(hints[source].template cast<FT>()); });
   release(hints);
   if (!followers.is_empty())
     for_each_in_order(size, [&](std::size_t i) { samples.start_indices.push_back(Index(i)); });

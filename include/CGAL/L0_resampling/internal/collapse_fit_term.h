@@ -17,8 +17,9 @@ namespace internal {
 
 /*!
 Replaces the fit term of each sample by one weight and one point, which is exact:
-\f$ \sum_{q_j \in M_{p_i}} \|p_i - q_j\|^2 / v_j = W_i \|p_i - c_i\|^2 + \mathrm{const} \f$ with \f$ W_i = \sum 1/v_j \f$ and
-\f$ c_i \f$ the mean of the \f$ q_j \f$ weighted by \f$ 1/v_j \f$. The millions of rows of the paper's \f$ A_f \f$ become three a sample.
+\f$ \sum_{q_j \in M_{p_i}} \|p_i - q_j\|^2 / v_j = W_i \|p_i - c_i\|^2 + \mathrm{const} \f$ with
+\f$ W_i = \sum 1/v_j \f$ and \f$ c_i \f$ the mean of the \f$ q_j \f$ weighted by \f$ 1/v_j \f$. The
+millions of rows of the paper's \f$ A_f \f$ become three a sample.
 
 A sample without an original neighbor is tied to where it is.
 
@@ -28,15 +29,17 @@ A sample without an original neighbor is tied to where it is.
 \returns the number of samples without an original neighbor
 */
 template <typename ConcurrencyTag, typename T, typename FT>
-std::size_t collapse_fit_term(const Search_grid_3& sample_grid, const Buffer<Vector>& samples, const Search_grid_3& grid,
-                              const Buffer<Vector>& points, const Buffer<T>& input_density_weights, double radius,
-                              const Buffer<Index>& numbers_of_samples, Progress& progress, Buffer<FT>& fit_weights,
-                              Buffer<Vector>& fit_centroids)
+std::size_t collapse_fit_term(const Search_grid_3& sample_grid, const Buffer<Vector>& samples,
+                              const Search_grid_3& grid, const Buffer<Vector>& points,
+                              const Buffer<T>& input_density_weights, double radius,
+                              const Buffer<Index>& numbers_of_samples, Progress& progress,
+                              Buffer<FT>& fit_weights, Buffer<Vector>& fit_centroids)
 {
   const T squared_radius = T(radius * radius);
   std::atomic<std::size_t> number_of_lonely_samples{0};
   const auto make_visitor = [&]() {
-    return [&, weights = Aligned_vector<T>()](Search_grid_3::Range queries, const Local_points<T>& candidates,
+    return [&, weights = Aligned_vector<T>()](Search_grid_3::Range queries,
+                                              const Local_points<T>& candidates,
                                               const Vector& origin) mutable {
       using L = Lanes<T>;
       weights.assign(candidates.padded_size(), T(0));
@@ -52,7 +55,8 @@ std::size_t collapse_fit_term(const Search_grid_3& sample_grid, const Buffer<Vec
           const L dx = L::load(&candidates.x[k]) - center[0];
           const L dy = L::load(&candidates.y[k]) - center[1];
           const L dz = L::load(&candidates.z[k]) - center[2];
-          const L weight = where_less(dx * dx + dy * dy + dz * dz, squared_radius, L::load(&weights[k]));
+          const L weight = where_less(dx * dx + dy * dy + dz * dz, squared_radius,
+                                      L::load(&weights[k]));
           sum += weight;
           x += weight * dx;
           y += weight * dy;
@@ -73,8 +77,9 @@ std::size_t collapse_fit_term(const Search_grid_3& sample_grid, const Buffer<Vec
       }
     };
   };
-  for_each_cell<T, ConcurrencyTag>(sample_grid, samples, grid, points, cells_in_reach(radius, grid.cell_size()),
-                                   progress, make_visitor);
+  for_each_cell<T, ConcurrencyTag>(sample_grid, samples, grid, points,
+                                   cells_in_reach(radius, grid.cell_size()), progress,
+                                   make_visitor);
   return number_of_lonely_samples;
 }
 

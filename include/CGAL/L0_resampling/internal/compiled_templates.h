@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What does not depend on the caller's types, which the library `CGAL::L0_resampling_compiled` holds
-// compiled. With it, programs compile their own part only: reading the range and writing the result.
+// What does not depend on the caller's types, which the library `CGAL::L0_resampling_compiled`
+// holds compiled. With it, programs compile their own part only: reading the range and writing the
+// result.
 
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_COMPILED_TEMPLATES_H
 #define CGAL_L0_RESAMPLING_INTERNAL_COMPILED_TEMPLATES_H
@@ -19,12 +20,14 @@
 
 /// The instantiations for a concurrency tag and a number type, of the solver and of the caller's
 /// kernel. `declaration` is `template`, or `extern template`.
-#define CGAL_L0_COMPILED_TEMPLATES(declaration, Tag, FT)                                                               \
-  declaration Oriented_points<FT> resample<Tag, FT>(Buffer<Vector>&, Buffer<Local_vector>&, Buffer<Local_vector>&,     \
-                                                    const Parameters&, Any_solver<FT>&, Progress&, Report&);           \
-  declaration Buffer<std::array<FT, 3>> rounded_positions<Tag, FT>(const Buffer<Vector>&, const Input&, double, bool); \
-  declaration void find_near_points<Tag, FT>(const Point_tree_3&, const Buffer<std::array<FT, 3>>&, Progress&,         \
-                                             Near_points&);
+#define CGAL_L0_COMPILED_TEMPLATES(declaration, Tag, FT)                                           \
+  declaration Oriented_points<FT> resample<Tag, FT>(Buffer<Vector>&, Buffer<Local_vector>&,        \
+                                                    Buffer<Local_vector>&, const Parameters&,      \
+                                                    Any_solver<FT>&, Progress&, Report&);          \
+  declaration Buffer<std::array<FT, 3>> rounded_positions<Tag, FT>(const Buffer<Vector>&,          \
+                                                                   const Input&, double, bool);    \
+  declaration void find_near_points<Tag, FT>(                                                      \
+    const Point_tree_3&, const Buffer<std::array<FT, 3>>&, Progress&, Near_points&);
 
 #ifdef CGAL_L0_LINKED_WITH_COMPILED
 

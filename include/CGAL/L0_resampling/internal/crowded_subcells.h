@@ -39,9 +39,10 @@ CGAL_L0_HOST_DEVICE inline unsigned subcell_of(const double* xyz, double cell_si
   return number;
 }
 
-/// Whether the point of this rank is one of the `limit` that are kept of `count`, evenly spread over
-/// the ranks; the first one always is.
-CGAL_L0_HOST_DEVICE inline bool is_kept_of_crowd(std::uint64_t rank, std::uint64_t count, std::uint64_t limit)
+/// Whether the point of this rank is one of the `limit` that are kept of `count`, evenly spread
+/// over the ranks; the first one always is.
+CGAL_L0_HOST_DEVICE inline bool is_kept_of_crowd(std::uint64_t rank, std::uint64_t count,
+                                                 std::uint64_t limit)
 {
   return count <= limit || rank == 0 || rank * limit / count != (rank - 1) * limit / count;
 }

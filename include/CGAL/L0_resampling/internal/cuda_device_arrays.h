@@ -45,9 +45,9 @@ Answer wait_for(Session& session, std::int64_t stream);
 /// \param points that may be non-finite
 /// \param size from 1 to 2^32 - 2
 /// \param normals, hints of any length and sign, or null
-Answer upload_from_device(Session& session, const Device_rows& points, std::size_t size, const Device_rows* normals,
-                          const Device_rows* hints, bool drop_non_finite, std::size_t maximum_memory,
-                          Device_points& taken);
+Answer upload_from_device(Session& session, const Device_rows& points, std::size_t size,
+                          const Device_rows* normals, const Device_rows* hints,
+                          bool drop_non_finite, std::size_t maximum_memory, Device_points& taken);
 
 /// As `download()`, to arrays on the session's device, in the order of C.
 /// \tparam FT `float` or `double`
@@ -55,8 +55,8 @@ Answer upload_from_device(Session& session, const Device_rows& points, std::size
 /// \param may_have_equal_points out: whether two positions are equal: true whenever they are, and
 /// next to never when not
 template <typename FT>
-Answer download_to_device(Session& session, const FT* low, const FT* high, FT* positions, FT* normals,
-                          bool& may_have_equal_points);
+Answer download_to_device(Session& session, const FT* low, const FT* high, FT* positions,
+                          FT* normals, bool& may_have_equal_points);
 
 /// The device that memory belongs to.
 Answer find_device_of(const void* data, int& device);

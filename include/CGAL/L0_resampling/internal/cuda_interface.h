@@ -14,8 +14,9 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// What the library `CGAL_L0_CUDA` defines and headers call: plain structs, built-in types and no exception cross this border, so that
-/// the two sides may be built by different compilers, and users never need that of CUDA.
+/// What the library `CGAL_L0_CUDA` defines and headers call: plain structs, built-in types and no
+/// exception cross this border, so that the two sides may be built by different compilers, and
+/// users never need that of CUDA.
 namespace cuda {
 
 enum class Status
@@ -78,7 +79,8 @@ struct Call_report
 /// Asked now and then, with a share in [0, 1] that never falls; `false` cancels. Must not throw.
 struct Progress_callback
 {
-  bool (*function)(void* context, double share) = nullptr; ///< null for none, which spares the device the waiting
+  bool (*function)(void* context,
+                   double share) = nullptr; ///< null for none, which spares the device the waiting
   void* context = nullptr;
 };
 
@@ -97,15 +99,18 @@ void destroy(Session* session) noexcept;
 /// \param points xyz interleaved, finite
 /// \param size from 1 to 2^32 - 2
 /// \param normals, hints unit or zero vectors, xyz interleaved, or null
-/// \param maximum_memory that the session may hold on the device, in bytes; `resample()` has it among its parameters
-Answer upload(Session& session, const double* points, std::size_t size, const float* normals, const float* hints,
-              std::size_t maximum_memory);
+/// \param maximum_memory that the session may hold on the device, in bytes; `resample()` has it
+/// among its parameters
+Answer upload(Session& session, const double* points, std::size_t size, const float* normals,
+              const float* hints, std::size_t maximum_memory);
 
 /// Resamples the points of the session. The result stays on the device until the next call.
 /// \param parameters checked, in the unit of the input
-Answer resample(Session& session, const Parameters& parameters, Progress_callback progress, Call_report& report);
+Answer resample(Session& session, const Parameters& parameters, Progress_callback progress,
+                Call_report& report);
 
-/// Brings the result to the host: positions in the coordinates of the input, normals of unit length; xyz interleaved.
+/// Brings the result to the host: positions in the coordinates of the input, normals of unit
+/// length; xyz interleaved.
 Answer download(Session& session, double* positions, float* normals);
 
 /// What tests let go wrong.
@@ -117,7 +122,8 @@ enum class Fault
 };
 
 /// Plants a fault, in place of any other that was planted and has not come yet.
-/// \param countdown which one of the next allocations fails, from 1; for a kernel, which one of the next calls of `resample()` runs it
+/// \param countdown which one of the next allocations fails, from 1; for a kernel, which one of the
+/// next calls of `resample()` runs it
 void plant_fault(Fault fault, std::size_t countdown);
 
 /// A sparse matrix in compressed rows.
@@ -138,14 +144,18 @@ struct Least_squares_report
   double seconds;           ///< by the device's clock, without the way there and back
 };
 
-/// Conjugate gradients on the normal equations of min |A x - b|, which are never formed (CGLS), by cuSPARSE and cuBLAS.
-/// \param matrix, transposed A and its transpose: a product with a stored transpose is faster, and the same from run to run
+/// Conjugate gradients on the normal equations of min |A x - b|, which are never formed (CGLS), by
+/// cuSPARSE and cuBLAS.
+/// \param matrix, transposed A and its transpose: a product with a stored transpose is faster, and
+/// the same from run to run
 /// \param x in: the initial guess; out: the solution, if DONE
-Answer solve_least_squares(const Sparse_matrix<float>& matrix, const Sparse_matrix<float>& transposed, const float* rhs,
+Answer solve_least_squares(const Sparse_matrix<float>& matrix,
+                           const Sparse_matrix<float>& transposed, const float* rhs,
                            double tolerance, std::size_t maximum_number_of_iterations, float* x,
                            Least_squares_report& report);
-Answer solve_least_squares(const Sparse_matrix<double>& matrix, const Sparse_matrix<double>& transposed,
-                           const double* rhs, double tolerance, std::size_t maximum_number_of_iterations, double* x,
+Answer solve_least_squares(const Sparse_matrix<double>& matrix,
+                           const Sparse_matrix<double>& transposed, const double* rhs,
+                           double tolerance, std::size_t maximum_number_of_iterations, double* x,
                            Least_squares_report& report);
 
 } // namespace cuda

@@ -20,7 +20,8 @@ namespace internal {
 /// The samples that stand for those around them, as dipoles along their normals.
 inline std::vector<Index> samples_of_dipoles(std::size_t number_of_samples)
 {
-  const std::size_t number_of_dipoles = (std::min)(number_of_samples, std::size_t(maximum_number_of_dipoles));
+  const std::size_t number_of_dipoles = (std::min)(number_of_samples,
+                                                   std::size_t(maximum_number_of_dipoles));
   std::vector<Index> samples;
   for (std::size_t k = 0; k < number_of_dipoles; ++k)
     samples.push_back(Index(sample_of_dipole(k, number_of_samples, number_of_dipoles)));
@@ -35,7 +36,8 @@ struct Dipoles_of_set
 
 /// The sets that have dipoles, by their roots.
 /// \param samples that are dipoles
-inline std::vector<Dipoles_of_set> dipoles_of_sets(const std::vector<Index>& samples, const Signed_union_find& sets)
+inline std::vector<Dipoles_of_set> dipoles_of_sets(const std::vector<Index>& samples,
+                                                   const Signed_union_find& sets)
 {
   std::vector<Index> roots;
   for (Index i : samples)

@@ -18,72 +18,82 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// Fits planes to the balls of this radius around the points listed in `open`, and strikes those off that found one.
+/// Fits planes to the balls of this radius around the points listed in `open`, and strikes those
+/// off that found one.
 /// \param points that `open` and `normals` count
 /// \param sorted_points the same, sorted for `grid`
 template <typename ConcurrencyTag, typename T>
-void refit_in_larger_balls(const Buffer<Vector>& points, const Search_grid_3& grid, const Buffer<Vector>& sorted_points,
-                           double radius, Progress& progress, Buffer<Index>& open, Buffer<Eigen::Matrix<T, 3, 1>>& normals)
+void refit_in_larger_balls(const Buffer<Vector>& points, const Search_grid_3& grid,
+                           const Buffer<Vector>& sorted_points, double radius, Progress& progress,
+                           Buffer<Index>& open, Buffer<Eigen::Matrix<T, 3, 1>>& normals)
 {
   Buffer<Vector> open_points(points.get_allocator());
   open_points.reserve(open.size());
   for_each_in_order(open.size(), [&](std::size_t k) { open_points.push_back(points[open[k]]); });
-  const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(open_points, grid.cell_size());
+  const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(open_points,
+                                                                          grid.cell_size());
   apply_order(order, open_points);
   apply_order(order, open);
   const Search_grid_3 open_grid(open_points, grid.cell_size());
 
   const Index closed = (std::numeric_limits<Index>::max)();
   const auto make_visitor = [&]() {
-    return [&](Search_grid_3::Range queries, const Local_points<T>& candidates, const Vector& origin) {
-      for (Index k = queries.first; k < queries.second; ++k)
-      {
-        const Plane_fit<T> fit = fit_plane<T>((open_points[k] - origin).template cast<T>(), candidates,
-                                              T(radius * radius));
-        normals[open[k]] = fit.normal;
-        if (fit.spans_plane)
-          open[k] = closed;
-      }
-    };
+    return
+      [&](Search_grid_3::Range queries, const Local_points<T>& candidates, const Vector& origin) {
+        for (Index k = queries.first; k < queries.second; ++k)
+        {
+          const Plane_fit<T> fit = fit_plane<T>((open_points[k] - origin).template cast<T>(),
+                                                candidates, T(radius * radius));
+          normals[open[k]] = fit.normal;
+          if (fit.spans_plane)
+            open[k] = closed;
+        }
+      };
   };
   for_each_cell<T, ConcurrencyTag>(open_grid, open_points, grid, sorted_points,
-                                   cells_in_reach(radius, grid.cell_size()), progress, make_visitor);
+                                   cells_in_reach(radius, grid.cell_size()), progress,
+                                   make_visitor);
   open.erase(std::remove(open.begin(), open.end(), closed), open.end());
 }
 
-/// Computes an unoriented normal for each point from the points of its ball. A point whose ball spans no plane takes the
-/// normal of the next larger ball that does, of twice, four times ... the radius; if none does, whatever the largest gave.
+/// Computes an unoriented normal for each point from the points of its ball. A point whose ball
+/// spans no plane takes the normal of the next larger ball that does, of twice, four times ... the
+/// radius; if none does, whatever the largest gave.
 /// \param points sorted for `grid`
 /// \param normals out: one unit vector a point
 /// \returns the number of points whose own ball spanned no plane
 template <typename ConcurrencyTag, typename T>
-std::size_t estimate_pca_normals(const Search_grid_3& grid, const Buffer<Vector>& points, double radius,
-                                 Progress& progress, Buffer<Eigen::Matrix<T, 3, 1>>& normals)
+std::size_t estimate_pca_normals(const Search_grid_3& grid, const Buffer<Vector>& points,
+                                 double radius, Progress& progress,
+                                 Buffer<Eigen::Matrix<T, 3, 1>>& normals)
 {
   const int number_of_doublings = 10;
   Buffer<unsigned char> is_degenerate(points.size(), 0, points.get_allocator());
   std::atomic<std::size_t> number_of_degenerate{0};
 
   const auto make_visitor = [&]() {
-    return [&](Search_grid_3::Range queries, const Local_points<T>& candidates, const Vector& origin) {
-      for (Index i = queries.first; i < queries.second; ++i)
-      {
-        const Plane_fit<T> fit = fit_plane<T>((points[i] - origin).template cast<T>(), candidates, T(radius * radius));
-        normals[i] = fit.normal;
-        if (!fit.spans_plane)
+    return
+      [&](Search_grid_3::Range queries, const Local_points<T>& candidates, const Vector& origin) {
+        for (Index i = queries.first; i < queries.second; ++i)
         {
-          is_degenerate[i] = 1;
-          ++number_of_degenerate;
+          const Plane_fit<T> fit = fit_plane<T>((points[i] - origin).template cast<T>(), candidates,
+                                                T(radius * radius));
+          normals[i] = fit.normal;
+          if (!fit.spans_plane)
+          {
+            is_degenerate[i] = 1;
+            ++number_of_degenerate;
+          }
         }
-      }
-    };
+      };
   };
-  for_each_cell<T, ConcurrencyTag>(grid, points, grid, points, cells_in_reach(radius, grid.cell_size()), progress,
-                                   make_visitor);
+  for_each_cell<T, ConcurrencyTag>(
+    grid, points, grid, points, cells_in_reach(radius, grid.cell_size()), progress, make_visitor);
   if (number_of_degenerate == 0)
     return 0;
 
-  // Few points in a healthy cloud: the others leave the loop, what is left meets coarser and coarser grids.
+  // Few points in a healthy cloud: the others leave the loop, what is left meets coarser and
+  // coarser grids.
   Buffer<Index> open(points.get_allocator());
   open.reserve(number_of_degenerate);
   for_each_in_order(points.size(), [&](std::size_t i) {
@@ -93,15 +103,18 @@ std::size_t estimate_pca_normals(const Search_grid_3& grid, const Buffer<Vector>
   for (int doubling = 1; doubling <= number_of_doublings && !open.empty(); ++doubling)
   {
     const double larger_radius = std::ldexp(radius, doubling);
-    const int farthest_reach = 3; // sorting all points anew costs more than to look at so many cells for a few of them
+    const int farthest_reach =
+      3; // sorting all points anew costs more than to look at so many cells for a few of them
     if (cells_in_reach(larger_radius, grid.cell_size()) <= farthest_reach)
-      refit_in_larger_balls<ConcurrencyTag>(points, grid, points, larger_radius, progress, open, normals);
+      refit_in_larger_balls<ConcurrencyTag>(points, grid, points, larger_radius, progress, open,
+                                            normals);
     else
     {
       Buffer<Vector> coarse_points = copy_of(points);
-      apply_order(Search_grid_3::sorted_order<ConcurrencyTag>(points, larger_radius), coarse_points);
-      refit_in_larger_balls<ConcurrencyTag>(points, Search_grid_3(coarse_points, larger_radius), coarse_points,
-                                            larger_radius, progress, open, normals);
+      apply_order(Search_grid_3::sorted_order<ConcurrencyTag>(points, larger_radius),
+                  coarse_points);
+      refit_in_larger_balls<ConcurrencyTag>(points, Search_grid_3(coarse_points, larger_radius),
+                                            coarse_points, larger_radius, progress, open, normals);
     }
   }
   return number_of_degenerate;

@@ -28,17 +28,21 @@ struct Plane_fit
 
 /// Fits a plane to the candidates in the ball around `center`, as `Plane_moments::plane()` does.
 template <typename T>
-Plane_fit<T> fit_plane(const Eigen::Matrix<T, 3, 1>& center, const Local_points<T>& candidates, T squared_radius)
+Plane_fit<T> fit_plane(const Eigen::Matrix<T, 3, 1>& center, const Local_points<T>& candidates,
+                       T squared_radius)
 {
   using L = Lanes<T>;
   Plane_moments<L> lanes;
-  candidates.for_each_run_in_ball(center, squared_radius, [&](std::size_t k, const L& squared_distance) {
-    lanes.add(L::load(&candidates.x[k]) - center[0], L::load(&candidates.y[k]) - center[1],
-              L::load(&candidates.z[k]) - center[2], where_less(squared_distance, squared_radius, L(T(1))));
-  });
+  candidates.for_each_run_in_ball(
+    center, squared_radius, [&](std::size_t k, const L& squared_distance) {
+      lanes.add(L::load(&candidates.x[k]) - center[0], L::load(&candidates.y[k]) - center[1],
+                L::load(&candidates.z[k]) - center[2],
+                where_less(squared_distance, squared_radius, L(T(1))));
+    });
   const Plane_moments<double> moments = sum_of_lanes(lanes);
 
-  const Fitted_plane plane = moments.plane(double(squared_radius), double(std::numeric_limits<T>::epsilon()));
+  const Fitted_plane plane = moments.plane(double(squared_radius),
+                                           double(std::numeric_limits<T>::epsilon()));
   return {{T(plane.normal.x), T(plane.normal.y), T(plane.normal.z)},
           plane.spans_plane,
           plane.variance,

@@ -20,29 +20,32 @@ namespace internal {
 
 /// Of the candidates in the ball around `center`, over the plane through it.
 template <typename T>
-Height_moments<double> moments_over_plane(const Eigen::Matrix<T, 3, 1>& center, const Eigen::Matrix<T, 3, 1>& normal,
+Height_moments<double> moments_over_plane(const Eigen::Matrix<T, 3, 1>& center,
+                                          const Eigen::Matrix<T, 3, 1>& normal,
                                           const Local_points<T>& candidates, T squared_radius)
 {
   using L = Lanes<T>;
   Height_moments<L> lanes;
-  candidates.for_each_run_in_ball(center, squared_radius, [&](std::size_t k, const L& squared_distance) {
-    const L height = (L::load(&candidates.x[k]) - center[0]) * normal[0]
-                     + (L::load(&candidates.y[k]) - center[1]) * normal[1]
-                     + (L::load(&candidates.z[k]) - center[2]) * normal[2];
-    lanes.add(height, where_less(squared_distance, squared_radius, L(T(1))));
-  });
+  candidates.for_each_run_in_ball(
+    center, squared_radius, [&](std::size_t k, const L& squared_distance) {
+      const L height = (L::load(&candidates.x[k]) - center[0]) * normal[0]
+                       + (L::load(&candidates.y[k]) - center[1]) * normal[1]
+                       + (L::load(&candidates.z[k]) - center[2]) * normal[2];
+      lanes.add(height, where_less(squared_distance, squared_radius, L(T(1))));
+    });
   return sum_of_lanes(lanes);
 }
 
 /*!
-The scales of a point set, by `scales_of_growing_balls()`. Of points at one place one counts, however many there are: they tell nothing of a plane, and
-balls would shrink to a few places.
+The scales of a point set, by `scales_of_growing_balls()`. Of points at one place one counts,
+however many there are: they tell nothing of a plane, and balls would shrink to a few places.
 
 \param initial_radius a length; the largest ball is 8 times as large. The paper's r_p is a good one
 \returns spacing and noise in units of `initial_radius`
 */
 template <typename ConcurrencyTag, typename T>
-Scales estimate_scales(const Buffer<Vector>& unsorted_points, double initial_radius, Progress& progress)
+Scales estimate_scales(const Buffer<Vector>& unsorted_points, double initial_radius,
+                       Progress& progress)
 {
   const double cell_size = 0.25;
   Buffer<Vector> points = copy_of(unsorted_points);
@@ -59,15 +62,17 @@ Scales estimate_scales(const Buffer<Vector>& unsorted_points, double initial_rad
   std::vector<Ball_of_points> balls(queries.size());
   return scales_of_growing_balls(cell_size, [&](int reach, double radius) {
     for_each_cell<T, ConcurrencyTag>(query_grid, queries, grid, points, reach, progress, [&]() {
-      return [&](Search_grid_3::Range range, const Local_points<T>& candidates, const Vector& origin) {
-        for (Index i = range.first; i < range.second; ++i)
-        {
-          const Eigen::Matrix<T, 3, 1> center = (queries[i] - origin).template cast<T>();
-          const Plane_fit<T> fit = fit_plane<T>(center, candidates, T(radius * radius));
-          balls[i] = ball_of_points(double(fit.number_of_points), double(candidates.stride), double(fit.variance),
-                                    moments_over_plane(center, fit.normal, candidates, T(radius * radius)));
-        }
-      };
+      return
+        [&](Search_grid_3::Range range, const Local_points<T>& candidates, const Vector& origin) {
+          for (Index i = range.first; i < range.second; ++i)
+          {
+            const Eigen::Matrix<T, 3, 1> center = (queries[i] - origin).template cast<T>();
+            const Plane_fit<T> fit = fit_plane<T>(center, candidates, T(radius * radius));
+            balls[i] = ball_of_points(
+              double(fit.number_of_points), double(candidates.stride), double(fit.variance),
+              moments_over_plane(center, fit.normal, candidates, T(radius * radius)));
+          }
+        };
     });
     return balls;
   });

@@ -30,7 +30,8 @@ struct Near_points
 
   Index nearest(std::size_t i) const { return indices[i * count]; }
 
-  /// The weighted mean of a value of the input points near point i of the result. Values that are not finite do not count; if all are, it is the nearest's.
+  /// The weighted mean of a value of the input points near point i of the result. Values that are
+  /// not finite do not count; if all are, it is the nearest's.
   /// \param value_of called with the index of an input point, gives a `double`
   template <typename F>
   double mean(std::size_t i, const F& value_of) const
@@ -43,42 +44,45 @@ struct Near_points
         continue;
       if (!std::isfinite(first))
         first = value;
-      sum += double(weights[n]) * (value - first); // of differences: the mean of equal values is that value
+      sum += double(weights[n])
+             * (value - first); // of differences: the mean of equal values is that value
       total += double(weights[n]);
     }
     return total > 0 ? first + sum / total : first;
   }
 };
 
-/// Finds the `count` input points nearest to each of the `queries`; where distances are equal, those of the smallest indices.
-/// A point weighs \f$ e^{-d^2/h^2} \f$, where \f$ h^2 \f$ is the mean of the squared distances of all that were found.
+/// Finds the `count` input points nearest to each of the `queries`; where distances are equal,
+/// those of the smallest indices. A point weighs \f$ e^{-d^2/h^2} \f$, where \f$ h^2 \f$ is the
+/// mean of the squared distances of all that were found.
 /// \param tree of the input, not empty
 template <typename ConcurrencyTag, typename FT>
-void find_near_points(const Point_tree_3& tree, const Buffer<std::array<FT, 3>>& queries, Progress& progress,
-                      Near_points& near_points)
+void find_near_points(const Point_tree_3& tree, const Buffer<std::array<FT, 3>>& queries,
+                      Progress& progress, Near_points& near_points)
 {
   const std::size_t count = near_points.count, queries_per_block = 1024;
   fill_buffer(queries.size() * count, Index(0), near_points.indices);
   fill_buffer(queries.size() * count, 0.f, near_points.weights);
-  for_each_block<ConcurrencyTag>(queries.size(), queries_per_block, [&](std::size_t begin, std::size_t end) {
-    std::vector<Point_tree_3::Candidate> found(count);
-    for (std::size_t i = begin; i < end; ++i)
-    {
-      const Vector query{double(queries[i][0]), double(queries[i][1]), double(queries[i][2])};
-      const std::size_t size = tree.find_nearest(query, count, found.data());
-      double squared_bandwidth = 0;
-      for (std::size_t n = 0; n < size; ++n)
-        squared_bandwidth += found[n].first / double(size);
-      for (std::size_t n = 0; n < size; ++n)
+  for_each_block<ConcurrencyTag>(
+    queries.size(), queries_per_block, [&](std::size_t begin, std::size_t end) {
+      std::vector<Point_tree_3::Candidate> found(count);
+      for (std::size_t i = begin; i < end; ++i)
       {
-        near_points.indices[i * count + n] = found[n].second;
-        near_points.weights[i * count + n] = squared_bandwidth > 0
-                                               ? float(gaussian_weight(found[n].first / squared_bandwidth, 1.))
-                                               : 1.f;
+        const Vector query{double(queries[i][0]), double(queries[i][1]), double(queries[i][2])};
+        const std::size_t size = tree.find_nearest(query, count, found.data());
+        double squared_bandwidth = 0;
+        for (std::size_t n = 0; n < size; ++n)
+          squared_bandwidth += found[n].first / double(size);
+        for (std::size_t n = 0; n < size; ++n)
+        {
+          near_points.indices[i * count + n] = found[n].second;
+          near_points.weights[i * count + n] =
+            squared_bandwidth > 0 ? float(gaussian_weight(found[n].first / squared_bandwidth, 1.))
+                                  : 1.f;
+        }
       }
-    }
-    progress.advance(end - begin);
-  });
+      progress.advance(end - begin);
+    });
 }
 
 } // namespace internal

@@ -20,7 +20,8 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// The number of points in the ball of each query, itself included, and in the one of half the radius.
+/// The number of points in the ball of each query, itself included, and in the one of half the
+/// radius.
 struct Counts_in_balls
 {
   Buffer<double> in_ball, in_half_ball;
@@ -29,28 +30,31 @@ struct Counts_in_balls
 /// \param queries sorted for `query_grid`
 /// \param points sorted for `grid`; neither has cells smaller than `radius`
 template <typename T, typename ConcurrencyTag>
-Counts_in_balls count_points_in_balls(const Search_grid_3& query_grid, const Buffer<Vector>& queries,
-                                      const Search_grid_3& grid, const Buffer<Vector>& points, double radius,
+Counts_in_balls count_points_in_balls(const Search_grid_3& query_grid,
+                                      const Buffer<Vector>& queries, const Search_grid_3& grid,
+                                      const Buffer<Vector>& points, double radius,
                                       Progress& progress)
 {
   const T squared_radius = T(radius * radius), squared_half_radius = squared_radius / 4;
   Counts_in_balls counts{filled_buffer(queries.size(), 0., queries.get_allocator()),
                          filled_buffer(queries.size(), 0., queries.get_allocator())};
   for_each_cell<T, ConcurrencyTag>(query_grid, queries, grid, points, 1, progress, [&]() {
-    return [&](Search_grid_3::Range range, const Local_points<T>& candidates, const Vector& origin) {
-      using L = Lanes<T>;
-      for (Index i = range.first; i < range.second; ++i)
-      {
-        L in_ball, in_half_ball;
-        candidates.for_each_run_in_ball((queries[i] - origin).template cast<T>(), squared_radius,
-                                        [&](std::size_t, const L& squared_distance) {
-                                          in_ball += where_less(squared_distance, squared_radius, L(T(1)));
-                                          in_half_ball += where_less(squared_distance, squared_half_radius, L(T(1)));
-                                        });
-        counts.in_ball[i] = double(in_ball.sum()) * double(candidates.stride);
-        counts.in_half_ball[i] = double(in_half_ball.sum()) * double(candidates.stride);
-      }
-    };
+    return
+      [&](Search_grid_3::Range range, const Local_points<T>& candidates, const Vector& origin) {
+        using L = Lanes<T>;
+        for (Index i = range.first; i < range.second; ++i)
+        {
+          L in_ball, in_half_ball;
+          candidates.for_each_run_in_ball(
+            (queries[i] - origin).template cast<T>(), squared_radius,
+            [&](std::size_t, const L& squared_distance) {
+              in_ball += where_less(squared_distance, squared_radius, L(T(1)));
+              in_half_ball += where_less(squared_distance, squared_half_radius, L(T(1)));
+            });
+          counts.in_ball[i] = double(in_ball.sum()) * double(candidates.stride);
+          counts.in_half_ball[i] = double(in_half_ball.sum()) * double(candidates.stride);
+        }
+      };
   });
   return counts;
 }
@@ -64,7 +68,8 @@ public:
   explicit Range_sums(const Buffer<double>& values) : m_sums(1, 0., values.get_allocator())
   {
     m_sums.reserve(values.size() + 1);
-    for_each_in_order(values.size(), [&](std::size_t i) { m_sums.push_back(m_sums.back() + values[i]); });
+    for_each_in_order(values.size(),
+                      [&](std::size_t i) { m_sums.push_back(m_sums.back() + values[i]); });
   }
 
   double operator()(const std::vector<Search_grid_3::Range>& ranges) const
@@ -78,29 +83,35 @@ public:
 
 /// The mean of the values of the points in the block of cells around the cell of each point.
 template <typename ConcurrencyTag>
-Buffer<double> means_around(const Search_grid_3& grid, const Buffer<double>& values, Progress& progress)
+Buffer<double> means_around(const Search_grid_3& grid, const Buffer<double>& values,
+                            Progress& progress)
 {
   const Range_sums sums(values);
   Buffer<double> means = filled_buffer(values.size(), 0., values.get_allocator());
   for_each_cell_block<ConcurrencyTag>(grid, grid, 1, progress, [&]() {
     return [&](Index cell, const std::vector<Search_grid_3::Range>& ranges, std::size_t count) {
       const Search_grid_3::Range own = grid.points_of_cell(cell);
-      std::fill(means.begin() + own.first, means.begin() + own.second, sums(ranges) / double(count));
+      std::fill(means.begin() + own.first, means.begin() + own.second,
+                sums(ranges) / double(count));
     };
   });
   return means;
 }
 
 /*!
-Whether sparse points fill space, as a crowd of outliers does, rather than lie in a sheet, as the sparse end of a scan: by how the numbers of points grow from their balls of r_p/2 to those of
-2 r_p, in sum over the sparse points in the block of cells of 2 r_p around each. A point alone has too few others to tell.
+Whether sparse points fill space, as a crowd of outliers does, rather than lie in a sheet, as the
+sparse end of a scan: by how the numbers of points grow from their balls of r_p/2 to those of 2 r_p,
+in sum over the sparse points in the block of cells of 2 r_p around each. A point alone has too few
+others to tell.
 
 \param counts_in_half_balls of the sparse points
 \param radius \f$ r_p \f$
 */
 template <typename T, typename ConcurrencyTag>
-Buffer<unsigned char> fill_space(const Buffer<Vector>& unsorted_points, const Buffer<Vector>& unsorted_sparse_points,
-                                 const Buffer<double>& counts_in_half_balls, double radius, Progress& progress)
+Buffer<unsigned char> fill_space(const Buffer<Vector>& unsorted_points,
+                                 const Buffer<Vector>& unsorted_sparse_points,
+                                 const Buffer<double>& counts_in_half_balls, double radius,
+                                 Progress& progress)
 {
   const double cell_size = 2 * radius;
   const auto sort = [&](const Buffer<Index>& order, const auto& unsorted) {
@@ -108,9 +119,10 @@ Buffer<unsigned char> fill_space(const Buffer<Vector>& unsorted_points, const Bu
     apply_order(order, values);
     return values;
   };
-  const Buffer<Vector> points = sort(Search_grid_3::sorted_order<ConcurrencyTag>(unsorted_points, cell_size),
-                                     unsorted_points);
-  const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(unsorted_sparse_points, cell_size);
+  const Buffer<Vector> points =
+    sort(Search_grid_3::sorted_order<ConcurrencyTag>(unsorted_points, cell_size), unsorted_points);
+  const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(unsorted_sparse_points,
+                                                                          cell_size);
   const Buffer<Vector> sparse_points = sort(order, unsorted_sparse_points);
   const Search_grid_3 grid(points, cell_size), sparse_grid(sparse_points, cell_size);
 
@@ -121,13 +133,16 @@ Buffer<unsigned char> fill_space(const Buffer<Vector>& unsorted_points, const Bu
     return counts;
   };
   const Range_sums inner_sums(others(sort(order, counts_in_half_balls)));
-  const Range_sums outer_sums(others(
-    count_points_in_balls<T, ConcurrencyTag>(sparse_grid, sparse_points, grid, points, cell_size, progress).in_ball));
+  const Range_sums outer_sums(
+    others(count_points_in_balls<T, ConcurrencyTag>(sparse_grid, sparse_points, grid, points,
+                                                    cell_size, progress)
+             .in_ball));
   Buffer<unsigned char> result = filled_buffer(sparse_points.size(), static_cast<unsigned char>(0),
                                                unsorted_points.get_allocator());
   for_each_cell_block<Sequential_tag>(sparse_grid, sparse_grid, 1, progress, [&]() {
     return [&](Index cell, const std::vector<Search_grid_3::Range>& ranges, std::size_t) {
-      const bool fills = outer_sums(ranges) > growth_of_space * (inner_sums(ranges) + points_of_doubt);
+      const bool fills = outer_sums(ranges)
+                         > growth_of_space * (inner_sums(ranges) + points_of_doubt);
       const Search_grid_3::Range own = sparse_grid.points_of_cell(cell);
       for (Index i = own.first; i < own.second; ++i)
         result[order[i]] = fills;
@@ -136,18 +151,23 @@ Buffer<unsigned char> fill_space(const Buffer<Vector>& unsorted_points, const Bu
   return result;
 }
 
-/// The number of points of the connected part that each point is in, where cells that touch are connected.
+/// The number of points of the connected part that each point is in, where cells that touch are
+/// connected.
 template <typename ConcurrencyTag>
-Buffer<Index> sizes_of_parts(const Buffer<Vector>& unsorted_points, double cell_size, Progress& progress)
+Buffer<Index> sizes_of_parts(const Buffer<Vector>& unsorted_points, double cell_size,
+                             Progress& progress)
 {
   const Counting_allocator<Index> allocator = unsorted_points.get_allocator();
   const std::size_t n = unsorted_points.size();
-  const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(unsorted_points, cell_size);
+  const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(unsorted_points,
+                                                                          cell_size);
   Buffer<Vector> points = copy_of(unsorted_points);
   apply_order(order, points);
   const Search_grid_3 grid(points, cell_size);
-  Buffer<Index> ranks = filled_buffer(n, Index(0), allocator), parents = filled_buffer(n, Index(0), allocator),
-                sizes = filled_buffer(n, Index(0), allocator), sizes_of_points = filled_buffer(n, Index(0), allocator);
+  Buffer<Index> ranks = filled_buffer(n, Index(0), allocator),
+                parents = filled_buffer(n, Index(0), allocator),
+                sizes = filled_buffer(n, Index(0), allocator),
+                sizes_of_points = filled_buffer(n, Index(0), allocator);
   boost::disjoint_sets<Index*, Index*> parts(ranks.data(), parents.data());
   for_each_in_order(n, [&](std::size_t i) { parts.make_set(Index(i)); });
   for_each_cell_block<Sequential_tag>(grid, grid, 1, progress, [&]() {
@@ -164,7 +184,9 @@ Buffer<Index> sizes_of_parts(const Buffer<Vector>& unsorted_points, double cell_
     };
   });
   for_each_in_order(n, [&](std::size_t i) { ++sizes[parts.find_set(Index(i))]; });
-  for_each_in_order(n, [&](std::size_t i) { sizes_of_points[order[i]] = sizes[parts.find_set(Index(i))]; });
+  for_each_in_order(n, [&](std::size_t i) {
+    sizes_of_points[order[i]] = sizes[parts.find_set(Index(i))];
+  });
   return sizes_of_points;
 }
 
@@ -177,15 +199,18 @@ inline double median_of(Buffer<double> values)
 }
 
 /*!
-Finds the points that lie off the cloud: those whose ball holds far fewer points than the balls around them do, or than the median ball of the cloud; sparse ones that fill
-space; and, among the others, those of parts that hang together and have fewer points than half a median ball, such as clusters of outliers. The first
-comparison is with the surroundings so that a sparse region of a surface stays. If that would be all points, there are none.
+Finds the points that lie off the cloud: those whose ball holds far fewer points than the balls
+around them do, or than the median ball of the cloud; sparse ones that fill space; and, among the
+others, those of parts that hang together and have fewer points than half a median ball, such as
+clusters of outliers. The first comparison is with the surroundings so that a sparse region of a
+surface stays. If that would be all points, there are none.
 
 \param radius of the ball, \f$ r_p \f$
 \returns whether each point is an outlier
 */
 template <typename T, typename ConcurrencyTag>
-Buffer<unsigned char> find_outliers(const Buffer<Vector>& unsorted_points, double radius, Progress& progress)
+Buffer<unsigned char> find_outliers(const Buffer<Vector>& unsorted_points, double radius,
+                                    Progress& progress)
 {
   const auto allocator = unsorted_points.get_allocator();
   const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(unsorted_points, radius);
@@ -199,8 +224,10 @@ Buffer<unsigned char> find_outliers(const Buffer<Vector>& unsorted_points, doubl
   bool is_any_sparse_kept = false;
   {
     const Search_grid_3 grid(points, radius);
-    const Counts_in_balls counts = count_points_in_balls<T, ConcurrencyTag>(grid, points, grid, points, radius, progress);
-    const Buffer<double> surroundings = means_around<ConcurrencyTag>(grid, counts.in_ball, progress);
+    const Counts_in_balls counts =
+      count_points_in_balls<T, ConcurrencyTag>(grid, points, grid, points, radius, progress);
+    const Buffer<double> surroundings = means_around<ConcurrencyTag>(grid, counts.in_ball,
+                                                                     progress);
     median = median_of(copy_of(counts.in_ball));
     for_each_in_order(points.size(), [&](std::size_t i) {
       const double count = counts.in_ball[i];
@@ -218,9 +245,11 @@ Buffer<unsigned char> find_outliers(const Buffer<Vector>& unsorted_points, doubl
   }
   if (is_any_sparse_kept)
   {
-    const Buffer<unsigned char> fills = fill_space<T, ConcurrencyTag>(unsorted_points, sparse_points,
-                                                                      counts_in_half_balls, radius, progress);
-    for_each_in_order(sparse.size(), [&](std::size_t k) { is_outlier[sparse[k]] = is_outlier[sparse[k]] || fills[k]; });
+    const Buffer<unsigned char> fills = fill_space<T, ConcurrencyTag>(
+      unsorted_points, sparse_points, counts_in_half_balls, radius, progress);
+    for_each_in_order(sparse.size(), [&](std::size_t k) {
+      is_outlier[sparse[k]] = is_outlier[sparse[k]] || fills[k];
+    });
   }
 
   Buffer<Index> rest(allocator);
@@ -232,7 +261,8 @@ Buffer<unsigned char> find_outliers(const Buffer<Vector>& unsorted_points, doubl
       rest_points.push_back(points[i]);
     }
   });
-  const Buffer<Index> sizes = sizes_of_parts<ConcurrencyTag>(rest_points, gap_of_parts * radius, progress);
+  const Buffer<Index> sizes = sizes_of_parts<ConcurrencyTag>(rest_points, gap_of_parts * radius,
+                                                             progress);
   bool is_any_left = false;
   for_each_in_order(rest.size(), [&](std::size_t k) {
     is_outlier[rest[k]] = sizes[k] < median / 2;

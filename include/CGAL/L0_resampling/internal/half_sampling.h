@@ -19,23 +19,26 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// The greedy two-element partitions of Algorithm 2, and the room for them, which is kept from one set to the next.
+/// The greedy two-element partitions of Algorithm 2, and the room for them, which is kept from one
+/// set to the next.
 template <typename FT>
 class Pair_partitioner
 {
 public:
   /*!
-  The partition \f$ K_{p_i} \f$ that Algorithm 2 finds for a set of `n` points: pairs by ascending distance, equal
-  distances by the lower index of the pair, then by the higher.
+  The partition \f$ K_{p_i} \f$ that Algorithm 2 finds for a set of `n` points: pairs by ascending
+  distance, equal distances by the lower index of the pair, then by the higher.
 
-  Algorithm 2 sorts all n^2/2 distances. Its result does not need them: since the order of the pairs is total, it is the
-  one matching in which every pair, once the pairs before it are gone, is that of two points which are nearest
-  to each other. Such pairs may be taken as they are found. They are found by going from a point to its nearest
-  neighbor, from there to its nearest neighbor, and so on, which only ever leads to lesser pairs and so ends.
-  That looks at each point at most 1.5 times and takes O(n) memory, whatever the points are, all equal included.
+  Algorithm 2 sorts all n^2/2 distances. Its result does not need them: since the order of the pairs
+  is total, it is the one matching in which every pair, once the pairs before it are gone, is that
+  of two points which are nearest to each other. Such pairs may be taken as they are found. They are
+  found by going from a point to its nearest neighbor, from there to its nearest neighbor, and so
+  on, which only ever leads to lesser pairs and so ends. That looks at each point at most 1.5 times
+  and takes O(n) memory, whatever the points are, all equal included.
 
   \param positions xyz interleaved, 3n numbers whose squared distances are finite
-  \returns the partner of each of the n points, the point itself if it is left over, as is one point of an odd set;
+  \returns the partner of each of the n points, the point itself if it is left over, as is one point
+  of an odd set;
            valid until the next call
   */
   const std::vector<Index>& operator()(const FT* positions, std::size_t n)
@@ -67,7 +70,8 @@ private:
   using Lanes = Eigen::Array<FT, int(lanes), 1>;
   using Const_lanes = Eigen::Map<const Lanes>;
 
-  /// Fills up with points at infinity, so that whole lanes can be read and nobody is ever nearest to the filling.
+  /// Fills up with points at infinity, so that whole lanes can be read and nobody is ever nearest
+  /// to the filling.
   void load(const FT* positions, std::size_t n)
   {
     const std::size_t padded_size = (n + lanes - 1) / lanes * lanes;
@@ -89,8 +93,8 @@ private:
     m_size = n;
   }
 
-  /// The remaining point nearest to `point`, of several the one with the lowest index. For the pairs of one point
-  /// that is their order in Algorithm 2.
+  /// The remaining point nearest to `point`, of several the one with the lowest index. For the
+  /// pairs of one point that is their order in Algorithm 2.
   Index nearest_neighbor(Index point)
   {
     const std::size_t slot = m_slots[point];
@@ -139,13 +143,15 @@ private:
 };
 
 /*!
-Replaces each pair of a partition by one point, which makes \f$ \hat{M}_{p_i} \f$ of \f$ M_{p_i} \f$. The paper drops
-the weights \f$ 1/v_j \f$ here; ours add up, and the point is the mean by those weights, which is the midpoint of
-Eq. (13) where they are equal. So the fit term keeps its minimum, and \f$ A^T A \f$ and \f$ A^T b \f$ do not change.
-The new points stand in the order of the lower indices of their pairs.
+Replaces each pair of a partition by one point, which makes \f$ \hat{M}_{p_i} \f$ of
+\f$ M_{p_i} \f$. The paper drops the weights \f$ 1/v_j \f$ here; ours add up, and the point is the
+mean by those weights, which is the midpoint of Eq. (13) where they are equal. So the fit term keeps
+its minimum, and \f$ A^T A \f$ and \f$ A^T b \f$ do not change. The new points stand in the order of
+the lower indices of their pairs.
 
 \param partners what `Pair_partitioner` returns for these points
-\param positions xyz interleaved, of as many points as there are partners; overwritten from the front
+\param positions xyz interleaved, of as many points as there are partners; overwritten from the
+front
 \param weights one number a point, not negative; overwritten from the front
 \returns the new number of points
 */
@@ -162,7 +168,8 @@ std::size_t merge_pairs(const std::vector<Index>& partners, FT* positions, FT* w
     // two points without weight still have a place
     const FT share = j == i ? FT(0) : weight > 0 ? weights[j] / weight : FT(0.5);
     for (std::size_t c = 0; c < 3; ++c)
-      positions[3 * size + c] = positions[3 * i + c] + share * (positions[3 * j + c] - positions[3 * i + c]);
+      positions[3 * size + c] = positions[3 * i + c]
+                                + share * (positions[3 * j + c] - positions[3 * i + c]);
     weights[size] = weight;
     ++size;
   }

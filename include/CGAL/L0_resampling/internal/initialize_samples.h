@@ -26,30 +26,36 @@ struct Initial_samples
   Buffer<Index> sources;
 };
 
-/// Splits `n` things in order into `m <= n` runs of nearly equal length and takes one of each at random.
-inline void pick_one_of_each_run(std::uint64_t n, std::uint64_t m, std::uint64_t seed, const Buffer<Index>& things,
-                                 Buffer<Index>& picked)
+/// Splits `n` things in order into `m <= n` runs of nearly equal length and takes one of each at
+/// random.
+inline void pick_one_of_each_run(std::uint64_t n, std::uint64_t m, std::uint64_t seed,
+                                 const Buffer<Index>& things, Buffer<Index>& picked)
 {
   picked.reserve(m);
   for_each_in_order(m, [&](std::uint64_t k) {
-    const std::uint64_t begin = k * n / m, end = (k + 1) * n / m; // below 2^64, as both factors are below 2^32
+    const std::uint64_t begin = k * n / m,
+                        end = (k + 1) * n / m; // below 2^64, as both factors are below 2^32
     picked.push_back(things[begin + random_bits(seed, k) % (end - begin)]);
   });
 }
 
-/// Moves each of the new samples, which start on their source, part of the way to another point of its ball: one of a similar
-/// normal, so that the way does not cut an edge, if there is one; else any; else the next point in the order of `distinct`.
+/// Moves each of the new samples, which start on their source, part of the way to another point of
+/// its ball: one of a similar normal, so that the way does not cut an edge, if there is one; else
+/// any; else the next point in the order of `distinct`.
 template <typename ConcurrencyTag, typename T>
 void move_between_points(const Search_grid_3& grid, const Buffer<Vector>& points,
-                         const Buffer<Eigen::Matrix<T, 3, 1>>& normals, const Buffer<Index>& distinct, double radius,
-                         std::uint64_t seed, Progress& progress, Initial_samples& samples)
+                         const Buffer<Eigen::Matrix<T, 3, 1>>& normals,
+                         const Buffer<Index>& distinct, double radius, std::uint64_t seed,
+                         Progress& progress, Initial_samples& samples)
 {
   const Buffer<Vector> starts = copy_of(samples.positions);
   const Search_grid_3 start_grid(starts, grid.cell_size());
-  const T similar_cosine = T(0.87); // 30 degrees, what survives bilateral filtering on one side of an edge
+  const T similar_cosine = T(
+    0.87); // 30 degrees, what survives bilateral filtering on one side of an edge
 
   const auto make_visitor = [&]() {
-    return [&](Search_grid_3::Range queries, const Local_points<T>& candidates, const Vector& origin) {
+    return [&](Search_grid_3::Range queries, const Local_points<T>& candidates,
+               const Vector& origin) {
       for (Index e = queries.first; e < queries.second; ++e)
       {
         const Index source = samples.sources[e];
@@ -58,12 +64,14 @@ void move_between_points(const Search_grid_3& grid, const Buffer<Vector>& points
         std::uint64_t best = 0;
         const auto first = std::lower_bound(samples.sources.begin(), samples.sources.end(), source);
         const std::uint64_t number =
-          e - std::uint64_t(first - samples.sources.begin()); // of the samples of this source before this one
+          e
+          - std::uint64_t(
+            first - samples.sources.begin()); // of the samples of this source before this one
         for (std::size_t k = 0; k < candidates.indices.size(); ++k)
         {
           const Index j = candidates.indices[k];
-          const Eigen::Matrix<T, 3, 1> d = Eigen::Matrix<T, 3, 1>(candidates.x[k], candidates.y[k], candidates.z[k])
-                                           - center;
+          const Eigen::Matrix<T, 3, 1> d =
+            Eigen::Matrix<T, 3, 1>(candidates.x[k], candidates.y[k], candidates.z[k]) - center;
           if (d.squaredNorm() >= T(radius * radius) || points[j] == starts[e])
             continue;
           const bool is_similar = std::abs(normals[source].dot(normals[j])) > similar_cosine;
@@ -82,12 +90,16 @@ void move_between_points(const Search_grid_3& grid, const Buffer<Vector>& points
         }
         // never the middle, where the way back from the partner would put another one
         const double share =
-          0.2 + 0.25 * std::ldexp(double(random_bits(seed + source, (number << 32) | 0xffffffff) >> 11), -53);
+          0.2
+          + 0.25
+              * std::ldexp(double(random_bits(seed + source, (number << 32) | 0xffffffff) >> 11),
+                           -53);
         samples.positions[e] = starts[e] + share * (points[partner] - starts[e]);
       }
     };
   };
-  for_each_cell<T, ConcurrencyTag>(start_grid, starts, grid, points, cells_in_reach(radius, grid.cell_size()), progress,
+  for_each_cell<T, ConcurrencyTag>(start_grid, starts, grid, points,
+                                   cells_in_reach(radius, grid.cell_size()), progress,
                                    make_visitor);
 }
 
@@ -97,11 +109,12 @@ struct Sources
   Buffer<Index> on_points, between_points;
 };
 
-/// Shares the samples out by area: each point gets as many as there are thresholds, one at random in each of m equal parts of the whole area, in the part of the
-/// area that is its own. The first starts on it.
+/// Shares the samples out by area: each point gets as many as there are thresholds, one at random
+/// in each of m equal parts of the whole area, in the part of the area that is its own. The first
+/// starts on it.
 /// \param areas one number a point, positive, so that all processors add them up alike
-inline Sources sources_by_area(const Buffer<Index>& distinct, const Buffer<std::uint64_t>& areas, std::uint64_t m,
-                               std::uint64_t seed)
+inline Sources sources_by_area(const Buffer<Index>& distinct, const Buffer<std::uint64_t>& areas,
+                               std::uint64_t m, std::uint64_t seed)
 {
   Sources sources{Buffer<Index>(distinct.get_allocator()), Buffer<Index>(distinct.get_allocator())};
   std::uint64_t total = 0;
@@ -112,13 +125,15 @@ inline Sources sources_by_area(const Buffer<Index>& distinct, const Buffer<std::
     const Index i = distinct[d];
     sum += areas[i];
     const bool is_last = i == distinct.back(); // takes what rounding leaves
-    for (bool is_first = true; k < m && (is_last || area_threshold(k, m, seed, total) < sum); is_first = false, ++k)
+    for (bool is_first = true; k < m && (is_last || area_threshold(k, m, seed, total) < sum);
+         is_first = false, ++k)
       (is_first ? sources.on_points : sources.between_points).push_back(i);
   });
   return sources;
 }
 
-/// Shares the samples out by points: no more than one each, or, if there are more samples than points, one at least.
+/// Shares the samples out by points: no more than one each, or, if there are more samples than
+/// points, one at least.
 inline Sources sources_by_points(const Buffer<Index>& distinct, std::uint64_t m, std::uint64_t seed)
 {
   Sources sources{Buffer<Index>(distinct.get_allocator()), Buffer<Index>(distinct.get_allocator())};
@@ -137,18 +152,22 @@ inline Sources sources_by_points(const Buffer<Index>& distinct, std::uint64_t m,
 }
 
 /*!
-Chooses where `number_of_samples` samples start. No two start on one point: the further ones of a point start between two points each.
+Chooses where `number_of_samples` samples start. No two start on one point: the further ones of a
+point start between two points each.
 
 \param points sorted for `grid`, so that the choice does not depend on the order of the input
 \param normals unoriented, one a point
-\param areas what each point stands for, so that the samples spread evenly over the surface; or none, so that they spread as the points do
+\param areas what each point stands for, so that the samples spread evenly over the surface; or
+none, so that they spread as the points do
 \param radius how far apart the two points of a further sample may lie
 \returns samples sorted for a grid of the same cell size
 */
 template <typename ConcurrencyTag, typename T>
 Initial_samples initialize_samples(const Search_grid_3& grid, const Buffer<Vector>& points,
-                                   const Buffer<Eigen::Matrix<T, 3, 1>>& normals, const Buffer<std::uint64_t>& areas,
-                                   std::size_t number_of_samples, double radius, std::uint64_t seed, Progress& progress)
+                                   const Buffer<Eigen::Matrix<T, 3, 1>>& normals,
+                                   const Buffer<std::uint64_t>& areas,
+                                   std::size_t number_of_samples, double radius, std::uint64_t seed,
+                                   Progress& progress)
 {
   Buffer<Index> distinct(points.get_allocator());
   distinct.reserve(points.size());
@@ -159,23 +178,27 @@ Initial_samples initialize_samples(const Search_grid_3& grid, const Buffer<Vecto
   Sources sources = areas.empty() ? sources_by_points(distinct, number_of_samples, seed)
                                   : sources_by_area(distinct, areas, number_of_samples, seed);
 
-  Initial_samples samples{Buffer<Vector>(points.get_allocator()), std::move(sources.between_points)};
+  Initial_samples samples{Buffer<Vector>(points.get_allocator()),
+                          std::move(sources.between_points)};
   samples.sources.reserve(number_of_samples);
   samples.positions.reserve(number_of_samples);
   const auto start_on_sources = [&]() {
     const std::size_t first = samples.positions.size();
-    for_each_in_order(samples.sources.size() - first,
-                      [&](std::size_t i) { samples.positions.push_back(points[samples.sources[first + i]]); });
+    for_each_in_order(samples.sources.size() - first, [&](std::size_t i) {
+      samples.positions.push_back(points[samples.sources[first + i]]);
+    });
   };
   const bool is_sorted = samples.sources.empty();
   start_on_sources();
   if (!is_sorted)
-    move_between_points<ConcurrencyTag>(grid, points, normals, distinct, radius, seed, progress, samples);
+    move_between_points<ConcurrencyTag>(grid, points, normals, distinct, radius, seed, progress,
+                                        samples);
   samples.sources.insert(samples.sources.end(), sources.on_points.begin(), sources.on_points.end());
   start_on_sources();
   if (is_sorted)
     return samples;
-  const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(samples.positions, grid.cell_size());
+  const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(samples.positions,
+                                                                          grid.cell_size());
   apply_order(order, samples.positions);
   apply_order(order, samples.sources);
   return samples;

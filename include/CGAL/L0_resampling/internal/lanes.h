@@ -15,15 +15,17 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-// GCC warns where a packet type is a template argument: it loses its alignment as one, which does not matter here.
+// GCC warns where a packet type is a template argument: it loses its alignment as one, which does
+// not matter here.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wignored-attributes"
 
 /*!
 As many numbers as one vector register of the target holds, computed at once.
 
-A thin coat over Eigen's packets, which know the instructions of every processor and have a vectorized `exp`. Eigen's arrays of
-fixed size would do the same, but compilers keep those in memory between operations, which triples the time.
+A thin coat over Eigen's packets, which know the instructions of every processor and have a
+vectorized `exp`. Eigen's arrays of fixed size would do the same, but compilers keep those in memory
+between operations, which triples the time.
 */
 template <typename T>
 struct Lanes
@@ -53,9 +55,18 @@ struct Lanes
 
   Lanes& operator+=(const Lanes& b) { return *this = *this + b; }
 
-  friend Lanes operator+(const Lanes& a, const Lanes& b) { return Lanes(Eigen::internal::padd(a.packet, b.packet)); }
-  friend Lanes operator-(const Lanes& a, const Lanes& b) { return Lanes(Eigen::internal::psub(a.packet, b.packet)); }
-  friend Lanes operator*(const Lanes& a, const Lanes& b) { return Lanes(Eigen::internal::pmul(a.packet, b.packet)); }
+  friend Lanes operator+(const Lanes& a, const Lanes& b)
+  {
+    return Lanes(Eigen::internal::padd(a.packet, b.packet));
+  }
+  friend Lanes operator-(const Lanes& a, const Lanes& b)
+  {
+    return Lanes(Eigen::internal::psub(a.packet, b.packet));
+  }
+  friend Lanes operator*(const Lanes& a, const Lanes& b)
+  {
+    return Lanes(Eigen::internal::pmul(a.packet, b.packet));
+  }
   friend Lanes operator-(const Lanes& a, T b) { return a - Lanes(b); }
   friend Lanes operator-(T a, const Lanes& b) { return Lanes(a) - b; }
   friend Lanes operator*(const Lanes& a, T b) { return a * Lanes(b); }
@@ -63,20 +74,23 @@ struct Lanes
   friend Lanes abs(const Lanes& a) { return Lanes(Eigen::internal::pabs(a.packet)); }
   friend Lanes exp(const Lanes& a) { return Lanes(Eigen::internal::pexp(a.packet)); }
 
-  /// \f$ e^{-x} \f$ for x >= 0, held at e^-40 as for a single number. Half the work of `exp`, which has to serve every argument:
-  /// 2^y by the polynomial of least relative error (7e-8) around the integer nearest to y, which then goes into the exponent.
+  /// \f$ e^{-x} \f$ for x >= 0, held at e^-40 as for a single number. Half the work of `exp`, which
+  /// has to serve every argument: 2^y by the polynomial of least relative error (7e-8) around the
+  /// integer nearest to y, which then goes into the exponent.
   friend Lanes decay(const Lanes& x)
   {
     using namespace Eigen::internal;
     if constexpr (std::is_same<T, float>::value && size > 1)
     {
       using Integers = typename unpacket_traits<Packet>::integer_packet;
-      // so large that the sum has no digits behind the point, and the integer nearest to y in its lowest bits
+      // so large that the sum has no digits behind the point, and the integer nearest to y in its
+      // lowest bits
       const Packet magic = pset1<Packet>(12582912.f);
       const Packet y = pmul(x.min(40).packet, pset1<Packet>(-1.44269504f)), sum = padd(y, magic);
       const Packet rest = psub(y, psub(sum, magic));
       Packet power = pset1<Packet>(1.3202860e-3f);
-      for (const float coefficient : {9.6749528e-3f, 5.5510478e-2f, 2.4022166e-1f, 6.9314660e-1f, 1.f})
+      for (const float coefficient :
+           {9.6749528e-3f, 5.5510478e-2f, 2.4022166e-1f, 6.9314660e-1f, 1.f})
         power = pmadd(power, rest, pset1<Packet>(coefficient));
       const Integers exponent = plogical_shift_left<23>(preinterpret<Integers>(sum));
       return Lanes(preinterpret<Packet>(padd(preinterpret<Integers>(power), exponent)));
@@ -100,7 +114,8 @@ using Aligned_vector = std::vector<T, Eigen::aligned_allocator<T>>;
 template <typename T>
 Lanes<T> where_less(const Lanes<T>& a, T b, const Lanes<T>& values)
 {
-  return Lanes<T>(Eigen::internal::pand(Eigen::internal::pcmp_lt(a.packet, Lanes<T>(b).packet), values.packet));
+  return Lanes<T>(
+    Eigen::internal::pand(Eigen::internal::pcmp_lt(a.packet, Lanes<T>(b).packet), values.packet));
 }
 
 /// Whether `a < b` in any lane.

@@ -16,10 +16,12 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// What the arrays of a call take at their peak, at the least: known from the counts alone, so that a limit that cannot suffice is refused before anything is
-/// read or allocated. How many neighbors there are, which most of the rest goes to, only the call itself finds out.
+/// What the arrays of a call take at their peak, at the least: known from the counts alone, so that
+/// a limit that cannot suffice is refused before anything is read or allocated. How many neighbors
+/// there are, which most of the rest goes to, only the call itself finds out.
 /// \tparam FT the number type of the solver
-/// \param n number of points that are used, fewer than 2^32, as are those of the result: nothing here leaves 64 bits
+/// \param n number of points that are used, fewer than 2^32, as are those of the result: nothing
+/// here leaves 64 bits
 template <typename FT>
 std::size_t least_memory(std::size_t n, const Parameters& parameters)
 {
@@ -27,10 +29,15 @@ std::size_t least_memory(std::size_t n, const Parameters& parameters)
   const std::size_t m = parameters.number_of_output_points;
   if (n == 0 || m == 0)
     return 0;
-  const std::size_t sorting = n * (2 * sizeof(Vector) + sizeof(Index)); // the points twice, and their order
-  const std::size_t samples = m * (2 * sizeof(Vector) + sizeof(Local_vector) + sizeof(FT)); // what `Samples` always holds
-  const std::size_t kept = parameters.drop_outliers ? 1 : n; // nobody knows yet how many outliers there are
-  const std::size_t sampling = samples + kept * (sizeof(Vector) + 4 * sizeof(float)); // and points, normals and weights
+  const std::size_t sorting =
+    n * (2 * sizeof(Vector) + sizeof(Index)); // the points twice, and their order
+  const std::size_t samples =
+    m * (2 * sizeof(Vector) + sizeof(Local_vector) + sizeof(FT)); // what `Samples` always holds
+  const std::size_t kept = parameters.drop_outliers
+                             ? 1
+                             : n; // nobody knows yet how many outliers there are
+  const std::size_t sampling =
+    samples + kept * (sizeof(Vector) + 4 * sizeof(float)); // and points, normals and weights
   return (std::max)(sorting, sampling);
 }
 

@@ -19,8 +19,8 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// Eq. (11), \f$ \min_x \|Ax - b\|^2 \f$, for the displacements x from the current positions o. Indices have 64 bits:
-/// the entries of \f$ A_f \f$ pass 2^31 where points are many.
+/// Eq. (11), \f$ \min_x \|Ax - b\|^2 \f$, for the displacements x from the current positions o.
+/// Indices have 64 bits: the entries of \f$ A_f \f$ pass 2^31 where points are many.
 template <typename FT>
 struct Least_squares_system
 {
@@ -35,10 +35,14 @@ struct Least_squares_system
     rhs[number_of_rows++] = b;
   }
 
-  void add_entry(Eigen::Index column, FT value) { matrix.insertBackByOuterInner(number_of_rows - 1, column) = value; }
+  void add_entry(Eigen::Index column, FT value)
+  {
+    matrix.insertBackByOuterInner(number_of_rows - 1, column) = value;
+  }
 };
 
-/// \f$ A_f \f$: three rows \f$ \sqrt{1/v_j}\, x_i = \sqrt{1/v_j}\, (q_j - o_i) \f$ for each \f$ q_j \in M_{p_i} \f$.
+/// \f$ A_f \f$: three rows \f$ \sqrt{1/v_j}\, x_i = \sqrt{1/v_j}\, (q_j - o_i) \f$ for each
+/// \f$ q_j \in M_{p_i} \f$.
 template <typename FT>
 void add_fit_rows(const Quadratic_problem<FT>& problem, Least_squares_system<FT>& system)
 {
@@ -55,8 +59,9 @@ void add_fit_rows(const Quadratic_problem<FT>& problem, Least_squares_system<FT>
     }
 }
 
-/// \f$ A_r \f$: three rows \f$ \sqrt{a_{ik}}\, (x_i - x_k) = -\sqrt{a_{ik}}\, (o_i - o_k) \f$ for each unordered pair,
-/// none where \f$ a_{ik} = 0 \f$, so that an iteration without regularization does without \f$ A_r \f$.
+/// \f$ A_r \f$: three rows \f$ \sqrt{a_{ik}}\, (x_i - x_k) = -\sqrt{a_{ik}}\, (o_i - o_k) \f$ for
+/// each unordered pair, none where \f$ a_{ik} = 0 \f$, so that an iteration without regularization
+/// does without \f$ A_r \f$.
 template <typename FT>
 void add_regularization_rows(const Quadratic_problem<FT>& problem, Least_squares_system<FT>& system)
 {
@@ -78,8 +83,9 @@ void add_regularization_rows(const Quadratic_problem<FT>& problem, Least_squares
     }
 }
 
-/// \f$ A_n \f$: one row \f$ \sqrt\beta\, n_i^T (x_i - x_k) = \sqrt\beta\, (\delta_{ik} - n_i^T (o_i - o_k)) \f$ for
-/// each ordered pair.
+/// \f$ A_n \f$: one row
+/// \f$ \sqrt\beta\, n_i^T (x_i - x_k) = \sqrt\beta\, (\delta_{ik} - n_i^T (o_i - o_k)) \f$ for each
+/// ordered pair.
 template <typename FT>
 void add_normal_rows(const Quadratic_problem<FT>& problem, Least_squares_system<FT>& system)
 {
@@ -112,7 +118,8 @@ Least_squares_system<FT> least_squares_system(const Quadratic_problem<FT>& probl
 {
   const std::size_t number_of_fit_terms = problem.rows->fit_offsets[problem.number_of_samples()];
   const std::size_t number_of_pairs = problem.self_neighbors.offsets[problem.number_of_samples()];
-  const std::size_t number_of_active_pairs = std::size_t((problem.pair_weights.array() > FT(0)).count()) / 2;
+  const std::size_t number_of_active_pairs =
+    std::size_t((problem.pair_weights.array() > FT(0)).count()) / 2;
 
   Checked_count rows, entries;
   rows.add(number_of_fit_terms, 3).add(number_of_active_pairs, 3).add(number_of_pairs, 1);

@@ -53,7 +53,8 @@ public:
   std::size_t size() const { return m_size; }
 
   /// Lists those in the ball but `self`.
-  void list(const Eigen::Vector3f& center, Index self, const Local_points<float>& candidates, float squared_radius)
+  void list(const Eigen::Vector3f& center, Index self, const Local_points<float>& candidates,
+            float squared_radius)
   {
     constexpr std::size_t lanes = Lanes<float>::size;
     const Index* const indices = candidates.indices.data();
@@ -62,18 +63,21 @@ public:
     m_indices.resize(candidates.padded_size() + 1);
     m_squared_radius = squared_radius;
     m_size = 0;
-    candidates.for_each_run_in_ball(center, squared_radius, [&](std::size_t first, const Lanes<float>& squared_distances) {
-      float distances[lanes];
-      squared_distances.store(distances);
-      // Each candidate is written, and overwritten by the next one unless it is near: no branch that cannot be foreseen.
-      for (std::size_t c = 0, count = (std::min)(lanes, number_of_candidates - first); c < count; ++c)
-      {
-        const Index index = indices[first + c];
-        m_squared_distances[m_size] = distances[c];
-        m_indices[m_size] = index;
-        m_size += std::size_t(distances[c] < squared_radius) & std::size_t(index != self);
-      }
-    });
+    candidates.for_each_run_in_ball(
+      center, squared_radius, [&](std::size_t first, const Lanes<float>& squared_distances) {
+        float distances[lanes];
+        squared_distances.store(distances);
+        // Each candidate is written, and overwritten by the next one unless it is near: no branch
+        // that cannot be foreseen.
+        for (std::size_t c = 0, count = (std::min)(lanes, number_of_candidates - first); c < count;
+             ++c)
+        {
+          const Index index = indices[first + c];
+          m_squared_distances[m_size] = distances[c];
+          m_indices[m_size] = index;
+          m_size += std::size_t(distances[c] < squared_radius) & std::size_t(index != self);
+        }
+      });
   }
 
   /// The `count` nearest, of the equally near ones those that were listed first.
@@ -88,9 +92,9 @@ public:
   }
 
 private:
-  /// Keeps whoever is nearer than a distance that only `count` of them are, found from how many are nearer than others: on a surface their
-  /// number grows with the squared distance. A few counts of all take a quarter of the time of `std::nth_element()`, whose branches no
-  /// processor foresees.
+  /// Keeps whoever is nearer than a distance that only `count` of them are, found from how many are
+  /// nearer than others: on a surface their number grows with the squared distance. A few counts of
+  /// all take a quarter of the time of `std::nth_element()`, whose branches no processor foresees.
   /// \returns whether there is such a distance and it was found
   bool keep_by_distance(std::size_t count)
   {
@@ -108,7 +112,8 @@ private:
     float low = 0, high = m_squared_radius, number_of_low = 0, number_of_high = float(m_size);
     for (int step = 0; number_of_high != wanted; ++step)
     {
-      const float middle = low + (high - low) * (wanted + 0.5f - number_of_low) / (number_of_high + 1 - number_of_low);
+      const float middle =
+        low + (high - low) * (wanted + 0.5f - number_of_low) / (number_of_high + 1 - number_of_low);
       if (step == maximum_number_of_steps || !(low < middle && middle < high))
         return false;
       const float number = number_nearer_than(middle);
@@ -138,13 +143,15 @@ private:
 };
 
 /*!
-Finds the k nearest samples of each sample. Where even a ball of 1000 times `spacing_guess` holds fewer, the list is shorter.
+Finds the k nearest samples of each sample. Where even a ball of 1000 times `spacing_guess` holds
+fewer, the list is shorter.
 
-Looks at balls of twice the radius where a ball holds fewer than k, on the same grid as long as its cells are not too many, then on a coarser one.
+Looks at balls of twice the radius where a ball holds fewer than k, on the same grid as long as its
+cells are not too many, then on a coarser one.
 */
 template <typename ConcurrencyTag>
-Nearest_samples find_nearest_samples(const Buffer<Vector>& positions, std::size_t k, double spacing_guess,
-                                     Progress& progress)
+Nearest_samples find_nearest_samples(const Buffer<Vector>& positions, std::size_t k,
+                                     double spacing_guess, Progress& progress)
 {
   const int number_of_doublings = 10, doublings_on_one_grid = 2;
   Nearest_samples nearest(positions.size(), k, positions.get_allocator());
@@ -161,8 +168,9 @@ Nearest_samples find_nearest_samples(const Buffer<Vector>& positions, std::size_
     for (int last = (std::min)(doubling + doublings_on_one_grid, number_of_doublings);
          doubling <= last && number_of_open > 0; ++doubling)
     {
-      const bool are_all_open = number_of_open == positions.size(); // as in the first pass, the longest one
-      Buffer<Index> open(positions.get_allocator());                // places in `order`
+      const bool are_all_open = number_of_open
+                                == positions.size(); // as in the first pass, the longest one
+      Buffer<Index> open(positions.get_allocator()); // places in `order`
       Buffer<Vector> open_positions(positions.get_allocator());
       if (!are_all_open)
         for_each_in_order(order.size(), [&](std::size_t place) {
@@ -179,13 +187,15 @@ Nearest_samples find_nearest_samples(const Buffer<Vector>& positions, std::size_
       const double radius = std::ldexp(spacing_guess, doubling);
       const bool take_what_is_there = doubling == number_of_doublings;
       const auto make_visitor = [&]() {
-        return [&, found = Candidates_in_ball()](Search_grid_3::Range queries, const Local_points<float>& candidates,
+        return [&, found = Candidates_in_ball()](Search_grid_3::Range queries,
+                                                 const Local_points<float>& candidates,
                                                  const Vector& origin) mutable {
           std::size_t number_of_closed = 0;
           for (Index q = queries.first; q < queries.second; ++q)
           {
             const Index place = are_all_open ? q : open[q];
-            found.list((query_positions[q] - origin).template cast<float>(), place, candidates, float(radius * radius));
+            found.list((query_positions[q] - origin).template cast<float>(), place, candidates,
+                       float(radius * radius));
             if (found.size() < k && !take_what_is_there)
               continue;
             const Index sample = order[place];
@@ -198,7 +208,8 @@ Nearest_samples find_nearest_samples(const Buffer<Vector>& positions, std::size_
         };
       };
       for_each_cell<float, ConcurrencyTag>(query_grid, query_positions, grid, sorted_positions,
-                                           cells_in_reach(radius, cell_size), progress, make_visitor);
+                                           cells_in_reach(radius, cell_size), progress,
+                                           make_visitor);
     }
   }
   return nearest;

@@ -12,8 +12,8 @@ namespace internal {
 
 /// A displacement that does not matter in the working frame, where the radius is 1. Samples that
 /// lie closer together than this give a solver right-hand sides whose squares, or in `float` whose
-/// products with a weight, are subnormal: what it makes of their last digits grows from iteration to
-/// iteration.
+/// products with a weight, are subnormal: what it makes of their last digits grows from iteration
+/// to iteration.
 constexpr double negligible_displacement = 1e-30;
 
 } // namespace internal

@@ -31,7 +31,8 @@ Normal_matrix<FT> assemble_normal_matrix(const Quadratic_problem<FT>& problem)
   const Neighborhoods_view& neighbors = problem.self_neighbors;
   const std::size_t m = neighbors.size;
   const Eigen::Index size = Checked_count().add(m, 3).index();
-  const Eigen::Index number_of_entries = Checked_count().add(m, 9).add(neighbors.offsets[m], 9).index();
+  const Eigen::Index number_of_entries =
+    Checked_count().add(m, 9).add(neighbors.offsets[m], 9).index();
   const auto outer_product = [&](std::size_t i) -> Matrix_3 {
     const auto normal = problem.sample_normals.col(Eigen::Index(i));
     return problem.penalty * (normal * normal.transpose());
@@ -65,8 +66,8 @@ Normal_matrix<FT> assemble_normal_matrix(const Quadratic_problem<FT>& problem)
     for (std::size_t e = first; e < last; ++e)
     {
       const std::size_t k = neighbors.indices[e];
-      const Matrix_3 block = problem.pair_weights[Eigen::Index(e)] * Matrix_3::Identity() + outer_product(i)
-                             + outer_product(k);
+      const Matrix_3 block = problem.pair_weights[Eigen::Index(e)] * Matrix_3::Identity()
+                             + outer_product(i) + outer_product(k);
       diagonal += block;
       number_before += std::size_t(k < i);
       write_block(e - first + std::size_t(k > i), k, -block);

@@ -25,12 +25,13 @@ namespace internal {
 
 /// The edges of the graph of nearest neighbors, each once.
 template <typename ConcurrencyTag, typename T>
-Buffer<Edge> rated_edges(const Buffer<Vector>& positions, const Buffer<Eigen::Matrix<T, 3, 1>>& normals,
+Buffer<Edge> rated_edges(const Buffer<Vector>& positions,
+                         const Buffer<Eigen::Matrix<T, 3, 1>>& normals,
                          std::size_t number_of_neighbors, double spacing, Progress& progress)
 {
   const double radius_of_that_many = spacing * std::sqrt(double(number_of_neighbors) / 2);
-  const Nearest_samples nearest = find_nearest_samples<ConcurrencyTag>(positions, number_of_neighbors,
-                                                                       radius_of_that_many, progress);
+  const Nearest_samples nearest = find_nearest_samples<ConcurrencyTag>(
+    positions, number_of_neighbors, radius_of_that_many, progress);
   const T squared_spacing = T(spacing * spacing);
   const auto append_edges_of = [&](Index i, Buffer<Edge>& edges) {
     for (const Index* other = nearest.begin(i); other != nearest.end(i); ++other)
@@ -39,22 +40,25 @@ Buffer<Edge> rated_edges(const Buffer<Vector>& positions, const Buffer<Eigen::Ma
       if (k < i && nearest.contains(k, i))
         continue;
       const Eigen::Matrix<T, 3, 1> to_other = (positions[k] - positions[i]).template cast<T>();
-      const T agreement = orientation_agreement(normals[i].dot(normals[k]), normals[i].dot(to_other),
-                                                -normals[k].dot(to_other), squared_spacing);
+      const T agreement = orientation_agreement(normals[i].dot(normals[k]),
+                                                normals[i].dot(to_other), -normals[k].dot(to_other),
+                                                squared_spacing);
       edges.push_back({float(agreement), i, k});
     }
   };
-  return append_by_blocks<ConcurrencyTag>(positions.size(), 4096, Counting_allocator<Edge>(positions.get_allocator()),
-                                          [&](std::size_t begin, std::size_t end, Buffer<Edge>& edges) {
-                                            for (std::size_t i = begin; i < end; ++i)
-                                              append_edges_of(Index(i), edges);
-                                          });
+  return append_by_blocks<ConcurrencyTag>(
+    positions.size(), 4096, Counting_allocator<Edge>(positions.get_allocator()),
+    [&](std::size_t begin, std::size_t end, Buffer<Edge>& edges) {
+      for (std::size_t i = begin; i < end; ++i)
+        append_edges_of(Index(i), edges);
+    });
 }
 
 /// The hints of samples that have none.
 inline Vector no_hint(Index) { return Vector::Zero(); }
 
-/// Whether the normals of a tree point inwards as a whole. A flat tree has no inside: its normals shall point up its steepest axis.
+/// Whether the normals of a tree point inwards as a whole. A flat tree has no inside: its normals
+/// shall point up its steepest axis.
 inline bool is_turned_inwards(double flux, double largest_flux, const Vector& normal_sum)
 {
   const double rounding = 1e-9;
@@ -68,30 +72,39 @@ inline bool is_turned_inwards(double flux, double largest_flux, const Vector& no
 /// How sure the sides are that `orient_normals()` has chosen, as shares of the samples.
 struct Orientation
 {
-  double oriented_share; ///< joined to the largest part of their tree by edges beyond doubt, by the field and by clear majorities only
+  double
+    /// joined to the largest part of their tree by edges beyond doubt, by the field and by clear
+    /// majorities only
+    oriented_share;
   double hinted_share; ///< of trees whose side is that of the hints
 };
 
 /*!
-Turns the normals of the samples to one side. Over the edges of the graph of nearest neighbors where `orientation_agreement()` is beyond
-doubt, sets of samples grow as the maximum spanning forest of Hoppe et al. does, until most samples are in large sets. Where these touch, within a face, across a sharp
-edge or through noise, one edge may well err, and would turn a whole face; there, all edges between two sets vote. Then the sets that hang together are turned
-as a whole: to the side of the hints where these are clear, else outwards, in the sense of the divergence theorem: \f$ \sum n_i^T (p_i - \bar p) > 0 \f$. Works on indices; no sample changes its
-place.
+Turns the normals of the samples to one side. Over the edges of the graph of nearest neighbors where
+`orientation_agreement()` is beyond doubt, sets of samples grow as the maximum spanning forest of
+Hoppe et al. does, until most samples are in large sets. Where these touch, within a face, across a
+sharp edge or through noise, one edge may well err, and would turn a whole face; there, all edges
+between two sets vote. Then the sets that hang together are turned as a whole: to the side of the
+hints where these are clear, else outwards, in the sense of the divergence theorem:
+\f$ \sum n_i^T (p_i - \bar p) > 0 \f$. Works on indices; no sample changes its place.
 
 \param positions, normals unit vectors of any sign in, consistent out
 \param number_of_neighbors of the graph, at least 1
-\param spacing of the samples, roughly: more than a 1000th of it, and not so much that it spans the cloud
-\param hint_of called with the index of a sample, gives a vector to the side its normal shall be on, of the length that it counts; may be zero
+\param spacing of the samples, roughly: more than a 1000th of it, and not so much that it spans the
+cloud
+\param hint_of called with the index of a sample, gives a vector to the side its normal shall be on,
+of the length that it counts; may be zero
 */
 template <typename ConcurrencyTag, typename T, typename HintOf>
-Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_of_neighbors, double spacing,
-                           const HintOf& hint_of, Progress& progress, Buffer<Eigen::Matrix<T, 3, 1>>& normals)
+Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_of_neighbors,
+                           double spacing, const HintOf& hint_of, Progress& progress,
+                           Buffer<Eigen::Matrix<T, 3, 1>>& normals)
 {
   const auto normal = [&](Index i) -> Vector { return normals[i].template cast<double>(); };
   const std::size_t m = positions.size();
   Voting faces = [&] {
-    const Buffer<Edge> edges = rated_edges<ConcurrencyTag>(positions, normals, number_of_neighbors, spacing, progress);
+    const Buffer<Edge> edges = rated_edges<ConcurrencyTag>(positions, normals, number_of_neighbors,
+                                                           spacing, progress);
     Signed_union_find sets = grow_forest<ConcurrencyTag>(edges, m);
     Buffer<Vote> votes = votes_of_edges<ConcurrencyTag>(edges, sets);
     return Voting{std::move(sets), std::move(votes)};
@@ -108,8 +121,9 @@ Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_o
     all = joined_by_votes(0, parts);
   }
   Buffer<Index> sure_set_sizes = filled_buffer(m, Index(0), positions.get_allocator());
-  for_each_in_order(m,
-                    [&](std::size_t i) { sure_set_sizes[i] = parts.sets.size_of_set(parts.sets.find(Index(i)).first); });
+  for_each_in_order(m, [&](std::size_t i) {
+    sure_set_sizes[i] = parts.sets.size_of_set(parts.sets.find(Index(i)).first);
+  });
   if (join_by_field<ConcurrencyTag>(all.sets, positions, normals, spacing, parts))
     all = joined_by_votes(0, parts);
   const Signed_union_find& sets = all.sets;
@@ -118,11 +132,14 @@ Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_o
   {
     Vector center = Vector::Zero();
     Vector normal_sum = Vector::Zero();
-    double flux = 0, largest_flux = 0; // of the divergence theorem, and if all normals pointed away from the center
+    double flux = 0,
+           largest_flux =
+             0; // of the divergence theorem, and if all normals pointed away from the center
     Hint_votes votes;
     Index largest_sure_set = 0;
   };
-  Buffer<Tree> trees = filled_buffer(m, Tree(), positions.get_allocator()); // that of a sample stands at its root
+  Buffer<Tree> trees =
+    filled_buffer(m, Tree(), positions.get_allocator()); // that of a sample stands at its root
   for_each_in_order(m, [&](std::size_t i) {
     const Index root = sets.find(Index(i)).first;
     trees[root].center += positions[i] / double(sets.size_of_set(root));
@@ -141,21 +158,23 @@ Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_o
     number_of_oriented += sets.size_of_set(root) > 1 && sure_set_sizes[i] == tree.largest_sure_set;
   });
   const std::size_t samples_per_task = 4096;
-  const auto number_of_hinted = block_sum<ConcurrencyTag>(m, samples_per_task, [&](std::size_t begin, std::size_t end) {
-    std::size_t number = 0;
-    for (Index i = Index(begin); i < end; ++i)
-    {
-      const auto [root, sign] = sets.find(i);
-      const Tree& tree = trees[root];
-      const bool is_hinted = tree.votes.are_clear();
-      const bool is_turned = is_hinted ? tree.votes.say_turn()
-                                       : is_turned_inwards(tree.flux, tree.largest_flux, tree.normal_sum);
-      number += is_hinted;
-      if (is_turned != (sign < 0))
-        normals[i] = -normals[i];
-    }
-    return number;
-  });
+  const auto number_of_hinted =
+    block_sum<ConcurrencyTag>(m, samples_per_task, [&](std::size_t begin, std::size_t end) {
+      std::size_t number = 0;
+      for (Index i = Index(begin); i < end; ++i)
+      {
+        const auto [root, sign] = sets.find(i);
+        const Tree& tree = trees[root];
+        const bool is_hinted = tree.votes.are_clear();
+        const bool is_turned = is_hinted
+                                 ? tree.votes.say_turn()
+                                 : is_turned_inwards(tree.flux, tree.largest_flux, tree.normal_sum);
+        number += is_hinted;
+        if (is_turned != (sign < 0))
+          normals[i] = -normals[i];
+      }
+      return number;
+    });
   return {double(number_of_oriented) / double(m), double(number_of_hinted) / double(m)};
 }
 

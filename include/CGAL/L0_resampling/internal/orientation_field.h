@@ -29,10 +29,12 @@ struct Dipole
   Vector position, normal;
 };
 
-/// The sets of the field, of those that have dipoles: the larger ones of the trees that they stand for.
+/// The sets of the field, of those that have dipoles: the larger ones of the trees that they stand
+/// for.
 /// \param sets by their roots
 /// \returns their roots, ascending
-inline std::vector<Index> sets_of_field(const Signed_union_find& trees, const std::vector<Dipoles_of_set>& sets)
+inline std::vector<Index> sets_of_field(const Signed_union_find& trees,
+                                        const std::vector<Dipoles_of_set>& sets)
 {
   const std::size_t fewest = fewest_dipoles_of_a_set(trees.size(), sets.size());
   struct Dipoles_of_tree
@@ -55,9 +57,11 @@ inline std::vector<Index> sets_of_field(const Signed_union_find& trees, const st
 }
 
 /*!
-Joins the larger ones of the sets that hang together if their field asks to turn some of them against the others. At an edge between two faces few samples
-vote, all of them next to the edge, where noise and smoothing leave the least to see; the faces as a whole know better. Their field is that of dipoles along
-the normals (after Metzer et al., Orienting point clouds with dipole propagation, 2021).
+Joins the larger ones of the sets that hang together if their field asks to turn some of them
+against the others. At an edge between two faces few samples vote, all of them next to the edge,
+where noise and smoothing leave the least to see; the faces as a whole know better. Their field is
+that of dipoles along the normals (after Metzer et al., Orienting point clouds with dipole
+propagation, 2021).
 
 \param trees what the votes make of the sets
 \param spacing of the samples
@@ -68,7 +72,8 @@ bool join_by_field(const Signed_union_find& trees, const Buffer<Vector>& positio
                    const Buffer<Eigen::Matrix<T, 3, 1>>& normals, double spacing, Voting& voting)
 {
   Signed_union_find& sets = voting.sets;
-  const double weight_of_votes = 3; // of an edge, against the field of two faces of one spacing each
+  const double weight_of_votes =
+    3; // of an edge, against the field of two faces of one spacing each
   const std::vector<Index> samples = samples_of_dipoles(positions.size());
   Field_of_sets field;
   field.roots = sets_of_field(trees, dipoles_of_sets(samples, sets));
@@ -76,9 +81,12 @@ bool join_by_field(const Signed_union_find& trees, const Buffer<Vector>& positio
   if (number_of_sets < 2)
     return false;
   const auto place_of = [&](Index root) {
-    return std::size_t(std::lower_bound(field.roots.begin(), field.roots.end(), root) - field.roots.begin());
+    return std::size_t(std::lower_bound(field.roots.begin(), field.roots.end(), root)
+                       - field.roots.begin());
   };
-  const auto is_in_field = [&](Index root) { return std::binary_search(field.roots.begin(), field.roots.end(), root); };
+  const auto is_in_field = [&](Index root) {
+    return std::binary_search(field.roots.begin(), field.roots.end(), root);
+  };
 
   for (Index root : field.roots)
   {
@@ -91,7 +99,8 @@ bool join_by_field(const Signed_union_find& trees, const Buffer<Vector>& positio
   std::vector<std::vector<Dipole>> dipoles(number_of_sets);
   for (Index i : samples)
     if (const auto [root, sign] = sets.find(i); is_in_field(root))
-      dipoles[place_of(root)].push_back({positions[i], double(sign) * normals[i].template cast<double>()});
+      dipoles[place_of(root)].push_back(
+        {positions[i], double(sign) * normals[i].template cast<double>()});
   const double area = spacing * spacing * double(positions.size()) / double(samples.size());
   const double squared_core = squared_core_of_dipole(area);
   field.agreements.assign(number_of_sets * number_of_sets, 0);
@@ -104,10 +113,12 @@ bool join_by_field(const Signed_union_find& trees, const Buffer<Vector>& positio
           for (const Dipole& other : dipoles[b])
           {
             const Vector d = other.position - dipole.position;
-            sum += dipole_agreement(dipole.normal.dot(other.normal), dipole.normal.dot(d) * other.normal.dot(d),
-                                    d.squaredNorm(), squared_core);
+            sum += dipole_agreement(dipole.normal.dot(other.normal),
+                                    dipole.normal.dot(d) * other.normal.dot(d), d.squaredNorm(),
+                                    squared_core);
           }
-        field.agreements[a * number_of_sets + b] = field.agreements[b * number_of_sets + a] = sum * area * area / spacing;
+        field.agreements[a * number_of_sets + b] = field.agreements[b * number_of_sets + a] =
+          sum * area * area / spacing;
       }
   });
   for_each_in_order(voting.votes.size(), [&](std::size_t n) {
@@ -124,8 +135,8 @@ bool join_by_field(const Signed_union_find& trees, const Buffer<Vector>& positio
     return false;
   for (std::size_t b = 0; b < number_of_sets; ++b)
   {
-    const std::size_t a = std::size_t(std::find(field.trees.begin(), field.trees.end(), field.trees[b])
-                                      - field.trees.begin());
+    const std::size_t a = std::size_t(
+      std::find(field.trees.begin(), field.trees.end(), field.trees[b]) - field.trees.begin());
     sets.join(field.roots[a], field.roots[b], field.signs[a] * field.signs[b]);
   }
   pass_votes_on<ConcurrencyTag>(voting);

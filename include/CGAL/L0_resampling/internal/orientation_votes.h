@@ -33,7 +33,8 @@ struct Edge
 };
 constexpr std::size_t edges_per_block = 16384;
 
-/// The sum of the agreements of edges between two samples or, read for their representatives, between two sets.
+/// The sum of the agreements of edges between two samples or, read for their representatives,
+/// between two sets.
 struct Vote
 {
   Index a, b;
@@ -63,7 +64,8 @@ void add_up_votes(Buffer<Vote>& votes)
   votes.resize(size);
 }
 
-/// Adds up votes between the same two as they come. Where most are, looking up costs a third of sorting them.
+/// Adds up votes between the same two as they come. Where most are, looking up costs a third of
+/// sorting them.
 class Vote_sums
 {
   Buffer<Vote>& m_sums;
@@ -103,17 +105,20 @@ public:
   }
 };
 
-/// The vote between the sets of two samples, or of two sets before they were joined to others; nothing if they are one set.
+/// The vote between the sets of two samples, or of two sets before they were joined to others;
+/// nothing if they are one set.
 inline std::optional<Vote> vote_between_sets(const Signed_union_find& sets, const Vote& vote)
 {
   const auto [root_a, sign_a] = sets.find(vote.a);
   const auto [root_b, sign_b] = sets.find(vote.b);
   if (root_a == root_b)
     return std::nullopt;
-  return Vote{(std::min)(root_a, root_b), (std::max)(root_a, root_b), sign_a * sign_b * vote.agreement, vote.total};
+  return Vote{(std::min)(root_a, root_b), (std::max)(root_a, root_b),
+              sign_a * sign_b * vote.agreement, vote.total};
 }
 
-/// The votes of the edges between sets: one for each pair of sets that touch, in the order of the pairs.
+/// The votes of the edges between sets: one for each pair of sets that touch, in the order of the
+/// pairs.
 template <typename ConcurrencyTag>
 Buffer<Vote> votes_of_edges(const Buffer<Edge>& edges, const Signed_union_find& sets)
 {
@@ -122,8 +127,8 @@ Buffer<Vote> votes_of_edges(const Buffer<Edge>& edges, const Signed_union_find& 
     [&](std::size_t begin, std::size_t end, Buffer<Vote>& votes_of_block) {
       Vote_sums sums(end - begin, votes_of_block);
       for (std::size_t e = begin; e < end; ++e)
-        if (const auto vote =
-              vote_between_sets(sets, {edges[e].i, edges[e].k, edges[e].agreement, std::abs(edges[e].agreement)}))
+        if (const auto vote = vote_between_sets(sets, {edges[e].i, edges[e].k, edges[e].agreement,
+                                                       std::abs(edges[e].agreement)}))
           sums.add(*vote);
     });
   add_up_votes<ConcurrencyTag>(votes);
@@ -137,7 +142,8 @@ struct Voting
   Buffer<Vote> votes; // added up
 };
 
-/// Replaces the votes between sets before they were joined by those between the sets as they are now.
+/// Replaces the votes between sets before they were joined by those between the sets as they are
+/// now.
 template <typename ConcurrencyTag>
 void pass_votes_on(Voting& voting)
 {
@@ -152,15 +158,17 @@ void pass_votes_on(Voting& voting)
   add_up_votes<ConcurrencyTag>(votes);
 }
 
-/// Joins sets that touch by majority: round by round, each set with the neighbor that their votes are most of one mind about.
+/// Joins sets that touch by majority: round by round, each set with the neighbor that their votes
+/// are most of one mind about.
 /// \param sure the share of the votes, in [0, 1], that the winning side has to be ahead by
 template <typename ConcurrencyTag>
 void join_by_votes(double sure, Voting& voting)
 {
   const Buffer<Vote>& votes = voting.votes;
   const std::size_t none = (std::numeric_limits<std::size_t>::max)();
-  Buffer<std::size_t> strongest = filled_buffer(voting.sets.size(), none,
-                                                votes.get_allocator()); // the vote of each set that it joins by
+  Buffer<std::size_t> strongest =
+    filled_buffer(voting.sets.size(), none,
+                  votes.get_allocator()); // the vote of each set that it joins by
   const auto is_stronger = [&](std::size_t v, std::size_t w) {
     const double a = std::abs(votes[v].agreement), b = std::abs(votes[w].agreement);
     return a != b ? a > b : v < w;
@@ -168,7 +176,8 @@ void join_by_votes(double sure, Voting& voting)
   for (bool is_joined = true; is_joined;)
   {
     is_joined = false;
-    for_each_in_order(votes.size(), [&](std::size_t n) { strongest[votes[n].a] = strongest[votes[n].b] = none; });
+    for_each_in_order(votes.size(),
+                      [&](std::size_t n) { strongest[votes[n].a] = strongest[votes[n].b] = none; });
     for_each_in_order(votes.size(), [&](std::size_t n) {
       if (std::abs(votes[n].agreement) >= sure * votes[n].total)
         for (const Index set : {votes[n].a, votes[n].b})

@@ -23,7 +23,8 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// Learns from the loops of the thread that it is set in that they are still running, and may end them by an exception.
+/// Learns from the loops of the thread that it is set in that they are still running, and may end
+/// them by an exception.
 class Loop_watcher
 {
 public:
@@ -34,7 +35,8 @@ protected:
   ~Loop_watcher() = default;
 };
 
-/// The watcher of this thread, or null. Not handed through all stages, as every loop has to be seen, those of a solver included.
+/// The watcher of this thread, or null. Not handed through all stages, as every loop has to be
+/// seen, those of a solver included.
 inline Loop_watcher*& loop_watcher()
 {
   thread_local Loop_watcher* watcher = nullptr;
@@ -44,7 +46,8 @@ inline Loop_watcher*& loop_watcher()
 /// Has the thread watched by `watcher`, which may be null, as long as this lives.
 class Watched_loops
 {
-  Loop_watcher* const m_outer = loop_watcher(); // of a call from whose callback or property map this one is made
+  Loop_watcher* const m_outer =
+    loop_watcher(); // of a call from whose callback or property map this one is made
 
 public:
   explicit Watched_loops(Loop_watcher* watcher) { loop_watcher() = watcher; }
@@ -60,8 +63,9 @@ inline void look_at_loop()
     loop_watcher()->look();
 }
 
-/// A view of a function `f(begin, end)`, for one body of a loop for all functions: a call through a pointer is nothing beside a block, and each
-/// instantiation of TBB's loop costs the compiler a quarter of a second.
+/// A view of a function `f(begin, end)`, for one body of a loop for all functions: a call through a
+/// pointer is nothing beside a block, and each instantiation of TBB's loop costs the compiler a
+/// quarter of a second.
 class Block_function
 {
   const void* m_function;
@@ -80,7 +84,8 @@ public:
 
 #ifdef CGAL_LINKED_WITH_TBB
 /// `for_each_block()` with `Parallel_tag`.
-inline void for_each_block_in_parallel(std::size_t n, std::size_t block_size, const Block_function& f)
+inline void for_each_block_in_parallel(std::size_t n, std::size_t block_size,
+                                       const Block_function& f)
 {
   Loop_watcher* const watcher = loop_watcher();
   const std::size_t number_of_blocks = n / block_size + std::size_t(n % block_size != 0);
@@ -105,10 +110,12 @@ inline void for_each_block_in_order(std::size_t n, std::size_t block_size, const
   }
 }
 
-/// Calls `f(begin, end)` for the blocks `[0, block_size)`, `[block_size, 2 * block_size)`, ... of `[0, n)`.
-/// The blocks depend on `n` and `block_size` alone, never on the number of threads: that is what makes results
-/// bitwise reproducible. `block_size` must be positive. With `Parallel_tag` the calls run at once and in any order.
-/// \throws what `f` or the watcher of the calling thread throws; with `Parallel_tag` one of the exceptions, after all running calls have ended
+/// Calls `f(begin, end)` for the blocks `[0, block_size)`, `[block_size, 2 * block_size)`, ... of
+/// `[0, n)`. The blocks depend on `n` and `block_size` alone, never on the number of threads: that
+/// is what makes results bitwise reproducible. `block_size` must be positive. With `Parallel_tag`
+/// the calls run at once and in any order.
+/// \throws what `f` or the watcher of the calling thread throws; with `Parallel_tag` one of the
+/// exceptions, after all running calls have ended
 template <typename ConcurrencyTag, typename F>
 void for_each_block(std::size_t n, std::size_t block_size, const F& f)
 {
@@ -133,14 +140,16 @@ void for_each_in_order(std::size_t n, const F& f)
   });
 }
 
-/// Makes `values` `n` times `value`, as `assign()` does, but in blocks: the first touch of memory takes half a second a gigabyte.
+/// Makes `values` `n` times `value`, as `assign()` does, but in blocks: the first touch of memory
+/// takes half a second a gigabyte.
 template <typename T>
 void fill_buffer(std::size_t n, const T& value, Buffer<T>& values)
 {
   const std::size_t block_size = 65536;
   values.clear();
   values.reserve(n);
-  for_each_block<Sequential_tag>(n, block_size, [&](std::size_t, std::size_t end) { values.resize(end, value); });
+  for_each_block<Sequential_tag>(n, block_size,
+                                 [&](std::size_t, std::size_t end) { values.resize(end, value); });
 }
 
 /// `n` times `value`, likewise.
@@ -159,13 +168,16 @@ Buffer<T> copy_of(const Buffer<T>& values)
   const std::size_t block_size = 65536;
   Buffer<T> copy(values.get_allocator());
   copy.reserve(values.size());
-  for_each_block<Sequential_tag>(values.size(), block_size, [&](std::size_t begin, std::size_t end) {
-    copy.insert(copy.end(), values.begin() + std::ptrdiff_t(begin), values.begin() + std::ptrdiff_t(end));
-  });
+  for_each_block<Sequential_tag>(values.size(), block_size,
+                                 [&](std::size_t begin, std::size_t end) {
+                                   copy.insert(copy.end(), values.begin() + std::ptrdiff_t(begin),
+                                               values.begin() + std::ptrdiff_t(end));
+                                 });
   return copy;
 }
 
-/// `less` for algorithms of the standard library that take long: looks at the loop at every so-maniest comparison.
+/// `less` for algorithms of the standard library that take long: looks at the loop at every
+/// so-maniest comparison.
 /// \param number_of_comparisons outlives what is returned, as does `less`
 template <typename Less>
 auto watched_order(const Less& less, std::size_t& number_of_comparisons)
@@ -178,9 +190,9 @@ auto watched_order(const Less& less, std::size_t& number_of_comparisons)
   };
 }
 
-/// The sum of `f(begin, end)` over the blocks of `for_each_block()`, added in the order of the blocks, so bitwise the
-/// same for every number of threads. The sum may be a number or any value type with `operator+=` that is zero when
-/// value-initialized.
+/// The sum of `f(begin, end)` over the blocks of `for_each_block()`, added in the order of the
+/// blocks, so bitwise the same for every number of threads. The sum may be a number or any value
+/// type with `operator+=` that is zero when value-initialized.
 template <typename ConcurrencyTag, typename F>
 auto block_sum(std::size_t n, std::size_t block_size, const F& f)
 {
@@ -196,15 +208,20 @@ auto block_sum(std::size_t n, std::size_t block_size, const F& f)
       sum += part;
   }
   else
-    for_each_block<ConcurrencyTag>(n, block_size, [&](std::size_t begin, std::size_t end) { sum += f(begin, end); });
+    for_each_block<ConcurrencyTag>(n, block_size, [&](std::size_t begin, std::size_t end) {
+      sum += f(begin, end);
+    });
   return sum;
 }
 
-/// What `f(begin, end, values)` appends to `values` for the blocks of `for_each_block()`, in the order of the blocks.
+/// What `f(begin, end, values)` appends to `values` for the blocks of `for_each_block()`, in the
+/// order of the blocks.
 template <typename ConcurrencyTag, typename T, typename F>
-Buffer<T> append_by_blocks(std::size_t n, std::size_t block_size, const Counting_allocator<T>& allocator, const F& f)
+Buffer<T> append_by_blocks(std::size_t n, std::size_t block_size,
+                           const Counting_allocator<T>& allocator, const F& f)
 {
-  std::vector<Buffer<T>> parts(n / block_size + std::size_t(n % block_size != 0), Buffer<T>(allocator));
+  std::vector<Buffer<T>> parts(n / block_size + std::size_t(n % block_size != 0),
+                               Buffer<T>(allocator));
   for_each_block<ConcurrencyTag>(n, block_size, [&](std::size_t begin, std::size_t end) {
     Buffer<T>& part = parts[begin / block_size];
     f(begin, end, part);

@@ -40,11 +40,12 @@ void sort_range_by_key(Iterator begin, Iterator end, const Key& key, const Less&
   }
 }
 
-/// Puts the values into `number_of_buckets` buckets, a power of two, so that no key of a bucket is larger than one of the next. Few are much larger
-/// than the others, unless many keys are equal.
+/// Puts the values into `number_of_buckets` buckets, a power of two, so that no key of a bucket is
+/// larger than one of the next. Few are much larger than the others, unless many keys are equal.
 /// \returns the first place of each bucket, and the number of values
 template <typename ConcurrencyTag, typename Value, typename Key>
-std::vector<std::size_t> partition_into_buckets(std::size_t number_of_buckets, const Key& key, Buffer<Value>& values)
+std::vector<std::size_t> partition_into_buckets(std::size_t number_of_buckets, const Key& key,
+                                                Buffer<Value>& values)
 {
   const std::size_t samples_per_bucket = 32, values_per_block = 8192, n = values.size();
   std::vector<std::uint64_t> bounds; // of the bucket k: [bounds[k], bounds[k + 1])
@@ -61,7 +62,8 @@ std::vector<std::size_t> partition_into_buckets(std::size_t number_of_buckets, c
   };
 
   const std::size_t number_of_blocks = (n + values_per_block - 1) / values_per_block;
-  std::vector<std::size_t> places(number_of_blocks * number_of_buckets, 0); // of the values of a block in a bucket
+  std::vector<std::size_t> places(number_of_blocks * number_of_buckets,
+                                  0); // of the values of a block in a bucket
   for_each_block<ConcurrencyTag>(n, values_per_block, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       ++places[begin / values_per_block * number_of_buckets + bucket_of(values[i])];
@@ -83,24 +85,27 @@ std::vector<std::size_t> partition_into_buckets(std::size_t number_of_buckets, c
   Buffer<Value> partitioned(n, values.get_allocator());
   for_each_block<ConcurrencyTag>(n, values_per_block, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      partitioned[places[begin / values_per_block * number_of_buckets + bucket_of(values[i])]++] = values[i];
+      partitioned[places[begin / values_per_block * number_of_buckets + bucket_of(values[i])]++] =
+        values[i];
   });
   values.swap(partitioned);
   return first_places;
 }
 
-/// Sorts by a key, a `std::uint64_t`, and values of equal keys by `less`, an order without ties, so that the result does not depend on the
-/// number of threads.
+/// Sorts by a key, a `std::uint64_t`, and values of equal keys by `less`, an order without ties, so
+/// that the result does not depend on the number of threads.
 template <typename ConcurrencyTag, typename Value, typename Key, typename Less>
 void sort_by_key(Buffer<Value>& values, const Key& key, const Less& less)
 {
-  const std::size_t too_few_for_threads = 16384, large_bucket = 131072; // of the latter, sorting takes some 20 ms
+  const std::size_t too_few_for_threads = 16384,
+                    large_bucket = 131072; // of the latter, sorting takes some 20 ms
   std::size_t number_of_buckets = std::is_convertible<ConcurrencyTag, Parallel_tag>::value ? 64 : 1;
   while (number_of_buckets < 1024 && values.size() / number_of_buckets > large_bucket)
     number_of_buckets *= 2;
   if (number_of_buckets == 1 || values.size() < too_few_for_threads)
     return sort_range_by_key(values.begin(), values.end(), key, less);
-  const std::vector<std::size_t> first_places = partition_into_buckets<ConcurrencyTag>(number_of_buckets, key, values);
+  const std::vector<std::size_t> first_places =
+    partition_into_buckets<ConcurrencyTag>(number_of_buckets, key, values);
   for_each_block<ConcurrencyTag>(number_of_buckets, 1, [&](std::size_t bucket, std::size_t) {
     sort_range_by_key(values.begin() + std::ptrdiff_t(first_places[bucket]),
                       values.begin() + std::ptrdiff_t(first_places[bucket + 1]), key, less);

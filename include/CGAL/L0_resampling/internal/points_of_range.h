@@ -36,30 +36,35 @@ struct Input
   Buffer<unsigned char> is_kept; // one for each point of the range
   Vector low = Vector::Zero(), high = Vector::Zero();
 
-  explicit Input(Memory_counter* memory = nullptr) : points(memory), normals(memory), hints(memory), is_kept(memory) {}
+  explicit Input(Memory_counter* memory = nullptr)
+    : points(memory), normals(memory), hints(memory), is_kept(memory)
+  {}
 };
 
 /// \throws std::invalid_argument for a point of the caller that is not finite
 [[noreturn]] inline void refuse_non_finite_point(std::size_t index, const Vector& point)
 {
   throw std::invalid_argument("l0_resample_point_set: point " + std::to_string(index)
-                              + " has a coordinate that is not finite (" + std::to_string(point[0]) + ", "
-                              + std::to_string(point[1]) + ", " + std::to_string(point[2])
+                              + " has a coordinate that is not finite (" + std::to_string(point[0])
+                              + ", " + std::to_string(point[1]) + ", " + std::to_string(point[2])
                               + "); drop_non_finite(true) leaves such points out");
 }
 
 /// Reads the points of the range, without the non-finite ones if they are to be dropped.
 /// \throws std::invalid_argument for the first non-finite point if they are not
 template <typename PointRange, typename PointMap>
-void read_points(const PointRange& range, PointMap point_map, bool drop_non_finite, Report& report, Input& input)
+void read_points(const PointRange& range, PointMap point_map, bool drop_non_finite, Report& report,
+                 Input& input)
 {
-  const std::size_t many_points = 1000000; // a buffer of more that grows is copied for longer than the callback can wait
+  const std::size_t many_points =
+    1000000; // a buffer of more that grows is copied for longer than the callback can wait
   std::size_t index = 0;
   for (auto it = range.begin(); it != range.end(); ++it, ++index)
   {
     if (index % points_per_look == 0)
       look_at_loop();
-    if (index == many_points && !drop_non_finite) // among points to be dropped there may be few others
+    if (index == many_points
+        && !drop_non_finite) // among points to be dropped there may be few others
     {
       const std::size_t size = std::size_t(std::distance(range.begin(), range.end()));
       input.is_kept.reserve(size);
@@ -83,9 +88,11 @@ void read_points(const PointRange& range, PointMap point_map, bool drop_non_fini
   report.number_of_input_points = input.points.size();
 }
 
-/// Reads the vectors of the points that are kept: to unit length, or zero where they are zero or not finite.
+/// Reads the vectors of the points that are kept: to unit length, or zero where they are zero or
+/// not finite.
 template <typename PointRange, typename VectorMap>
-void read_directions(const PointRange& range, VectorMap vector_map, const Input& input, Buffer<Local_vector>& directions)
+void read_directions(const PointRange& range, VectorMap vector_map, const Input& input,
+                     Buffer<Local_vector>& directions)
 {
   std::size_t index = 0;
   directions.reserve(input.points.size());
@@ -109,11 +116,13 @@ template <typename PointRange, typename NormalMap>
 void read_normals(const PointRange& range, NormalMap normal_map, Input& input)
 {
   read_directions(range, normal_map, input, input.normals);
-  // one of the two signs, so that neither the sign nor, among coincident points, the order of the input matters
+  // one of the two signs, so that neither the sign nor, among coincident points, the order of the
+  // input matters
   const Local_vector zero = Local_vector::Zero();
   for_each_in_order(input.normals.size(), [&](std::size_t i) {
     Local_vector& normal = input.normals[i];
-    if (std::lexicographical_compare(normal.data(), normal.data() + 3, zero.data(), zero.data() + 3))
+    if (std::lexicographical_compare(normal.data(), normal.data() + 3, zero.data(),
+                                     zero.data() + 3))
       normal = -normal;
   });
 }
@@ -155,9 +164,11 @@ Point_tree_3 tree_of_range(const PointRange& range, PointMap point_map, Memory_c
   return Point_tree_3(std::move(points), std::move(indices));
 }
 
-/// The number of distinct finite points of the range, counted before any scaling can make two of them one.
+/// The number of distinct finite points of the range, counted before any scaling can make two of
+/// them one.
 template <typename PointRange, typename PointMap>
-std::size_t number_of_distinct_points(const PointRange& range, PointMap point_map, Memory_counter& memory)
+std::size_t number_of_distinct_points(const PointRange& range, PointMap point_map,
+                                      Memory_counter& memory)
 {
   Buffer<Vector> points(&memory);
   points.reserve(std::size_t(std::distance(range.begin(), range.end())));
@@ -196,8 +207,8 @@ std::array<std::array<FT, 3>, 2> box_of_result(const Input& input, double margin
 /// The result's positions in the number type of the caller: inside the bounding box grown by
 /// `margin`, and no two equal if `separate`.
 template <typename ConcurrencyTag, typename FT>
-Buffer<std::array<FT, 3>> rounded_positions(const Buffer<Vector>& positions, const Input& input, double margin,
-                                            bool separate)
+Buffer<std::array<FT, 3>> rounded_positions(const Buffer<Vector>& positions, const Input& input,
+                                            double margin, bool separate)
 {
   const std::array<std::array<FT, 3>, 2> box = box_of_result<FT>(input, margin);
   const std::array<FT, 3>& low = box[0];
@@ -207,7 +218,8 @@ Buffer<std::array<FT, 3>> rounded_positions(const Buffer<Vector>& positions, con
   for_each_in_order(positions.size(), [&](std::size_t i) {
     std::array<FT, 3> r;
     for (std::size_t a = 0; a < 3; ++a)
-      r[a] = FT((std::min)((std::max)(positions[i][Eigen::Index(a)], double(low[a])), double(high[a])));
+      r[a] = FT(
+        (std::min)((std::max)(positions[i][Eigen::Index(a)], double(low[a])), double(high[a])));
     rounded.push_back(r);
   });
   if (separate)

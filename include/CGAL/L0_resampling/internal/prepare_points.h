@@ -31,10 +31,11 @@ using Local_vector = Eigen::Matrix<Local, 3, 1>;
 /// Finds the facts of the cloud, plans the call, and makes r_p the unit of frame and points.
 /// \param frame that the points have entered
 template <typename ConcurrencyTag>
-Plan plan_and_scale(const Parameters& parameters, Buffer<Vector>& points, Working_frame& frame, Progress& progress,
-                    Report& report)
+Plan plan_and_scale(const Parameters& parameters, Buffer<Vector>& points, Working_frame& frame,
+                    Progress& progress, Report& report)
 {
-  Facts facts{points.size(), box_diagonal(points), robust_diagonal<ConcurrencyTag>(points), frame.exponent()};
+  Facts facts{points.size(), box_diagonal(points), robust_diagonal<ConcurrencyTag>(points),
+              frame.exponent()};
   if (Plan::needs_scales(parameters))
   {
     facts.scales = estimate_scales<ConcurrencyTag, Local>(points, paper_radius(facts), progress);
@@ -48,8 +49,10 @@ Plan plan_and_scale(const Parameters& parameters, Buffer<Vector>& points, Workin
   return plan;
 }
 
-/// Coincident points are in no order but that of the input, which must not matter: puts their normals, or hints, in one.
-inline void sort_normals_of_coincident_points(const Buffer<Vector>& points, Buffer<Local_vector>& normals)
+/// Coincident points are in no order but that of the input, which must not matter: puts their
+/// normals, or hints, in one.
+inline void sort_normals_of_coincident_points(const Buffer<Vector>& points,
+                                              Buffer<Local_vector>& normals)
 {
   for_each_in_order(points.size(), [&](std::size_t begin) {
     if (begin > 0 && points[begin] == points[begin - 1])
@@ -67,10 +70,12 @@ inline void sort_normals_of_coincident_points(const Buffer<Vector>& points, Buff
 /// Removes the outliers from the points and what belongs to them.
 /// \returns their number
 template <typename ConcurrencyTag>
-std::size_t drop_outliers(double radius, Buffer<Vector>& points, Buffer<Local_vector>& given_normals,
-                          Buffer<Local_vector>& hints, Progress& progress)
+std::size_t drop_outliers(double radius, Buffer<Vector>& points,
+                          Buffer<Local_vector>& given_normals, Buffer<Local_vector>& hints,
+                          Progress& progress)
 {
-  const Buffer<unsigned char> is_outlier = find_outliers<Local, ConcurrencyTag>(points, radius, progress);
+  const Buffer<unsigned char> is_outlier = find_outliers<Local, ConcurrencyTag>(points, radius,
+                                                                                progress);
   const auto drop_from = [&](auto& values) {
     std::size_t size = 0;
     for_each_in_order(values.size(), [&](std::size_t i) {
@@ -86,12 +91,12 @@ std::size_t drop_outliers(double radius, Buffer<Vector>& points, Buffer<Local_ve
   return n - points.size();
 }
 
-/// Sorts the points, and what belongs to them, into the order of their grid, and thins them where they
-/// crowd.
+/// Sorts the points, and what belongs to them, into the order of their grid, and thins them where
+/// they crowd.
 /// \returns the number of distinct points before
 template <typename ConcurrencyTag>
-std::size_t sort_points(double cell_size, Buffer<Vector>& points, Buffer<Local_vector>& given_normals,
-                        Buffer<Local_vector>& hints)
+std::size_t sort_points(double cell_size, Buffer<Vector>& points,
+                        Buffer<Local_vector>& given_normals, Buffer<Local_vector>& hints)
 {
   {
     const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(points, cell_size);
@@ -104,8 +109,9 @@ std::size_t sort_points(double cell_size, Buffer<Vector>& points, Buffer<Local_v
       }
   }
   std::size_t number_of_distinct_points = 0;
-  for_each_in_order(points.size(),
-                    [&](std::size_t i) { number_of_distinct_points += i == 0 || points[i] != points[i - 1]; });
+  for_each_in_order(points.size(), [&](std::size_t i) {
+    number_of_distinct_points += i == 0 || points[i] != points[i - 1];
+  });
   const Representatives kept = thin_crowds<ConcurrencyTag>(Search_grid_3(points, cell_size), points,
                                                            most_points_of_subcell);
   kept.keep(points);
@@ -118,7 +124,8 @@ std::size_t sort_points(double cell_size, Buffer<Vector>& points, Buffer<Local_v
 inline bool are_all_given(const Buffer<Local_vector>& given_normals)
 {
   return !given_normals.empty()
-         && std::none_of(given_normals.begin(), given_normals.end(), [](const Local_vector& n) { return n.isZero(0); });
+         && std::none_of(given_normals.begin(), given_normals.end(),
+                         [](const Local_vector& n) { return n.isZero(0); });
 }
 
 /// The input points in the order of their grid, with what the stages find out about them.
@@ -139,54 +146,64 @@ struct Prepared_points
   }
 };
 
-/// Section 3.1: the filtered normals of the input points, Eq. (1) and (2). `given_normals` replace PCA where
-/// they are usable.
+/// Section 3.1: the filtered normals of the input points, Eq. (1) and (2). `given_normals` replace
+/// PCA where they are usable.
 template <typename ConcurrencyTag>
-void compute_filtered_normals(const Plan& plan, const Buffer<Local_vector>& given_normals, Progress& progress,
-                              Report& report, Prepared_points& input)
+void compute_filtered_normals(const Plan& plan, const Buffer<Local_vector>& given_normals,
+                              Progress& progress, Report& report, Prepared_points& input)
 {
   const Search_grid_3& grid = input.grid;
   const Buffer<Vector>& points = input.points;
   Buffer<Local_vector>& normals = input.normals;
-  normals = filled_buffer(points.size(), Local_vector(Local_vector::UnitZ()), points.get_allocator());
+  normals = filled_buffer(points.size(), Local_vector(Local_vector::UnitZ()),
+                          points.get_allocator());
   if (!are_all_given(given_normals))
   {
     progress.begin_stage("PCA normals", 0.1, points.size());
-    report.number_of_degenerate_neighborhoods = estimate_pca_normals<ConcurrencyTag>(grid, points, plan.pca_radius,
-                                                                                     progress, normals);
+    report.number_of_degenerate_neighborhoods =
+      estimate_pca_normals<ConcurrencyTag>(grid, points, plan.pca_radius, progress, normals);
   }
   for_each_in_order(given_normals.size(), [&](std::size_t i) {
     if (!given_normals[i].isZero(0))
       normals[i] = given_normals[i];
   });
 
-  const Normal_filter<Local> filter{plan.filter_radius, Local(plan.squared_bandwidth), Local(plan.normal_bandwidth)};
-  const Normal_filter<Local> plane{plan.filter_radius, Local(plan.squared_bandwidth), Local(plan.compatible_bandwidth)};
-  progress.begin_stage("filter normals", 0.4, points.size() * (plan.number_of_filter_passes + plan.number_of_refits));
-  filter_normals<ConcurrencyTag>(grid, points, filter, plan.number_of_filter_passes - plan.number_of_refits, progress,
-                                 normals);
+  const Normal_filter<Local> filter{plan.filter_radius, Local(plan.squared_bandwidth),
+                                    Local(plan.normal_bandwidth)};
+  const Normal_filter<Local> plane{plan.filter_radius, Local(plan.squared_bandwidth),
+                                   Local(plan.compatible_bandwidth)};
+  progress.begin_stage("filter normals", 0.4,
+                       points.size() * (plan.number_of_filter_passes + plan.number_of_refits));
+  filter_normals<ConcurrencyTag>(
+    grid, points, filter, plan.number_of_filter_passes - plan.number_of_refits, progress, normals);
   for (std::size_t refit = 0; refit < plan.number_of_refits; ++refit)
   {
-    refit_normals<ConcurrencyTag>(grid, points, plane, Local(square(plan.sheet_height)), progress, normals);
+    refit_normals<ConcurrencyTag>(grid, points, plane, Local(square(plan.sheet_height)), progress,
+                                  normals);
     filter_normals<ConcurrencyTag>(grid, points, filter, 1, progress, normals);
   }
 }
 
-/// Removes outliers, sorts the points, and finds their normals and their density weights of Eq. (5).
+/// Removes outliers, sorts the points, and finds their normals and their density weights of Eq.
+/// (5).
 /// \param points in the working frame
 /// \param given_normals used up
 template <typename ConcurrencyTag>
-Prepared_points prepare_points(const Plan& plan, Buffer<Vector>& points, Buffer<Local_vector>& given_normals,
-                               Buffer<Local_vector>& hints, Progress& progress, Report& report)
+Prepared_points prepare_points(const Plan& plan, Buffer<Vector>& points,
+                               Buffer<Local_vector>& given_normals, Buffer<Local_vector>& hints,
+                               Progress& progress, Report& report)
 {
   if (plan.drops_outliers)
   {
     progress.begin_stage("find outliers", 0.05, points.size());
-    report.number_of_outliers = drop_outliers<ConcurrencyTag>(plan.radius, points, given_normals, hints, progress);
+    report.number_of_outliers = drop_outliers<ConcurrencyTag>(plan.radius, points, given_normals,
+                                                              hints, progress);
     progress.begin_stage("sort points", 0.05, 1);
   }
-  report.number_of_distinct_points = sort_points<ConcurrencyTag>(plan.cell_size, points, given_normals, hints);
-  Prepared_points input{points, Search_grid_3(points, plan.cell_size), Buffer<Local_vector>(points.get_allocator()),
+  report.number_of_distinct_points = sort_points<ConcurrencyTag>(plan.cell_size, points,
+                                                                 given_normals, hints);
+  Prepared_points input{points, Search_grid_3(points, plan.cell_size),
+                        Buffer<Local_vector>(points.get_allocator()),
                         Buffer<Local>(points.get_allocator())};
   compute_filtered_normals<ConcurrencyTag>(plan, given_normals, progress, report, input);
   const bool all_normals_given = are_all_given(given_normals);
@@ -194,11 +211,13 @@ Prepared_points prepare_points(const Plan& plan, Buffer<Vector>& points, Buffer<
 
   progress.begin_stage("density weights", 0.08, points.size());
   const std::size_t number_of_sparse_balls = compute_input_density_weights<ConcurrencyTag>(
-    input.grid, points, plan.filter_radius, plan.squared_bandwidth, progress, input.density_weights);
+    input.grid, points, plan.filter_radius, plan.squared_bandwidth, progress,
+    input.density_weights);
   if (all_normals_given)
     report.number_of_degenerate_neighborhoods = number_of_sparse_balls;
   if (!plan.weighs_density)
-    input.density_weights.assign(points.size(), Local(1)); // sparse points shall not count more than dense ones
+    input.density_weights.assign(points.size(),
+                                 Local(1)); // sparse points shall not count more than dense ones
   return input;
 }
 

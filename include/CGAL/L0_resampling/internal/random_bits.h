@@ -14,8 +14,8 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// The finalizer of the generator splitmix64 (Steele, Lea, Flood 2014): a number that looks random for each pair of a seed and a
-/// counter, the same on every machine and in any order of evaluation.
+/// The finalizer of the generator splitmix64 (Steele, Lea, Flood 2014): a number that looks random
+/// for each pair of a seed and a counter, the same on every machine and in any order of evaluation.
 CGAL_L0_HOST_DEVICE inline std::uint64_t random_bits(std::uint64_t seed, std::uint64_t counter)
 {
   std::uint64_t z = (seed + 1) * 0x9E3779B97F4A7C15u + counter * 0xD1B54A32D192ED03u;

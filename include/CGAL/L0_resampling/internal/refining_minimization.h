@@ -22,7 +22,9 @@ namespace internal {
 /// What the default method adds to Algorithm 1.
 struct Refinement_parameters
 {
-  double self_neighbor_radius;           ///< in place of r_p/2, so that a sample has neighbors at any number of samples
+  double
+    /// in place of r_p/2, so that a sample has neighbors at any number of samples
+    self_neighbor_radius;
   double spacing;                        ///< of an even set of that many samples
   std::size_t number_of_repulsion_steps; ///< after each turn
   Sample_refit_kernel refit_kernel;
@@ -39,7 +41,8 @@ struct Refinement_counts
 /// The fit term of the default method as rows: one a sample.
 inline Fit_rows collapsed_fit_rows(const Samples<double>& samples)
 {
-  Fit_rows rows{Buffer<std::size_t>(samples.positions.size() + 1, 0, samples.positions.get_allocator()),
+  Fit_rows rows{Buffer<std::size_t>(samples.positions.size() + 1, 0,
+                                    samples.positions.get_allocator()),
                 samples.fit_centroids, samples.fit_weights};
   for (std::size_t i = 0; i < rows.offsets.size(); ++i)
     rows.offsets[i] = i;
@@ -47,26 +50,31 @@ inline Fit_rows collapsed_fit_rows(const Samples<double>& samples)
 }
 
 /*!
-Algorithm 1 as the default method runs it: every turn looks for the neighbors anew where the samples are now, fits to compatible points
-only, corrects normals by the samples around, and spreads the samples within the surface. Ends on the fitted surface.
+Algorithm 1 as the default method runs it: every turn looks for the neighbors anew where the samples
+are now, fits to compatible points only, corrects normals by the samples around, and spreads the
+samples within the surface. Ends on the fitted surface.
 
 \param input the points to fit to
 \param samples positions and normals in and out; the order changes
 \param reports out: one for each value of the penalty
 */
 template <typename ConcurrencyTag, typename T, typename SolverTraits>
-Refinement_counts minimize_with_refinement(const Minimization_parameters& p, const Refinement_parameters& refinement,
-                                           const Fit_input<T>& input, SolverTraits& solver, Progress& progress,
+Refinement_counts minimize_with_refinement(const Minimization_parameters& p,
+                                           const Refinement_parameters& refinement,
+                                           const Fit_input<T>& input, SolverTraits& solver,
+                                           Progress& progress,
                                            Samples<typename SolverTraits::FT>& samples,
                                            std::vector<Iteration_report>& reports)
 {
   const auto allocator = samples.positions.get_allocator();
   const double cell_size = (std::max)(input.grid.cell_size(), refinement.self_neighbor_radius);
   using Local_vector = typename Samples<typename SolverTraits::FT>::Local_vector;
-  fill_buffer(samples.positions.size(), Local_vector(Local_vector::Zero()), samples.outward_directions);
+  fill_buffer(samples.positions.size(), Local_vector(Local_vector::Zero()),
+              samples.outward_directions);
   fill_buffer(samples.positions.size(), typename SolverTraits::FT(0), samples.fit_variances);
   Minimization_step<ConcurrencyTag, SolverTraits> step(p, solver, progress, allocator);
-  Fit_rows fit_rows{Buffer<std::size_t>(allocator), Buffer<Vector>(allocator), Buffer<double>(allocator)};
+  Fit_rows fit_rows{Buffer<std::size_t>(allocator), Buffer<Vector>(allocator),
+                    Buffer<double>(allocator)};
   Buffer<Upper_triangle<typename SolverTraits::FT>> normal_spreads(allocator);
 
   Neighborhoods neighbors{Buffer<std::size_t>(allocator), Buffer<Index>(allocator)};
@@ -77,22 +85,28 @@ Refinement_counts minimize_with_refinement(const Minimization_parameters& p, con
     fit_compatible_points<ConcurrencyTag>(input, progress, samples);
     apply_order(Search_grid_3::sorted_order<ConcurrencyTag>(samples.positions, cell_size), samples);
     const Search_grid_3 grid(samples.positions, cell_size);
-    neighbors = find_self_neighbors<ConcurrencyTag>(grid, samples.positions, refinement.self_neighbor_radius, progress);
-    refit_sample_normals<ConcurrencyTag>(refinement.refit_kernel, neighbors, refinement.number_of_sample_refits, samples);
-    if constexpr (std::is_same<typename SolverTraits::FT, double>::value) // as all solvers that need rows
+    neighbors = find_self_neighbors<ConcurrencyTag>(grid, samples.positions,
+                                                    refinement.self_neighbor_radius, progress);
+    refit_sample_normals<ConcurrencyTag>(refinement.refit_kernel, neighbors,
+                                         refinement.number_of_sample_refits, samples);
+    if constexpr (std::is_same<typename SolverTraits::FT,
+                               double>::value) // as all solvers that need rows
       if (solver.needs_explicit_rows)
         fit_rows = collapsed_fit_rows(samples);
 
     sum_normal_spreads<ConcurrencyTag>(samples.normals, neighbors, normal_spreads);
     const Buffer<Vector> places = copy_of(samples.positions);
     reports.push_back(step(penalty, true, neighbors, normal_spreads, fit_rows, samples));
-    repel_tangentially<ConcurrencyTag>(neighbors, places, refinement.self_neighbor_radius, refinement.spacing,
-                                       input.radius, refinement.number_of_repulsion_steps, samples);
+    repel_tangentially<ConcurrencyTag>(neighbors, places, refinement.self_neighbor_radius,
+                                       refinement.spacing, input.radius,
+                                       refinement.number_of_repulsion_steps, samples);
   }
 
-  const std::size_t number_of_lonely_samples = fit_compatible_points<ConcurrencyTag>(input, progress, samples);
+  const std::size_t number_of_lonely_samples =
+    fit_compatible_points<ConcurrencyTag>(input, progress, samples);
   samples.positions = copy_of(samples.fit_centroids);
-  refit_sample_normals<ConcurrencyTag>(refinement.refit_kernel, neighbors, refinement.number_of_sample_refits, samples);
+  refit_sample_normals<ConcurrencyTag>(refinement.refit_kernel, neighbors,
+                                       refinement.number_of_sample_refits, samples);
   return {neighbors.indices.size(), number_of_lonely_samples};
 }
 

@@ -62,7 +62,8 @@ inline double median_count(const std::vector<Ball_of_points>& balls)
   return quantile(balls, 0.5, [](const Ball_of_points& ball) { return ball.count; });
 }
 
-/// Balls around far outliers hold less than this share of the points of the median ball. Those of thinner parts of a surface hold more.
+/// Balls around far outliers hold less than this share of the points of the median ball. Those of
+/// thinner parts of a surface hold more.
 constexpr double least_share_of_points_in_ball = 0.1;
 
 /// What few points have across their plane tells no noise.
@@ -74,8 +75,9 @@ inline void drop_sparse_balls(std::vector<Ball_of_points>& balls)
               balls.end());
 }
 
-/// Around half of the surface balls hold fewer points than this. Each ball stands for the area that its points have in the mean: samples are spread by
-/// area, and a sparse part of it shall count for as much as a dense one of its size, though it has fewer points.
+/// Around half of the surface balls hold fewer points than this. Each ball stands for the area that
+/// its points have in the mean: samples are spread by area, and a sparse part of it shall count for
+/// as much as a dense one of its size, though it has fewer points.
 inline double median_count_by_area(std::vector<Ball_of_points> balls)
 {
   std::sort(balls.begin(), balls.end(),
@@ -98,24 +100,28 @@ inline Scales scales_of_balls(const std::vector<Ball_of_points>& balls, double r
 {
   const double pi = 3.141592653589793;
   return {radius * std::sqrt(pi / (std::max)(median_count_by_area(balls), 1.)),
-          std::sqrt(quantile(balls, 0.3, [](const Ball_of_points& ball) { return ball.variance; }))};
+          std::sqrt(
+            quantile(balls, 0.3, [](const Ball_of_points& ball) { return ball.variance; }))};
 }
 
 constexpr std::size_t number_of_balls = 1000; // about
 constexpr int largest_reach_of_balls = 32;    // in cells
 
 /*!
-Estimates the scales from plane fits around a thousand points, in balls that grow until their points lie in a plane rather than fill the ball: until
-the standard deviation across it is surely below what it is in a filled ball. That deviation tells the noise, see `sheet_of_deviations()`, and the
-number of points gives the spacing, which is that of the middle of the surface. Of the deviations the third tenth counts: edges, curvature, thin parts and outliers only ever raise them, and the
-more the larger the balls are; so the balls should not grow for longer than they have to.
+Estimates the scales from plane fits around a thousand points, in balls that grow until their points
+lie in a plane rather than fill the ball: until the standard deviation across it is surely below
+what it is in a filled ball. That deviation tells the noise, see `sheet_of_deviations()`, and the
+number of points gives the spacing, which is that of the middle of the surface. Of the deviations
+the third tenth counts: edges, curvature, thin parts and outliers only ever raise them, and the more
+the larger the balls are; so the balls should not grow for longer than they have to.
 
-Balls that hold two sheets, as those of a thin plate do, would grow for ever and find its thickness. They are known by `single_sheet_index()`; then the
-noise and the number of points are those of one sheet.
+Balls that hold two sheets, as those of a thin plate do, would grow for ever and find its thickness.
+They are known by `single_sheet_index()`; then the noise and the number of points are those of one
+sheet.
 
 \param cell_size the largest balls are `largest_reach_of_balls` times as large
-\param look_at_balls `look_at_balls(k, r)` returns the balls of radius r, which is k times the size of a cell, as a `std::vector<Ball_of_points>`,
-which holds one at least
+\param look_at_balls `look_at_balls(k, r)` returns the balls of radius r, which is k times the size
+of a cell, as a `std::vector<Ball_of_points>`, which holds one at least
 */
 template <typename LookAtBalls>
 Scales scales_of_growing_balls(double cell_size, const LookAtBalls& look_at_balls)
@@ -130,7 +136,9 @@ Scales scales_of_growing_balls(double cell_size, const LookAtBalls& look_at_ball
       continue;
     drop_sparse_balls(balls);
     scales = scales_of_balls(balls, radius);
-    const double index = quantile(balls, 0.5, [](const Ball_of_points& ball) { return ball.shape.single_sheet_index(); });
+    const double index = quantile(balls, 0.5, [](const Ball_of_points& ball) {
+      return ball.shape.single_sheet_index();
+    });
     if (scales.noise > surely_flat * radius && index < largest_index_of_two_sheets)
     {
       for (Ball_of_points& ball : balls)

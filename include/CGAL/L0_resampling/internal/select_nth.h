@@ -17,8 +17,8 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// As `std::nth_element()`, for numbers, but in steps between which the watcher of the loops of this thread looks: of ten million numbers the whole takes longer
-/// than a caller shall wait.
+/// As `std::nth_element()`, for numbers, but in steps between which the watcher of the loops of
+/// this thread looks: of ten million numbers the whole takes longer than a caller shall wait.
 template <typename Iterator>
 void select_nth(Iterator first, Iterator nth, Iterator last)
 {
@@ -32,7 +32,8 @@ void select_nth(Iterator first, Iterator nth, Iterator last)
     for (std::ptrdiff_t k = 0; k < number_of_probes; ++k)
       probes.push_back(*(first + k * stride));
     const auto probe = probes.begin()
-                       + std::ptrdiff_t(double(nth - first) / double(last - first) * double(number_of_probes));
+                       + std::ptrdiff_t(double(nth - first) / double(last - first)
+                                        * double(number_of_probes));
     std::nth_element(probes.begin(), probe, probes.end());
     const Number pivot = *probe;
     const Iterator equal = std::partition(first, last, [=](Number x) { return x < pivot; });

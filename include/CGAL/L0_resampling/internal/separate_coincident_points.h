@@ -23,28 +23,33 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// Whether two points are equal: true whenever they are, and next to never when they are not. Sorting one number a point is a tenth of the work of
-/// sorting the points.
+/// Whether two points are equal: true whenever they are, and next to never when they are not.
+/// Sorting one number a point is a tenth of the work of sorting the points.
 template <typename ConcurrencyTag, typename FT>
 bool may_have_equal_points(const Buffer<std::array<FT, 3>>& points)
 {
   Buffer<std::size_t> hashes(points.get_allocator());
   hashes.reserve(points.size());
-  for_each_in_order(points.size(),
-                    [&](std::size_t i) { hashes.push_back(boost::hash_range(points[i].begin(), points[i].end())); });
+  for_each_in_order(points.size(), [&](std::size_t i) {
+    hashes.push_back(boost::hash_range(points[i].begin(), points[i].end()));
+  });
   sort_by_key<ConcurrencyTag>(
-    hashes, [](std::size_t hash) -> std::uint64_t { return hash; }, [](std::size_t, std::size_t) { return false; });
+    hashes, [](std::size_t hash) -> std::uint64_t { return hash; },
+    [](std::size_t, std::size_t) { return false; });
   return std::adjacent_find(hashes.begin(), hashes.end()) != hashes.end();
 }
 
-/// Makes points that are equal, after rounding to the caller's number type, differ by a few units in the last place: no two results
-/// may be one. They fall together where a radius reaches the whole cloud, or where `float` is too coarse for UTM coordinates.
-/// \param points finite; those that coincide with an earlier one in lexicographic order of (coordinates, index) are moved
+/// Makes points that are equal, after rounding to the caller's number type, differ by a few units
+/// in the last place: no two results may be one. They fall together where a radius reaches the
+/// whole cloud, or where `float` is too coarse for UTM coordinates.
+/// \param points finite; those that coincide with an earlier one in lexicographic order of
+/// (coordinates, index) are moved
 /// \param low, high corners of the box that they have to stay in, where it has room
-/// \param length below which coordinates count as zero: its rounding is the least step; may be infinite
+/// \param length below which coordinates count as zero: its rounding is the least step; may be
+/// infinite
 template <typename ConcurrencyTag, typename FT>
-void separate_coincident_points(const std::array<FT, 3>& low, const std::array<FT, 3>& high, FT length,
-                                Buffer<std::array<FT, 3>>& points)
+void separate_coincident_points(const std::array<FT, 3>& low, const std::array<FT, 3>& high,
+                                FT length, Buffer<std::array<FT, 3>>& points)
 {
   if (!may_have_equal_points<ConcurrencyTag>(points))
     return;
@@ -59,7 +64,9 @@ void separate_coincident_points(const std::array<FT, 3>& low, const std::array<F
   std::size_t number_of_comparisons = 0;
   std::sort(order.begin(), order.end(), watched_order(comes_first, number_of_comparisons));
 
-  const auto coincides = [&](std::size_t k) { return k > 0 && points[order[k]] == points[order[k - 1]]; };
+  const auto coincides = [&](std::size_t k) {
+    return k > 0 && points[order[k]] == points[order[k - 1]];
+  };
   Buffer<std::size_t> to_move(allocator);
   for_each_in_order(order.size(), [&](std::size_t k) {
     if (coincides(k))
@@ -68,11 +75,14 @@ void separate_coincident_points(const std::array<FT, 3>& low, const std::array<F
   if (to_move.empty())
     return;
 
-  // Each group takes the nodes of a lattice around its place, one after the other, and skips those that are taken, and those beyond the
-  // largest number.
-  const auto is_finite = [](const Point& p) { return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]); };
+  // Each group takes the nodes of a lattice around its place, one after the other, and skips those
+  // that are taken, and those beyond the largest number.
+  const auto is_finite = [](const Point& p) {
+    return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+  };
   std::set<Point> taken;
-  for_each_in_order(order.size(), [&](std::size_t k) { taken.insert(taken.end(), points[order[k]]); });
+  for_each_in_order(order.size(),
+                    [&](std::size_t k) { taken.insert(taken.end(), points[order[k]]); });
   Point place = points[to_move.front()];
   std::size_t node = 0;
   for (std::size_t i : to_move)
@@ -89,7 +99,8 @@ void separate_coincident_points(const std::array<FT, 3>& low, const std::array<F
     for (std::size_t a = 0; a < 3; ++a)
     {
       const FT size = (std::max)({std::abs(place[a]), length, (std::numeric_limits<FT>::min)()});
-      step[a] = 2 * std::numeric_limits<FT>::epsilon() * (std::min)(size, (std::numeric_limits<FT>::max)());
+      step[a] = 2 * std::numeric_limits<FT>::epsilon()
+                * (std::min)(size, (std::numeric_limits<FT>::max)());
       const auto room = [&](FT distance) {
         const FT many = FT(1 << 20);
         return std::size_t((std::max)((std::min)(distance / step[a], many), FT(0)));
@@ -105,8 +116,9 @@ void separate_coincident_points(const std::array<FT, 3>& low, const std::array<F
     do
     {
       ++node;
-      // nodes 0, 1, -1, 2, -2 ... of each axis up to the nearer side of the box, those of the other side after that; the counter's bits go
-      // round the axes that have room for one more, so that the lattice grows evenly, and round all axes once the box is full
+      // nodes 0, 1, -1, 2, -2 ... of each axis up to the nearer side of the box, those of the other
+      // side after that; the counter's bits go round the axes that have room for one more, so that
+      // the lattice grows evenly, and round all axes once the box is full
       std::array<std::size_t, 3> coordinates{};
       std::size_t rest = node;
       for (int bit = 0; rest > 0; ++bit)
@@ -120,8 +132,9 @@ void separate_coincident_points(const std::array<FT, 3>& low, const std::array<F
       {
         const std::size_t node_of_axis = coordinates[a], nearer = steps_to_nearer_side[a];
         const bool is_on_both_sides = node_of_axis <= 2 * nearer;
-        const FT steps = is_on_both_sides ? FT((node_of_axis + 1) / 2) * (node_of_axis % 2 ? FT(1) : FT(-1))
-                                          : FT(node_of_axis - nearer);
+        const FT steps = is_on_both_sides
+                           ? FT((node_of_axis + 1) / 2) * (node_of_axis % 2 ? FT(1) : FT(-1))
+                           : FT(node_of_axis - nearer);
         moved[a] = place[a] + steps * step[a];
       }
     } while (!is_finite(moved) || !taken.insert(moved).second);

@@ -17,7 +17,8 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// Two unit vectors that span the plane across a third one, with which they form a right-handed frame.
+/// Two unit vectors that span the plane across a third one, with which they form a right-handed
+/// frame.
 struct Tangent_frame
 {
   Triple u, v, normal;
@@ -37,11 +38,14 @@ struct Settled_sample
   Triple normal;
 };
 
-/// How much a surface counts that was fitted to voters: the less the fewer they are, the further from them the sample is, and the more they scatter about it.
+/// How much a surface counts that was fitted to voters: the less the fewer they are, the further
+/// from them the sample is, and the more they scatter about it.
 /// \param number of the voters
-/// \param leverage the variance of its height at the sample, per that of the mean height of the voters
+/// \param leverage the variance of its height at the sample, per that of the mean height of the
+/// voters
 /// \param excess the variance of the voters about it, per the largest that is believed
-CGAL_L0_HOST_DEVICE inline double share_of_surface(double number, int number_of_unknowns, double leverage, double excess)
+CGAL_L0_HOST_DEVICE inline double share_of_surface(double number, int number_of_unknowns,
+                                                   double leverage, double excess)
 {
   const double fewest = fewest_voters_per_unknown * number_of_unknowns;
   const double enough = enough_voters_per_unknown * number_of_unknowns;
@@ -53,10 +57,13 @@ CGAL_L0_HOST_DEVICE inline double share_of_surface(double number, int number_of_
 /// \param moments of the others, in the frame, relative to the sample, lengths in units of `radius`
 /// \param noise \f$ W \tau^2 \f$, in the same units
 /// \param radius of the ball
-CGAL_L0_HOST_DEVICE inline Settled_sample settle_on_quadric(const Quadric_moments<double>& moments, double noise,
-                                                            const Tangent_frame& frame, double radius)
+CGAL_L0_HOST_DEVICE inline Settled_sample settle_on_quadric(const Quadric_moments<double>& moments,
+                                                            double noise,
+                                                            const Tangent_frame& frame,
+                                                            double radius)
 {
-  const int unknowns_of_plane = 3, unknowns_of_quadric = Quadric_moments<double>::number_of_unknowns;
+  const int unknowns_of_plane = 3,
+            unknowns_of_quadric = Quadric_moments<double>::number_of_unknowns;
   const double number = moments.products[0], least_cosine = 0.5;
   if (!(number > unknowns_of_quadric && noise > 0))
     return {0, frame.normal};
@@ -67,7 +74,8 @@ CGAL_L0_HOST_DEVICE inline Settled_sample settle_on_quadric(const Quadric_moment
   const auto settle = [&](double share, double height_of_surface, const Triple& normal_of_surface) {
     const double rest = 1 - share;
     height = rest * height + share * height_of_surface;
-    normal = {rest * normal.x + share * normal_of_surface.x, rest * normal.y + share * normal_of_surface.y,
+    normal = {rest * normal.x + share * normal_of_surface.x,
+              rest * normal.y + share * normal_of_surface.y,
               rest * normal.z + share * normal_of_surface.z};
   };
 
@@ -79,10 +87,12 @@ CGAL_L0_HOST_DEVICE inline Settled_sample settle_on_quadric(const Quadric_moment
   const Triple of_quadric = normalized({-quadric.slope_u, -quadric.slope_v, 1});
   if (quadric.is_determined && of_quadric.z > least_cosine)
     settle(determined
-             * share_of_surface(number, unknowns_of_quadric, quadric.leverage, quadric.variance / believed_of_quadric),
+             * share_of_surface(number, unknowns_of_quadric, quadric.leverage,
+                                quadric.variance / believed_of_quadric),
            quadric.height, of_quadric);
 
-  const Triple n = eigen.smallest_vector, mean = {plane.x / number, plane.y / number, plane.z / number};
+  const Triple n = eigen.smallest_vector,
+               mean = {plane.x / number, plane.y / number, plane.z / number};
   const double sign = n.z < 0 ? -1 : 1, across = eigen.values[0] < 0 ? 0 : eigen.values[0];
   const double height_of_plane = dot(n, mean);
   if (sign * n.z > least_cosine && determined > 0)
@@ -92,9 +102,10 @@ CGAL_L0_HOST_DEVICE inline Settled_sample settle_on_quadric(const Quadric_moment
                                 across * number / (number - unknowns_of_plane) / believed_of_plane),
            height_of_plane / n.z, {sign * n.x, sign * n.y, sign * n.z});
 
-  return {radius * height, normalized({normal.x * frame.u.x + normal.y * frame.v.x + normal.z * frame.normal.x,
-                                       normal.x * frame.u.y + normal.y * frame.v.y + normal.z * frame.normal.y,
-                                       normal.x * frame.u.z + normal.y * frame.v.z + normal.z * frame.normal.z})};
+  return {radius * height,
+          normalized({normal.x * frame.u.x + normal.y * frame.v.x + normal.z * frame.normal.x,
+                      normal.x * frame.u.y + normal.y * frame.v.y + normal.z * frame.normal.y,
+                      normal.x * frame.u.z + normal.y * frame.v.z + normal.z * frame.normal.z})};
 }
 
 } // namespace internal

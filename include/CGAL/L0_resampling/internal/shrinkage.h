@@ -15,8 +15,10 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// \f$ \sqrt{\lambda/\beta} \f$ as a length, in the unit in which \f$ \lambda \f$ is read, but no longer than `largest_shrunk_jump`.
-inline double shrinkage_threshold(double normal_weight, double penalty, double sparsity_unit, double largest_shrunk_jump)
+/// \f$ \sqrt{\lambda/\beta} \f$ as a length, in the unit in which \f$ \lambda \f$ is read, but no
+/// longer than `largest_shrunk_jump`.
+inline double shrinkage_threshold(double normal_weight, double penalty, double sparsity_unit,
+                                  double largest_shrunk_jump)
 {
   return (std::min)(sparsity_unit * std::sqrt(normal_weight / penalty), largest_shrunk_jump);
 }
@@ -34,19 +36,22 @@ struct Shrunk_jumps
   {}
 };
 
-/// Eq. (9), the minimizer of Eq. (8) for one pair; or firm shrinkage (Gao and Bruce 1997), which passes from 0 to the jump itself without a step, as the minimizer does
-/// whose penalty is not L0 but rises to it (Zhang 2010).
+/// Eq. (9), the minimizer of Eq. (8) for one pair; or firm shrinkage (Gao and Bruce 1997), which
+/// passes from 0 to the jump itself without a step, as the minimizer does whose penalty is not L0
+/// but rises to it (Zhang 2010).
 /// \param normal_distance \f$ n_i^T(p_i - p_{i'}) \f$
 template <typename FT>
 CGAL_L0_HOST_DEVICE inline FT shrink(FT normal_distance, const Shrunk_jumps<FT>& jumps)
 {
   using std::abs;
-  // Eq. (9) prints no absolute value; minimizing Eq. (8) needs it, since delta = 0 costs beta * distance^2 for either sign.
+  // Eq. (9) prints no absolute value; minimizing Eq. (8) needs it, since delta = 0 costs beta *
+  // distance^2 for either sign.
   const FT size = abs(normal_distance);
   if (size < jumps.zero_below)
     return FT(0);
   if (size < jumps.kept_from)
-    return normal_distance * ((size - jumps.zero_below) / size) * (jumps.kept_from / (jumps.kept_from - jumps.zero_below));
+    return normal_distance * ((size - jumps.zero_below) / size)
+           * (jumps.kept_from / (jumps.kept_from - jumps.zero_below));
   return normal_distance;
 }
 

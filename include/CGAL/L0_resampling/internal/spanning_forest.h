@@ -19,7 +19,8 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// How sure an edge is, 0 for the surest, in steps of 1/1024, which is all that a spanning forest of noisy normals needs.
+/// How sure an edge is, 0 for the surest, in steps of 1/1024, which is all that a spanning forest
+/// of noisy normals needs.
 inline unsigned step_of_edge(const Edge& e)
 {
   const unsigned number_of_steps = 1024;
@@ -31,7 +32,8 @@ template <typename ConcurrencyTag>
 Buffer<Edge> sure_edges_between_sets(const Buffer<Edge>& edges, const Signed_union_find& sets)
 {
   return append_by_blocks<ConcurrencyTag>(
-    edges.size(), edges_per_block, edges.get_allocator(), [&](std::size_t begin, std::size_t end, Buffer<Edge>& sure_ones) {
+    edges.size(), edges_per_block, edges.get_allocator(),
+    [&](std::size_t begin, std::size_t end, Buffer<Edge>& sure_ones) {
       for (std::size_t e = begin; e < end; ++e)
       {
         if (!(std::abs(edges[e].agreement) >= float(beyond_doubt)))
@@ -45,7 +47,8 @@ Buffer<Edge> sure_edges_between_sets(const Buffer<Edge>& edges, const Signed_uni
 }
 
 /// Whether large sets hold most of the samples, see `are_sets_large()`.
-inline bool are_sets_large(const std::vector<Index>& samples_of_dipoles, const Signed_union_find& sets)
+inline bool are_sets_large(const std::vector<Index>& samples_of_dipoles,
+                           const Signed_union_find& sets)
 {
   std::size_t dipoles_of_large_sets = 0;
   for (const Dipoles_of_set& set : dipoles_of_sets(samples_of_dipoles, sets))
@@ -55,8 +58,10 @@ inline bool are_sets_large(const std::vector<Index>& samples_of_dipoles, const S
 }
 
 /*!
-Joins samples over the edges beyond doubt, by the rounds of Boruvka (1926): every set takes the surest edge that leads out of it, the first one of those that are
-equally sure. If rounds went on until no such edge is left, this would be the maximum spanning forest of Hoppe et al.; they end once sets are large.
+Joins samples over the edges beyond doubt, by the rounds of Boruvka (1926): every set takes the
+surest edge that leads out of it, the first one of those that are equally sure. If rounds went on
+until no such edge is left, this would be the maximum spanning forest of Hoppe et al.; they end once
+sets are large.
 
 \param edges between `number_of_samples` samples, which are sorted by place
 */
@@ -67,10 +72,12 @@ Signed_union_find grow_forest(const Buffer<Edge>& edges, std::size_t number_of_s
   Signed_union_find sets(number_of_samples, edges.get_allocator());
   Buffer<Edge> outer = sure_edges_between_sets<ConcurrencyTag>(edges, sets);
   const std::size_t none = (std::numeric_limits<std::size_t>::max)();
-  Buffer<std::size_t> surest = filled_buffer(number_of_samples, none, edges.get_allocator()); // edge of each set
+  Buffer<std::size_t> surest = filled_buffer(number_of_samples, none,
+                                             edges.get_allocator()); // edge of each set
   while (!outer.empty() && !are_sets_large(dipoles, sets))
   {
-    for_each_in_order(outer.size(), [&](std::size_t e) { surest[outer[e].i] = surest[outer[e].k] = none; });
+    for_each_in_order(outer.size(),
+                      [&](std::size_t e) { surest[outer[e].i] = surest[outer[e].k] = none; });
     for_each_in_order(outer.size(), [&](std::size_t e) {
       for (const Index set : {outer[e].i, outer[e].k})
         if (surest[set] == none || step_of_edge(outer[e]) < step_of_edge(outer[surest[set]]))

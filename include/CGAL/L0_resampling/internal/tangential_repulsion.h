@@ -19,21 +19,25 @@ namespace L0_resampling {
 namespace internal {
 
 /*!
-Spreads the samples: each moves away from its self neighbors within its tangent plane, the more the nearer they are,
-\f$ \Delta_i = \mu (I - n_i n_i^T) \sum_k \theta(d_{ik}) (p_i - p_k) \f$. On an even set the pushes cancel. Near an edge or a border nobody
-pushes back from outside, so that the part of a push that goes there is left out.
+Spreads the samples: each moves away from its self neighbors within its tangent plane, the more the
+nearer they are, \f$ \Delta_i = \mu (I - n_i n_i^T) \sum_k \theta(d_{ik}) (p_i - p_k) \f$. On an
+even set the pushes cancel. Near an edge or a border nobody pushes back from outside, so that the
+part of a push that goes there is left out.
 
-Where the samples have spacings of their own, distances are read relative to the mean of a pair's two. Then the pushes cancel, to first order of the
-gradient, on a set whose density is the inverse square of those spacings.
+Where the samples have spacings of their own, distances are read relative to the mean of a pair's
+two. Then the pushes cancel, to first order of the gradient, on a set whose density is the inverse
+square of those spacings.
 
 \param places where the samples were when their neighbors were found
-\param range of the neighbors, there; pushes end softly at it (`share_in_ball()`), so that no rounding decides whether one is felt
+\param range of the neighbors, there; pushes end softly at it (`share_in_ball()`), so that no
+rounding decides whether one is felt
 \param spacing of an even set of that many samples, a length
 \param radius of the fit: no sample is pushed out of its reach
 */
 template <typename ConcurrencyTag, typename FT>
-void repel_tangentially(const Neighborhoods& neighbors, const Buffer<Vector>& places, double range, double spacing,
-                        double radius, std::size_t number_of_steps, Samples<FT>& samples)
+void repel_tangentially(const Neighborhoods& neighbors, const Buffer<Vector>& places, double range,
+                        double spacing, double radius, std::size_t number_of_steps,
+                        Samples<FT>& samples)
 {
   using Local_vector = Eigen::Matrix<FT, 3, 1>;
   using Array = Eigen::Array<FT, Eigen::Dynamic, 1>;
@@ -44,45 +48,51 @@ void repel_tangentially(const Neighborhoods& neighbors, const Buffer<Vector>& pl
   Buffer<Vector> moved = copy_of(samples.positions);
   for (std::size_t step = 0; step < number_of_steps; ++step)
   {
-    for_each_block<ConcurrencyTag>(samples.positions.size(), samples_per_block, [&](std::size_t begin, std::size_t end) {
-      const std::size_t first_pair = neighbors.offsets[begin];
-      const auto differences_of = [&](const Buffer<Vector>& positions) {
-        Eigen::Matrix<FT, 3, Eigen::Dynamic> differences(3, Eigen::Index(neighbors.offsets[end] - first_pair));
-        for (std::size_t i = begin; i < end; ++i)
+    for_each_block<ConcurrencyTag>(
+      samples.positions.size(), samples_per_block, [&](std::size_t begin, std::size_t end) {
+        const std::size_t first_pair = neighbors.offsets[begin];
+        const auto differences_of = [&](const Buffer<Vector>& positions) {
+          Eigen::Matrix<FT, 3, Eigen::Dynamic> differences(3, Eigen::Index(neighbors.offsets[end]
+                                                                           - first_pair));
+          for (std::size_t i = begin; i < end; ++i)
+            for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
+            {
+              const Vector d = positions[i] - positions[neighbors.indices[e]];
+              differences.col(Eigen::Index(e - first_pair)) = d.cast<FT>();
+            }
+          return differences;
+        };
+        // anew in each step: kept, they would be as many numbers as there are pairs
+        const Array shares = share_in_ball(
+          Array(differences_of(places).colwise().squaredNorm().transpose()), FT(square(range)));
+        const auto differences = differences_of(samples.positions);
+        Array squared_distances = differences.colwise().squaredNorm().transpose();
+        for (std::size_t i = begin; i < end && !is_even; ++i)
           for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
           {
-            const Vector d = positions[i] - positions[neighbors.indices[e]];
-            differences.col(Eigen::Index(e - first_pair)) = d.cast<FT>();
+            const FT scale = 2 * FT(spacing)
+                             / (samples.spacings[i] + samples.spacings[neighbors.indices[e]]);
+            squared_distances[Eigen::Index(e - first_pair)] *= scale * scale;
           }
-        return differences;
-      };
-      // anew in each step: kept, they would be as many numbers as there are pairs
-      const Array shares = share_in_ball(Array(differences_of(places).colwise().squaredNorm().transpose()),
-                                         FT(square(range)));
-      const auto differences = differences_of(samples.positions);
-      Array squared_distances = differences.colwise().squaredNorm().transpose();
-      for (std::size_t i = begin; i < end && !is_even; ++i)
-        for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
+        const Array strengths = strength * shares
+                                * gaussian_weight(squared_distances, squared_bandwidth);
+        for (std::size_t i = begin; i < end; ++i)
         {
-          const FT scale = 2 * FT(spacing) / (samples.spacings[i] + samples.spacings[neighbors.indices[e]]);
-          squared_distances[Eigen::Index(e - first_pair)] *= scale * scale;
+          Local_vector push = Local_vector::Zero();
+          for (std::size_t e = neighbors.offsets[i] - first_pair;
+               e < neighbors.offsets[i + 1] - first_pair; ++e)
+            push += strengths[Eigen::Index(e)] * differences.col(Eigen::Index(e));
+          push -= samples.normals[i].dot(push) * samples.normals[i];
+          const Local_vector& outward = samples.outward_directions[i];
+          push -= (std::max)(outward.dot(push), FT(0)) * outward;
+          const FT length = push.norm(),
+                   maximum_step = FT(is_even ? repulsion.maximum_step
+                                             : Repulsion(samples.spacings[i], radius).maximum_step);
+          if (length > maximum_step)
+            push *= maximum_step / length;
+          moved[i] = samples.positions[i] + push.template cast<double>();
         }
-      const Array strengths = strength * shares * gaussian_weight(squared_distances, squared_bandwidth);
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        Local_vector push = Local_vector::Zero();
-        for (std::size_t e = neighbors.offsets[i] - first_pair; e < neighbors.offsets[i + 1] - first_pair; ++e)
-          push += strengths[Eigen::Index(e)] * differences.col(Eigen::Index(e));
-        push -= samples.normals[i].dot(push) * samples.normals[i];
-        const Local_vector& outward = samples.outward_directions[i];
-        push -= (std::max)(outward.dot(push), FT(0)) * outward;
-        const FT length = push.norm(), maximum_step = FT(is_even ? repulsion.maximum_step
-                                                                 : Repulsion(samples.spacings[i], radius).maximum_step);
-        if (length > maximum_step)
-          push *= maximum_step / length;
-        moved[i] = samples.positions[i] + push.template cast<double>();
-      }
-    });
+      });
     samples.positions.swap(moved);
   }
 }

@@ -52,8 +52,8 @@ struct Representatives
   }
 };
 
-/// The cells of a grid of which a subcell, an eighth of a cell wide, holds more than `limit` points.
-/// The outermost cells have no size, and never count.
+/// The cells of a grid of which a subcell, an eighth of a cell wide, holds more than `limit`
+/// points. The outermost cells have no size, and never count.
 class Crowded_cells
 {
   using Counts = std::array<Index, subcells_of_cell>;
@@ -75,17 +75,18 @@ public:
   std::size_t for_each(const F& f) const
   {
     const std::size_t cells_per_block = 256;
-    return block_sum<ConcurrencyTag>(m_grid.number_of_cells(), cells_per_block, [&](std::size_t begin, std::size_t end) {
-      Counts counts;
-      std::size_t number_of_crowded_cells = 0;
-      for (std::size_t cell = begin; cell < end; ++cell)
-        if (is_crowded(cell, counts))
-        {
-          ++number_of_crowded_cells;
-          f(m_grid.points_of_cell(cell), counts);
-        }
-      return number_of_crowded_cells;
-    });
+    return block_sum<ConcurrencyTag>(m_grid.number_of_cells(), cells_per_block,
+                                     [&](std::size_t begin, std::size_t end) {
+                                       Counts counts;
+                                       std::size_t number_of_crowded_cells = 0;
+                                       for (std::size_t cell = begin; cell < end; ++cell)
+                                         if (is_crowded(cell, counts))
+                                         {
+                                           ++number_of_crowded_cells;
+                                           f(m_grid.points_of_cell(cell), counts);
+                                         }
+                                       return number_of_crowded_cells;
+                                     });
   }
 
   template <typename ConcurrencyTag>

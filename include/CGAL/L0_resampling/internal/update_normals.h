@@ -22,23 +22,26 @@ struct Normal_filter
   T normal_bandwidth;  ///< \f$ (1 - \cos\sigma_n)^2 \f$
 };
 
-/// Replaces each normal by `f(center, normal, candidates, candidate_normals)`, which reads only the old ones. Candidates are all points
-/// within `radius`, and others; their coordinates and `center` are relative to one origin.
+/// Replaces each normal by `f(center, normal, candidates, candidate_normals)`, which reads only the
+/// old ones. Candidates are all points within `radius`, and others; their coordinates and `center`
+/// are relative to one origin.
 template <typename ConcurrencyTag, typename T, typename F>
-void update_normals(const Search_grid_3& grid, const Buffer<Vector>& points, double radius, Progress& progress,
-                    Buffer<Eigen::Matrix<T, 3, 1>>& normals, const F& f)
+void update_normals(const Search_grid_3& grid, const Buffer<Vector>& points, double radius,
+                    Progress& progress, Buffer<Eigen::Matrix<T, 3, 1>>& normals, const F& f)
 {
   Buffer<Eigen::Matrix<T, 3, 1>> updated = copy_of(normals);
   const auto make_visitor = [&]() {
-    return [&, local_normals = Local_normals<T>()](Search_grid_3::Range queries, const Local_points<T>& candidates,
+    return [&, local_normals = Local_normals<T>()](Search_grid_3::Range queries,
+                                                   const Local_points<T>& candidates,
                                                    const Vector& origin) mutable {
       local_normals.gather(candidates, normals);
       for (Index i = queries.first; i < queries.second; ++i)
-        updated[i] = f((points[i] - origin).template cast<T>().eval(), normals[i], candidates, local_normals);
+        updated[i] = f((points[i] - origin).template cast<T>().eval(), normals[i], candidates,
+                       local_normals);
     };
   };
-  for_each_cell<T, ConcurrencyTag>(grid, points, grid, points, cells_in_reach(radius, grid.cell_size()), progress,
-                                   make_visitor);
+  for_each_cell<T, ConcurrencyTag>(
+    grid, points, grid, points, cells_in_reach(radius, grid.cell_size()), progress, make_visitor);
   normals.swap(updated);
 }
 

@@ -20,14 +20,16 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// Calls `f(axis, coordinates)` for each of the three axes, with the coordinates of the points to do with as it likes.
+/// Calls `f(axis, coordinates)` for each of the three axes, with the coordinates of the points to
+/// do with as it likes.
 template <typename ConcurrencyTag, typename F>
 void for_each_axis_of(const Buffer<Vector>& points, const F& f)
 {
   for_each_block<ConcurrencyTag>(3, 1, [&](std::size_t axis, std::size_t) {
     Buffer<double> coordinates(points.get_allocator());
     coordinates.reserve(points.size());
-    for_each_in_order(points.size(), [&](std::size_t i) { coordinates.push_back(points[i][Eigen::Index(axis)]); });
+    for_each_in_order(points.size(),
+                      [&](std::size_t i) { coordinates.push_back(points[i][Eigen::Index(axis)]); });
     f(int(axis), coordinates);
   });
 }
@@ -44,31 +46,35 @@ power of two.
 class Working_frame
 {
   Vector m_origin = Vector::Zero(); // after the scaling by the exponent
-  int m_exponent = 0;               // brings the largest coordinate below 1, so that no difference overflows
-  double m_unit = 1;                // a length after that scaling
+  int m_exponent = 0; // brings the largest coordinate below 1, so that no difference overflows
+  double m_unit = 1;  // a length after that scaling
 
 public:
-  /// Moves `points` into a frame in which the median of each coordinate is 0 and no coordinate exceeds 2.
+  /// Moves `points` into a frame in which the median of each coordinate is 0 and no coordinate
+  /// exceeds 2.
   template <typename ConcurrencyTag>
   void enter(Buffer<Vector>& points)
   {
     double largest = 0;
-    for_each_in_order(points.size(),
-                      [&](std::size_t i) { largest = (std::max)(largest, points[i].cwiseAbs().maxCoeff()); });
+    for_each_in_order(points.size(), [&](std::size_t i) {
+      largest = (std::max)(largest, points[i].cwiseAbs().maxCoeff());
+    });
     if (largest > 0)
       m_exponent = -std::ilogb(largest) - 1;
 
     scale<ConcurrencyTag>(m_exponent, points);
-    // a median is a coordinate of the cloud: differences to it are exact nearby, and outliers do not move it
+    // a median is a coordinate of the cloud: differences to it are exact nearby, and outliers do
+    // not move it
     for_each_axis_of<ConcurrencyTag>(points, [&](int axis, Buffer<double>& coordinates) {
       const auto middle = coordinates.begin() + std::ptrdiff_t(coordinates.size() / 2);
       select_nth(coordinates.begin(), middle, coordinates.end());
       m_origin[axis] = *middle;
     });
-    for_each_block<ConcurrencyTag>(points.size(), points_per_block, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
-        points[i] -= m_origin;
-    });
+    for_each_block<ConcurrencyTag>(points.size(), points_per_block,
+                                   [&](std::size_t begin, std::size_t end) {
+                                     for (std::size_t i = begin; i < end; ++i)
+                                       points[i] -= m_origin;
+                                   });
   }
 
   /// Makes `unit`, a length in the frame, the unit of the frame and of `points`.
@@ -79,7 +85,8 @@ public:
     divide<ConcurrencyTag>(unit, points);
   }
 
-  /// A point in the coordinates of the input, in the frame; one that lies too far off for finite coordinates is brought nearer.
+  /// A point in the coordinates of the input, in the frame; one that lies too far off for finite
+  /// coordinates is brought nearer.
   Vector point_in_frame(const Vector& point) const
   {
     const double largest = 1e100; // whose square is finite
@@ -95,7 +102,8 @@ public:
   /// A length in the frame, in the unit of the input; the largest number for longer ones.
   double length_of_input(double length) const
   {
-    return (std::min)(std::ldexp(length * m_unit, -m_exponent), (std::numeric_limits<double>::max)());
+    return (std::min)(std::ldexp(length * m_unit, -m_exponent),
+                      (std::numeric_limits<double>::max)());
   }
 
   /// A point in the frame, in the coordinates of the input.
@@ -106,10 +114,11 @@ public:
   template <typename ConcurrencyTag>
   static void divide(double length, Buffer<Vector>& points)
   {
-    for_each_block<ConcurrencyTag>(points.size(), points_per_block, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
-        points[i] = points[i].unaryExpr([&](double x) { return x / length; });
-    });
+    for_each_block<ConcurrencyTag>(
+      points.size(), points_per_block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+          points[i] = points[i].unaryExpr([&](double x) { return x / length; });
+      });
   }
 
 private:
@@ -119,13 +128,17 @@ private:
   static void scale(int exponent, Buffer<Vector>& points)
   {
     const double factor = std::ldexp(1., exponent); // once for all of them
-    for_each_block<ConcurrencyTag>(points.size(), points_per_block, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
-        points[i] = scaled(points[i], exponent, factor);
-    });
+    for_each_block<ConcurrencyTag>(points.size(), points_per_block,
+                                   [&](std::size_t begin, std::size_t end) {
+                                     for (std::size_t i = begin; i < end; ++i)
+                                       points[i] = scaled(points[i], exponent, factor);
+                                   });
   }
 
-  static Vector scaled(const Vector& v, int exponent) { return scaled(v, exponent, std::ldexp(1., exponent)); }
+  static Vector scaled(const Vector& v, int exponent)
+  {
+    return scaled(v, exponent, std::ldexp(1., exponent));
+  }
 
   static Vector scaled(const Vector& v, int exponent, double factor)
   {
@@ -136,8 +149,9 @@ private:
 };
 
 /*!
-The diagonal of the bounding box of the points, outliers left out: on each axis, what lies further from the middle nine tenths of the
-points than those are wide, on the widest axis, does not count. A cloud without such points has its plain diagonal.
+The diagonal of the bounding box of the points, outliers left out: on each axis, what lies further
+from the middle nine tenths of the points than those are wide, on the widest axis, does not count. A
+cloud without such points has its plain diagonal.
 */
 template <typename ConcurrencyTag>
 double robust_diagonal(const Buffer<Vector>& points)

@@ -3,8 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// In place of TBB's header, for ThreadSanitizer: it does not see how the threads of a library that was not built with it wait for each other, and
-// takes all of TBB's own work for races. These threads it sees, so that nothing needs to be suppressed.
+// In place of TBB's header, for ThreadSanitizer: it does not see how the threads of a library that
+// was not built with it wait for each other, and takes all of TBB's own work for races. These
+// threads it sees, so that nothing needs to be suppressed.
 
 #ifndef CGAL_L0_RESAMPLING_TEST_TBB_PARALLEL_FOR_H
 #define CGAL_L0_RESAMPLING_TEST_TBB_PARALLEL_FOR_H
@@ -16,8 +17,9 @@
 
 namespace tbb {
 
-/// Calls `f(i)` for all i of [begin, end) and throws the first exception once all threads have ended. Each of three threads takes every third i: what
-/// they fetched from a common counter would be in some order, in which no race is seen.
+/// Calls `f(i)` for all i of [begin, end) and throws the first exception once all threads have
+/// ended. Each of three threads takes every third i: what they fetched from a common counter would
+/// be in some order, in which no race is seen.
 template <typename Index, typename F>
 void parallel_for(Index begin, Index end, const F& f)
 {
