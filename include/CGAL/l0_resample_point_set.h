@@ -144,8 +144,8 @@ void resample_on_cpu(const PointRange& range, PointMap point_map, NormalMap norm
     if (data.near_points.count > 0)
     {
       progress.begin_stage("near points", 0.05, positions.size());
-      find_near_points<ConcurrencyTag>(tree_of_range(range, point_map, memory), positions, progress,
-                                       data.near_points);
+      nearest_input_points<ConcurrencyTag>(tree_of_range(range, point_map, memory), positions,
+                                           progress, data.near_points);
       progress.end_stage();
     }
   }
@@ -362,7 +362,7 @@ without a value leaves the default.
   \cgalParamNEnd
   \cgalParamNBegin{viewpoint}
     \cgalParamDescription{a point that the normals shall face, as those of a scan face the scanner.
-      Each part of the result that hangs together is turned as a whole, by the solid angle that its
+      Each connected component of the result is turned as a whole, by the solid angle that its
       two sides fill. A closed surface that is seen from outside is turned outwards, as it is
       without a viewpoint.}
     \cgalParamType{`Point_3`}
@@ -372,9 +372,9 @@ without a value leaves the default.
   \cgalParamNEnd
   \cgalParamNBegin{orientation_hint_map}
     \cgalParamDescription{a property map associating vectors to the elements of the range `points`,
-      on whose side the normals shall be, such as the input's own normals. Each part of the result
-      that hangs together is turned as a whole to the side of the majority. Lengths do not matter; a
-      zero or non-finite vector says nothing.}
+      on whose side the normals shall be, such as the input's own normals. Each connected component
+      of the result is turned as a whole to the side of the majority. Lengths do not matter; a zero
+      or non-finite vector says nothing.}
     \cgalParamType{a model of `ReadablePropertyMap` with the iterator's value type as key type and
       `Vector_3` as value type}
     \cgalParamDefault{none}

@@ -113,7 +113,7 @@ struct Cell_grid
 struct Block_center
 {
   int begin_y, begin_z;
-  unsigned stride; // where a block holds too many points, every so manieth of them is looked at
+  unsigned stride; // of a block with too many points, every `stride`-th is used
   int
     // whether no cell of the block is an outermost one, whose points may be further away than
     // fixed-point numbers tell

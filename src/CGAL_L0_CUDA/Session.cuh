@@ -108,7 +108,7 @@ struct Session
 
   /// Takes the points that were written to these arrays, of which there may be fewer than was
   /// reserved for. Waits for the device.
-  void take_input(const Input_arrays& arrays, unsigned number_of_points)
+  void filter_input(const Input_arrays& arrays, unsigned number_of_points)
   {
     points = arrays.points;
     normals = arrays.normals;

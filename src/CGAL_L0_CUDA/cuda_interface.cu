@@ -105,7 +105,7 @@ Answer upload(Session& session, const double* points, std::size_t size, const fl
     copy(arrays.points, points, 3 * sizeof(double) * size);
     copy(arrays.normals, normals, 3 * sizeof(float) * size);
     copy(arrays.hints, hints, 3 * sizeof(float) * size);
-    session.take_input(arrays, unsigned(size));
+    session.filter_input(arrays, unsigned(size));
   });
 }
 

@@ -194,7 +194,7 @@ Answer upload_from_device(Session& session, const Device_rows& points, std::size
       take_vectors(normals, true, arrays.normals);
       take_vectors(hints, false, arrays.hints);
     }
-    session.take_input(arrays, kept);
+    session.filter_input(arrays, kept);
     taken.size = kept;
     for (int axis = 0; axis < 3; ++axis)
     {

@@ -123,8 +123,8 @@ __global__ void find_filled_cells(Cell_blocks blocks, unsigned number_of_cells,
   const Wide cell = thread_index();
   if (cell < number_of_cells)
     is_filled[cell] = double(sum_around(blocks, cell, outer_sums))
-                      > growth_of_space
-                          * (double(sum_around(blocks, cell, inner_sums)) + points_of_doubt);
+                      > volume_filling_ratio
+                          * (double(sum_around(blocks, cell, inner_sums)) + count_prior);
 }
 
 __global__ void drop_points_of_filled_cells(Cell_grid sparse, const unsigned* list,

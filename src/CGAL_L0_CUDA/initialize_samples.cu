@@ -247,15 +247,15 @@ __device__ float4 unit_normal(float4 n)
 /// \param source the point in the grid, whose number among the distinct ones is `number`
 __device__ void start_on_point(const Samples& samples, Wide i, double3 position,
                                const Heritage& heritage, const Cell_grid& grid, unsigned source,
-                               Wide number, bool is_voter)
+                               Wide number, bool is_support_point)
 {
   samples.positions[3 * i] = position.x;
   samples.positions[3 * i + 1] = position.y;
   samples.positions[3 * i + 2] = position.z;
   samples.normals[i] = unit_normal(heritage.normals[source]);
   samples.fit[i] = make_float4(0, 0, 0, 1);
-  if (samples.are_voters)
-    samples.are_voters[i] = is_voter;
+  if (samples.are_support_points)
+    samples.are_support_points[i] = is_support_point;
   if (samples.spacings)
     samples.spacings[i] = float(
       sqrt(double(heritage.areas[grid.points[source].w]) * heritage.squared_spacing_per_area));
@@ -337,7 +337,7 @@ __global__ void place_between_points(Positions positions, Cell_grid grid, Cell_b
 
 /// \param first of the samples that start so
 __global__ void place_on_points(Positions positions, Cell_grid grid, Some distinct, Some sources,
-                                unsigned first, Heritage heritage, Choice_of_voters voters,
+                                unsigned first, Heritage heritage, Support_subset support_points,
                                 Samples samples)
 {
   const Wide k = thread_index();
@@ -345,7 +345,7 @@ __global__ void place_on_points(Positions positions, Cell_grid grid, Some distin
     return;
   const unsigned number = sources[k], source = distinct[number];
   start_on_point(samples, first + k, positions(grid.order[source]), heritage, grid, source, number,
-                 voters.takes(source));
+                 support_points.takes(source));
 }
 
 } // namespace
@@ -383,9 +383,9 @@ void initialize_samples(const Workplace& workplace, const Positions& positions,
       samples);
     check_launch("place_between_points");
   }
-  const Choice_of_voters voters(seed, radius, spacing, samples.size, sources.on_points.size);
+  const Support_subset support_points(seed, radius, spacing, samples.size, sources.on_points.size);
   place_on_points<<<blocks_for(sources.on_points.size), threads_per_block, 0, stream>>>(
-    positions, grid, distinct, sources.on_points, number_of_new, heritage, voters, samples);
+    positions, grid, distinct, sources.on_points, number_of_new, heritage, support_points, samples);
   check_launch("place_on_points");
 }
 

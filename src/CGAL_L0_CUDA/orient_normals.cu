@@ -33,7 +33,7 @@ __global__ void tell_sizes(const Link* sets, unsigned size, const unsigned* size
     sizes_of_samples[i] = sizes[sets[i].target()];
 }
 
-/// What the samples hang together by.
+/// The edges that connect the samples.
 struct Sides
 {
   const Link* trees; // of each sample: the root of its tree, and whether it is turned against it

@@ -199,7 +199,7 @@ constexpr std::size_t bytes_of_field =
   2 * sizeof(long long) * maximum_number_of_sets * maximum_number_of_sets
   + 80 * std::size_t(maximum_number_of_dipoles) + (std::size_t(1) << 15);
 
-/// Joins the larger ones of the sets that hang together if their field asks to turn some of them
+/// Joins the larger ones of connected sets if their field asks to turn some of them
 /// against the others, as `join_by_field()` on the CPU.
 /// \param trees what the votes make of the sets
 /// \param sets in and out: the root of each sample

@@ -44,7 +44,7 @@ class Surroundings
   int4 m_center;
   uint3 m_cell;
   int m_reach;
-  Wide m_stride; // where there are too many points, every so manieth of them is looked at
+  Wide m_stride; // of too many points, every `m_stride`-th is used
 
 public:
   __device__ Surroundings(const Cell_grid& grid, unsigned query, int reach)
@@ -172,7 +172,7 @@ void keep_one_of_equal_points(const Workplace& workplace, Cell_grid& grid)
   grid.forget_order();
 }
 
-/// One block of threads for each query, which are every so manieth point.
+/// One block of threads for each query; every `stride_of_queries`-th point is one.
 __global__ void __launch_bounds__(threads_per_query)
   look_at_balls(Cell_grid grid, unsigned stride_of_queries, int reach, float radius,
                 Ball_of_points* balls)

@@ -109,17 +109,18 @@ __global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_b
   const Surroundings surroundings = {query, center, grid, blocks, normals, fit};
   float3 normal = xyz(samples.normals[i]);
   Compatible_points sums = surroundings.sum_compatible_points(normal, fit.squared_sheet_height);
-  const Stray stray(sums.weight, sums.all, fit.squared_sheet_height, fit.radius * fit.radius);
+  const Unsupported_sample support(sums.weight, sums.all, fit.squared_sheet_height,
+                                   fit.radius * fit.radius);
   const double sheet_height =
-    stray.has_strayed ? stray.squared_sheet_height
-                      : squared_sheet_height_among(fit.squared_sheet_height,
-                                                   weighted_variance(sums.weight, sums.height,
-                                                                     sums.squared_heights));
+    support.is_unsupported ? support.squared_sheet_height
+                           : squared_sheet_height_among(fit.squared_sheet_height,
+                                                        weighted_variance(sums.weight, sums.height,
+                                                                          sums.squared_heights));
   // the lanes of a warp add up together
-  if (__any_sync(0xffffffffu, stray.has_strayed))
+  if (__any_sync(0xffffffffu, support.is_unsupported))
   {
-    const float3 normal_of_most = surroundings.normal_of_most(normal, stray.weight_of_own_normal);
-    if (stray.has_strayed)
+    const float3 normal_of_most = surroundings.normal_of_most(normal, support.weight_of_own_normal);
+    if (support.is_unsupported)
       normal = normal_of_most;
   }
   if (__any_sync(0xffffffffu, sheet_height != fit.squared_sheet_height))
@@ -129,9 +130,10 @@ __global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_b
 
   const double total = sums.weight;
   samples.outward[i] = Short_vector::zero();
-  if (!(total
-        // nobody agrees: the sample is drawn to where it was last fitted, and keeps its normal
-        > 1e-3))
+  if (
+    !(total
+      // no compatible points: the sample is drawn to where it was last fitted, and keeps its normal
+      > 1e-3))
   {
     samples.fit[i].w = 1;
     samples.normals[i].w = 0;

@@ -141,7 +141,7 @@ void take_vectors_of_list(Call& call, const Session& session, Input& input)
 }
 
 /// Leaves outliers out, if that is asked for.
-Input take_input(Session& session, Call& call)
+Input filter_input(Session& session, Call& call)
 {
   const Workplace& workplace = call.workplace;
   const Plan& plan = call.plan;
@@ -403,17 +403,17 @@ void minimize_with_refinement(Call& call, const Prepared_points& points)
   }
 }
 
-/// Where the default method ends, see `settle_on_quadrics()` on the CPU. The points are not needed
-/// any more.
-void settle_on_quadrics(Call& call)
+/// Where the default method ends, see `project_to_local_quadrics()` on the CPU. The points are not
+/// needed any more.
+void project_to_local_quadrics(Call& call)
 {
   const Plan& plan = call.plan;
-  call.stages.begin("settle on quadrics", 0.03);
+  call.stages.begin("project to local quadrics", 0.03);
   const double radius = quadric_radius_factor * plan.radius;
   const Cell_frame frame = Cell_frame::around(
     call.box.low, call.box.high, (std::max)(radius / 2, plan.smallest_cell_size), radius);
-  settle_on_quadrics(call.workplace, frame, radius, square(plan.sheet_height),
-                     plan.compatible_bandwidth, call.samples);
+  project_to_local_quadrics(call.workplace, frame, radius, square(plan.sheet_height),
+                            plan.compatible_bandwidth, call.samples);
 }
 
 } // namespace
@@ -445,7 +445,7 @@ void run(Session& session, const Parameters& parameters, Stages& stages, Call_re
                               {plan.refines, plan.keeps_spacings, session.hints != nullptr});
   {
     const Arena_scope points_scope(session.arena);
-    Input input = take_input(session, call);
+    Input input = filter_input(session, call);
     const Prepared_points points = [&]() {
       const Arena_scope order_scope(session.scratch);
       Prepared_points prepared = prepare_points(session, call, input);
@@ -470,7 +470,7 @@ void run(Session& session, const Parameters& parameters, Stages& stages, Call_re
                  unsigned(parameters.number_of_orientation_neighbors), call.plan.sample_spacing,
                  parameters.has_viewpoint ? viewpoint : nullptr, call.samples, call.counts);
   if (plan.refines)
-    settle_on_quadrics(call);
+    project_to_local_quadrics(call);
   const unsigned number_of_leaders = call.samples.size;
   append_followers(workplace, call.followers, call.samples);
   double result_extent[3], input_extent[3];

@@ -51,8 +51,8 @@ __global__ void reorder_samples(const unsigned* order, Samples from, Samples to)
     to.positions[3 * i + axis] = from.positions[3 * k + axis];
   to.normals[i] = from.normals[k];
   to.fit[i] = from.fit[k];
-  if (to.are_voters)
-    to.are_voters[i] = from.are_voters[k];
+  if (to.are_support_points)
+    to.are_support_points[i] = from.are_support_points[k];
   if (to.spacings)
     to.spacings[i] = from.spacings[k];
   if (to.hints)
@@ -162,7 +162,7 @@ Samples take_samples(Device_arena& arena, unsigned size, const Kinds_of_sample_d
   samples.normals = arena.take<float4>(size);
   samples.fit = arena.take<float4>(size);
   samples.outward = kinds.of_default_method ? arena.take<Short_vector>(size) : nullptr;
-  samples.are_voters = kinds.of_default_method ? arena.take<unsigned char>(size) : nullptr;
+  samples.are_support_points = kinds.of_default_method ? arena.take<unsigned char>(size) : nullptr;
   samples.spacings = kinds.spacings ? arena.take<float>(size) : nullptr;
   samples.hints = kinds.hints ? arena.take<float4>(size) : nullptr;
   return samples;
@@ -190,7 +190,7 @@ void keep_listed(const Workplace& workplace, const unsigned* list, unsigned size
   copy(before.positions, 3 * m);
   copy(before.normals, m);
   copy(before.fit, m);
-  copy(before.are_voters, m);
+  copy(before.are_support_points, m);
   copy(before.spacings, m);
   copy(before.hints, m);
   copy(before.start_indices, m);

@@ -149,7 +149,8 @@ __global__ void __launch_bounds__(threads_per_block) join_by_best_edges(Graph gr
     __stcg(&forest.best[i], nothing);
   });
   grid.sync();
-  // a bit for each of the first samples of the thread: no sure edge leads out of its tree, nor ever will
+  // a bit for each of the first samples of the thread: no sure edge leads out of its tree, nor ever
+  // will
   Wide is_inner = 0;
   for (unsigned round = 0; round < maximum_number_of_rounds; ++round)
   {

@@ -136,11 +136,11 @@ Areas areas_of_points(const Workplace& workplace, const Cell_grid& grid, double 
 struct Samples
 {
   unsigned size = 0;
-  double* positions = nullptr;         // xyz interleaved, in the frame
-  float4* normals = nullptr;           // and a number that a stage may use
-  float4* fit = nullptr;               // from the sample to c_i, and W_i
-  Short_vector* outward = nullptr;     // as on the CPU; default method only
-  unsigned char* are_voters = nullptr; // as on the CPU; default method only
+  double* positions = nullptr;                 // xyz interleaved, in the frame
+  float4* normals = nullptr;                   // and a number that a stage may use
+  float4* fit = nullptr;                       // from the sample to c_i, and W_i
+  Short_vector* outward = nullptr;             // as on the CPU; default method only
+  unsigned char* are_support_points = nullptr; // as on the CPU; default method only
   float* spacings = nullptr;         // as on the CPU: null unless the density of the input is kept
   float4* hints = nullptr;           // as on the CPU: null if the caller has none
   unsigned* start_indices = nullptr; // as on the CPU: null if no samples follow others
@@ -316,13 +316,14 @@ void repel_tangentially(const Workplace& workplace, const Cell_grid& sample_grid
 /// Moves the samples to what they were fitted to.
 void take_fitted_positions(const Workplace& workplace, const Samples& samples);
 
-/// Moves the samples onto quadrics, as `settle_on_quadrics()` on the CPU. Waits for the device.
+/// Moves the samples onto quadrics, as `project_to_local_quadrics()` on the CPU. Waits for the
+/// device.
 /// \param frame of cells half as large as the ball
 /// \param radius of the ball
 /// \param samples with the variances of the fit
-void settle_on_quadrics(const Workplace& workplace, const Cell_frame& frame, double radius,
-                        double squared_sheet_height, double normal_bandwidth,
-                        const Samples& samples);
+void project_to_local_quadrics(const Workplace& workplace, const Cell_frame& frame, double radius,
+                               double squared_sheet_height, double normal_bandwidth,
+                               const Samples& samples);
 
 /// Turns the normals of the samples to one side: that of the hints or the viewpoint where these are
 /// clear, else outwards.

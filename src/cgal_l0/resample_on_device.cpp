@@ -137,7 +137,7 @@ private:
     view.row_stride = 3 * sizeof(double);
     view.column_stride = sizeof(double);
     view.size = m_points.size();
-    const internal::Near_points near_points = internal::find_near_points_of_range(
+    const internal::Near_points near_points = internal::nearest_input_points_of_range(
       boost::irange(std::size_t(0), view.size), Point_map{view}, positions, 1);
     std::vector<std::int64_t> indices;
     indices.reserve(m_size_of_result);

@@ -8,7 +8,7 @@
 
 #include "Property_table.h"
 
-#include <CGAL/L0_resampling/internal/find_near_points.h>
+#include <CGAL/L0_resampling/internal/nearest_input_points.h>
 
 #include <cstddef>
 #include <cstdint>

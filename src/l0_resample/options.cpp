@@ -281,7 +281,7 @@ void add_options(CLI::App& app, Options& options, std::vector<std::string>& file
     ->type_name("N");
 
   app.add_flag("--source-index", options.with_source_indices,
-               "a property source_index more: which point of INPUT is nearest, counted from 0");
+               "one more property, source_index: which point of INPUT is nearest, counted from 0");
   app.add_flag("--feature-confidence", options.with_feature_confidences,
                "a property feature_confidence more: from 0 on a smooth surface to 1 on an edge");
   app.add_option("--json", options.json, "write what was done, stage by stage")->type_name("FILE");

@@ -17,13 +17,13 @@ set(level_1   # what several stages share, and what works on the arrays of one n
   internal/Progress.h internal/solver_settings.h
   internal/Search_grid_3.h internal/working_frame.h internal/orientation_votes.h internal/dipoles_of_sets.h internal/spanning_forest.h internal/Field_of_sets.h internal/orientation_field.h internal/ball_queries.h internal/near_pairs.h internal/Neighborhoods.h internal/nearest_samples.h
   internal/Point_tree_3.h internal/Orientation_hints.h
-  internal/Samples.h internal/Followers.h internal/least_memory.h internal/Local_normals.h internal/update_normals.h internal/Plane_moments.h internal/Quadric_moments.h internal/settle_on_quadric.h internal/estimate_plane.h internal/half_sampling.h
+  internal/Samples.h internal/Followers.h internal/least_memory.h internal/Local_normals.h internal/update_normals.h internal/Plane_moments.h internal/Quadric_moments.h internal/project_to_local_quadric.h internal/estimate_plane.h internal/half_sampling.h
   internal/normal_matrix.h internal/least_squares_rows.h)
 set(level_2   # stages and solvers
   internal/extents.h internal/estimate_scales.h internal/find_outliers.h internal/thin_crowds.h internal/estimate_pca_normals.h internal/filter_normals.h internal/refit_normals.h
   internal/density_weights.h internal/areas_of_points.h internal/initialize_samples.h internal/collapse_fit_term.h internal/Fit_rows.h
-  internal/pair_terms.h internal/fit_compatible_points.h internal/refit_sample_normals.h internal/tangential_repulsion.h internal/settle_on_quadrics.h internal/orient_normals.h
-  internal/separate_coincident_points.h internal/estimate_feature_confidences.h internal/find_near_points.h
+  internal/pair_terms.h internal/fit_compatible_points.h internal/refit_sample_normals.h internal/tangential_repulsion.h internal/project_to_local_quadrics.h internal/orient_normals.h
+  internal/separate_coincident_points.h internal/estimate_feature_confidences.h internal/nearest_input_points.h
   Block_conjugate_gradient_solver_traits.h Eigen_cholesky_solver_traits.h Eigen_least_squares_solver_traits.h
   CUDA_least_squares_solver_traits.h)
 set(level_3   # Algorithm 1, and the whole

@@ -148,14 +148,14 @@ Fitted fit_naively(const Oriented_points& input, const std::vector<double>& dens
     Vector n = start.normals[i];
     Naive_sums sums = sum_naively(input, densities, neighbors[i], start.points[i], n,
                                   squared_sheet_height);
-    const double strayed = sums.all > 0 ? clamped((0.07 - sums.total / sums.all) / 0.02) : 0;
-    if (strayed > 0)
+    const double unsupported = sums.all > 0 ? clamped((0.07 - sums.total / sums.all) / 0.02) : 0;
+    if (unsupported > 0)
     {
-      sums.normals += (1 / strayed - 1) * sums.all * n * n.transpose();
+      sums.normals += (1 / unsupported - 1) * sums.all * n * n.transpose();
       n = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(sums.normals).eigenvectors().col(2);
       n *= n.dot(start.normals[i]) < 0 ? -1 : 1;
-      const double squared_height = std::pow(squared_sheet_height, 1 - strayed)
-                                    * std::pow(radius, 2 * strayed);
+      const double squared_height = std::pow(squared_sheet_height, 1 - unsupported)
+                                    * std::pow(radius, 2 * unsupported);
       sums = sum_naively(input, densities, neighbors[i], start.points[i], n, squared_height);
     }
     else if (sums.total > 0)
@@ -208,7 +208,7 @@ void check_formulas(double tolerance, Generator& generator)
   }
   Oriented_points start{std::vector<Vector>(input.points.begin(), input.points.begin() + 300),
                         std::vector<Vector>(input.normals.begin(), input.normals.begin() + 300)};
-  for (std::size_t i = 0; i < 20; ++i) // has strayed
+  for (std::size_t i = 0; i < 20; ++i) // is unsupported
     start.normals[i] = start.normals[i].unitOrthogonal();
   start.points.push_back(Vector(9, 9, 9)); // sees nobody
   start.normals.push_back(Vector::UnitX());
@@ -241,7 +241,7 @@ void check_formulas(double tolerance, Generator& generator)
 
 /// A sample with the normal of nobody around takes that of the face; one with that of a few points,
 /// those of a rim, keeps it. One that is as far off the face as another sheet finds it.
-void check_strays(Generator& generator)
+void check_unsupported_samples(Generator& generator)
 {
   Oriented_points input;
   for (int i = 0; i < 4000; ++i)
@@ -268,7 +268,7 @@ void check_strays(Generator& generator)
   CHECK(std::abs(fitted.centroids[3][2]) < 1e-5);
 }
 
-/// A sample strays by and by: turned a little further, it is drawn a little further.
+/// A sample becomes unsupported by and by: turned a little further, it is drawn a little further.
 void check_no_step(Generator& generator)
 {
   const Oriented_points plane = plane_points(4000, 2, generator);
@@ -285,7 +285,7 @@ void check_no_step(Generator& generator)
   for (int k = 1; k < steps; ++k)
     largest_step = (std::max)(largest_step, (fitted.centroids[k] - fitted.centroids[k - 1]).norm());
   CHECK(largest_step < 0.001);
-  CHECK(std::abs(fitted.centroids[steps - 1][2]) < 1e-6); // has strayed
+  CHECK(std::abs(fitted.centroids[steps - 1][2]) < 1e-6); // is unsupported
 }
 
 /// Two points of a sphere are at distance 0 in the symmetric sense: a sphere does not shrink.
@@ -450,7 +450,7 @@ int main()
   Generator generator(15);
   check_formulas<double>(1e-10, generator);
   check_formulas<float>(1e-4, generator);
-  check_strays(generator);
+  check_unsupported_samples(generator);
   check_no_step(generator);
   check_sphere(generator);
   check_edge(generator);

@@ -8,7 +8,7 @@
 
 #include "stage_support.h"
 
-#include <CGAL/L0_resampling/internal/find_near_points.h>
+#include <CGAL/L0_resampling/internal/nearest_input_points.h>
 
 #include <algorithm>
 #include <array>
@@ -95,7 +95,7 @@ void test_means()
   Unwatched unwatched;
   Near_points near;
   near.count = 4; // more than there are
-  find_near_points<CGAL::Sequential_tag, double>(
+  nearest_input_points<CGAL::Sequential_tag, double>(
     tree, Buffer<std::array<double, 3>>{{0.5, 0, 0}, {0.1, 0, 0}, {0, 2.9, 0}}, unwatched.progress,
     near);
   CHECK(near.nearest(0) == 0 && near.nearest(1) == 0 && near.nearest(2) == 2);
@@ -112,7 +112,7 @@ void test_means()
 
   Near_points parallel;
   parallel.count = 4;
-  find_near_points<CGAL::Parallel_if_available_tag, double>(
+  nearest_input_points<CGAL::Parallel_if_available_tag, double>(
     tree, Buffer<std::array<double, 3>>{{0.5, 0, 0}, {0.1, 0, 0}, {0, 2.9, 0}}, unwatched.progress,
     parallel);
   CHECK(parallel.indices == near.indices && parallel.weights == near.weights);

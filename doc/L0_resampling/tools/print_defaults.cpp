@@ -82,7 +82,7 @@ void print_constants()
   object.add("outlier_share_of_surroundings", outlier_share_of_surroundings);
   object.add("outlier_share_of_median", outlier_share_of_median);
   object.add("share_of_sparse_points", share_of_sparse_points);
-  object.add("growth_of_space", growth_of_space);
+  object.add("volume_filling_ratio", volume_filling_ratio);
   object.add("gap_of_parts", gap_of_parts);
   object.add("number_of_normal_refits", number_of_normal_refits);
   object.add("number_of_sample_refits", number_of_sample_refits);
@@ -91,7 +91,7 @@ void print_constants()
   object.add("sample_refit_sheet_factor", sample_refit_sheet_factor);
   object.add("self_neighbor_radius_per_spacing", self_neighbor_radius_per_spacing);
   object.add("least_share_of_sheet", least_share_of_sheet);
-  object.add("share_of_sheet_of_strays", share_of_sheet_of_strays);
+  object.add("share_of_sheet_of_unsupported", share_of_sheet_of_unsupported);
   object.add("held_back_from", held_back_from);
   object.add("held_back_to", held_back_to);
   object.add("variances_of_chance", variances_of_chance);
@@ -102,9 +102,9 @@ void print_constants()
   object.add("largest_roughness_of_plane", largest_roughness_of_plane);
   object.add("largest_roughness_of_quadric", largest_roughness_of_quadric);
   object.add("largest_leverage", largest_leverage);
-  object.add("fewest_voters_per_unknown", fewest_voters_per_unknown);
-  object.add("enough_voters_per_unknown", enough_voters_per_unknown);
-  object.add("least_voters_in_ball", least_voters_in_ball);
+  object.add("fewest_support_points_per_unknown", fewest_support_points_per_unknown);
+  object.add("enough_support_points_per_unknown", enough_support_points_per_unknown);
+  object.add("least_support_points_in_ball", least_support_points_in_ball);
   object.add("half_width_of_firm_shrinkage", half_width_of_firm_shrinkage);
   object.add("number_of_repulsion_steps", number_of_repulsion_steps);
   object.add("repulsion_squared_bandwidth", repulsion.squared_bandwidth);

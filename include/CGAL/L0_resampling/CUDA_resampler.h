@@ -126,8 +126,9 @@ inline void fill_report(const cuda::Call_report& call, Report& report)
 
 /// The nearest points of a range, found by all threads of the host.
 template <typename FT, typename PointRange, typename PointMap>
-Near_points find_near_points_of_range(const PointRange& points, PointMap point_map,
-                                      const Buffer<std::array<FT, 3>>& positions, std::size_t count)
+Near_points nearest_input_points_of_range(const PointRange& points, PointMap point_map,
+                                          const Buffer<std::array<FT, 3>>& positions,
+                                          std::size_t count)
 {
   Near_points near_points;
   near_points.count = count;
@@ -136,8 +137,8 @@ Near_points find_near_points_of_range(const PointRange& points, PointMap point_m
   Report unwanted_report;
   Memory_counter memory;
   Progress progress(nullptr, unwanted_report, memory);
-  find_near_points<Parallel_if_available_tag>(tree_of_range(points, point_map, memory), positions,
-                                              progress, near_points);
+  nearest_input_points<Parallel_if_available_tag>(tree_of_range(points, point_map, memory),
+                                                  positions, progress, near_points);
   return near_points;
 }
 
@@ -278,8 +279,8 @@ public:
     using namespace internal;
     const auto find_near = [&](const Buffer<std::array<FT, 3>>& positions,
                                Near_points& near_points) {
-      near_points = find_near_points_of_range(points, point_map, positions,
-                                              number_of_near_points(np, near_count));
+      near_points = nearest_input_points_of_range(points, point_map, positions,
+                                                  number_of_near_points(np, near_count));
     };
     resample_and_write(find_near, write, np);
   }

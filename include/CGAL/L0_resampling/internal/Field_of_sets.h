@@ -42,7 +42,7 @@ struct Field_of_sets
         with_others[a] += agreement(a, b);
     for (Set turn = 0; turn < most_turns; ++turn)
     {
-      look_at_loop();
+      poll_for_cancellation();
       std::vector<Set> turned = disagreeing_set(with_others);
       if (turned.empty())
         turned = disagreeing_group(with_others);
@@ -115,7 +115,7 @@ private:
     most_disagreeing.with_rest = -least_disagreement_of_groups;
     while (true)
     {
-      look_at_loop();
+      poll_for_cancellation();
       Set first = none;
       for (Set a = 0; a < n; ++a)
         if (link(a, groups[a].closest) > (first == none ? 0 : link(first, groups[first].closest)))

@@ -21,7 +21,7 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// What a call is asked for: the named parameters, with their defaults.
+/// The named parameters of a call, with their defaults.
 struct Parameters
 {
   Method method = Method::DEFAULT;
@@ -151,9 +151,9 @@ constexpr double share_of_sparse_points = 0.15;
 /// Sparse points fill space, and are outliers, if balls of 2 r_p hold more than this many times as
 /// many of the others as those of r_p/2 do. It is 16 in a sheet, up to 40 if the sheet is noisy or
 /// becomes denser, and 64 where points fill space.
-constexpr double growth_of_space = 50;
-/// So many are added to the points in the small balls: a handful of points tells nothing.
-constexpr double points_of_doubt = 3;
+constexpr double volume_filling_ratio = 50;
+/// Additive smoothing of the number of points in the small balls, which may be few.
+constexpr double count_prior = 3;
 
 /// Parts of the cloud are apart if a layer of cells of this size, per r_p, lies empty between them.
 /// Smaller cells would tear sparse regions to pieces, larger ones join outliers to the cloud.
@@ -176,30 +176,31 @@ CGAL_L0_HOST_DEVICE inline double squared_sheet_height_among(double squared_shee
   return squared_sheet_height * (1 - t * (1 - height_among_two_sheets * height_among_two_sheets));
 }
 
-/// A sample has strayed if the points that agree with it weigh less than the first share of those
-/// in its ball, and begins to at the second. On a face it is a quarter, at an edge an eighth.
-constexpr double share_of_sheet_of_strays = 0.05, least_share_of_sheet = 0.07;
+/// A sample is unsupported if the points that agree with it weigh less than the first share of
+/// those in its ball, and begins to at the second. On a face it is a quarter, at an edge an eighth.
+constexpr double share_of_sheet_of_unsupported = 0.05, least_share_of_sheet = 0.07;
 
-/// Whether a sample has strayed, and how it finds its points: by the normal of most of them and its
-/// own, in a sheet that is higher than that of others.
-struct Stray
+/// Whether a sample is unsupported, and how it finds its points: by the normal of most of them and
+/// its own, in a sheet that is higher than that of others.
+struct Unsupported_sample
 {
-  bool has_strayed;
+  bool is_unsupported;
   double weight_of_own_normal = 0; ///< beside those of the points
   double squared_sheet_height;
 
   /// \param weight of the points that agree with it
   /// \param all the weight of all points of its ball
-  /// \param sheet_height H, squared, as of samples that have not strayed
-  CGAL_L0_HOST_DEVICE Stray(double weight, double all, double sheet_height, double squared_radius)
+  /// \param sheet_height H, squared, as of samples that are supported
+  CGAL_L0_HOST_DEVICE Unsupported_sample(double weight, double all, double sheet_height,
+                                         double squared_radius)
     : squared_sheet_height(sheet_height)
   {
     const double t = (least_share_of_sheet * all - weight)
-                     / ((least_share_of_sheet - share_of_sheet_of_strays) * all);
-    has_strayed = t > 0;
+                     / ((least_share_of_sheet - share_of_sheet_of_unsupported) * all);
+    is_unsupported = t > 0;
     if (t >= 1)
       squared_sheet_height = squared_radius;
-    else if (has_strayed)
+    else if (is_unsupported)
     {
       weight_of_own_normal = all * (1 - t) / t;
       squared_sheet_height *= std::pow(squared_radius / sheet_height, t);
@@ -221,34 +222,34 @@ constexpr double largest_roughness_of_plane = 3, largest_roughness_of_quadric = 
 
 /// Of how few samples a plane or a quadric is not believed, and of how many it is, per unknown of
 /// it; in between the more of them, the more. Through a handful of points there always is one.
-constexpr double fewest_voters_per_unknown = 3, enough_voters_per_unknown = 6;
+constexpr double fewest_support_points_per_unknown = 3, enough_support_points_per_unknown = 6;
 
 /// From where on a plane or a quadric counts less, and at twice this not at all: what variance its
-/// height has at the sample, per that of the mean height of the voters. Inside of a surface it is 1
-/// and 4 to 5, at an edge 4 and 9 to 16; where the voters are all on one side and further off it
-/// grows fast.
+/// height has at the sample, per that of the mean height of the support points. Inside of a surface
+/// it is 1 and 4 to 5, at an edge 4 and 9 to 16; where the support points are all on one side and
+/// further off it grows fast.
 constexpr double largest_leverage = 10;
 
-/// How many samples of a ball are asked for its quadric, at least, if it has as many.
-constexpr double least_voters_in_ball = 128;
+/// The support subset has at least this many samples in a ball, if the ball has as many.
+constexpr double least_support_points_in_ball = 128;
 
-/// Chooses the samples that are asked, among those that start on a point each: by that point, so
+/// Chooses the support subset among the samples that start on a point each: by that point, so
 /// that no rounding of where they are now has a part in it.
-struct Choice_of_voters
+struct Support_subset
 {
   std::uint64_t seed;
   std::uint64_t stride = 1; ///< one in so many is asked
 
   /// \param spacing of an even set of samples
-  Choice_of_voters(std::uint64_t random_seed, double radius, double spacing,
-                   std::size_t number_of_samples, std::size_t number_on_points)
+  Support_subset(std::uint64_t random_seed, double radius, double spacing,
+                 std::size_t number_of_samples, std::size_t number_on_points)
     : seed(random_seed)
   {
     const double pi = 3.141592653589793, reach = quadric_radius_factor * radius / spacing;
     const double in_ball = pi * reach * reach * double(number_on_points)
                            / double(number_of_samples);
     // a power of two, since few numbers are so near to one that a rounding decides
-    while (double(2 * stride) * least_voters_in_ball <= in_ball
+    while (double(2 * stride) * least_support_points_in_ball <= in_ball
            && stride < (std::uint64_t(1) << 20))
       stride *= 2;
   }

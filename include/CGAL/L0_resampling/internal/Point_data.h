@@ -7,7 +7,7 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_POINT_DATA_H
 
 #include <CGAL/L0_resampling/internal/checked_parameters.h>
-#include <CGAL/L0_resampling/internal/find_near_points.h>
+#include <CGAL/L0_resampling/internal/nearest_input_points.h>
 #include <CGAL/L0_resampling/named_parameters.h>
 
 #include <CGAL/property_map.h>

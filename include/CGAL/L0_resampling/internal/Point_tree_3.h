@@ -118,7 +118,7 @@ private:
     for (std::size_t i = begin; i < end; ++i)
     {
       if (i % points_per_look == 0)
-        look_at_loop();
+        poll_for_cancellation();
       low = low.cwiseMin(m_points[order[i]]);
       high = high.cwiseMax(m_points[order[i]]);
     }

@@ -32,7 +32,7 @@ struct Samples
 
   Buffer<unsigned char>
     /// default method only: whether quadrics are fitted to the sample, which few of many are
-    are_voters;
+    are_support_points;
   Buffer<FT>
     /// where the density of the input is kept: how far apart the samples around are to be; else
     /// none
@@ -47,7 +47,7 @@ struct Samples
 
   explicit Samples(const Counting_allocator<Vector>& allocator)
     : positions(allocator), normals(allocator), fit_weights(allocator), fit_centroids(allocator),
-      fit_variances(allocator), outward_directions(allocator), are_voters(allocator),
+      fit_variances(allocator), outward_directions(allocator), are_support_points(allocator),
       spacings(allocator), hints(allocator), start_indices(allocator)
   {}
 };
@@ -66,7 +66,7 @@ void apply_order(const Buffer<Index>& order, Samples<FT>& samples)
   };
   apply_to_what_there_is(samples.fit_variances);
   apply_to_what_there_is(samples.outward_directions);
-  apply_to_what_there_is(samples.are_voters);
+  apply_to_what_there_is(samples.are_support_points);
   apply_to_what_there_is(samples.spacings);
   apply_to_what_there_is(samples.hints);
   apply_to_what_there_is(samples.start_indices);

@@ -48,8 +48,8 @@ Areas areas_of_points(const Search_grid_3& grid, const Buffer<Vector>& points, d
 {
   const Exact_ball ball(radius, units_per_length);
   const int reach = cells_in_reach(radius, grid.cell_size());
-  // How far relative coordinates may be off: whoever is that near to the border of the ball is
-  // asked exactly.
+  // Tolerance of relative coordinates: points within it of the border of the ball are tested
+  // exactly.
   const double rounding = std::ldexp(radius + (reach + 1) * grid.cell_size(), -21);
   const T squared_inner_radius = T((radius - rounding) * std::abs(radius - rounding)),
           squared_outer_radius = T((radius + rounding) * (radius + rounding));

@@ -7,7 +7,7 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_CARRY_PROPERTIES_H
 
 #include <CGAL/L0_resampling/internal/attribute_kinds.h>
-#include <CGAL/L0_resampling/internal/find_near_points.h>
+#include <CGAL/L0_resampling/internal/nearest_input_points.h>
 
 #include <CGAL/IO/Color.h>
 

@@ -118,11 +118,11 @@ Followers choose_samples(const Parameters& parameters, const Prepared_points& in
     };
     std::size_t number_on_points = 0;
     for_each_in_order(size, [&](std::size_t i) { number_on_points += starts_on_point(i); });
-    const Choice_of_voters choice(parameters.random_seed, plan.radius, plan.sample_spacing, m,
-                                  number_on_points);
-    samples.are_voters.reserve(size);
+    const Support_subset choice(parameters.random_seed, plan.radius, plan.sample_spacing, m,
+                                number_on_points);
+    samples.are_support_points.reserve(size);
     for_each_in_order(size, [&](std::size_t i) {
-      samples.are_voters.push_back(starts_on_point(i) && choice.takes(start.sources[i]));
+      samples.are_support_points.push_back(starts_on_point(i) && choice.takes(start.sources[i]));
     });
   }
   if (!hints.empty())

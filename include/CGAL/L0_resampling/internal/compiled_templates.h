@@ -10,7 +10,7 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_COMPILED_TEMPLATES_H
 #define CGAL_L0_RESAMPLING_INTERNAL_COMPILED_TEMPLATES_H
 
-#include <CGAL/L0_resampling/internal/find_near_points.h>
+#include <CGAL/L0_resampling/internal/nearest_input_points.h>
 #include <CGAL/L0_resampling/internal/points_of_range.h>
 #include <CGAL/L0_resampling/internal/resample.h>
 
@@ -26,7 +26,7 @@
                                                     Any_solver<FT>&, Progress&, Report&);          \
   declaration Buffer<std::array<FT, 3>> rounded_positions<Tag, FT>(const Buffer<Vector>&,          \
                                                                    const Input&, double, bool);    \
-  declaration void find_near_points<Tag, FT>(                                                      \
+  declaration void nearest_input_points<Tag, FT>(                                                  \
     const Point_tree_3&, const Buffer<std::array<FT, 3>>&, Progress&, Near_points&);
 
 #ifdef CGAL_L0_LINKED_WITH_COMPILED

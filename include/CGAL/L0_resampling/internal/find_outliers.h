@@ -142,7 +142,7 @@ Buffer<unsigned char> fill_space(const Buffer<Vector>& unsorted_points,
   for_each_cell_block<Sequential_tag>(sparse_grid, sparse_grid, 1, progress, [&]() {
     return [&](Index cell, const std::vector<Search_grid_3::Range>& ranges, std::size_t) {
       const bool fills = outer_sums(ranges)
-                         > growth_of_space * (inner_sums(ranges) + points_of_doubt);
+                         > volume_filling_ratio * (inner_sums(ranges) + count_prior);
       const Search_grid_3::Range own = sparse_grid.points_of_cell(cell);
       for (Index i = own.first; i < own.second; ++i)
         result[order[i]] = fills;
@@ -201,7 +201,7 @@ inline double median_of(Buffer<double> values)
 /*!
 Finds the points that lie off the cloud: those whose ball holds far fewer points than the balls
 around them do, or than the median ball of the cloud; sparse ones that fill space; and, among the
-others, those of parts that hang together and have fewer points than half a median ball, such as
+others, those of connected components that have fewer points than half a median ball, such as
 clusters of outliers. The first comparison is with the surroundings so that a sparse region of a
 surface stays. If that would be all points, there are none.
 

@@ -141,10 +141,11 @@ The sample is drawn to \f$ c_i = p_i + h_i n_i \f$: along its normal, so that it
 from edges and borders. Only beyond them, where the weighted mean of the points lies further off in
 the plane than that of half a ball, is it drawn back (`Border_of_ball`). A sample that hardly any of
 its points agree with, as one that began at the noisiest of them or at an outlier, takes the normal
-of most of them before, and a sheet as high as the ball, in which it finds the others (`Stray`). One
-whose points scatter more than those of one sheet do looks again at a lower sheet
-(`squared_sheet_height_among()`). Where still nobody agrees, it is drawn to the last \f$ c_i \f$ it
-had. Nothing of this sets in with a step, so that roundings stay roundings.
+of most of them before, and a sheet as high as the ball, in which it finds the others
+(`Unsupported_sample`). One whose points scatter more than those of one sheet do looks again at a
+lower sheet (`squared_sheet_height_among()`). Where there still are no compatible points, it is
+drawn to the last \f$ c_i \f$ it had. All transitions are continuous, so rounding errors are not
+amplified.
 
 The normal of the sample becomes the weighted mean of those points' normals.
 
@@ -183,11 +184,11 @@ std::size_t fit_compatible_points(const Fit_input<T>& input, Progress& progress,
                                           own_kernel);
         };
         Compatible_points sums = sums_with(kernel);
-        const Stray stray(sums.weight, sums.all, input.squared_sheet_height,
-                          input.radius * input.radius);
-        double own_sheet_height = stray.squared_sheet_height;
-        if (stray.has_strayed)
-          old_normal = normal_of_most(center, old_normal, stray.weight_of_own_normal, candidates,
+        const Unsupported_sample support(sums.weight, sums.all, input.squared_sheet_height,
+                                         input.radius * input.radius);
+        double own_sheet_height = support.squared_sheet_height;
+        if (support.is_unsupported)
+          old_normal = normal_of_most(center, old_normal, support.weight_of_own_normal, candidates,
                                       normals, scales, kernel);
         else
           own_sheet_height = squared_sheet_height_among(input.squared_sheet_height,

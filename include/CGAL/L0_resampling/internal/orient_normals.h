@@ -84,8 +84,8 @@ Turns the normals of the samples to one side. Over the edges of the graph of nea
 `orientation_agreement()` is beyond doubt, sets of samples grow as the maximum spanning forest of
 Hoppe et al. does, until most samples are in large sets. Where these touch, within a face, across a
 sharp edge or through noise, one edge may well err, and would turn a whole face; there, all edges
-between two sets vote. Then the sets that hang together are turned as a whole: to the side of the
-hints where these are clear, else outwards, in the sense of the divergence theorem:
+between two sets vote. Then the connected components of the sets are turned as a whole: to the side
+of the hints where these are clear, else outwards, in the sense of the divergence theorem:
 \f$ \sum n_i^T (p_i - \bar p) > 0 \f$. Works on indices; no sample changes its place.
 
 \param positions, normals unit vectors of any sign in, consistent out

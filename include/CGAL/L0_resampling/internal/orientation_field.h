@@ -57,7 +57,7 @@ inline std::vector<Index> sets_of_field(const Signed_union_find& trees,
 }
 
 /*!
-Joins the larger ones of the sets that hang together if their field asks to turn some of them
+Joins the larger ones of connected sets if their field asks to turn some of them
 against the others. At an edge between two faces few samples vote, all of them next to the edge,
 where noise and smoothing leave the least to see; the faces as a whole know better. Their field is
 that of dipoles along the normals (after Metzer et al., Orienting point clouds with dipole

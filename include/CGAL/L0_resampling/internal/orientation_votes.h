@@ -158,8 +158,8 @@ void pass_votes_on(Voting& voting)
   add_up_votes<ConcurrencyTag>(votes);
 }
 
-/// Joins sets that touch by majority: round by round, each set with the neighbor that their votes
-/// are most of one mind about.
+/// Joins sets that touch by majority: round by round, each set merges with the neighbor of the
+/// strongest vote.
 /// \param sure the share of the votes, in [0, 1], that the winning side has to be ahead by
 template <typename ConcurrencyTag>
 void join_by_votes(double sure, Voting& voting)

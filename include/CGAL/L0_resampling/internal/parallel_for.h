@@ -57,7 +57,7 @@ public:
 };
 
 /// For loops that are not `for_each_block()`.
-inline void look_at_loop()
+inline void poll_for_cancellation()
 {
   if (loop_watcher())
     loop_watcher()->look();
@@ -93,7 +93,7 @@ inline void for_each_block_in_parallel(std::size_t n, std::size_t block_size,
     const Watched_loops watched(watcher); // on whatever thread this is
     const std::size_t begin = k * block_size;
     f(begin, begin + (std::min)(block_size, n - begin));
-    look_at_loop();
+    poll_for_cancellation();
   });
 }
 #endif
@@ -105,7 +105,7 @@ inline void for_each_block_in_order(std::size_t n, std::size_t block_size, const
   {
     const std::size_t end = begin + (std::min)(block_size, n - begin);
     f(begin, end);
-    look_at_loop();
+    poll_for_cancellation();
     begin = end;
   }
 }
@@ -185,7 +185,7 @@ auto watched_order(const Less& less, std::size_t& number_of_comparisons)
   return [&](const auto& a, const auto& b) {
     const std::size_t comparisons_per_look = 65536;
     if (++number_of_comparisons % comparisons_per_look == 0)
-      look_at_loop();
+      poll_for_cancellation();
     return less(a, b);
   };
 }
@@ -236,7 +236,7 @@ Buffer<T> append_by_blocks(std::size_t n, std::size_t block_size,
   {
     all.insert(all.end(), part.begin(), part.end());
     release(part);
-    look_at_loop();
+    poll_for_cancellation();
   }
   return all;
 }

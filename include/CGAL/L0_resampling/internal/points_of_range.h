@@ -7,7 +7,7 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_POINTS_OF_RANGE_H
 
 #include <CGAL/L0_resampling/internal/checked_parameters.h>
-#include <CGAL/L0_resampling/internal/find_near_points.h>
+#include <CGAL/L0_resampling/internal/nearest_input_points.h>
 #include <CGAL/L0_resampling/internal/resample.h>
 #include <CGAL/L0_resampling/internal/separate_coincident_points.h>
 
@@ -62,7 +62,7 @@ void read_points(const PointRange& range, PointMap point_map, bool drop_non_fini
   for (auto it = range.begin(); it != range.end(); ++it, ++index)
   {
     if (index % points_per_look == 0)
-      look_at_loop();
+      poll_for_cancellation();
     if (index == many_points
         && !drop_non_finite) // among points to be dropped there may be few others
     {
@@ -99,7 +99,7 @@ void read_directions(const PointRange& range, VectorMap vector_map, const Input&
   for (auto it = range.begin(); it != range.end(); ++it)
   {
     if (index % points_per_look == 0)
-      look_at_loop();
+      poll_for_cancellation();
     if (!input.is_kept[index++])
       continue;
     const auto& v = get(vector_map, *it);
@@ -153,7 +153,7 @@ Point_tree_3 tree_of_range(const PointRange& range, PointMap point_map, Memory_c
   for (auto it = range.begin(); it != range.end(); ++it, ++index)
   {
     if (index % points_per_look == 0)
-      look_at_loop();
+      poll_for_cancellation();
     const auto& p = get(point_map, *it);
     const Vector point(double(p.x()), double(p.y()), double(p.z()));
     if (!point.allFinite())
@@ -176,7 +176,7 @@ std::size_t number_of_distinct_points(const PointRange& range, PointMap point_ma
   for (auto it = range.begin(); it != range.end(); ++it)
   {
     if (index++ % points_per_look == 0)
-      look_at_loop();
+      poll_for_cancellation();
     const auto& p = get(point_map, *it);
     const Vector point(double(p.x()), double(p.y()), double(p.z()));
     if (point.allFinite())

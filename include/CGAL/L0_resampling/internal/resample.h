@@ -17,7 +17,7 @@
 #include <CGAL/L0_resampling/internal/orient_normals.h>
 #include <CGAL/L0_resampling/internal/prepare_points.h>
 #include <CGAL/L0_resampling/internal/refining_minimization.h>
-#include <CGAL/L0_resampling/internal/settle_on_quadrics.h>
+#include <CGAL/L0_resampling/internal/project_to_local_quadrics.h>
 #include <CGAL/L0_resampling/internal/share_of_extent.h>
 #include <CGAL/L0_resampling/internal/working_frame.h>
 
@@ -181,8 +181,8 @@ Oriented_points<FT> resample(Buffer<Vector>& points, Buffer<Local_vector>& given
   {
     // not before the signs, which pass from face to face through normals that lean over the edge:
     // planes and quadrics leave none of these
-    progress.begin_stage("settle on quadrics", 0.03, m);
-    settle_on_quadrics<ConcurrencyTag, Local>(
+    progress.begin_stage("project to local quadrics", 0.03, m);
+    project_to_local_quadrics<ConcurrencyTag, Local>(
       {quadric_radius_factor * plan.radius, plan.compatible_bandwidth, square(plan.sheet_height)},
       plan.smallest_cell_size, progress, samples);
   }

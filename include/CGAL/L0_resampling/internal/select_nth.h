@@ -37,14 +37,14 @@ void select_nth(Iterator first, Iterator nth, Iterator last)
     std::nth_element(probes.begin(), probe, probes.end());
     const Number pivot = *probe;
     const Iterator equal = std::partition(first, last, [=](Number x) { return x < pivot; });
-    look_at_loop();
+    poll_for_cancellation();
     if (nth < equal)
     {
       last = equal;
       continue;
     }
     const Iterator greater = std::partition(equal, last, [=](Number x) { return !(pivot < x); });
-    look_at_loop();
+    poll_for_cancellation();
     if (nth < greater)
       return;
     first = greater;

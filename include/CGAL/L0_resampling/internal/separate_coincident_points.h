@@ -87,7 +87,7 @@ void separate_coincident_points(const std::array<FT, 3>& low, const std::array<F
   std::size_t node = 0;
   for (std::size_t i : to_move)
   {
-    look_at_loop();
+    poll_for_cancellation();
     if (points[i] != place)
     {
       place = points[i];

@@ -8,7 +8,7 @@
 #include "stages.cuh"
 
 #include <CGAL/L0_resampling/internal/Quadric_moments.h>
-#include <CGAL/L0_resampling/internal/settle_on_quadric.h>
+#include <CGAL/L0_resampling/internal/project_to_local_quadric.h>
 #include <CGAL/L0_resampling/internal/weights.h>
 
 namespace CGAL {
@@ -24,17 +24,17 @@ struct Quadric_kernel
   float radius, normal_bandwidth, squared_sheet_height;
 };
 
-/// \param listed the voters, in the order before that of their grid
-__global__ void gather_normals_of_voters(Cell_grid grid, const unsigned* listed,
-                                         const float4* normals, float4* of_voters)
+/// \param listed the support points, in the order before that of their grid
+__global__ void gather_normals_of_support_points(Cell_grid grid, const unsigned* listed,
+                                                 const float4* normals, float4* of_support_points)
 {
   const unsigned long long k = thread_index();
   if (k < grid.size)
-    of_voters[k] = normals[listed[grid.order[k]]];
+    of_support_points[k] = normals[listed[grid.order[k]]];
 }
 
-/// \param grid of the voters
-/// \param normals of the voters, and the variances of their fits
+/// \param grid of the support points
+/// \param normals of the support points, and the variances of their fits
 __global__ void settle(Cell_grid sample_grid, Cell_blocks blocks, Cell_grid grid,
                        const float4* normals, Quadric_kernel kernel, Samples samples)
 {
@@ -66,8 +66,8 @@ __global__ void settle(Cell_grid sample_grid, Cell_blocks blocks, Cell_grid grid
   variance = group_sum<lanes>(variance);
   if (!query.writes)
     return;
-  const Settled_sample settled = settle_on_quadric(sums, variance / square(kernel.radius), frame,
-                                                   kernel.radius);
+  const Settled_sample settled = project_to_local_quadric(sums, variance / square(kernel.radius),
+                                                          frame, kernel.radius);
   samples.positions[3 * i] += settled.height * normal.x;
   samples.positions[3 * i + 1] += settled.height * normal.y;
   samples.positions[3 * i + 2] += settled.height * normal.z;
@@ -76,33 +76,35 @@ __global__ void settle(Cell_grid sample_grid, Cell_blocks blocks, Cell_grid grid
 
 } // namespace
 
-void settle_on_quadrics(const Workplace& workplace, const Cell_frame& frame, double radius,
-                        double squared_sheet_height, double normal_bandwidth,
-                        const Samples& samples)
+void project_to_local_quadrics(const Workplace& workplace, const Cell_frame& frame, double radius,
+                               double squared_sheet_height, double normal_bandwidth,
+                               const Samples& samples)
 {
   const Arena_scope scope(workplace.scratch);
   unsigned* const listed = workplace.scratch.take<unsigned>(samples.size);
-  const unsigned number_of_voters = list_flagged(samples.are_voters, samples.size, listed,
-                                                 workplace.scratch, workplace.stream);
-  if (number_of_voters == 0)
+  const unsigned number_of_support_points = list_flagged(
+    samples.are_support_points, samples.size, listed, workplace.scratch, workplace.stream);
+  if (number_of_support_points == 0)
     return;
   const Arena_scope arena_scope(workplace.arena);
   const auto grid_of = [&](const unsigned* list, unsigned size) {
     return build_grid({samples.positions, size, Frame(), true, list}, nullptr, frame,
                       workplace.arena, workplace.scratch, workplace.stream);
   };
-  const Cell_grid voters = grid_of(listed, number_of_voters), all = grid_of(nullptr, samples.size);
-  float4* const normals = workplace.arena.take<float4>(number_of_voters);
-  gather_normals_of_voters<<<blocks_for(number_of_voters), threads_per_block, 0,
-                             workplace.stream>>>(voters, listed, samples.normals, normals);
-  check_launch("gather_normals_of_voters");
-  const Cell_blocks blocks = find_blocks(all, voters, cells_in_reach(radius, frame.cell_size),
-                                         maximum_number_of_candidates, workplace.arena,
-                                         workplace.stream);
+  const Cell_grid support_points = grid_of(listed, number_of_support_points),
+                  all = grid_of(nullptr, samples.size);
+  float4* const normals = workplace.arena.take<float4>(number_of_support_points);
+  gather_normals_of_support_points<<<blocks_for(number_of_support_points), threads_per_block, 0,
+                                     workplace.stream>>>(support_points, listed, samples.normals,
+                                                         normals);
+  check_launch("gather_normals_of_support_points");
+  const Cell_blocks blocks =
+    find_blocks(all, support_points, cells_in_reach(radius, frame.cell_size),
+                maximum_number_of_candidates, workplace.arena, workplace.stream);
   const Quadric_kernel kernel = {float(radius), float(normal_bandwidth),
                                  float(squared_sheet_height)};
   settle<<<blocks_for_queries(samples.size), threads_per_block, 0, workplace.stream>>>(
-    all, blocks, voters, normals, kernel, samples);
+    all, blocks, support_points, normals, kernel, samples);
   check_launch("settle");
 }
 

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_L0_RESAMPLING_INTERNAL_FIND_NEAR_POINTS_H
-#define CGAL_L0_RESAMPLING_INTERNAL_FIND_NEAR_POINTS_H
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_NEAREST_INPUT_POINTS_H
+#define CGAL_L0_RESAMPLING_INTERNAL_NEAREST_INPUT_POINTS_H
 
 #include <CGAL/L0_resampling/internal/Point_tree_3.h>
 #include <CGAL/L0_resampling/internal/Progress.h>
@@ -57,8 +57,8 @@ struct Near_points
 /// mean of the squared distances of all that were found.
 /// \param tree of the input, not empty
 template <typename ConcurrencyTag, typename FT>
-void find_near_points(const Point_tree_3& tree, const Buffer<std::array<FT, 3>>& queries,
-                      Progress& progress, Near_points& near_points)
+void nearest_input_points(const Point_tree_3& tree, const Buffer<std::array<FT, 3>>& queries,
+                          Progress& progress, Near_points& near_points)
 {
   const std::size_t count = near_points.count, queries_per_block = 1024;
   fill_buffer(queries.size() * count, Index(0), near_points.indices);
@@ -89,4 +89,4 @@ void find_near_points(const Point_tree_3& tree, const Buffer<std::array<FT, 3>>&
 } // namespace L0_resampling
 } // namespace CGAL
 
-#endif // CGAL_L0_RESAMPLING_INTERNAL_FIND_NEAR_POINTS_H
+#endif // CGAL_L0_RESAMPLING_INTERNAL_NEAREST_INPUT_POINTS_H

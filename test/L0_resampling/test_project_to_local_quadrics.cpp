@@ -5,7 +5,7 @@
 
 #include "naive_normal_filter.h"
 
-#include <CGAL/L0_resampling/internal/settle_on_quadrics.h>
+#include <CGAL/L0_resampling/internal/project_to_local_quadrics.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -22,13 +22,13 @@ const double radius = 0.8, squared_sheet_height = 0.2 * 0.2;
 const double deviation = 0.01;
 
 Samples<double> make_samples(const Oriented_points& points, const std::vector<double>& variances,
-                             const std::vector<unsigned char>& are_voters)
+                             const std::vector<unsigned char>& are_support_points)
 {
   Samples<double> samples{Counting_allocator<Vector>()};
   samples.positions = to_buffer(points.points);
   samples.normals = to_buffer(points.normals);
   samples.fit_variances = to_buffer(variances);
-  samples.are_voters = to_buffer(are_voters);
+  samples.are_support_points = to_buffer(are_support_points);
   return samples;
 }
 
@@ -36,13 +36,13 @@ template <typename T, typename ConcurrencyTag = CGAL::Parallel_if_available_tag>
 Samples<double> settled(Samples<double> samples)
 {
   Unwatched unwatched;
-  settle_on_quadrics<ConcurrencyTag, T>({radius, normal_bandwidth(30), squared_sheet_height}, 0,
-                                        unwatched.progress, samples);
+  project_to_local_quadrics<ConcurrencyTag, T>({radius, normal_bandwidth(30), squared_sheet_height},
+                                               0, unwatched.progress, samples);
   return samples;
 }
 
 /// All of them are asked.
-Samples<double> all_voters(const Oriented_points& points, double own_deviation)
+Samples<double> all_support_points(const Oriented_points& points, double own_deviation)
 {
   return make_samples(points,
                       std::vector<double>(points.points.size(), own_deviation * own_deviation),
@@ -52,7 +52,7 @@ Samples<double> all_voters(const Oriented_points& points, double own_deviation)
 template <typename T>
 Samples<double> settled(const Oriented_points& points, double own_deviation = deviation)
 {
-  return settled<T>(all_voters(points, own_deviation));
+  return settled<T>(all_support_points(points, own_deviation));
 }
 
 /// What the docstring's formulas make of a sample.
@@ -83,7 +83,7 @@ Naively_settled settled_naively(const Samples<double>& samples, std::size_t i)
     const Vector d = samples.positions[k] - samples.positions[i];
     const double cosine = n.dot(samples.normals[k]);
     const double h = 0.5 * (n + (cosine < 0 ? -1 : 1) * samples.normals[k]).dot(d);
-    const double w = samples.are_voters[k]
+    const double w = samples.are_support_points[k]
                      * clamped((1 - d.squaredNorm() / (radius * radius)) / 0.1)
                      * std::exp(-std::pow(1 - std::abs(cosine), 2) / normal_bandwidth(30))
                      * std::exp(-h * h / squared_sheet_height);
@@ -109,7 +109,7 @@ Naively_settled settled_naively(const Samples<double>& samples, std::size_t i)
   const Vector values = eigen.eigenvalues();
   const double determined = clamped((values[1] - values[0]) / (0.1 * values[2]));
 
-  // what the voters leave open is as small as can be
+  // what the support points leave open is as small as can be
   matrix.diagonal() += 1e-6 * total
                        * (Eigen::Matrix<double, 6, 1>() << 0, 1, 1, 1, 0.5, 1).finished();
   const Eigen::LDLT<Eigen::Matrix<double, 6, 6>> factors(matrix);
@@ -157,7 +157,7 @@ struct Occurrences
   double planes = 0, quadrics = 0, in_part = 0;
 };
 
-/// \param points rough where x is more than 1.5, with voters of all kinds
+/// \param points rough where x is more than 1.5, with support points of all kinds
 template <typename T>
 Occurrences check_formulas(Oriented_points points, double tolerance, Generator& generator)
 {
@@ -166,14 +166,14 @@ Occurrences check_formulas(Oriented_points points, double tolerance, Generator& 
                         * points.normals[i];
   points.normals = noisy_normals(points.normals, 0.1, generator);
   std::vector<double> variances;
-  std::vector<unsigned char> are_voters;
+  std::vector<unsigned char> are_support_points;
   for (Vector& n : points.normals)
   {
     n *= std::bernoulli_distribution()(generator) ? 1 : -1;
     variances.push_back(random_number(2.5e-5, 2.5e-4, generator));
-    are_voters.push_back(std::bernoulli_distribution(0.4)(generator));
+    are_support_points.push_back(std::bernoulli_distribution(0.4)(generator));
   }
-  const Samples<double> samples = make_samples(points, variances, are_voters),
+  const Samples<double> samples = make_samples(points, variances, are_support_points),
                         result = settled<T>(samples);
   double off = 0;
   Occurrences occurrences;
@@ -265,18 +265,19 @@ void check_curved(Generator& generator)
   CHECK(off_saddle < 0.003);
 }
 
-/// Beyond the voters a plane or a quadric goes anywhere: a sample there stays.
+/// Beyond the support points a plane or a quadric goes anywhere: a sample there stays.
 void check_extrapolation(Generator& generator)
 {
   Oriented_points plane = plane_points(3000, 2, generator);
-  std::vector<unsigned char> are_voters;
+  std::vector<unsigned char> are_support_points;
   for (Vector& p : plane.points)
   {
     p.z() = std::normal_distribution<>(0, 0.02)(generator);
-    are_voters.push_back(p.x() > 0);
+    are_support_points.push_back(p.x() > 0);
   }
   const Samples<double> result = settled<float>(
-    make_samples(plane, std::vector<double>(are_voters.size(), deviation * deviation), are_voters));
+    make_samples(plane, std::vector<double>(are_support_points.size(), deviation * deviation),
+                 are_support_points));
   double highest = 0;
   for (std::size_t i = 0; i < plane.points.size(); ++i)
     if (plane.points[i].x() < -0.3)
@@ -388,7 +389,7 @@ void check_threads(Generator& generator)
 {
   Oriented_points wedge = wedge_points(3000, generator);
   add_gaussian_noise(wedge.points, 0.01, generator);
-  const Samples<double> samples = all_voters(wedge, deviation);
+  const Samples<double> samples = all_support_points(wedge, deviation);
   CHECK(are_the_same(settled<float, CGAL::Sequential_tag>(samples),
                      settled<float, CGAL::Parallel_if_available_tag>(samples)));
 }
@@ -402,7 +403,7 @@ void check_choice()
     const double in_ball = EIGEN_PI * 16 / (spacing * spacing);
     for (double share_on_points : {1., 0.25})
     {
-      const Choice_of_voters choice(7, 1, spacing, 1000, std::size_t(1000 * share_on_points));
+      const Support_subset choice(7, 1, spacing, 1000, std::size_t(1000 * share_on_points));
       const double asked = in_ball * share_on_points / double(choice.stride);
       CHECK((choice.stride == 1 && asked < 256) || (asked >= 128 && asked < 256));
       std::size_t taken = 0;
@@ -415,8 +416,8 @@ void check_choice()
             < 0.1);
     }
   }
-  CHECK(Choice_of_voters(7, 1, 2, 1, 1).takes(0));
-  CHECK(Choice_of_voters(7, 1, 1e-9, 1000, 1000).stride
+  CHECK(Support_subset(7, 1, 2, 1, 1).takes(0));
+  CHECK(Support_subset(7, 1, 1e-9, 1000, 1000).stride
         == std::uint64_t(1) << 20); // a length of no samples
 }
 

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_L0_RESAMPLING_INTERNAL_SETTLE_ON_QUADRIC_H
-#define CGAL_L0_RESAMPLING_INTERNAL_SETTLE_ON_QUADRIC_H
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_PROJECT_TO_LOCAL_QUADRIC_H
+#define CGAL_L0_RESAMPLING_INTERNAL_PROJECT_TO_LOCAL_QUADRIC_H
 
 #include <CGAL/L0_resampling/internal/Parameters.h>
 #include <CGAL/L0_resampling/internal/Plane_moments.h>
@@ -38,29 +38,27 @@ struct Settled_sample
   Triple normal;
 };
 
-/// How much a surface counts that was fitted to voters: the less the fewer they are, the further
-/// from them the sample is, and the more they scatter about it.
-/// \param number of the voters
+/// How much a surface counts that was fitted to support points: the less the fewer they are, the
+/// further from them the sample is, and the more they scatter about it.
+/// \param number of the support points
 /// \param leverage the variance of its height at the sample, per that of the mean height of the
-/// voters
-/// \param excess the variance of the voters about it, per the largest that is believed
+/// support points
+/// \param excess the variance of the support points about it, per the largest that is believed
 CGAL_L0_HOST_DEVICE inline double share_of_surface(double number, int number_of_unknowns,
                                                    double leverage, double excess)
 {
-  const double fewest = fewest_voters_per_unknown * number_of_unknowns;
-  const double enough = enough_voters_per_unknown * number_of_unknowns;
+  const double fewest = fewest_support_points_per_unknown * number_of_unknowns;
+  const double enough = enough_support_points_per_unknown * number_of_unknowns;
   return as_share((number - fewest) / (enough - fewest)) * as_share(2 - leverage / largest_leverage)
          * decay(square(excess));
 }
 
-/// See `settle_on_quadrics()`.
+/// See `project_to_local_quadrics()`.
 /// \param moments of the others, in the frame, relative to the sample, lengths in units of `radius`
 /// \param noise \f$ W \tau^2 \f$, in the same units
 /// \param radius of the ball
-CGAL_L0_HOST_DEVICE inline Settled_sample settle_on_quadric(const Quadric_moments<double>& moments,
-                                                            double noise,
-                                                            const Tangent_frame& frame,
-                                                            double radius)
+CGAL_L0_HOST_DEVICE inline Settled_sample project_to_local_quadric(
+  const Quadric_moments<double>& moments, double noise, const Tangent_frame& frame, double radius)
 {
   const int unknowns_of_plane = 3,
             unknowns_of_quadric = Quadric_moments<double>::number_of_unknowns;
@@ -112,4 +110,4 @@ CGAL_L0_HOST_DEVICE inline Settled_sample settle_on_quadric(const Quadric_moment
 } // namespace L0_resampling
 } // namespace CGAL
 
-#endif // CGAL_L0_RESAMPLING_INTERNAL_SETTLE_ON_QUADRIC_H
+#endif // CGAL_L0_RESAMPLING_INTERNAL_PROJECT_TO_LOCAL_QUADRIC_H

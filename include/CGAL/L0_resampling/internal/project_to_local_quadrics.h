@@ -3,15 +3,15 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_L0_RESAMPLING_INTERNAL_SETTLE_ON_QUADRICS_H
-#define CGAL_L0_RESAMPLING_INTERNAL_SETTLE_ON_QUADRICS_H
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_PROJECT_TO_LOCAL_QUADRICS_H
+#define CGAL_L0_RESAMPLING_INTERNAL_PROJECT_TO_LOCAL_QUADRICS_H
 
 #include <CGAL/L0_resampling/internal/Local_normals.h>
 #include <CGAL/L0_resampling/internal/Parameters.h>
 #include <CGAL/L0_resampling/internal/Quadric_moments.h>
 #include <CGAL/L0_resampling/internal/Samples.h>
 #include <CGAL/L0_resampling/internal/ball_queries.h>
-#include <CGAL/L0_resampling/internal/settle_on_quadric.h>
+#include <CGAL/L0_resampling/internal/project_to_local_quadric.h>
 #include <CGAL/L0_resampling/internal/weights.h>
 
 #include <boost/config.hpp>
@@ -33,19 +33,19 @@ struct Quadric_kernel
 
 /// The samples that planes and quadrics are fitted to.
 template <typename T>
-struct Voters
+struct Support_points
 {
   Buffer<Vector> positions;
   Buffer<Eigen::Matrix<T, 3, 1>> normals;
   Buffer<T> variances; ///< \f$ u_k \f$, `Samples::fit_variances`
 
   template <typename FT>
-  explicit Voters(const Samples<FT>& samples)
+  explicit Support_points(const Samples<FT>& samples)
     : positions(samples.positions.get_allocator()), normals(positions.get_allocator()),
       variances(positions.get_allocator())
   {
     for_each_in_order(samples.positions.size(), [&](std::size_t i) {
-      if (!samples.are_voters[i])
+      if (!samples.are_support_points[i])
         return;
       positions.push_back(samples.positions[i]);
       normals.push_back(samples.normals[i].template cast<T>());
@@ -54,19 +54,21 @@ struct Voters
   }
 };
 
-/// Sums over the voters of a wide ball that agree with a sample, lengths in units of its radius.
-struct Agreeing_voters
+/// Sums over the support points of a wide ball that agree with a sample, lengths in units of its
+/// radius.
+struct Agreeing_support_points
 {
   Quadric_moments<double> moments;
   double variance; ///< \f$ \sum_k w_k u_k \f$
 };
 
 template <typename T>
-Agreeing_voters sum_agreeing_voters(const Eigen::Matrix<T, 3, 1>& center,
-                                    const Tangent_frame& frame, const Local_points<T>& candidates,
-                                    const Local_normals<T>& normals,
-                                    const Aligned_vector<T>& variances,
-                                    const Quadric_kernel& kernel)
+Agreeing_support_points sum_agreeing_support_points(const Eigen::Matrix<T, 3, 1>& center,
+                                                    const Tangent_frame& frame,
+                                                    const Local_points<T>& candidates,
+                                                    const Local_normals<T>& normals,
+                                                    const Aligned_vector<T>& variances,
+                                                    const Quadric_kernel& kernel)
 {
   using L = Lanes<T>;
   const T squared_radius = T(kernel.radius * kernel.radius), unit = T(1 / kernel.radius);
@@ -97,13 +99,13 @@ Agreeing_voters sum_agreeing_voters(const Eigen::Matrix<T, 3, 1>& center,
           variance.sum() / square(kernel.radius)};
 }
 
-/// `settle_on_quadric()`, compiled by itself: where it is a part of what surrounds it, compilers
-/// fuse other sums of products with it than without, and two programs of one source would differ in
-/// the last bit.
-BOOST_NOINLINE inline Settled_sample settled_sample(const Agreeing_voters& sums,
+/// `project_to_local_quadric()`, compiled by itself: where it is a part of what surrounds it,
+/// compilers fuse other sums of products with it than without, and two programs of one source would
+/// differ in the last bit.
+BOOST_NOINLINE inline Settled_sample settled_sample(const Agreeing_support_points& sums,
                                                     const Tangent_frame& frame, double radius)
 {
-  return settle_on_quadric(sums.moments, sums.variance, frame, radius);
+  return project_to_local_quadric(sums.moments, sums.variance, frame, radius);
 }
 
 /*!
@@ -124,34 +126,34 @@ smaller ones. Where detail stands out from the noise, both shares are zero. Clea
 \f$ \tau \f$, and stay.
 
 Neighboring fits share most of their points, so few of the samples tell as much as all do: only
-`Samples::are_voters` are asked.
+`Samples::are_support_points` are asked.
 
 \param samples positions and normals, in and out
 */
 template <typename ConcurrencyTag, typename T, typename FT>
-void settle_on_quadrics(const Quadric_kernel& kernel, double smallest_cell_size, Progress& progress,
-                        Samples<FT>& samples)
+void project_to_local_quadrics(const Quadric_kernel& kernel, double smallest_cell_size,
+                               Progress& progress, Samples<FT>& samples)
 {
   const double cell_size = (std::max)(kernel.radius / 2, smallest_cell_size);
-  Voters<T> voters(samples);
+  Support_points<T> support_points(samples);
   {
-    const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(voters.positions,
-                                                                            cell_size);
-    apply_order(order, voters.positions);
-    apply_order(order, voters.normals);
-    apply_order(order, voters.variances);
+    const Buffer<Index> order =
+      Search_grid_3::sorted_order<ConcurrencyTag>(support_points.positions, cell_size);
+    apply_order(order, support_points.positions);
+    apply_order(order, support_points.normals);
+    apply_order(order, support_points.variances);
   }
-  const Search_grid_3 voter_grid(voters.positions, cell_size);
+  const Search_grid_3 support_grid(support_points.positions, cell_size);
   const Sorted_queries sorted_queries(ConcurrencyTag(), samples.positions, cell_size);
 
   const auto make_visitor = [&]() {
     return [&, normals = Local_normals<T>(), variances = Aligned_vector<T>()](
              Search_grid_3::Range queries, const Local_points<T>& candidates,
              const Vector& origin) mutable {
-      normals.gather(candidates, voters.normals);
+      normals.gather(candidates, support_points.normals);
       variances.assign(candidates.padded_size(), T(0));
       for (std::size_t k = 0; k < candidates.indices.size(); ++k)
-        variances[k] = voters.variances[candidates.indices[k]];
+        variances[k] = support_points.variances[candidates.indices[k]];
       for (Index q = queries.first; q < queries.second; ++q)
       {
         const Index i = sorted_queries.order[q];
@@ -159,8 +161,8 @@ void settle_on_quadrics(const Quadric_kernel& kernel, double smallest_cell_size,
           (sorted_queries.points[q] - origin).template cast<T>();
         const Vector normal = samples.normals[i].template cast<double>();
         const Tangent_frame frame({normal.x(), normal.y(), normal.z()});
-        const Agreeing_voters sums = sum_agreeing_voters<T>(center, frame, candidates, normals,
-                                                            variances, kernel);
+        const Agreeing_support_points sums =
+          sum_agreeing_support_points<T>(center, frame, candidates, normals, variances, kernel);
         const Settled_sample settled = settled_sample(sums, frame, kernel.radius);
         samples.positions[i] += settled.height * normal;
         samples.normals[i] =
@@ -168,13 +170,14 @@ void settle_on_quadrics(const Quadric_kernel& kernel, double smallest_cell_size,
       }
     };
   };
-  for_each_cell<T, ConcurrencyTag>(sorted_queries.grid, sorted_queries.points, voter_grid,
-                                   voters.positions, cells_in_reach(kernel.radius, cell_size),
-                                   progress, make_visitor);
+  for_each_cell<T, ConcurrencyTag>(sorted_queries.grid, sorted_queries.points, support_grid,
+                                   support_points.positions,
+                                   cells_in_reach(kernel.radius, cell_size), progress,
+                                   make_visitor);
 }
 
 } // namespace internal
 } // namespace L0_resampling
 } // namespace CGAL
 
-#endif // CGAL_L0_RESAMPLING_INTERNAL_SETTLE_ON_QUADRICS_H
+#endif // CGAL_L0_RESAMPLING_INTERNAL_PROJECT_TO_LOCAL_QUADRICS_H
