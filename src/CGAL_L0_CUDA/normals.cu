@@ -241,6 +241,14 @@ __global__ void invert_density(unsigned size, const Ball_counts* counts, float4*
                                                 : 1;
 }
 
+__global__ void sum_listed(const unsigned* numbers, const unsigned* list, unsigned size,
+                           unsigned long long* sum)
+{
+  const unsigned long long i = thread_index();
+  if (i < size)
+    atomicAdd(sum, (unsigned long long)(numbers[list[i]]));
+}
+
 /// A squared length in units of the fixed-point numbers, so that a kernel need not multiply all
 /// differences by the unit. That is a power of two: the results are the same.
 float in_squared_units(const Cell_grid& grid, float squared_length)
@@ -252,7 +260,7 @@ float in_squared_units(const Cell_grid& grid, float squared_length)
 
 std::size_t estimate_pca_normals(const Workplace& workplace, const Positions& positions,
                                  const Cell_grid& grid, const Cell_blocks& blocks, double radius,
-                                 float4* normals)
+                                 const unsigned* numbers_of_points, float4* normals)
 {
   const int number_of_doublings = 10;
   // For so few points, and as long as there are not too many cells to look into, a coarser grid of
@@ -270,9 +278,17 @@ std::size_t estimate_pca_normals(const Workplace& workplace, const Positions& po
   // Few points in a healthy cloud, which meet coarser and coarser grids.
   unsigned* const open = workplace.scratch.take<unsigned>(n);
   unsigned number_of_open = list_flagged(is_degenerate, n, open, workplace.scratch, stream);
-  const unsigned number_of_degenerate = number_of_open;
-  if (number_of_degenerate == 0)
+  if (number_of_open == 0)
     return 0;
+  std::size_t number_of_degenerate = number_of_open;
+  if (numbers_of_points)
+  {
+    const Device_counter<unsigned long long> sum(workplace);
+    sum_listed<<<blocks_for(number_of_open), threads_per_block, 0, stream>>>(
+      numbers_of_points, open, number_of_open, sum.address());
+    check_launch("sum_listed");
+    number_of_degenerate = sum.read();
+  }
 
   unsigned* const places = workplace.scratch.take<unsigned>(n);
   unsigned* const coarse_places = workplace.scratch.take<unsigned>(n);

@@ -190,8 +190,9 @@ Prepared_points prepare_points(Session& session, Call& call, Input& input)
   sort_points();
   call.report.number_of_distinct_points = points.grid.number_of_distinct;
   unsigned number_of_kept;
+  const unsigned* numbers_of_points;
   if (const unsigned* const kept = thin_crowds(workplace, input.positions, points.grid,
-                                               number_of_kept))
+                                               number_of_kept, numbers_of_points))
   {
     input.positions.size = number_of_kept;
     input.positions.list = kept;
@@ -218,9 +219,10 @@ Prepared_points prepare_points(Session& session, Call& call, Input& input)
     call.stages.begin("PCA normals", 0.1);
     const bool shares_blocks = cells_in_reach(plan.pca_radius, plan.cell_size)
                                == cells_in_reach(plan.filter_radius, plan.cell_size);
-    call.report.number_of_degenerate_neighborhoods = estimate_pca_normals(
-      workplace, input.positions, points.grid,
-      shares_blocks ? filter_blocks : blocks_for_radius(plan.pca_radius), plan.pca_radius, normals);
+    call.report.number_of_degenerate_neighborhoods =
+      estimate_pca_normals(workplace, input.positions, points.grid,
+                           shares_blocks ? filter_blocks : blocks_for_radius(plan.pca_radius),
+                           plan.pca_radius, numbers_of_points, normals);
   }
   if (input.normals)
     take_given_normals(workplace, points.grid, input.normals, normals);

@@ -62,20 +62,24 @@ unsigned find_outliers(const Workplace& workplace, const Positions& positions,
 /// Thins points where they crowd, as `thin_crowds()` on the CPU. Waits for the device.
 /// \param positions those that `grid` was built of
 /// \param size out: the number of points that are kept
+/// \param numbers_of_points out, on the device: how many points each one of these stands for
 /// \returns which points of the input are kept, in the order of the grid, from the arena; null for
 /// all
 const unsigned* thin_crowds(const Workplace& workplace, const Positions& positions,
-                            const Cell_grid& grid, unsigned& size);
+                            const Cell_grid& grid, unsigned& size,
+                            const unsigned*& numbers_of_points);
 
 // The normals of the input, Section 3.1. They are float4; the fourth number is the density weight
 // 1/v_j in the end.
 
 /// Fits planes to the points in balls of `radius`, and in larger ones where that determines none.
 /// \param positions those that `grid` was built of
-/// \returns the number of points whose first ball spans no plane
+/// \param numbers_of_points how many points of the input each one stands for; null if only for
+/// itself
+/// \returns the number of points of the input whose first ball spans no plane
 std::size_t estimate_pca_normals(const Workplace& workplace, const Positions& positions,
                                  const Cell_grid& grid, const Cell_blocks& blocks, double radius,
-                                 float4* normals);
+                                 const unsigned* numbers_of_points, float4* normals);
 
 /// Puts given normals in the order of the grid, in place of those of `normals`, where they are not
 /// zero.

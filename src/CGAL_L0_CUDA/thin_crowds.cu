@@ -138,6 +138,15 @@ __global__ void number_the_kept(const unsigned* kept, unsigned size, unsigned* n
     numbers[kept[k]] = unsigned(k);
 }
 
+/// \param places of the kept points among themselves
+__global__ void count_represented(const unsigned* of_points, unsigned size, const unsigned* places,
+                                  unsigned* numbers_of_points)
+{
+  const unsigned long long j = thread_index();
+  if (j < size)
+    atomicAdd(&numbers_of_points[places[of_points[j]]], 1u);
+}
+
 /// The followers in the order of the grid, behind each other.
 /// \param numbers of the kept ones among themselves
 __global__ void part_followers(Samples samples, const unsigned* order, const unsigned* of_points,
@@ -245,18 +254,30 @@ Representatives representatives(const Workplace& workplace, const Positions& pos
 } // namespace
 
 const unsigned* thin_crowds(const Workplace& workplace, const Positions& positions,
-                            const Cell_grid& grid, unsigned& size)
+                            const Cell_grid& grid, unsigned& size,
+                            const unsigned*& numbers_of_points)
 {
+  const cudaStream_t stream = workplace.stream;
   size = grid.size;
+  numbers_of_points = nullptr;
   if (!has_crowds(workplace, positions, grid, most_points_of_subcell))
     return nullptr;
-  unsigned* const listed = workplace.arena.take<unsigned>(grid.size);
+  unsigned *const listed = workplace.arena.take<unsigned>(grid.size),
+                  *const numbers = workplace.arena.take<unsigned>(grid.size);
   const Arena_scope scope(workplace.scratch);
   const Representatives found = representatives(workplace, positions, grid, most_points_of_subcell);
   size = found.number_of_kept;
-  list_order<<<blocks_for(size), threads_per_block, 0, workplace.stream>>>(
-    positions.list, grid.order, found.kept, size, listed);
+  list_order<<<blocks_for(size), threads_per_block, 0, stream>>>(positions.list, grid.order,
+                                                                 found.kept, size, listed);
   check_launch("list_order");
+  unsigned* const places = workplace.scratch.take<unsigned>(grid.size);
+  number_the_kept<<<blocks_for(size), threads_per_block, 0, stream>>>(found.kept, size, places);
+  check_launch("number_the_kept");
+  CGAL_L0_CUDA_CHECK(cudaMemsetAsync(numbers, 0, size * sizeof(unsigned), stream));
+  count_represented<<<blocks_for(grid.size), threads_per_block, 0, stream>>>(
+    found.of_points, grid.size, places, numbers);
+  check_launch("count_represented");
+  numbers_of_points = numbers;
   return listed;
 }
 

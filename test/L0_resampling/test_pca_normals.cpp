@@ -28,7 +28,7 @@ Normals pca_normals(const std::vector<Vector>& points, double radius)
   Buffer<Eigen::Matrix<T, 3, 1>> normals(points.size());
   Normals result{std::vector<Vector>(points.size()), 0};
   result.number_of_degenerate = estimate_pca_normals<CGAL::Parallel_if_available_tag>(
-    sorted.grid, sorted.points, radius, unwatched.progress, normals);
+    sorted.grid, sorted.points, Buffer<Index>(), radius, unwatched.progress, normals);
   for (std::size_t i = 0; i < points.size(); ++i)
     result.vectors[sorted.order[i]] = normals[i].template cast<double>();
   bool are_unit = true;

@@ -168,6 +168,9 @@ void test_memory_of_crowds()
       if (result.report.number_of_outliers == 0)
         CHECK(result.report.number_of_distinct_points == distinct.size());
     }
+    // all neighborhoods are one place: the report counts the points, not those that stand for them
+    const auto one_place = resample_points(std::vector<Vector>(n, Vector(1, 2, 3)));
+    CHECK(one_place.report.number_of_degenerate_neighborhoods == n);
     // a point that everything has to start from
     const auto result = resample(Points{Kernel::Point_3(1, 2, 3)},
                                  params::number_of_output_points(n)

@@ -60,12 +60,14 @@ void refit_in_larger_balls(const Buffer<Vector>& points, const Search_grid_3& gr
 /// spans no plane takes the normal of the next larger ball that does, of twice, four times ... the
 /// radius; if none does, whatever the largest gave.
 /// \param points sorted for `grid`
+/// \param numbers_of_points how many points of the input each point stands for; empty if only for
+/// itself
 /// \param normals out: one unit vector a point
-/// \returns the number of points whose own ball spanned no plane
+/// \returns the number of points of the input whose own ball spanned no plane
 template <typename ConcurrencyTag, typename T>
 std::size_t estimate_pca_normals(const Search_grid_3& grid, const Buffer<Vector>& points,
-                                 double radius, Progress& progress,
-                                 Buffer<Eigen::Matrix<T, 3, 1>>& normals)
+                                 const Buffer<Index>& numbers_of_points, double radius,
+                                 Progress& progress, Buffer<Eigen::Matrix<T, 3, 1>>& normals)
 {
   const int number_of_doublings = 10;
   Buffer<unsigned char> is_degenerate(points.size(), 0, points.get_allocator());
@@ -96,9 +98,12 @@ std::size_t estimate_pca_normals(const Search_grid_3& grid, const Buffer<Vector>
   // coarser grids.
   Buffer<Index> open(points.get_allocator());
   open.reserve(number_of_degenerate);
+  std::size_t number_in_input = 0;
   for_each_in_order(points.size(), [&](std::size_t i) {
-    if (is_degenerate[i])
-      open.push_back(Index(i));
+    if (!is_degenerate[i])
+      return;
+    open.push_back(Index(i));
+    number_in_input += numbers_of_points.empty() ? 1 : numbers_of_points[i];
   });
   for (int doubling = 1; doubling <= number_of_doublings && !open.empty(); ++doubling)
   {
@@ -117,7 +122,7 @@ std::size_t estimate_pca_normals(const Search_grid_3& grid, const Buffer<Vector>
                                             coarse_points, larger_radius, progress, open, normals);
     }
   }
-  return number_of_degenerate;
+  return number_in_input;
 }
 
 } // namespace internal

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 namespace CGAL {
 namespace L0_resampling {
@@ -96,7 +97,8 @@ std::size_t drop_outliers(double radius, Buffer<Vector>& points,
 /// \returns the number of distinct points before
 template <typename ConcurrencyTag>
 std::size_t sort_points(double cell_size, Buffer<Vector>& points,
-                        Buffer<Local_vector>& given_normals, Buffer<Local_vector>& hints)
+                        Buffer<Local_vector>& given_normals, Buffer<Local_vector>& hints,
+                        Buffer<Index>& numbers_of_points)
 {
   {
     const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(points, cell_size);
@@ -114,6 +116,8 @@ std::size_t sort_points(double cell_size, Buffer<Vector>& points,
   });
   const Representatives kept = thin_crowds<ConcurrencyTag>(Search_grid_3(points, cell_size), points,
                                                            most_points_of_subcell);
+  if (!kept.are_all_points())
+    numbers_of_points = kept.numbers_of_points([](std::size_t) { return Index(1); });
   kept.keep(points);
   kept.keep(given_normals);
   kept.keep(hints);
@@ -133,6 +137,8 @@ struct Prepared_points
 {
   Buffer<Vector>& points;
   Search_grid_3 grid;
+  /// How many points of the input each one stands for; empty if only for itself.
+  Buffer<Index> numbers_of_points;
   Buffer<Local_vector> normals;  ///< filtered
   Buffer<Local> density_weights; ///< \f$ v_j \f$
 
@@ -140,6 +146,7 @@ struct Prepared_points
   void release_all()
   {
     release(points);
+    release(numbers_of_points);
     release(normals);
     release(density_weights);
     grid = Search_grid_3(points, grid.cell_size()); // of no points
@@ -160,8 +167,8 @@ void compute_filtered_normals(const Plan& plan, const Buffer<Local_vector>& give
   if (!are_all_given(given_normals))
   {
     progress.begin_stage("PCA normals", 0.1, points.size());
-    report.number_of_degenerate_neighborhoods =
-      estimate_pca_normals<ConcurrencyTag>(grid, points, plan.pca_radius, progress, normals);
+    report.number_of_degenerate_neighborhoods = estimate_pca_normals<ConcurrencyTag>(
+      grid, points, input.numbers_of_points, plan.pca_radius, progress, normals);
   }
   for_each_in_order(given_normals.size(), [&](std::size_t i) {
     if (!given_normals[i].isZero(0))
@@ -200,9 +207,10 @@ Prepared_points prepare_points(const Plan& plan, Buffer<Vector>& points,
                                                               hints, progress);
     progress.begin_stage("sort points", 0.05, 1);
   }
-  report.number_of_distinct_points = sort_points<ConcurrencyTag>(plan.cell_size, points,
-                                                                 given_normals, hints);
-  Prepared_points input{points, Search_grid_3(points, plan.cell_size),
+  Buffer<Index> numbers_of_points(points.get_allocator());
+  report.number_of_distinct_points =
+    sort_points<ConcurrencyTag>(plan.cell_size, points, given_normals, hints, numbers_of_points);
+  Prepared_points input{points, Search_grid_3(points, plan.cell_size), std::move(numbers_of_points),
                         Buffer<Local_vector>(points.get_allocator()),
                         Buffer<Local>(points.get_allocator())};
   compute_filtered_normals<ConcurrencyTag>(plan, given_normals, progress, report, input);
