@@ -45,29 +45,6 @@ inline Vector plain_extent(const Buffer<Vector>& points)
   return high - low;
 }
 
-/*!
-The diagonal of the box of the result per that of the input. What lies outside the surface does not
-count for the input: the outermost points (`trimmed_extent()`) and the noise, which moves no more
-points than these further out than `noise_reach` standard deviations. The result counts half a
-spacing further at either end, as an even set ends that far from the border in the mean.
-
-\param of_input `trimmed_extent()` of the points, outliers included
-\param noise standard deviation across the surface; 0 if it is not known
-\param of_result `plain_extent()` of the samples
-\param spacing of the samples
-\returns a number in [0, 1]; 1 if the input has no extent
-*/
-inline double extent_share(const Vector& of_input, double noise, const Vector& of_result,
-                           double spacing)
-{
-  const double noise_reach =
-    2.6; // 0.5 % of normally distributed numbers lie further out on one side
-  const Vector input = (of_input.array() - 2 * noise_reach * noise).max(0);
-  const double share = (of_result.array() + spacing).matrix().norm() / input.norm();
-  return share < 1 ? share
-                   : 1; // also if coordinates are so large that their squares are not finite
-}
-
 } // namespace internal
 } // namespace L0_resampling
 } // namespace CGAL
