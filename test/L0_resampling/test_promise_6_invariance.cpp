@@ -279,7 +279,7 @@ double diagonal(const std::vector<Vector>& points)
 bool has_default_lengths(std::size_t setting) { return setting % 5 < 3; }
 
 /// Where the translation rounds the input, the result moves with it within 1e-6 of the diagonal;
-/// with lengths, weights or more points given, within 1e-5. The cloud is as large as a building.
+/// with lengths, weights or more points given, within 1e-4. The cloud is as large as a building.
 /// The deviation is that of single precision within the balls, however little the input is rounded.
 void test_translation(const Cloud& cloud, const std::vector<test::Pairs<Kernel>>& expected)
 {
@@ -296,7 +296,7 @@ void test_translation(const Cloud& cloud, const std::vector<test::Pairs<Kernel>>
       }
       const double distance = (std::max)(one_sided_distance(expected[i], moved_back[i]),
                                          one_sided_distance(moved_back[i], expected[i]));
-      const double tolerance = has_default_lengths(i) ? 1e-6 : 1e-5;
+      const double tolerance = has_default_lengths(i) ? 1e-6 : 1e-4;
       const double share = distance / diagonal(cloud.points.points);
       if (!CHECK(expected[i].size() == moved_back[i].size() && share <= tolerance))
         std::cerr << "  " << cloud.name << ", setting " << i << ": " << share << std::endl;
