@@ -78,6 +78,9 @@ class Report:
     estimated_noise: float, the standard deviation across the surface; 0 but for "default"
     oriented_share: float in [0, 1], the share of samples whose side was propagated reliably
     hinted_share: float in [0, 1], the share whose side viewpoint or orientation_hints decided
+    extent_share: float in [0, 1], the diagonal of the box of the result per that of the points,
+        whose outermost ones and noise do not count
+    warnings: tuple of str, why the result cannot be good, a line for each reason
     iterations: tuple of IterationReport
     converged: bool, whether every linear system was solved to its tolerance
     stages: tuple of StageReport, in the order in which they ran
@@ -101,7 +104,7 @@ class Report:
     oriented_share: float
     hinted_share: float
     extent_share: float
-    warnings: tuple[str, ...]  # the lines of message_of()
+    warnings: tuple[str, ...]
     iterations: tuple[IterationReport, ...]
     converged: bool
     stages: tuple[StageReport, ...]

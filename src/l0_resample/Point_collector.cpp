@@ -79,6 +79,7 @@ void Point_collector::drop_other_vectors()
   constexpr std::uint64_t least_ratio = 19; // of unit vectors to others
   const bool are_normals = m_number_of_unit_vectors > 0
                            && m_number_of_unit_vectors / least_ratio >= m_number_of_other_vectors;
+  m_cloud.file_has_normals = are_normals;
   if (are_normals || m_cloud.points.empty())
     return;
   m_cloud.normals = {};

@@ -126,10 +126,11 @@ def test_the_version_is_the_project_s():
 def test_the_report_has_the_members_of_the_cpp_report():
     header = (root / "include/CGAL/L0_resampling/Report.h").read_text()
     struct = header[header.index("struct Report\n"):]
-    missing = [f.name for f in dataclasses.fields(cgal_l0.Report) if f" {f.name}" not in struct]
-    assert missing == []
-    members = [line for line in struct.split("};")[0].splitlines() if line.startswith("  ") and ";" in line]
-    assert len(members) == len(dataclasses.fields(cgal_l0.Report)) + 1   # the outcome, which is an exception here
+    fields = [field.name for field in dataclasses.fields(cgal_l0.Report)]
+    fields.remove("warnings")   # what the C++ function of that name says of the report
+    assert [name for name in fields if f" {name}" not in struct] == []
+    members = [line for line in struct.split("};")[0].splitlines() if re.match(r"  [^/]*;", line)]
+    assert len(members) == len(fields) + 1   # the outcome, which is an exception here
 
 
 def example_code(name):
