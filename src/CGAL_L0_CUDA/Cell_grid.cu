@@ -216,13 +216,6 @@ __global__ void rank_points(Cell_frame frame, const double3* positions, const un
     atomicAdd(&counts->number_of_distinct, 1u);
 }
 
-/// Bits that ascend with the number.
-__device__ Key ascending_bits(double value)
-{
-  const long long bits = __double_as_longlong(value + 0.); // -0 becomes 0
-  return Key(bits) ^ (bits < 0 ? ~Key(0) : Key(1) << 63);
-}
-
 /// Keys of one pass of the sort axis by axis: coordinates for `axis` 0 to 2, normals for 3 to 5,
 /// cells for 6.
 __global__ void compute_axis_keys(Positions positions, Cell_frame frame, const float* normals,

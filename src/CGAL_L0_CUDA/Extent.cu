@@ -64,13 +64,6 @@ __global__ void find_innermost_box(const double* sorted, unsigned size, Frame fr
   box[threadIdx.x] = frame.enter(sorted[threadIdx.x == 0 ? first : first - 1], axis);
 }
 
-/// Bits that ascend with the number.
-__device__ unsigned long long ascending_bits(double value)
-{
-  const long long bits = __double_as_longlong(value + 0.); // -0 becomes 0
-  return (unsigned long long)(bits) ^ (bits < 0 ? ~0ull : 1ull << 63);
-}
-
 double number_of_ascending_bits(unsigned long long bits)
 {
   const unsigned long long sign = 1ull << 63, raw = bits & sign ? bits ^ sign : ~bits;

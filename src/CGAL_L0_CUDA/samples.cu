@@ -212,7 +212,7 @@ void collapse_fit_term(const Workplace& workplace, const Cell_grid& sample_grid,
 
 Neighbor_lists find_self_neighbors(const Workplace& workplace, const Cell_grid& grid, double radius)
 {
-  const unsigned limit = 512; // as on the CPU
+  const unsigned limit = 1024; // as on the CPU
   const cudaStream_t stream = workplace.stream;
   const unsigned m = grid.size, thread_blocks = blocks_for_queries(m);
   const float squared_radius = float(radius * radius);

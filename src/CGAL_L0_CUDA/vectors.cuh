@@ -61,6 +61,13 @@ __host__ __device__ inline float3 to_float(double3 a)
 
 #ifdef __CUDACC__
 
+/// Bits that ascend with the number.
+__device__ inline unsigned long long ascending_bits(double value)
+{
+  const long long bits = __double_as_longlong(value + 0.); // -0 becomes 0
+  return (unsigned long long)(bits) ^ (bits < 0 ? ~0ull : 1ull << 63);
+}
+
 /// A vector no longer than 1 in 8 bytes: 21 bits for each coordinate.
 struct Short_vector
 {

@@ -5,6 +5,8 @@
 
 // The signed error by distance from edges, of points whose errors are known.
 
+#include "failure_count.h"
+
 #include "../../benchmark/L0_resampling/quality/edge_bias.h"
 
 #include <cmath>
@@ -17,16 +19,6 @@
 using namespace L0_benchmark;
 
 namespace {
-
-int number_of_failures = 0;
-
-void check(bool condition, const std::string& what, int line = __builtin_LINE())
-{
-  if (condition)
-    return;
-  std::cerr << __FILE__ << ":" << line << ": " << what << "\n";
-  ++number_of_failures;
-}
 
 std::size_t count(const std::vector<Edge_bias>& bands)
 {

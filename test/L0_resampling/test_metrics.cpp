@@ -6,6 +6,8 @@
 // The measures of the benchmarks where their values are known, and the sampler that makes the
 // benchmarks' input.
 
+#include "failure_count.h"
+
 #include "../../benchmark/L0_resampling/quality/metrics.h"
 
 #include <cmath>
@@ -25,17 +27,6 @@ using namespace L0_benchmark;
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-int number_of_failures = 0;
-
-// The builtin gives the caller's line, in g++ and in clang.
-void check(bool condition, const std::string& what, int line = __builtin_LINE())
-{
-  if (condition)
-    return;
-  std::cerr << __FILE__ << ":" << line << ": " << what << "\n";
-  ++number_of_failures;
-}
-
 void check_close(double value, double expected, double tolerance, int line = __builtin_LINE())
 {
   std::ostringstream what;

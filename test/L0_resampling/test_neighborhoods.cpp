@@ -56,8 +56,8 @@ void check_thinning(Generator& generator)
     }
   };
   fill_cell(0, 5000); // crowded
-  fill_cell(1, 200);  // beside the crowd
-  fill_cell(2, 200);  // beside that, and undisturbed
+  fill_cell(1, 300);  // beside the crowd
+  fill_cell(2, 300);  // beside that, and undisturbed
   const Gridded_points samples(points, 1);
   const Lists lists = self_neighbors(samples, 0.9);
   const Lists all = brute_force_neighbors(samples.vector, samples.vector, 0.9);
@@ -84,8 +84,8 @@ void check_thinning(Generator& generator)
   CHECK(are_ascending);
   CHECK(are_symmetric);
   CHECK(are_complete);
-  CHECK(longest > 150
-        && longest <= 512 + 10); // one more at most for each run of cells, and one for rounding
+  CHECK(longest > 300
+        && longest <= 1024 + 10); // one more at most for each run of cells, and one for rounding
 }
 
 int main()

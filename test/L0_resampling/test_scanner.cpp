@@ -5,6 +5,8 @@
 
 // The generator of scans: its random numbers, its solids, and the errors of each scanner.
 
+#include "failure_count.h"
+
 #include "../../benchmark/L0_resampling/quality/Ground_truth.h"
 #include "../../benchmark/L0_resampling/scanner/Scan.h"
 
@@ -20,16 +22,6 @@
 using namespace L0_benchmark;
 
 namespace {
-
-int number_of_failures = 0;
-
-void check(bool condition, const std::string& what, int line = __builtin_LINE())
-{
-  if (condition)
-    return;
-  std::cerr << __FILE__ << ":" << line << ": " << what << "\n";
-  ++number_of_failures;
-}
 
 void check_within(double value, double low, double high, int line = __builtin_LINE())
 {

@@ -40,7 +40,7 @@ template <typename ConcurrencyTag>
 Neighborhoods find_self_neighbors(const Search_grid_3& grid, const Buffer<Vector>& samples,
                                   double radius, Progress& progress)
 {
-  const std::size_t maximum_number_of_candidates = 512;
+  const std::size_t maximum_number_of_candidates = 1024;
   const double squared_radius = radius * radius;
   using Ranges = std::vector<Search_grid_3::Range>;
 

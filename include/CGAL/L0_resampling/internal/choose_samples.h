@@ -63,8 +63,7 @@ Followers take_followers(const Plan& plan, Initial_samples& samples)
     followers.leaders.push_back(places[leader]);
     followers.offsets.push_back(samples.positions[i] - samples.positions[leader]);
   });
-  followers.numbers_of_samples = in_old_order.numbers_of_points(
-    [](std::size_t) { return Index(1); });
+  followers.numbers_of_samples = in_old_order.numbers_of_points();
   in_old_order.keep(samples.positions);
   in_old_order.keep(samples.sources);
   return followers;

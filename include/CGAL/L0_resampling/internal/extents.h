@@ -34,17 +34,6 @@ Vector trimmed_extent(const Buffer<Vector>& points)
   return extent;
 }
 
-/// How far the points reach on each axis.
-inline Vector plain_extent(const Buffer<Vector>& points)
-{
-  Vector low = points.front(), high = points.front();
-  for_each_in_order(points.size(), [&](std::size_t i) {
-    low = low.cwiseMin(points[i]);
-    high = high.cwiseMax(points[i]);
-  });
-  return high - low;
-}
-
 } // namespace internal
 } // namespace L0_resampling
 } // namespace CGAL

@@ -92,13 +92,11 @@ std::size_t drop_outliers(double radius, Buffer<Vector>& points,
   return n - points.size();
 }
 
-/// Sorts the points, and what belongs to them, into the order of their grid, and thins them where
-/// they crowd.
-/// \returns the number of distinct points before
+/// Sorts the points, and what belongs to them, into the order of their grid.
+/// \returns the number of distinct points
 template <typename ConcurrencyTag>
 std::size_t sort_points(double cell_size, Buffer<Vector>& points,
-                        Buffer<Local_vector>& given_normals, Buffer<Local_vector>& hints,
-                        Buffer<Index>& numbers_of_points)
+                        Buffer<Local_vector>& given_normals, Buffer<Local_vector>& hints)
 {
   {
     const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(points, cell_size);
@@ -114,13 +112,6 @@ std::size_t sort_points(double cell_size, Buffer<Vector>& points,
   for_each_in_order(points.size(), [&](std::size_t i) {
     number_of_distinct_points += i == 0 || points[i] != points[i - 1];
   });
-  const Representatives kept = thin_crowds<ConcurrencyTag>(Search_grid_3(points, cell_size), points,
-                                                           most_points_of_subcell);
-  if (!kept.are_all_points())
-    numbers_of_points = kept.numbers_of_points([](std::size_t) { return Index(1); });
-  kept.keep(points);
-  kept.keep(given_normals);
-  kept.keep(hints);
   return number_of_distinct_points;
 }
 
@@ -191,7 +182,7 @@ void compute_filtered_normals(const Plan& plan, const Buffer<Local_vector>& give
   }
 }
 
-/// Removes outliers, sorts the points, and finds their normals and their density weights of Eq.
+/// Removes outliers, sorts the points, thins crowds, and finds their normals and their density weights of Eq.
 /// (5).
 /// \param points in the working frame
 /// \param given_normals used up
@@ -207,12 +198,21 @@ Prepared_points prepare_points(const Plan& plan, Buffer<Vector>& points,
                                                               hints, progress);
     progress.begin_stage("sort points", 0.05, 1);
   }
-  Buffer<Index> numbers_of_points(points.get_allocator());
-  report.number_of_distinct_points =
-    sort_points<ConcurrencyTag>(plan.cell_size, points, given_normals, hints, numbers_of_points);
-  Prepared_points input{points, Search_grid_3(points, plan.cell_size), std::move(numbers_of_points),
-                        Buffer<Local_vector>(points.get_allocator()),
-                        Buffer<Local>(points.get_allocator())};
+  report.number_of_distinct_points = sort_points<ConcurrencyTag>(plan.cell_size, points,
+                                                                 given_normals, hints);
+  const auto allocator = points.get_allocator();
+  Prepared_points input{points, Search_grid_3(points, plan.cell_size), Buffer<Index>(allocator),
+                        Buffer<Local_vector>(allocator), Buffer<Local>(allocator)};
+  const Representatives kept = thin_crowds<ConcurrencyTag>(input.grid, points,
+                                                           most_points_of_subcell);
+  if (!kept.are_all_points())
+  {
+    input.numbers_of_points = kept.numbers_of_points();
+    kept.keep(points);
+    kept.keep(given_normals);
+    kept.keep(hints);
+    input.grid = Search_grid_3(points, plan.cell_size);
+  }
   compute_filtered_normals<ConcurrencyTag>(plan, given_normals, progress, report, input);
   const bool all_normals_given = are_all_given(given_normals);
   release(given_normals);

@@ -41,12 +41,11 @@ struct Representatives
     values.resize(size);
   }
 
-  /// The number of points for which `counts(i)` holds that each kept point stands for.
-  template <typename Counts>
-  Buffer<Index> numbers_of_points(const Counts& counts) const
+  /// How many points each kept point stands for.
+  Buffer<Index> numbers_of_points() const
   {
     Buffer<Index> numbers = filled_buffer(of_points.size(), Index(0), of_points.get_allocator());
-    for_each_in_order(of_points.size(), [&](std::size_t i) { numbers[of_points[i]] += counts(i); });
+    for_each_in_order(of_points.size(), [&](std::size_t i) { ++numbers[of_points[i]]; });
     keep(numbers);
     return numbers;
   }

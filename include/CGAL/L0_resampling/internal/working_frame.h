@@ -181,16 +181,19 @@ double robust_diagonal(const Buffer<Vector>& points)
   return (box_high - box_low).norm();
 }
 
-/// The diagonal of the bounding box of the points.
-inline double box_diagonal(const Buffer<Vector>& points)
+/// How far the points reach on each axis.
+inline Vector plain_extent(const Buffer<Vector>& points)
 {
   Vector low = points.front(), high = points.front();
   for_each_in_order(points.size(), [&](std::size_t i) {
     low = low.cwiseMin(points[i]);
     high = high.cwiseMax(points[i]);
   });
-  return (high - low).norm();
+  return high - low;
 }
+
+/// The diagonal of the bounding box of the points.
+inline double box_diagonal(const Buffer<Vector>& points) { return plain_extent(points).norm(); }
 
 } // namespace internal
 } // namespace L0_resampling
