@@ -123,8 +123,7 @@ void resample_on_cpu(const PointRange& range, PointMap point_map, NormalMap norm
     if (least_memory<typename Solver::FT>(input.points.size(), checked) > maximum_memory)
       throw std::bad_alloc();
     read_normals_if_given(range, normal_map, input);
-    if_given(np, internal_np::orientation_hint_map,
-             [&](const auto& map) { read_directions(range, map, input, input.hints); });
+    read_hints_if_given(range, point_map, np, input);
     release(input.is_kept);
 
     std::size_t n = input.points.size();
@@ -361,14 +360,34 @@ without a value leaves the default.
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{viewpoint}
-    \cgalParamDescription{a point that the normals shall face, as those of a scan face the scanner.
-      Each connected component of the result is turned as a whole, by the solid angle that its
-      two sides fill. A closed surface that is seen from outside is turned outwards, as it is
-      without a viewpoint.}
+    \cgalParamDescription{the place that all points were seen from, such as that of the scanner. A
+      sample whose surface is seen at more than 10 degrees faces it; where the angle is smaller, the
+      side follows from those around it. Points that were seen from elsewhere, such as the far side
+      of a closed surface, are turned to the wrong side: they need `viewpoint_map`.}
     \cgalParamType{`Point_3`}
     \cgalParamDefault{none: normals point outwards, in the sense of the divergence theorem}
-    \cgalParamExtra{`std::invalid_argument` if not finite, or if `orientation_hint_map` is there
-      too}
+    \cgalParamExtra{`std::invalid_argument` if not finite, or if `viewpoint_map`, `up_direction` or
+      `orientation_hint_map` is there too}
+  \cgalParamNEnd
+  \cgalParamNBegin{viewpoint_map}
+    \cgalParamDescription{a property map associating to the elements of the range `points` the place
+      that each was seen from, for several scans or a scanner that moves. Sides are as with
+      `viewpoint`. A sample looks in the direction in which the input point that it starts on has
+      its viewpoint. A viewpoint that is not finite, or is the point itself, says nothing.}
+    \cgalParamType{a model of `ReadablePropertyMap` with the iterator's value type as key type and
+      `Point_3` as value type}
+    \cgalParamDefault{none}
+    \cgalParamExtra{`std::invalid_argument` if `viewpoint`, `up_direction` or
+      `orientation_hint_map` is there too}
+  \cgalParamNEnd
+  \cgalParamNBegin{up_direction}
+    \cgalParamDescription{the way up, for points that were seen from above, such as those of an
+      airborne scanner: as a viewpoint infinitely far in this direction. Its length does not
+      matter.}
+    \cgalParamType{`Vector_3`}
+    \cgalParamDefault{none}
+    \cgalParamExtra{`std::invalid_argument` if zero or not finite, or if `viewpoint`,
+      `viewpoint_map` or `orientation_hint_map` is there too}
   \cgalParamNEnd
   \cgalParamNBegin{orientation_hint_map}
     \cgalParamDescription{a property map associating vectors to the elements of the range `points`,
@@ -378,6 +397,8 @@ without a value leaves the default.
     \cgalParamType{a model of `ReadablePropertyMap` with the iterator's value type as key type and
       `Vector_3` as value type}
     \cgalParamDefault{none}
+    \cgalParamExtra{`std::invalid_argument` if `viewpoint`, `viewpoint_map` or `up_direction` is
+      there too}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_orientation_neighbors}
     \cgalParamDescription{the number of nearest samples over which the signs of the normals are

@@ -61,15 +61,22 @@ __global__ void take_rows(Device_rows rows, const unsigned* list, unsigned size,
 
 /// Vectors of unit length, or zero where the caller's is of no use, as `read_directions()` on the
 /// host.
+/// \param viewpoints_of points that the rows are viewpoints of, whose directions are taken; null
+/// where the rows are directions
 /// \param has_one_sign whether the first coordinate that is not zero is made positive, as
 /// `read_normals()` does
 __global__ void take_directions(Device_rows rows, const unsigned* list, unsigned size,
-                                bool has_one_sign, float* taken)
+                                const double* viewpoints_of, bool has_one_sign, float* taken)
 {
   const unsigned long long i = thread_index();
   if (i >= size)
     return;
-  const double3 v = row_at(rows, list ? list[i] : unsigned(i));
+  double3 v = row_at(rows, list ? list[i] : unsigned(i));
+  if (viewpoints_of) // half way, as the whole one may not be finite
+  {
+    const double* const p = viewpoints_of + 3 * i;
+    v = {0.5 * v.x - 0.5 * p[0], 0.5 * v.y - 0.5 * p[1], 0.5 * v.z - 0.5 * p[2]};
+  }
   const double largest = fmax(fmax(fabs(v.x), fabs(v.y)), fabs(v.z));
   double3 direction = {0, 0, 0};
   if (is_finite(v) && largest > 0)
@@ -152,7 +159,8 @@ Answer wait_for(Session& session, std::int64_t stream)
 
 Answer upload_from_device(Session& session, const Device_rows& points, std::size_t size,
                           const Device_rows* normals, const Device_rows* hints,
-                          bool drop_non_finite, std::size_t maximum_memory, Device_points& taken)
+                          bool hints_are_viewpoints, bool drop_non_finite,
+                          std::size_t maximum_memory, Device_points& taken)
 {
   return guarded(&session, [&]() {
     taken = Device_points();
@@ -184,15 +192,16 @@ Answer upload_from_device(Session& session, const Device_rows& points, std::size
       take_rows<<<blocks_for(kept), threads_per_block, 0, session.stream>>>(points, list, kept,
                                                                             arrays.points);
       check_launch("take_rows");
-      const auto take_vectors = [&](const Device_rows* rows, bool has_one_sign, float* target) {
+      const auto take_vectors = [&](const Device_rows* rows, const double* viewpoints_of,
+                                    bool has_one_sign, float* target) {
         if (!rows)
           return;
         take_directions<<<blocks_for(kept), threads_per_block, 0, session.stream>>>(
-          *rows, list, kept, has_one_sign, target);
+          *rows, list, kept, viewpoints_of, has_one_sign, target);
         check_launch("take_directions");
       };
-      take_vectors(normals, true, arrays.normals);
-      take_vectors(hints, false, arrays.hints);
+      take_vectors(normals, nullptr, true, arrays.normals);
+      take_vectors(hints, hints_are_viewpoints ? arrays.points : nullptr, false, arrays.hints);
     }
     session.filter_input(arrays, kept);
     taken.size = kept;

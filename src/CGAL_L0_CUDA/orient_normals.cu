@@ -15,6 +15,26 @@ namespace cuda {
 
 namespace {
 
+/// \param first in: more than any index; out: the first sample whose viewpoint leaves no doubt
+__global__ void find_first_certain(Side_hints hints, Samples samples, unsigned* first)
+{
+  const Wide i = thread_index();
+  if (i < samples.size && i < __ldcg(first) && hints.certain_side_of(samples, i) != 0)
+    atomicMin(first, unsigned(i));
+}
+
+/// As `sets_of_viewpoints()` on the CPU.
+/// \param first the first sample whose viewpoint leaves no doubt, if there is any
+__global__ void begin_sets(Side_hints hints, Samples samples, const unsigned* first, Link* sets)
+{
+  const Wide i = thread_index();
+  if (i >= samples.size)
+    return;
+  const int side = hints.certain_side_of(samples, i);
+  sets[i] = side == 0 ? Link::to(unsigned(i), false)
+                      : Link::to(*first, side != hints.certain_side_of(samples, *first));
+}
+
 __global__ void count_samples_of_sets(const Link* sets, unsigned size, unsigned* sizes)
 {
   const Wide i = thread_index();
@@ -46,17 +66,19 @@ struct Tree_sums
 {
   long long center_and_size[4];
   long long sides
-    // flux and the largest it could be, the normals, and the votes of hints: their sum and that of
-    // their absolute values
-    [7];
+    // flux and the largest it could be, the normals, and what `Side_votes` has: the sum of the
+    // votes, that of their absolute values, and that of the certain sides
+    [8];
   unsigned largest_sure_size;
 
   __device__ long long size() const { return center_and_size[3]; }
   __device__ long long flux() const { return sides[0]; }
   __device__ long long largest_flux() const { return sides[1]; }
   __device__ long long normal(int axis) const { return sides[2 + axis]; }
-  __device__ long long vote() const { return sides[5]; }
-  __device__ long long total_vote() const { return sides[6]; }
+  __device__ Side_votes votes() const
+  {
+    return {double(sides[7]), double(sides[5]), double(sides[6])};
+  }
 };
 
 /// \param scale units of the fixed-point numbers per length of the frame
@@ -64,35 +86,6 @@ struct Tree_scale
 {
   double units_per_length;
   double units_per_normal;
-};
-
-/// Where the hints of the samples come from, if there are any.
-struct Hints
-{
-  bool has_viewpoint;
-  double3 viewpoint;
-  double squared_spacing; // of the samples
-  double
-    // of a sample to the viewpoint, and `squared_spacing`: hints are relative to what they are
-    // there, and so at most 1 long
-    least_squared_distance;
-
-  /// As `hint_of_viewpoint()` on the CPU, but for the unit.
-  __device__ double3 operator()(const Samples& samples, Wide i) const
-  {
-    if (samples.hints)
-      return to_double(xyz(samples.hints[i]));
-    if (!has_viewpoint)
-      return {0, 0, 0};
-    const double* const p = samples.positions + 3 * i;
-    const double3 d = {viewpoint.x - p[0], viewpoint.y - p[1], viewpoint.z - p[2]};
-    const double squared_distance = dot(d, d);
-    if (!(squared_distance > 0))
-      return {0, 0, 0};
-    return (fmin(1., least_squared_distance / (squared_distance + squared_spacing))
-            / sqrt(squared_distance))
-           * d;
-  }
 };
 
 /// Adds numbers of the samples to the sums of their trees. Most samples are of one tree: those of
@@ -154,14 +147,14 @@ __global__ void find_centers(Sides sides, Samples samples, Tree_scale scale, Tre
     atomicMax(&trees[root].largest_sure_size, sure_size);
 }
 
-__global__ void find_fluxes(Sides sides, Samples samples, Tree_scale scale, Hints hints,
+__global__ void find_fluxes(Sides sides, Samples samples, Tree_scale scale, Side_hints hints,
                             Tree_sums* trees, unsigned* number_of_oriented)
 {
   const Wide i = thread_index();
   const bool is_sample = i < samples.size;
   const Link link = is_sample ? sides.trees[i] : Link{0};
   const Tree_sums& tree = trees[link.target()];
-  long long values[7] = {};
+  long long values[8] = {};
   bool is_oriented = false;
   if (is_sample)
   {
@@ -177,22 +170,16 @@ __global__ void find_fluxes(Sides sides, Samples samples, Tree_scale scale, Hint
     values[2] = __double2ll_rn(normal.x * scale.units_per_normal);
     values[3] = __double2ll_rn(normal.y * scale.units_per_normal);
     values[4] = __double2ll_rn(normal.z * scale.units_per_normal);
-    values[5] = __double2ll_rn(dot(normal, hints(samples, i)) * scale.units_per_normal);
+    values[5] = __double2ll_rn(dot(normal, hints.direction_of(samples, i))
+                               * scale.units_per_normal);
     values[6] = llabs(values[5]);
+    values[7] = (link.is_turned() ? -1 : 1) * hints.certain_side_of(samples, i);
     is_oriented = tree.size() > 1 && sides.sure_sizes[i] == tree.largest_sure_size;
   }
   add_to_trees(link.target(), is_sample, values, [&](unsigned r) { return trees[r].sides; });
   const int count = __syncthreads_count(is_oriented);
   if (threadIdx.x == 0 && count > 0)
     atomicAdd(number_of_oriented, unsigned(count));
-}
-
-/// As `Hint_votes::are_clear()` on the CPU.
-__device__ bool is_hinted(const Tree_sums& tree)
-{
-  const double clear_share = 0.1;
-  return tree.total_vote() > 0
-         && double(llabs(tree.vote())) >= clear_share * double(tree.total_vote());
 }
 
 /// As `is_turned_inwards()` on the CPU.
@@ -217,8 +204,9 @@ __global__ void turn_normals(const Link* trees_of_samples, const Tree_sums* tree
   {
     const Link link = trees_of_samples[i];
     const Tree_sums& tree = trees[link.target()];
-    hinted = is_hinted(tree);
-    if ((hinted ? tree.vote() < 0 : is_turned_inwards(tree)) != link.is_turned())
+    const Side_votes votes = tree.votes();
+    hinted = votes.are_clear();
+    if ((hinted ? votes.say_turn() : is_turned_inwards(tree)) != link.is_turned())
     {
       const float4 n = samples.normals[i];
       samples.normals[i] = make_float4(-n.x, -n.y, -n.z, n.w);
@@ -229,22 +217,10 @@ __global__ void turn_normals(const Link* trees_of_samples, const Tree_sums* tree
     atomicAdd(number_of_hinted, unsigned(count));
 }
 
-/// The square of the distance of a point to a box.
-double squared_distance_to_box(const double (&low)[3], const double (&high)[3], const double* point)
-{
-  double sum = 0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double distance = (std::max)({low[axis] - point[axis], point[axis] - high[axis], 0.});
-    sum += distance * distance;
-  }
-  return sum;
-}
-
 } // namespace
 
 void orient_normals(const Workplace& workplace, const double (&low)[3], const double (&high)[3],
-                    unsigned number_of_neighbors, double spacing, const double* viewpoint,
+                    unsigned number_of_neighbors, double spacing, const Side_hints& hints,
                     const Samples& samples, Sample_counts* counts)
 {
   const unsigned m = samples.size;
@@ -258,6 +234,15 @@ void orient_normals(const Workplace& workplace, const double (&low)[3], const do
   Link *const roots = reinterpret_cast<Link*>(samples.fit), *const faces = roots + m,
               *const parts = faces + m;
   unsigned* const sure_sizes = reinterpret_cast<unsigned*>(parts + m);
+  {
+    const Arena_scope first_scope(workplace.scratch);
+    unsigned* const first = workplace.scratch.take<unsigned>(1);
+    CGAL_L0_CUDA_CHECK(cudaMemsetAsync(first, 0xff, sizeof(unsigned), stream));
+    find_first_certain<<<blocks_for(m), threads_per_block, 0, stream>>>(hints, samples, first);
+    check_launch("find_first_certain");
+    begin_sets<<<blocks_for(m), threads_per_block, 0, stream>>>(hints, samples, first, faces);
+    check_launch("begin_sets");
+  }
   {
     const Arena_scope graph_scope(workplace.arena), voting_scope(workplace.scratch);
     unsigned* const nearest =
@@ -306,13 +291,6 @@ void orient_normals(const Workplace& workplace, const double (&low)[3], const do
   const Sides sides = {roots, sure_sizes};
   Tree_sums* const trees = workplace.scratch.take<Tree_sums>(m);
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(trees, 0, m * sizeof(Tree_sums), stream));
-  Hints hints = {viewpoint != nullptr, {0, 0, 0}, spacing * spacing, 0};
-  if (viewpoint)
-  {
-    hints.viewpoint = {viewpoint[0], viewpoint[1], viewpoint[2]};
-    hints.least_squared_distance = squared_distance_to_box(low, high, viewpoint)
-                                   + hints.squared_spacing;
-  }
   find_centers<<<blocks_for(m), threads_per_block, 0, stream>>>(sides, samples, scale, trees);
   check_launch("find_centers");
   find_fluxes<<<blocks_for(m), threads_per_block, 0, stream>>>(sides, samples, scale, hints, trees,

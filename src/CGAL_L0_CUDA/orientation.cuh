@@ -123,7 +123,7 @@ void launch_cooperatively(const Workplace& workplace, void* kernel, unsigned lon
 
 /// Grades the edges, marks the pairs that are listed twice, and joins the samples over those beyond
 /// doubt until sets are large.
-/// \param faces out: the root of each sample
+/// \param faces the root of each sample; in: of what is joined from the start
 /// \returns the number of edges between different sets; waits for the device
 unsigned grow_forest(const Workplace& workplace, const Graph& graph, Link* faces);
 

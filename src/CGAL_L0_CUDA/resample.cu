@@ -405,6 +405,19 @@ void minimize_with_refinement(Call& call, const Prepared_points& points)
   }
 }
 
+/// What the caller says of the sides of the samples.
+Side_hints side_hints(const Call& call)
+{
+  const Parameters& parameters = call.parameters;
+  Side_hints hints = {parameters.has_viewpoint, parameters.viewpoint,
+                      parameters.has_viewpoint || parameters.hints_are_viewpoints};
+  if (hints.viewpoint.weight > 0)
+    for (int axis = 0; axis < 3; ++axis)
+      hints.viewpoint.coordinates[axis] =
+        call.box.frame.enter_clamped(hints.viewpoint.coordinates[axis], axis);
+  return hints;
+}
+
 /// Where the default method ends, see `project_to_local_quadrics()` on the CPU. The points are not
 /// needed any more.
 void project_to_local_quadrics(Call& call)
@@ -465,12 +478,9 @@ void run(Session& session, const Parameters& parameters, Stages& stages, Call_re
   if (!plan.refines)
     minimize_alternatingly(call);
   stages.begin("orient normals", 0.1);
-  double viewpoint[3];
-  for (int axis = 0; axis < 3; ++axis)
-    viewpoint[axis] = call.box.frame.enter_clamped(parameters.viewpoint[axis], axis);
   orient_normals(workplace, call.box.low, call.box.high,
                  unsigned(parameters.number_of_orientation_neighbors), call.plan.sample_spacing,
-                 parameters.has_viewpoint ? viewpoint : nullptr, call.samples, call.counts);
+                 side_hints(call), call.samples, call.counts);
   if (plan.refines)
     project_to_local_quadrics(call);
   const unsigned number_of_leaders = call.samples.size;

@@ -144,7 +144,6 @@ __global__ void __launch_bounds__(threads_per_block) join_by_best_edges(Graph gr
 {
   const cooperative_groups::grid_group grid = cooperative_groups::this_grid();
   for_each(graph.size, [&](Wide i) {
-    store(&forest.roots[i], Link::to(unsigned(i), false));
     store(&forest.hooks[i], Link::to(unsigned(i), false));
     __stcg(&forest.best[i], nothing);
   });

@@ -329,13 +329,42 @@ void project_to_local_quadrics(const Workplace& workplace, const Cell_frame& fra
                                double squared_sheet_height, double normal_bandwidth,
                                const Samples& samples);
 
-/// Turns the normals of the samples to one side: that of the hints or the viewpoint where these are
+/// What the caller says of the sides that normals point to, as on the CPU. Samples may have hints
+/// of their own besides.
+struct Side_hints
+{
+  bool has_viewpoint;  // of all samples
+  Viewpoint viewpoint; // in the frame
+  bool are_viewpoints; // whether this, or what the samples have, is what they were seen from
+
+#ifdef __CUDACC__
+  /// A unit vector, or zero.
+  __device__ double3 direction_of(const Samples& samples, std::size_t i) const
+  {
+    if (samples.hints)
+      return to_double(xyz(samples.hints[i]));
+    if (!has_viewpoint)
+      return {0, 0, 0};
+    double direction[3];
+    viewpoint.find_direction(samples.positions + 3 * i, direction);
+    return {direction[0], direction[1], direction[2]};
+  }
+
+  __device__ int certain_side_of(const Samples& samples, std::size_t i) const
+  {
+    return are_viewpoints
+             ? certain_side(dot(to_double(xyz(samples.normals[i])), direction_of(samples, i)))
+             : 0;
+  }
+#endif
+};
+
+/// Turns the normals of the samples to one side: that of viewpoints and hints where these are
 /// clear, else outwards.
 /// \param low, high corners of a box that holds the samples, but for a few
-/// \param viewpoint null for none
 /// \param counts out, on the device: what `orient_normals()` on the CPU returns; 0 at first
 void orient_normals(const Workplace& workplace, const double (&low)[3], const double (&high)[3],
-                    unsigned number_of_neighbors, double spacing, const double* viewpoint,
+                    unsigned number_of_neighbors, double spacing, const Side_hints& hints,
                     const Samples& samples, Sample_counts* counts);
 
 /// Takes the positions of the samples out of the frame, and puts their normals, xyz interleaved, in

@@ -38,6 +38,7 @@ class Parameters:
     penalty_growth: float | None
     keep_density: bool
     viewpoint: list[float] | None
+    up_direction: list[float] | None
     source_indices: bool
     feature_confidences: bool
     number_of_orientation_neighbors: int
@@ -100,6 +101,7 @@ def resample(
     points: NDArray[Any],
     normals: NDArray[Any] | None,
     orientation_hints: NDArray[Any] | None,
+    viewpoints: NDArray[Any] | None,
     parameters: Parameters,
     callback: Callable[[float], object] | None,
 ) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any], NDArray[Any], dict[str, Any]] | None: ...
@@ -107,6 +109,7 @@ def resample_on_device(
     points: DeviceView,
     normals: DeviceView | None,
     orientation_hints: DeviceView | None,
+    viewpoints: DeviceView | None,
     parameters: Parameters,
     callback: Callable[[float], object] | None,
 ) -> (

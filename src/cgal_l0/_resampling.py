@@ -36,7 +36,8 @@ def in_python_words(message):
     message = re.sub(r"^point (\d+) has", r"points[\1] has", message)
     message = re.sub(r"\b(\w+)\((true|false)\)", lambda m: f"{m[1]}={m[2].capitalize()}", message)
     message = message.replace("--drop-non-finite", "drop_non_finite=True")
-    return message.replace("orientation_hint_map", "orientation_hints").replace("2^32", "2**32")
+    message = message.replace("orientation_hint_map", "orientation_hints")
+    return message.replace("viewpoint_map", "viewpoints").replace("2^32", "2**32")
 
 
 def _choice(name, value, enumeration):
@@ -44,6 +45,10 @@ def _choice(name, value, enumeration):
     if value not in choices:
         raise ValueError(f"{name} is {value!r}, expected one of {', '.join(map(repr, choices))}")
     return choices[value]
+
+
+def _floats_or_none(coordinates_or_none):
+    return None if coordinates_or_none is None else [float(x) for x in coordinates_or_none]
 
 
 def _device_choice(device, points):
@@ -78,6 +83,8 @@ def l0_resample_point_set(
     penalty_growth=None,
     keep_density=False,
     viewpoint=None,
+    viewpoints=None,
+    up_direction=None,
     orientation_hints=None,
     number_of_orientation_neighbors=12,
     random_seed=0,
@@ -108,7 +115,11 @@ def l0_resample_point_set(
     orientation_hints: array of shape (n, 3) or None. Vectors to whose side the normals of the
         result are turned, such as rough normals of the input. Each connected part of the result
         is turned as a whole, to the side of the majority. Lengths do not matter; a vector that
-        is zero or not finite does not count. Not together with viewpoint. Default: None.
+        is zero or not finite does not count. Not together with viewpoint, viewpoints or
+        up_direction. Default: None.
+    viewpoints: array of shape (n, 3) or None. For each point the place that it was seen from,
+        which the normals face, see viewpoint. A sample takes that of the point it starts on. A
+        viewpoint that is not finite, or is the point, says nothing. Default: None.
 
     How many points, and by which method
 
@@ -144,8 +155,13 @@ def l0_resample_point_set(
 
     Sides of the normals
 
-    viewpoint: three floats or None, a point that the normals shall face, such as the place of
-        the scanner. Default: None, and normals point outwards.
+    viewpoint: three floats or None, the place that all points were seen from, such as that of the
+        scanner. Where the surface is seen at more than 10 degrees, its normals face that place;
+        elsewhere they follow their neighbors. Wrong for points that were seen from elsewhere,
+        such as the far side of an object. Not together with viewpoints or up_direction.
+        Default: None, and normals point outwards.
+    up_direction: three floats or None, for points that were seen from above, such as those of
+        an airplane: as a viewpoint infinitely far in this direction. Default: None.
     number_of_orientation_neighbors: int from 3 to 1000, the number of nearest samples over which
         the side of a normal is propagated. Default: 12.
 
@@ -205,7 +221,8 @@ def l0_resample_point_set(
         "maximum_penalty": maximum_penalty,
         "penalty_growth": penalty_growth,
         "keep_density": bool(keep_density),
-        "viewpoint": None if viewpoint is None else [float(coordinate) for coordinate in viewpoint],
+        "viewpoint": _floats_or_none(viewpoint),
+        "up_direction": _floats_or_none(up_direction),
         "source_indices": bool(source_indices),
         "feature_confidences": bool(feature_confidences),
         "number_of_orientation_neighbors": number_of_orientation_neighbors,
@@ -227,7 +244,7 @@ def l0_resample_point_set(
             error = ValueError if isinstance(value, (int, float, list)) else TypeError
             expected = (
                 "three coordinates"
-                if name == "viewpoint"
+                if name in ("viewpoint", "up_direction")
                 else "a whole number"
                 if name in _whole_numbers
                 else "a number"
@@ -236,7 +253,9 @@ def l0_resample_point_set(
                 expected = "a whole number of at least 0 that 64 bits hold"
             raise error(f"{name} is {value!r}, expected {expected}") from None
 
-    arrays = coordinates(points=points, normals=normals, orientation_hints=orientation_hints)
+    arrays = coordinates(
+        points=points, normals=normals, orientation_hints=orientation_hints, viewpoints=viewpoints
+    )
     resample = _core.resample if cuda_device_of(points) is None else _core.resample_on_device
     try:
         result = resample(*arrays, parameters, callback)

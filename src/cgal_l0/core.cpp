@@ -16,6 +16,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -32,14 +33,13 @@ using CGAL::L0_resampling::Method;
 /// \returns positions, normals, source indices, feature confidences and the report; or None, if the
 /// callback cancelled. What is not wanted is empty.
 template <typename FT>
-py::object resample_as(const Array_view& points, const Array_view* normals,
-                       const Array_view* orientation_hints, const Parameters& parameters,
-                       const py::object& callback)
+py::object resample_as(const Array_view& points, const Vectors_of_points<Array_view>& vectors,
+                       const Parameters& parameters, const py::object& callback)
 {
   Result<FT> result;
   const bool is_complete =
     run_beside_python(callback, [&](const std::function<bool(double)>& go_on) {
-      result = resample<FT>(points, normals, orientation_hints, parameters, go_on);
+      result = resample<FT>(points, vectors, parameters, go_on);
     });
   if (!is_complete)
     return py::none();
@@ -52,19 +52,22 @@ py::object resample_as(const Array_view& points, const Array_view* normals,
 
 py::object resample_arrays(const py::array& points, const std::optional<py::array>& normals,
                            const std::optional<py::array>& orientation_hints,
-                           const Parameters& parameters, const py::object& callback)
+                           const std::optional<py::array>& viewpoints, const Parameters& parameters,
+                           const py::object& callback)
 {
   const Array_view point_view = view_of(points);
-  std::optional<Array_view> normal_view, hint_view;
-  if (normals)
-    normal_view = view_of(*normals);
-  if (orientation_hints)
-    hint_view = view_of(*orientation_hints);
-  const Array_view* given_normals = normal_view ? &*normal_view : nullptr;
-  const Array_view* given_hints = hint_view ? &*hint_view : nullptr;
-  return point_view.is_double
-           ? resample_as<double>(point_view, given_normals, given_hints, parameters, callback)
-           : resample_as<float>(point_view, given_normals, given_hints, parameters, callback);
+  std::array<std::optional<Array_view>, 3> views;
+  const auto view_of_given = [](const std::optional<py::array>& array,
+                                std::optional<Array_view>& view) -> const Array_view* {
+    if (array)
+      view = view_of(*array);
+    return view ? &*view : nullptr;
+  };
+  const Vectors_of_points<Array_view> vectors = {view_of_given(normals, views[0]),
+                                                 view_of_given(orientation_hints, views[1]),
+                                                 view_of_given(viewpoints, views[2])};
+  return point_view.is_double ? resample_as<double>(point_view, vectors, parameters, callback)
+                              : resample_as<float>(point_view, vectors, parameters, callback);
 }
 
 } // namespace
@@ -109,6 +112,7 @@ PYBIND11_MODULE(_core, module)
     .def_readwrite("penalty_growth", &Parameters::penalty_growth)
     .def_readwrite("keep_density", &Parameters::keep_density)
     .def_readwrite("viewpoint", &Parameters::viewpoint)
+    .def_readwrite("up_direction", &Parameters::up_direction)
     .def_readwrite("source_indices", &Parameters::source_indices)
     .def_readwrite("feature_confidences", &Parameters::feature_confidences)
     .def_readwrite("number_of_orientation_neighbors", &Parameters::number_of_orientation_neighbors)
@@ -120,7 +124,8 @@ PYBIND11_MODULE(_core, module)
     .def_readwrite("device", &Parameters::device);
 
   module.def("resample", &resample_arrays, py::arg("points"), py::arg("normals"),
-             py::arg("orientation_hints"), py::arg("parameters"), py::arg("callback"));
+             py::arg("orientation_hints"), py::arg("viewpoints"), py::arg("parameters"),
+             py::arg("callback"));
   bind_device_arrays(module);
   bind_files(module);
 }

@@ -209,7 +209,8 @@ void bind_device_arrays(py::module_& module)
 
   module.def("device_of_pointer", &device_of_pointer, py::arg("pointer"));
   module.def("resample_on_device", &resample_on_device, py::arg("points"), py::arg("normals"),
-             py::arg("orientation_hints"), py::arg("parameters"), py::arg("callback"));
+             py::arg("orientation_hints"), py::arg("viewpoints"), py::arg("parameters"),
+             py::arg("callback"));
 }
 
 } // namespace l0_python

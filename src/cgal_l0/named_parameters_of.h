@@ -34,6 +34,7 @@ inline auto named_parameters_of(const Parameters& parameters,
     .penalty_growth(parameters.penalty_growth.value_or(*defaults.penalty_growth))
     .keep_density(parameters.keep_density)
     .viewpoint(parameters.viewpoint)
+    .up_direction(parameters.up_direction)
     .number_of_orientation_neighbors(parameters.number_of_orientation_neighbors)
     .random_seed(parameters.random_seed)
     .drop_non_finite(parameters.drop_non_finite)

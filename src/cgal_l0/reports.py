@@ -77,7 +77,8 @@ class Report:
     estimated_spacing: float, the distance between neighboring points; 0 but for "default"
     estimated_noise: float, the standard deviation across the surface; 0 but for "default"
     oriented_share: float in [0, 1], the share of samples whose side was propagated reliably
-    hinted_share: float in [0, 1], the share whose side viewpoint or orientation_hints decided
+    hinted_share: float in [0, 1], the share in parts whose side viewpoint, viewpoints,
+        up_direction or orientation_hints decided
     extent_share: float in [0, 1], the diagonal of the box of the result per that of the points,
         whose outermost ones and noise do not count
     warnings: tuple of str, why the result cannot be good, a line for each reason

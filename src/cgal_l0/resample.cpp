@@ -80,8 +80,8 @@ struct Appending_map
 };
 
 template <typename FT>
-Result<FT> resample_with_tag(const Array_view& points, const Array_view* normals,
-                             const Array_view* orientation_hints, const Parameters& parameters,
+Result<FT> resample_with_tag(const Array_view& points, const Vectors_of_points<Array_view>& vectors,
+                             const Parameters& parameters,
                              const std::function<bool(double)>& callback, bool on_device)
 {
   Result<FT> result;
@@ -93,8 +93,10 @@ Result<FT> resample_with_tag(const Array_view& points, const Array_view* normals
   };
   const auto np =
     named_parameters_of(parameters, callback, result.report)
-      .normal_map(if_there(normals))
-      .orientation_hint_map(if_there(orientation_hints))
+      .normal_map(if_there(vectors.normals))
+      .orientation_hint_map(if_there(vectors.orientation_hints))
+      .viewpoint_map(vectors.viewpoints ? std::make_optional(Point_map{*vectors.viewpoints})
+                                        : std::nullopt)
       .source_index_map(
         if_wanted(parameters.source_indices, Appending_map<std::int64_t>{&result.source_indices}))
       .feature_confidence_map(
@@ -115,13 +117,14 @@ Result<FT> resample_with_tag(const Array_view& points, const Array_view* normals
 }
 
 template <typename FT>
-Result<FT> resample_on_any_device(const Array_view& points, const Array_view* normals,
-                                  const Array_view* orientation_hints, const Parameters& parameters,
+Result<FT> resample_on_any_device(const Array_view& points,
+                                  const Vectors_of_points<Array_view>& vectors,
+                                  const Parameters& parameters,
                                   const std::function<bool(double)>& callback)
 {
   Result<FT> result;
   const auto resample_there = [&](bool gpu) {
-    result = resample_with_tag<FT>(points, normals, orientation_hints, parameters, callback, gpu);
+    result = resample_with_tag<FT>(points, vectors, parameters, callback, gpu);
   };
   const l0_common::Device_request request = {parameters.device, "device='cuda'", ""};
   const std::string reason = l0_common::run_on_chosen(
@@ -168,20 +171,18 @@ void in_arena(const Parameters& parameters, const std::function<void()>& work)
 }
 
 template <typename FT>
-Result<FT> resample(const Array_view& points, const Array_view* normals,
-                    const Array_view* orientation_hints, const Parameters& parameters,
-                    const std::function<bool(double)>& callback)
+Result<FT> resample(const Array_view& points, const Vectors_of_points<Array_view>& vectors,
+                    const Parameters& parameters, const std::function<bool(double)>& callback)
 {
   Result<FT> result;
-  in_arena(parameters, [&]() {
-    result = resample_on_any_device<FT>(points, normals, orientation_hints, parameters, callback);
-  });
+  in_arena(parameters,
+           [&]() { result = resample_on_any_device<FT>(points, vectors, parameters, callback); });
   return result;
 }
 
-template Result<float> resample(const Array_view&, const Array_view*, const Array_view*,
+template Result<float> resample(const Array_view&, const Vectors_of_points<Array_view>&,
                                 const Parameters&, const std::function<bool(double)>&);
-template Result<double> resample(const Array_view&, const Array_view*, const Array_view*,
+template Result<double> resample(const Array_view&, const Vectors_of_points<Array_view>&,
                                  const Parameters&, const std::function<bool(double)>&);
 
 } // namespace l0_python

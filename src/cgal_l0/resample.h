@@ -42,7 +42,7 @@ struct Parameters
   double maximum_penalty = 0;
   std::optional<double> penalty_growth;
   bool keep_density = false;
-  std::optional<std::array<double, 3>> viewpoint;
+  std::optional<std::array<double, 3>> viewpoint, up_direction;
   std::int64_t number_of_orientation_neighbors = 0;
   std::uint64_t random_seed = 0;
   bool drop_non_finite = false;
@@ -56,6 +56,16 @@ struct Parameters
   // of this call, not of the function
   std::optional<std::int64_t> threads; ///< all, if not given
   Device device = Device::CPU;
+};
+
+/// What the caller has of each point beside its coordinates: arrays of the same size, or null.
+/// \tparam View of an array
+template <typename View>
+struct Vectors_of_points
+{
+  const View* normals;
+  const View* orientation_hints;
+  const View* viewpoints;
 };
 
 /// The parameters with the defaults of the function for a method, but for those that it takes from
@@ -80,14 +90,11 @@ struct Result
 Calls `CGAL::l0_resample_point_set()`.
 
 \tparam FT `float` or `double`, the number type of the result
-\param normals one for each point, or null
-\param orientation_hints one for each point, or null
 \throws what the function throws
 */
 template <typename FT>
-Result<FT> resample(const Array_view& points, const Array_view* normals,
-                    const Array_view* orientation_hints, const Parameters& parameters,
-                    const std::function<bool(double)>& callback);
+Result<FT> resample(const Array_view& points, const Vectors_of_points<Array_view>& vectors,
+                    const Parameters& parameters, const std::function<bool(double)>& callback);
 
 } // namespace l0_python
 

@@ -44,8 +44,7 @@ class Device_call
   using Resampler = CGAL::L0_resampling::CUDA_resampler<Kernel>;
 
   const Device_view& m_points;
-  const Device_view* m_normals;
-  const Device_view* m_hints;
+  const Vectors_of_points<Device_view> m_vectors;
   const Parameters& m_parameters;
   Resampler m_resampler; // made in the calling thread, to which a stream of its own may belong
   std::size_t m_size_of_result = 0;
@@ -54,12 +53,12 @@ class Device_call
     m_feature_confidences;
 
 public:
-  Device_call(const Device_view& points, const Device_view* normals, const Device_view* hints,
+  Device_call(const Device_view& points, const Vectors_of_points<Device_view>& vectors,
               const Parameters& parameters)
-    : m_points(points), m_normals(normals), m_hints(hints), m_parameters(parameters),
-      m_resampler(points.device)
+    : m_points(points), m_vectors(vectors), m_parameters(parameters), m_resampler(points.device)
   {
-    for (const Device_view* view : {&points, normals, hints})
+    for (const Device_view* view :
+         {&points, vectors.normals, vectors.orientation_hints, vectors.viewpoints})
       if (view && view->stream >= 0)
         internal::throw_if_failed(cuda::wait_for(m_resampler.session(), view->stream));
   }
@@ -79,13 +78,19 @@ public:
 private:
   void compute(const std::function<bool(double)>& callback)
   {
-    const std::optional<cuda::Device_rows> normals = m_normals ? std::optional(rows_of(*m_normals))
-                                                               : std::nullopt;
-    const std::optional<cuda::Device_rows> hints = m_hints ? std::optional(rows_of(*m_hints))
-                                                           : std::nullopt;
+    std::array<std::optional<cuda::Device_rows>, 3> rows_of_vectors;
+    const auto rows_of_given =
+      [](const Device_view* view,
+         std::optional<cuda::Device_rows>& rows) -> const cuda::Device_rows* {
+      if (view)
+        rows = rows_of(*view);
+      return rows ? &*rows : nullptr;
+    };
     const auto np = named_parameters_of(m_parameters, callback, m_report);
     m_resampler.upload_from_device(rows_of(m_points), m_points.size(),
-                                   normals ? &*normals : nullptr, hints ? &*hints : nullptr, np);
+                                   rows_of_given(m_vectors.normals, rows_of_vectors[0]),
+                                   rows_of_given(m_vectors.orientation_hints, rows_of_vectors[1]),
+                                   rows_of_given(m_vectors.viewpoints, rows_of_vectors[2]), np);
     m_resampler.resample_on_device(np, m_report);
     m_report.device_reason = "the points are on it";
     m_size_of_result = m_report.number_of_output_points;
@@ -179,11 +184,13 @@ void copy_to_host(const Device_array& array, void* target)
 
 pybind11::object resample_on_device(const Device_view& points, const Device_view* normals,
                                     const Device_view* orientation_hints,
-                                    const Parameters& parameters, const pybind11::object& callback)
+                                    const Device_view* viewpoints, const Parameters& parameters,
+                                    const pybind11::object& callback)
 {
+  const Vectors_of_points<Device_view> vectors = {normals, orientation_hints, viewpoints};
   if (points.dtype == "float64")
-    return Device_call<double>(points, normals, orientation_hints, parameters).result(callback);
-  return Device_call<float>(points, normals, orientation_hints, parameters).result(callback);
+    return Device_call<double>(points, vectors, parameters).result(callback);
+  return Device_call<float>(points, vectors, parameters).result(callback);
 }
 
 } // namespace l0_python
@@ -203,7 +210,8 @@ int device_of_pointer(std::uintptr_t) { return 0; }
 void copy_to_host(const Device_array&, void*) {} // there are no such arrays
 
 pybind11::object resample_on_device(const Device_view& points, const Device_view*,
-                                    const Device_view*, const Parameters&, const pybind11::object&)
+                                    const Device_view*, const Device_view*, const Parameters&,
+                                    const pybind11::object&)
 {
   throw CGAL::L0_resampling::Device_error("points is on cuda:" + std::to_string(points.device)
                                           + ", but this module was built without CUDA");

@@ -21,8 +21,9 @@ host, but for
 - results that coincide after rounding to the number type of the points, which are separated on the
 host.
 
-\param points, normals, orientation_hints of one size, of shape (n, 3), of `float` or `double` and
-on one device, which the Python part of the package sees to; the latter two may be null
+\param points, normals, orientation_hints, viewpoints of one size, of shape (n, 3), of `float` or
+`double` and on one device, which the Python part of the package sees to; all but the first may be
+null
 
 \returns positions, normals, source indices or None, feature confidences or None, and the report; or
 None, if the callback cancelled
@@ -30,7 +31,8 @@ None, if the callback cancelled
 */
 pybind11::object resample_on_device(const Device_view& points, const Device_view* normals,
                                     const Device_view* orientation_hints,
-                                    const Parameters& parameters, const pybind11::object& callback);
+                                    const Device_view* viewpoints, const Parameters& parameters,
+                                    const pybind11::object& callback);
 
 /// The number of the device that memory belongs to; 0 if that is not known.
 int device_of_pointer(std::uintptr_t pointer);

@@ -62,6 +62,12 @@ void resample()
         .viewpoint(typename Kernel::Point_3(0, 0, 1))
         .feature_confidence_map(CGAL::make_property_map(confidences))
         .keep_density(true));
+    CGAL::l0_resample_point_set<ConcurrencyTag>(
+      points, std::back_inserter(result),
+      parameters::viewpoint_map(CGAL::Identity_property_map<typename Kernel::Point_3>()));
+    CGAL::l0_resample_point_set<ConcurrencyTag>(points, std::back_inserter(result),
+                                                parameters::up_direction(
+                                                  typename Kernel::Vector_3(0, 0, 1)));
   }
 
   CGAL::Point_set_3<typename Kernel::Point_3> point_set, resampled;

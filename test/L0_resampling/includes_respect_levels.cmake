@@ -8,7 +8,7 @@ cmake_minimum_required(VERSION 3.21)
 
 set(level_0   # words: types, formulas and tools that know nothing of point sets
   tags.h Solver_report.h Quadratic_problem.h
-  internal/host_device.h internal/random_bits.h internal/exact_ball.h internal/weights.h internal/Border_of_ball.h internal/orientation_agreement.h internal/shrinkage.h internal/negligible_displacement.h internal/block_factorization.h internal/checked_count.h
+  internal/host_device.h internal/random_bits.h internal/exact_ball.h internal/weights.h internal/Border_of_ball.h internal/Orientation_hints.h internal/orientation_agreement.h internal/shrinkage.h internal/negligible_displacement.h internal/block_factorization.h internal/checked_count.h
   internal/crowded_subcells.h internal/share_of_extent.h
   internal/symmetric_eigen.h internal/Height_moments.h internal/deviation_in_ball.h internal/scales_of_balls.h internal/attribute_kinds.h
   internal/Buffer.h internal/lanes.h internal/parallel_for.h internal/parallel_sort.h internal/select_nth.h internal/Signed_union_find.h)
@@ -16,7 +16,7 @@ set(level_1   # what several stages share, and what works on the arrays of one n
   Report.h warnings.h internal/Any_solver.h internal/Parameters.h internal/Plan.h internal/cuda_interface.h internal/cuda_device_arrays.h internal/cuda_answer.h
   internal/Progress.h internal/solver_settings.h
   internal/Search_grid_3.h internal/working_frame.h internal/orientation_votes.h internal/dipoles_of_sets.h internal/spanning_forest.h internal/Field_of_sets.h internal/orientation_field.h internal/ball_queries.h internal/near_pairs.h internal/Neighborhoods.h internal/nearest_samples.h
-  internal/Point_tree_3.h internal/Orientation_hints.h
+  internal/Point_tree_3.h
   internal/Samples.h internal/Followers.h internal/least_memory.h internal/Local_normals.h internal/update_normals.h internal/Plane_moments.h internal/Quadric_moments.h internal/project_to_local_quadric.h internal/estimate_plane.h internal/half_sampling.h
   internal/normal_matrix.h internal/least_squares_rows.h)
 set(level_2   # stages and solvers

@@ -7,11 +7,14 @@
 
 #include <CGAL/Simple_cartesian.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <iostream>
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 // P7: the device and the CPU give one result, but for rounding. Both order it alike, but for
 // roundings, and it is compared point by point.
@@ -162,21 +165,68 @@ Points noisy_bowl(std::size_t n, double noise, unsigned seed)
   return points;
 }
 
-/// Viewpoints that decide and others that do not, near and as far as numbers reach.
+/// A table with a plate that floats over its middle, as a scan from above has them.
+Points noisy_table(std::size_t n, double noise, unsigned seed)
+{
+  Points points;
+  for (const Point& p : noisy_cube(3 * n, noise, seed))
+    if (points.size() < n && p.z() > 0.9)
+    {
+      const bool is_on_plate = std::abs(p.x()) < 0.4 && std::abs(p.y()) < 0.4;
+      points.emplace_back(p.x(), p.y(), p.z() + (is_on_plate ? 0.1 : 0));
+    }
+  return points;
+}
+
+/// Viewpoints near and as far as numbers reach.
 template <typename NamedParameters>
 void check_viewpoints(const std::string& name, const NamedParameters& np)
 {
-  const Points bowl = noisy_bowl(6000, 0.005, 21), cube = noisy_cube(6000, 0.005, 22);
-  for (const double height : {0.5, -4., 1e6, 1e300})
+  const Points bowl = noisy_bowl(6000, 0.005, 21), cube = noisy_cube(6000, 0.005, 22),
+               table = noisy_table(6000, 0.005, 28);
+  for (const double height : {0.5, -1e6, 1e6, 1e300})
     check_agreement(name + "bowl seen from " + std::to_string(height), bowl,
                     np.viewpoint(Point(0.1 * height, 0, height)).select_percentage(50));
-  // from inside; from outside, near enough that most of what counts alike is seen from behind; and
-  // from afar
-  for (const Point& viewpoint : {Point(0.3, -0.4, 0.2), Point(0, 0, 3), Point(-40, 7, 0)})
+  // from inside; and from outside, where faces are seen from behind, and some at no angle
+  for (const Point& viewpoint : {Point(0.3, -0.4, 0.2), Point(3, 0, 0)})
     check_agreement(name + "cube seen from " + std::to_string(viewpoint.x()), cube,
                     np.viewpoint(viewpoint).select_percentage(50));
+  check_agreement(name + "table", table, np.viewpoint(Point(0.2, 0.1, 4)).select_percentage(50));
+  check_agreement(name + "table and the way up", table,
+                  np.up_direction(Normal(0.1, 0, 1)).select_percentage(50));
   check_agreement(name + "bowl on a map", moved(bowl, {500000, 5000000, 100}),
                   np.viewpoint(Point(500000, 5000000, 102)).select_percentage(50));
+}
+
+/// A viewpoint for each point: of two scanners, one above and one below a plate; some of no use.
+template <typename NamedParameters>
+void check_viewpoint_map(const std::string& name, const NamedParameters& np)
+{
+  std::vector<std::pair<Point, Point>> seen;
+  for (const Point& p : noisy_table(8000, 0.005, 29))
+  {
+    const bool is_from_above = seen.size() % 2 == 0;
+    const double height = seen.size() % 11 == 0 ? std::numeric_limits<double>::infinity()
+                          : is_from_above       ? 4
+                                                : -3;
+    seen.emplace_back(p + Normal(0, 0, is_from_above ? 0.4 : 0), Point(0.2, 0, height));
+  }
+  Report report;
+  const auto viewpoints = np.viewpoint_map(
+                              CGAL::Second_of_pair_property_map<std::pair<Point, Point>>())
+                            .point_map(CGAL::First_of_pair_property_map<std::pair<Point, Point>>());
+  check_agreement(name + "two scanners", seen, viewpoints.select_percentage(50));
+  check_agreement(name + "two scanners, upsampled", seen,
+                  viewpoints.number_of_output_points(10000));
+  Result result;
+  CGAL::l0_resample_point_set<CGAL::CUDA_tag>(seen, std::back_inserter(result),
+                                              viewpoints.resampling_report(&report));
+  const auto faces_scanner = [](const Result::value_type& point_and_normal) {
+    return (point_and_normal.second.z() > 0) == (point_and_normal.first.z() > 1.25);
+  };
+  CHECK(std::count_if(result.begin(), result.end(), faces_scanner)
+        >= std::ptrdiff_t(0.995 * double(result.size())));
+  CHECK(report.hinted_share == 1);
 }
 
 /// Hints, a third of them wrong, of points that come twice with two of them; of outliers, which are
@@ -216,8 +266,8 @@ void check_hints(const std::string& name, const NamedParameters& np)
   CHECK(report.hinted_share > 0.05 && report.hinted_share < 0.95); // that of the cube has none
 }
 
-/// What the CPU refuses the device refuses, and an object that holds hints refuses a viewpoint
-/// beside them.
+/// What the CPU refuses the device refuses, and an object that holds hints refuses a viewpoint or
+/// a direction beside them.
 void check_refusals()
 {
   namespace parameters = CGAL::parameters;
@@ -240,6 +290,9 @@ void check_refusals()
   resampler.upload(with_hints, hints);
   CHECK_THROWS(resampler.resample(std::back_inserter(result),
                                   parameters::viewpoint(Point(0, 0, 3))),
+               std::invalid_argument);
+  CHECK_THROWS(resampler.resample(std::back_inserter(result),
+                                  parameters::up_direction(Normal(0, 0, 1))),
                std::invalid_argument);
   CHECK(result.empty());
   Report report;
@@ -323,6 +376,7 @@ int main()
     check_agreement(name + "kept density, upsampled", graded_sphere(4000, 0.005, 20),
                     np.keep_density(true).number_of_output_points(7000));
     check_viewpoints(name, np);
+    check_viewpoint_map(name, np);
     check_hints(name, np);
   }
   for (const double noise : {0., 0.005})

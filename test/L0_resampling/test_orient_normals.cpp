@@ -27,7 +27,7 @@ void check_orientation(const Oriented_points& truth, double spacing, Generator& 
       n = -n;
   const Buffer<Vector> positions = to_buffer(truth.points), unoriented = normals;
   Unwatched unwatched;
-  CHECK(orient_normals<CGAL::Parallel_if_available_tag>(positions, 12, spacing, no_hint,
+  CHECK(orient_normals<CGAL::Parallel_if_available_tag>(positions, 12, spacing, Side_hints(),
                                                         unwatched.progress, normals)
           .oriented_share
         == 1);
@@ -204,11 +204,49 @@ void check_plane(Generator& generator)
       if (std::bernoulli_distribution()(generator))
         normal = -normal;
     Unwatched unwatched;
-    orient_normals<CGAL::Sequential_tag>(to_buffer(plane.points), 12, 0.05, no_hint,
+    orient_normals<CGAL::Sequential_tag>(to_buffer(plane.points), 12, 0.05, Side_hints(),
                                          unwatched.progress, results.back());
     CHECK(std::count(results.back().begin(), results.back().end(), results.back().front()) == 500);
     CHECK(results.back() == results.front());
   }
+}
+
+/// Samples whose viewpoints leave no doubt face them, each for itself; the others follow these, and
+/// not their own viewpoints.
+void check_viewpoints(Generator& generator)
+{
+  const Oriented_points plane = plane_points(500, 1, generator);
+  Buffer<Vector> normals(500, Vector::UnitZ());
+  for (Vector& normal : normals)
+    if (std::bernoulli_distribution()(generator))
+      normal = -normal;
+  const Buffer<Vector> unoriented = normals;
+  Side_hints hints;
+  hints.direction_of = [](Index i) -> Vector {
+    return i % 100 == 0 ? Vector(0.8, 0, 0.6) : Vector(std::sqrt(0.99), 0, -0.1);
+  };
+  const auto turned = [&]() {
+    normals = unoriented;
+    Unwatched unwatched;
+    const Orientation orientation = orient_normals<CGAL::Parallel_if_available_tag>(
+      to_buffer(plane.points), 12, 0.05, hints, unwatched.progress, normals);
+    CHECK(orientation.hinted_share == 1);
+    return std::size_t(std::count(normals.begin(), normals.end(), Vector(Vector::UnitZ())));
+  };
+  CHECK(turned() == 0); // the majority of hints
+  hints.are_viewpoints = true;
+  CHECK(turned() == 500);
+
+  const auto is_certain = [&](Index i) { return i % 3 == 0; };
+  hints.direction_of = [&](Index i) -> Vector {
+    const double height = is_certain(i) ? 0.18 : 0.16;
+    return Vector(std::sqrt(1 - height * height), 0, i % 2 == 0 ? height : -height);
+  };
+  turned();
+  bool do_face = true;
+  for (Index i = 0; i < 500; ++i)
+    do_face = do_face && (!is_certain(i) || normals[i].dot(hints.direction_of(i)) > 0);
+  CHECK(do_face);
 }
 
 /// A dipole has no field through a wide sheet, neither in its own plane nor over it; with what lies
@@ -262,8 +300,10 @@ void check_forest(Generator& generator)
       if (doubtful_share == 0 && i > columns) // less sure than all others, and wrong
         edges.push_back({float(-0.981 * signs[i] * signs[i - columns - 1]), i, i - columns - 1});
     }
-    const Signed_union_find sets = grow_forest<CGAL::Parallel_if_available_tag>(edges, n);
-    const Signed_union_find again = grow_forest<CGAL::Sequential_tag>(edges, n);
+    const Signed_union_find sets =
+      grow_forest<CGAL::Parallel_if_available_tag>(edges, Signed_union_find(n, {}));
+    const Signed_union_find again = grow_forest<CGAL::Sequential_tag>(edges,
+                                                                      Signed_union_find(n, {}));
     bool are_signs_right = true, are_within_whole = true, are_whole = true, are_same = true;
     for (Index i = 0; i < n; ++i)
     {
@@ -302,8 +342,8 @@ void check_misleading_chain(const Oriented_points& even_cube, Generator& generat
     if (std::bernoulli_distribution()(generator))
       n = -n;
   Unwatched unwatched;
-  orient_normals<CGAL::Parallel_if_available_tag>(to_buffer(cloud.points), 12, spacing, no_hint,
-                                                  unwatched.progress, normals);
+  orient_normals<CGAL::Parallel_if_available_tag>(to_buffer(cloud.points), 12, spacing,
+                                                  Side_hints(), unwatched.progress, normals);
   std::size_t number_outward = 0;
   for (std::size_t i = 0; i < normals.size(); ++i)
     number_outward += normals[i].dot(cloud.normals[i]) > 0;
@@ -512,6 +552,7 @@ int main()
   check_misleading_chain(even_cube, generator);
   check_coarse_sets(generator);
   check_plane(generator);
+  check_viewpoints(generator);
   check_dipole_and_sheet();
   for (const double thickness_in_spacings : {2., 3., 4., 8.})
     check_wide_plate(thickness_in_spacings, generator);

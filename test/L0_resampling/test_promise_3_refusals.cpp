@@ -98,12 +98,22 @@ void test_lengths_and_angles()
       v[axis] = bad;
       check_refused("viewpoint", std::isnan(bad) ? "nan" : "inf",
                     params::viewpoint(Kernel::Point_3(v[0], v[1], v[2])));
+      check_refused("up_direction", std::isnan(bad) ? "nan" : "inf",
+                    params::up_direction(Kernel::Vector_3(v[0], v[1], v[2])));
     }
-  check_refused(
-    "viewpoint", "given",
-    params::viewpoint(Kernel::Point_3(0, 0, 9))
-      .orientation_hint_map(
-        CGAL::Constant_property_map<Kernel::Point_3, Kernel::Vector_3>(Kernel::Vector_3(0, 0, 1))));
+  check_refused("up_direction", "0, 0, 0", params::up_direction(Kernel::Vector_3(0, 0, 0)));
+  const Kernel::Vector_3 up(0, 0, 1);
+  const CGAL::Constant_property_map<Kernel::Point_3, Kernel::Vector_3> hints(up);
+  const CGAL::Constant_property_map<Kernel::Point_3, Kernel::Point_3> viewpoints(
+    Kernel::Point_3(0, 0, 9));
+  const auto viewpoint = params::viewpoint(Kernel::Point_3(0, 0, 9));
+  check_refused("viewpoint", "given", viewpoint.orientation_hint_map(hints));
+  check_refused("viewpoint", "given", viewpoint.viewpoint_map(viewpoints));
+  check_refused("viewpoint", "given", viewpoint.up_direction(up));
+  check_refused("up_direction", "given", params::up_direction(up).viewpoint_map(viewpoints));
+  check_refused("up_direction", "given", params::up_direction(up).orientation_hint_map(hints));
+  check_refused("viewpoint_map", "given",
+                params::viewpoint_map(viewpoints).orientation_hint_map(hints));
   check_refused("sharpness_angle", "90.5", params::sharpness_angle(90.5));
   check_refused("select_percentage", "100.5", params::select_percentage(100.5));
   check_refused("penalty_growth", "1", params::penalty_growth(1));
@@ -256,6 +266,8 @@ void test_optional_values()
       .number_of_output_points(std::optional<int>())
       .neighbor_radius(std::optional<double>())
       .viewpoint(std::optional<Kernel::Point_3>())
+      .viewpoint_map(std::optional<CGAL::Constant_property_map<Kernel::Point_3, Kernel::Point_3>>())
+      .up_direction(std::optional<Kernel::Vector_3>())
       .normal_map(std::optional<CGAL::Constant_property_map<Kernel::Point_3, Kernel::Vector_3>>()));
   CHECK(test::are_identical<Kernel>(empty.pairs, expected.pairs));
   const auto some = resampled(params::normal_weight(std::optional<double>(0.2))

@@ -203,7 +203,7 @@ class CUDA_resampler
   std::unique_ptr<internal::cuda::Session, internal::Destroy_session> m_session;
   internal::Input m_box; // without points
   std::size_t m_size = 0, m_number_of_dropped_points = 0;
-  bool m_has_hints = false;
+  bool m_has_hints = false, m_has_viewpoints = false; // of the points: one of both at most
 
 public:
   /// \throws Device_error if there is no usable device
@@ -217,8 +217,9 @@ public:
 
   /// Brings points to the device, in place of those it holds.
   /// \param points as for `l0_resample_point_set()`
-  /// \param np `point_map`, `normal_map`, `orientation_hint_map` and `drop_non_finite` of
-  /// `l0_resample_point_set()`; `maximum_memory` is of the device; others are checked
+  /// \param np `point_map`, `normal_map`, `orientation_hint_map`, `viewpoint_map` and
+  /// `drop_non_finite` of `l0_resample_point_set()`; `maximum_memory` is of the device; others are
+  /// checked
   /// \throws std::invalid_argument for what `l0_resample_point_set()` refuses
   /// \throws std::bad_alloc if the device has not enough memory for the points, or is not allowed
   /// it
@@ -300,23 +301,27 @@ public:
   internal::cuda::Session& session() { return *m_session; }
 
   /// As `upload()`.
-  /// \param normals, hints null for none
+  /// \param normals, hints, viewpoints null for none; not both of the latter
   /// \param np `drop_non_finite` and `maximum_memory`; others are checked
   template <typename NamedParameters>
   void upload_from_device(const internal::cuda::Device_rows& points, std::size_t size,
                           const internal::cuda::Device_rows* normals,
-                          const internal::cuda::Device_rows* hints, const NamedParameters& np)
+                          const internal::cuda::Device_rows* hints,
+                          const internal::cuda::Device_rows* viewpoints, const NamedParameters& np)
   {
     using namespace internal;
     m_size = m_number_of_dropped_points = 0;
     m_has_hints = hints != nullptr;
+    m_has_viewpoints = viewpoints != nullptr;
+    Given_sides{false, false, m_has_viewpoints, m_has_hints}.check_at_most_one();
     bool drop_non_finite = false;
     read_parameter(np, internal_np::drop_non_finite, drop_non_finite);
     const Parameters checked = checked_parameters(np, size);
     if (size == 0)
       return;
     cuda::Device_points taken;
-    throw_if_failed(cuda::upload_from_device(*m_session, points, size, normals, hints,
+    throw_if_failed(cuda::upload_from_device(*m_session, points, size, normals,
+                                             viewpoints ? viewpoints : hints, viewpoints != nullptr,
                                              drop_non_finite, checked.maximum_memory, taken));
     if (taken.first_non_finite < size && !drop_non_finite)
     {
@@ -398,8 +403,11 @@ private:
     report.number_of_input_points = m_size;
     report.number_of_dropped_points = m_number_of_dropped_points;
     parameters = checked_parameters(np, m_size);
-    check_parameter(!(parameters.has_viewpoint && m_has_hints), "viewpoint", "given",
-                    "no orientation_hint_map beside it");
+    Given_sides sides = given_sides(np);
+    sides.viewpoint_map = m_has_viewpoints;
+    sides.orientation_hint_map = m_has_hints;
+    sides.check_at_most_one();
+    parameters.hints_are_viewpoints = m_has_viewpoints;
     if (parameters.number_of_output_points == 0)
       return false;
 
@@ -472,9 +480,9 @@ public:
     Input input;
     read_points(points, point_map, drop_non_finite, report, input);
     read_normals_if_given(points, normal_map, input);
-    if_given(np, internal_np::orientation_hint_map,
-             [&](const auto& map) { read_directions(points, map, input, input.hints); });
-    m_has_hints = !input.hints.empty();
+    read_hints_if_given(points, point_map, np, input);
+    m_has_viewpoints = checked.hints_are_viewpoints;
+    m_has_hints = !input.hints.empty() && !m_has_viewpoints;
     m_number_of_dropped_points = report.number_of_dropped_points;
     m_box.low = input.low;
     m_box.high = input.high;
@@ -482,7 +490,7 @@ public:
       return;
     throw_if_failed(cuda::upload(*m_session, coordinates(input.points), input.points.size(),
                                  input.normals.empty() ? nullptr : input.normals.front().data(),
-                                 m_has_hints ? input.hints.front().data() : nullptr,
+                                 input.hints.empty() ? nullptr : input.hints.front().data(),
                                  checked.maximum_memory));
     m_size = input.points.size();
   }

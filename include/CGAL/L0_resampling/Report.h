@@ -85,12 +85,14 @@ struct Report
     0;
   double estimated_noise =
     0; ///< standard deviation across the surface, in the unit of the input; default method only
-  /// Share of the samples to which one sign was propagated, over edges beyond doubt, in [0, 1]. It
-  /// does not say how many normals are on the right side: on thin parts under noise half of them
-  /// may be wrong at a share of 1.
+  /// Share of the samples to which one sign was propagated, over edges beyond doubt, in [0, 1].
+  /// Samples that face their viewpoints for certain count as joined to each other. It does not say
+  /// how many normals are on the right side: on thin parts under noise half of them may be wrong at
+  /// a share of 1.
   double oriented_share = 0;
-  double hinted_share =
-    0; ///< share of samples whose side `viewpoint` or `orientation_hint_map` decided, in [0, 1]
+  /// Share of the samples in [0, 1] whose side `viewpoint`, `viewpoint_map`, `up_direction` or
+  /// `orientation_hint_map` decided: their own, or that of what they are joined to.
+  double hinted_share = 0;
   /// Diagonal of the bounding box of the result per that of the input, in [0, 1]. At either end of
   /// each axis 0.5 % of the input points and 2.6 standard deviations of the noise (if it is
   /// estimated) do not count, and half a spacing of the samples counts as reached.

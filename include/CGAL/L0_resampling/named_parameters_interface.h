@@ -34,3 +34,7 @@ CGAL_add_named_parameter(resampling_method_t, resampling_method, resampling_meth
                                                          orientation_hint_map, orientation_hint_map)
                                   CGAL_add_named_parameter(keep_density_t, keep_density,
                                                            keep_density)
+                                    CGAL_add_named_parameter(viewpoint_map_t, viewpoint_map,
+                                                             viewpoint_map)
+                                      CGAL_add_named_parameter(up_direction_t, up_direction,
+                                                               up_direction)

@@ -40,7 +40,8 @@ struct Parameters
   std::optional<double> number_of_output_points, neighbor_radius, normal_filter_radius;
   std::optional<double> regularization_weight, penalty_growth; // the default depends on the method
   std::optional<bool> drop_outliers;                           // likewise
-  std::optional<double> viewpoint;                             // x of a point off all axes
+  std::optional<double> viewpoint, up_direction; // x of a point and of a vector off all axes
+  bool viewpoint_by_map = false;                 // whether the viewpoint is given for each point
   double select_percentage = 50;
   double sharpness_angle = 15;
   double number_of_normal_filter_iterations = 5;
@@ -76,6 +77,8 @@ void for_each_parameter(const F& f)
   f("penalty_growth", &Parameters::penalty_growth);
   f("drop_outliers", &Parameters::drop_outliers);
   f("viewpoint", &Parameters::viewpoint);
+  f("viewpoint_by_map", &Parameters::viewpoint_by_map);
+  f("up_direction", &Parameters::up_direction);
   f("keep_density", &Parameters::keep_density);
   f("select_percentage", &Parameters::select_percentage);
   f("sharpness_angle", &Parameters::sharpness_angle);

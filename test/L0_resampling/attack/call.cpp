@@ -117,14 +117,18 @@ void call_with(const Attack& attack, const SolverTraits& solver, Answer& answer)
       answer.normals.emplace_back(pair.second.x(), pair.second.y(), pair.second.z());
     });
 
-  const Vector eye = viewpoint(p);
+  const Vector eye = viewpoint(p), up = up_direction(p);
+  const Point eye_of_caller = Point(FT(eye[0]), FT(eye[1]), FT(eye[2]));
   const Map_of_indices<Normal> directions{&normals, &normals_left};
   const auto np =
     params::resampling_method(CGAL::L0_resampling::Method(p.method))
       .point_map(Map_of_indices<Point>{&points, &accesses_left})
       .normal_map(given_if(p.with_normals, directions))
       .orientation_hint_map(given_if(p.with_hints, directions))
-      .viewpoint(given_if(p.viewpoint.has_value(), Point(FT(eye[0]), FT(eye[1]), FT(eye[2]))))
+      .viewpoint(given_if(p.viewpoint && !p.viewpoint_by_map, eye_of_caller))
+      .viewpoint_map(given_if(p.viewpoint && p.viewpoint_by_map,
+                              CGAL::Constant_property_map<std::size_t, Point>(eye_of_caller)))
+      .up_direction(given_if(p.up_direction.has_value(), Normal(FT(up[0]), FT(up[1]), FT(up[2]))))
       .geom_traits(Kernel())
       .sparse_linear_solver(solver)
       .number_of_output_points(p.number_of_output_points)
@@ -195,6 +199,12 @@ void call_with(const Attack& attack, const SolverTraits& solver, Answer& answer)
 Vector viewpoint(const Parameters& parameters)
 {
   const double x = parameters.viewpoint.value_or(0);
+  return {x, -x, x / 2};
+}
+
+Vector up_direction(const Parameters& parameters)
+{
+  const double x = parameters.up_direction.value_or(1);
   return {x, -x, x / 2};
 }
 

@@ -38,8 +38,9 @@ struct Answer
   CGAL::L0_resampling::Report report;
 };
 
-/// The caller's point of view; of use if the parameters have one.
+/// The caller's point of view and way up, which is some other one if the parameters have none.
 Vector viewpoint(const Parameters& parameters);
+Vector up_direction(const Parameters& parameters);
 
 /// Calls the function as the attack says: sequentially, or in parallel where TBB was found and the
 /// solver is the package's own.

@@ -168,6 +168,31 @@ std::vector<Named_parameters> hostile_parameter_sets(std::size_t size, double di
     {"a viewpoint at the least number", with([](P& p) { p.viewpoint = Limits::denorm_min(); })},
     {"viewpoint NaN", with([](P& p) { p.viewpoint = nan; })},
     {"viewpoint infinity", with([](P& p) { p.viewpoint = infinity; })},
+    {"a viewpoint for each point", with([=](P& p) {
+       p.viewpoint = diagonal;
+       p.viewpoint_by_map = true;
+     })},
+    {"viewpoints among the points, LOR, more points", with([=](P& p) {
+       p.viewpoint = 0;
+       p.viewpoint_by_map = true;
+       p.method = 1;
+       p.number_of_output_points = 2 * n;
+     })},
+    {"viewpoints at the largest number", with([](P& p) {
+       p.viewpoint = largest;
+       p.viewpoint_by_map = true;
+     })},
+    {"viewpoints at infinity, which say nothing", with([](P& p) {
+       p.viewpoint = infinity;
+       p.viewpoint_by_map = true;
+     })},
+    {"the way up", with([](P& p) { p.up_direction = 1; })},
+    {"a short way up", with([](P& p) { p.up_direction = Limits::denorm_min(); })},
+    {"a long way up", with([](P& p) { p.up_direction = -largest; })},
+    {"no way up", with([](P& p) { p.up_direction = 0; })},
+    {"way up NaN", with([](P& p) { p.up_direction = nan; })},
+    {"way up infinity", with([](P& p) { p.up_direction = infinity; })},
+    {"a viewpoint and the way up", with([](P& p) { p.viewpoint = p.up_direction = 1; })},
     {"hints", with([](P& p) { p.with_hints = true; })},
     {"hints, given normals, ALOR", with([](P& p) {
        p.with_hints = p.with_normals = true;
@@ -262,7 +287,11 @@ Parameters random_parameters(std::size_t n, double diagonal, Generator& generato
     p.keep_density = true;
   if (one_in(8))
     p.viewpoint = (one_in(2) ? 1 : -1) * number(1e-3, 1e3) * diagonal;
-  if (one_in(p.viewpoint ? 60 : 8))
+  if (p.viewpoint)
+    p.viewpoint_by_map = one_in(3);
+  if (one_in(p.viewpoint ? 60 : 12))
+    p.up_direction = (one_in(2) ? 1 : -1) * number(1e-3, 1e3);
+  if (one_in(p.viewpoint || p.up_direction ? 60 : 8))
     p.with_hints = true;
   if (one_in(6))
     p.with_point_data = true;

@@ -50,8 +50,11 @@ bool parameters_are_good(const Attack& attack)
 {
   const Parameters& p = attack.parameters;
   const double steps = number_of_growths(p);
-  return p.method >= 0 && p.method <= 2 && !(p.viewpoint && p.with_hints)
-         && given(attack, viewpoint(p)).allFinite()
+  const Vector up = given(attack, up_direction(p));
+  return p.method >= 0 && p.method <= 2
+         && int(p.viewpoint.has_value()) + int(p.up_direction.has_value()) + int(p.with_hints) <= 1
+         && (p.viewpoint_by_map || given(attack, viewpoint(p)).allFinite()) && up.allFinite()
+         && !up.isZero(0)
          && (!p.number_of_output_points || is_count(*p.number_of_output_points, 0, 4294967294.))
          && is_positive(p.neighbor_radius.value_or(1))
          && is_positive(p.normal_filter_radius.value_or(1))

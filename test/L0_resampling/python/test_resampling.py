@@ -36,6 +36,7 @@ def same(result, other):
     (["--seed", 5], {"random_seed": 5}),
     (["--keep-density"], {"keep_density": True}),
     (["--viewpoint", "0.5,0.5,0.5"], {"viewpoint": (0.5, 0.5, 0.5)}),
+    (["--up", "0,0,-2"], {"up_direction": (0, 0, -2)}),
 ])
 def test_equals_the_program_bitwise(cube, tool, options, named):
     positions, normals, _ = tool(cube, *options)
@@ -67,6 +68,32 @@ def test_orientation_hints(cube, cube_normals, tool):
         l0_resample_point_set(cube, viewpoint=(0, 0))
     with pytest.raises(ValueError, match="orientation_hints"):
         l0_resample_point_set(cube, orientation_hints=outward[1:])
+
+
+def test_viewpoints(cube):
+    inside = numpy.broadcast_to([0.1, 0.0, 0.2], cube.shape)
+    inwards = l0_resample_point_set(cube, viewpoints=inside, report=True)
+    assert inwards[2].hinted_share == 1
+    assert ((inwards[0] - inside[0]) * inwards[1]).sum(axis=1).max() < 0
+    assert same(inwards[:2], l0_resample_point_set(cube, viewpoint=inside[0]))
+    nowhere = numpy.full(cube.shape, numpy.inf)
+    outwards = l0_resample_point_set(cube, viewpoints=nowhere, report=True)
+    assert outwards[2].hinted_share == 0
+    assert same(outwards[:2], l0_resample_point_set(cube))
+    for sides in (
+        {"viewpoint": (0, 0, 0), "viewpoints": inside},
+        {"up_direction": (0, 0, 1), "viewpoints": inside},
+        {"viewpoint": (0, 0, 0), "up_direction": (0, 0, 1)},
+    ):
+        refusal = "{} is given, expected no {} beside it".format(*sides)
+        with pytest.raises(ValueError, match=refusal):
+            l0_resample_point_set(cube, **sides)
+    with pytest.raises(ValueError, match="up_direction is 0, 0, 0, expected a direction"):
+        l0_resample_point_set(cube, up_direction=(0, 0, 0))
+    with pytest.raises(ValueError, match="up_direction"):
+        l0_resample_point_set(cube, up_direction=(0, 1))
+    with pytest.raises(ValueError, match="viewpoints"):
+        l0_resample_point_set(cube, viewpoints=inside[1:])
 
 
 @pytest.mark.parametrize("number_type", [numpy.float32, numpy.float64])

@@ -144,6 +144,14 @@ def test_normals_hints_and_parameters(cube):
         assert same(
             map(host, hinted), l0_resample_point_set(points, orientation_hints=hints, device="cuda")
         )
+    *facing, report = l0_resample_point_set(
+        DriverArray(points), viewpoints=DriverArray(points - outward), report=True
+    )
+    assert report.hinted_share == 1
+    hosted = l0_resample_point_set(points, viewpoints=points - outward, device="cuda")
+    # The directions may differ in the last bit.
+    assert numpy.abs(host(facing[0]) - hosted[0]).max() < 1e-6
+    assert (host(facing[1]) * hosted[1]).sum(axis=1).min() > 0.99
     options = {
         "number_of_output_points": 777,
         "method": "lor",

@@ -229,7 +229,13 @@ void add_with_parameters(std::vector<Case>& cases)
   add("given_normals", input, [](Parameters& p) { p.with_normals = true; });
   add("some_given_normals", some_normals, [](Parameters& p) { p.with_normals = true; });
   add("hints", some_normals, [](Parameters& p) { p.with_hints = true; });
-  add("viewpoint", unoriented("", thin_plate(5000, 0)), [](Parameters& p) { p.viewpoint = 4; });
+  const Case plate = unoriented("", thin_plate(5000, 0));
+  add("viewpoint", plate, [](Parameters& p) { p.viewpoint = 4; });
+  add("viewpoint_map", plate, [](Parameters& p) {
+    p.viewpoint = 4;
+    p.viewpoint_by_map = true;
+  });
+  add("up_direction", plate, [](Parameters& p) { p.up_direction = -3; });
   const Case gradient = unoriented("", density_gradient(6000));
   add("keep_density", gradient, [](Parameters& p) { p.keep_density = true; });
   add("confidences", input, [](Parameters& p) { p.with_point_data = true; });

@@ -6,7 +6,7 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_ORIENTATION_HINTS_H
 #define CGAL_L0_RESAMPLING_INTERNAL_ORIENTATION_HINTS_H
 
-#include <CGAL/L0_resampling/internal/Search_grid_3.h>
+#include <CGAL/L0_resampling/internal/host_device.h>
 
 #include <cmath>
 
@@ -14,47 +14,62 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/*!
-What hints say of the side of a set of samples whose normals are fixed relative to each other: a
-vote, in which each counts \f$ n_i^T h_i \f$, where \f$ h_i \f$ points to the side that its normal
-shall be on, and is the longer the more it counts.
-*/
-struct Hint_votes
+/// A place that the points were seen from, or a direction that all of them were seen from: in
+/// homogeneous coordinates, so that a direction is a place infinitely far away.
+struct Viewpoint
+{
+  double coordinates[3] = {0, 0, 0}; ///< of the place, or a unit vector towards the viewpoint
+  double weight = 1;                 ///< 1 for a place, 0 for a direction
+
+  /// \param position three coordinates
+  /// \param direction out: unit vector from there towards the viewpoint; zero at the viewpoint
+  CGAL_L0_HOST_DEVICE void find_direction(const double* position, double (&direction)[3]) const
+  {
+    using std::sqrt;
+    double squared_length = 0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      direction[axis] = coordinates[axis] - weight * position[axis];
+      squared_length += direction[axis] * direction[axis];
+    }
+    const double scale = squared_length > 0 ? 1 / sqrt(squared_length) : 0;
+    for (double& coordinate : direction)
+      coordinate *= scale;
+  }
+};
+
+/// Where the cosine of the angle between a normal and the direction to its viewpoint is above this,
+/// the viewpoint decides the sign: about the sine of 10 degrees, which is more than the error of
+/// most normals. Of a surface that is seen at a smaller angle a viewpoint knows no side.
+constexpr double least_certain_cosine = 0.17;
+
+/// Which of its two sides a sample shows its viewpoint: 1 that of its normal, -1 the other one; 0
+/// if the angle leaves it in doubt.
+/// \param cosine of the angle between normal and direction to the viewpoint
+CGAL_L0_HOST_DEVICE inline int certain_side(double cosine)
+{
+  return cosine > least_certain_cosine ? 1 : cosine < -least_certain_cosine ? -1 : 0;
+}
+
+/// What hints say of the side of a set of samples whose normals are fixed relative to each other.
+struct Side_votes
 {
   /// Hints that contradict each other more than this, as a share of all, decide nothing.
   static constexpr double clear_share = 0.1;
 
-  double sum = 0, total = 0;
+  double certain_sum = 0; ///< of `certain_side()`, all of one sign; decides where it is not 0
+  double sum = 0;         ///< of the cosines between normals and hints
+  double total = 0;       ///< of their absolute values
 
-  void add(const Vector& normal, const Vector& hint)
+  CGAL_L0_HOST_DEVICE bool are_clear() const
   {
-    const double vote = normal.dot(hint);
-    sum += vote;
-    total += std::abs(vote);
+    using std::abs;
+    return certain_sum != 0 || (total > 0 && abs(sum) >= clear_share * total);
   }
 
-  bool are_clear() const { return total > 0 && std::abs(sum) >= clear_share * total; }
-
   /// Whether they ask to turn the set; only if they are clear.
-  bool say_turn() const { return sum < 0; }
+  CGAL_L0_HOST_DEVICE bool say_turn() const { return certain_sum != 0 ? certain_sum < 0 : sum < 0; }
 };
-
-/*!
-The hint of a viewpoint: towards it, as long as the solid angle that an area of 1 would fill, seen
-from there. A closed surface around the viewpoint fills all of it with one side; one that is seen
-from outside fills as much with its front as with its back, so that the votes cancel and it is
-turned outwards as if there were no viewpoint.
-
-\param squared_spacing of the samples: those nearer than that do not count more
-*/
-inline Vector hint_of_viewpoint(const Vector& viewpoint, const Vector& position,
-                                double squared_spacing)
-{
-  const Vector to_viewpoint = viewpoint - position;
-  const double length = to_viewpoint.stableNorm();
-  return length > 0 ? Vector(to_viewpoint / length / (length * length + squared_spacing))
-                    : Vector(Vector::Zero());
-}
 
 } // namespace internal
 } // namespace L0_resampling

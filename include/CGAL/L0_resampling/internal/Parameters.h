@@ -6,6 +6,7 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_PARAMETERS_H
 #define CGAL_L0_RESAMPLING_INTERNAL_PARAMETERS_H
 
+#include <CGAL/L0_resampling/internal/Orientation_hints.h>
 #include <CGAL/L0_resampling/internal/host_device.h>
 #include <CGAL/L0_resampling/internal/random_bits.h>
 #include <CGAL/L0_resampling/internal/weights.h>
@@ -44,7 +45,8 @@ struct Parameters
   bool keep_density = false; ///< whether the density of the input is kept instead of evened out
   std::size_t number_of_orientation_neighbors = 12;
   bool has_viewpoint = false;
-  double viewpoint[3] = {0, 0, 0};       ///< that the normals shall face, if there is one
+  Viewpoint viewpoint;               ///< that all normals shall face, if there is one
+  bool hints_are_viewpoints = false; ///< whether the hints of the points lead to their viewpoints
   bool with_feature_confidences = false; ///< whether they are asked for
   std::size_t random_seed = 0;
   std::size_t maximum_memory = (std::numeric_limits<std::size_t>::max)(); ///< in bytes

@@ -38,8 +38,8 @@ struct Samples
     /// none
     spacings;
   Buffer<Local_vector>
-    /// unit or zero vectors on the side that the normals shall point to, if the caller has some;
-    /// else none
+    /// unit or zero vectors on the side that the normals shall point to, or to the viewpoints, if
+    /// the caller has some; else none
     hints;
 
   Buffer<Index>

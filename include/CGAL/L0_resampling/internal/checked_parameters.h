@@ -10,6 +10,7 @@
 #include <CGAL/L0_resampling/internal/Parameters.h>
 #include <CGAL/L0_resampling/named_parameters.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -18,6 +19,7 @@
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace L0_resampling {
@@ -91,6 +93,67 @@ void read_count(const NamedParameters& np, Tag tag, const char* name, std::size_
   });
 }
 
+/// Which of the parameters are given that say on which side the normals are.
+struct Given_sides
+{
+  bool viewpoint, up_direction, viewpoint_map, orientation_hint_map;
+
+  /// \throws std::invalid_argument for two of them
+  void check_at_most_one() const
+  {
+    const std::pair<const char*, bool> sides[] = {{"viewpoint", viewpoint},
+                                                  {"up_direction", up_direction},
+                                                  {"viewpoint_map", viewpoint_map},
+                                                  {"orientation_hint_map", orientation_hint_map}};
+    const char* first = nullptr;
+    for (const auto& [name, is_given] : sides)
+    {
+      if (!is_given)
+        continue;
+      if (first)
+        check_parameter(false, first, "given", ("no " + std::string(name) + " beside it").c_str());
+      first = name;
+    }
+  }
+};
+
+template <typename NamedParameters>
+Given_sides given_sides(const NamedParameters& np)
+{
+  return {is_given(np, internal_np::viewpoint), is_given(np, internal_np::up_direction),
+          is_given(np, internal_np::viewpoint_map),
+          is_given(np, internal_np::orientation_hint_map)};
+}
+
+/// Reads what all points were seen from.
+template <typename NamedParameters>
+void read_viewpoint(const NamedParameters& np, Parameters& p)
+{
+  const Given_sides sides = given_sides(np);
+  sides.check_at_most_one();
+  p.hints_are_viewpoints = sides.viewpoint_map;
+  const auto read = [&](const char* name, const auto& coordinates) {
+    p.has_viewpoint = true;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      p.viewpoint.coordinates[axis] = double(coordinates[axis]);
+      check_parameter(std::isfinite(p.viewpoint.coordinates[axis]), name,
+                      p.viewpoint.coordinates[axis], "three finite coordinates");
+    }
+  };
+  if_given(np, internal_np::viewpoint, [&](const auto& place) { read("viewpoint", place); });
+  if_given(np, internal_np::up_direction, [&](const auto& direction) {
+    read("up_direction", direction);
+    p.viewpoint.weight = 0;
+    double(&up)[3] = p.viewpoint.coordinates;
+    const double largest = (std::max)({std::abs(up[0]), std::abs(up[1]), std::abs(up[2])});
+    check_parameter(largest > 0, "up_direction", "0, 0, 0", "a direction");
+    const double length = std::hypot(up[0] / largest, up[1] / largest, up[2] / largest);
+    for (double& coordinate : up)
+      coordinate = coordinate / largest / length;
+  });
+}
+
 /// Reads and checks everything that does not depend on the types of the points.
 /// \param n number of points that are used
 /// \throws std::invalid_argument
@@ -151,17 +214,7 @@ Parameters checked_parameters(const NamedParameters& np, std::size_t n)
   read_parameter(np, internal_np::drop_outliers, p.drop_outliers);
 
   read_parameter(np, internal_np::keep_density, p.keep_density);
-  if_given(np, internal_np::viewpoint, [&](const auto& viewpoint) {
-    p.has_viewpoint = true;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      p.viewpoint[axis] = double(viewpoint[axis]);
-      check_parameter(std::isfinite(p.viewpoint[axis]), "viewpoint", p.viewpoint[axis],
-                      "three finite coordinates");
-    }
-    check_parameter(!is_given(np, internal_np::orientation_hint_map), "viewpoint", "given",
-                    "no orientation_hint_map beside it");
-  });
+  read_viewpoint(np, p);
   p.with_feature_confidences = is_given(np, internal_np::feature_confidence_map);
 
   read_count(np, internal_np::number_of_orientation_neighbors, "number_of_orientation_neighbors",

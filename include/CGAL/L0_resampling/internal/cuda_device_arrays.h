@@ -45,9 +45,11 @@ Answer wait_for(Session& session, std::int64_t stream);
 /// \param points that may be non-finite
 /// \param size from 1 to 2^32 - 2
 /// \param normals, hints of any length and sign, or null
+/// \param hints_are_viewpoints whether the hints are places that the points were seen from
 Answer upload_from_device(Session& session, const Device_rows& points, std::size_t size,
                           const Device_rows* normals, const Device_rows* hints,
-                          bool drop_non_finite, std::size_t maximum_memory, Device_points& taken);
+                          bool hints_are_viewpoints, bool drop_non_finite,
+                          std::size_t maximum_memory, Device_points& taken);
 
 /// As `download()`, to arrays on the session's device, in the order of C.
 /// \tparam FT `float` or `double`

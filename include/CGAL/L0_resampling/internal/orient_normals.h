@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -54,8 +55,43 @@ Buffer<Edge> rated_edges(const Buffer<Vector>& positions,
     });
 }
 
-/// The hints of samples that have none.
-inline Vector no_hint(Index) { return Vector::Zero(); }
+/// What the caller says of the sides that normals point to.
+struct Side_hints
+{
+  /// A unit vector on the side that the normal of a sample, given by its index, shall point to; or
+  /// zero for none. Of one type, so that the stage is compiled once.
+  std::function<Vector(Index)> direction_of = [](Index) -> Vector { return Vector::Zero(); };
+  bool are_viewpoints = false; ///< whether it is the direction to what the sample was seen from
+
+  int certain_side_of(Index i, const Vector& normal) const
+  {
+    return are_viewpoints ? certain_side(normal.dot(direction_of(i))) : 0;
+  }
+};
+
+/// The samples whose viewpoints leave no doubt are one set, with the sides that face these.
+template <typename NormalOf>
+Signed_union_find sets_of_viewpoints(std::size_t number_of_samples, const Side_hints& hints,
+                                     const NormalOf& normal,
+                                     const Counting_allocator<Index>& allocator)
+{
+  Signed_union_find sets(number_of_samples, allocator);
+  Index first = 0;
+  int first_side = 0;
+  if (hints.are_viewpoints)
+    for_each_in_order(number_of_samples, [&](std::size_t place) {
+      const Index i = Index(place);
+      const int side = hints.certain_side_of(i, normal(i));
+      if (side != 0 && first_side == 0)
+      {
+        first = i;
+        first_side = side;
+      }
+      else if (side != 0)
+        sets.join(first, i, first_side * side);
+    });
+  return sets;
+}
 
 /// Whether the normals of a tree point inwards as a whole. A flat tree has no inside: its normals
 /// shall point up its steepest axis.
@@ -73,14 +109,15 @@ inline bool is_turned_inwards(double flux, double largest_flux, const Vector& no
 struct Orientation
 {
   double
-    /// joined to the largest part of their tree by edges beyond doubt, by the field and by clear
-    /// majorities only
+    /// joined to the largest part of their tree by viewpoints, by edges beyond doubt, by the field
+    /// and by clear majorities only
     oriented_share;
   double hinted_share; ///< of trees whose side is that of the hints
 };
 
 /*!
-Turns the normals of the samples to one side. Over the edges of the graph of nearest neighbors where
+Turns the normals of the samples to one side. Those whose viewpoints leave no doubt face them, and
+are one set from the start. Over the edges of the graph of nearest neighbors where
 `orientation_agreement()` is beyond doubt, sets of samples grow as the maximum spanning forest of
 Hoppe et al. does, until most samples are in large sets. Where these touch, within a face, across a
 sharp edge or through noise, one edge may well err, and would turn a whole face; there, all edges
@@ -92,12 +129,10 @@ of the hints where these are clear, else outwards, in the sense of the divergenc
 \param number_of_neighbors of the graph, at least 1
 \param spacing of the samples, roughly: more than a 1000th of it, and not so much that it spans the
 cloud
-\param hint_of called with the index of a sample, gives a vector to the side its normal shall be on,
-of the length that it counts; may be zero
 */
-template <typename ConcurrencyTag, typename T, typename HintOf>
+template <typename ConcurrencyTag, typename T>
 Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_of_neighbors,
-                           double spacing, const HintOf& hint_of, Progress& progress,
+                           double spacing, const Side_hints& hints, Progress& progress,
                            Buffer<Eigen::Matrix<T, 3, 1>>& normals)
 {
   const auto normal = [&](Index i) -> Vector { return normals[i].template cast<double>(); };
@@ -105,7 +140,8 @@ Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_o
   Voting faces = [&] {
     const Buffer<Edge> edges = rated_edges<ConcurrencyTag>(positions, normals, number_of_neighbors,
                                                            spacing, progress);
-    Signed_union_find sets = grow_forest<ConcurrencyTag>(edges, m);
+    Signed_union_find sets = grow_forest<ConcurrencyTag>(
+      edges, sets_of_viewpoints(m, hints, normal, positions.get_allocator()));
     Buffer<Vote> votes = votes_of_edges<ConcurrencyTag>(edges, sets);
     return Voting{std::move(sets), std::move(votes)};
   }();
@@ -135,7 +171,7 @@ Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_o
     double flux = 0,
            largest_flux =
              0; // of the divergence theorem, and if all normals pointed away from the center
-    Hint_votes votes;
+    Side_votes votes;
     Index largest_sure_set = 0;
   };
   Buffer<Tree> trees =
@@ -154,7 +190,10 @@ Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_o
     tree.flux += sign * normal(i).dot(from_center);
     tree.largest_flux += from_center.norm();
     tree.normal_sum += sign * normal(i);
-    tree.votes.add(sign * normal(i), hint_of(i));
+    const double vote = sign * normal(i).dot(hints.direction_of(i));
+    tree.votes.sum += vote;
+    tree.votes.total += std::abs(vote);
+    tree.votes.certain_sum += hints.certain_side_of(i, sign * normal(i));
     number_of_oriented += sets.size_of_set(root) > 1 && sure_set_sizes[i] == tree.largest_sure_set;
   });
   const std::size_t samples_per_task = 4096;

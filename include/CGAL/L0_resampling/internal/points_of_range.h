@@ -27,12 +27,19 @@ namespace internal {
 
 constexpr std::size_t points_per_look = 65536; // at the loop: a few milliseconds
 
+/// Anything with three coordinates.
+template <typename Coordinates>
+Vector as_vector(const Coordinates& p)
+{
+  return Vector(double(p.x()), double(p.y()), double(p.z()));
+}
+
 /// The caller's points in double precision, and their bounding box.
 struct Input
 {
   Buffer<Vector> points;
-  Buffer<Local_vector> normals;  // empty, or unit vectors, zero where the caller's is of no use
-  Buffer<Local_vector> hints;    // likewise, of the side that normals shall point to
+  Buffer<Local_vector> normals; // empty, or unit vectors, zero where the caller's is of no use
+  Buffer<Local_vector> hints; // likewise, of the side that normals shall point to, or to viewpoints
   Buffer<unsigned char> is_kept; // one for each point of the range
   Vector low = Vector::Zero(), high = Vector::Zero();
 
@@ -70,8 +77,7 @@ void read_points(const PointRange& range, PointMap point_map, bool drop_non_fini
       input.is_kept.reserve(size);
       input.points.reserve(size);
     }
-    const auto& p = get(point_map, *it);
-    const Vector point(double(p.x()), double(p.y()), double(p.z()));
+    const Vector point = as_vector(get(point_map, *it));
     const bool is_finite = point.allFinite();
     if (!is_finite && !drop_non_finite)
       refuse_non_finite_point(index, point);
@@ -90,8 +96,9 @@ void read_points(const PointRange& range, PointMap point_map, bool drop_non_fini
 
 /// Reads the vectors of the points that are kept: to unit length, or zero where they are zero or
 /// not finite.
-template <typename PointRange, typename VectorMap>
-void read_directions(const PointRange& range, VectorMap vector_map, const Input& input,
+/// \param vector_of called with an element of the range
+template <typename PointRange, typename VectorOf>
+void read_directions(const PointRange& range, const VectorOf& vector_of, const Input& input,
                      Buffer<Local_vector>& directions)
 {
   std::size_t index = 0;
@@ -102,8 +109,7 @@ void read_directions(const PointRange& range, VectorMap vector_map, const Input&
       poll_for_cancellation();
     if (!input.is_kept[index++])
       continue;
-    const auto& v = get(vector_map, *it);
-    const Vector n(double(v.x()), double(v.y()), double(v.z()));
+    const Vector n = vector_of(*it);
     const double largest = n.cwiseAbs().maxCoeff();
     Local_vector direction = Local_vector::Zero();
     if (n.allFinite() && largest > 0)
@@ -115,7 +121,8 @@ void read_directions(const PointRange& range, VectorMap vector_map, const Input&
 template <typename PointRange, typename NormalMap>
 void read_normals(const PointRange& range, NormalMap normal_map, Input& input)
 {
-  read_directions(range, normal_map, input, input.normals);
+  read_directions(
+    range, [&](const auto& key) { return as_vector(get(normal_map, key)); }, input, input.normals);
   // one of the two signs, so that neither the sign nor, among coincident points, the order of the
   // input matters
   const Local_vector zero = Local_vector::Zero();
@@ -140,6 +147,23 @@ void read_normals_if_given(const PointRange& range, const NormalMap& normal_map,
     read_normals(range, normal_map, input);
 }
 
+/// Reads `orientation_hint_map`, or the directions from the points to what `viewpoint_map` says.
+template <typename PointRange, typename PointMap, typename NamedParameters>
+void read_hints_if_given(const PointRange& range, PointMap point_map, const NamedParameters& np,
+                         Input& input)
+{
+  if_given(np, internal_np::orientation_hint_map, [&](const auto& hint_map) {
+    read_directions(
+      range, [&](const auto& key) { return as_vector(get(hint_map, key)); }, input, input.hints);
+  });
+  if_given(np, internal_np::viewpoint_map, [&](const auto& viewpoint_map) {
+    const auto half_way = [&](const auto& key) -> Vector { // the whole one may not be finite
+      return 0.5 * as_vector(get(viewpoint_map, key)) - 0.5 * as_vector(get(point_map, key));
+    };
+    read_directions(range, half_way, input, input.hints);
+  });
+}
+
 /// The finite points of the range, each with its place in it.
 template <typename PointRange, typename PointMap>
 Point_tree_3 tree_of_range(const PointRange& range, PointMap point_map, Memory_counter& memory)
@@ -154,8 +178,7 @@ Point_tree_3 tree_of_range(const PointRange& range, PointMap point_map, Memory_c
   {
     if (index % points_per_look == 0)
       poll_for_cancellation();
-    const auto& p = get(point_map, *it);
-    const Vector point(double(p.x()), double(p.y()), double(p.z()));
+    const Vector point = as_vector(get(point_map, *it));
     if (!point.allFinite())
       continue;
     points.push_back(point);
@@ -177,8 +200,7 @@ std::size_t number_of_distinct_points(const PointRange& range, PointMap point_ma
   {
     if (index++ % points_per_look == 0)
       poll_for_cancellation();
-    const auto& p = get(point_map, *it);
-    const Vector point(double(p.x()), double(p.y()), double(p.z()));
+    const Vector point = as_vector(get(point_map, *it));
     if (point.allFinite())
       points.push_back(point);
   }

@@ -22,7 +22,6 @@
 #include <CGAL/L0_resampling/internal/working_frame.h>
 
 #include <cstddef>
-#include <functional>
 #include <type_traits>
 #include <utility>
 
@@ -113,25 +112,30 @@ void minimize_and_refine(const Plan& plan, Any_solver<FT>& solver, Progress& pro
   input.release_all();
 }
 
-/// Turns the normals to one side, as the hints say that the caller has given.
-template <typename ConcurrencyTag, typename FT>
-Orientation turn_normals(const Parameters& parameters, const Working_frame& frame, double spacing,
-                         Progress& progress, Samples<FT>& samples)
+/// What the caller says of the sides of the samples, where they are when it is asked for.
+template <typename FT>
+Side_hints side_hints(const Parameters& parameters, const Working_frame& frame,
+                      const Samples<FT>& samples)
 {
-  std::function<Vector(Index)> hint_of = no_hint; // of one type, so that the stage is compiled once
+  Side_hints hints;
+  hints.are_viewpoints = parameters.has_viewpoint || parameters.hints_are_viewpoints;
   if (!samples.hints.empty())
-    hint_of = [&](Index i) -> Vector { return samples.hints[i].template cast<double>(); };
+    hints.direction_of = [&](Index i) -> Vector {
+      return samples.hints[i].template cast<double>();
+    };
   else if (parameters.has_viewpoint)
   {
-    const Vector viewpoint = frame.point_in_frame(
-      Vector(parameters.viewpoint[0], parameters.viewpoint[1], parameters.viewpoint[2]));
-    hint_of = [&samples, viewpoint, spacing](Index i) {
-      return hint_of_viewpoint(viewpoint, samples.positions[i], square(spacing));
+    Viewpoint viewpoint = parameters.viewpoint;
+    Eigen::Map<Vector> place(viewpoint.coordinates);
+    if (viewpoint.weight > 0)
+      place = frame.point_in_frame(place);
+    hints.direction_of = [&samples, viewpoint](Index i) -> Vector {
+      double direction[3];
+      viewpoint.find_direction(samples.positions[i].data(), direction);
+      return Eigen::Map<Vector>(direction);
     };
   }
-  return orient_normals<ConcurrencyTag>(samples.positions,
-                                        parameters.number_of_orientation_neighbors, spacing,
-                                        hint_of, progress, samples.normals);
+  return hints;
 }
 
 /*!
@@ -139,8 +143,8 @@ Resamples: the stages of the paper, one after the other.
 
 \param points the input, finite, at least one point; used up
 \param given_normals unit or zero vectors, one a point, or none at all; used up
-\param hints unit or zero vectors on the side that normals shall point to, one a point, or none at
-all; used up
+\param hints unit or zero vectors on the side that normals shall point to, or to the viewpoints of
+the points, one a point, or none at all; used up
 \param parameters checked; radii in the unit of the input
 */
 template <typename ConcurrencyTag, typename FT>
@@ -172,8 +176,9 @@ Oriented_points<FT> resample(Buffer<Vector>& points, Buffer<Local_vector>& given
 
   const std::size_t m = samples.positions.size();
   progress.begin_stage("orient normals", 0.1, m);
-  const Orientation orientation =
-    turn_normals<ConcurrencyTag>(parameters, frame, plan.sample_spacing, progress, samples);
+  const Orientation orientation = orient_normals<ConcurrencyTag>(
+    samples.positions, parameters.number_of_orientation_neighbors, plan.sample_spacing,
+    side_hints(parameters, frame, samples), progress, samples.normals);
   report.oriented_share = orientation.oriented_share;
   report.hinted_share = orientation.hinted_share;
 

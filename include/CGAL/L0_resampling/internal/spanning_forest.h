@@ -63,13 +63,15 @@ surest edge that leads out of it, the first one of those that are equally sure. 
 until no such edge is left, this would be the maximum spanning forest of Hoppe et al.; they end once
 sets are large.
 
-\param edges between `number_of_samples` samples, which are sorted by place
+\param edges between the samples, which are sorted by place
+\param sets what is joined from the start
+\returns the sets that have grown
 */
 template <typename ConcurrencyTag>
-Signed_union_find grow_forest(const Buffer<Edge>& edges, std::size_t number_of_samples)
+Signed_union_find grow_forest(const Buffer<Edge>& edges, Signed_union_find sets)
 {
+  const std::size_t number_of_samples = sets.size();
   const std::vector<Index> dipoles = samples_of_dipoles(number_of_samples);
-  Signed_union_find sets(number_of_samples, edges.get_allocator());
   Buffer<Edge> outer = sure_edges_between_sets<ConcurrencyTag>(edges, sets);
   const std::size_t none = (std::numeric_limits<std::size_t>::max)();
   Buffer<std::size_t> surest = filled_buffer(number_of_samples, none,
