@@ -8,6 +8,8 @@
 #include "parse_numbers.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <limits>
@@ -155,6 +157,24 @@ std::uint64_t parse_number_of_points(const Input_file& file, const Pcd_lines& li
   return points;
 }
 
+/// The first three words of VIEWPOINT are the place, those behind them its rotation.
+std::optional<std::array<double, 3>> parse_viewpoint(const Input_file& file, const Pcd_lines& lines)
+{
+  if (!lines.has("VIEWPOINT"))
+    return std::nullopt;
+  const std::vector<std::string>& words = lines.words(file, "VIEWPOINT");
+  std::array<double, 3> place = {};
+  for (std::size_t axis = 0; axis < place.size() && axis < words.size(); ++axis)
+    place[axis] =
+      parse_number<double>(words[axis]).value_or(std::numeric_limits<double>::quiet_NaN());
+  const bool is_place = words.size() >= 3 && std::all_of(place.begin(), place.end(), [](double x) {
+                          return std::isfinite(x);
+                        });
+  if (!is_place || place == std::array<double, 3>{})
+    return std::nullopt;
+  return place;
+}
+
 } // namespace
 
 std::uint64_t Pcd_header::number_of_values() const
@@ -185,6 +205,7 @@ Pcd_header read_pcd_header(Input_file& file)
   Pcd_header header;
   header.fields = parse_fields(file, lines);
   header.number_of_points = parse_number_of_points(file, lines);
+  header.viewpoint = parse_viewpoint(file, lines);
   const std::string data = lines.word(file, "DATA");
   if (data == "binary_compressed")
     file.refuse("compressed PCD is not supported: save it as binary or ascii");

@@ -9,6 +9,7 @@
 #include "Input_file.h"
 #include "Number_type.h"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -29,6 +30,8 @@ struct Pcd_header
   std::vector<Pcd_field> fields;
   std::uint64_t number_of_points = 0;
   bool is_binary = false;
+  std::optional<std::array<double, 3>>
+    viewpoint; ///< unless it is the origin, as where nobody knows, or no place
 
   /// Of values in a row.
   std::uint64_t number_of_values() const;

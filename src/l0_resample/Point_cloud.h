@@ -11,7 +11,9 @@
 
 #include <CGAL/Simple_cartesian.h>
 
+#include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,9 +33,10 @@ struct Point_cloud
   bool file_has_normals = false; ///< also if they are not kept
   Property_table properties;     ///< all others, if asked for
   Number_type coordinate_type =
-    Number_type::FLOAT64;                   ///< FLOAT32 if that held all coordinates and normals
-  std::size_t number_of_dropped_points = 0; ///< those with a coordinate that is not finite
-  std::vector<std::string> warnings;        ///< one line each, with the name of the file
+    Number_type::FLOAT64; ///< FLOAT32 if that held all coordinates and normals
+  std::optional<std::array<double, 3>> viewpoint; ///< of PCD, if it is not the origin
+  std::size_t number_of_dropped_points = 0;       ///< those with a coordinate that is not finite
+  std::vector<std::string> warnings;              ///< one line each, with the name of the file
 };
 
 /// What is written.

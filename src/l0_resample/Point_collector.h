@@ -52,6 +52,8 @@ public:
   /// Says that `float` holds all coordinates and normals.
   void set_single_precision() { m_cloud.coordinate_type = Number_type::FLOAT32; }
 
+  void set_viewpoint(const std::array<double, 3>& viewpoint) { m_cloud.viewpoint = viewpoint; }
+
   bool wants_properties() const { return m_options.with_properties; }
 
   /// Says that each row has this one too. Only if they are wanted, and before the first row.

@@ -122,12 +122,12 @@ std::array<double, 3> parse_coordinates(const std::string& option, const std::st
   return numbers;
 }
 
-std::array<double, 3> parse_view(const std::string& text)
+std::array<double, 3> parse_direction(const std::string& option, const std::string& text)
 {
-  const std::array<double, 3> view = parse_coordinates("--view", text);
-  if (std::all_of(view.begin(), view.end(), [](double number) { return number == 0; }))
-    refuse_usage("--view: " + text + " is not a direction");
-  return view;
+  const std::array<double, 3> direction = parse_coordinates(option, text);
+  if (std::all_of(direction.begin(), direction.end(), [](double number) { return number == 0; }))
+    refuse_usage(option + ": " + text + " is not a direction");
+  return direction;
 }
 
 void choose_format(const std::string& path, const std::string& option, const CLI::App& app,
@@ -255,13 +255,41 @@ void add_options(CLI::App& app, Options& options, std::vector<std::string>& file
     app.add_flag("--orient-by-normals", options.orient_by_normals,
                  "turn the result to the side of the normals of INPUT, instead of outwards");
   const auto set_viewpoint = [&options](const std::string& text) {
-    options.viewpoint = parse_coordinates("--viewpoint", text);
+    options.ignore_viewpoint_of_file = text == "none";
+    if (text != "none")
+      options.viewpoint = parse_coordinates("--viewpoint", text);
+  };
+  auto* viewpoint =
+    app
+      .add_option_function<std::string>(
+        "--viewpoint", set_viewpoint,
+        "where all points were seen from, which normals face [the VIEWPOINT of PCD, unless none]")
+      ->type_name("X,Y,Z")
+      ->excludes(by_normals);
+  auto* viewpoints =
+    app
+      .add_option("--viewpoints", options.viewpoints,
+                  "several places that points were seen from: a text with lines x y z")
+      ->type_name("FILE")
+      ->excludes(by_normals)
+      ->excludes(viewpoint);
+  auto* view_property =
+    app
+      .add_option("--view-property", options.view_property,
+                  "the property of INPUT that says from which line of these, counted from 0")
+      ->type_name("NAME")
+      ->needs(viewpoints);
+  viewpoints->needs(view_property);
+  const auto set_up = [&options](const std::string& text) {
+    options.up_direction = parse_direction("--up", text);
   };
   app
-    .add_option_function<std::string>("--viewpoint", set_viewpoint,
-                                      "turn the result to this point, such as that of the scanner")
+    .add_option_function<std::string>("--up", set_up,
+                                      "of points that were seen from above: the way up")
     ->type_name("X,Y,Z")
-    ->excludes(by_normals);
+    ->excludes(by_normals)
+    ->excludes(viewpoint)
+    ->excludes(viewpoints);
   app.add_flag("--keep-density", options.keep_density,
                "as dense here and there as INPUT is, instead of even");
   app.add_flag("--drop-non-finite", options.drop_non_finite,
@@ -289,7 +317,9 @@ void add_options(CLI::App& app, Options& options, std::vector<std::string>& file
     .add_option("--snapshot", options.snapshot,
                 "draw input and result side by side, colored by normal direction")
     ->type_name("FILE.png");
-  const auto set_view = [&options](const std::string& text) { options.view = parse_view(text); };
+  const auto set_view = [&options](const std::string& text) {
+    options.view = parse_direction("--view", text);
+  };
   app
     .add_option_function<std::string>("--view", set_view,
                                       "where the eye of the snapshot is, such as 1,-2,0.5")

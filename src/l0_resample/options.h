@@ -52,6 +52,10 @@ struct Options
   bool use_normals = false;
   bool orient_by_normals = false;
   std::optional<std::array<double, 3>> viewpoint;
+  bool ignore_viewpoint_of_file = false;
+  std::string viewpoints;    ///< a file; empty for none
+  std::string view_property; ///< which of these each point was seen from
+  std::optional<std::array<double, 3>> up_direction;
   bool keep_density = false;
   bool with_source_indices = false;
   bool with_feature_confidences = false;
@@ -78,6 +82,13 @@ struct Options
   {
     using File = Existing_file;
     return force ? File::REPLACE : File::KEEP;
+  }
+
+  /// Whether they say on which side the normals are.
+  bool have_side() const
+  {
+    return orient_by_normals || viewpoint || ignore_viewpoint_of_file || !viewpoints.empty()
+           || up_direction;
   }
 
   /// What to call the input in messages.

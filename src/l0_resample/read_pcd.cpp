@@ -177,6 +177,8 @@ void read_pcd(Input_file& file, Point_collector& collector)
   Targets targets = find_targets(file, header);
   if (std::count(targets.begin(), targets.end(), std::size_t(3)) > 0)
     collector.set_has_normals();
+  if (header.viewpoint)
+    collector.set_viewpoint(*header.viewpoint);
   if (is_single_precision(header, targets))
     collector.set_single_precision();
   if (collector.wants_properties())

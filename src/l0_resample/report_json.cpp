@@ -18,8 +18,14 @@ using CGAL::L0_resampling::Iteration_report;
 using CGAL::L0_resampling::Report;
 using CGAL::L0_resampling::Stage_report;
 
-Json parameters_as_json(const Options& options)
+Json coordinates_or_null(const std::optional<std::array<double, 3>>& coordinates)
 {
+  return coordinates ? Json(*coordinates) : Json(nullptr);
+}
+
+Json parameters_as_json(const Options& options, const Run_record& record)
+{
+  const auto& viewpoint = record.viewpoint_of_file ? record.viewpoint_of_file : options.viewpoint;
   Json json = {{"method", name_of(options.method)},
                {"solver", name_of(options.solver)},
                {"normal_weight", options.normal_weight},
@@ -29,7 +35,10 @@ Json parameters_as_json(const Options& options)
                {"keep_outliers", options.keep_outliers},
                {"keep_density", options.keep_density},
                {"orient_by_normals", options.orient_by_normals},
-               {"viewpoint", options.viewpoint ? Json(*options.viewpoint) : Json(nullptr)}};
+               {"viewpoint", coordinates_or_null(viewpoint)},
+               {"viewpoints", options.viewpoints},
+               {"view_property", options.view_property},
+               {"up", coordinates_or_null(options.up_direction)}};
   json["threads"] = options.threads ? Json(*options.threads) : Json("all");
   return json;
 }
@@ -90,7 +99,7 @@ std::string report_as_json(const Options& options, const Run_record& record)
                    {"points", report.number_of_input_points},
                    {"dropped_points", report.number_of_dropped_points}};
   json["output"] = {{"file", options.output}, {"points", report.number_of_output_points}};
-  json["parameters"] = parameters_as_json(options);
+  json["parameters"] = parameters_as_json(options, record);
   json["device"] = {{"used", report.device}, {"reason", report.device_reason}};
   json["seconds"] = {{"read", record.seconds_to_read},
                      {"resample", record.seconds_to_resample},

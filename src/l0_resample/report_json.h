@@ -12,6 +12,8 @@
 #include <CGAL/L0_resampling/Report.h>
 
 #include <cstddef>
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +25,8 @@ struct Run_record
   Exit_status status = SUCCESS;
   std::string error;                        ///< the line on standard error, empty if all went well
   std::vector<std::string> warnings, notes; ///< one line each, with the name of the file
+  std::optional<std::array<double, 3>>
+    viewpoint_of_file; ///< which the normals face, as the options say nothing of sides
   double seconds_to_read = 0;
   double seconds_to_resample = 0;
   double seconds_to_write = 0; ///< the result, without snapshot and report

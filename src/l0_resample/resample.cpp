@@ -33,8 +33,8 @@ namespace parameters = CGAL::parameters;
 using Concurrency_tag = CGAL::Parallel_if_available_tag;
 
 template <typename Tag, typename NamedParameters>
-void call(const Point_cloud& cloud, const Options& options, const NamedParameters& np,
-          Resampled_points& result)
+void call(const Point_cloud& cloud, const Sides& sides, const Options& options,
+          const NamedParameters& np, Resampled_points& result)
 {
   namespace internal = CGAL::L0_resampling::internal;
   using Normal_map = decltype(CGAL::make_property_map(cloud.normals.data()));
@@ -49,8 +49,10 @@ void call(const Point_cloud& cloud, const Options& options, const NamedParameter
   const auto source_map = CGAL::make_property_map(sources.data());
   const auto confidence_map = CGAL::make_property_map(result.feature_confidences.data());
 
+  const auto viewpoint_map = CGAL::make_property_map(sides.viewpoints.data());
   const auto whole_np =
     np.orientation_hint_map(if_asked_for(options.orient_by_normals))
+      .viewpoint_map(sides.viewpoints.empty() ? std::nullopt : std::make_optional(viewpoint_map))
       .source_index_map(options.with_source_indices ? std::make_optional(source_map) : std::nullopt)
       .feature_confidence_map(options.with_feature_confidences ? std::make_optional(confidence_map)
                                                                : std::nullopt);
@@ -79,8 +81,8 @@ Solver_traits iterative_solver(const Options& options)
 }
 
 template <typename NamedParameters>
-void call_with_solver(const Point_cloud& cloud, const Options& options, const NamedParameters& np,
-                      Resampled_points& result)
+void call_with_solver(const Point_cloud& cloud, const Sides& sides, const Options& options,
+                      const NamedParameters& np, Resampled_points& result)
 {
   using namespace CGAL::L0_resampling;
   using Block_cg =
@@ -89,13 +91,14 @@ void call_with_solver(const Point_cloud& cloud, const Options& options, const Na
   switch (options.solver) {
   case Solver::BLOCK_CG:
     return call<Concurrency_tag>(
-      cloud, options, np.sparse_linear_solver(iterative_solver<Block_cg>(options)), result);
+      cloud, sides, options, np.sparse_linear_solver(iterative_solver<Block_cg>(options)), result);
   case Solver::CHOLESKY:
-    return call<Concurrency_tag>(
-      cloud, options, np.sparse_linear_solver(Eigen_cholesky_solver_traits<double>()), result);
+    return call<Concurrency_tag>(cloud, sides, options,
+                                 np.sparse_linear_solver(Eigen_cholesky_solver_traits<double>()),
+                                 result);
   case Solver::ROWS_CG:
     return call<Concurrency_tag>(
-      cloud, options, np.sparse_linear_solver(iterative_solver<Rows_cg>(options)), result);
+      cloud, sides, options, np.sparse_linear_solver(iterative_solver<Rows_cg>(options)), result);
   }
 }
 
@@ -130,7 +133,7 @@ std::size_t number_of_output_points(const Options& options, std::size_t number_o
                     std::size_t(double(number_of_input_points) * options.percentage / 100));
 }
 
-Resampled_points resample(const Point_cloud& cloud, const Options& options,
+Resampled_points resample(const Point_cloud& cloud, const Sides& sides, const Options& options,
                           const std::function<bool(double)>& callback,
                           CGAL::L0_resampling::Report& report)
 {
@@ -160,13 +163,14 @@ Resampled_points resample(const Point_cloud& cloud, const Options& options,
                       .resampling_report(&report)
                       .neighbor_radius(options.neighbor_radius)
                       .keep_density(options.keep_density)
-                      .viewpoint(options.viewpoint);
+                      .viewpoint(sides.viewpoint)
+                      .up_direction(options.up_direction);
     const auto on_device = [&]() {
 #ifdef CGAL_L0_LINKED_WITH_CUDA
-      call<CGAL::CUDA_tag>(cloud, options, np, result);
+      call<CGAL::CUDA_tag>(cloud, sides, options, np, result);
 #endif
     };
-    const auto on_cpu = [&]() { call_with_solver(cloud, options, np, result); };
+    const auto on_cpu = [&]() { call_with_solver(cloud, sides, options, np, result); };
     const l0_common::Device_request request = device_request(options);
     report.device_reason = l0_common::run_on_chosen(request, on_device, on_cpu);
   } catch (const CGAL::L0_resampling::Device_error& error) {

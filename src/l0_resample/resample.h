@@ -11,11 +11,20 @@
 
 #include <CGAL/L0_resampling/Report.h>
 
+#include <array>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace l0_tool {
+
+/// Where the points were seen from, if that is known, beside what the options say.
+struct Sides
+{
+  std::optional<std::array<double, 3>> viewpoint; ///< of all points
+  std::vector<Point> viewpoints;                  ///< of each point, or none
+};
 
 /// \throws Failure with RUN_TIME_FAILURE if the device cannot be used
 void check_device(const Options& options);
@@ -34,7 +43,7 @@ those near them in the cloud, as those of a `CGAL::Point_set_3` do.
 memory, a solver or a
         device failed
 */
-Resampled_points resample(const Point_cloud& cloud, const Options& options,
+Resampled_points resample(const Point_cloud& cloud, const Sides& sides, const Options& options,
                           const std::function<bool(double)>& callback,
                           CGAL::L0_resampling::Report& report);
 

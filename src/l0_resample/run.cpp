@@ -14,6 +14,7 @@
 #include "render_snapshot.h"
 #include "resample.h"
 #include "signals.h"
+#include "viewpoints.h"
 #include "write_png.h"
 #include "write_points.h"
 
@@ -23,6 +24,7 @@
 #include <exception>
 #include <iostream>
 #include <new>
+#include <sstream>
 #include <vector>
 
 namespace l0_tool {
@@ -55,8 +57,8 @@ Point_cloud read_input(const Options& options, Progress_bar& progress, Run_recor
   return cloud;
 }
 
-Resampled_points resample_input(const Point_cloud& cloud, const Options& options,
-                                Progress_bar& progress, Run_record& record)
+Resampled_points resample_input(const Point_cloud& cloud, const Sides& sides,
+                                const Options& options, Progress_bar& progress, Run_record& record)
 {
   const Stopwatch stopwatch;
   progress.restart();
@@ -64,12 +66,36 @@ Resampled_points resample_input(const Point_cloud& cloud, const Options& options
     progress.update(record.report.stages.empty() ? "" : record.report.stages.back().name, share);
     return !is_interrupted();
   };
-  Resampled_points result = resample(cloud, options, callback, record.report);
+  Resampled_points result = resample(cloud, sides, options, callback, record.report);
   throw_if_interrupted();
   record.report.number_of_dropped_points =
     cloud.number_of_dropped_points; // the reader drops them, not the library
   record.seconds_to_resample = stopwatch.seconds();
   return result;
+}
+
+/// Where the points were seen from, as the options say, or else the file.
+Sides find_sides(const Point_cloud& cloud, const std::vector<Point>& viewpoints,
+                 const Options& options, Run_record& record)
+{
+  Sides sides;
+  sides.viewpoint = options.viewpoint;
+  if (!options.viewpoints.empty())
+    sides.viewpoints = viewpoints_of_points(cloud, options.view_property, viewpoints,
+                                            options.input_name());
+  if (options.have_side())
+    return sides;
+  if (cloud.viewpoint) {
+    sides.viewpoint = record.viewpoint_of_file = cloud.viewpoint;
+    const auto& [x, y, z] = *cloud.viewpoint;
+    std::ostringstream note;
+    note << options.input << ": normals face the VIEWPOINT of the file, " << x << "," << y << ","
+         << z << ", unless --viewpoint none is given";
+    record.notes.push_back(note.str());
+  } else if (cloud.file_has_normals)
+    record.notes.push_back(
+      options.input + ": the file has normals, which --orient-by-normals lets decide the side");
+  return sides;
 }
 
 void resample_file(const Options& options, Run_record& record)
@@ -81,6 +107,10 @@ void resample_file(const Options& options, Run_record& record)
     if (!path.empty())
       check_writable(path, 0);
 
+  const std::vector<Point> viewpoints = options.viewpoints.empty()
+                                          ? std::vector<Point>()
+                                          : read_viewpoints(options.viewpoints);
+
   Progress_bar progress(options.quiet);
   const Point_cloud cloud = read_input(options, progress, record);
   check_writable(options.output,
@@ -88,11 +118,8 @@ void resample_file(const Options& options, Run_record& record)
                                    number_of_output_points(options, cloud.points.size()),
                                    cloud.properties));
 
-  if (cloud.file_has_normals && !options.orient_by_normals && !options.viewpoint)
-    record.notes.push_back(
-      options.input + ": the file has normals, which --orient-by-normals lets decide the side");
-
-  const Resampled_points result = resample_input(cloud, options, progress, record);
+  const Sides sides = find_sides(cloud, viewpoints, options, record);
+  const Resampled_points result = resample_input(cloud, sides, options, progress, record);
   for (const CGAL::L0_resampling::Warning warning : CGAL::L0_resampling::warnings(record.report))
     record.warnings.push_back(options.input + ": "
                               + CGAL::L0_resampling::message_of(warning, record.report));

@@ -34,12 +34,30 @@ check "a warning of what is left out" grep -q "no place for the property 'label'
 
 # Where normals point to
 awk '{ r = -sqrt($1 * $1 + $2 * $2 + $3 * $3); print $0, $1 / r, $2 / r, $3 / r }' cube.xyz > inward.xyz
-for options in "cube.xyz in.xyz --viewpoint 0,0,0.1" "inward.xyz in.xyz --orient-by-normals"; do
+awk '{ print $0, NR % 2 }' cube.xyz > viewed.xyz
+printf '0 0 0.1\n# another\n0.1 -0.1 0\n' > views.txt
+run cube.xyz cube.pcd --convert-only
+LC_ALL=C sed 's/^VIEWPOINT 0 0 0 /VIEWPOINT 0 0 0.1 /' cube.pcd > seen.pcd
+for options in "cube.xyz in.xyz --viewpoint 0,0,0.1" "inward.xyz in.xyz --orient-by-normals" "seen.pcd in.xyz" \
+    "viewed.xyz in.xyz --columns x,y,z,view --viewpoints views.txt --view-property view"; do
   # shellcheck disable=SC2086
   run $options --json in.json
   check "all normals inwards: $options" test "$(awk '$1 * $4 + $2 * $5 + $3 * $6 > 0' in.xyz | wc -l)" -eq 0
   check "the report says so" grep -q '"hinted_share": 1' in.json
 done
+run cube.xyz down.xyz --up 0,0,-3
+check "all normals down, but of the sides" test "$(awk '$6 > 0.2' down.xyz | wc -l)" -eq 0
+run seen.pcd seen.xyz
+check "a note on the viewpoint of the file" grep -qx \
+  'l0_resample: note: seen.pcd: normals face the VIEWPOINT of the file, 0,0,0.1, unless --viewpoint none is given' stderr
+run seen.pcd outward.xyz --viewpoint none
+check "no viewpoint if none is asked for" test "$status" -eq 0 -a ! -s stderr
+run cube.pcd plain.xyz
+check "which is as if the file had none" cmp -s outward.xyz plain.xyz
+run seen.pcd up.xyz --up 0,0,1 --json up.json
+check "no note beside another side" test "$status" -eq 0 -a ! -s stderr
+check "nor a viewpoint in the report" grep -q '"viewpoint": null' up.json
+run plain.ply plain.xyz --convert-only
 run cube.xyz kept.xyz --keep-density
 check "an even result is another one" test "$(cmp -s kept.xyz plain.xyz; echo $?)" -eq 1
 
@@ -60,7 +78,7 @@ check "quiet warns nobody" test ! -s stderr
 run inward.xyz out.ply
 check "normals that could decide the side" \
   grep -qx 'l0_resample: note: inward.xyz: the file has normals, which --orient-by-normals lets decide the side' stderr
-for options in --orient-by-normals "--viewpoint 0,0,9"; do
+for options in --orient-by-normals "--viewpoint 0,0,9" "--up 0,0,1"; do
   # shellcheck disable=SC2086
   run inward.xyz out.ply $options
   check "no note with $options" test "$status" -eq 0 -a ! -s stderr
@@ -170,6 +188,25 @@ for value in -1 nan; do check_failure 2 "--normal-weight" cube.xyz old.ply --nor
 check_failure 2 "--viewpoint" cube.xyz old.ply --viewpoint 1,2
 check_failure 2 "--viewpoint" cube.xyz old.ply --viewpoint 1,2,inf
 check_failure 2 "--orient-by-normals" cube.xyz old.ply --viewpoint 0,0,9 --orient-by-normals
+check_failure 2 "--up" cube.xyz old.ply --up 0,0,0
+check_failure 2 "--up" cube.xyz old.ply --up 0,1
+check_failure 2 "--viewpoint" cube.xyz old.ply --viewpoint 0,0,9 --up 0,0,1
+check_failure 2 "--viewpoints" cube.xyz old.ply --viewpoints views.txt
+check_failure 2 "--view-property" cube.xyz old.ply --view-property view
+check_failure 2 "--viewpoint" cube.xyz old.ply --viewpoints views.txt --view-property view --viewpoint 0,0,9
+check_failure 2 "--viewpoints" cube.xyz old.ply --viewpoints views.txt --view-property view --up 0,0,1
+check_failure 3 "the points have no property 'view'" cube.xyz old.ply --viewpoints views.txt --view-property view
+check_failure 3 "nowhere.txt" viewed.xyz old.ply --columns x,y,z,view --viewpoints nowhere.txt --view-property view
+for line in "0 0" "0 0 0 1" "0 0,5 0" "0 inf 0"; do
+  printf '# two viewpoints\n\n1 2 3\n%s\n' "$line" > misplaced.txt
+  check_failure 3 "misplaced.txt: line 4" viewed.xyz old.ply --columns x,y,z,view --viewpoints misplaced.txt \
+    --view-property view
+done
+for view in 2 -1 0.5 nan; do
+  awk -v view="$view" '{ print $0, (NR == 3 ? view : 1) }' cube.xyz > misviewed.xyz
+  check_failure 3 "the property 'view' of point 2 is $view, but --viewpoints has 2, counted from 0" \
+    misviewed.xyz old.ply --columns x,y,z,view --viewpoints views.txt --view-property view
+done
 for value in 0 91; do check_failure 2 "--sharpness-angle" cube.xyz old.ply --sharpness-angle "$value"; done
 for value in 0 -1 two; do check_failure 2 "--threads" cube.xyz old.ply --threads "$value"; done
 check_failure 2 "--seed" cube.xyz old.ply --seed -1

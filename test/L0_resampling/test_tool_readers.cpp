@@ -245,6 +245,17 @@ void test_pcd()
     pcd_header(" normal_x", "4 4 4 4", "F F F F", "1", "ascii") + "1 2 3 4\n";
   CHECK(read(".pcd", one_normal_coordinate, with_normals()).normals.empty());
   CHECK(read(".pcd", pcd_header("", "4 4 4", "F F F", "0", "binary")).points.empty());
+
+  const auto viewpoint_of = [](const std::string& words) {
+    std::string file = pcd_header("", "4 4 4", "F F F", "0", "ascii");
+    const std::string line = "VIEWPOINT 0 0 0 1 0 0 0";
+    return read(".pcd", file.replace(file.find(line), line.size(), words)).viewpoint;
+  };
+  CHECK(viewpoint_of("VIEWPOINT 1 -2.5 3e1 1 0 0 0") == (std::array<double, 3>{1, -2.5, 30}));
+  CHECK(viewpoint_of("VIEWPOINT 0 0 1") == (std::array<double, 3>{0, 0, 1})); // of version 0.6
+  for (const char* nowhere : {"VIEWPOINT 0 0 0 1 0 0 0", "VIEWPOINT", "VIEWPOINT 1 2", "#",
+                              "VIEWPOINT 1 2,5 3 1 0 0 0", "VIEWPOINT nan 0 1 1 0 0 0"})
+    CHECK(!viewpoint_of(nowhere));
 }
 
 void test_npy()

@@ -1,0 +1,73 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "viewpoints.h"
+
+#include "Failure.h"
+#include "Input_file.h"
+#include "parse_numbers.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <sstream>
+#include <string_view>
+
+namespace l0_tool {
+
+std::vector<Point> read_viewpoints(const std::string& path)
+{
+  Input_file file(path);
+  std::vector<Point> viewpoints;
+  while (const std::optional<std::string_view> line = file.read_line()) {
+    std::string_view rest = *line;
+    std::string_view word = next_word(rest);
+    if (word.empty() || word[0] == '#')
+      continue;
+    std::array<double, 3> place;
+    for (double& coordinate : place) {
+      coordinate = parse_number<double>(word).value_or(std::numeric_limits<double>::quiet_NaN());
+      if (!std::isfinite(coordinate))
+        file.refuse("three coordinates of a viewpoint expected, found " + printable(word));
+      word = next_word(rest);
+    }
+    if (!word.empty())
+      file.refuse("more than the three coordinates of a viewpoint");
+    viewpoints.emplace_back(place[0], place[1], place[2]);
+  }
+  return viewpoints;
+}
+
+std::vector<Point> viewpoints_of_points(const Point_cloud& cloud, const std::string& property,
+                                        const std::vector<Point>& viewpoints,
+                                        const std::string& name)
+{
+  const std::vector<Property>& properties = cloud.properties.properties();
+  const auto found = std::find_if(properties.begin(), properties.end(),
+                                  [&](const Property& p) { return p.name == property; });
+  if (found == properties.end())
+    throw Failure(INPUT_REFUSED, name
+                                   + ": --view-property is given, but the points have no property "
+                                   + printable(property));
+  std::vector<Point> result;
+  result.reserve(cloud.points.size());
+  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+    const double view = cloud.properties.value(i, *found);
+    // before the conversion, which is undefined for other numbers
+    if (!(view >= 0 && view < double(viewpoints.size())) || double(std::size_t(view)) != view) {
+      std::ostringstream message;
+      message << name << ": the property " << printable(property) << " of point " << i << " is "
+              << view << ", but --viewpoints has " << viewpoints.size() << ", counted from 0";
+      throw Failure(INPUT_REFUSED, message.str());
+    }
+    result.push_back(viewpoints[std::size_t(view)]);
+  }
+  return result;
+}
+
+} // namespace l0_tool
