@@ -8,6 +8,7 @@
 // that the default method takes.
 
 #include <CGAL/L0_resampling/internal/Border_of_ball.h>
+#include <CGAL/L0_resampling/internal/Orientation_hints.h>
 #include <CGAL/L0_resampling/internal/checked_parameters.h>
 #include <CGAL/L0_resampling/internal/orientation_agreement.h>
 #include <CGAL/L0_resampling/internal/scales_of_balls.h>
@@ -112,6 +113,7 @@ void print_constants()
   object.add("repulsion_maximum_step", repulsion.maximum_step);
   object.add("beyond_doubt", beyond_doubt);
   object.add("clear_majority", clear_majority);
+  object.add("least_certain_cosine", least_certain_cosine);
   object.add("maximum_number_of_candidates", Local_points<float>::maximum_number_of_candidates);
   std::cout << "\n  }\n";
 }
