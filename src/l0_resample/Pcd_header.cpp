@@ -207,11 +207,14 @@ Pcd_header read_pcd_header(Input_file& file)
   header.number_of_points = parse_number_of_points(file, lines);
   header.viewpoint = parse_viewpoint(file, lines);
   const std::string data = lines.word(file, "DATA");
-  if (data == "binary_compressed")
-    file.refuse("compressed PCD is not supported: save it as binary or ascii");
-  if (data != "ascii" && data != "binary")
+  if (data == "ascii")
+    header.encoding = Pcd_header::Encoding::ASCII;
+  else if (data == "binary")
+    header.encoding = Pcd_header::Encoding::BINARY;
+  else if (data == "binary_compressed")
+    header.encoding = Pcd_header::Encoding::COMPRESSED_BINARY;
+  else
     file.refuse(printable(data) + " is not a kind of DATA of PCD");
-  header.is_binary = data == "binary";
   return header;
 }
 

@@ -27,9 +27,16 @@ struct Pcd_field
 
 struct Pcd_header
 {
+  enum class Encoding
+  {
+    ASCII,
+    BINARY,
+    COMPRESSED_BINARY
+  };
+
   std::vector<Pcd_field> fields;
   std::uint64_t number_of_points = 0;
-  bool is_binary = false;
+  Encoding encoding = Encoding::ASCII;
   std::optional<std::array<double, 3>>
     viewpoint; ///< unless it is the origin, as where nobody knows, or no place
 

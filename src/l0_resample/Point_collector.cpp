@@ -21,7 +21,8 @@ void Point_collector::check_limits(std::uint64_t number_of_points) const
   const std::uint64_t point_size = sizeof(Point)
                                    + (m_has_normals && m_options.with_normals ? sizeof(Vector) : 0)
                                    + m_cloud.properties.row_size();
-  if (number_of_points > m_options.max_memory / point_size)
+  if (m_buffer_size > m_options.max_memory
+      || number_of_points > (m_options.max_memory - m_buffer_size) / point_size)
     throw Failure(RUN_TIME_FAILURE, m_file.path() + ": the points alone take more than the "
                                       + std::to_string(m_options.max_memory)
                                       + " bytes that --max-memory allows");
@@ -38,8 +39,18 @@ void Point_collector::announce(std::uint64_t count, std::uint64_t row_size)
 {
   m_file.check_count(count, row_size, "points");
   check_limits(count);
-  if (!m_file.bytes_left())
-    return; // a pipe: nothing backs the count
+  if (m_file.bytes_left()) // of a pipe nothing backs the count
+    reserve(count);
+}
+
+void Point_collector::announce_buffer(std::uint64_t count, std::uint64_t buffer_size)
+{
+  m_buffer_size = buffer_size;
+  check_limits(count);
+}
+
+void Point_collector::reserve(std::uint64_t count)
+{
   m_cloud.points.reserve(count);
   if (m_has_normals && m_options.with_normals)
     m_cloud.normals.reserve(count);

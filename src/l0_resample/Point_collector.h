@@ -30,6 +30,7 @@ class Point_collector
   std::uint64_t m_number_of_unit_vectors = 0;  // of those without a name
   std::uint64_t m_number_of_other_vectors = 0; // that are not 0
   std::uint64_t m_number_of_rows = 0;
+  std::uint64_t m_buffer_size = 0;
   std::vector<char> m_next_properties; // of the next row
   Point_cloud m_cloud;
 
@@ -71,6 +72,13 @@ public:
   /// Makes room for `count` points, each of at least `row_size` bytes in the file.
   /// \throws Failure if the file cannot hold them, or the limits forbid them
   void announce(std::uint64_t count, std::uint64_t row_size);
+
+  /// Says that the reader will hold all of `count` points in a buffer of so many bytes.
+  /// \throws Failure if the limits forbid that
+  void announce_buffer(std::uint64_t count, std::uint64_t buffer_size);
+
+  /// Makes room for `count` points, which the file is known to hold.
+  void reserve(std::uint64_t count);
 
   void add(const Point_row& row);
 

@@ -161,9 +161,9 @@ const char* description = "Turns a noisy point set into clean, evenly spread, or
                           "  l0_resample --convert-only INPUT OUTPUT";
 
 const char* footer =
-  R"(Files: PLY and PCD (ASCII and binary), OFF, XYZ and NPY are read; PLY and PCD (binary), OFF,
-XYZ and NPY are written with normals, as a whole or not at all. LAS is not read: convert it first. A
-name that begins with a dash goes behind --.
+  R"(Files: PLY and PCD (ASCII, binary and compressed), OFF, XYZ and NPY are read; PLY and PCD (binary),
+OFF, XYZ and NPY are written with normals, as a whole or not at all. LAS is not read: convert it
+first. A name that begins with a dash goes behind --.
 
 A file is not replaced without --force: if OUTPUT exists, also if it is INPUT, or a result of a
 batch, nothing is done. Reports (--json) and pictures (--snapshot) of an earlier run are replaced.

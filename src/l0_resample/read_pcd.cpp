@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "Pcd_header.h"
+#include "decompress_lzf.h"
 #include "parse_numbers.h"
 #include "readers.h"
 
@@ -64,6 +65,9 @@ bool is_single_precision(const Pcd_header& header, const Targets& targets)
   return true;
 }
 
+/// PCL gives the bytes between two fields this name.
+bool is_padding(const Pcd_field& field) { return field.name == "_"; }
+
 /// PCL packs a color into the bytes of one number.
 bool is_packed_color(const Pcd_field& field)
 {
@@ -74,7 +78,7 @@ void keep_fields(const Pcd_header& header, Targets& targets, Point_collector& co
 {
   for (std::size_t k = 0; k < targets.size(); ++k) {
     const Pcd_field& field = header.fields[k];
-    if (targets[k] != unused || field.name == "_") // the name of padding
+    if (targets[k] != unused || is_padding(field))
       continue;
     if (!field.type || field.count > max_number_of_properties - collector.number_of_properties()) {
       collector.warn(
@@ -113,23 +117,89 @@ void store(const Pcd_field& field, std::size_t i, const char* bytes, bool swap, 
       static_cast<unsigned char>(color >> (k == 3 ? 24 : 16 - 8 * k)));
 }
 
+/// A value that is not `unused`.
+void take_binary_value(const Pcd_field& field, std::size_t i, const char* bytes, std::size_t target,
+                       Point_row& row, Point_collector& collector)
+{
+  const bool swap = !is_little_endian_machine();
+  if (target < unused)
+    row[target] = decode(bytes, *field.type, swap);
+  else
+    store(field, i, bytes, swap, target - first_property, collector);
+}
+
 void read_binary_row(Input_file& file, const Pcd_header& header, const Targets& targets,
                      Point_row& row, Point_collector& collector)
 {
-  const bool swap = !is_little_endian_machine();
   for (std::size_t k = 0; k < targets.size(); ++k) {
     const Pcd_field& field = header.fields[k];
     if (targets[k] == unused) {
       file.skip_bytes(field.count * field.size);
       continue;
     }
-    for (std::size_t i = 0; i < std::size_t(field.count); ++i) {
-      const char* bytes = file.read_bytes(std::size_t(field.size));
-      if (targets[k] < unused)
-        row[targets[k]] = decode(bytes, *field.type, swap);
-      else
-        store(field, i, bytes, swap, targets[k] - first_property, collector);
+    for (std::size_t i = 0; i < std::size_t(field.count); ++i)
+      take_binary_value(field, i, file.read_bytes(std::size_t(field.size)), targets[k], row,
+                        collector);
+  }
+}
+
+std::uint64_t read_size(Input_file& file)
+{
+  char number[4];
+  copy_number(file.read_bytes(sizeof number), Number_type::UINT32, !is_little_endian_machine(),
+              number);
+  std::uint32_t size;
+  std::memcpy(&size, number, sizeof size);
+  return size;
+}
+
+/// Of compressed data: all values of the first field come first, then those of the next one.
+/// \returns the fields that are there: PCL leaves padding out
+std::vector<std::size_t> find_columns(const Input_file& file, const Pcd_header& header,
+                                      std::uint64_t size)
+{
+  const auto is_size = [&](std::uint64_t row_size) {
+    return header.number_of_points == 0
+             ? size == 0
+             : size % header.number_of_points == 0 && size / header.number_of_points == row_size;
+  };
+  std::vector<std::size_t> all, columns;
+  std::uint64_t row_size = 0;
+  for (std::size_t k = 0; k < header.fields.size(); ++k) {
+    all.push_back(k);
+    if (is_padding(header.fields[k]))
+      continue;
+    columns.push_back(k);
+    row_size += header.fields[k].count * header.fields[k].size;
+  }
+  if (!is_size(row_size) && !is_size(header.row_size()))
+    file.refuse(std::to_string(size) + " bytes before compression are announced for "
+                + std::to_string(header.number_of_points) + " points of " + std::to_string(row_size)
+                + " bytes");
+  return is_size(row_size) ? columns : all;
+}
+
+void read_compressed_rows(Input_file& file, const Pcd_header& header, const Targets& targets,
+                          Point_collector& collector)
+{
+  const std::uint64_t compressed_size = read_size(file), size = read_size(file);
+  const std::vector<std::size_t> columns = find_columns(file, header, size);
+  collector.announce_buffer(header.number_of_points, size);
+  const std::vector<char> bytes = decompress_lzf(file, compressed_size, size);
+  collector.reserve(header.number_of_points);
+
+  Point_row row = {};
+  for (std::uint64_t point = 0; point < header.number_of_points; ++point) {
+    const char* column = bytes.data();
+    for (const std::size_t k : columns) {
+      const Pcd_field& field = header.fields[k];
+      if (targets[k] != unused)
+        for (std::size_t i = 0; i < std::size_t(field.count); ++i)
+          take_binary_value(field, i, column + (point * field.count + i) * field.size, targets[k],
+                            row, collector);
+      column += header.number_of_points * field.count * field.size;
     }
+    collector.add(row);
   }
 }
 
@@ -169,6 +239,23 @@ void read_ascii_row(Input_file& file, const Pcd_header& header, const Targets& t
                 + " values");
 }
 
+void read_rows(Input_file& file, const Pcd_header& header, const Targets& targets,
+               Point_collector& collector)
+{
+  const bool is_binary = header.encoding == Pcd_header::Encoding::BINARY;
+  // In text a digit and a blank for each value, but for the end of the last line
+  collector.announce(header.number_of_points,
+                     is_binary ? header.row_size() : 2 * header.number_of_values() - 1);
+  Point_row row = {};
+  for (std::uint64_t i = 0; i < header.number_of_points; ++i) {
+    if (is_binary)
+      read_binary_row(file, header, targets, row, collector);
+    else
+      read_ascii_row(file, header, targets, row, collector);
+    collector.add(row);
+  }
+}
+
 } // namespace
 
 void read_pcd(Input_file& file, Point_collector& collector)
@@ -184,17 +271,10 @@ void read_pcd(Input_file& file, Point_collector& collector)
   if (collector.wants_properties())
     keep_fields(header, targets, collector);
 
-  // In text a digit and a blank for each value, but for the end of the last line
-  collector.announce(header.number_of_points,
-                     header.is_binary ? header.row_size() : 2 * header.number_of_values() - 1);
-  Point_row row = {};
-  for (std::uint64_t i = 0; i < header.number_of_points; ++i) {
-    if (header.is_binary)
-      read_binary_row(file, header, targets, row, collector);
-    else
-      read_ascii_row(file, header, targets, row, collector);
-    collector.add(row);
-  }
+  if (header.encoding == Pcd_header::Encoding::COMPRESSED_BINARY)
+    read_compressed_rows(file, header, targets, collector);
+  else
+    read_rows(file, header, targets, collector);
   if (file.bytes_left() > std::uint64_t(0))
     collector.warn(std::to_string(*file.bytes_left())
                    + " bytes after the last point are not looked at");

@@ -48,8 +48,9 @@ take more memory than the file's size justifies.
   are skipped. The first three columns are coordinates, and if there are exactly six, the others are
   normals, unless more than 5 % of them have another length than 1: then a warning says so. Columns
   with names are read as `Text_columns` does.
-- PCD, ASCII or binary, of version 0.5 to 0.7: the fields x, y, z and maybe normal_x, normal_y,
-  normal_z, of any type but integers of 64 bits, and the place of the viewpoint. Of the other fields
+- PCD, ASCII, binary or compressed, of version 0.5 to 0.7: the fields x, y, z and maybe normal_x,
+  normal_y, normal_z, of any type but integers of 64 bits, and the place of the viewpoint. Of the
+  other fields
   that can be kept, one of several values becomes as many properties, and the packed colors rgb and
   rgba become the properties red, green, blue and alpha.
 - NPY: an array of float32 or float64, of shape (n, 3), or (n, 6) for points with normals, in the

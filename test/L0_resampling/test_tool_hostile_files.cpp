@@ -83,6 +83,11 @@ void test_hostile_files()
     const std::size_t begin = file.find(keyword);
     return file.erase(begin, file.find('\n', begin) - begin + 1);
   };
+  const auto packed = [](const std::string& compressed, std::uint32_t size,
+                         const std::string& number_of_points = "1") {
+    return pcd_header("", "4 4 4", "F F F", number_of_points, "binary_compressed")
+           + pcd_block(size, compressed);
+  };
   const auto npy = [&](const std::string& header) { return npy_file(header, three_floats); };
   const std::vector<Hostile_file> files = {
     // numbers
@@ -234,7 +239,25 @@ void test_hostile_files()
     {".pcd", pcd("WIDTH 4294967296\nHEIGHT 4294967296\nPOINTS 0\nDATA ascii"),
      "WIDTH times HEIGHT"},
     {".pcd", pcd("POINTS one"), "'one' is not a number of points"},
-    {".pcd", pcd("DATA binary_compressed"), "compressed PCD is not supported"},
+    {".pcd", packed("", 8).substr(0, packed("", 8).size() - 1), "1 more bytes are expected"},
+    {".pcd", packed("abc", 12).substr(0, packed("abc", 12).size() - 1),
+     "3 compressed bytes are announced, but only 2 bytes are left"},
+    {".pcd", packed("abc", 11), "11 bytes before compression are announced for 1 points of 12"},
+    {".pcd", packed("", 12), "0 compressed bytes cannot hold the announced 12"},
+    // three bytes may stand for 264, and for no more
+    {".pcd", packed(three_floats, 1200000000, "100000000"),
+     "12 compressed bytes cannot hold the announced 1200000000"},
+    {".pcd", packed("\x0b" + three_floats.substr(0, 11), 12), "end within a block"},
+    {".pcd", packed(std::string("\0a\x20", 3), 12), "end within a block"},
+    {".pcd", packed(std::string("\0a\xe0", 3), 12), "end within a block"},
+    {".pcd", packed(std::string("\0a\x20\1", 4), 12), "leads to before their begin"},
+    {".pcd", packed(std::string("\0a\x3f\xff", 4), 12), "leads to before their begin"},
+    {".pcd", packed(std::string("\0a\xe0\x03\0", 5), 12), "hold more than the announced 12"},
+    {".pcd", packed("\x0b" + three_floats + std::string(2, '\0'), 12),
+     "hold more than the announced 12"},
+    {".pcd", packed(std::string("\0a\xe0\x01\0", 5), 12), "hold 11 bytes, announced are 12"},
+    {".pcd", packed("\x0b" + bytes_of(std::nanf(""), false) + three_floats.substr(0, 8), 12),
+     "not finite"},
     {".pcd", pcd("DATA base64"), "'base64' is not a kind of DATA"},
     {".pcd", pcd("WIDTH 1000000000\nHEIGHT 1\nPOINTS 1000000000\nDATA ascii"),
      "1000000000 points are announced"},
@@ -380,6 +403,8 @@ void test_truncated_files()
   for (const auto& [extension, bytes] :
        {std::pair<const char*, std::string>{".pcd", pcd_header("", "4 4 4", "F F F", "3", "binary")
                                                       + floats},
+        {".pcd", pcd_header("", "4 4 4", "F F F", "3", "binary_compressed")
+                   + pcd_block(36, "\x1f" + floats.substr(0, 32) + "\x03" + floats.substr(32))},
         {".npy", npy_file(npy_header("<f4", "(3, 3)"), floats)}})
   {
     CHECK(read(extension, bytes).points.size() == 3);
@@ -417,6 +442,8 @@ void test_changed_bytes()
                + "0.5 1 2 0 0 1\n3 -4e2 5 0 1 0\n"},
     {".pcd", pcd_header(" i", "4 4 4 2", "F F F I", "2", "binary") + three_floats + "ab"
                + three_floats + "cd"},
+    {".pcd", pcd_header(" i", "4 4 4 2", "F F F I", "2", "binary_compressed")
+               + pcd_block(28, "\x0b" + three_floats + std::string("\xe0\x01\x0b\x02xyz", 7))},
     {".npy", npy_file(npy_header("<f4", "(2, 3)"), three_floats + three_floats)}};
   const std::size_t number_of_reads = 2000 * files.size();
   std::mt19937 random(11);

@@ -258,6 +258,73 @@ void test_pcd()
     CHECK(!viewpoint_of(nowhere));
 }
 
+std::string from_hexadecimal(const std::string& digits)
+{
+  std::string bytes;
+  for (std::size_t i = 0; i < digits.size(); i += 2)
+    bytes += char(std::stoi(digits.substr(i, 2), nullptr, 16));
+  return bytes;
+}
+
+// The columns of 40 points, as LibLZF 3.6 compresses them: i % 5, i / 2 and 0 in single precision,
+// and a color whose channels are i % 3.
+const std::string compressed_columns = from_hexadecimal(
+  "010000400001803f2005004020022003008020034000e083130000209f408f00c0200740a7002020a340ab0060"
+  "200740af0090200700a0200300b0200300c0200300d0200300e0200300f0200304004100000820030010200300"
+  "182003002020030028200300302003003820030040200300482003005020030058200300602003006820030070"
+  "200300782003008020030084200300882003008c2003009020030094200300982003009c2003e0980008070101"
+  "01070202020720a9e0860b010007");
+
+void test_compressed_pcd()
+{
+  Read_options options;
+  options.with_properties = true;
+  const std::string header = pcd_header(" rgba", "4 4 4 4", "F F F U", "40", "binary_compressed");
+  const std::string file = header + pcd_block(640, compressed_columns);
+  const Point_cloud cloud = read(".pcd", file, options);
+  CHECK(cloud.warnings.empty());
+  CHECK(cloud.points.size() == 40 && cloud.properties.properties().size() == 4);
+  for (int i = 0; i < 40; ++i)
+  {
+    CHECK(cloud.points[std::size_t(i)] == Point(i % 5, i / 2., 0));
+    for (const Property& channel : cloud.properties.properties())
+      CHECK(cloud.properties.value(std::size_t(i), channel)
+            == (channel.name == "alpha" ? 7 : i % 3));
+  }
+  CHECK(read(".pcd", file + "more").warnings.size() == 1);
+
+  // A field of two values, and padding, which PCL names in the header but leaves out of the data
+  std::string padded = pcd_header(" _ i _", "1 1 1 1 2 1", "U U U U I U", "2", "binary_compressed");
+  padded.insert(padded.find("WIDTH"), "COUNT 1 1 1 9 2 1\n");
+  const std::string values = {1, 2, 3, 4, 5, 6, 7, 0, 8, 0, 9, 0, 10, 0};
+  const std::string padding(18, 'p');
+  for (const std::string& columns :
+       {values, values.substr(0, 6) + padding + values.substr(6) + "pp"})
+  {
+    std::string literals;
+    for (std::size_t i = 0; i < columns.size(); i += 32)
+      literals += char((std::min)(columns.size() - i, std::size_t(32)) - 1) + columns.substr(i, 32);
+    const Point_cloud points =
+      read(".pcd", padded + pcd_block(std::uint32_t(columns.size()), literals), options);
+    CHECK(points.points == (std::vector<Point>{Point(1, 3, 5), Point(2, 4, 6)}));
+    CHECK(points.warnings.empty());
+    std::vector<double> numbers;
+    for (std::size_t i = 0; i < 2; ++i)
+      for (const Property& property : points.properties.properties())
+        numbers.push_back(points.properties.value(i, property));
+    CHECK(numbers == (std::vector<double>{7, 8, 9, 10}));
+  }
+  CHECK(read(".pcd", pcd_header("", "4 4 4", "F F F", "0", "binary_compressed") + pcd_block(0, ""))
+          .points.empty());
+
+  // While points are read, the decompressed data take memory too
+  options = {};
+  options.max_memory = 40 * sizeof(Point) + 640;
+  CHECK(read(".pcd", file, options).points.size() == 40);
+  --options.max_memory;
+  CHECK(refusal(".pcd", file, options).status == RUN_TIME_FAILURE);
+}
+
 void test_npy()
 {
   for (const bool big : {false, true})
@@ -372,6 +439,7 @@ int main()
   test_xyz();
   test_vectors_of_xyz();
   test_pcd();
+  test_compressed_pcd();
   test_npy();
   test_precision_of_pcd();
   test_options();

@@ -130,6 +130,12 @@ inline std::string pcd_header(const std::string& more_fields, const std::string&
          + "\n";
 }
 
+/// The data of a PCD file of the kind `binary_compressed`.
+inline std::string pcd_block(std::uint32_t size, const std::string& compressed)
+{
+  return bytes_of(std::uint32_t(compressed.size()), false) + bytes_of(size, false) + compressed;
+}
+
 /// An NPY file of version 1 with the text as its header.
 inline std::string npy_file(const std::string& header, const std::string& body = "")
 {

@@ -19,7 +19,7 @@ flags=(-std=c++17 -O2 -g1 -D_GLIBCXX_SANITIZE_VECTOR -fsanitize=address,undefine
        -I "$tool" -I "$here/../../../include")
 objects=()
 parts=(Input_file Number_type Pcd_header Ply_header Point_collector Property_table Text_columns
-       file_formats signals)
+       decompress_lzf file_formats signals)
 parts=("${parts[@]/#/$tool/}")
 for source in "${parts[@]/%/.cpp}" "$tool"/read_*.cpp "$here/fuzz_readers.cpp"; do
   object=$scratch/objects/$(basename "$source" .cpp).o
