@@ -206,6 +206,7 @@ Pcd_header read_pcd_header(Input_file& file)
   header.fields = parse_fields(file, lines);
   header.number_of_points = parse_number_of_points(file, lines);
   header.viewpoint = parse_viewpoint(file, lines);
+  header.is_organized = lines.word(file, "HEIGHT") != "1";
   const std::string data = lines.word(file, "DATA");
   if (data == "ascii")
     header.encoding = Pcd_header::Encoding::ASCII;

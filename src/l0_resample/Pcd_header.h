@@ -36,6 +36,7 @@ struct Pcd_header
 
   std::vector<Pcd_field> fields;
   std::uint64_t number_of_points = 0;
+  bool is_organized = false; ///< an image, which has points without a measurement too
   Encoding encoding = Encoding::ASCII;
   std::optional<std::array<double, 3>>
     viewpoint; ///< unless it is the origin, as where nobody knows, or no place

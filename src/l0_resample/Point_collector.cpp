@@ -62,7 +62,10 @@ void Point_collector::add(const Point_row& row)
   ++m_number_of_rows;
   if (!std::isfinite(row[0]) || !std::isfinite(row[1]) || !std::isfinite(row[2])) {
     if (!m_options.drop_non_finite)
-      m_file.refuse("a coordinate is not finite; --drop-non-finite leaves such points out");
+      m_file.refuse(
+        std::string("a coordinate is not finite")
+        + (m_is_organized ? ", as an organized cloud has it where nothing was measured" : "")
+        + "; --drop-non-finite leaves such points out");
     ++m_cloud.number_of_dropped_points;
     return;
   }

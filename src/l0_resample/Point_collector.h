@@ -26,6 +26,7 @@ class Point_collector
   const Input_file& m_file;
   Read_options m_options;
   bool m_has_normals = false;
+  bool m_is_organized = false;
   bool m_are_normals_unnamed = false;
   std::uint64_t m_number_of_unit_vectors = 0;  // of those without a name
   std::uint64_t m_number_of_other_vectors = 0; // that are not 0
@@ -54,6 +55,8 @@ public:
   void set_single_precision() { m_cloud.coordinate_type = Number_type::FLOAT32; }
 
   void set_viewpoint(const std::array<double, 3>& viewpoint) { m_cloud.viewpoint = viewpoint; }
+  /// Says that the points are an image, for messages.
+  void set_organized() { m_is_organized = true; }
 
   bool wants_properties() const { return m_options.with_properties; }
 

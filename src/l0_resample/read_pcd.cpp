@@ -266,6 +266,8 @@ void read_pcd(Input_file& file, Point_collector& collector)
     collector.set_has_normals();
   if (header.viewpoint)
     collector.set_viewpoint(*header.viewpoint);
+  if (header.is_organized)
+    collector.set_organized();
   if (is_single_precision(header, targets))
     collector.set_single_precision();
   if (collector.wants_properties())

@@ -237,6 +237,11 @@ void test_pcd()
   options.drop_non_finite = true;
   CHECK(read(".PCD", text, options).points == std::vector<Point>{Point(1, 2, 3)});
   CHECK(read(".pcd", text, options).number_of_dropped_points == 1);
+  CHECK(refusal(".pcd", text)
+          .says("as an organized cloud has it where nothing was measured; "
+                "--drop-non-finite leaves such points out"));
+  CHECK(!refusal(".pcd", pcd_header("", "4 4 4", "F F F", "1", "ascii") + "1 nan 3\n")
+           .says("organized"));
   std::string windows;
   for (const char c : text)
     windows += c == '\n' ? std::string("\r\n") : std::string(1, c);
