@@ -231,6 +231,8 @@ std::vector<std::string> write_points(const std::string& path,
                                       const py::array& properties)
 {
   const l0_tool::File_format format = format_of(path, format_name);
+  if (!l0_tool::is_written(format))
+    raise(PyExc_ValueError, l0_tool::no_output_format(path));
   Point_cloud cloud;
   cloud.points = triples_of<Point>(points);
   if (normals)

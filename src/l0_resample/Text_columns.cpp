@@ -22,7 +22,6 @@ namespace {
 
 constexpr std::array<std::string_view, 6> coordinates = {"x", "y", "z", "nx", "ny", "nz"};
 constexpr std::size_t left_out = coordinates.size(), first_property = left_out + 1;
-constexpr std::size_t max_number_of_columns = 1000;
 
 bool is_left_out(const std::string& name) { return name == "-" || name == "_"; }
 
@@ -99,18 +98,17 @@ Text_columns::Text_columns(const Column_names& names, Point_collector& collector
     collector.set_has_normals();
 }
 
-void Text_columns::read(const Input_file& file, std::string_view line)
+void Text_columns::read(const Input_file& file, const std::vector<std::string_view>& words)
 {
+  constexpr double missing = std::numeric_limits<double>::quiet_NaN();
   Point_row row = {};
   for (std::size_t k = 0; k < m_targets.size(); ++k) {
-    const std::string_view word = next_word(line);
-    if (word.empty())
-      file.refuse("the row ends before column " + std::to_string(k + 1));
     if (m_targets[k] == left_out)
       continue;
-    const std::optional<double> number = parse_number<double>(word);
+    const std::optional<double> number = words[k].empty() ? missing
+                                                          : parse_number<double>(words[k]);
     if (!number)
-      file.refuse(printable(word) + " is not a number");
+      file.refuse(printable(words[k]) + " is not a number");
     if (m_targets[k] < left_out) {
       row[m_targets[k]] = *number;
       continue;

@@ -16,6 +16,8 @@
 
 namespace l0_tool {
 
+constexpr std::size_t max_number_of_columns = 1000;
+
 /*!
 The names of columns in a list such as "x,y,z,red,green,blue,-,intensity": as those of properties in
 PLY, and - or _ for a column that is left out.
@@ -40,9 +42,9 @@ public:
 
   std::size_t size() const { return m_targets.size(); }
 
-  /// Adds the row to the collector.
-  /// \throws Failure if there are fewer words, or one that is needed is not a number
-  void read(const Input_file& file, std::string_view line);
+  /// Adds a row of `size()` words to the collector. An empty one is a value that is missing: NaN.
+  /// \throws Failure if one that is needed is not a number
+  void read(const Input_file& file, const std::vector<std::string_view>& words);
 
   /// After the last row.
   void choose_types();

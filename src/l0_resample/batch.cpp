@@ -110,12 +110,14 @@ std::vector<Batch_item> plan_batch(const std::vector<std::string>& inputs,
       item.refusal = unknown_extension(item.input, option);
       continue;
     }
-    fs::path name = fs::path(item.input).filename();
-    if (output_format)
-      name.replace_extension(extension_of(*output_format));
-    item.output = (fs::path(directory) / name).string();
     item.input_format = input_format ? *input_format : *by_extension;
-    item.output_format = output_format ? *output_format : *by_extension;
+    item.output_format = output_format               ? *output_format
+                         : is_written(*by_extension) ? *by_extension
+                                                     : File_format::PLY;
+    fs::path name = fs::path(item.input).filename();
+    if (output_format || item.output_format != *by_extension)
+      name.replace_extension(extension_of(item.output_format));
+    item.output = (fs::path(directory) / name).string();
   }
   check_nothing_is_overwritten(items);
   return items;

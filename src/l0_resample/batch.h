@@ -32,7 +32,8 @@ if the output format is PLY.
 in the order of
        their names
 \param input_format of all inputs; by their extensions, if not given
-\param output_format of all results; that of the input and its extension, if not given
+\param output_format of all results; that of the input and its extension, if not given, and PLY for
+       an input of a format that is only read
 
 An input whose extension is not known, and a folder that cannot be read or has no file with a
 known extension, stay in the batch with a refusal: a glob of the shell brings them along.

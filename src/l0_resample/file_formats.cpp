@@ -11,6 +11,8 @@
 
 namespace l0_tool {
 
+bool is_written(File_format format) { return format != File_format::CSV; }
+
 std::optional<File_format> format_of(const std::string& path)
 {
   std::string extension = std::filesystem::path(path).extension().string();
@@ -26,6 +28,8 @@ std::optional<File_format> format_of(const std::string& path)
     return File_format::PCD;
   if (extension == ".npy")
     return File_format::NPY;
+  if (extension == ".csv")
+    return File_format::CSV;
   return std::nullopt;
 }
 
@@ -36,15 +40,21 @@ std::string extension_of(File_format format)
   case File_format::OFF: return ".off";
   case File_format::XYZ: return ".xyz";
   case File_format::PCD: return ".pcd";
-  case File_format::NPY: break;
+  case File_format::NPY: return ".npy";
+  case File_format::CSV: break;
   }
-  return ".npy";
+  return ".csv";
+}
+
+std::string no_output_format(const std::string& path)
+{
+  return path + ": CSV is read, but not written; .ply, .off, .xyz, .pcd and .npy are";
 }
 
 std::string unknown_extension(const std::string& path, const std::string& option)
 {
-  return path + ": the extension is not .ply, .off, .xyz, .xyzn, .pwn, .pcd or .npy; " + option
-         + " tells what the file is";
+  return path + ": the extension is not .ply, .off, .xyz, .xyzn, .pwn, .pcd, .npy or .csv; "
+         + option + " tells what the file is";
 }
 
 } // namespace l0_tool

@@ -17,14 +17,22 @@ enum class File_format
   OFF,
   XYZ,
   PCD,
-  NPY
+  NPY,
+  CSV
 };
 
-/// By the extension of `path`, in lower or upper case: .ply, .off, .xyz, .xyzn, .pwn, .pcd or .npy.
+/// Whether points can be written in that format too.
+bool is_written(File_format format);
+
+/// By the extension of `path`, in lower or upper case: .ply, .off, .xyz, .xyzn, .pwn, .pcd, .npy or
+/// .csv.
 std::optional<File_format> format_of(const std::string& path);
 
 /// The usual one, with its dot.
 std::string extension_of(File_format format);
+
+/// What to say of an output in a format that is only read.
+std::string no_output_format(const std::string& path);
 
 /// What to say of a file whose extension tells no format, while `option` would.
 std::string unknown_extension(const std::string& path, const std::string& option);

@@ -32,11 +32,18 @@ const std::map<std::string, Solver> solvers = {
   {"block-cg", Solver::BLOCK_CG}, {"cholesky", Solver::CHOLESKY}, {"rows-cg", Solver::ROWS_CG}};
 const std::map<std::string, Device> devices = {
   {"cpu", Device::CPU}, {"cuda", Device::CUDA}, {"auto", Device::AUTO}};
-const std::map<std::string, File_format> formats = {{"ply", File_format::PLY},
-                                                    {"off", File_format::OFF},
-                                                    {"xyz", File_format::XYZ},
-                                                    {"pcd", File_format::PCD},
-                                                    {"npy", File_format::NPY}};
+const std::map<std::string, File_format> formats = {
+  {"ply", File_format::PLY}, {"off", File_format::OFF}, {"xyz", File_format::XYZ},
+  {"pcd", File_format::PCD}, {"npy", File_format::NPY}, {"csv", File_format::CSV}};
+
+std::map<std::string, File_format> written_formats()
+{
+  std::map<std::string, File_format> written;
+  for (const auto& [name, format] : formats)
+    if (is_written(format))
+      written.emplace(name, format);
+  return written;
+}
 
 template <typename Value>
 std::string key_of(const std::map<std::string, Value>& names, Value value)
@@ -63,7 +70,7 @@ CLI::Option* add_choice(CLI::App& app, const std::string& option,
                         const std::map<std::string, Value>& names, Value& value,
                         const std::string& description)
 {
-  const auto choose = [&names, &value](const std::string& name) { value = names.at(name); };
+  const auto choose = [names, &value](const std::string& name) { value = names.at(name); };
   return app.add_option_function<std::string>(option, choose, description)
     ->check(CLI::IsMember(keys_of(names)))
     ->default_str(key_of(names, value));
@@ -161,9 +168,9 @@ const char* description = "Turns a noisy point set into clean, evenly spread, or
                           "  l0_resample --convert-only INPUT OUTPUT";
 
 const char* footer =
-  R"(Files: PLY and PCD (ASCII, binary and compressed), OFF, XYZ and NPY are read; PLY and PCD (binary),
-OFF, XYZ and NPY are written with normals, as a whole or not at all. LAS is not read: convert it
-first. A name that begins with a dash goes behind --.
+  R"(Files: PLY and PCD (ASCII, binary and compressed), OFF, XYZ, NPY and CSV are read; PLY and PCD
+(binary), OFF, XYZ and NPY are written with normals, as a whole or not at all. LAS is not read:
+convert it first. A name that begins with a dash goes behind --.
 
 A file is not replaced without --force: if OUTPUT exists, also if it is INPUT, or a result of a
 batch, nothing is done. Reports (--json) and pictures (--snapshot) of an earlier run are replaced.
@@ -174,7 +181,7 @@ also if it is redirected to a file.
 XYZ, a text, has coordinates in its first three columns and, if it has six, normals in the others.
 Where these are no unit vectors a warning says so, and they are left out. --columns tells what the
 columns are: x, y, z, nx, ny, nz, red, green, blue, alpha as in PLY, any other name for a property
-of the points, - or _ for a column to leave out.
+of the points, - or _ for a column to leave out. CSV, a table, names its columns in its first line.
 
 --convert-only keeps the points as they are: PLY and PCD (binary) get all that INPUT tells of each,
 OFF normals and colors, XYZ and NPY normals; warnings say what else INPUT had. It takes no option on
@@ -333,7 +340,7 @@ void add_options(CLI::App& app, Options& options, std::vector<std::string>& file
 
   add_choice(app, "--input-format", formats, options.input_format, "what INPUT is")
     ->default_str("by extension");
-  add_choice(app, "--output-format", formats, options.output_format, "what OUTPUT is")
+  add_choice(app, "--output-format", written_formats(), options.output_format, "what OUTPUT is")
     ->default_str("by extension");
   const auto set_names = [&](const std::string& all) { options.columns = parse_column_names(all); };
   app.add_option_function<std::string>("--columns", set_names, "what the columns of a text are")
@@ -352,12 +359,13 @@ void add_options(CLI::App& app, Options& options, std::vector<std::string>& file
   exclude_resampling(app, *convert_only);
 }
 
-// Only a text has columns without names.
+// Only a text has columns to name.
 void check_columns(const Options& options)
 {
-  const bool is_text = options.input_format == File_format::XYZ || !options.refusal.empty();
+  const bool is_text = options.input_format == File_format::XYZ
+                       || options.input_format == File_format::CSV || !options.refusal.empty();
   if (!options.columns.empty() && !is_text)
-    refuse_usage("--columns: " + options.input_name() + " is no text (XYZ)");
+    refuse_usage("--columns: " + options.input_name() + " is no text (XYZ or CSV)");
 }
 
 void check_no_file_is_replaced(const std::vector<Options>& runs)
@@ -380,6 +388,8 @@ void set_files(const CLI::App& app, const std::vector<std::string>& files, Optio
   options.output = files[1];
   choose_format(options.input, "--input-format", app, options.input_format);
   choose_format(options.output, "--output-format", app, options.output_format);
+  if (!is_written(options.output_format))
+    refuse_usage(no_output_format(options.output));
   if (!options.snapshot.empty() && std::filesystem::path(options.snapshot).extension() != ".png")
     refuse_usage(options.snapshot + ": the extension of a snapshot is .png");
   check_columns(options);

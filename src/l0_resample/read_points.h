@@ -31,7 +31,7 @@ struct Read_options
   bool with_normals = false; ///< keep the normals, if the file has any
   bool with_properties =
     false; ///< keep all that the file tells of each point, and warn of what cannot be kept
-  Column_names columns; ///< of XYZ, as from `parse_column_names()`; empty if unnamed
+  Column_names columns; ///< of XYZ and CSV, as from `parse_column_names()`; empty if unnamed
 };
 
 /*!
@@ -55,6 +55,11 @@ take more memory than the file's size justifies.
   rgba become the properties red, green, blue and alpha.
 - NPY: an array of float32 or float64, of shape (n, 3), or (n, 6) for points with normals, in the
 order of C.
+- CSV: a table with a header line, whose columns are separated by commas, semicolons, tabs or blanks.
+  The line names them, maybe in quotes or behind # or //: x, y, z and maybe nx, ny, nz or normal_x,
+  normal_y, normal_z, in upper or lower case, and r, g, b for a color. Other columns of numbers are
+  properties, as `Text_columns` has them. Names of `columns` go before those of the file, which then
+  needs none. An empty value is NaN.
 
 \throws Failure with INPUT_REFUSED and the line or byte where the file is not what it should be, or
 holds more than

@@ -13,16 +13,16 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace l0_tool {
 namespace {
 
-std::size_t count_words(std::string_view line)
+void split_words(std::string_view line, std::vector<std::string_view>& words)
 {
-  std::size_t n = 0;
-  while (!next_word(line).empty())
-    ++n;
-  return n;
+  words.clear();
+  for (std::string_view word = next_word(line); !word.empty(); word = next_word(line))
+    words.push_back(word);
 }
 
 bool is_empty_or_comment(std::string_view line)
@@ -62,15 +62,17 @@ void read_xyz(Input_file& file, Point_collector& collector, const Column_names& 
   std::optional<Text_columns> named;
   if (!names.empty())
     named.emplace(names, collector);
+  std::vector<std::string_view> words;
   std::size_t columns = 0; // as in the first row
   while (std::optional<std::string_view> line = file.read_line()) {
     if (is_empty_or_comment(*line))
       continue;
 
-    const std::size_t n = count_words(*line);
+    split_words(*line, words);
+    const std::size_t n = words.size();
     if (columns == 0) {
       if (n == 1 && !announced) {
-        announced = parse_number<std::uint64_t>(next_word(*line));
+        announced = parse_number<std::uint64_t>(words.front());
         if (announced) {
           // Digits, blanks, a line end
           collector.announce(*announced, 2 * (std::max)(names.size(), std::size_t(3)));
@@ -91,7 +93,7 @@ void read_xyz(Input_file& file, Point_collector& collector, const Column_names& 
                   + std::to_string(n));
 
     if (named)
-      named->read(file, *line);
+      named->read(file, words);
     else
       collector.add(parse_row(file, *line, columns == 6));
   }

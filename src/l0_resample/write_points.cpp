@@ -5,6 +5,7 @@
 
 #include "write_points.h"
 
+#include "Failure.h"
 #include "Output_columns.h"
 
 #include <algorithm>
@@ -229,7 +230,8 @@ std::string header_of(File_format format, std::size_t number_of_points, const La
   case File_format::OFF: return off_header(number_of_points, layout);
   case File_format::XYZ: return "";
   case File_format::PCD: return pcd_header(number_of_points, layout);
-  case File_format::NPY: break;
+  case File_format::NPY:
+  case File_format::CSV: break; // which is not written
   }
   return npy_header(number_of_points, layout);
 }
@@ -243,6 +245,8 @@ template <typename Rows>
 void write_rows(const std::string& path, File_format format, const Rows& rows, Layout layout,
                 Existing_file existing)
 {
+  if (!is_written(format))
+    throw Failure(OUTPUT_NOT_WRITTEN, no_output_format(path));
   if (format == File_format::PCD)
     layout.is_single = layout.is_single || is_single_precision_enough(rows);
   Output_file file(path, existing);

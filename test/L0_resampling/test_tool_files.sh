@@ -161,6 +161,22 @@ check_plain_failure 3 "line 1: 'p1' is not a number" odd.xyz none.ply --columns 
 run_plainly a1.xyz a2.xyz --output-directory named --columns x,y,z --output-format ply
 check "columns of a batch" test "$status" -eq 0 -a "$(ls named)" = "$(printf 'a1.ply\na2.ply')"
 
+# A table with a header, which is read and not written
+awk 'BEGIN { print "X;Y;Z;class" } { print $1 ";" $2 ";" $3 ";" NR % 3 }' a1.xyz > table.csv
+run_plainly table.csv table.ply --convert-only
+check "a table" test "$status" -eq 0 -a ! -s stderr \
+  -a "$(properties table.ply)" = "${coordinates}int class,"
+run_plainly table.csv table.xyz --convert-only --quiet
+awk '{ printf "%.6f %.6f %.6f\n", $1, $2, $3 }' table.xyz > positions.xyz
+check "the points of a table" cmp positions.xyz a1.xyz
+run_plainly table.csv another.ply --convert-only --columns z,y,x,-
+check "names for the columns of a table" test "$(properties another.ply)" = "$coordinates"
+check_plain_failure 2 "none.csv: CSV is read, but not written" a1.xyz none.csv
+check_plain_failure 2 "--output-format" a1.xyz none.ply --output-format csv
+run_plainly table.csv --output-directory tables --points 20
+check "the result of a table in a batch" test "$status" -eq 0 \
+  -a "$(number_of_points tables/table.ply)" -eq 20
+
 # A text without a point, as an empty file of another format
 : > empty.xyz; : > empty.ply; printf '# x y z\n\n' > comment.xyz; echo 0 > zero.xyz
 check_plain_failure 3 "empty.ply: line 1" empty.ply none.ply

@@ -110,6 +110,24 @@ void test_hostile_files()
     {".xyz", "5\n7\n1 2 3\n4 5 6\n7 8 9\n1 2 3\n4 5 6\n", "a point needs 3 numbers, found 1"},
     {".xyz", std::string(70000, '1'), "longer than 65536 bytes"},
     {".xyz", std::string(300000, ' '), "longer than 65536 bytes"},
+    // CSV
+    {".csv", "", "no line that names columns x, y and z"},
+    {".csv", "# nothing\n//\n\n", "no line that names columns x, y and z"},
+    {".csv", "1,2,3\n", "line 1: the line does not name columns x, y and z"},
+    {".csv", "# \"\nx,y\n1,2\n", "line 2: the line does not name columns x, y and z"},
+    {".csv", "x,y,z,\"a\n1,2,3,4\n", "line 1: the line does not name"},
+    {".csv", "x,y,z,X\n1,2,3,4\n", "two columns x"},
+    {".csv", "x,y,z,nx,ny,nz,Normal_Z\n1,2,3,4,5,6,7\n", "two columns nz"},
+    {".csv", "x,y,z\n1,2\n", "line 2: 3 columns have names, found 2"},
+    {".csv", "x,y,z\n1,2,3\n1,2,3,4\n", "line 3: 3 columns have names, found 4"},
+    {".csv", "x;y;z\n1,5;2;3\n", "line 2: '1,5' is not a number"},
+    {".csv", "x,y,z\n1,2,\"3\n\"\n", "line 2: a cell in quotes does not end in its line"},
+    {".csv", "x,y,z\n1,2,\"3\"\"\n", "line 2: a cell in quotes does not end in its line"},
+    {".csv", "x,y,z\n1,2,\"3\"4\n", "line 2: '4' stands behind a cell in quotes"},
+    {".csv", "x,y,z\n1,2,\n", "line 2: a coordinate is not finite"},
+    {".csv", "x,y,z\n1,2,nan\n", "line 2: a coordinate is not finite"},
+    {".csv", "x,y,z\n1,2," + std::string(70000, '3') + "\n", "longer than 65536 bytes"},
+    {".csv", "x,y,z\n" + std::string(1000, ',') + "\n", "line 2: more than 1000 columns"},
     // OFF
     {".off", "", "the word OFF"},
     {".off", "# nothing\n\n", "the word OFF"},
@@ -352,6 +370,10 @@ void test_hostile_files()
                 << "\"\n";
   }
 
+  CHECK(failure_of([&]() {
+          read(".csv", "x,y,z,a\n1,2,3,4\n1,2,3,n/a\n", everything);
+        }).says("line 3: 'n/a' is not a number"));
+
   std::string many_properties = "element vertex 1\n" + float_xyz;
   for (int i = 0; i < 1000; ++i)
     many_properties += "property float p" + std::to_string(i) + "\n";
@@ -430,6 +452,7 @@ void test_changed_bytes()
                                    + bytes_of(3.f, false);
   const std::vector<std::pair<std::string, std::string>> files = {
     {".xyz", "0.5 1 2 0 0 1\n3 -4e2 5 0 1 0\n6 7 8 1 0 0\n"},
+    {".csv", "x,y,z,nx,ny,nz,\"a\"\n0.5,1,2,0,0,1,9\n3,-4e2,5,0,1,0,\"8\"\n6,7,8,1,0,0,7\n"},
     {".off", "NOFF\n3 1 0\n0.5 1 2 0 0 1\n3 -4e2 5 0 1 0\n6 7 8 1 0 0\n3 0 1 2\n"},
     {".ply", ply_header("ascii", "element vertex 2\n" + float_xyz + "property list uchar int v\n")
                + "0.5 1 2 1 7\n3 -4e2 5 0\n"},

@@ -164,6 +164,64 @@ void test_xyz()
   CHECK(refusal(".xyz", "# x y z\n\n").status == INPUT_REFUSED);
 }
 
+void test_csv()
+{
+  Read_options everything = with_normals();
+  everything.with_properties = true;
+  const std::vector<Point> two = {Point(1, 2, 3), Point(-10, .5, 4)};
+  const auto names_of = [](const Point_cloud& cloud) {
+    std::string names;
+    for (const Property& property : cloud.properties.properties())
+      names += property.name + " ";
+    return names;
+  };
+  const auto value = [](const Point_cloud& cloud, std::size_t i, std::size_t property) {
+    return cloud.properties.value(i, cloud.properties.properties()[property]);
+  };
+
+  // Separators, quotes, blanks, an order of columns, lines that are empty or comments
+  for (const char* text :
+       {"x,y,z\n1,2,3\n-1e1,+.5,4\n", "# made by a program\n# X;Y;Z\n\n1; 2;3\n# half\n-10;0.5;4",
+        "//X\tY\tZ\r\n1\t2\t3\r\n-10\t.5\t4\r\n", "x  y z\n 1 2  3 \n-10 .5 4\n",
+        "\xef\xbb\xbf\"z\", \"x\" ,y\n\"3\",1,2\n4,\"-10\",0.5\n",
+        "Points:0,Points:1,Points:2\n1,2,3\n-10,.5,4\n"})
+  {
+    CHECK(read(".csv", text).points == two);
+    CHECK(read(".CSV", text, everything).warnings.empty());
+  }
+
+  // Normals, a color, a missing value, an empty name, a text and a name that is there twice
+  const std::string table = "X,Normal_X,Normal_Y,Normal_Z,Y,Z,R,G,B,Scalar \"\"f\"\",class,,n,n\n"
+                            "1,0,0,1,2,3,255,0,7,0.5,\"a, b\",8,4,5\n"
+                            "-10,0,1,0,.5,4,1,2,3,,c,8,6,7\n";
+  const Point_cloud cloud = read(".csv", table, everything);
+  CHECK(cloud.points == two);
+  CHECK(cloud.normals == (std::vector<Vector>{Vector(0, 0, 1), Vector(0, 1, 0)}));
+  CHECK(names_of(cloud) == "red green blue Scalar___f__ n ");
+  CHECK(cloud.properties.properties()[0].type == Number_type::UINT8 && value(cloud, 0, 0) == 255);
+  CHECK(value(cloud, 0, 3) == .5 && std::isnan(value(cloud, 1, 3)) && value(cloud, 1, 4) == 6);
+  CHECK(cloud.warnings.size() == 2);
+  CHECK(cloud.warnings[0].find("'n' is left out: another one has that name") != std::string::npos);
+  CHECK(cloud.warnings[1].find("'class' is left out: 'a, b' is not a") != std::string::npos);
+  CHECK(read(".csv", table).warnings.empty());
+  const Point_cloud no_color = read(".csv", "x,y,z,r,nx\n1,2,3,4,5\n", everything);
+  CHECK(names_of(no_color) == "r " && no_color.normals.empty() && no_color.warnings.size() == 1);
+  CHECK(read(".csv", "x,y,z\n").points.empty());
+
+  Read_options options;
+  options.drop_non_finite = true;
+  CHECK(read(".csv", "x,y,z\n1,2,3\n4,,6\n-10,.5,4\n", options).points == two);
+  CHECK(read(".csv", "x,y,z\n1,2,3\n4,,6\n-10,.5,4\n", options).number_of_dropped_points == 1);
+
+  // Names from the command line, with a header or without
+  options = {};
+  options.columns = {"z", "-", "y", "x"};
+  const std::string rows = "3;a;2;1\n4;b;.5;-10\n";
+  CHECK(read(".csv", rows, options).points == two);
+  CHECK(read(".csv", "# x;y;z;w\n" + rows, options).points == two);
+  CHECK(read(".csv", "height;id;north;east\n" + rows, options).points == two);
+}
+
 std::string repeated(int times, const std::string& line)
 {
   std::string text;
@@ -443,6 +501,7 @@ int main()
   test_off();
   test_xyz();
   test_vectors_of_xyz();
+  test_csv();
   test_pcd();
   test_compressed_pcd();
   test_npy();

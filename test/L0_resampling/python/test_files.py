@@ -68,6 +68,16 @@ def test_the_program_reads_the_same(tmp_path, cloud, format):
     assert numpy.array_equal(table.astype(numpy.float32), numpy.float32(numpy.hstack(cloud[:2])))
 
 
+def test_a_table_is_read_and_not_written(tmp_path, cube):
+    path = tmp_path / "cloud.csv"
+    with pytest.raises(ValueError, match="cloud.csv: CSV is read, but not written"):
+        cgal_l0.write_points(path, cube)
+    path.write_text("X;Y;Z;class\n1;2;3;4\n5;6;7;8\n")
+    found = cgal_l0.read_points(path)
+    assert found.points.tolist() == [[1, 2, 3], [5, 6, 7]]
+    assert found.properties["class"].tolist() == [4, 8]
+
+
 def test_number_types(tmp_path, cube):
     for number_type in (numpy.float32, numpy.float64):
         cgal_l0.write_points(tmp_path / "cloud.ply", cube.astype(number_type))
