@@ -62,8 +62,8 @@ def read_points(path, *, format=None, drop_non_finite=False, callback=None):
     cloud = cgal_l0.read_points("scan.ply")
     positions, normals = cgal_l0.l0_resample_point_set(cloud.points)
 
-    path: str or path. The extension tells the format: .ply, .pcd, .off, .xyz, .xyzn, .pwn, .npy
-        or .csv.
+    path: str or path. The extension tells the format: .ply, .pcd, .off, .xyz, .xyzn, .pwn, .npy,
+        .csv or .obj.
     format: str, one of these extensions without the dot, for a file with another one.
         Default: None, by the extension.
     drop_non_finite: bool. True: points with a coordinate that is not finite are left out and
@@ -115,9 +115,9 @@ def write_points(path, points, normals=None, properties=None, *, format=None):
 
     cgal_l0.write_points("clean.ply", positions, normals)
 
-    path: str or path, whose extension tells the format, as for read_points(); .csv is not
-        written. A file that exists is replaced once the new one is complete; until then, or after
-        an error, it stays.
+    path: str or path, whose extension tells the format, as for read_points(); .csv and .obj
+        are not written. A file that exists is replaced once the new one is complete; until then,
+        or after an error, it stays.
     points: array of shape (n, 3). Coordinates are written in single precision if points is
         float32, else in double precision. Binary PCD is in single precision if that moves no
         point by more than a millionth of the diagonal.

@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <utility>
+#include <vector>
 
 namespace l0_tool {
 
@@ -21,8 +22,10 @@ void Point_collector::check_limits(std::uint64_t number_of_points) const
   const std::uint64_t point_size = sizeof(Point)
                                    + (m_has_normals && m_options.with_normals ? sizeof(Vector) : 0)
                                    + m_cloud.properties.row_size();
-  if (m_buffer_size > m_options.max_memory
-      || number_of_points > (m_options.max_memory - m_buffer_size) / point_size)
+  const std::uint64_t others =
+    m_buffer_size + (m_are_normals_apart ? m_cloud.normals.size() : 0) * sizeof(Vector);
+  if (others > m_options.max_memory
+      || number_of_points > (m_options.max_memory - others) / point_size)
     throw Failure(RUN_TIME_FAILURE, m_file.path() + ": the points alone take more than the "
                                       + std::to_string(m_options.max_memory)
                                       + " bytes that --max-memory allows");
@@ -67,6 +70,8 @@ void Point_collector::add(const Point_row& row)
         + (m_is_organized ? ", as an organized cloud has it where nothing was measured" : "")
         + "; --drop-non-finite leaves such points out");
     ++m_cloud.number_of_dropped_points;
+    if (m_are_normals_apart)
+      m_dropped_rows.push_back(std::size_t(m_number_of_rows - 1));
     return;
   }
   check_limits(m_cloud.points.size() + 1);
@@ -76,6 +81,15 @@ void Point_collector::add(const Point_row& row)
   if (m_has_normals && m_options.with_normals)
     m_cloud.normals.emplace_back(row[3], row[4], row[5]);
   m_cloud.properties.append(m_next_properties);
+}
+
+void Point_collector::add_normal(const Vector& normal)
+{
+  ++m_number_of_normals_apart;
+  if (!m_options.with_normals)
+    return;
+  m_cloud.normals.push_back(normal);
+  check_limits(m_cloud.points.size());
 }
 
 void Point_collector::measure_vector(const Point_row& row)
@@ -101,8 +115,31 @@ void Point_collector::drop_other_vectors()
     warn("columns 4 to 6 are no unit vectors and not taken for normals; --columns can name them");
 }
 
+void Point_collector::match_normals()
+{
+  std::vector<Vector>& normals = m_cloud.normals;
+  m_cloud.file_has_normals = m_number_of_normals_apart > 0
+                             && m_number_of_normals_apart == m_number_of_rows;
+  if (m_cloud.file_has_normals) {
+    std::size_t end = 0, next_dropped = 0;
+    for (std::size_t i = 0; i < normals.size(); ++i)
+      if (next_dropped < m_dropped_rows.size() && m_dropped_rows[next_dropped] == i)
+        ++next_dropped;
+      else
+        normals[end++] = normals[i];
+    normals.resize(end);
+    return;
+  }
+  normals = {};
+  if (m_number_of_normals_apart > 0 && (m_options.with_normals || m_options.with_properties))
+    warn("the " + std::to_string(m_number_of_normals_apart) + " normals are left out, as there are "
+         + std::to_string(m_number_of_rows) + " points");
+}
+
 Point_cloud Point_collector::take()
 {
+  if (m_are_normals_apart)
+    match_normals();
   if (m_are_normals_unnamed)
     drop_other_vectors();
   return std::move(m_cloud);

@@ -32,12 +32,16 @@ class Point_collector
   std::uint64_t m_number_of_other_vectors = 0; // that are not 0
   std::uint64_t m_number_of_rows = 0;
   std::uint64_t m_buffer_size = 0;
-  std::vector<char> m_next_properties; // of the next row
+  bool m_are_normals_apart = false;
+  std::uint64_t m_number_of_normals_apart = 0;
+  std::vector<std::size_t> m_dropped_rows; // if normals are apart
+  std::vector<char> m_next_properties;     // of the next row
   Point_cloud m_cloud;
 
   void check_limits(std::uint64_t number_of_points) const;
   void measure_vector(const Point_row& row);
   void drop_other_vectors();
+  void match_normals();
 
 public:
   Point_collector(const Input_file& file, const Read_options& options)
@@ -50,6 +54,10 @@ public:
   /// Says that from the first row on there are three more numbers without names. They are normals
   /// if at least 95 % of these vectors, not counting those that are 0, have length 1 within 1 %.
   void set_may_have_normals() { m_has_normals = m_are_normals_unnamed = true; }
+
+  /// Says that normals do not come with points, but by `add_normal()`. They are kept if in the end
+  /// there are as many as rows.
+  void set_normals_apart() { m_are_normals_apart = true; }
 
   /// Says that `float` holds all coordinates and normals.
   void set_single_precision() { m_cloud.coordinate_type = Number_type::FLOAT32; }
@@ -84,6 +92,8 @@ public:
   void reserve(std::uint64_t count);
 
   void add(const Point_row& row);
+
+  void add_normal(const Vector& normal);
 
   void warn(const std::string& what) { m_cloud.warnings.push_back(m_file.path() + ": " + what); }
 

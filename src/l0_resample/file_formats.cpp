@@ -11,7 +11,10 @@
 
 namespace l0_tool {
 
-bool is_written(File_format format) { return format != File_format::CSV; }
+bool is_written(File_format format)
+{
+  return format != File_format::CSV && format != File_format::OBJ;
+}
 
 std::optional<File_format> format_of(const std::string& path)
 {
@@ -30,6 +33,8 @@ std::optional<File_format> format_of(const std::string& path)
     return File_format::NPY;
   if (extension == ".csv")
     return File_format::CSV;
+  if (extension == ".obj")
+    return File_format::OBJ;
   return std::nullopt;
 }
 
@@ -41,19 +46,20 @@ std::string extension_of(File_format format)
   case File_format::XYZ: return ".xyz";
   case File_format::PCD: return ".pcd";
   case File_format::NPY: return ".npy";
-  case File_format::CSV: break;
+  case File_format::CSV: return ".csv";
+  case File_format::OBJ: break;
   }
-  return ".csv";
+  return ".obj";
 }
 
 std::string no_output_format(const std::string& path)
 {
-  return path + ": CSV is read, but not written; .ply, .off, .xyz, .pcd and .npy are";
+  return path + ": CSV and OBJ are read, but not written; .ply, .off, .xyz, .pcd and .npy are";
 }
 
 std::string unknown_extension(const std::string& path, const std::string& option)
 {
-  return path + ": the extension is not .ply, .off, .xyz, .xyzn, .pwn, .pcd, .npy or .csv; "
+  return path + ": the extension is not .ply, .off, .xyz, .xyzn, .pwn, .pcd, .npy, .csv or .obj; "
          + option + " tells what the file is";
 }
 

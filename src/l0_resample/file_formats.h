@@ -18,14 +18,15 @@ enum class File_format
   XYZ,
   PCD,
   NPY,
-  CSV
+  CSV,
+  OBJ
 };
 
 /// Whether points can be written in that format too.
 bool is_written(File_format format);
 
-/// By the extension of `path`, in lower or upper case: .ply, .off, .xyz, .xyzn, .pwn, .pcd, .npy or
-/// .csv.
+/// By the extension of `path`, in lower or upper case: .ply, .off, .xyz, .xyzn, .pwn, .pcd, .npy,
+/// .csv or .obj.
 std::optional<File_format> format_of(const std::string& path);
 
 /// The usual one, with its dot.

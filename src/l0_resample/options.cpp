@@ -34,7 +34,8 @@ const std::map<std::string, Device> devices = {
   {"cpu", Device::CPU}, {"cuda", Device::CUDA}, {"auto", Device::AUTO}};
 const std::map<std::string, File_format> formats = {
   {"ply", File_format::PLY}, {"off", File_format::OFF}, {"xyz", File_format::XYZ},
-  {"pcd", File_format::PCD}, {"npy", File_format::NPY}, {"csv", File_format::CSV}};
+  {"pcd", File_format::PCD}, {"npy", File_format::NPY}, {"csv", File_format::CSV},
+  {"obj", File_format::OBJ}};
 
 std::map<std::string, File_format> written_formats()
 {
@@ -168,8 +169,8 @@ const char* description = "Turns a noisy point set into clean, evenly spread, or
                           "  l0_resample --convert-only INPUT OUTPUT";
 
 const char* footer =
-  R"(Files: PLY and PCD (ASCII, binary and compressed), OFF, XYZ, NPY and CSV are read; PLY and PCD
-(binary), OFF, XYZ and NPY are written with normals, as a whole or not at all. LAS is not read:
+  R"(Files: PLY and PCD (ASCII, binary and compressed), OFF, XYZ, NPY, CSV and OBJ are read; PLY and
+PCD (binary), OFF, XYZ and NPY are written with normals, as a whole or not at all. LAS is not read:
 convert it first. A name that begins with a dash goes behind --.
 
 A file is not replaced without --force: if OUTPUT exists, also if it is INPUT, or a result of a

@@ -60,6 +60,9 @@ order of C.
   normal_y, normal_z, in upper or lower case, and r, g, b for a color. Other columns of numbers are
   properties, as `Text_columns` has them. Names of `columns` go before those of the file, which then
   needs none. An empty value is NaN.
+- OBJ: the vertices (v) and, if there are as many of them, the vertex normals (vn), of which the i-th
+  is taken for that of the i-th vertex. Three numbers behind x, y, z (and maybe w) are a color. What
+  else the file has is skipped.
 
 \throws Failure with INPUT_REFUSED and the line or byte where the file is not what it should be, or
 holds more than

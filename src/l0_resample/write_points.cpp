@@ -231,7 +231,8 @@ std::string header_of(File_format format, std::size_t number_of_points, const La
   case File_format::XYZ: return "";
   case File_format::PCD: return pcd_header(number_of_points, layout);
   case File_format::NPY:
-  case File_format::CSV: break; // which is not written
+  case File_format::CSV:
+  case File_format::OBJ: break; // which are not written
   }
   return npy_header(number_of_points, layout);
 }

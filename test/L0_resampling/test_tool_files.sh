@@ -171,11 +171,15 @@ awk '{ printf "%.6f %.6f %.6f\n", $1, $2, $3 }' table.xyz > positions.xyz
 check "the points of a table" cmp positions.xyz a1.xyz
 run_plainly table.csv another.ply --convert-only --columns z,y,x,-
 check "names for the columns of a table" test "$(properties another.ply)" = "$coordinates"
-check_plain_failure 2 "none.csv: CSV is read, but not written" a1.xyz none.csv
+check_plain_failure 2 "none.csv: CSV and OBJ are read, but not written" a1.xyz none.csv
 check_plain_failure 2 "--output-format" a1.xyz none.ply --output-format csv
 run_plainly table.csv --output-directory tables --points 20
 check "the result of a table in a batch" test "$status" -eq 0 \
   -a "$(number_of_points tables/table.ply)" -eq 20
+
+awk '{ print "v", $0; print "vn 0 0 1" }' a1.xyz > points.obj
+run_plainly points.obj - --convert-only --output-format xyz
+check "the points and normals of OBJ" test "$status" -eq 0 -a "$(grep -c ' 0 0 1$' stdout)" -eq 3000
 
 # A text without a point, as an empty file of another format
 : > empty.xyz; : > empty.ply; printf '# x y z\n\n' > comment.xyz; echo 0 > zero.xyz

@@ -128,6 +128,15 @@ void test_hostile_files()
     {".csv", "x,y,z\n1,2,nan\n", "line 2: a coordinate is not finite"},
     {".csv", "x,y,z\n1,2," + std::string(70000, '3') + "\n", "longer than 65536 bytes"},
     {".csv", "x,y,z\n" + std::string(1000, ',') + "\n", "line 2: more than 1000 columns"},
+    // OBJ
+    {".obj", "", "line 1: the file has no vertex"},
+    {".obj", "f 1 2 3\nvn 0 0 1\n", "the file has no vertex"},
+    {".obj", "v 1 2\n", "line 1: 3 numbers expected, found 2"},
+    {".obj", "v 1 2 3\nvn 0 0\n", "line 2: 3 numbers expected, found 2"},
+    {".obj", "v 1 2 0,5\n", "'0,5' is not a number"},
+    {".obj", "v 1 2 \\\n3\n", "'\\' is not a number"},
+    {".obj", "v 1 2 3\nv 1 nan 3\n", "line 2: a coordinate is not finite"},
+    {".obj", "v 1 2 3\n" + std::string(70000, 'f'), "longer than 65536 bytes"},
     // OFF
     {".off", "", "the word OFF"},
     {".off", "# nothing\n\n", "the word OFF"},
@@ -373,6 +382,12 @@ void test_hostile_files()
   CHECK(failure_of([&]() {
           read(".csv", "x,y,z,a\n1,2,3,4\n1,2,3,n/a\n", everything);
         }).says("line 3: 'n/a' is not a number"));
+  CHECK(failure_of([&]() {
+          read(".obj", "v 1 2 3 1 0 1\nv 1 2 3\n", everything);
+        }).says("line 2: a vertex with a color expected as the first one is, found 3 numbers"));
+  CHECK(failure_of([&]() {
+          read(".obj", "v 1 2 3 1 0 red\n", everything);
+        }).says("'red' is not a number"));
 
   std::string many_properties = "element vertex 1\n" + float_xyz;
   for (int i = 0; i < 1000; ++i)
@@ -453,6 +468,7 @@ void test_changed_bytes()
   const std::vector<std::pair<std::string, std::string>> files = {
     {".xyz", "0.5 1 2 0 0 1\n3 -4e2 5 0 1 0\n6 7 8 1 0 0\n"},
     {".csv", "x,y,z,nx,ny,nz,\"a\"\n0.5,1,2,0,0,1,9\n3,-4e2,5,0,1,0,\"8\"\n6,7,8,1,0,0,7\n"},
+    {".obj", "v 0.5 1 2\nvn 0 0 1\nv 3 -4e2 5\nvn 0 1 0\nv 6 7 8\nvn 1 0 0\n"},
     {".off", "NOFF\n3 1 0\n0.5 1 2 0 0 1\n3 -4e2 5 0 1 0\n6 7 8 1 0 0\n3 0 1 2\n"},
     {".ply", ply_header("ascii", "element vertex 2\n" + float_xyz + "property list uchar int v\n")
                + "0.5 1 2 1 7\n3 -4e2 5 0\n"},

@@ -222,6 +222,53 @@ void test_csv()
   CHECK(read(".csv", "height;id;north;east\n" + rows, options).points == two);
 }
 
+void test_obj()
+{
+  Read_options everything = with_normals();
+  everything.with_properties = true;
+  const std::vector<Point> two = {Point(1, 2, 3), Point(-10, .5, 4)};
+  const std::vector<Vector> normals = {Vector(0, 0, 1), Vector(0, 2, 0)};
+  const Point_cloud cloud =
+    read(".obj",
+         "# a mesh\r\nmtllib a.mtl\no part\nv 1 2 3\nvt 0 0\n\nv  -1e1\t+.5 4 1\n"
+         "vn 0 0 1\nvn 0 2 0\nvp 1 2\nf 1//1 2//2 1//1\n",
+         everything);
+  CHECK(cloud.points == two && cloud.normals == normals && cloud.file_has_normals);
+  CHECK(cloud.warnings.empty() && cloud.properties.properties().empty());
+  CHECK(read(".obj", "vn 0 0 1\nv 1 2 3\nvn 0 2 0\nv -10 .5 4").normals.empty());
+  CHECK(read(".obj", "vn 0 0 1\nv 1 2 3\nvn 0 2 0\nv -10 .5 4", with_normals()).normals == normals);
+
+  const Point_cloud fewer = read(".obj", "v 1 2 3\nv -10 .5 4\nvn 0 0 1\n", everything);
+  CHECK(fewer.points == two && fewer.normals.empty() && !fewer.file_has_normals);
+  CHECK(fewer.warnings.size() == 1
+        && fewer.warnings[0].find("the 1 normals are left out, as there are 2 points")
+             != std::string::npos);
+  CHECK(read(".obj", "v 1 2 3\nv -10 .5 4\nvn 0 0 1\n").warnings.empty());
+
+  // Normals stay with their points where others are dropped
+  everything.drop_non_finite = true;
+  const Point_cloud dropped = read(".obj",
+                                   "v nan 0 0\nv 1 2 3\nv 0 inf 0\nv -10 .5 4\nvn 1 0 0\n"
+                                   "vn 0 0 1\nvn 3 0 0\nvn 0 2 0\n",
+                                   everything);
+  CHECK(dropped.points == two && dropped.normals == normals);
+  CHECK(dropped.number_of_dropped_points == 2);
+
+  const Point_cloud colored = read(".obj", "v 1 2 3 .5 0 1\nv -10 .5 4 1 0 .25 1\n", everything);
+  CHECK(colored.points == two && colored.properties.properties().size() == 3);
+  const auto channel = [&](std::size_t i, std::size_t k) {
+    return colored.properties.value(i, colored.properties.properties()[k]);
+  };
+  CHECK(colored.properties.properties()[0].name == "red");
+  CHECK(channel(0, 0) == .5 && channel(0, 2) == 1 && channel(1, 0) == 0 && channel(1, 1) == .25);
+
+  Read_options options = with_normals();
+  options.max_memory = 3 * sizeof(Point);
+  CHECK(read(".obj", "v 1 2 3\nvn 0 0 1\nvn 0 2 0\n", options).points.size() == 1);
+  CHECK(refusal(".obj", "v 1 2 3\nvn 0 0 1\nvn 0 2 0\nvn 1 0 0\n", options).status
+        == RUN_TIME_FAILURE);
+}
+
 std::string repeated(int times, const std::string& line)
 {
   std::string text;
@@ -502,6 +549,7 @@ int main()
   test_xyz();
   test_vectors_of_xyz();
   test_csv();
+  test_obj();
   test_pcd();
   test_compressed_pcd();
   test_npy();

@@ -70,7 +70,7 @@ def test_the_program_reads_the_same(tmp_path, cloud, format):
 
 def test_a_table_is_read_and_not_written(tmp_path, cube):
     path = tmp_path / "cloud.csv"
-    with pytest.raises(ValueError, match="cloud.csv: CSV is read, but not written"):
+    with pytest.raises(ValueError, match="cloud.csv: CSV and OBJ are read, but not written"):
         cgal_l0.write_points(path, cube)
     path.write_text("X;Y;Z;class\n1;2;3;4\n5;6;7;8\n")
     found = cgal_l0.read_points(path)
