@@ -53,8 +53,8 @@ take more memory than the file's size justifies.
   other fields
   that can be kept, one of several values becomes as many properties, and the packed colors rgb and
   rgba become the properties red, green, blue and alpha.
-- NPY: an array of float32 or float64, of shape (n, 3), or (n, 6) for points with normals, in the
-order of C.
+- NPY: an array of float32, float64 or integers, of shape (n, 3), or (n, 6) for points with normals,
+  in the order of C or Fortran. Integers of 64 bits are rounded to double precision.
 - CSV: a table with a header line, whose columns are separated by commas, semicolons, tabs or blanks.
   The line names them, maybe in quotes or behind # or //: x, y, z and maybe nx, ny, nz or normal_x,
   normal_y, normal_z, in upper or lower case, and r, g, b for a color. Other columns of numbers are

@@ -342,7 +342,11 @@ void test_hostile_files()
      "numbers that fit"},
     {".npy", npy(npy_header("<f4", "(1, 3)") + "import os"),
      "goes on after its end with 'import os'"},
-    {".npy", npy(npy_header("<i4", "(1, 3)")), "of type '<i4', expected float32 or float64"},
+    {".npy", npy(npy_header("<b1", "(1, 3)")), "of type '<b1', expected float32, float64 or int"},
+    {".npy", npy(npy_header("|i4", "(1, 3)")), "of type '|i4'"},
+    {".npy", npy(npy_header("i4", "(1, 3)")), "of type 'i4'"},
+    {".npy", npy(npy_header("<i16", "(1, 3)")), "of type '<i16'"},
+    {".npy", npy(npy_header("", "(1, 3)")), "of type ''"},
     {".npy", npy(npy_header("|O", "(1, 3)")), "of type '|O'"},
     {".npy", npy(npy_header("<f2", "(1, 3)")), "of type '<f2'"},
     {".npy", npy(npy_header("<f4", "(3,)")), "not of shape"},
@@ -350,8 +354,10 @@ void test_hostile_files()
     {".npy", npy(npy_header("<f4", "(1, 4)")), "not of shape"},
     {".npy", npy(npy_header("<f4", "(3, 1)")), "not of shape"},
     {".npy", npy(npy_header("<f4", "(1, 3, 1)")), "not of shape"},
-    {".npy", npy("{'descr': '<f4', 'fortran_order': True, 'shape': (1, 3)}"),
-     "stored column by column"},
+    {".npy", npy("{'descr': '<f4', 'fortran_order': True, 'shape': (2, 3)}"),
+     "2 points are announced, but only 12 bytes are left"},
+    {".npy", npy("{'descr': '<f4', 'fortran_order': True, 'shape': (1537228672809129302, 3)}"),
+     "are announced"},
     {".npy", npy(npy_header("<f4", "(2, 3)")),
      "2 points are announced, but only 12 bytes are left"},
     {".npy", npy(npy_header("<f4", "(18446744073709551615, 3)")), "are announced"},
@@ -449,6 +455,12 @@ void test_truncated_files()
       CHECK(refusal(extension, bytes.substr(0, length)).status == INPUT_REFUSED);
   }
 
+  const std::string columns = npy_file("{'descr': '<f4', 'fortran_order': True, 'shape': (3, 3)}",
+                                       floats);
+  CHECK(read(".npy", columns).points.size() == 3);
+  for (std::size_t length = 0; length < columns.size(); ++length)
+    CHECK(refusal(".npy", columns.substr(0, length)).status == INPUT_REFUSED);
+
   const std::string rows = "0 1 2\n3 4 5\n6 7 8\n";
   for (const auto& [extension, text] :
        {std::pair<const char*, std::string>{".off", "OFF\n3 0 0\n" + rows},
@@ -483,6 +495,8 @@ void test_changed_bytes()
                + three_floats + "cd"},
     {".pcd", pcd_header(" i", "4 4 4 2", "F F F I", "2", "binary_compressed")
                + pcd_block(28, "\x0b" + three_floats + std::string("\xe0\x01\x0b\x02xyz", 7))},
+    {".npy", npy_file("{'descr': '<u8', 'fortran_order': True, 'shape': (1, 3)}",
+                      three_floats + three_floats)},
     {".npy", npy_file(npy_header("<f4", "(2, 3)"), three_floats + three_floats)}};
   const std::size_t number_of_reads = 2000 * files.size();
   std::mt19937 random(11);

@@ -466,6 +466,55 @@ void test_npy()
   CHECK(read(".npy", version_2).points.empty());
 }
 
+template <typename T>
+void test_npy_integers(const std::string& type)
+{
+  for (const std::string& order :
+       sizeof(T) == 1 ? std::vector<std::string>{"|", "<"} : std::vector<std::string>{"<", ">"})
+  {
+    const T lowest = (std::numeric_limits<T>::min)(), highest = (std::numeric_limits<T>::max)();
+    std::string body;
+    for (const T number : {T(1), lowest, highest})
+      body += bytes_of(number, order == ">");
+    const Point_cloud cloud = read(".npy", npy_file(npy_header(order + type, "(1, 3)"), body));
+    CHECK(cloud.points == std::vector<Point>{Point(1, double(lowest), double(highest))});
+    CHECK((cloud.coordinate_type == Number_type::FLOAT32) == (sizeof(T) <= 2));
+  }
+}
+
+// Column by column, as numpy.save() writes the transpose of an array
+void test_npy_in_the_order_of_fortran()
+{
+  const auto header = [](const std::string& shape) {
+    return "{'descr': '<f8', 'fortran_order': True, 'shape': " + shape + ", }\n";
+  };
+  std::string doubles;
+  for (int k = 0; k < 12; ++k)
+    doubles += bytes_of(double(k), false);
+  const std::string points = npy_file(header("(4, 3)"), doubles);
+  CHECK(read(".npy", points).points
+        == (std::vector<Point>{Point(0, 4, 8), Point(1, 5, 9), Point(2, 6, 10), Point(3, 7, 11)}));
+  const Point_cloud cloud = read(".npy", npy_file(header("(2, 6)"), doubles), with_normals());
+  CHECK(cloud.points == (std::vector<Point>{Point(0, 2, 4), Point(1, 3, 5)}));
+  CHECK(cloud.normals == (std::vector<Vector>{Vector(6, 8, 10), Vector(7, 9, 11)}));
+  CHECK(read(".npy", npy_file(header("(0, 3)"))).points.empty());
+  CHECK(read(".npy", points + "more").warnings.size() == 1);
+
+  const std::size_t n = 20000; // more than a block of the file
+  std::string many;
+  for (std::size_t k = 0; k < 3 * n; ++k)
+    many += bytes_of(double(k), false);
+  const Point_cloud large = read(".npy", npy_file(header("(20000, 3)"), many));
+  CHECK(large.points.size() == n && large.points.back() == Point(n - 1, 2 * n - 1, 3 * n - 1));
+
+  // The columns take memory too
+  Read_options options;
+  options.max_memory = 4 * sizeof(Point) + 96;
+  CHECK(read(".npy", points, options).points.size() == 4);
+  --options.max_memory;
+  CHECK(refusal(".npy", points, options).status == RUN_TIME_FAILURE);
+}
+
 // PCD holds single precision where that is enough.
 void test_precision_of_pcd()
 {
@@ -553,6 +602,15 @@ int main()
   test_pcd();
   test_compressed_pcd();
   test_npy();
+  test_npy_integers<std::int8_t>("i1");
+  test_npy_integers<std::uint8_t>("u1");
+  test_npy_integers<std::int16_t>("i2");
+  test_npy_integers<std::uint16_t>("u2");
+  test_npy_integers<std::int32_t>("i4");
+  test_npy_integers<std::uint32_t>("u4");
+  test_npy_integers<std::int64_t>("i8");
+  test_npy_integers<std::uint64_t>("u8");
+  test_npy_in_the_order_of_fortran();
   test_precision_of_pcd();
   test_options();
   return test::result();
