@@ -3,7 +3,7 @@
 set -euo pipefail
 
 packages=(g++ cmake make git python3 libcgal-dev libeigen3-dev libtbb-dev libboost-dev libgmp-dev libmpfr-dev
-          libcli11-dev nlohmann-json3-dev libpng-dev libceres-dev)
+          libcli11-dev nlohmann-json3-dev libpng-dev zlib1g-dev libceres-dev)
 packages+=(pybind11-dev python3-dev python3-numpy python3-pytest mypy)   # for the Python package
 packages+=(python3-pip python3-setuptools python3-wheel)            # for its wheel
 packages+=(dpkg-dev file)                                           # for the Debian package

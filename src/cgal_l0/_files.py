@@ -63,7 +63,7 @@ def read_points(path, *, format=None, drop_non_finite=False, callback=None):
     positions, normals = cgal_l0.l0_resample_point_set(cloud.points)
 
     path: str or path. The extension tells the format: .ply, .pcd, .off, .xyz, .xyzn, .pwn, .npy,
-        .csv or .obj.
+        .csv or .obj, maybe before .gz.
     format: str, one of these extensions without the dot, for a file with another one.
         Default: None, by the extension.
     drop_non_finite: bool. True: points with a coordinate that is not finite are left out and

@@ -231,8 +231,9 @@ std::vector<std::string> write_points(const std::string& path,
                                       const py::array& properties)
 {
   const l0_tool::File_format format = format_of(path, format_name);
-  if (!l0_tool::is_written(format))
-    raise(PyExc_ValueError, l0_tool::no_output_format(path));
+  const std::string reason = l0_tool::reason_against_output(path, format);
+  if (!reason.empty())
+    raise(PyExc_ValueError, reason);
   Point_cloud cloud;
   cloud.points = triples_of<Point>(points);
   if (normals)

@@ -60,18 +60,49 @@ Input_file::~Input_file()
 bool Input_file::fill()
 {
   throw_if_interrupted();
-  if (m_size && m_on_progress)
-    m_on_progress((std::min)(1., double(m_position) / double(*m_size)));
+  if (m_size && m_on_progress) {
+    const std::uint64_t bytes_read = m_gzip ? m_gzip->compressed_bytes() : m_position;
+    m_on_progress((std::min)(1., double(bytes_read) / double(*m_size)));
+  }
 
   std::memmove(m_buffer.get(), m_buffer.get() + m_begin, m_end - m_begin);
   m_end -= m_begin;
   m_begin = 0;
+  if (!m_is_compression_known && find_compression())
+    return true;
+  char* target = m_buffer.get() + m_end;
+  const std::size_t room = buffer_size - m_end;
+  const std::size_t n = m_gzip ? m_gzip->read(target, room) : read_descriptor(target, room);
+  m_end += n;
+  return n > 0;
+}
+
+// Looks at the first bytes. Returns whether they are in the buffer now, not compressed.
+bool Input_file::find_compression()
+{
+  m_is_compression_known = true;
+  constexpr std::size_t needed = 2;
+  while (m_end < needed) {
+    const std::size_t n = read_descriptor(m_buffer.get() + m_end, needed - m_end);
+    if (n == 0)
+      break;
+    m_end += n;
+  }
+  const std::string_view begin(m_buffer.get(), m_end);
+  if (!Gzip_decoder::is_begin(begin))
+    return m_end > 0;
+  m_gzip.emplace(m_path, begin,
+                 [this](char* target, std::size_t n) { return read_descriptor(target, n); });
+  m_end = 0;
+  return false;
+}
+
+std::size_t Input_file::read_descriptor(char* target, std::size_t n)
+{
   for (;;) {
-    const ssize_t n = read(m_descriptor, m_buffer.get() + m_end, buffer_size - m_end);
-    if (n >= 0) {
-      m_end += std::size_t(n);
-      return n > 0;
-    }
+    const ssize_t result = read(m_descriptor, target, n);
+    if (result >= 0)
+      return std::size_t(result);
     if (errno != EINTR)
       throw Failure(INPUT_REFUSED, m_path + ": cannot be read: " + last_error());
     throw_if_interrupted();
@@ -133,9 +164,19 @@ void Input_file::skip_bytes(std::uint64_t n)
   }
 }
 
+void Input_file::check_compression()
+{
+  if (!m_gzip)
+    return;
+  do {
+    m_position += m_end - m_begin;
+    m_begin = m_end = 0;
+  } while (fill());
+}
+
 std::optional<std::uint64_t> Input_file::bytes_left() const
 {
-  if (!m_size)
+  if (!m_size || m_gzip)
     return std::nullopt;
   return *m_size > m_position ? *m_size - m_position : 0;
 }
@@ -144,6 +185,13 @@ void Input_file::check_count(std::uint64_t count, std::uint64_t row_size,
                              const std::string& what) const
 {
   const std::optional<std::uint64_t> left = bytes_left();
+  if (m_size && m_gzip) {
+    const std::uint64_t most = Gzip_decoder::most_bytes_of(*m_size);
+    if (count > most / row_size)
+      refuse(std::to_string(count) + " " + what
+             + " are announced, but the compressed file has room " + "for no more than "
+             + std::to_string(most) + " bytes");
+  }
   if (left && count > *left / row_size)
     refuse(std::to_string(count) + " " + what + " are announced, but only " + std::to_string(*left)
            + " bytes are left");

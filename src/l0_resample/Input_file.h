@@ -6,6 +6,8 @@
 #ifndef L0_RESAMPLE_INPUT_FILE_H
 #define L0_RESAMPLE_INPUT_FILE_H
 
+#include "Gzip_decoder.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -17,7 +19,8 @@
 namespace l0_tool {
 
 /// Reads a file or a pipe once, from begin to end, through a buffer of fixed size: no content can
-/// make it allocate more. Every member throws Failure, with the status INPUT_REFUSED where the file
+/// make it allocate more. What gzip has compressed, whatever its name is, is read as what it stands
+/// for. Every member throws Failure, with the status INPUT_REFUSED where the file
 /// is to blame.
 class Input_file
 {
@@ -44,7 +47,10 @@ public:
 
   void skip_bytes(std::uint64_t n);
 
-  /// Nothing for a pipe.
+  /// Reads a compressed file to its end, as what it holds is only known to be sound then.
+  void check_compression();
+
+  /// Nothing for a pipe, and for a compressed file.
   std::optional<std::uint64_t> bytes_left() const;
 
   /// Refuses a count that the rest of the file cannot hold, before anybody allocates for it.
@@ -63,12 +69,16 @@ public:
 private:
   static constexpr std::size_t buffer_size = 2 * max_line_length;
 
+  std::size_t read_descriptor(char* target, std::size_t n);
+  bool find_compression();
   bool fill();
 
   std::string m_path;
   On_progress m_on_progress;
   int m_descriptor;
-  std::optional<std::uint64_t> m_size;
+  std::optional<std::uint64_t> m_size; // of the file on the disk
+  bool m_is_compression_known = false;
+  std::optional<Gzip_decoder> m_gzip; // if the file is compressed
   std::unique_ptr<char[]> m_buffer;   // not initialized: a small file touches little of it
   std::size_t m_begin = 0, m_end = 0; // the unread part of the buffer
   std::uint64_t m_position = 0;       // in the file, of m_begin

@@ -115,6 +115,8 @@ std::vector<Batch_item> plan_batch(const std::vector<std::string>& inputs,
                          : is_written(*by_extension) ? *by_extension
                                                      : File_format::PLY;
     fs::path name = fs::path(item.input).filename();
+    if (is_compressed(name.string()))
+      name.replace_extension();
     if (output_format || item.output_format != *by_extension)
       name.replace_extension(extension_of(item.output_format));
     item.output = (fs::path(directory) / name).string();

@@ -25,8 +25,8 @@ struct Batch_item
 };
 
 /*!
-Plans a batch: the result of `a/scan.xyz` goes to `directory/scan.xyz`, or to `directory/scan.ply`
-if the output format is PLY.
+Plans a batch: the result of `a/scan.xyz`, or of `a/scan.xyz.gz`, goes to `directory/scan.xyz`, or
+to `directory/scan.ply` if the output format is PLY.
 
 \param inputs files, and folders, which stand for those of their files that have a known extension,
 in the order of

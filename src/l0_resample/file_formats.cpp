@@ -10,17 +10,31 @@
 #include <filesystem>
 
 namespace l0_tool {
+namespace {
+
+std::string lower_extension(const std::filesystem::path& path)
+{
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
+  return extension;
+}
+
+} // namespace
 
 bool is_written(File_format format)
 {
   return format != File_format::CSV && format != File_format::OBJ;
 }
 
+bool is_compressed(const std::string& path) { return lower_extension(path) == ".gz"; }
+
 std::optional<File_format> format_of(const std::string& path)
 {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return char(std::tolower(c)); });
+  std::filesystem::path uncompressed = path;
+  if (is_compressed(path))
+    uncompressed.replace_extension();
+  const std::string extension = lower_extension(uncompressed);
   if (extension == ".ply")
     return File_format::PLY;
   if (extension == ".off")
@@ -52,9 +66,13 @@ std::string extension_of(File_format format)
   return ".obj";
 }
 
-std::string no_output_format(const std::string& path)
+std::string reason_against_output(const std::string& path, File_format format)
 {
-  return path + ": CSV and OBJ are read, but not written; .ply, .off, .xyz, .pcd and .npy are";
+  if (is_compressed(path))
+    return path + ": compressed files are read, but not written";
+  if (!is_written(format))
+    return path + ": CSV and OBJ are read, but not written; .ply, .off, .xyz, .pcd and .npy are";
+  return "";
 }
 
 std::string unknown_extension(const std::string& path, const std::string& option)

@@ -25,15 +25,18 @@ enum class File_format
 /// Whether points can be written in that format too.
 bool is_written(File_format format);
 
-/// By the extension of `path`, in lower or upper case: .ply, .off, .xyz, .xyzn, .pwn, .pcd, .npy,
+/// Whether the name is that of a file which gzip has made.
+bool is_compressed(const std::string& path);
+
+/// By the extension of `path`, maybe before .gz, in lower or upper case: .ply, .off, .xyz, .xyzn, .pwn, .pcd, .npy,
 /// .csv or .obj.
 std::optional<File_format> format_of(const std::string& path);
 
 /// The usual one, with its dot.
 std::string extension_of(File_format format);
 
-/// What to say of an output in a format that is only read.
-std::string no_output_format(const std::string& path);
+/// Why points are not written to such a file; empty if they are.
+std::string reason_against_output(const std::string& path, File_format format);
 
 /// What to say of a file whose extension tells no format, while `option` would.
 std::string unknown_extension(const std::string& path, const std::string& option);

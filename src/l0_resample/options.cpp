@@ -170,8 +170,8 @@ const char* description = "Turns a noisy point set into clean, evenly spread, or
 
 const char* footer =
   R"(Files: PLY and PCD (ASCII, binary and compressed), OFF, XYZ, NPY, CSV and OBJ are read; PLY and
-PCD (binary), OFF, XYZ and NPY are written with normals, as a whole or not at all. LAS is not read:
-convert it first. A name that begins with a dash goes behind --.
+PCD (binary), OFF, XYZ and NPY are written with normals, as a whole or not at all. What gzip has
+compressed (.ply.gz, ...) is read as what it stands for. LAS is not read: convert it first. A name that begins with a dash goes behind --.
 
 A file is not replaced without --force: if OUTPUT exists, also if it is INPUT, or a result of a
 batch, nothing is done. Reports (--json) and pictures (--snapshot) of an earlier run are replaced.
@@ -389,8 +389,9 @@ void set_files(const CLI::App& app, const std::vector<std::string>& files, Optio
   options.output = files[1];
   choose_format(options.input, "--input-format", app, options.input_format);
   choose_format(options.output, "--output-format", app, options.output_format);
-  if (!is_written(options.output_format))
-    refuse_usage(no_output_format(options.output));
+  const std::string reason = reason_against_output(options.output, options.output_format);
+  if (!reason.empty())
+    refuse_usage(reason);
   if (!options.snapshot.empty() && std::filesystem::path(options.snapshot).extension() != ".png")
     refuse_usage(options.snapshot + ": the extension of a snapshot is .png");
   check_columns(options);

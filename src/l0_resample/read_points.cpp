@@ -45,6 +45,7 @@ Point_cloud read_points(const std::string& path, File_format format, const Read_
   case File_format::OBJ: read_obj(file, collector); break;
   case File_format::CSV: read_csv(file, collector, options.columns); break;
   }
+  file.check_compression();
   return collector.take();
 }
 

@@ -38,6 +38,8 @@ struct Read_options
 Reads the points of a file that nobody vouches for: no header and no content makes it crash, hang or
 take more memory than the file's size justifies.
 
+What gzip has compressed, of any of these formats, is read as what it stands for.
+
 - PLY, ASCII or binary of either byte order: one element `vertex` with the scalar properties x, y, z
   and maybe nx, ny, nz, of any type. Its other scalar properties can be kept. Elements before it are
   skipped, those after it are not looked at.

@@ -246,8 +246,9 @@ template <typename Rows>
 void write_rows(const std::string& path, File_format format, const Rows& rows, Layout layout,
                 Existing_file existing)
 {
-  if (!is_written(format))
-    throw Failure(OUTPUT_NOT_WRITTEN, no_output_format(path));
+  const std::string reason = reason_against_output(path, format);
+  if (!reason.empty())
+    throw Failure(OUTPUT_NOT_WRITTEN, reason);
   if (format == File_format::PCD)
     layout.is_single = layout.is_single || is_single_precision_enough(rows);
   Output_file file(path, existing);

@@ -181,6 +181,19 @@ awk '{ print "v", $0; print "vn 0 0 1" }' a1.xyz > points.obj
 run_plainly points.obj - --convert-only --output-format xyz
 check "the points and normals of OBJ" test "$status" -eq 0 -a "$(grep -c ' 0 0 1$' stdout)" -eq 3000
 
+# Compressed files
+gzip -c a1.xyz > packed.xyz.gz
+run_plainly packed.xyz.gz unpacked.xyz --convert-only --quiet
+awk '{ printf "%.6f %.6f %.6f\n", $1, $2, $3 }' unpacked.xyz > positions.xyz
+check "a compressed file" cmp positions.xyz a1.xyz
+gzip -c a1.xyz | "$program" - - --convert-only --input-format xyz --output-format xyz > stdout 2> stderr
+check "a compressed pipe" cmp stdout unpacked.xyz
+run_plainly packed.xyz.gz --output-directory unpacked --points 20
+check "the result of a compressed file in a batch" test "$(ls unpacked)" = packed.xyz
+check_plain_failure 2 "none.ply.gz: compressed files are read, but not written" a1.xyz none.ply.gz
+head -c 1000 packed.xyz.gz > cut.xyz.gz
+check_plain_failure 3 "cut.xyz.gz: the compressed data end early" cut.xyz.gz none.ply
+
 # A text without a point, as an empty file of another format
 : > empty.xyz; : > empty.ply; printf '# x y z\n\n' > comment.xyz; echo 0 > zero.xyz
 check_plain_failure 3 "empty.ply: line 1" empty.ply none.ply

@@ -7,6 +7,7 @@
 // that says where, nor takes more memory than its size justifies.
 
 #include "test_support.h"
+#include "test_tool_gzip.h"
 #include "test_tool_support.h"
 
 #include <cmath>
@@ -428,6 +429,43 @@ void test_hostile_files()
         }).says("Is a directory"));
 }
 
+// Damaged, cut, and small files that stand for many bytes
+void test_hostile_gzip()
+{
+  const std::string ply = ply_header("binary_little_endian", "element vertex 1\n" + float_xyz)
+                          + std::string(12, '\0');
+  const std::string good = gzip(ply);
+  CHECK(read(".ply", good).points.size() == 1);
+  for (std::size_t length = 0; length < good.size(); ++length)
+    CHECK(refusal(".ply", good.substr(0, length)).status == INPUT_REFUSED);
+  CHECK(refusal(".ply", good.substr(0, 40)).says("points.ply: the compressed data end early"));
+  CHECK(refusal(".xyz", std::string("\x1f\x8b", 2)).says("the compressed data end early"));
+  CHECK(refusal(".xyz", "\x1f\x8b no such method").says("data are damaged: unknown compression"));
+  std::string damaged = gzip("1 2 3\n4 5 6\n");
+  damaged[damaged.size() - 8] ^= 1; // the checksum
+  CHECK(refusal(".xyz", damaged).says("data are damaged: incorrect data check"));
+  CHECK(refusal(".xyz", gzip("1 2 3\n") + "4 5 6\n").says("are damaged: incorrect header check"));
+
+  // Announced, and there
+  largest_allocation = 0;
+  const std::string announced = gzip(
+    ply_header("binary_little_endian", "element vertex 100000\n" + float_xyz));
+  CHECK(
+    refusal(".ply", announced).says("100000 points are announced, but the compressed file has "));
+  CHECK(refusal(".ply", gzip(ply_header("binary_little_endian",
+                                        "element vertex 1537228672809129302\n" + float_xyz)))
+          .says("are announced"));
+  CHECK(refusal(".ply", gzip(ply_header("binary_little_endian", "element vertex 10\n" + float_xyz)))
+          .says("more bytes are expected"));
+  CHECK(largest_allocation <= 512 * 1024);
+  const std::string bomb = gzip(std::string(20000000, '\n'));
+  CHECK(bomb.size() < 100000);
+  largest_allocation = 0;
+  CHECK(refusal(".xyz", bomb).says("more than 200 times as many bytes"));
+  CHECK(refusal(".xyz", gzip(bomb)).status == INPUT_REFUSED); // what it stands for is no text
+  CHECK(largest_allocation <= 512 * 1024);
+}
+
 // A file that announces its number of points is refused wherever it is cut.
 void test_truncated_files()
 {
@@ -529,6 +567,7 @@ void test_changed_bytes()
 int main()
 {
   test_hostile_files();
+  test_hostile_gzip();
   test_truncated_files();
   test_changed_bytes();
   return test::result();

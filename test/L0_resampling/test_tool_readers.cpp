@@ -6,6 +6,7 @@
 // The readers and writers of l0_resample: every format gives the points that are in the file.
 
 #include "test_support.h"
+#include "test_tool_gzip.h"
 #include "test_tool_support.h"
 
 #include "write_points.h"
@@ -267,6 +268,63 @@ void test_obj()
   CHECK(read(".obj", "v 1 2 3\nvn 0 0 1\nvn 0 2 0\n", options).points.size() == 1);
   CHECK(refusal(".obj", "v 1 2 3\nvn 0 0 1\nvn 0 2 0\nvn 1 0 0\n", options).status
         == RUN_TIME_FAILURE);
+}
+
+// What gzip has compressed is read as what it stands for, in every format.
+void test_gzip()
+{
+  std::string floats;
+  for (int i = 0; i < 9; ++i)
+    floats += bytes_of(float(i), false);
+  std::string columns;
+  for (const float number : {0.f, 3.f, 6.f, 1.f, 4.f, 7.f, 2.f, 5.f, 8.f})
+    columns += bytes_of(number, false);
+  const std::vector<Point> three = {Point(0, 1, 2), Point(3, 4, 5), Point(6, 7, 8)};
+  const std::string rows = "0 1 2\n3 4 5\n6 7 8\n";
+  for (const auto& [extension, bytes] : std::vector<std::pair<std::string, std::string>>{
+         {".xyz", rows},
+         {".off", "OFF\n3 0 0\n" + rows},
+         {".csv", "x y z\n" + rows},
+         {".obj", "v 0 1 2\nv 3 4 5\nv 6 7 8\n"},
+         {".ply", ply_header("ascii", "element vertex 3\n" + float_xyz) + rows},
+         {".ply", ply_header("binary_little_endian", "element vertex 3\n" + float_xyz) + floats},
+         {".pcd", pcd_header("", "4 4 4", "F F F", "3", "binary") + floats},
+         {".pcd", pcd_header("", "4 4 4", "F F F", "3", "binary_compressed")
+                    + pcd_block(36, "\x1f" + columns.substr(0, 32) + "\x03" + columns.substr(32))},
+         {".npy", npy_file(npy_header("<f4", "(3, 3)"), floats)}})
+  {
+    CHECK(read(extension + ".gz", gzip(bytes)).points == three);
+    CHECK(read(extension, gzip(bytes)).points == three);   // without the name
+    CHECK(read(extension + ".GZ", bytes).points == three); // the name alone
+    const std::size_t half = bytes.size() / 2;             // as pigz and cat make it
+    CHECK(read(extension, gzip(bytes.substr(0, half)) + gzip(bytes.substr(half))).points == three);
+  }
+  CHECK(!format_of("scan.gz") && !format_of("scan.txt.gz") && format_of("a.gz.ply"));
+  CHECK(!reason_against_output("scan.ply.gz", File_format::PLY).empty());
+  CHECK(failure_of([]() {
+          write_points(scratch.file("scan.ply.gz"), File_format::PLY,
+                       std::vector<Oriented_point>());
+        }).status
+        == OUTPUT_NOT_WRITTEN);
+
+  // Files of one byte and of two are read as before
+  CHECK(refusal(".xyz", "a").says("a point needs 3 numbers, found 1"));
+  CHECK(refusal(".xyz", "ab").says("a point needs 3 numbers, found 1"));
+
+  // More than all buffers hold; the progress is that in the compressed file
+  std::string big;
+  for (int i = 0; i < 100000; ++i)
+    big += std::to_string(i) + " " + std::to_string(i * 7919 % 100000) + " 3\n";
+  const std::string path = scratch.file("big.xyz.gz");
+  write_bytes(path, gzip(big));
+  double last = 0;
+  std::size_t backwards = 0;
+  const Point_cloud cloud = read_points(path, File_format::XYZ, {}, [&](double share) {
+    backwards += share < last || share > 1;
+    last = share;
+  });
+  CHECK(cloud.points.size() == 100000 && cloud.points.back() == Point(99999, 92081, 3));
+  CHECK(backwards == 0 && last > 0.5);
 }
 
 std::string repeated(int times, const std::string& line)
@@ -599,6 +657,7 @@ int main()
   test_vectors_of_xyz();
   test_csv();
   test_obj();
+  test_gzip();
   test_pcd();
   test_compressed_pcd();
   test_npy();

@@ -18,7 +18,7 @@ mkdir -p "$scratch/objects" "$scratch/$corpus"
 flags=(-std=c++17 -O2 -g1 -D_GLIBCXX_SANITIZE_VECTOR -fsanitize=address,undefined,float-cast-overflow -fno-sanitize=vptr -fno-sanitize-recover=all
        -I "$tool" -I "$here/../../../include")
 objects=()
-parts=(Input_file Number_type Pcd_header Ply_header Point_collector Property_table Text_columns
+parts=(Gzip_decoder Input_file Number_type Pcd_header Ply_header Point_collector Property_table Text_columns
        decompress_lzf file_formats signals)
 parts=("${parts[@]/#/$tool/}")
 for source in "${parts[@]/%/.cpp}" "$tool"/read_*.cpp "$here/fuzz_readers.cpp"; do
@@ -26,7 +26,7 @@ for source in "${parts[@]/%/.cpp}" "$tool"/read_*.cpp "$here/fuzz_readers.cpp"; 
   clang++ "${flags[@]}" -fsanitize=fuzzer-no-link -c "$source" -o "$object"
   objects+=("$object")
 done
-clang++ "${flags[@]}" -fsanitize=fuzzer "${objects[@]}" -o "$scratch/fuzz_readers"
+clang++ "${flags[@]}" -fsanitize=fuzzer "${objects[@]}" -lz -o "$scratch/fuzz_readers"
 
 [ ! -f "$here/corpora/$corpus.tar.gz" ] || tar -C "$scratch" -xzf "$here/corpora/$corpus.tar.gz"
 # short stacks and no quarantine, as allocations are what most of the time would go to; leaks are looked for when all is replayed
