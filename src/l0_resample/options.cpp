@@ -10,6 +10,7 @@
 #include "batch.h"
 #include "parse_numbers.h"
 
+#include <CGAL/L0_resampling/internal/Parameters.h>
 #include <CGAL/version.h>
 #include <CLI/CLI.hpp>
 
@@ -71,9 +72,11 @@ CLI::Option* add_choice(CLI::App& app, const std::string& option,
                         const std::map<std::string, Value>& names, Value& value,
                         const std::string& description)
 {
-  const auto choose = [names, &value](const std::string& name) { value = names.at(name); };
+  const auto choose = [names, &value](const std::string& name) {
+    value = names.at(CLI::detail::to_lower(name));
+  };
   return app.add_option_function<std::string>(option, choose, description)
-    ->check(CLI::IsMember(keys_of(names)))
+    ->check(CLI::IsMember(keys_of(names), CLI::ignore_case))
     ->default_str(key_of(names, value));
 }
 
@@ -203,17 +206,17 @@ another result.
 // What a conversion has no use for is refused with it.
 void exclude_resampling(CLI::App& app, CLI::Option& convert_only)
 {
-  static constexpr std::array<std::string_view, 14> allowed = {
-    "help",          "version",         "FILES",        "output-directory", "input-format",
-    "output-format", "drop-non-finite", "convert-only", "columns",          "force",
-    "quiet",         "max-points",      "max-memory",   "timeout"};
+  static constexpr std::array<std::string_view, 15> allowed = {
+    "help",   "version",       "FILES",           "output-directory", "input-format",
+    "output", "output-format", "drop-non-finite", "convert-only",     "columns",
+    "force",  "quiet",         "max-points",      "max-memory",       "timeout"};
   for (CLI::Option* option : app.get_options())
     if (std::find(allowed.begin(), allowed.end(), option->get_single_name()) == allowed.end())
       convert_only.excludes(option);
 }
 
 void add_options(CLI::App& app, Options& options, std::vector<std::string>& files,
-                 std::string& output_directory)
+                 std::string& output, std::string& output_directory)
 {
   app.add_option("FILES", files, "INPUT, points to read, and OUTPUT, points with normals to write")
     ->type_name("FILE");
@@ -221,15 +224,18 @@ void add_options(CLI::App& app, Options& options, std::vector<std::string>& file
     .add_option(
       "--output-directory", output_directory,
       "a batch: all FILES are read, and those of folders; results go here, under the same names")
-    ->type_name("FOLDER");
+    ->type_name("FOLDER")
+    ->excludes(app.add_option("-o,--output", output, "OUTPUT, behind which is one INPUT alone")
+                 ->type_name("OUTPUT"));
 
-  auto* points = app.add_option("--points", options.number_of_points, "how many points to write")
-                   ->check(count_within(1, 4294967294))
+  auto* points = app
+                   .add_option("-n,--points", options.number_of_points, "how many points to write")
+                   ->check(count_within(1, max_number_of_output_points))
                    ->type_name("M");
   app
     .add_option("--percentage", options.percentage,
                 "how many points to write, in percent of those read")
-    ->check(number_within(0, false, 100, "a percentage in (0, 100]"))
+    ->check(number_within(0, false, 1e6, "a percentage in (0, 1000000]"))
     ->type_name("P")
     ->capture_default_str()
     ->excludes(points);
@@ -242,11 +248,13 @@ void add_options(CLI::App& app, Options& options, std::vector<std::string>& file
     ->check(number_within(0, false, (std::numeric_limits<double>::max)(), "a length above 0"))
     ->type_name("R");
   app
-    .add_option("--normal-weight", options.normal_weight,
-                "larger: sharper edges, flatter faces; smaller: closer to the input")
+    .add_option(
+      "--normal-weight", options.normal_weight,
+      "larger: sharper edges, flatter faces; smaller: closer to the input; in the default "
+      "method values beyond a limit, which grows with the noise, act as the limit does")
     ->check(number_within(0, true, (std::numeric_limits<double>::max)(), "a number, 0 or above"))
     ->type_name("L")
-    ->capture_default_str();
+    ->default_str("0.9");
   app
     .add_option("--sharpness-angle", options.sharpness_angle,
                 "normals that differ by much more, in degrees, are of two faces")
@@ -360,6 +368,17 @@ void add_options(CLI::App& app, Options& options, std::vector<std::string>& file
   exclude_resampling(app, *convert_only);
 }
 
+// Nothing that is asked for is ignored.
+void check_effects(const CLI::App& app, const Options& options)
+{
+  if (options.keep_outliers && options.method != Method::DEFAULT)
+    refuse_usage("--keep-outliers: " + name_of(options.method) + " keeps all points anyway");
+  if (options.solver_iterations && options.solver == Solver::CHOLESKY)
+    refuse_usage("--solver-iterations: cholesky has none");
+  if (options.view && app.count("--snapshot") == 0)
+    refuse_usage("--view: there is no --snapshot to look at");
+}
+
 // Only a text has columns to name.
 void check_columns(const Options& options)
 {
@@ -430,16 +449,24 @@ std::optional<int> parse_command_line(int argc, char** argv, Command& command)
   std::vector<std::string> files;
   CLI::App app(description, "l0_resample");
   app.footer(footer);
-  app.set_version_flag("--version",
+  app.set_version_flag("-V,--version",
                        std::string("l0_resample " L0_RESAMPLE_VERSION ", CGAL " CGAL_VERSION_STR));
   app.get_formatter()->column_width(34);
-  add_options(app, options, files, command.output_directory);
+  std::string output;
+  add_options(app, options, files, output, command.output_directory);
   try {
     app.parse(argc, argv);
     if (app.count("--output-directory") > 0 && command.output_directory.empty())
       refuse_usage("--output-directory: the name is empty");
     if (files.empty())
       refuse_usage("INPUT is required");
+    if (app.count("--output") > 0) {
+      if (files.size() > 1)
+        refuse_usage("--output: one INPUT expected, found " + std::to_string(files.size())
+                     + " files");
+      files.push_back(output);
+    }
+    check_effects(app, options);
     if (command.is_batch())
       command.runs = batch_of(app, files, command.output_directory, options);
     else {
@@ -459,6 +486,11 @@ std::optional<int> parse_command_line(int argc, char** argv, Command& command)
     std::cerr << "l0_resample: " << error.what() << " (see --help)" << std::endl;
     return WRONG_USAGE;
   }
+}
+
+double normal_weight_of(const Options& options)
+{
+  return options.normal_weight.value_or(CGAL::L0_resampling::internal::Parameters().normal_weight);
 }
 
 std::string name_of(Method method) { return key_of(methods, method); }

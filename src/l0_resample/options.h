@@ -31,6 +31,9 @@ enum class Solver
   ROWS_CG
 };
 
+/// As the function has it.
+constexpr std::uint64_t max_number_of_output_points = 4294967294;
+
 /// What is asked for one input.
 struct Options
 {
@@ -46,7 +49,7 @@ struct Options
   double percentage = 50;
   CGAL::L0_resampling::Method method = CGAL::L0_resampling::Method::DEFAULT;
   std::optional<double> neighbor_radius;
-  double normal_weight = 0.9;
+  std::optional<double> normal_weight; ///< the function's default, if not given
   double sharpness_angle = 15;
   std::uint64_t seed = 0;
   bool use_normals = false;
@@ -106,6 +109,8 @@ struct Command
 
 /// \returns the exit status if the program ends here, as after --help, having said why
 std::optional<int> parse_command_line(int argc, char** argv, Command& command);
+
+double normal_weight_of(const Options& options);
 
 /// As on the command line.
 std::string name_of(CGAL::L0_resampling::Method method);

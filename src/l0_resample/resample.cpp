@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <new>
 #include <optional>
 #include <stdexcept>
@@ -129,8 +130,22 @@ std::size_t number_of_output_points(const Options& options, std::size_t number_o
 {
   if (options.number_of_points)
     return std::size_t(*options.number_of_points);
-  return (std::max)(std::size_t(1),
-                    std::size_t(double(number_of_input_points) * options.percentage / 100));
+  const double number = double(number_of_input_points) * options.percentage / 100;
+  if (number > double(max_number_of_output_points))
+    throw Failure(INPUT_REFUSED, options.input_name() + ": --percentage asks for more than "
+                                   + std::to_string(max_number_of_output_points) + " points");
+  return (std::max)(std::size_t(1), std::size_t(number));
+}
+
+double largest_effective_normal_weight(const CGAL::L0_resampling::Report& report)
+{
+  using namespace CGAL::L0_resampling::internal;
+  if (report.iterations.empty())
+    return std::numeric_limits<double>::infinity();
+  const double largest_jump = largest_shrunk_jump_per_sheet_height
+                              * sheet_height(report.estimated_noise, report.neighbor_radius);
+  const double jumps = largest_jump / (sparsity_unit_factor * report.neighbor_radius);
+  return report.iterations.back().penalty * jumps * jumps;
 }
 
 Resampled_points resample(const Point_cloud& cloud, const Sides& sides, const Options& options,
@@ -151,7 +166,7 @@ Resampled_points resample(const Point_cloud& cloud, const Sides& sides, const Op
   Resampled_points result;
   try {
     const auto np = parameters::resampling_method(options.method)
-                      .normal_weight(options.normal_weight)
+                      .normal_weight(normal_weight_of(options))
                       .sharpness_angle(options.sharpness_angle)
                       .random_seed(options.seed)
                       .drop_outliers(options.method == CGAL::L0_resampling::Method::DEFAULT

@@ -30,7 +30,12 @@ struct Sides
 void check_device(const Options& options);
 
 /// How many points the options ask for, given so many.
+/// \throws Failure with INPUT_REFUSED if these are more than the function can give
 std::size_t number_of_output_points(const Options& options, std::size_t number_of_input_points);
+
+/// The normal weight from which on larger ones change no result, of a call of the default method
+/// that gave this report: no jump above a limit is shrunk.
+double largest_effective_normal_weight(const CGAL::L0_resampling::Report& report);
 
 /*!
 Calls `CGAL::l0_resample_point_set()` as the options ask. Points of the result get the properties of

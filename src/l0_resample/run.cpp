@@ -21,6 +21,7 @@
 #include <CGAL/L0_resampling/warnings.h>
 
 #include <chrono>
+#include <cstdio>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -98,6 +99,19 @@ Sides find_sides(const Point_cloud& cloud, const std::vector<Point>& viewpoints,
   return sides;
 }
 
+void note_weight_without_effect(const Options& options, Run_record& record)
+{
+  const double limit = largest_effective_normal_weight(record.report);
+  if (!options.normal_weight || options.method != CGAL::L0_resampling::Method::DEFAULT
+      || *options.normal_weight <= limit)
+    return;
+  char text[96];
+  std::snprintf(text, sizeof text,
+                ": --normal-weight %g acts as %.3g does, the largest one that the",
+                *options.normal_weight, limit);
+  record.notes.push_back(options.input + text + " default method has a use for here");
+}
+
 void resample_file(const Options& options, Run_record& record)
 {
   const std::string name = options.input_name();
@@ -123,6 +137,7 @@ void resample_file(const Options& options, Run_record& record)
   for (const CGAL::L0_resampling::Warning warning : CGAL::L0_resampling::warnings(record.report))
     record.warnings.push_back(options.input + ": "
                               + CGAL::L0_resampling::message_of(warning, record.report));
+  note_weight_without_effect(options, record);
   if (options.strict && !record.report.converged)
     throw Failure(NOT_CONVERGED, name + ": a solve did not converge, nothing is written");
 

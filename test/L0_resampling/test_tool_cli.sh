@@ -91,6 +91,14 @@ check "percentage" test "$(number_of_points out.ply)" -eq 1200
 check "method in the summary" grep -q 'method lor' stdout
 run cube.xyz out.ply --percentage 12.51   # of 9600: 1200.96
 check "a percentage is rounded down" test "$(number_of_points out.ply)" -eq 1200
+run -V
+check "the short name of version" test "$status" -eq 0 -a "$(wc -l < stdout)" -eq 1
+run cube.xyz out.ply --percentage 150
+check "more points than there are" test "$status" -eq 0 -a "$(number_of_points out.ply)" -eq 14400
+run -n 77 -o out.ply cube.xyz --method LOR --device Cpu --solver Block-CG --output-format PLY
+check "short names, and choices in any case" test "$status" -eq 0 \
+  -a "$(number_of_points out.ply)" -eq 77
+check "the method in any case" grep -q 'method lor' stdout
 run --version
 check "version" test "$status" -eq 0 -a "$(grep -cE '^l0_resample [0-9]+\.[0-9]+' stdout)" -eq 1
 run --help
@@ -122,6 +130,21 @@ run cube.xyz b.xyz --neighbor-radius 0.2
 check "the radius matters" test "$(cmp -s a.xyz b.xyz; echo $?)" -eq 1
 run cube.xyz b.xyz --normal-weight 0
 check "the normal weight matters" test "$(cmp -s a.xyz b.xyz; echo $?)" -eq 1
+check "a weight that matters needs no note" test ! -s stderr
+
+# In the default method the weight has a limit, and a note says so
+run cube.xyz b.xyz --normal-weight 0.999
+check "a weight beyond the limit acts as the default" cmp a.xyz b.xyz
+check "a note says that" grep -qE \
+  '^l0_resample: note: cube.xyz: --normal-weight 0.999 acts as 0\.[0-9]+ does, the largest' stderr
+limit=$(sed -n 's/.* acts as \([0-9.]*\) does.*/\1/p' stderr)
+run cube.xyz b.xyz --normal-weight "$(awk "BEGIN { print 1.02 * $limit }")"
+check "a weight just beyond the limit" test "$(cmp a.xyz b.xyz)$(grep -c note: stderr)" = 1
+run cube.xyz b.xyz --normal-weight "$(awk "BEGIN { print 0.9 * $limit }")"
+check "a weight just below the limit" test "$(cmp -s a.xyz b.xyz; echo $?)" -eq 1 -a ! -s stderr
+run cube.xyz a.xyz --normal-weight 0.9 --method lor
+check "other methods have no limit" test ! -s stderr
+run cube.xyz a.xyz --threads 1
 run cube.xyz b.xyz --sharpness-angle 60
 check "the sharpness angle matters" test "$(cmp -s a.xyz b.xyz; echo $?)" -eq 1
 for solver in block-cg cholesky rows-cg; do
@@ -182,7 +205,7 @@ check_failure 2 "--nonsense" cube.xyz old.ply --nonsense
 for value in 0 -5 1.5 x 99999999999999999999 4294967295; do
   check_failure 2 "--points" cube.xyz old.ply --points "$value"
 done
-for value in 0 100.5 0,5 nan -1; do check_failure 2 "--percentage" cube.xyz old.ply --percentage "$value"; done
+for value in 0 1000001 0,5 nan -1; do check_failure 2 "--percentage" cube.xyz old.ply --percentage "$value"; done
 for value in 0 -1 inf 1,5; do check_failure 2 "--neighbor-radius" cube.xyz old.ply --neighbor-radius "$value"; done
 for value in -1 nan; do check_failure 2 "--normal-weight" cube.xyz old.ply --normal-weight "$value"; done
 check_failure 2 "--viewpoint" cube.xyz old.ply --viewpoint 1,2
@@ -210,13 +233,22 @@ done
 for value in 0 91; do check_failure 2 "--sharpness-angle" cube.xyz old.ply --sharpness-angle "$value"; done
 for value in 0 -1 two; do check_failure 2 "--threads" cube.xyz old.ply --threads "$value"; done
 check_failure 2 "--seed" cube.xyz old.ply --seed -1
-check_failure 2 "--view" cube.xyz old.ply --view 0,0,0
-check_failure 2 "--view" cube.xyz old.ply --view 1,2
-check_failure 2 "--view" cube.xyz old.ply --view 1,2,nan
+for value in 0,0,0 1,2 1,2,nan; do
+  check_failure 2 "--view: $value is not" cube.xyz old.ply --view $value --snapshot picture.png
+done
 check_failure 2 "--method" cube.xyz old.ply --method best
 check_failure 2 "--solver" cube.xyz old.ply --solver magic
 check_failure 2 "--device" cube.xyz old.ply --device tpu
 check_failure 2 "--percentage" cube.xyz old.ply --points 5 --percentage 5
+for method in lor alor; do
+  check_failure 2 "--keep-outliers: $method keeps all" cube.xyz old.ply --method $method --keep-outliers
+done
+check_failure 2 "--solver-iterations: cholesky has none" \
+  cube.xyz old.ply --solver cholesky --solver-iterations 5
+check_failure 2 "--view: there is no --snapshot" cube.xyz old.ply --view 1,2,3
+check_failure 2 "--output: one INPUT expected, found 2" cube.xyz old.ply -o out.ply
+check_failure 2 "excludes" cube.xyz -o old.ply --output-directory batch
+check_failure 2 "INPUT is required" -o old.ply
 check_failure 2 "cube.txt: the extension" cube.txt old.ply
 check_failure 2 "old.las: the extension" cube.xyz old.las
 check_failure 2 "the extension of a snapshot" cube.xyz old.ply --snapshot picture.jpg
@@ -322,6 +354,8 @@ check "--strict lets a converged result pass" test "$status" -eq 0
 # large radius make that work last for minutes, were it not cancelled.
 awk '{ for (i = 0; i < 40; ++i) print $1 + i % 7 * .01, $2 + i % 5 * .01, $3 + i % 3 * .01 }' cube.xyz > long.xyz
 patient=(timeout --foreground -s KILL 60)   # passes the signals on, and ends a program that is deaf to them
+awk '{ for (i = 0; i < 50; ++i) print }' cube.xyz > more.xyz
+check_failure 3 "--percentage asks for more than 4294967294" more.xyz old.ply --percentage 1000000
 for signal in INT TERM; do
   expected=130; test $signal = INT || expected=143
   "${patient[@]}" "$program" --force silent.xyz old.ply > stdout 2> stderr & job=$!
