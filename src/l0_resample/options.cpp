@@ -331,7 +331,8 @@ void add_options(CLI::App& app, Options& options, std::vector<std::string>& file
   app.add_option("--json", options.json, "write what was done, stage by stage")->type_name("FILE");
   app
     .add_option("--snapshot", options.snapshot,
-                "draw input and result side by side, colored by normal direction")
+                "draw input and result side by side, colored by normal direction; in a batch into "
+                "this folder, as NAME.png of each result NAME")
     ->type_name("FILE.png");
   const auto set_view = [&options](const std::string& text) {
     options.view = parse_direction("--view", text);
@@ -417,11 +418,21 @@ void set_files(const CLI::App& app, const std::vector<std::string>& files, Optio
   check_paths_differ(options);
 }
 
+/// Of a result of a batch, whose name goes on in that of its picture: others may differ in the
+/// extension alone.
+std::string snapshot_of(const std::string& folder, const std::string& output)
+{
+  if (folder.empty() || output.empty())
+    return "";
+  return (std::filesystem::path(folder) / std::filesystem::path(output).filename()).string()
+         + ".png";
+}
+
 std::vector<Options> batch_of(const CLI::App& app, const std::vector<std::string>& inputs,
                               const std::string& directory, const Options& options)
 {
-  if (!options.snapshot.empty())
-    refuse_usage("--snapshot is not for a batch");
+  if (std::filesystem::path(options.snapshot).extension() == ".png")
+    refuse_usage("--snapshot: in a batch a folder expected, found " + options.snapshot);
   const auto given = [&app](const std::string& option, File_format format) {
     return app.count(option) > 0 ? std::optional<File_format>(format) : std::nullopt;
   };
@@ -435,6 +446,7 @@ std::vector<Options> batch_of(const CLI::App& app, const std::vector<std::string
     runs.back().input_format = item.input_format;
     runs.back().output_format = item.output_format;
     runs.back().refusal = item.refusal;
+    runs.back().snapshot = snapshot_of(options.snapshot, item.output);
     check_columns(runs.back());
     check_paths_differ(runs.back());
   }

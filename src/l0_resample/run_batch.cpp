@@ -20,16 +20,24 @@
 namespace l0_tool {
 namespace {
 
+void make_folder(const std::string& folder)
+{
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error)
+    throw Failure(OUTPUT_NOT_WRITTEN, folder + ": cannot be made: " + error.message());
+}
+
 /// What would make every run fail is found at the beginning.
 void prepare(const Command& command)
 {
   const Options& options = command.runs.front();
   check_device(options);
-  std::error_code error;
-  std::filesystem::create_directories(command.output_directory, error);
-  if (error)
-    throw Failure(OUTPUT_NOT_WRITTEN,
-                  command.output_directory + ": cannot be made: " + error.message());
+  make_folder(command.output_directory);
+  const auto has_snapshot = [](const Options& run) { return !run.snapshot.empty(); };
+  const auto first = std::find_if(command.runs.begin(), command.runs.end(), has_snapshot);
+  if (first != command.runs.end()) // all of them go to one folder
+    make_folder(std::filesystem::path(first->snapshot).parent_path().string());
   if (!options.json.empty())
     check_writable(options.json, 0);
 }

@@ -392,11 +392,20 @@ run scans/a.xyz scans/c.xyz --output-directory batch/mixed --quiet
 check "status of a batch with failures of two kinds" test "$status" -eq 1 -a "$(wc -l < stderr)" -eq 3
 run scans/a.xyz scans/b.npy --output-directory batch/good --points 30 --quiet
 check "a quiet batch" test "$status" -eq 0 -a ! -s stdout -a ! -s stderr
+cp a.xyz scans/same.xyz; cp same.ply scans/same.ply; cp scans/notes.txt notes.txt
+run notes.txt scans/same.xyz scans/same.ply --output-directory batch/seen --points 30 \
+  --snapshot batch/pictures/new
+check "pictures of a batch" test "$status" -eq 3 \
+  -a "$(ls batch/pictures/new)" = "$(printf 'same.ply.png\nsame.xyz.png')"
+check "each is a picture" test "$(head -c 4 batch/pictures/new/same.ply.png | od -An -tx1)" = " 89 50 4e 47"
+rm scans/same.*
+check_failure 4 "cube.xyz/inside: cannot be made" scans/a.xyz --output-directory batch/same2 \
+  --snapshot cube.xyz/inside
 cp scans/a.xyz other/a.xyz
 check_failure 2 "both scans/a.xyz and other/a.xyz" scans/a.xyz other/a.xyz --output-directory batch/same
 check_failure 2 "both scans/a.xyz and ./scans/a.xyz" scans/a.xyz ./scans/a.xyz --output-directory batch/same
 check_failure 2 "would take the place of the input scans/a.xyz" scans/a.xyz --output-directory other/../scans
-check_failure 2 "--snapshot" scans/a.xyz --output-directory batch/same --snapshot picture.png
+check_failure 2 "--snapshot: in a batch a folder expected" scans/a.xyz --output-directory batch/same --snapshot picture.png
 check_failure 2 "3 files" scans/a.xyz scans/b.npy out.ply
 check_failure 2 "INPUT" --output-directory batch/same
 check "a refused batch makes nothing" test ! -e batch/same
