@@ -44,7 +44,8 @@ expect("The control file" "${output}" "Recommends: libcgal-dev \\(>= 5\\.5\\), "
 # What is in it
 run(dpkg-deb --contents ${packages})
 foreach(path IN ITEMS bin/l0_resample include/CGAL/l0_resample_point_set.h CGAL_L0_resamplingConfig.cmake
-                      share/doc/cgal-l0-resampling/copyright)
+                      share/doc/cgal-l0-resampling/copyright share/man/man1/l0_resample.1
+                      share/bash-completion/completions/l0_resample)
   expect("The list of files" "${output}" "root/root [^\n]* \\./usr/[^\n]*${path}\n")
 endforeach()
 string(REGEX MATCHALL "[^\n]* \\./[^\n]*" lines "${output}")
