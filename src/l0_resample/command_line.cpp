@@ -314,6 +314,10 @@ void add_other_tasks(CLI::App& app, Arguments& arguments)
 {
   app.add_flag("--convert-only", arguments.options.convert_only,
                "write the points of INPUT as they are, in the format of OUTPUT");
+  app
+    .add_option("--config", arguments.config,
+                "read lines option = value; the command line goes before them")
+    ->type_name("FILE");
   app.set_help_flag("-h,--help", "print this page");
   app.set_version_flag("-V,--version",
                        std::string("l0_resample " L0_RESAMPLE_VERSION ", CGAL " CGAL_VERSION_STR),
@@ -323,10 +327,11 @@ void add_other_tasks(CLI::App& app, Arguments& arguments)
 // What a conversion has no use for is refused with it.
 void exclude_resampling(CLI::App& app)
 {
-  static constexpr std::array<std::string_view, 15> allowed = {
-    "help",   "version",       "FILES",           "output-directory", "input-format",
-    "output", "output-format", "drop-non-finite", "convert-only",     "columns",
-    "force",  "quiet",         "max-points",      "max-memory",       "timeout"};
+  static constexpr std::array<std::string_view, 16> allowed = {
+    "help",         "version",    "FILES",         "output-directory",
+    "input-format", "output",     "output-format", "drop-non-finite",
+    "convert-only", "columns",    "force",         "quiet",
+    "max-points",   "max-memory", "timeout",       "config"};
   for (CLI::Option* option : app.get_options())
     if (std::find(allowed.begin(), allowed.end(), option->get_single_name()) == allowed.end())
       app.get_option("--convert-only")->excludes(option);

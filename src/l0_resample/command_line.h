@@ -25,6 +25,7 @@ struct Arguments
   std::vector<std::string> files;
   std::string output;
   std::string output_directory;
+  std::string config;
   Options options;
 };
 

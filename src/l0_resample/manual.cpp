@@ -36,7 +36,7 @@ struct Section
   const char* text; ///< paragraphs, with an empty line between them
 };
 
-constexpr std::array<Section, 6> sections = {
+constexpr std::array<Section, 7> sections = {
   {{"FILES",
     R"(PLY and PCD (ASCII, binary and compressed), OFF, XYZ, NPY, CSV and OBJ are read. PLY and PCD
 (binary), OFF, XYZ and NPY are written with normals, as a whole or not at all. What gzip has
@@ -75,6 +75,11 @@ of no known format, and their number; the others are not harmed. The exit status
 failures if they all have the same, else 1. After SIGINT, SIGTERM or --timeout no other file is
 begun. A result never takes the place of an input, or of another result. --snapshot names a
 folder, which gets NAME.png of each result NAME.)"},
+   {"CONFIGURATION",
+    R"(The file that --config names has lines such as "method = lor" or "force = true": the long name
+of an option, and its value, or true or false for one that takes none. Lines that begin with # are
+skipped. The command line goes before the file: what it says, and what cannot go with that, is not
+taken from the file. --output, --help, --version and --config are not in files.)"},
    {"OUTPUT OF THE PROGRAM",
     R"(Standard output gets one line of summary; if points or a report go there, standard error gets
 it. Notes, warnings and errors are lines on standard error.)"},

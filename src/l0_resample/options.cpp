@@ -8,11 +8,13 @@
 #include "Failure.h"
 #include "batch.h"
 #include "command_line.h"
+#include "config_file.h"
 #include "manual.h"
 
 #include <CGAL/L0_resampling/internal/Parameters.h>
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <string>
@@ -46,14 +48,14 @@ void check_paths_differ(const Options& options)
     refuse_usage(options.json + ": is named twice");
 }
 
-// Nothing that is asked for is ignored.
+// Nothing that the command line asks for is ignored.
 void check_effects(const CLI::App& app, const Options& options)
 {
-  if (options.keep_outliers && options.method != Method::DEFAULT)
+  if (app.count("--keep-outliers") > 0 && options.method != Method::DEFAULT)
     refuse_usage("--keep-outliers: " + name_of(options.method) + " keeps all points anyway");
-  if (options.solver_iterations && options.solver == Solver::CHOLESKY)
+  if (app.count("--solver-iterations") > 0 && options.solver == Solver::CHOLESKY)
     refuse_usage("--solver-iterations: cholesky has none");
-  if (options.view && app.count("--snapshot") == 0)
+  if (app.count("--view") > 0 && options.snapshot.empty())
     refuse_usage("--view: there is no --snapshot to look at");
 }
 
@@ -130,7 +132,8 @@ std::vector<Options> batch_of(const CLI::App& app, const std::vector<std::string
   return runs;
 }
 
-Command command_of(const CLI::App& app, Arguments& arguments)
+/// \param command_line without what a file adds
+Command command_of(const CLI::App& app, const CLI::App& command_line, Arguments& arguments)
 {
   Command command;
   std::vector<std::string>& files = arguments.files;
@@ -145,7 +148,7 @@ Command command_of(const CLI::App& app, Arguments& arguments)
                    + " files");
     files.push_back(arguments.output);
   }
-  check_effects(app, arguments.options);
+  check_effects(command_line, arguments.options);
   if (command.is_batch())
     command.runs = batch_of(app, files, command.output_directory, arguments.options);
   else {
@@ -164,7 +167,18 @@ std::optional<int> parse_command_line(int argc, char** argv, Command& command)
   add_options(app, arguments);
   try {
     app.parse(argc, argv);
-    command = command_of(app, arguments);
+    if (app.count("--config") == 0)
+      command = command_of(app, app, arguments);
+    else {
+      std::vector<std::string> words = read_config(arguments.config, app);
+      words.insert(words.end(), argv + 1, argv + argc);
+      std::reverse(words.begin(), words.end()); // as CLI11 wants them
+      Arguments all;
+      CLI::App with_config("", "l0_resample");
+      add_options(with_config, all);
+      with_config.parse(words);
+      command = command_of(with_config, app, all);
+    }
     check_no_file_is_replaced(command.runs);
     return std::nullopt;
   } catch (const Failure& failure) {

@@ -256,6 +256,43 @@ check_failure 2 "is named twice" cube.xyz old.ply --json ./old.ply
 check_failure 2 "is named twice" cube.xyz old.ply --json cube.xyz
 check "wrong usage writes nothing" is_old old.ply
 
+# Options of a file, which the command line goes before
+printf '%s\n' '# as always' '' 'points = 40' ' method=LOR ' 'quiet = false' 'force = true' \
+  'keep-outliers = true' 'view = 1,2,3' > options.txt
+run_plainly cube.xyz out.ply --config options.txt
+check "options of a file" test "$status" -eq 0 -a "$(number_of_points out.ply)" -eq 40
+check "a choice of a file" grep -q 'method lor' stdout
+run_plainly cube.xyz out.ply --config options.txt -n 50 --method default
+check "the command line goes before a file" test "$(number_of_points out.ply)" -eq 50
+check "each option of it" grep -q 'method default' stdout
+run_plainly --config options.txt --percentage 1 -- cube.xyz out.ply
+check "also with what excludes an option of the file" test "$(number_of_points out.ply)" -eq 96
+run_plainly cube.xyz out.ply --config options.txt --convert-only
+check "a task without options of the file" test "$(number_of_points out.ply)" -eq 9600
+echo 'quiet = true' > quiet.txt
+run cube.xyz out.ply --points 5 --config quiet.txt
+check "a flag of a file" test "$status" -eq 0 -a ! -s stdout
+check_failure 2 "--config: none.txt: cannot be opened" cube.xyz old.ply --config none.txt
+check_config()   # a line, and what is wrong with it
+{
+  printf 'seed = 1\n%s\n' "$1" > wrong.txt
+  check_failure 2 "--config: wrong.txt: line 2: $2" cube.xyz old.ply --config wrong.txt
+}
+check_config "points 5" "option = value expected, found 'points 5'"
+check_config "point = 5" "'point' is no option that a file may have"
+check_config "n = 5" "'n' is no option"
+check_config " = 5" "'' is no option"
+check_config "FILES = old.ply" "'FILES' is no option"
+for name in config output help version; do check_config "$name = x" "'$name' is no option"; done
+check_config "points = 0" "--points: 0 is not a whole number"
+check_config "points =" "--points"
+check_config "method = best" "--method: best not in"
+check_config "columns = x,y" "--columns x,y: x, y and z have"
+check_config "quiet = yes" "quiet is true or false, found 'yes'"
+check_config "seed = 2" "a second line seed"
+printf 'points = 5\npercentage = 5\n' > wrong.txt
+check_failure 2 "excludes" cube.xyz old.ply --config wrong.txt
+
 # Input refused: 3
 check_failure 3 "missing.ply: cannot be opened: No such file" missing.ply old.ply
 check_failure 3 "Is a directory" . old.ply --input-format ply
