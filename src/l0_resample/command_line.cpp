@@ -312,6 +312,10 @@ void add_options_on_machine(CLI::App& app, Arguments& arguments)
 
 void add_other_tasks(CLI::App& app, Arguments& arguments)
 {
+  app.add_flag("--info", arguments.options.info,
+               "tell what INPUT is and what the defaults would be; write nothing");
+  app.add_flag("--dry-run", arguments.options.dry_run,
+               "read INPUT, check all that can be, and write nothing");
   app.add_flag("--convert-only", arguments.options.convert_only,
                "write the points of INPUT as they are, in the format of OUTPUT");
   app
@@ -324,17 +328,21 @@ void add_other_tasks(CLI::App& app, Arguments& arguments)
                        "print the version");
 }
 
-// What a conversion has no use for is refused with it.
-void exclude_resampling(CLI::App& app)
+// What a task has no use for is refused with it.
+void exclude_others(CLI::App& app, const std::string& task,
+                    const std::vector<std::string_view>& useful)
 {
-  static constexpr std::array<std::string_view, 16> allowed = {
-    "help",         "version",    "FILES",         "output-directory",
-    "input-format", "output",     "output-format", "drop-non-finite",
-    "convert-only", "columns",    "force",         "quiet",
-    "max-points",   "max-memory", "timeout",       "config"};
-  for (CLI::Option* option : app.get_options())
-    if (std::find(allowed.begin(), allowed.end(), option->get_single_name()) == allowed.end())
-      app.get_option("--convert-only")->excludes(option);
+  static constexpr std::array<std::string_view, 12> always = {
+    "help",  "version",    "config",     "FILES",   "input-format", "columns", "drop-non-finite",
+    "quiet", "max-points", "max-memory", "timeout", "threads"};
+  const auto has = [](const auto& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  for (CLI::Option* option : app.get_options()) {
+    const std::string name = option->get_single_name();
+    if (name != task && !has(always, name) && !has(useful, name))
+      app.get_option("--" + task)->excludes(option);
+  }
 }
 
 } // namespace
@@ -361,7 +369,10 @@ void add_options(CLI::App& app, Arguments& arguments)
     app.option_defaults()->group(name);
     add(app, arguments);
   }
-  exclude_resampling(app);
+  exclude_others(app, "convert-only",
+                 {"output", "output-directory", "output-format", "force", "dry-run"});
+  exclude_others(app, "info",
+                 {"points", "percentage", "method", "neighbor-radius", "keep-outliers"});
 }
 
 std::vector<std::string> choices_of(const std::string& option)

@@ -6,6 +6,7 @@
 #include "convert.h"
 
 #include "Output_file.h"
+#include "check_output.h"
 #include "parse_numbers.h"
 #include "read_points.h"
 #include "write_points.h"
@@ -18,7 +19,7 @@ namespace l0_tool {
 
 void convert_file(const Options& options, Input_file::On_progress on_progress, Run_record& record)
 {
-  check_writable(options.output, 0);
+  check_output(options, 0);
   Read_options read_options;
   read_options.max_points = options.max_points;
   read_options.max_memory = options.max_memory;
@@ -32,11 +33,13 @@ void convert_file(const Options& options, Input_file::On_progress on_progress, R
   record.report.number_of_input_points = cloud.points.size();
   record.report.number_of_dropped_points = cloud.number_of_dropped_points;
 
-  check_writable(options.output,
-                 largest_file_size(options.output_format, cloud.points.size(), cloud.properties));
+  check_output(options,
+               largest_file_size(options.output_format, cloud.points.size(), cloud.properties));
+  record.report.number_of_output_points = cloud.points.size();
+  if (options.dry_run)
+    return;
   const std::vector<std::string> left_out = write_point_cloud(options.output, options.output_format,
                                                               cloud, options.existing_file());
-  record.report.number_of_output_points = cloud.points.size();
   for (const std::string& name : left_out)
     record.warnings.push_back(options.output + ": the format has no place for the property "
                               + printable(name));

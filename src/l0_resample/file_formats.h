@@ -28,8 +28,8 @@ bool is_written(File_format format);
 /// Whether the name is that of a file which gzip has made.
 bool is_compressed(const std::string& path);
 
-/// By the extension of `path`, maybe before .gz, in lower or upper case: .ply, .off, .xyz, .xyzn, .pwn, .pcd, .npy,
-/// .csv or .obj.
+/// By the extension of `path`, maybe before .gz, in lower or upper case: .ply, .off, .xyz, .xyzn,
+/// .pwn, .pcd, .npy, .csv or .obj.
 std::optional<File_format> format_of(const std::string& path);
 
 /// The usual one, with its dot.

@@ -19,7 +19,7 @@ using namespace l0_tool;
 Exit_status run_alone(const Options& options)
 {
   Run_record record = run(options);
-  if (!options.json.empty() && !is_interrupted())
+  if (!options.json.empty() && !options.dry_run && !is_interrupted())
     guarded(record, [&]() { write_text(options.json, report_as_json(options, record)); });
   print_outcome(options, record);
   print_error(record.error);

@@ -21,9 +21,9 @@ namespace {
 constexpr const char* summary =
   "turns noisy points into clean, evenly spread, oriented ones that keep sharp features";
 
-constexpr std::array<const char*, 3> usages = {
+constexpr std::array<const char*, 4> usages = {
   "l0_resample [OPTIONS] INPUT OUTPUT", "l0_resample [OPTIONS] INPUT... --output-directory FOLDER",
-  "l0_resample --convert-only INPUT OUTPUT"};
+  "l0_resample --convert-only INPUT OUTPUT", "l0_resample --info INPUT"};
 
 constexpr std::array<const char*, 3> examples = {
   "l0_resample scan.ply clean.ply --percentage 50 --snapshot picture.png",
@@ -36,57 +36,65 @@ struct Section
   const char* text; ///< paragraphs, with an empty line between them
 };
 
-constexpr std::array<Section, 7> sections = {
+constexpr std::array<Section, 8> sections = {
   {{"FILES",
-    R"(PLY and PCD (ASCII, binary and compressed), OFF, XYZ, NPY, CSV and OBJ are read. PLY and PCD
-(binary), OFF, XYZ and NPY are written with normals, as a whole or not at all. What gzip has
-compressed (.ply.gz, ...) is read as what it stands for. LAS is not read: convert it first. A
-name that begins with a dash goes behind --.
+    R"(PLY and PCD (ASCII, binary and compressed), OFF, XYZ, NPY, CSV and OBJ are read. PLY and
+PCD (binary), OFF, XYZ and NPY are written with normals, as a whole or not at all. What gzip has
+compressed (.ply.gz, ...) is read as what it stands for. LAS is not read: convert it first. A name
+that begins with a dash goes behind --.
 
 A file is not replaced without --force: if OUTPUT exists, also if it is INPUT, or a result of a
-batch, nothing is done. Reports (--json) and pictures (--snapshot) of an earlier run are
-replaced. INPUT - is standard input; OUTPUT - and --json - are standard output. That, a pipe,
-and what leads to a descriptor, such as /dev/stdout, /dev/fd/3 or /proc/self/fd/3, is written to
-as it is open, also if it is redirected to a file.
+batch, nothing is done. Reports (--json) and pictures (--snapshot) of an earlier run are replaced.
+INPUT - is standard input; OUTPUT - and --json - are standard output. That, a pipe, and what leads
+to a descriptor, such as /dev/stdout, /dev/fd/3 or /proc/self/fd/3, is written to as it is open,
+also if it is redirected to a file.
 
-XYZ, a text, has coordinates in its first three columns and, if it has six, normals in the
-others. Where these are no unit vectors a warning says so, and they are left out. --columns
-tells what the columns are: x, y, z, nx, ny, nz, red, green, blue, alpha as in PLY, any other
-name for a property of the points, - or _ for a column to leave out. CSV, a table, names its
-columns in its first line. Of OBJ, vertices (v) are read and, if there are as many, normals
-(vn).)"},
+XYZ, a text, has coordinates in its first three columns and, if it has six, normals in the others.
+Where these are no unit vectors a warning says so, and they are left out. --columns tells what the
+columns are: x, y, z, nx, ny, nz, red, green, blue, alpha as in PLY, any other name for a property
+of the points, - or _ for a column to leave out. CSV, a table, names its columns in its first
+line. Of OBJ, vertices (v) are read and, if there are as many, normals (vn).)"},
    {"METHODS",
-    R"(LOR and ALOR are the methods of the paper, the default method is the one that is recommended.
-The radius of a neighborhood follows from spacing and noise of the points in the default method,
-and is the diagonal per cube root of the number of points in LOR and ALOR.
+    R"(LOR and ALOR are the methods of the paper, the default method is the one that is
+recommended. The radius of a neighborhood follows from spacing and noise of the points in the
+default method, and is the diagonal per cube root of the number of points in LOR and ALOR.
 
 The default method flattens no jump that is too large for noise. So there is a limit of
 --normal-weight, which grows with the noise, from which on larger values give the same result; a
 note says so.)"},
+   {"WITHOUT OUTPUT",
+    R"(--info tells of one INPUT the number of points, the extent, whether it has normals, which
+other properties its points have, and the viewpoint of a PCD file, which many programs write as
+0,0,0 if they know none; then spacing and noise of the points as the default method estimates
+them, and the radius and the number of points that a run with these options would have.
+
+--dry-run does all but to resample and to write: it reads INPUT, finds the radius, and finds out
+whether device, OUTPUT, report and picture could be used. The exit status is that of what is
+found. A batch makes no folder.)"},
    {"CONVERSIONS",
-    R"(--convert-only keeps the points as they are: PLY and PCD (binary) get all that INPUT tells of
-each, OFF normals and colors, XYZ and NPY normals; warnings say what else INPUT had. It takes no
-option on resampling.)"},
+    R"(--convert-only keeps the points as they are: PLY and PCD (binary) get all that INPUT tells
+of each, OFF normals and colors, XYZ and NPY normals; warnings say what else INPUT had. It takes
+no option on resampling.)"},
    {"BATCHES",
     R"(With --output-directory all FILES, and those of folders, are resampled. Results go there,
 under the same names; those of formats that are not written are PLY. Standard output gets one line
-for each file that was resampled, and standard error, at the end, one for each that failed, also one
-of no known format, and their number; the others are not harmed. The exit status is that of the
-failures if they all have the same, else 1. After SIGINT, SIGTERM or --timeout no other file is
-begun. A result never takes the place of an input, or of another result. --snapshot names a
+for each file that was resampled, and standard error, at the end, one for each that failed, also
+one of no known format, and their number; the others are not harmed. The exit status is that of
+the failures if they all have the same, else 1. After SIGINT, SIGTERM or --timeout no other file
+is begun. A result never takes the place of an input, or of another result. --snapshot names a
 folder, which gets NAME.png of each result NAME.)"},
    {"CONFIGURATION",
-    R"(The file that --config names has lines such as "method = lor" or "force = true": the long name
-of an option, and its value, or true or false for one that takes none. Lines that begin with # are
-skipped. The command line goes before the file: what it says, and what cannot go with that, is not
-taken from the file. --output, --help, --version and --config are not in files.)"},
+    R"(The file that --config names has lines such as "method = lor" or "force = true": the long
+name of an option, and its value, or true or false for one that takes none. Lines that begin with
+# are skipped. The command line goes before the file: what it says, and what cannot go with that,
+is not taken from the file. --output, --help, --version and --config are not in files.)"},
    {"OUTPUT OF THE PROGRAM",
-    R"(Standard output gets one line of summary; if points or a report go there, standard error gets
-it. Notes, warnings and errors are lines on standard error.)"},
+    R"(Standard output gets one line of summary; if points or a report go there, standard error
+gets it. Notes, warnings and errors are lines on standard error.)"},
    {"EXIT STATUS",
-    R"(0 good, 1 failed at run time (memory, time, solver, device), 2 wrong usage, 3 input refused,
-4 output not written, 5 not converged (with --strict), 130 and 143 cancelled by SIGINT and
-SIGTERM.)"}}};
+    R"(0 good, 1 failed at run time (memory, time, solver, device), 2 wrong usage, 3 input
+refused, 4 output not written, 5 not converged (with --strict), 130 and 143 cancelled by SIGINT
+and SIGTERM.)"}}};
 
 /// With a name, that is.
 std::vector<const CLI::Option*> options_of(const CLI::App& app)

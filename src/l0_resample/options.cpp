@@ -72,13 +72,21 @@ void check_no_file_is_replaced(const std::vector<Options>& runs)
 {
   std::vector<std::string> outputs;
   for (const Options& options : runs)
-    if (!options.force && options.refusal.empty())
+    if (!options.force && !options.info && options.refusal.empty())
       outputs.push_back(options.output);
   check_nothing_is_replaced(outputs);
 }
 
 void set_files(const CLI::App& app, const std::vector<std::string>& files, Options& options)
 {
+  if (options.info) {
+    if (files.size() > 1)
+      refuse_usage("--info: one INPUT expected, found " + std::to_string(files.size()) + " files");
+    options.input = files[0];
+    choose_format(options.input, "--input-format", app, options.input_format);
+    check_columns(options);
+    return;
+  }
   if (files.size() == 1)
     refuse_usage("OUTPUT is required");
   if (files.size() > 2)
@@ -125,6 +133,7 @@ std::vector<Options> batch_of(const CLI::App& app, const std::vector<std::string
     runs.back().input_format = item.input_format;
     runs.back().output_format = item.output_format;
     runs.back().refusal = item.refusal;
+    runs.back().is_in_batch = true;
     runs.back().snapshot = snapshot_of(options.snapshot, item.output);
     check_columns(runs.back());
     check_paths_differ(runs.back());

@@ -74,6 +74,8 @@ struct Options
   std::string snapshot;                      ///< empty for none
   std::optional<std::array<double, 3>> view; ///< from the points towards the eye
   bool convert_only = false;
+  bool info = false;    ///< say what the input is, and write nothing
+  bool dry_run = false; ///< read and check, and write nothing
   bool quiet = false;
   bool strict = false;
 
@@ -93,6 +95,8 @@ struct Options
     return orient_by_normals || viewpoint || ignore_viewpoint_of_file || !viewpoints.empty()
            || up_direction;
   }
+
+  bool is_in_batch = false; ///< whose folders are made, if they are missing
 
   /// What to call the input in messages.
   std::string input_name() const { return input == standard_stream ? "standard input" : input; }

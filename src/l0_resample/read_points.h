@@ -52,19 +52,18 @@ What gzip has compressed, of any of these formats, is read as what it stands for
   with names are read as `Text_columns` does.
 - PCD, ASCII, binary or compressed, of version 0.5 to 0.7: the fields x, y, z and maybe normal_x,
   normal_y, normal_z, of any type but integers of 64 bits, and the place of the viewpoint. Of the
-  other fields
-  that can be kept, one of several values becomes as many properties, and the packed colors rgb and
-  rgba become the properties red, green, blue and alpha.
-- NPY: an array of float32, float64 or integers, of shape (n, 3), or (n, 6) for points with normals,
-  in the order of C or Fortran. Integers of 64 bits are rounded to double precision.
-- CSV: a table with a header line, whose columns are separated by commas, semicolons, tabs or blanks.
-  The line names them, maybe in quotes or behind # or //: x, y, z and maybe nx, ny, nz or normal_x,
-  normal_y, normal_z, in upper or lower case, and r, g, b for a color. Other columns of numbers are
-  properties, as `Text_columns` has them. Names of `columns` go before those of the file, which then
-  needs none. An empty value is NaN.
-- OBJ: the vertices (v) and, if there are as many of them, the vertex normals (vn), of which the i-th
-  is taken for that of the i-th vertex. Three numbers behind x, y, z (and maybe w) are a color. What
-  else the file has is skipped.
+  other fields that can be kept, one of several values becomes as many properties, and the packed
+  colors rgb and rgba become the properties red, green, blue and alpha.
+- NPY: an array of float32, float64 or integers, of shape (n, 3), or (n, 6) for points with
+  normals, in the order of C or Fortran. Integers of 64 bits are rounded to double precision.
+- CSV: a table with a header line, whose columns are separated by commas, semicolons, tabs or
+  blanks. The line names them, maybe in quotes or behind # or //: x, y, z and maybe nx, ny, nz or
+  normal_x, normal_y, normal_z, in upper or lower case, and r, g, b for a color. Other columns of
+  numbers are properties, as `Text_columns` has them. Names of `columns` go before those of the
+  file, which then needs none. An empty value is NaN.
+- OBJ: the vertices (v) and, if there are as many of them, the vertex normals (vn), of which the
+  i-th is taken for that of the i-th vertex. Three numbers behind x, y, z (and maybe w) are a
+  color. What else the file has is skipped.
 
 \throws Failure with INPUT_REFUSED and the line or byte where the file is not what it should be, or
 holds more than

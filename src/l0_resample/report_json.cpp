@@ -121,10 +121,16 @@ std::string summary_line(const Options& options, const Run_record& record)
     line += std::to_string(report.number_of_dropped_points) + " dropped, ";
   if (report.number_of_outliers > 0)
     line += std::to_string(report.number_of_outliers) + " outliers left out, ";
-  line += std::to_string(report.number_of_output_points) + " out, ";
+  line += std::to_string(report.number_of_output_points)
+          + (options.dry_run ? " would be written to " + options.output + ", " : " out, ");
   if (options.convert_only)
     return line + "converted\n";
-  line += "method " + name_of(options.method) + ", " + numbers;
+  line += "method " + name_of(options.method) + ", ";
+  if (options.dry_run) {
+    std::snprintf(numbers, sizeof numbers, "neighbor radius %.6g\n", report.neighbor_radius);
+    return line + numbers;
+  }
+  line += numbers;
   if (!report.converged)
     line += ", not converged";
   return line + "\n";

@@ -7,6 +7,7 @@
 
 #include "Failure.h"
 #include "carry_properties.h"
+#include "signals.h"
 
 #include <CGAL/L0_resampling/Block_conjugate_gradient_solver_traits.h>
 #include <CGAL/L0_resampling/Eigen_cholesky_solver_traits.h>
@@ -135,6 +136,17 @@ std::size_t number_of_output_points(const Options& options, std::size_t number_o
     throw Failure(INPUT_REFUSED, options.input_name() + ": --percentage asks for more than "
                                    + std::to_string(max_number_of_output_points) + " points");
   return (std::max)(std::size_t(1), std::size_t(number));
+}
+
+CGAL::L0_resampling::Report estimate_scales(const Point_cloud& cloud, const Options& options)
+{
+  Options on_cpu = options;
+  on_cpu.device = Device::CPU;
+  CGAL::L0_resampling::Report report;
+  const auto callback = [&](double) { return report.neighbor_radius == 0 && !is_interrupted(); };
+  resample(cloud, Sides(), on_cpu, callback, report);
+  throw_if_interrupted();
+  return report;
 }
 
 double largest_effective_normal_weight(const CGAL::L0_resampling::Report& report)

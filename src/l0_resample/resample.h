@@ -33,6 +33,11 @@ void check_device(const Options& options);
 /// \throws Failure with INPUT_REFUSED if these are more than the function can give
 std::size_t number_of_output_points(const Options& options, std::size_t number_of_input_points);
 
+/// What a call of `resample()` finds out before it works: radii, and with the default method
+/// spacing and noise.
+/// \throws Failure as `resample()`
+CGAL::L0_resampling::Report estimate_scales(const Point_cloud& cloud, const Options& options);
+
 /// The normal weight from which on larger ones change no result, of a call of the default method
 /// that gave this report: no jump above a limit is shrunk.
 double largest_effective_normal_weight(const CGAL::L0_resampling::Report& report);

@@ -7,9 +7,11 @@
 
 #include "Failure.h"
 #include "Output_file.h"
+#include "check_output.h"
 #include "Progress_bar.h"
 #include "parse_numbers.h"
 #include "convert.h"
+#include "describe.h"
 #include "read_points.h"
 #include "render_snapshot.h"
 #include "resample.h"
@@ -117,8 +119,9 @@ void resample_file(const Options& options, Run_record& record)
   const std::string name = options.input_name();
   // What would spoil the end is found at the beginning
   check_device(options);
-  for (const std::string& path : {options.output, options.snapshot, options.json})
-    if (!path.empty())
+  check_output(options, 0);
+  for (const std::string& path : {options.snapshot, options.json})
+    if (!path.empty() && !is_folder_missing(options, path))
       check_writable(path, 0);
 
   const std::vector<Point> viewpoints = options.viewpoints.empty()
@@ -127,12 +130,18 @@ void resample_file(const Options& options, Run_record& record)
 
   Progress_bar progress(options.quiet);
   const Point_cloud cloud = read_input(options, progress, record);
-  check_writable(options.output,
-                 largest_file_size(options.output_format,
-                                   number_of_output_points(options, cloud.points.size()),
-                                   cloud.properties));
+  const std::size_t number_of_points = number_of_output_points(options, cloud.points.size());
+  check_output(options,
+               largest_file_size(options.output_format, number_of_points, cloud.properties));
 
   const Sides sides = find_sides(cloud, viewpoints, options, record);
+  if (options.dry_run) {
+    record.report = estimate_scales(cloud, options);
+    record.report.number_of_input_points = cloud.points.size();
+    record.report.number_of_dropped_points = cloud.number_of_dropped_points;
+    record.report.number_of_output_points = cloud.points.empty() ? 0 : number_of_points;
+    return;
+  }
   const Resampled_points result = resample_input(cloud, sides, options, progress, record);
   for (const CGAL::L0_resampling::Warning warning : CGAL::L0_resampling::warnings(record.report))
     record.warnings.push_back(options.input + ": "
@@ -153,12 +162,20 @@ void resample_file(const Options& options, Run_record& record)
               render_snapshot(cloud, result.points, options.view, result.feature_confidences));
 }
 
+void describe_file(const Options& options, Run_record& record)
+{
+  Progress_bar progress(options.quiet);
+  const Point_cloud cloud = read_input(options, progress, record);
+  progress.clear();
+  record.description = describe(cloud, options);
+}
+
 void print_summary(const Options& options, const Run_record& record)
 {
-  const bool is_taken = is_standard_output(options.output)
+  const bool is_taken = (!options.output.empty() && is_standard_output(options.output))
                         || (!options.json.empty() && is_standard_output(options.json));
   std::ostream& stream = is_taken ? std::cerr : std::cout;
-  stream << summary_line(options, record) << std::flush;
+  stream << (options.info ? record.description : summary_line(options, record)) << std::flush;
   if (!stream)
     throw Failure(OUTPUT_NOT_WRITTEN, "standard output: the summary cannot be written");
 }
@@ -187,6 +204,8 @@ Run_record run(const Options& options)
   guarded(record, [&]() {
     if (!options.refusal.empty())
       throw Failure(INPUT_REFUSED, options.refusal);
+    if (options.info)
+      return describe_file(options, record);
     if (!options.convert_only)
       return resample_file(options, record);
     Progress_bar progress(options.quiet);
@@ -211,7 +230,7 @@ void print_error(const std::string& error)
 
 void print_outcome(const Options& options, Run_record& record)
 {
-  if (record.status == SUCCESS && !options.quiet)
+  if (record.status == SUCCESS && (!options.quiet || options.info))
     guarded(record, [&]() { print_summary(options, record); });
   if (options.quiet)
     return;

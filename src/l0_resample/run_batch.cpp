@@ -6,6 +6,7 @@
 #include "run_batch.h"
 
 #include "Output_file.h"
+#include "check_output.h"
 #include "resample.h"
 #include "run.h"
 #include "signals.h"
@@ -14,30 +15,21 @@
 #include <cstddef>
 #include <filesystem>
 #include <string>
-#include <system_error>
 #include <vector>
 
 namespace l0_tool {
 namespace {
-
-void make_folder(const std::string& folder)
-{
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error)
-    throw Failure(OUTPUT_NOT_WRITTEN, folder + ": cannot be made: " + error.message());
-}
 
 /// What would make every run fail is found at the beginning.
 void prepare(const Command& command)
 {
   const Options& options = command.runs.front();
   check_device(options);
-  make_folder(command.output_directory);
+  make_folder(options, command.output_directory);
   const auto has_snapshot = [](const Options& run) { return !run.snapshot.empty(); };
   const auto first = std::find_if(command.runs.begin(), command.runs.end(), has_snapshot);
   if (first != command.runs.end()) // all of them go to one folder
-    make_folder(std::filesystem::path(first->snapshot).parent_path().string());
+    make_folder(options, std::filesystem::path(first->snapshot).parent_path().string());
   if (!options.json.empty())
     check_writable(options.json, 0);
 }
@@ -103,7 +95,7 @@ Exit_status run_batch(const Command& command)
 
   if (is_interrupted())
     guarded(batch, []() { throw_if_interrupted(); });
-  else if (!json.empty())
+  else if (!json.empty() && !command.runs.front().dry_run)
     guarded(batch, [&]() { write_text(json, reports + "]\n"); });
   print_failures(errors, command.runs.size(), number_of_runs_left);
   print_error(batch.error);

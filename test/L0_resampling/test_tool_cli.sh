@@ -495,6 +495,63 @@ run --convert-only scans --output-directory batch/converted --output-format ply
 check "a batch of conversions" test "$status" -eq 3 -a "$(number_of_points batch/converted/a.ply)" -eq 9600 \
   -a "$(ls batch/converted)" = "$(printf 'a.ply\nb.ply\nd.ply')"
 
+# What an input is
+fact() { sed -n "s/^$1: *//p" stdout; }
+run_plainly --info cube.xyz
+check "facts of an input" test "$status" -eq 0 -a ! -s stderr -a "$(wc -l < stdout)" -eq 11
+check "its name and format" test "$(fact file)" = "cube.xyz, xyz"
+check "its number of points" test "$(fact points)" = 9600
+check "its extent" test "$(fact extent | grep -oE '[-0-9.]+' | awk '{ $1 = $1 < 0 ? -$1 : $1
+  wrong += NR < 7 ? $1 < .49 || $1 > .52 : $1 < 1.7 || $1 > 1.8 } END { print wrong + 0, NR }')" = "0 7"
+check "its normals, properties and viewpoint" \
+  test "$(fact normals), $(fact properties), $(fact viewpoint)" = "no, none, not told"
+check "its spacing, 1 / 39 and the noise" awk "BEGIN { exit !($(fact spacing) > .022 && $(fact spacing) < .029) }"
+check "its noise, 0.02 / sqrt(12) across" awk "BEGIN { exit !($(fact noise) > .004 && $(fact noise) < .008) }"
+check "the defaults" test "$(fact method), $(fact 'points to write')" = "default, 4800"
+radius=$(fact 'neighbor radius')
+run cube.xyz out.ply --json info.json
+check "the radius is that of a run" awk "BEGIN { r = $(sed -n 's/ *"neighbor_radius": \(.*\),/\1/p' info.json)
+  exit !($radius > .9999 * r && $radius < 1.0001 * r) }"
+run_plainly --info cube.xyz --method lor --percentage 10 --quiet
+check "the defaults of another method" test "$(fact 'points to write')" = 960 -a "$(fact 'neighbor radius')" != "$radius"
+sed 's/^VIEWPOINT .*/VIEWPOINT 1 -2 0.5 1 0 0 0/' same.pcd > seen.pcd
+run_plainly --info seen.pcd
+check "a viewpoint and normals" test "$(fact viewpoint), $(fact normals)" = "1,-2,0.5, yes"
+run_plainly --info attributes.ply
+check "properties" test "$(fact properties)" = "red, label, height"
+run_plainly --info bad.xyz --drop-non-finite
+check "points that are not finite" test "$(fact points)" = "9600, and 2 that are not finite"
+echo 0 > zero.xyz
+run_plainly --info zero.xyz
+check "facts of no points" test "$status" -eq 0 -a "$(fact points)" = 0
+check_plain_failure 3 "missing.ply" --info missing.ply
+check_plain_failure 2 "--info: one INPUT expected, found 2 files" --info cube.xyz old.ply
+for option in "-o x.ply" "--json x.json" --dry-run --force "--output-directory x"; do
+  # shellcheck disable=SC2086
+  check_plain_failure 2 "--info" --info cube.xyz $option
+done
+
+# All but the work
+mkdir dry
+run_plainly cube.xyz dry/out.ply --dry-run --json dry/out.json --snapshot dry/out.png
+check "a dry run" test "$status" -eq 0 -a ! -s stderr
+check "what it would do" test "$(cat stdout)" = \
+  "cube.xyz: 9600 points in, 4800 would be written to dry/out.ply, method default, neighbor radius $radius"
+check "it writes nothing" test -z "$(ls dry)"
+run_plainly bad.xyz dry/out.ply --dry-run --convert-only --drop-non-finite
+check "a dry conversion" test "$(cat stdout)" = \
+  "bad.xyz: 9600 points in, 2 dropped, 9600 would be written to dry/out.ply, converted" -a -z "$(ls dry)"
+run_plainly scans --dry-run --output-directory dry/a/b --snapshot dry/c --json dry/out.json
+check "a dry batch" test "$status" -eq 3 -a "$(grep -c 'would be written to dry/a/b/' stdout)" -eq 3 -a -z "$(ls dry)"
+check_plain_failure 4 "old.ply: the file exists" cube.xyz old.ply --dry-run
+check_failure 4 "no/out.ply" cube.xyz no/out.ply --dry-run
+check_failure 4 "no/out.png" cube.xyz dry/out.ply --snapshot no/out.png --dry-run
+check_failure 4 "cube.xyz/inside: cannot be made" scans/a.xyz --output-directory cube.xyz/inside --dry-run
+check_failure 3 "bad.xyz: line 9601" bad.xyz old.ply --dry-run
+check_failure 3 "has no normals" cube.xyz old.ply --dry-run --use-normals
+CUDA_VISIBLE_DEVICES=-1 check_failure 1 "--device cuda" cube.xyz old.ply --device cuda --dry-run
+check "dry failures write nothing" test -z "$(ls dry)" -a "$(cat old.ply)" = old
+
 # Names and places
 run cube.xyz "a name with blanks é.ply"
 check "blanks and accents" test "$status" -eq 0 -a "$(number_of_points "a name with blanks é.ply")" -eq 4800
