@@ -192,9 +192,10 @@ void test_csv()
   }
 
   // Normals, a color, a missing value, an empty name, a text and a name that is there twice
-  const std::string table = "X,Normal_X,Normal_Y,Normal_Z,Y,Z,R,G,B,Scalar \"\"f\"\",class,,n,n\n"
-                            "1,0,0,1,2,3,255,0,7,0.5,\"a, b\",8,4,5\n"
-                            "-10,0,1,0,.5,4,1,2,3,,c,8,6,7\n";
+  const std::string table =
+    "X,Normal_X,Normal_Y,Normal_Z,Y,Z,R,G,B,\"Scalar \"\"f\"\"\",class,,n,n\n"
+    "1,0,0,1,2,3,255,0,7,0.5,\"a, b\",8,4,5\n"
+    "-10,0,1,0,.5,4,1,2,3,,c,8,6,7\n";
   const Point_cloud cloud = read(".csv", table, everything);
   CHECK(cloud.points == two);
   CHECK(cloud.normals == (std::vector<Vector>{Vector(0, 0, 1), Vector(0, 1, 0)}));
