@@ -64,9 +64,9 @@ The default method flattens no jump that is too large for noise. So there is a l
 note says so.)"},
    {"WITHOUT OUTPUT",
     R"(--info tells of one INPUT the number of points, the extent, whether it has normals, which
-other properties its points have, and the viewpoint of a PCD file, which many programs write as
-0,0,0 if they know none; then spacing and noise of the points as the default method estimates
-them, and the radius and the number of points that a run with these options would have.
+other properties its points have, and the viewpoint of a PCD file, unless that is 0,0,0, which many
+programs write if they know none; then spacing and noise of the points as the default method
+estimates them, and the radius and the number of points that a run with these options would have.
 
 --dry-run does all but to resample and to write: it reads INPUT, finds the radius, and finds out
 whether device, OUTPUT, report and picture could be used. The exit status is that of what is

@@ -26,8 +26,8 @@ struct Run_record
   std::string error;                        ///< the line on standard error, empty if all went well
   std::vector<std::string> warnings, notes; ///< one line each, with the name of the file
   std::optional<std::array<double, 3>>
-    viewpoint_of_file; ///< which the normals face, as the options say nothing of sides
-  std::string description;                  ///< what `--info` prints
+    viewpoint_of_file;     ///< which the normals face, as the options say nothing of sides
+  std::string description; ///< what `--info` prints
   double seconds_to_read = 0;
   double seconds_to_resample = 0;
   double seconds_to_write = 0; ///< the result, without snapshot and report
