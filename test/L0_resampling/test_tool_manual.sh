@@ -43,6 +43,7 @@ fi
 
 # As bash asks for completions
 compopt() { :; }   # which is for a shell with a user
+# shellcheck disable=SC1091   # made by the build
 . "$manual/l0_resample"
 complete_words()   # the words, the last of which is completed; leaves COMPREPLY
 {
