@@ -9,6 +9,7 @@
 #include "Text_columns.h"
 #include "parse_numbers.h"
 
+#include <CGAL/L0_resampling/internal/Parameters.h>
 #include <CGAL/version.h>
 #include <CLI/CLI.hpp>
 
@@ -207,7 +208,7 @@ void add_options_on_method(CLI::App& app, Arguments& arguments)
                 "larger: sharper edges up to a limit; smaller: nearer to INPUT")
     ->check(number_within(0, true, any, "a number, 0 or above"))
     ->type_name("L")
-    ->default_str("0.9");
+    ->default_str(CLI::detail::to_string(normal_weight_of(options)));
   app
     .add_option("--sharpness-angle", options.sharpness_angle,
                 "normals that differ by more degrees are of two faces")
@@ -385,6 +386,11 @@ std::vector<std::string> choices_of(const std::string& option)
     {"output-format", keys_of(written_formats())}};
   const auto found = choices.find(option);
   return found == choices.end() ? std::vector<std::string>() : found->second;
+}
+
+double normal_weight_of(const Options& options)
+{
+  return options.normal_weight.value_or(CGAL::L0_resampling::internal::Parameters().normal_weight);
 }
 
 std::string name_of(Method method) { return key_of(methods, method); }

@@ -11,7 +11,6 @@
 #include "config_file.h"
 #include "manual.h"
 
-#include <CGAL/L0_resampling/internal/Parameters.h>
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -202,11 +201,6 @@ std::optional<int> parse_command_line(int argc, char** argv, Command& command)
     std::cerr << "l0_resample: " << error.what() << " (see --help)" << std::endl;
     return WRONG_USAGE;
   }
-}
-
-double normal_weight_of(const Options& options)
-{
-  return options.normal_weight.value_or(CGAL::L0_resampling::internal::Parameters().normal_weight);
 }
 
 } // namespace l0_tool
