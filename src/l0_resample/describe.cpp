@@ -38,14 +38,24 @@ std::string line(std::string name, const std::string& text)
   return name + text + "\n";
 }
 
-std::string extent_of(const std::vector<Point>& points)
+CGAL::Bbox_3 box_of(const std::vector<Point>& points)
 {
   CGAL::Bbox_3 box;
   for (const Point& point : points)
     box += point.bbox();
-  const double diagonal = std::hypot(box.x_span(), box.y_span(), box.z_span());
+  return box;
+}
+
+double diagonal_of(const CGAL::Bbox_3& box)
+{
+  return std::hypot(box.x_span(), box.y_span(), box.z_span());
+}
+
+std::string extent_of(const CGAL::Bbox_3& box)
+{
   return "from " + in_digits(box.xmin(), box.ymin(), box.zmin()) + " to "
-         + in_digits(box.xmax(), box.ymax(), box.zmax()) + ", diagonal " + in_digits(diagonal);
+         + in_digits(box.xmax(), box.ymax(), box.zmax()) + ", diagonal "
+         + in_digits(diagonal_of(box));
 }
 
 std::string names_of(const Property_table& table)
@@ -68,8 +78,9 @@ std::string describe(const Point_cloud& cloud, const Options& options)
                                 ? ""
                                 : ", and " + std::to_string(cloud.number_of_dropped_points)
                                     + " that are not finite"));
+  const CGAL::Bbox_3 box = box_of(cloud.points);
   if (size > 0)
-    text += line("extent", extent_of(cloud.points));
+    text += line("extent", extent_of(box));
   text += line("normals", cloud.file_has_normals ? "yes" : "no");
   text += line("properties", names_of(cloud.properties));
   text += line("viewpoint",
@@ -78,6 +89,8 @@ std::string describe(const Point_cloud& cloud, const Options& options)
                  : "not told");
   if (size == 0)
     return text;
+  if (diagonal_of(box) == 0)
+    return text + line("spacing", "all points are at one place");
 
   Options by_default = options;
   by_default.method = CGAL::L0_resampling::Method::DEFAULT;

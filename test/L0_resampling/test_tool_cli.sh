@@ -524,6 +524,10 @@ check "points that are not finite" test "$(fact points)" = "9600, and 2 that are
 echo 0 > zero.xyz
 run_plainly --info zero.xyz
 check "facts of no points" test "$status" -eq 0 -a "$(fact points)" = 0
+printf '1 2 3\n1 2 3\n' > place.xyz
+run_plainly --info place.xyz
+check "facts of one place" test "$status" -eq 0 -a "$(fact spacing)" = "all points are at one place" \
+  -a "$(fact extent)" = "from 1,2,3 to 1,2,3, diagonal 0"
 check_plain_failure 3 "missing.ply" --info missing.ply
 check_plain_failure 2 "--info: one INPUT expected, found 2 files" --info cube.xyz old.ply
 for option in "-o x.ply" "--json x.json" --dry-run --force "--output-directory x"; do
