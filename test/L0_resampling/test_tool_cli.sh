@@ -205,7 +205,9 @@ check_failure 2 "--nonsense" cube.xyz old.ply --nonsense
 for value in 0 -5 1.5 x 99999999999999999999 4294967295; do
   check_failure 2 "--points" cube.xyz old.ply --points "$value"
 done
-for value in 0 1000001 0,5 nan -1; do check_failure 2 "--percentage" cube.xyz old.ply --percentage "$value"; done
+for value in 0 1000001 0,5 nan -1; do
+  check_failure 2 "--percentage" cube.xyz old.ply --percentage "$value"
+done
 for value in 0 -1 inf 1,5; do check_failure 2 "--neighbor-radius" cube.xyz old.ply --neighbor-radius "$value"; done
 for value in -1 nan; do check_failure 2 "--normal-weight" cube.xyz old.ply --normal-weight "$value"; done
 check_failure 2 "--viewpoint" cube.xyz old.ply --viewpoint 1,2
@@ -241,7 +243,8 @@ check_failure 2 "--solver" cube.xyz old.ply --solver magic
 check_failure 2 "--device" cube.xyz old.ply --device tpu
 check_failure 2 "--percentage" cube.xyz old.ply --points 5 --percentage 5
 for method in lor alor; do
-  check_failure 2 "--keep-outliers: $method keeps all" cube.xyz old.ply --method $method --keep-outliers
+  check_failure 2 "--keep-outliers: $method keeps all" \
+    cube.xyz old.ply --method $method --keep-outliers
 done
 check_failure 2 "--solver-iterations: cholesky has none" \
   cube.xyz old.ply --solver cholesky --solver-iterations 5
@@ -434,7 +437,8 @@ run notes.txt scans/same.xyz scans/same.ply --output-directory batch/seen --poin
   --snapshot batch/pictures/new
 check "pictures of a batch" test "$status" -eq 3 \
   -a "$(ls batch/pictures/new)" = "$(printf 'same.ply.png\nsame.xyz.png')"
-check "each is a picture" test "$(head -c 4 batch/pictures/new/same.ply.png | od -An -tx1)" = " 89 50 4e 47"
+check "each is a picture" \
+  test "$(head -c 4 batch/pictures/new/same.ply.png | od -An -tx1)" = " 89 50 4e 47"
 rm scans/same.*
 check_failure 4 "cube.xyz/inside: cannot be made" scans/a.xyz --output-directory batch/same2 \
   --snapshot cube.xyz/inside
@@ -442,7 +446,8 @@ cp scans/a.xyz other/a.xyz
 check_failure 2 "both scans/a.xyz and other/a.xyz" scans/a.xyz other/a.xyz --output-directory batch/same
 check_failure 2 "both scans/a.xyz and ./scans/a.xyz" scans/a.xyz ./scans/a.xyz --output-directory batch/same
 check_failure 2 "would take the place of the input scans/a.xyz" scans/a.xyz --output-directory other/../scans
-check_failure 2 "--snapshot: in a batch a folder expected" scans/a.xyz --output-directory batch/same --snapshot picture.png
+check_failure 2 "--snapshot: in a batch a folder expected" \
+  scans/a.xyz --output-directory batch/same --snapshot picture.png
 check_failure 2 "3 files" scans/a.xyz scans/b.npy out.ply
 check_failure 2 "INPUT" --output-directory batch/same
 check "a refused batch makes nothing" test ! -e batch/same
@@ -501,19 +506,23 @@ run_plainly --info cube.xyz
 check "facts of an input" test "$status" -eq 0 -a ! -s stderr -a "$(wc -l < stdout)" -eq 11
 check "its name and format" test "$(fact file)" = "cube.xyz, xyz"
 check "its number of points" test "$(fact points)" = 9600
-check "its extent" test "$(fact extent | grep -oE '[-0-9.]+' | awk '{ $1 = $1 < 0 ? -$1 : $1
-  wrong += NR < 7 ? $1 < .49 || $1 > .52 : $1 < 1.7 || $1 > 1.8 } END { print wrong + 0, NR }')" = "0 7"
+numbers=$(fact extent | grep -oE '[-0-9.]+')
+check "its extent" test "$(awk '{ $1 = $1 < 0 ? -$1 : $1 }
+  NR < 7 { wrong += $1 < .49 || $1 > .52 } NR == 7 { wrong += $1 < 1.7 || $1 > 1.8 }
+  END { print wrong + 0, NR }' <<< "$numbers")" = "0 7"
+is_between() { awk "BEGIN { exit !($1 > $2 && $1 < $3) }"; }   # three numbers
 check "its normals, properties and viewpoint" \
   test "$(fact normals), $(fact properties), $(fact viewpoint)" = "no, none, not told"
-check "its spacing, 1 / 39 and the noise" awk "BEGIN { exit !($(fact spacing) > .022 && $(fact spacing) < .029) }"
-check "its noise, 0.02 / sqrt(12) across" awk "BEGIN { exit !($(fact noise) > .004 && $(fact noise) < .008) }"
+check "its spacing, 1 / 39 and the noise" is_between "$(fact spacing)" .022 .029
+check "its noise, 0.02 / sqrt(12) across" is_between "$(fact noise)" .004 .008
 check "the defaults" test "$(fact method), $(fact 'points to write')" = "default, 4800"
 radius=$(fact 'neighbor radius')
 run cube.xyz out.ply --json info.json
-check "the radius is that of a run" awk "BEGIN { r = $(sed -n 's/ *"neighbor_radius": \(.*\),/\1/p' info.json)
-  exit !($radius > .9999 * r && $radius < 1.0001 * r) }"
+of_run=$(sed -n 's/ *"neighbor_radius": \(.*\),/\1/p' info.json)
+check "the radius is that of a run" is_between "$radius" ".9999 * $of_run" "1.0001 * $of_run"
 run_plainly --info cube.xyz --method lor --percentage 10 --quiet
-check "the defaults of another method" test "$(fact 'points to write')" = 960 -a "$(fact 'neighbor radius')" != "$radius"
+check "the defaults of another method" \
+  test "$(fact 'points to write')" = 960 -a "$(fact 'neighbor radius')" != "$radius"
 sed 's/^VIEWPOINT .*/VIEWPOINT 1 -2 0.5 1 0 0 0/' same.pcd > seen.pcd
 run_plainly --info seen.pcd
 check "a viewpoint and normals" test "$(fact viewpoint), $(fact normals)" = "1,-2,0.5, yes"
@@ -526,8 +535,8 @@ run_plainly --info zero.xyz
 check "facts of no points" test "$status" -eq 0 -a "$(fact points)" = 0
 printf '1 2 3\n1 2 3\n' > place.xyz
 run_plainly --info place.xyz
-check "facts of one place" test "$status" -eq 0 -a "$(fact spacing)" = "all points are at one place" \
-  -a "$(fact extent)" = "from 1,2,3 to 1,2,3, diagonal 0"
+check "facts of one place" test "$status" -eq 0 \
+  -a "$(fact spacing)" = "all points are at one place" -a "$(fact extent)" = "from 1,2,3 to 1,2,3, diagonal 0"
 check_plain_failure 3 "missing.ply" --info missing.ply
 check_plain_failure 2 "--info: one INPUT expected, found 2 files" --info cube.xyz old.ply
 for option in "-o x.ply" "--json x.json" --dry-run --force "--output-directory x"; do
@@ -539,18 +548,21 @@ done
 mkdir dry
 run_plainly cube.xyz dry/out.ply --dry-run --json dry/out.json --snapshot dry/out.png
 check "a dry run" test "$status" -eq 0 -a ! -s stderr
-check "what it would do" test "$(cat stdout)" = \
-  "cube.xyz: 9600 points in, 4800 would be written to dry/out.ply, method default, neighbor radius $radius"
+plan="4800 would be written to dry/out.ply, method default, neighbor radius $radius"
+check "what it would do" test "$(cat stdout)" = "cube.xyz: 9600 points in, $plan"
 check "it writes nothing" test -z "$(ls dry)"
 run_plainly bad.xyz dry/out.ply --dry-run --convert-only --drop-non-finite
-check "a dry conversion" test "$(cat stdout)" = \
-  "bad.xyz: 9600 points in, 2 dropped, 9600 would be written to dry/out.ply, converted" -a -z "$(ls dry)"
+plan="9600 would be written to dry/out.ply, converted"
+check "a dry conversion" test "$(cat stdout)" = "bad.xyz: 9600 points in, 2 dropped, $plan" \
+  -a -z "$(ls dry)"
 run_plainly scans --dry-run --output-directory dry/a/b --snapshot dry/c --json dry/out.json
-check "a dry batch" test "$status" -eq 3 -a "$(grep -c 'would be written to dry/a/b/' stdout)" -eq 3 -a -z "$(ls dry)"
+check "a dry batch" test "$status" -eq 3 -a -z "$(ls dry)" \
+  -a "$(grep -c 'would be written to dry/a/b/' stdout)" -eq 3
 check_plain_failure 4 "old.ply: the file exists" cube.xyz old.ply --dry-run
 check_failure 4 "no/out.ply" cube.xyz no/out.ply --dry-run
 check_failure 4 "no/out.png" cube.xyz dry/out.ply --snapshot no/out.png --dry-run
-check_failure 4 "cube.xyz/inside: cannot be made" scans/a.xyz --output-directory cube.xyz/inside --dry-run
+check_failure 4 "cube.xyz/inside: cannot be made" \
+  scans/a.xyz --output-directory cube.xyz/inside --dry-run
 check_failure 3 "bad.xyz: line 9601" bad.xyz old.ply --dry-run
 check_failure 3 "has no normals" cube.xyz old.ply --dry-run --use-normals
 CUDA_VISIBLE_DEVICES=-1 check_failure 1 "--device cuda" cube.xyz old.ply --device cuda --dry-run

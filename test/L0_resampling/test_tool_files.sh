@@ -186,7 +186,8 @@ gzip -c a1.xyz > packed.xyz.gz
 run_plainly packed.xyz.gz unpacked.xyz --convert-only --quiet
 awk '{ printf "%.6f %.6f %.6f\n", $1, $2, $3 }' unpacked.xyz > positions.xyz
 check "a compressed file" cmp positions.xyz a1.xyz
-gzip -c a1.xyz | "$program" - - --convert-only --input-format xyz --output-format xyz > stdout 2> stderr
+gzip -c a1.xyz | "$program" - - --convert-only --input-format xyz --output-format xyz \
+  > stdout 2> stderr
 check "a compressed pipe" cmp stdout unpacked.xyz
 run_plainly packed.xyz.gz --output-directory unpacked --points 20
 check "the result of a compressed file in a batch" test "$(ls unpacked)" = packed.xyz

@@ -27,9 +27,11 @@ check "the short name of help" test "$status" -eq 0 -a "$(grep -c . stdout)" -gt
 check "help that cannot be written" test $? -eq 4
 
 # Every option of the one is one of the others
-in_man=$(sed 's/\\-/-/g; s/\\fR//g' "$manual/l0_resample.1" | grep '^\\fB-' | grep -oE -- '-(-[a-z-]+|[a-zA-Z])\b' | sort)
+in_man=$(sed 's/\\-/-/g; s/\\fR//g' "$manual/l0_resample.1" | grep '^\\fB-' \
+  | grep -oE -- '-(-[a-z-]+|[a-zA-Z])\b' | sort)
 check "the options of the man page" test "$in_man" = "$options"
-in_bash=$(sed -n "/current == -/{n;s/.*-W '\(.*\)' --.*/\1/p}" "$manual/l0_resample" | tr ' ' '\n' | sort)
+in_bash=$(sed -n "/current == -/{n;s/.*-W '\(.*\)' --.*/\1/p}" "$manual/l0_resample" \
+  | tr ' ' '\n' | sort)
 check "the options of the completions" test "$in_bash" = "$options"
 
 if command -v groff > /dev/null; then
@@ -69,6 +71,7 @@ complete_words l0_resample --points cu
 check "a number is not completed" test "${#COMPREPLY[@]}" -eq 0
 complete_words l0_resample --force cu
 check "what is behind an option without a value" test "${COMPREPLY[*]}" = cube.xyz
-check "the script registers itself" test "$(complete -p l0_resample)" = "complete -F _l0_resample l0_resample"
+check "the script registers itself" \
+  test "$(complete -p l0_resample)" = "complete -F _l0_resample l0_resample"
 
 end_of_checks
