@@ -239,13 +239,12 @@ void add_options_on_normals(CLI::App& app, Arguments& arguments)
     if (text != "none")
       options.viewpoint = parse_coordinates("--viewpoint", text);
   };
-  auto* viewpoint =
-    app
-      .add_option_function<std::string>(
-        "--viewpoint", set_viewpoint,
-        "where all was seen from, which normals face [the VIEWPOINT of PCD, unless none]")
-      ->type_name("X,Y,Z")
-      ->excludes(by_normals);
+  auto* viewpoint = app
+                      .add_option_function<std::string>(
+                        "--viewpoint", set_viewpoint,
+                        "where INPUT was seen from, or none; normals face it [of a PCD]")
+                      ->type_name("X,Y,Z")
+                      ->excludes(by_normals);
   auto* viewpoints = app
                        .add_option("--viewpoints", options.viewpoints,
                                    "several places that points were seen from, in lines x y z")
