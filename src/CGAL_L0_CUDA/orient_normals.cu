@@ -238,8 +238,11 @@ void orient_normals(const Workplace& workplace, const double (&low)[3], const do
     const Arena_scope first_scope(workplace.scratch);
     unsigned* const first = workplace.scratch.take<unsigned>(1);
     CGAL_L0_CUDA_CHECK(cudaMemsetAsync(first, 0xff, sizeof(unsigned), stream));
-    find_first_certain<<<blocks_for(m), threads_per_block, 0, stream>>>(hints, samples, first);
-    check_launch("find_first_certain");
+    if (hints.are_viewpoints)
+    {
+      find_first_certain<<<blocks_for(m), threads_per_block, 0, stream>>>(hints, samples, first);
+      check_launch("find_first_certain");
+    }
     begin_sets<<<blocks_for(m), threads_per_block, 0, stream>>>(hints, samples, first, faces);
     check_launch("begin_sets");
   }

@@ -63,6 +63,7 @@ public:
   void set_single_precision() { m_cloud.coordinate_type = Number_type::FLOAT32; }
 
   void set_viewpoint(const std::array<double, 3>& viewpoint) { m_cloud.viewpoint = viewpoint; }
+
   /// Says that the points are an image, for messages.
   void set_organized() { m_is_organized = true; }
 

@@ -242,8 +242,8 @@ void add_options_on_normals(CLI::App& app, Arguments& arguments)
   auto* viewpoint = app
                       .add_option_function<std::string>(
                         "--viewpoint", set_viewpoint,
-                        "where INPUT was seen from, or none; normals face it [of a PCD]")
-                      ->type_name("X,Y,Z")
+                        "what normals face: where all was seen from [VIEWPOINT of PCD]")
+                      ->type_name("X,Y,Z|none")
                       ->excludes(by_normals);
   auto* viewpoints = app
                        .add_option("--viewpoints", options.viewpoints,

@@ -24,15 +24,6 @@ namespace {
 
 constexpr std::array<std::string_view, 4> not_in_files = {"help", "version", "config", "output"};
 
-std::string trimmed(std::string_view text)
-{
-  constexpr std::string_view blanks = " \t\v\f\r";
-  const std::size_t begin = text.find_first_not_of(blanks);
-  if (begin == std::string_view::npos)
-    return "";
-  return std::string(text.substr(begin, text.find_last_not_of(blanks) + 1 - begin));
-}
-
 /// Whether the command line has the option, or one that excludes it.
 bool is_overruled(const CLI::Option& option)
 {
@@ -78,13 +69,13 @@ class Config_reader
     return *option;
   }
 
-  void read_line(const std::string& line)
+  void read_line(std::string_view line)
   {
     const std::size_t sign = line.find('=');
-    if (sign == std::string::npos)
+    if (sign == std::string_view::npos)
       m_file.refuse("option = value expected, found " + printable(line));
-    const std::string name = trimmed(std::string_view(line).substr(0, sign));
-    const std::string value = trimmed(std::string_view(line).substr(sign + 1));
+    const std::string name(trimmed(line.substr(0, sign)));
+    const std::string value(trimmed(line.substr(sign + 1)));
     const CLI::Option& option = find_option(name);
     const bool is_flag = option.get_items_expected_max() == 0;
     if (is_flag && value != "true" && value != "false")
@@ -102,11 +93,9 @@ public:
 
   std::vector<std::string> read()
   {
-    while (const std::optional<std::string_view> line = m_file.read_line()) {
-      const std::string text = trimmed(*line);
-      if (!text.empty() && text[0] != '#')
-        read_line(text);
-    }
+    while (const std::optional<std::string_view> line = m_file.read_line())
+      if (!is_empty_or_comment(*line))
+        read_line(trimmed(*line));
     return m_words;
   }
 };

@@ -99,7 +99,9 @@ std::string describe(const Point_cloud& cloud, const Options& options)
   text += line("spacing", in_digits(scales.estimated_spacing));
   text += line("noise", in_digits(scales.estimated_noise));
   text += line("method", name_of(options.method));
-  text += line("neighbor radius", in_digits(estimate_scales(cloud, options).neighbor_radius));
+  const bool is_default = options.method == by_default.method && !options.neighbor_radius;
+  const double radius = (is_default ? scales : estimate_scales(cloud, options)).neighbor_radius;
+  text += line("neighbor radius", in_digits(radius));
   return text + line("points to write", std::to_string(number_of_output_points(options, size)));
 }
 

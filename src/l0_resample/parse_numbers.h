@@ -12,6 +12,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 namespace l0_tool {
 
@@ -30,10 +31,21 @@ std::optional<Number> parse_number(std::string_view text)
   return number;
 }
 
+/// What separates words.
+constexpr std::string_view blanks = " \t\v\f\r";
+
+/// Without the blanks at both ends.
+inline std::string_view trimmed(std::string_view text)
+{
+  const std::size_t begin = text.find_first_not_of(blanks);
+  if (begin == std::string_view::npos)
+    return {};
+  return text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
+}
+
 /// Cuts the next word off `line`; empty at its end.
 inline std::string_view next_word(std::string_view& line)
 {
-  constexpr std::string_view blanks = " \t\v\f\r";
   const std::size_t begin = line.find_first_not_of(blanks);
   if (begin == std::string_view::npos) {
     line = {};
@@ -42,6 +54,20 @@ inline std::string_view next_word(std::string_view& line)
   const std::string_view word = line.substr(begin, line.find_first_of(blanks, begin) - begin);
   line.remove_prefix(begin + word.size());
   return word;
+}
+
+/// All words of a line, in place of those before.
+inline void split_words(std::string_view line, std::vector<std::string_view>& words)
+{
+  words.clear();
+  for (std::string_view word = next_word(line); !word.empty(); word = next_word(line))
+    words.push_back(word);
+}
+
+inline bool is_empty_or_comment(std::string_view line)
+{
+  const std::string_view word = next_word(line);
+  return word.empty() || word[0] == '#';
 }
 
 /// For a message: short, and without what would disturb a terminal.

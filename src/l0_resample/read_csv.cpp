@@ -23,15 +23,6 @@ namespace {
 
 using Cells = std::vector<std::string_view>;
 
-std::string_view trimmed(std::string_view text)
-{
-  constexpr std::string_view blanks = " \t\v\f\r";
-  const std::size_t begin = text.find_first_not_of(blanks);
-  if (begin == std::string_view::npos)
-    return {};
-  return text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
-}
-
 void remove_prefix(std::string_view& text, std::string_view prefix)
 {
   if (text.substr(0, prefix.size()) == prefix)

@@ -18,20 +18,13 @@ namespace {
 
 constexpr std::array<const char*, 3> channels = {"red", "green", "blue"};
 
-std::vector<std::string_view> words_of(std::string_view line)
-{
-  std::vector<std::string_view> words;
-  for (std::string_view word = next_word(line); !word.empty(); word = next_word(line))
-    words.push_back(word);
-  return words;
-}
-
 /// Behind three coordinates, and maybe a weight.
 bool has_color(std::size_t number_of_words) { return number_of_words == 6 || number_of_words == 7; }
 
 void read_color(const Input_file& file, std::string_view line, Point_collector& collector)
 {
-  const std::vector<std::string_view> words = words_of(line);
+  std::vector<std::string_view> words;
+  split_words(line, words);
   if (collector.number_of_rows() == 0 && has_color(words.size()))
     for (const char* channel : channels)
       collector.add_property(channel, Number_type::FLOAT32);

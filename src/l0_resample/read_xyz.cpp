@@ -18,19 +18,6 @@
 namespace l0_tool {
 namespace {
 
-void split_words(std::string_view line, std::vector<std::string_view>& words)
-{
-  words.clear();
-  for (std::string_view word = next_word(line); !word.empty(); word = next_word(line))
-    words.push_back(word);
-}
-
-bool is_empty_or_comment(std::string_view line)
-{
-  const std::string_view word = next_word(line);
-  return word.empty() || word[0] == '#';
-}
-
 /// What columns without names are.
 void guess_columns(std::size_t number_of_columns, Point_collector& collector)
 {

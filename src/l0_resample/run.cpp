@@ -7,11 +7,11 @@
 
 #include "Failure.h"
 #include "Output_file.h"
-#include "check_output.h"
 #include "Progress_bar.h"
-#include "parse_numbers.h"
+#include "check_output.h"
 #include "convert.h"
 #include "describe.h"
+#include "parse_numbers.h"
 #include "read_points.h"
 #include "render_snapshot.h"
 #include "resample.h"

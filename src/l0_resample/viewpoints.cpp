@@ -25,10 +25,10 @@ std::vector<Point> read_viewpoints(const std::string& path)
   Input_file file(path);
   std::vector<Point> viewpoints;
   while (const std::optional<std::string_view> line = file.read_line()) {
+    if (is_empty_or_comment(*line))
+      continue;
     std::string_view rest = *line;
     std::string_view word = next_word(rest);
-    if (word.empty() || word[0] == '#')
-      continue;
     std::array<double, 3> place;
     for (double& coordinate : place) {
       coordinate = parse_number<double>(word).value_or(std::numeric_limits<double>::quiet_NaN());

@@ -182,8 +182,8 @@ void compute_filtered_normals(const Plan& plan, const Buffer<Local_vector>& give
   }
 }
 
-/// Removes outliers, sorts the points, thins crowds, and finds their normals and their density weights of Eq.
-/// (5).
+/// Removes outliers, sorts the points, thins crowds, and finds the normals of the points and their
+/// density weights of Eq. (5).
 /// \param points in the working frame
 /// \param given_normals used up
 template <typename ConcurrencyTag>
