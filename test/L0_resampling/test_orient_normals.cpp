@@ -3,15 +3,13 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "stage_support.h"
+#include "orientation_support.h"
 
 #include <CGAL/L0_resampling/internal/orient_normals.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <iterator>
-#include <numeric>
 #include <random>
 #include <set>
 #include <vector>
@@ -88,33 +86,6 @@ Oriented_points in_order_of_cells(const Oriented_points& cloud, double cell_size
   return result;
 }
 
-/// Samples without the clusters and holes of chance, as resampling leaves them: of twelve
-/// candidates the one furthest from the rest.
-Oriented_points evenly(std::size_t n, const std::function<Oriented_points(std::size_t)>& candidates)
-{
-  Oriented_points result;
-  while (result.points.size() < n)
-  {
-    const Oriented_points some = candidates(12);
-    std::size_t best = 0;
-    double largest = -1;
-    for (std::size_t c = 0; c < some.points.size(); ++c)
-    {
-      double nearest = 1e9;
-      for (const Vector& p : result.points)
-        nearest = (std::min)(nearest, (p - some.points[c]).squaredNorm());
-      if (nearest > largest)
-      {
-        largest = nearest;
-        best = c;
-      }
-    }
-    result.points.push_back(some.points[best]);
-    result.normals.push_back(some.normals[best]);
-  }
-  return result;
-}
-
 /// On the box [0, size] without its part above and behind the middle if `is_step`: that leaves an
 /// edge of 90 degrees that is concave.
 Oriented_points box_points(std::size_t n, const Vector& size, bool is_step, Generator& generator)
@@ -161,21 +132,6 @@ Oriented_points box_points(std::size_t n, const Vector& size, bool is_step, Gene
       p[c] = f.low[c] < f.high[c] ? random_number(f.low[c], f.high[c], generator) : f.low[c];
     result.points.push_back(p);
     result.normals.push_back(f.sign * Vector::Unit(f.axis));
-  }
-  return result;
-}
-
-/// Radii 1 and 0.4, around the z axis; not quite uniform by area.
-Oriented_points torus_points(std::size_t n, Generator& generator)
-{
-  Oriented_points result;
-  for (std::size_t i = 0; i < n; ++i)
-  {
-    const double u = random_number(0, 2 * EIGEN_PI, generator),
-                 v = random_number(0, 2 * EIGEN_PI, generator);
-    const Vector out(std::cos(u), std::sin(u), 0);
-    result.normals.push_back(std::cos(v) * out + std::sin(v) * Vector::UnitZ());
-    result.points.push_back(out + 0.4 * result.normals.back());
   }
   return result;
 }
@@ -247,29 +203,6 @@ void check_viewpoints(Generator& generator)
   for (Index i = 0; i < 500; ++i)
     do_face = do_face && (!is_certain(i) || normals[i].dot(hints.direction_of(i)) > 0);
   CHECK(do_face);
-}
-
-/// A dipole has no field through a wide sheet, neither in its own plane nor over it; with what lies
-/// on the other side of a line it agrees.
-void check_dipole_and_sheet()
-{
-  const double step = 0.2, reach = 100, squared_core = squared_core_of_dipole(1);
-  const auto agreement = [&](double height, double first) {
-    double sum = 0;
-    for (double x = first; x <= reach; x += step)
-      for (double y = -reach; y <= reach; y += step)
-        if (const double squared_distance = x * x + y * y + height * height;
-            squared_distance <= reach * reach)
-          sum += step * step
-                 * dipole_agreement(1., height * height, squared_distance, squared_core);
-    return sum;
-  };
-  for (const double height : {0., 0.25, 0.5, 1., 2., 4.})
-    CHECK(std::abs(agreement(height, -reach)) < 0.1);
-  const double to_line = 0.5;
-  CHECK(
-    std::abs(agreement(0, to_line + step / 2) - 2 * to_line / (to_line * to_line + squared_core))
-    < 0.1); // Biot and Savart
 }
 
 /// Sets grow by the surest edges until they are large, and no further; but as far as they can, if
@@ -375,104 +308,6 @@ void check_wide_plate(double thickness_in_spacings, Generator& generator)
   check_orientation(in_order_of_cells(plate, 4 * spacing), spacing, generator);
 }
 
-/// Six faces, each of one mind but of any sign. Few votes between them, all of them wrong, do not
-/// keep the field from turning each outwards; many do.
-void check_field(Generator& generator)
-{
-  const Oriented_points cube = cube_points(3000, 2, generator);
-  const auto face_of = [&](std::size_t i) {
-    int axis;
-    cube.normals[i].cwiseAbs().maxCoeff(&axis);
-    return std::size_t(axis) + (cube.normals[i][axis] > 0 ? 3 : 0);
-  };
-  for (const double number_of_votes : {0., 1., 1000.})
-    for (std::size_t turned = 0; turned < 64; ++turned)
-    {
-      const auto own_sign = [&](std::size_t face) { return (turned >> face) & 1 ? -1 : 1; };
-      Buffer<Vector> normals;
-      Voting voting{Signed_union_find(cube.points.size(), {}), {}};
-      std::vector<Index> first(6, Index(cube.points.size()));
-      for (std::size_t i = 0; i < cube.points.size(); ++i)
-      {
-        normals.push_back(own_sign(face_of(i)) * cube.normals[i]);
-        Index& first_of_face = first[face_of(i)];
-        first_of_face = (std::min)(first_of_face, Index(i));
-        voting.sets.join(first_of_face, Index(i), 1);
-      }
-      Signed_union_find trees = voting.sets;
-      for (std::size_t a = 0; a < 6; ++a)
-      {
-        trees.join(first[0], first[a],
-                   a == 4 ? -own_sign(0) * own_sign(a)
-                          : own_sign(0) * own_sign(a)); // one face is turned
-        for (std::size_t b = 0; b < a; ++b)
-          if (a != b + 3) // neighbors: all votes are for that
-            voting.votes.push_back(
-              {first[a], first[b],
-               number_of_votes * own_sign(a) * own_sign(b) * (a == 4 || b == 4 ? -1 : 1),
-               number_of_votes});
-      }
-      pass_votes_on<CGAL::Sequential_tag>(voting);
-      const bool is_turned = join_by_field<CGAL::Parallel_if_available_tag>(
-        trees, to_buffer(cube.points), normals, 0.09, voting);
-      CHECK(is_turned == (number_of_votes < 1000));
-      if (!is_turned)
-        continue;
-      CHECK(voting.votes.empty()); // all are one set
-      for (std::size_t face = 0; face < 6; ++face)
-      {
-        const auto [root, sign] = voting.sets.find(first[face]);
-        const auto [root_of_others, sign_of_others] = voting.sets.find(first[0]);
-        CHECK(root == root_of_others);
-        CHECK(sign * own_sign(face) == sign_of_others * own_sign(0));
-      }
-    }
-}
-
-/// Faces that are turned together, and whose edges would not let one turn alone, are turned back
-/// together; unless the edges to the others are for that they stay.
-/// \param first_turned of the faces that are
-void check_field_of_groups(std::size_t first_turned, Generator& generator)
-{
-  const Oriented_points cube = cube_points(3000, 2, generator);
-  Voting voting{Signed_union_find(cube.points.size(), {}), {}};
-  std::vector<Index> first(6, Index(cube.points.size()));
-  const auto face_of = [&](std::size_t i) {
-    int axis;
-    cube.normals[i].cwiseAbs().maxCoeff(&axis);
-    return std::size_t(axis) + (cube.normals[i][axis] > 0 ? 3 : 0);
-  };
-  for (std::size_t i = 0; i < cube.points.size(); ++i)
-  {
-    Index& first_of_face = first[face_of(i)];
-    first_of_face = (std::min)(first_of_face, Index(i));
-    voting.sets.join(first_of_face, Index(i), 1);
-  }
-  Signed_union_find trees = voting.sets;
-  for (std::size_t face = 1; face < 6; ++face)
-    trees.join(first[0], first[face], face >= first_turned ? -1 : 1);
-  for (const double votes_for_others : {0., 1000.})
-  {
-    Voting with_votes = voting;
-    for (std::size_t a = 0; a < 6; ++a)
-      for (std::size_t b = 0; b < a; ++b)
-      {
-        const bool are_of_one_group = a < first_turned || b >= first_turned;
-        const double number_of_votes = are_of_one_group ? 300 : votes_for_others;
-        with_votes.votes.push_back({first[b], first[a],
-                                    are_of_one_group ? number_of_votes : -number_of_votes,
-                                    number_of_votes});
-      }
-    pass_votes_on<CGAL::Sequential_tag>(with_votes);
-    const bool is_turned = join_by_field<CGAL::Parallel_if_available_tag>(
-      trees, to_buffer(cube.points), to_buffer(cube.normals), 0.09, with_votes);
-    CHECK(is_turned == (votes_for_others == 0));
-    const auto sign_of = [&](std::size_t face) { return with_votes.sets.find(first[face]).second; };
-    for (std::size_t face = 1; is_turned && face < 6; ++face)
-      CHECK(sign_of(face) == sign_of(0));
-  }
-}
-
 /// Where the surface bends away within few spacings, edges are beyond doubt at single flat spots
 /// only.
 void check_coarse_sets(Generator& generator)
@@ -484,50 +319,6 @@ void check_coarse_sets(Generator& generator)
         evenly(n, [&](std::size_t size) { return torus_points(size, generator); });
       check_orientation(torus, std::sqrt(1.6 * EIGEN_PI * EIGEN_PI / double(n)), generator);
     }
-}
-
-/// Two spots of a torus whose normals are parallel, one behind the other, would have one of them
-/// turned, if there were nothing in between. Whether the rest takes part or is too scattered to,
-/// they are left as they are.
-void check_field_of_spots(std::size_t n, Generator& generator)
-{
-  const Oriented_points torus =
-    evenly(n, [&](std::size_t size) { return torus_points(size, generator); });
-  const Buffer<Vector> positions = to_buffer(torus.points), normals = to_buffer(torus.normals);
-  Voting voting{Signed_union_find(n, {}), {}};
-  for (const Vector& center : {Vector(1.4, 0, 0), Vector(-0.6, 0, 0)})
-  {
-    std::vector<Index> nearest(n);
-    std::iota(nearest.begin(), nearest.end(), Index(0));
-    std::partial_sort(nearest.begin(), nearest.begin() + 8, nearest.end(), [&](Index i, Index k) {
-      return (positions[i] - center).squaredNorm() < (positions[k] - center).squaredNorm();
-    });
-    for (std::size_t place = 1; place < 8; ++place)
-      voting.sets.join(nearest[0], nearest[place], 1);
-  }
-  Signed_union_find trees = voting.sets;
-  for (Index i = 1; i < n; ++i)
-    trees.join(0, i, 1);
-  CHECK(!join_by_field<CGAL::Parallel_if_available_tag>(
-    trees, positions, normals, std::sqrt(1.6 * EIGEN_PI * EIGEN_PI / double(n)), voting));
-}
-
-/// Of few samples each counts, even where each is a set of its own.
-void check_field_of_single_samples(Generator& generator)
-{
-  const std::size_t n = 300;
-  const Oriented_points cube =
-    evenly(n, [&](std::size_t size) { return cube_points(size, 2, generator); });
-  const Buffer<Vector> positions = to_buffer(cube.points), normals = to_buffer(cube.normals);
-  Voting voting{Signed_union_find(n, {}), {}};
-  Signed_union_find trees = voting.sets;
-  for (Index i = 1; i < n; ++i)
-    trees.join(0, i, i % 10 == 0 ? -1 : 1);
-  CHECK(join_by_field<CGAL::Parallel_if_available_tag>(trees, positions, normals,
-                                                       std::sqrt(24. / double(n)), voting));
-  const int sign_of_first = voting.sets.find(0).second;
-  for (Index i = 1; i < n; ++i)
-    CHECK(voting.sets.find(i).second == sign_of_first);
 }
 
 int main()
@@ -553,15 +344,8 @@ int main()
   check_coarse_sets(generator);
   check_plane(generator);
   check_viewpoints(generator);
-  check_dipole_and_sheet();
   for (const double thickness_in_spacings : {2., 3., 4., 8.})
     check_wide_plate(thickness_in_spacings, generator);
-  check_field(generator);
-  check_field_of_groups(4, generator);
-  check_field_of_groups(3, generator);
-  for (const std::size_t n : {300, 1000}) // all take part, or too few
-    check_field_of_spots(n, generator);
-  check_field_of_single_samples(generator);
   for (double spacing_guess : {1e-3, 0.1, 10.})
   {
     check_nearest(even_cube, spacing_guess);

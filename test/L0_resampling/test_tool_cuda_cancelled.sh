@@ -4,7 +4,8 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# G8: Ctrl-C while l0_resample works on a device ends it with status 130, and leaves no file. Skipped where there is no device.
+# G8: Ctrl-C while l0_resample works on a device ends it with status 130, and leaves no file.
+# Skipped where there is no device.
 # usage: test_tool_cuda_cancelled.sh PROGRAM
 
 set -u -m   # job control, since a script's background jobs ignore SIGINT without it
@@ -15,7 +16,8 @@ cd "$folder" || exit 1
 
 # A sphere of radius 1; the blocks around its cells are full.
 awk 'BEGIN { srand(1); for (i = 0; i < 1000000; ++i) {
-  z = 2 * rand() - 1; a = 6.2831853 * rand(); s = sqrt(1 - z * z); printf "%.6f %.6f %.6f\n", s * cos(a), s * sin(a), z } }' > sphere.xyz
+  z = 2 * rand() - 1; a = 6.2831853 * rand(); s = sqrt(1 - z * z)
+  printf "%.6f %.6f %.6f\n", s * cos(a), s * sin(a), z } }' > sphere.xyz
 head -n 1000 sphere.xyz > small.xyz
 "$program" small.xyz small.ply --device cuda --quiet 2> reason
 if [ $? -ne 0 ]; then
@@ -25,7 +27,8 @@ fi
 
 failures=0 cancelled=0
 for delay in 0.1 0.3 0.6 0.9 1.2 1.5 2; do
-  timeout --foreground -s KILL 60 "$program" sphere.xyz result.ply --device cuda --neighbor-radius 0.5 --percentage 90 --quiet > /dev/null 2> message &
+  timeout --foreground -s KILL 60 "$program" sphere.xyz result.ply --device cuda \
+    --neighbor-radius 0.5 --percentage 90 --quiet > /dev/null 2> message &
   job=$!
   sleep "$delay"
   start=$(date +%s%N)

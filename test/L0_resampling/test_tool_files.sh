@@ -27,7 +27,8 @@ check "no file was replaced" cmp a1.xyz one.xyz
 echo old > report.json; echo old > picture.png
 run_plainly a1.xyz new.ply --points 50 --json report.json --snapshot picture.png
 check "an output that is new" test "$status" -eq 0 -a "$(number_of_points new.ply)" -eq 50
-check "reports and pictures are replaced" test "$(head -n 1 report.json)" = "{" -a "$(wc -c < picture.png)" -gt 1000
+check "reports and pictures are replaced" \
+  test "$(head -n 1 report.json)" = "{" -a "$(wc -c < picture.png)" -gt 1000
 run a1.xyz link.xyz --points 50
 check "--force replaces the file behind a link" test -L link.xyz -a "$(wc -l < a2.xyz)" -eq 50
 run a1.xyz a1.xyz --points 60
@@ -37,10 +38,12 @@ cp one.xyz a1.xyz; cp two.xyz a2.xyz
 # A file that comes while the program works
 mkfifo slow.xyz
 timeout 60 "$program" slow.xyz late.ply > stdout 2> stderr & job=$!
-timeout 60 bash -c '{ echo old > late.ply; cat a1.xyz; } > slow.xyz'   # begins when the program reads
+# begins when the program reads
+timeout 60 bash -c '{ echo old > late.ply; cat a1.xyz; } > slow.xyz'
 wait $job
 check "a file that came later is not replaced" test $? -eq 4
-check "a file that came later is named" grep -q '^l0_resample: late.ply: the file exists; --force' stderr
+check "a file that came later is named" \
+  grep -q '^l0_resample: late.ply: the file exists; --force' stderr
 check "a file that came later is what it was" is_old late.ply
 check "nothing is left behind" no_temporary_files
 
@@ -63,11 +66,13 @@ check "a circle of links stays" test -L circle.ply
 
 # In a batch
 mkdir results; echo old > results/a2.xyz
-check_plain_failure 4 "results/a2.xyz: the file exists; --force" a1.xyz a2.xyz --output-directory results
+check_plain_failure 4 "results/a2.xyz: the file exists; --force" a1.xyz a2.xyz \
+  --output-directory results
 check "a batch that is refused makes nothing" test "$(ls results)" = a2.xyz
 check "a result of an earlier batch stays" is_old results/a2.xyz
 echo old > results/a1.xyz
-check_plain_failure 4 "results/a1.xyz: the file exists, as do 1 others" a1.xyz a2.xyz --output-directory results
+check_plain_failure 4 "results/a1.xyz: the file exists, as do 1 others" a1.xyz a2.xyz \
+  --output-directory results
 run a1.xyz a2.xyz --output-directory results --points 90
 check "a batch with --force" test "$status" -eq 0 -a "$(cat results/*.xyz | wc -l)" -eq 180
 
@@ -114,7 +119,8 @@ check "standard input in the summary" grep -q '^standard input: 3000 points in' 
 (read -r _; "$program" --force - rest.ply "${whole[@]}") < a1.xyz > stdout 2> stderr
 check "the rest of standard input" test "$(number_of_points rest.ply)" -eq 2999
 "$program" - - --convert-only --input-format xyz --output-format xyz < a1.xyz > stdout 2> stderr
-check "a filter" test "$(awk '{ printf "%.6f %.6f %.6f\n", $1, $2, $3 }' stdout | cmp - a1.xyz)" = ""
+awk '{ printf "%.6f %.6f %.6f\n", $1, $2, $3 }' stdout > filtered.xyz
+check "a filter" cmp filtered.xyz a1.xyz
 echo "1 2 x" | "$program" - none.ply --input-format xyz > stdout 2> stderr
 check "an error in standard input" \
   grep -qx "l0_resample: standard input: line 1: 'x' is not a number" stderr

@@ -7,7 +7,6 @@
 #define L0_RESAMPLE_TEST_TOOL_SUPPORT_H
 
 #include "Failure.h"
-#include "read_points.h"
 
 #include <cstdint>
 #include <cstdlib>
@@ -88,23 +87,6 @@ inline Failure_seen failure_of(const std::function<void()>& function)
   return {};
 }
 
-/// Writes `bytes` into a file and reads them as points.
-inline l0_tool::Point_cloud read(const Scratch_folder& folder, const std::string& extension,
-                                 const std::string& bytes,
-                                 const l0_tool::Read_options& options = {})
-{
-  const std::string path = folder.file("points" + extension);
-  write_bytes(path, bytes);
-  return l0_tool::read_points(path, *l0_tool::format_of(path), options);
-}
-
-inline l0_tool::Read_options with_normals()
-{
-  l0_tool::Read_options options;
-  options.with_normals = true;
-  return options;
-}
-
 template <typename T>
 std::string bytes_of(T value, bool big_endian)
 {
@@ -149,6 +131,9 @@ inline std::string npy_header(const std::string& type, const std::string& shape)
 }
 
 const std::string float_xyz = "property float x\nproperty float y\nproperty float z\n";
+
+/// The coordinates of the point (1, 2, 3) in binary.
+const std::string three_floats = bytes_of(1.f, false) + bytes_of(2.f, false) + bytes_of(3.f, false);
 
 } // namespace tool_test
 
