@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <limits>
@@ -162,17 +161,8 @@ std::optional<std::array<double, 3>> parse_viewpoint(const Input_file& file, con
 {
   if (!lines.has("VIEWPOINT"))
     return std::nullopt;
-  const std::vector<std::string>& words = lines.words(file, "VIEWPOINT");
-  std::array<double, 3> place = {};
-  for (std::size_t axis = 0; axis < place.size() && axis < words.size(); ++axis)
-    place[axis] =
-      parse_number<double>(words[axis]).value_or(std::numeric_limits<double>::quiet_NaN());
-  const bool is_place = words.size() >= 3 && std::all_of(place.begin(), place.end(), [](double x) {
-                          return std::isfinite(x);
-                        });
-  if (!is_place || place == std::array<double, 3>{})
-    return std::nullopt;
-  return place;
+  const auto place = first_coordinates(lines.words(file, "VIEWPOINT"));
+  return place == std::array<double, 3>{} ? std::nullopt : place;
 }
 
 } // namespace

@@ -31,17 +31,6 @@ bool is_name(const std::string& name)
   return !name.empty() && std::all_of(name.begin(), name.end(), is_visible);
 }
 
-std::vector<std::string> split(const std::string& list)
-{
-  std::vector<std::string> names(1);
-  for (const char c : list)
-    if (c == ',')
-      names.emplace_back();
-    else
-      names.back() += c;
-  return names;
-}
-
 [[noreturn]] void refuse(const std::string& list, const std::string& what)
 {
   throw Failure(WRONG_USAGE, "--columns " + list + ": " + what);
@@ -51,7 +40,8 @@ std::vector<std::string> split(const std::string& list)
 
 Column_names parse_column_names(const std::string& list)
 {
-  const std::vector<std::string> names = split(list);
+  const std::vector<std::string_view> parts = split_at_commas(list);
+  const Column_names names(parts.begin(), parts.end());
   if (names.size() > max_number_of_columns)
     throw Failure(WRONG_USAGE, "--columns: more names than a file can have properties");
   const auto begin = names.begin(), end = names.end();

@@ -99,7 +99,7 @@ CLI::Validator number_within(double low, bool low_allowed, double high,
       const std::optional<double> number = parse_number<double>(text);
       const bool is_good = number && std::isfinite(*number)
                            && (low_allowed ? *number >= low : *number > low) && *number <= high;
-      return is_good ? std::string() : text + " is not " + description;
+      return is_good ? std::string() : printable(text) + " is not " + description;
     },
     "");
 }
@@ -112,7 +112,7 @@ CLI::Validator count_within(std::uint64_t low, std::uint64_t high)
       const bool is_good = number && *number >= low && *number <= high;
       if (is_good)
         return std::string();
-      return text + " is not a whole number from " + std::to_string(low) + " to "
+      return printable(text) + " is not a whole number from " + std::to_string(low) + " to "
              + std::to_string(high);
     },
     "");
@@ -120,29 +120,18 @@ CLI::Validator count_within(std::uint64_t low, std::uint64_t high)
 
 constexpr std::uint64_t any_count = (std::numeric_limits<std::uint64_t>::max)();
 
-/// Three numbers separated by commas.
-std::array<double, 3> parse_coordinates(const std::string& option, const std::string& text)
+std::array<double, 3> parse_place(const std::string& option, const std::string& text)
 {
-  std::string words = text;
-  std::replace(words.begin(), words.end(), ',', ' ');
-  std::string_view rest = words;
-  std::array<double, 3> numbers;
-  for (double& number : numbers) {
-    number =
-      parse_number<double>(next_word(rest)).value_or(std::numeric_limits<double>::quiet_NaN());
-    if (!std::isfinite(number))
-      refuse_usage(option + ": " + text + " is not three numbers separated by commas");
-  }
-  if (!next_word(rest).empty())
-    refuse_usage(option + ": " + text + " is more than three numbers");
-  return numbers;
+  return parse_coordinates(text, Separator::COMMA, [&](const std::string& reason) {
+    refuse_usage(option + ": " + reason);
+  });
 }
 
 std::array<double, 3> parse_direction(const std::string& option, const std::string& text)
 {
-  const std::array<double, 3> direction = parse_coordinates(option, text);
+  const std::array<double, 3> direction = parse_place(option, text);
   if (std::all_of(direction.begin(), direction.end(), [](double number) { return number == 0; }))
-    refuse_usage(option + ": " + text + " is not a direction");
+    refuse_usage(option + ": " + printable(text) + " is not a direction");
   return direction;
 }
 
@@ -237,7 +226,7 @@ void add_options_on_normals(CLI::App& app, Arguments& arguments)
   const auto set_viewpoint = [&options](const std::string& text) {
     options.ignore_viewpoint_of_file = text == "none";
     if (text != "none")
-      options.viewpoint = parse_coordinates("--viewpoint", text);
+      options.viewpoint = parse_place("--viewpoint", text);
   };
   auto* viewpoint = app
                       .add_option_function<std::string>(

@@ -6,7 +6,10 @@
 #ifndef L0_RESAMPLE_PARSE_NUMBERS_H
 #define L0_RESAMPLE_PARSE_NUMBERS_H
 
+#include <algorithm>
+#include <array>
 #include <charconv>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -64,6 +67,18 @@ inline void split_words(std::string_view line, std::vector<std::string_view>& wo
     words.push_back(word);
 }
 
+/// What stands between the commas of a text, one more than these.
+inline std::vector<std::string_view> split_at_commas(std::string_view text)
+{
+  std::vector<std::string_view> parts;
+  for (std::size_t end = text.find(','); end != std::string_view::npos; end = text.find(',')) {
+    parts.push_back(text.substr(0, end));
+    text.remove_prefix(end + 1);
+  }
+  parts.push_back(text);
+  return parts;
+}
+
 inline bool is_empty_or_comment(std::string_view line)
 {
   const std::string_view word = next_word(line);
@@ -78,6 +93,48 @@ inline std::string printable(std::string_view word)
   for (const char c : word.substr(0, longest))
     text += c >= ' ' && c <= '~' ? c : '?';
   return text + (word.size() > longest ? "...'" : "'");
+}
+
+/// The first three words as coordinates; none if they are fewer, or not all finite numbers.
+template <typename Word>
+std::optional<std::array<double, 3>> first_coordinates(const std::vector<Word>& words)
+{
+  std::array<double, 3> coordinates;
+  if (words.size() < coordinates.size())
+    return std::nullopt;
+  for (std::size_t axis = 0; axis < coordinates.size(); ++axis) {
+    const std::optional<double> number = parse_number<double>(trimmed(words[axis]));
+    if (!number || !std::isfinite(*number))
+      return std::nullopt;
+    coordinates[axis] = *number;
+  }
+  return coordinates;
+}
+
+/// What stands between the coordinates of a text.
+enum class Separator
+{
+  COMMA,
+  BLANKS
+};
+
+/// All of a text as the coordinates of a point or a direction.
+/// \param refuse is called with the reason if it is something else than three finite numbers, and
+/// does not return
+template <typename Refuse>
+std::array<double, 3> parse_coordinates(std::string_view text, Separator separator,
+                                        const Refuse& refuse)
+{
+  std::vector<std::string_view> words;
+  if (separator == Separator::COMMA)
+    words = split_at_commas(text);
+  else
+    split_words(text, words);
+  const std::optional<std::array<double, 3>> coordinates = first_coordinates(words);
+  if (!coordinates || words.size() > coordinates->size())
+    refuse(printable(text) + " is not three numbers separated by "
+           + (separator == Separator::COMMA ? "commas" : "blanks"));
+  return *coordinates;
 }
 
 } // namespace l0_tool

@@ -10,10 +10,7 @@
 #include "parse_numbers.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <sstream>
 #include <string_view>
@@ -27,18 +24,9 @@ std::vector<Point> read_viewpoints(const std::string& path)
   while (const std::optional<std::string_view> line = file.read_line()) {
     if (is_empty_or_comment(*line))
       continue;
-    std::string_view rest = *line;
-    std::string_view word = next_word(rest);
-    std::array<double, 3> place;
-    for (double& coordinate : place) {
-      coordinate = parse_number<double>(word).value_or(std::numeric_limits<double>::quiet_NaN());
-      if (!std::isfinite(coordinate))
-        file.refuse("three coordinates of a viewpoint expected, found " + printable(word));
-      word = next_word(rest);
-    }
-    if (!word.empty())
-      file.refuse("more than the three coordinates of a viewpoint");
-    viewpoints.emplace_back(place[0], place[1], place[2]);
+    const auto [x, y, z] = parse_coordinates(
+      *line, Separator::BLANKS, [&](const std::string& reason) { file.refuse(reason); });
+    viewpoints.emplace_back(x, y, z);
   }
   return viewpoints;
 }

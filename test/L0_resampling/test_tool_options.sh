@@ -27,11 +27,13 @@ done
 for value in -1 nan; do
   check_failure 2 "--normal-weight" cube.xyz old.ply --normal-weight "$value"
 done
-check_failure 2 "--viewpoint" cube.xyz old.ply --viewpoint 1,2
-check_failure 2 "--viewpoint" cube.xyz old.ply --viewpoint 1,2,inf
+for value in 1,2 1,2,inf 1,2,3,4 1,2,3, 1,,3 "1 2 3"; do
+  check_failure 2 "--viewpoint: '$value' is not three numbers separated by commas" \
+    cube.xyz old.ply --viewpoint "$value"
+done
 check_failure 2 "--orient-by-normals" cube.xyz old.ply --viewpoint 0,0,9 --orient-by-normals
-check_failure 2 "--up" cube.xyz old.ply --up 0,0,0
-check_failure 2 "--up" cube.xyz old.ply --up 0,1
+check_failure 2 "--up: '0,0,0' is not a direction" cube.xyz old.ply --up 0,0,0
+check_failure 2 "--up: '0,1' is not three numbers" cube.xyz old.ply --up 0,1
 check_failure 2 "--viewpoint" cube.xyz old.ply --viewpoint 0,0,9 --up 0,0,1
 check_failure 2 "--viewpoints" cube.xyz old.ply --viewpoints views.txt
 check_failure 2 "--view-property" cube.xyz old.ply --view-property view
@@ -41,10 +43,10 @@ check_failure 2 "--viewpoints" cube.xyz old.ply "${by_views[@]}" --up 0,0,1
 check_failure 3 "the points have no property 'view'" cube.xyz old.ply "${by_views[@]}"
 check_failure 3 "nowhere.txt" viewed.xyz old.ply --columns x,y,z,view --viewpoints nowhere.txt \
   --view-property view
-for line in "0 0" "0 0 0 1" "0 0,5 0" "0 inf 0"; do
+for line in "0 0" "0 0 0 1" "0 0,5 0" "0 inf 0" 0,0,0; do
   printf '# two viewpoints\n\n1 2 3\n%s\n' "$line" > misplaced.txt
-  check_failure 3 "misplaced.txt: line 4" viewed.xyz old.ply --columns x,y,z,view \
-    --viewpoints misplaced.txt --view-property view
+  check_failure 3 "misplaced.txt: line 4: '$line' is not three numbers separated by blanks" \
+    viewed.xyz old.ply --columns x,y,z,view --viewpoints misplaced.txt --view-property view
 done
 for view in 2 -1 0.5 nan; do
   awk -v view="$view" '{ print $0, (NR == 3 ? view : 1) }' cube.xyz > misviewed.xyz
@@ -58,7 +60,7 @@ done
 for value in 0 -1 two; do check_failure 2 "--threads" cube.xyz old.ply --threads "$value"; done
 check_failure 2 "--seed" cube.xyz old.ply --seed -1
 for value in 0,0,0 1,2 1,2,nan; do
-  check_failure 2 "--view: $value is not" cube.xyz old.ply --view $value --snapshot picture.png
+  check_failure 2 "--view: '$value' is not" cube.xyz old.ply --view $value --snapshot picture.png
 done
 check_failure 2 "--method" cube.xyz old.ply --method best
 check_failure 2 "--solver" cube.xyz old.ply --solver magic
@@ -109,7 +111,7 @@ check_config "n = 5" "'n' is no option"
 check_config " = 5" "'' is no option"
 check_config "FILES = old.ply" "'FILES' is no option"
 for name in config output help version; do check_config "$name = x" "'$name' is no option"; done
-check_config "points = 0" "--points: 0 is not a whole number"
+check_config "points = 0" "--points: '0' is not a whole number"
 check_config "points =" "--points"
 check_config "method = best" "--method: best not in"
 check_config "columns = x,y" "--columns x,y: x, y and z have"
