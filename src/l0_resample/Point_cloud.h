@@ -46,6 +46,7 @@ struct Resampled_points
   Property_table properties; ///< one row for each point
   std::vector<float>
     feature_confidences; ///< for the snapshot, if asked for; they are among the properties too
+  std::optional<std::array<double, 3>> viewpoint; ///< that the call had, if all points had one
 };
 
 } // namespace l0_tool

@@ -176,6 +176,7 @@ Resampled_points resample(const Point_cloud& cloud, const Sides& sides, const Op
                   name + ": " + normals_wanted_by + " is given, but the file has no normals");
 
   Resampled_points result;
+  result.viewpoint = sides.viewpoint;
   try {
     const auto np = parameters::resampling_method(options.method)
                       .normal_weight(normal_weight_of(options))

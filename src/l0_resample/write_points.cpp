@@ -21,6 +21,7 @@ namespace {
 
 using Row = std::array<double, 6>;
 
+constexpr std::array<double, 3> origin = {};
 constexpr std::size_t longest_number = 24; // "-2.2250738585072014e-308"
 
 /// What stands in a row of a file.
@@ -29,6 +30,7 @@ struct Layout
   bool has_normals;
   bool is_single; ///< coordinates and normals, that is
   std::vector<Output_column> others;
+  std::array<double, 3> viewpoint; ///< in PCD, where the origin says that nobody knows
 
   std::size_t number_of_coordinates() const { return has_normals ? 6 : 3; }
 };
@@ -75,14 +77,20 @@ Row row_of(const Rows& rows, std::size_t i)
   return {point.x(), point.y(), point.z(), normal.x(), normal.y(), normal.z()};
 }
 
+/// Appends the shortest text that reads as the same number.
+template <typename Number>
+void append_number(Number number, std::string& text)
+{
+  std::array<char, longest_number> digits;
+  text.append(digits.data(),
+              std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr);
+}
+
 /// Other columns are numbers of one byte, as OFF has them.
 void append_text(const Row& row, const char* properties, const Layout& layout, std::string& text)
 {
-  std::array<char, longest_number> digits;
   const auto append = [&](auto number) {
-    // The shortest text that reads as the same number
-    text.append(digits.data(),
-                std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr);
+    append_number(number, text);
     text += ' ';
   };
   for (std::size_t k = 0; k < layout.number_of_coordinates(); ++k)
@@ -199,9 +207,14 @@ std::string pcd_header(std::size_t number_of_points, const Layout& layout)
     types += std::string(" ") + pcd_letter(column.type);
     counts += " 1";
   }
+  std::string viewpoint;
+  for (const double coordinate : layout.viewpoint) {
+    append_number(coordinate, viewpoint);
+    viewpoint += ' ';
+  }
   const std::string n = std::to_string(number_of_points);
   return "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\n" + fields + sizes + types
-         + counts + "\nWIDTH " + n + "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + n
+         + counts + "\nWIDTH " + n + "\nHEIGHT 1\nVIEWPOINT " + viewpoint + "1 0 0 0\nPOINTS " + n
          + "\nDATA binary\n";
 }
 
@@ -268,7 +281,7 @@ void write_rows(const std::string& path, File_format format, const Rows& rows, L
 void write_points(const std::string& path, File_format format,
                   const std::vector<Oriented_point>& points, Existing_file existing)
 {
-  write_rows(path, format, Oriented_rows(points, {}), {true, false, {}}, existing);
+  write_rows(path, format, Oriented_rows(points, {}), {true, false, {}, origin}, existing);
 }
 
 std::vector<std::string> write_points(const std::string& path, File_format format,
@@ -276,7 +289,7 @@ std::vector<std::string> write_points(const std::string& path, File_format forma
 {
   const Output_columns chosen = choose_columns(result.properties, format, true);
   write_rows(path, format, Oriented_rows(result.points, result.properties),
-             {true, false, chosen.columns}, existing);
+             {true, false, chosen.columns, result.viewpoint.value_or(origin)}, existing);
   return chosen.left_out;
 }
 
@@ -286,7 +299,8 @@ std::vector<std::string> write_point_cloud(const std::string& path, File_format 
   const bool has_normals = !cloud.normals.empty();
   const Output_columns chosen = choose_columns(cloud.properties, format, has_normals);
   write_rows(path, format, Cloud_rows(cloud),
-             {has_normals, cloud.coordinate_type == Number_type::FLOAT32, chosen.columns},
+             {has_normals, cloud.coordinate_type == Number_type::FLOAT32, chosen.columns,
+              cloud.viewpoint.value_or(origin)},
              existing);
   return chosen.left_out;
 }

@@ -19,21 +19,22 @@ namespace l0_tool {
 /// Writes points and normals so that reading them gives the same doubles again: PLY in
 /// little-endian binary, NOFF, XYZ with six columns, or NPY of shape (n, 6). Binary PCD holds
 /// single precision, as the point types of PCL do, unless that would move a coordinate by more than
-/// a millionth of the diagonal of all points. The file is there as a whole or not at all, see
-/// `Output_file`.
+/// a millionth of the diagonal of all points; its VIEWPOINT is the origin, as where nobody knows
+/// one. The file is there as a whole or not at all, see `Output_file`.
 void write_points(const std::string& path, File_format format,
                   const std::vector<Oriented_point>& points,
                   Existing_file existing = Existing_file::REPLACE);
 
-/// As above, with the properties that the format can hold, see `choose_columns()`.
+/// As above, with the properties that the format can hold, see `choose_columns()`, and in PCD with
+/// the viewpoint, if there is one.
 /// \returns the names of those that it cannot hold
 std::vector<std::string> write_points(const std::string& path, File_format format,
                                       const Resampled_points& result,
                                       Existing_file existing = Existing_file::REPLACE);
 
 /// Writes what a file held: normals only if there are some, coordinates in the precision of that
-/// file, but for binary PCD as above, and the properties that the format can hold, see
-/// `choose_columns()`.
+/// file, but for binary PCD as above, the properties that the format can hold, see
+/// `choose_columns()`, and in PCD the viewpoint, without a rotation.
 /// \returns the names of those that it cannot hold
 std::vector<std::string> write_point_cloud(const std::string& path, File_format format,
                                            const Point_cloud& cloud,

@@ -58,6 +58,23 @@ check "which is as if the file had none" cmp -s outward.xyz plain.xyz
 run seen.pcd up.xyz --up 0,0,1 --json up.json
 check "no note beside another side" test "$status" -eq 0 -a ! -s stderr
 check "nor a viewpoint in the report" grep -q '"viewpoint": null' up.json
+
+# PCD keeps the single viewpoint of a call
+check_viewpoint()   # the one expected, and the program's arguments but for the output
+{
+  run "${@:2}" written.pcd
+  check "the viewpoint of: ${*:2}" grep -qax "VIEWPOINT $1 1 0 0 0" written.pcd
+}
+check_viewpoint "0 0 0.1" seen.pcd
+check_viewpoint "0 0 0.1" --convert-only seen.pcd
+check_viewpoint "1 -2 0.5" --viewpoint 1,-2,0.5 cube.xyz
+check_viewpoint "1 -2 0.5" --viewpoint 1,-2,0.5 seen.pcd
+for options in "cube.xyz" "--viewpoint none seen.pcd" "--up 0,0,1 seen.pcd" \
+    "--columns x,y,z,view --viewpoints views.txt --view-property view viewed.xyz"; do
+  # shellcheck disable=SC2086
+  check_viewpoint "0 0 0" $options
+done
+
 run plain.ply plain.xyz --convert-only
 run cube.xyz kept.xyz --keep-density
 check "an even result is another one" test "$(cmp -s kept.xyz plain.xyz; echo $?)" -eq 1

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Reader and writer of PCD: fields of all types, compressed columns, viewpoints, and the precision of
-// what is written.
+// Reader and writer of PCD: fields of all types, compressed columns, viewpoints, and the precision
+// of what is written.
 
 #include "test_support.h"
 #include "test_tool_reading.h"
@@ -15,6 +15,10 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -155,6 +159,35 @@ void test_compressed_pcd()
   CHECK(refusal(".pcd", file, options).status == RUN_TIME_FAILURE);
 }
 
+// What is written has the viewpoint, bit by bit, and the origin where nobody knows one.
+void test_written_viewpoint()
+{
+  const std::string path = scratch.file("viewpoint.pcd");
+  const double largest = (std::numeric_limits<double>::max)();
+  for (const std::optional<std::array<double, 3>>& viewpoint :
+       {std::optional<std::array<double, 3>>(), std::make_optional(std::array{1., -2.5, 1. / 3}),
+        std::make_optional(std::array{-largest, -largest, -2.2250738585072014e-308})})
+  {
+    Point_cloud cloud;
+    cloud.points = {Point(1, 2, 3)};
+    cloud.viewpoint = viewpoint;
+    Resampled_points result;
+    result.points = {{Point(1, 2, 3), Vector(0, 0, 1)}};
+    result.viewpoint = viewpoint;
+    const std::function<void()> writers[] = {
+      [&]() { write_point_cloud(path, File_format::PCD, cloud); },
+      [&]() { write_points(path, File_format::PCD, result); }};
+    for (const auto& write : writers)
+    {
+      write();
+      CHECK(std::filesystem::file_size(path) <= largest_file_size(File_format::PCD, 1));
+      CHECK(read_points(path, File_format::PCD, {}).viewpoint == viewpoint);
+      CHECK((read_bytes(path).find("VIEWPOINT 0 0 0 1 0 0 0\n") != std::string::npos)
+            == !viewpoint);
+    }
+  }
+}
+
 // PCD holds single precision where that is enough.
 void test_precision_of_pcd()
 {
@@ -189,6 +222,7 @@ int main()
 {
   test_pcd();
   test_compressed_pcd();
+  test_written_viewpoint();
   test_precision_of_pcd();
   return test::result();
 }
