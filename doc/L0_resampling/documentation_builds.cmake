@@ -1,9 +1,11 @@
 # Builds the manual and looks for its pages:
-# cmake -DBUILD_DIRECTORY=<build> -DMANUAL_DIRECTORY=<where the target doc works> -P documentation_builds.cmake
+#   cmake -DBUILD_DIRECTORY=<build> -DMANUAL_DIRECTORY=<where the target doc works>
+#         -P documentation_builds.cmake
 
 cmake_minimum_required(VERSION 3.21)
 
-execute_process(COMMAND ${CMAKE_COMMAND} --build ${BUILD_DIRECTORY} --target doc RESULT_VARIABLE status)
+execute_process(COMMAND ${CMAKE_COMMAND} --build ${BUILD_DIRECTORY} --target doc
+                RESULT_VARIABLE status)
 if(EXISTS ${MANUAL_DIRECTORY}/warnings.txt)
   file(READ ${MANUAL_DIRECTORY}/warnings.txt warnings)
 endif()
@@ -16,11 +18,14 @@ set(pages
   L0_resampling_promises L0_resampling_python bgl_namedparameters citelist examples
   group__PkgL0ResamplingRef group__PkgL0ResamplingConcepts classL0ResamplingSolverTraits
   structCGAL_1_1CUDA__tag)
-foreach(name IN ITEMS Block__conjugate__gradient__solver__traits Eigen__cholesky__solver__traits Eigen__least__squares__solver__traits
-                      CUDA__least__squares__solver__traits CUDA__resampler Solver__error Device__error)
+foreach(name IN ITEMS Block__conjugate__gradient__solver__traits Eigen__cholesky__solver__traits
+                      Eigen__least__squares__solver__traits
+                      CUDA__least__squares__solver__traits CUDA__resampler
+                      Solver__error Device__error)
   list(APPEND pages classCGAL_1_1L0__resampling_1_1${name})
 endforeach()
-foreach(name IN ITEMS Report Stage__report Iteration__report Solver__report Quadratic__problem Explicit__rows Neighborhoods__view)
+foreach(name IN ITEMS Report Stage__report Iteration__report Solver__report Quadratic__problem
+                      Explicit__rows Neighborhoods__view)
   list(APPEND pages structCGAL_1_1L0__resampling_1_1${name})
 endforeach()
 foreach(page IN LISTS pages)

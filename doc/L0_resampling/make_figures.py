@@ -5,9 +5,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Draws the figures of the manual and of README:  make_figures.py BUILD_DIRECTORY [NAME...]
 
-BUILD_DIRECTORY has the programs draw_variants and sample_mesh. Points are those in data/; two figures take CGAL's own data, which
-scripts/fetch_demo_data.sh brings. Needs Pillow (Debian: python3-pil) to make the files small.
-Each figure is a row of pictures; what differs from one to the next stands below.
+BUILD_DIRECTORY has the programs draw_variants and sample_mesh. Points are those in data/; two
+figures take CGAL's own data, which scripts/fetch_demo_data.sh brings. Needs Pillow (Debian:
+python3-pil) to make the files small. Each figure is a row of pictures; what differs from one to the
+next stands below.
 """
 
 import math
@@ -33,17 +34,22 @@ METHODS = {"default": "method=0", "lor": "method=1", "alor": "method=2"}
 
 def sampled(mesh, **options):
     """Points drawn from a mesh, with options of sample_mesh."""
-    return mesh, ["--seed", "2", *(word for name, value in options.items() for word in (f"--{name.replace('_', '-')}", str(value)))]
+    return mesh, ["--seed", "2",
+                  *(word for name, value in options.items()
+                    for word in (f"--{name.replace('_', '-')}", str(value)))]
 
 
 NOISY_STAIRCASE = sampled("staircase.off", points=10000, noise=1.5)
-ON_NOISY_STAIRCASE = "method=1,select_percentage=100,neighbor_radius=2"     # a radius that sees through the noise
+# a radius that sees through the noise
+ON_NOISY_STAIRCASE = "method=1,select_percentage=100,neighbor_radius=2"
 
 
 def corrugated_sheet():
-    """Points of a sheet with hills and valleys in strips that are apart from each other, as some scanners move. One strip alone has no side."""
+    """Points of a sheet with hills and valleys in strips that are apart from each other, as some
+    scanners move. One strip alone has no side."""
     generator = random.Random(2)
-    number_of_strips, strip_distance, points_across, points_along, step, height = 20, 0.15, 4, 125, 0.012, 0.12
+    number_of_strips, strip_distance = 20, 0.15
+    points_across, points_along, step, height = 4, 125, 0.012, 0.12
 
     def near(i):
         return (i + generator.uniform(-0.3, 0.3)) * step
@@ -58,31 +64,47 @@ def corrugated_sheet():
 # name: (points, towards the eye, what is drawn, variants for draw_variants)
 FIGURE_LIST = {
     "teaser": ("bracket_noisy", CORNER, EVERYTHING, ["input", "default"]),
-    "fandisk": (sampled("demo/meshes/fandisk.off", points=110000, noise=0.5), "1,-1,0.6", EVERYTHING, ["input", f"select_percentage={6000 / 110}"]),
+    "fandisk": (sampled("demo/meshes/fandisk.off", points=110000, noise=0.5), "1,-1,0.6",
+                EVERYTHING, ["input", f"select_percentage={6000 / 110}"]),
     "hippo": ("demo/points_3/hippo1.ply", CORNER, EVERYTHING, ["input", "select_percentage=100"]),
     "torus": ("torus_noisy", CORNER, EVERYTHING, ["input", "default"]),
     "methods": ("bracket_noisy", CORNER, EVERYTHING, ["input", *METHODS.values()]),
-    "profile": ("staircase_noisy", FRONT, STEPS, ["input", *(f"{method},select_percentage=100" for method in METHODS.values())]),
-    "number_of_output_points": ("dodecahedron_noisy", CORNER, EVERYTHING, [f"select_percentage={p}" for p in (5, 20, 50, 200)]),
-    "neighbor_radius": ("bracket_noisy", CORNER, EVERYTHING, [f"neighbor_radius={r}" for r in (0.4, 1, 2)]),
-    "normal_filter_radius": ("bracket_noisy", CORNER, EVERYTHING, [f"normal_filter_radius={r}" for r in (0.5, 1, 2.5)]),
-    "sharpness_angle": ("bracket_noisy", CORNER, EVERYTHING, [f"sharpness_angle={a}" for a in (4, 15, 50)]),
+    "profile": ("staircase_noisy", FRONT, STEPS,
+                ["input", *(f"{method},select_percentage=100" for method in METHODS.values())]),
+    "number_of_output_points": ("dodecahedron_noisy", CORNER, EVERYTHING,
+                                [f"select_percentage={p}" for p in (5, 20, 50, 200)]),
+    "neighbor_radius": ("bracket_noisy", CORNER, EVERYTHING,
+                        [f"neighbor_radius={r}" for r in (0.4, 1, 2)]),
+    "normal_filter_radius": ("bracket_noisy", CORNER, EVERYTHING,
+                             [f"normal_filter_radius={r}" for r in (0.5, 1, 2.5)]),
+    "sharpness_angle": ("bracket_noisy", CORNER, EVERYTHING,
+                        [f"sharpness_angle={a}" for a in (4, 15, 50)]),
     "number_of_normal_filter_iterations": ("bracket_noisy", CORNER, EVERYTHING,
-                                           [f"number_of_normal_filter_iterations={n}" for n in (0, 1, 5, 40)]),
+                                           [f"number_of_normal_filter_iterations={n}"
+                                            for n in (0, 1, 5, 40)]),
     "normal_weight": (NOISY_STAIRCASE, FRONT, STEPS,
-                      ["input", *(f"{ON_NOISY_STAIRCASE},maximum_penalty=200,normal_weight={w}" for w in (0, 0.9, 50))]),
-    "regularization_weight": ("bracket_noisy", ABOVE, FACE, ["input", *(f"regularization_weight={w}" for w in (0, 0.15, 1.5))]),
+                      ["input",
+                       *(f"{ON_NOISY_STAIRCASE},maximum_penalty=200,normal_weight={w}"
+                         for w in (0, 0.9, 50))]),
+    "regularization_weight": ("bracket_noisy", ABOVE, FACE,
+                              ["input", *(f"regularization_weight={w}" for w in (0, 0.15, 1.5))]),
     "penalties": (NOISY_STAIRCASE, FRONT, STEPS,
                   ["input", *(f"{ON_NOISY_STAIRCASE},maximum_penalty={p}" for p in (0.1, 2, 200))]),
     "number_of_orientation_neighbors": (corrugated_sheet, "0.3,-0.6,1", EVERYTHING,
-                                        ["input", *(f"number_of_orientation_neighbors={k}" for k in (12, 100))]),
-    "random_seed": ("dodecahedron_noisy", CORNER, "-9,-9,1,9,9,9", [f"select_percentage=20,random_seed={s}" for s in (0, 1, 2)]),
-    "keep_density": (sampled("dodecahedron.off", points=8000, noise=0.5, density_gradient=10), CORNER, EVERYTHING,
+                                        ["input",
+                                         *(f"number_of_orientation_neighbors={k}"
+                                           for k in (12, 100))]),
+    "random_seed": ("dodecahedron_noisy", CORNER, "-9,-9,1,9,9,9",
+                    [f"select_percentage=20,random_seed={s}" for s in (0, 1, 2)]),
+    "keep_density": (sampled("dodecahedron.off", points=8000, noise=0.5, density_gradient=10),
+                     CORNER, EVERYTHING,
                      ["input", "default", "keep_density=1"]),
-    "drop_outliers": (sampled("bracket.off", points=10000, noise=0.5, outliers=5), CORNER, EVERYTHING,
+    "drop_outliers": (sampled("bracket.off", points=10000, noise=0.5, outliers=5),
+                      CORNER, EVERYTHING,
                       ["input", "drop_outliers=0", "drop_outliers=1"]),
     "feature_confidence": ("bracket_noisy", CORNER, EVERYTHING, ["default", "features=1"]),
-    "viewpoint": ("torus_noisy", "0,-0.25,1", "-9,-9,-9,9,9,-0.2", ["input", "cut=1", "cut=1,viewpoint_z=5"]),
+    "viewpoint": ("torus_noisy", "0,-0.25,1", "-9,-9,-9,9,9,-0.2",
+                  ["input", "cut=1", "cut=1,viewpoint_z=5"]),
 }
 
 
@@ -90,13 +112,15 @@ def file_of(name):
     """A file of data/, or of CGAL's data."""
     if not name.startswith("demo/"):
         return ROOT / "data" / name
-    folder = subprocess.run([ROOT / "scripts" / "fetch_demo_data.sh"], check=True, stdout=subprocess.PIPE, text=True).stdout.strip()
+    folder = subprocess.run([ROOT / "scripts" / "fetch_demo_data.sh"], check=True,
+                            stdout=subprocess.PIPE, text=True).stdout.strip()
     return ROOT / folder / name.removeprefix("demo/")
 
 
 def write_ply(points, path):
     lines = [f"{x:.6f} {y:.6f} {z:.6f}" for x, y, z in points]
-    header = ["ply", "format ascii 1.0", f"element vertex {len(lines)}", *(f"property float {axis}" for axis in "xyz"), "end_header"]
+    header = ["ply", "format ascii 1.0", f"element vertex {len(lines)}",
+              *(f"property float {axis}" for axis in "xyz"), "end_header"]
     path.write_text("\n".join([*header, *lines, ""]), encoding="ascii")
 
 
@@ -108,12 +132,14 @@ def input_file(points, programs, scratch):
         write_ply(points(), path)
         return path
     mesh, options = points
-    subprocess.run([programs / "sample_mesh", file_of(mesh), path, *options], check=True, stdout=subprocess.DEVNULL)
+    subprocess.run([programs / "sample_mesh", file_of(mesh), path, *options], check=True,
+                   stdout=subprocess.DEVNULL)
     return path
 
 
 def check_pictures(row, number):
-    """Raises ValueError if one of the pictures of a row shows nothing, as when no point of a result lies in the part that is drawn."""
+    """Raises ValueError if one of the pictures of a row shows nothing, as when no point of a result
+    lies in the part that is drawn."""
     width = row.width // number
     for i in range(number):
         if row.crop((i * width, 0, (i + 1) * width, row.height)).convert("L").getextrema()[0] > 240:
@@ -126,7 +152,8 @@ def main():
         for name in sys.argv[2:] or FIGURE_LIST:
             points, eye, box, variants = FIGURE_LIST[name]
             figure = FIGURES / f"{name}.png"
-            subprocess.run([programs / "draw_variants", input_file(points, programs, Path(scratch)), figure, eye, box, *variants],
+            subprocess.run([programs / "draw_variants", input_file(points, programs, Path(scratch)),
+                            figure, eye, box, *variants],
                            check=True)
             try:
                 check_pictures(Image.open(figure), len(variants))

@@ -116,7 +116,8 @@ class Report:
 
 def report_of(members: dict[str, Any]) -> Report:
     """The report that _core gives as a dictionary."""
-    iterations = tuple(IterationReport(**dict(i, solver=SolverReport(**i["solver"]))) for i in members["iterations"])
+    iterations = tuple(IterationReport(**dict(i, solver=SolverReport(**i["solver"])))
+                       for i in members["iterations"])
     stages = tuple(StageReport(**s) for s in members["stages"])
     warnings = tuple(members["warnings"])
     return Report(**dict(members, warnings=warnings, iterations=iterations, stages=stages))

@@ -1,5 +1,6 @@
-# Has COMPILER look at SOURCE in C++ STANDARD with all that it warns of, and fails on a warning. Headers of CGAL come from
-# CGAL_INCLUDE_DIRECTORIES only: those that another CGAL has, and this one has not any more, would be found silently.
+# Has COMPILER look at SOURCE in C++ STANDARD with all that it warns of, and fails on a warning.
+# Headers of CGAL come from CGAL_INCLUDE_DIRECTORIES only: those that another CGAL has, and this one
+# has not any more, would be found silently.
 find_program(program NAMES ${COMPILER})
 if(NOT program)
   message(STATUS "${COMPILER} is not installed")
@@ -15,8 +16,9 @@ endforeach()
 file(REMOVE_RECURSE ${SCRATCH})
 file(MAKE_DIRECTORY ${SCRATCH})
 execute_process(
-  COMMAND ${program} -std=c++${STANDARD} -fsyntax-only -Wall -Wextra -Wpedantic -Wconversion -Werror ${includes}
-          -DCGAL_LINKED_WITH_TBB -DCGAL_EIGEN3_ENABLED -DCGAL_L0_LINKED_WITH_CUDA -MD -MF ${SCRATCH}/headers.d ${SOURCE}
+  COMMAND ${program} -std=c++${STANDARD} -fsyntax-only -Wall -Wextra -Wpedantic -Wconversion -Werror
+          ${includes} -DCGAL_LINKED_WITH_TBB -DCGAL_EIGEN3_ENABLED -DCGAL_L0_LINKED_WITH_CUDA
+          -MD -MF ${SCRATCH}/headers.d ${SOURCE}
   COMMAND_ERROR_IS_FATAL ANY)
 
 file(READ ${SCRATCH}/headers.d headers)
@@ -29,7 +31,8 @@ foreach(directory IN LISTS CGAL_INCLUDE_DIRECTORIES)
   list(FILTER headers EXCLUDE REGEX "^${directory}/")
 endforeach()
 if(number_of_headers LESS 100)
-  message(FATAL_ERROR "only ${number_of_headers} headers are known, this test does not look where it should")
+  message(FATAL_ERROR
+          "only ${number_of_headers} headers are known, this test does not look where it should")
 endif()
 if(headers)
   list(JOIN headers "\n  " lines)

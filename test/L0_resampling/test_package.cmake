@@ -1,11 +1,13 @@
-# Makes the Debian package of the build in BUILD_DIRECTORY, as it was built, looks into it, installs it below a folder of its own and runs
-# what it brings:
-#   cmake -DBUILD_DIRECTORY=... -DSCRATCH=... -DCPACK=... -DVERSION=... -DDATA=... [-DPYTHON=... -DPYTHON_PACKAGES=...] -P test_package.cmake
+# Makes the Debian package of the build in BUILD_DIRECTORY, as it was built, looks into it, installs
+# it below a folder of its own and runs what it brings:
+#   cmake -DBUILD_DIRECTORY=... -DSCRATCH=... -DCPACK=... -DVERSION=... -DDATA=...
+#         [-DPYTHON=... -DPYTHON_PACKAGES=...] -P test_package.cmake
 
 cmake_minimum_required(VERSION 3.21)
 
 function(run)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE errors)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE status
+                  OUTPUT_VARIABLE output ERROR_VARIABLE errors)
   if(NOT status EQUAL 0)
     message(FATAL_ERROR "${ARGN} ended with status ${status}:\n${output}\n${errors}")
   endif()
@@ -20,7 +22,8 @@ endfunction()
 
 file(REMOVE_RECURSE ${SCRATCH})
 # Ninja builds nothing before an install, where make would build all that is not up to date.
-run(${CPACK} -G DEB --config ${BUILD_DIRECTORY}/CPackConfig.cmake -B ${SCRATCH} -D CPACK_CMAKE_GENERATOR=Ninja)
+run(${CPACK} -G DEB --config ${BUILD_DIRECTORY}/CPackConfig.cmake -B ${SCRATCH}
+    -D CPACK_CMAKE_GENERATOR=Ninja)
 file(GLOB packages ${SCRATCH}/*.deb)
 list(LENGTH packages number_of_packages)
 if(NOT number_of_packages EQUAL 1)
@@ -43,8 +46,9 @@ expect("The control file" "${output}" "Recommends: libcgal-dev \\(>= 5\\.5\\), "
 
 # What is in it
 run(dpkg-deb --contents ${packages})
-foreach(path IN ITEMS bin/l0_resample include/CGAL/l0_resample_point_set.h CGAL_L0_resamplingConfig.cmake
-                      share/doc/cgal-l0-resampling/copyright share/man/man1/l0_resample.1
+foreach(path IN ITEMS bin/l0_resample include/CGAL/l0_resample_point_set.h
+                      CGAL_L0_resamplingConfig.cmake share/doc/cgal-l0-resampling/copyright
+                      share/man/man1/l0_resample.1
                       share/bash-completion/completions/l0_resample)
   expect("The list of files" "${output}" "root/root [^\n]* \\./usr/[^\n]*${path}\n")
 endforeach()

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What holds for all formats that l0_resample reads and writes: what was written is read again, also
-// compressed, and within the limits of points and memory.
+// What holds for all formats that l0_resample reads and writes: what was written is read again,
+// also compressed, and within the limits of points and memory.
 
 #include "test_support.h"
 #include "test_tool_gzip.h"

@@ -3,13 +3,16 @@
 # All rights reserved.
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Holds the manual to the code: check_manual.py PRINT_DEFAULTS SOURCE_DIRECTORY, with the program print_defaults
+"""Holds the manual to the code: check_manual.py PRINT_DEFAULTS SOURCE_DIRECTORY, with the program
+print_defaults
 
 - The docstring of l0_resample_point_set() quotes the defaults that the code has.
-- The pages type no decimal number and no default, as these are generated, and no code, as all of it is an example.
+- The pages type no decimal number and no default, as these are generated, and no code, as all of it
+  is an example.
 - The formula of neighbor_radius, in the docstring and on each page that has it, gives the radius
   that the code takes.
-- Formulas use only macros that are generated; every figure exists and is used; every named parameter is explained.
+- Formulas use only macros that are generated; every figure exists and is used; every named
+  parameter is explained.
 - The tests that the page of promises names exist.
 """
 
@@ -22,6 +25,8 @@ from pathlib import Path
 
 NUMBER = r"\d+(?:\.\d+)?"
 FORMULA = re.compile(r"\\f\$.*?\\f\$|\\f\[.*?\\f\]", re.DOTALL)
+OUR_MACRO = re.compile(r"\\((?:default|lor|alor|constant|quality|comparison|speed|solver|device)"
+                       r"[A-Z_]\w*)")
 
 
 def braced(text, begin):
@@ -35,7 +40,8 @@ def braced(text, begin):
 
 
 def docstring_parameters(header):
-    """The documentation of each named parameter of l0_resample_point_set(), and what it says of the default."""
+    """The documentation of each named parameter of l0_resample_point_set(), and what it says of the
+    default."""
     parameters = {}
     for block in re.findall(r"\\cgalParamNBegin(.*?)\\cgalParamNEnd", header, re.DOTALL):
         default = block.index(r"\cgalParamDefault") + len(r"\cgalParamDefault")
@@ -52,10 +58,12 @@ def wrong_defaults(parameters, values):
             yield f"the docstring of {name} quotes {quoted} as default, the code has {expected}"
         if values["alor"][name] != lor[name]:
             yield f"LOR and ALOR have different defaults of {name}: the manual takes them for one"
-    radius = f"({constant['radius_per_spacing']:g}s)^{{3/2}} + ({constant['radius_per_noise']:g}\\sigma)^{{3/2}}"
+    radius = (f"({constant['radius_per_spacing']:g}s)^{{3/2}} + "
+              f"({constant['radius_per_noise']:g}\\sigma)^{{3/2}}")
     phrases = [("neighbor_radius", radius),
                ("neighbor_radius", f"r_p / {1 / constant['self_neighbor_radius_factor']:g} "),
-               ("neighbor_radius", f"within {constant['self_neighbor_radius_per_spacing']:g} spacings"),
+               ("neighbor_radius",
+                f"within {constant['self_neighbor_radius_per_spacing']:g} spacings"),
                ("normal_filter_radius", f"{constant['default_filter_radius_factor']:g} r_p"),
                ("normal_weight", f"r_p / {1 / constant['sparsity_unit_factor']:g} ")]
     for name, phrase in phrases:
@@ -89,9 +97,10 @@ def wrong_radii(print_defaults, constants, texts):
                                      capture_output=True, text=True).stdout
             by_code = float(printed)
             by_formula = radius_by_formula(formula, constants, spacing, noise)
-            if abs(by_formula - by_code) > 0.003 * by_code:    # which is rounded in steps of 0.2 to 0.4 %
-                yield (f"the formula of {name} gives the radius {by_formula:g} at spacing {spacing} and "
-                       f"noise {noise}, the code {by_code:g}")
+            # which is rounded in steps of 0.2 to 0.4 %
+            if abs(by_formula - by_code) > 0.003 * by_code:
+                yield (f"the formula of {name} gives the radius {by_formula:g} at spacing "
+                       f"{spacing} and noise {noise}, the code {by_code:g}")
 
 
 def typed_by_hand(name, page):
@@ -99,7 +108,8 @@ def typed_by_hand(name, page):
     for number in re.findall(r"(?<![\w.-])\d+\.\d+(?!\.?\w)", text):
         yield f"{name} types the number {number}: quote it by an alias that generate_text.py makes"
     for sentence in re.split(r"(?<=[.;:])\s", re.sub(r"\\\w+", "", text)):
-        if re.search(r"\bdefault (?:is|of)\b|\b[Bb]y default\b", sentence) and re.search(r"\d", sentence):
+        names_default = re.search(r"\bdefault (?:is|of)\b|\b[Bb]y default\b", sentence)
+        if names_default and re.search(r"\d", sentence):
             yield f"{name} types a default: {' '.join(sentence.split())}"
     for alias in re.findall(r"^[ \t]*(\\[a-z]+_\w+)\. ", text, re.MULTILINE):
         yield f"{name} begins a line with {alias} and a full stop, which makes it an item of a list"
@@ -109,7 +119,7 @@ def typed_by_hand(name, page):
 
 def unknown_macros(name, page, macros):
     for formula in FORMULA.findall(page):
-        for macro in re.findall(r"\\((?:default|lor|alor|constant|quality|comparison|speed|solver|device)[A-Z_]\w*)", formula):
+        for macro in OUR_MACRO.findall(formula):
             if macro not in macros:
                 yield f"{name} has \\{macro} in a formula, which generate_text.py does not make"
 
@@ -127,9 +137,11 @@ def main():
     defaults = subprocess.run([sys.argv[1]], check=True, capture_output=True, text=True).stdout
     with tempfile.TemporaryDirectory() as scratch:
         (Path(scratch) / "defaults.json").write_text(defaults, encoding="utf-8")
-        subprocess.run([sys.executable, manual / "tools" / "generate_text.py", Path(scratch) / "defaults.json",
+        subprocess.run([sys.executable, manual / "tools" / "generate_text.py",
+                        Path(scratch) / "defaults.json",
                         source, scratch], check=True)
-        macros = set(re.findall(r"\\newcommand\{\\(\w+)\}", (Path(scratch) / "formula_macros.tex").read_text(encoding="utf-8")))
+        macros = set(re.findall(r"\\newcommand\{\\(\w+)\}",
+                                (Path(scratch) / "formula_macros.tex").read_text(encoding="utf-8")))
 
     header = (source / "include" / "CGAL" / "l0_resample_point_set.h").read_text(encoding="utf-8")
     parameters = docstring_parameters(header)
@@ -143,7 +155,8 @@ def main():
     errors += wrong_radii(sys.argv[1], values["constant"], texts)
     for name, page in pages.items():
         errors += [*typed_by_hand(name, page), *unknown_macros(name, page, macros)]
-    errors += [f"the user manual does not explain {name}" for name in parameters if name not in pages["L0_resampling.txt"]]
+    errors += [f"the user manual does not explain {name}"
+               for name in parameters if name not in pages["L0_resampling.txt"]]
 
     errors += unknown_tests(pages["Promises.txt"], source / "test" / "L0_resampling")
 

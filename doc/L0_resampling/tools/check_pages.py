@@ -3,12 +3,14 @@
 # All rights reserved.
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Opens every page of the manual in headless Chromium and looks for what a reader would stumble over: check_pages.py HTML_DIRECTORY [SCREENSHOT_DIRECTORY]
+"""Opens every page of the manual in headless Chromium and looks for what a reader would stumble
+over: check_pages.py HTML_DIRECTORY [SCREENSHOT_DIRECTORY]
 
 - a formula that MathJax cannot draw, or has not drawn;
 - a picture that is not there;
 - a command of Doxygen, an alias or the stars of bold words that stand in the text;
-- something wider than the page, a list without entries, or a name in a list that is broken into many lines;
+- something wider than the page, a list without entries, or a name in a list that is broken into
+  many lines;
 - a link to a place that does not exist.
 
 With SCREENSHOT_DIRECTORY, a picture of each page lies there for people to look at.
@@ -32,8 +34,9 @@ WIDTH = 1280
 
 IS_READY = """
 const hub = window.MathJax && window.MathJax.Hub;
-return document.readyState == "complete" && (hub ? window.MathJax.isReady && !hub.queue.pending && !hub.queue.running
-                                                 : !document.querySelector("script[src*='MathJax.js']"));
+return document.readyState == "complete"
+       && (hub ? window.MathJax.isReady && !hub.queue.pending && !hub.queue.running
+               : !document.querySelector("script[src*='MathJax.js']"));
 """
 
 # What is wrong with the page that is shown. Code may hold backslashes, and may be scrolled.
@@ -57,10 +60,14 @@ for (const list of content.querySelectorAll(".directory"))
 for (const name of content.querySelectorAll(".directory td.entry a.el"))
   if (name.getBoundingClientRect().height > 60)
     found.push("a name has many lines: " + name.textContent);
-for (const code of content.querySelectorAll("code, .fragment, pre, script, style, .MathJax_Preview, .MathJax_SVG, .MathJax_SVG_Display"))
+const code_and_formulas = "code, .fragment, pre, script, style, "
+                          + ".MathJax_Preview, .MathJax_SVG, .MathJax_SVG_Display";
+for (const code of content.querySelectorAll(code_and_formulas))
   code.remove();
 const text = content.textContent;
-for (const command of text.match(/[\\@](?:cgal|l0|ref|cite|snippet|default_|lor_|constant_|quality_|speed_|solver_|f\$|f\[)\w*/g) || [])
+const commands = new RegExp("[\\\\@](?:cgal|l0|ref|cite|snippet|default_|lor_|constant_|quality_"
+                            + "|speed_|solver_|f\\$|f\\[)\\w*", "g");
+for (const command of text.match(commands) || [])
   found.push("a command stands in the text: " + command);
 for (const words of text.match(/.{0,30}\*\*.{0,30}/g) || [])
   found.push("stars stand in the text: " + words);
@@ -68,14 +75,16 @@ return found;
 """
 
 LINKS = """
-return [[...document.querySelectorAll("[id], a[name]")].flatMap(e => [e.id, e.getAttribute("name")]),
+const places = [...document.querySelectorAll("[id], a[name]")];
+return [places.flatMap(e => [e.id, e.getAttribute("name")]),
         [...document.querySelectorAll("a[href]")].map(a => a.href)];
 """
 
 
 def browser():
     options = webdriver.ChromeOptions()
-    for argument in ("--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--allow-file-access-from-files", f"--window-size={WIDTH},1000",
+    for argument in ("--headless=new", "--no-sandbox", "--disable-dev-shm-usage",
+                     "--allow-file-access-from-files", f"--window-size={WIDTH},1000",
                      "--force-device-scale-factor=1"):
         options.add_argument(argument)
     driver = webdriver.Chrome(service=Service(shutil.which("chromedriver")), options=options)
@@ -88,7 +97,8 @@ def open_page(driver, page):
     end = time.monotonic() + TIME_LIMIT
     while not driver.execute_script(IS_READY):
         if time.monotonic() > end:
-            raise TimeoutError(f"{page.name}: its formulas are not drawn within {TIME_LIMIT} seconds")
+            raise TimeoutError(f"{page.name}: its formulas are not drawn within {TIME_LIMIT} "
+                               "seconds")
         time.sleep(0.1)
 
 
@@ -124,7 +134,8 @@ def main():
         driver.quit()
     for name, target in links:
         address, _, place = target.partition("#")
-        if address.startswith("file:") and (address not in places or (place and place not in places[address])):
+        if address.startswith("file:") and (address not in places
+                                            or (place and place not in places[address])):
             errors.append(f"{name}: nothing is at {target.rpartition('/')[2]}")
     for error in errors:
         print("check_pages:", error, file=sys.stderr)

@@ -5,10 +5,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Writes what the manual quotes: generate_text.py DEFAULTS.json SOURCE_DIRECTORY OUTPUT_DIRECTORY
 
-- figures_of_the_code: Doxygen aliases, one for each default, constant and measured figure, such as \\default_normal_weight,
-  \\constant_pca_radius_factor, \\quality_fandisk_10_default_distance (noise of 1.0 %) or \\speed_default_seconds;
-- formula_macros.tex: the same for formulas, where their names have letters only, such as \\constantPcaRadiusFactor, as
-  TeX knows no underscores;
+- figures_of_the_code: Doxygen aliases, one for each default, constant and measured figure, such as
+  \\default_normal_weight, \\constant_pca_radius_factor, \\quality_fandisk_10_default_distance
+  (noise of 1.0 %) or \\speed_default_seconds;
+- formula_macros.tex: the same for formulas, where their names have letters only, such as
+  \\constantPcaRadiusFactor, as TeX knows no underscores;
 - table_*.txt: the tables of the benchmarks, for \\include{doc}.
 
 DEFAULTS.json is what the program print_defaults prints.
@@ -48,7 +49,8 @@ LONGEST_UNBROKEN_CELL = 16    # characters; a longer one may have several lines
 def row(line, tag, are_numbers):
     parts = []
     for text, is_number in zip(cells(line), are_numbers, strict=True):
-        classes = [name for name, applies in (("l0Number", is_number), ("l0Unbroken", tag == "td" and len(text) <= LONGEST_UNBROKEN_CELL)) if applies]
+        is_unbroken = tag == "td" and len(text) <= LONGEST_UNBROKEN_CELL
+        classes = ["l0Number"] * is_number + ["l0Unbroken"] * is_unbroken
         attribute = f' class="{" ".join(classes)}"' if classes else ""
         parts.append(f"<{tag}{attribute}>{cell(text)}</{tag}>")
     return "<tr>" + "".join(parts) + "</tr>"
@@ -80,7 +82,8 @@ def code_figures(defaults):
             yield f"{group}_{name}", f"{value:g}"
 
 
-QUALITY_NAMES = {"mean distance, %": "distance", "mean coverage, %": "coverage", "normal error, degrees": "normal_error",
+QUALITY_NAMES = {"mean distance, %": "distance", "mean coverage, %": "coverage",
+                 "normal error, degrees": "normal_error",
                  "normals inwards, %": "inwards", "edge recall": "recall", "NN6 cv": "evenness"}
 
 
@@ -102,7 +105,8 @@ def speed_figures(fitted_exponent, comparison, scaling):
         yield f"speed_{method}_bytes", f"{run['bytes_a_point']:.0f}"
         for slow in ("wlop", "ear"):
             yield f"speed_{method}_over_{slow}", f"{comparison[slow]['wall_seconds'] / seconds:.0f}"
-        yield f"speed_{method}_two_threads", f"{seconds / comparison[f'{method}, 2 threads']['wall_seconds']:.1f}"
+        on_two_threads = comparison[f"{method}, 2 threads"]["wall_seconds"]
+        yield f"speed_{method}_two_threads", f"{seconds / on_two_threads:.1f}"
         runs = [run for run in scaling if run["method"] == method]
         exponent = fitted_exponent([(run["points_in"], run["cpu_seconds"]) for run in runs])
         yield f"speed_{method}_exponent", f"{exponent:.2f}"
@@ -116,7 +120,8 @@ def speed_figures(fitted_exponent, comparison, scaling):
 
 
 def solver_figures(solvers):
-    """What the paper's rows cost beside the collapsed problem, and what half-sampling saves of them."""
+    """What the paper's rows cost beside the collapsed problem, and what half-sampling saves of
+    them."""
     yield "solver_points_in", str(solvers[0]["points_in"])
     for run in solvers:
         name = f"solver_{run['solver']}_{run['method']}"
@@ -135,7 +140,8 @@ def latency_figures(tables):
     runs = [dict(zip(header, row)) for row in rows]
     most = max(int(run["points in"]) for run in runs)
     runs = [run for run in runs if int(run["points in"]) == most and run["threads"] == "1"]
-    for name, column in (("gap", "longest by processor time"), ("end", "longest from `false` to the end")):
+    for name, column in (("gap", "longest by processor time"),
+                         ("end", "longest from `false` to the end")):
         yield f"callback_{name}_ms", str(max(int(run[column].split(" / ")[1]) for run in runs))
 
 
@@ -144,7 +150,8 @@ def streaming_figures(tables):
         run = dict(zip(tables[0].header, row))
         if run["never falls"] != "yes":
             raise ValueError("the progress of reading falls")
-        yield f"streaming_{run['file']}_bytes", f"{float(run['peak of resident memory, bytes a point']):.0f}"
+        peak = float(run["peak of resident memory, bytes a point"])
+        yield f"streaming_{run['file']}_bytes", f"{peak:.0f}"
 
 
 def load_csv(path):
@@ -153,8 +160,10 @@ def load_csv(path):
 
 
 def test_figures(tests):
-    """How often the function and the readers were attacked, and how many planted bugs were caught."""
-    attacks, runs = load_csv(tests / "attack" / "attacks.csv"), load_csv(tests / "fuzz" / "executions.csv")
+    """How often the function and the readers were attacked, and how many planted bugs were
+    caught."""
+    attacks = load_csv(tests / "attack" / "attacks.csv")
+    runs = load_csv(tests / "fuzz" / "executions.csv")
     yield "attack_number", str(sum(int(campaign["attacks"]) for campaign in attacks))
     yield "attack_broken", str(sum(int(campaign["broken_promises"]) for campaign in attacks))
     yield "fuzz_executions", str(sum(int(run["executions"]) for run in runs))
@@ -162,16 +171,19 @@ def test_figures(tests):
     folder = tests / "planted_bugs"
     bugs = {bug["name"] for path in folder.glob("*.toml")
             for bug in tomllib.loads(path.read_text(encoding="utf-8"))["bug"]}
-    caught = {row["bug"] for row in load_csv(folder / "verdicts.csv") if row["verdict"].startswith("caught")}
+    caught = {row["bug"]
+              for row in load_csv(folder / "verdicts.csv") if row["verdict"].startswith("caught")}
     yield "bugs_number", str(len(bugs))
     yield "bugs_caught", str(len(bugs & caught))
 
 
 # Files of tables, and their names in the manual where these differ
-TABLES = {"quality": {"fandisk": "quality_fandisk", "armadillo": "quality_armadillo", "comparison": "comparison",
-                      "oracle": "oracle", "poisson": "poisson", "ablation": "ablation", "thin_plates": "thin_plates",
+TABLES = {"quality": {"fandisk": "quality_fandisk", "armadillo": "quality_armadillo",
+                      "comparison": "comparison", "oracle": "oracle", "poisson": "poisson",
+                      "ablation": "ablation", "thin_plates": "thin_plates",
                       "rounding": "rounding", "rounding_h200": "rounding_of_device"},
-          "performance": {"fandisk": "speed", "scaling": "scaling", "callback": "callback", "cuda_h200": "device",
+          "performance": {"fandisk": "speed", "scaling": "scaling", "callback": "callback",
+                          "cuda_h200": "device",
                           "cuda_roofline": "roofline"},
           "report": {"full": "claims"}}
 
@@ -195,7 +207,8 @@ def main():
     figures = dict(code_figures(defaults))
     for name in ("fandisk", "armadillo"):
         figures.update(quality_figures(name, read_figures(texts[f"quality_{name}"])))
-    (figures["comparison_points_in"], figures["comparison_points_out"], figures["comparison_samplings"]) = found_in(
+    (figures["comparison_points_in"], figures["comparison_points_out"],
+     figures["comparison_samplings"]) = found_in(
         r"(\d+) points in, (\d+) out, seeds: (\d+)", texts["comparison"])
     figures.update(speed_figures(fitted_exponent, speed["comparison"], scaling["scaling"]))
     figures.update(solver_figures(speed["solvers"]))
@@ -204,13 +217,14 @@ def main():
     streaming = benchmark / "performance" / "results" / "tool_streaming.md"
     figures.update(streaming_figures(read_tables(streaming.read_text(encoding="utf-8"))))
     figures.update(test_figures(source / "test" / "L0_resampling"))
-    figures["speed_machine"] = f"{speed['machine']['cores']} cores of {speed['machine']['processor']}"
+    machine = speed["machine"]
+    figures["speed_machine"] = f"{machine['cores']} cores of {machine['processor']}"
 
     output.mkdir(parents=True, exist_ok=True)
     aliases = "".join(f'ALIASES += "{name}={value}"\n' for name, value in figures.items())
     (output / "figures_of_the_code").write_text(aliases, encoding="utf-8")
-    macros = "".join(f"\\newcommand{{\\{camel_case(name)}}}{{{value}}}\n" for name, value in figures.items()
-                     if camel_case(name).isalpha())
+    macros = "".join(f"\\newcommand{{\\{camel_case(name)}}}{{{value}}}\n"
+                     for name, value in figures.items() if camel_case(name).isalpha())
     (output / "formula_macros.tex").write_text(macros, encoding="utf-8")
     for name, of_name in tables.items():
         for number, table in enumerate(of_name, start=1):

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# Attacks one reader with libFuzzer, under AddressSanitizer and UndefinedBehaviorSanitizer, packs the
-# files that reached new paths, and notes the number of executions in executions.csv.
+# Attacks one reader with libFuzzer, under AddressSanitizer and UndefinedBehaviorSanitizer, packs
+# the files that reached new paths, and notes the number of executions in executions.csv.
 #
 #   run.sh CORPUS [EXECUTIONS]     CORPUS is csv, npy, obj, off, pcd, ply_ascii, ply_binary or xyz;
 #                                  100000 executions if none are given
 #
-# Needs clang with its run-time library for fuzzing (Debian: clang, libclang-rt-dev). Ends with 0 if no file was found that breaks a reader;
-# such a file is left in the folder that is named.
+# Needs clang with its run-time library for fuzzing (Debian: clang, libclang-rt-dev). Ends with 0 if
+# no file was found that breaks a reader; such a file is left in the folder that is named.
 set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -16,7 +16,9 @@ format=${corpus%_*}
 scratch=$here/../../../build-fuzz
 mkdir -p "$scratch/objects" "$scratch/$corpus"
 
-flags=(-std=c++17 -O2 -g1 -D_GLIBCXX_SANITIZE_VECTOR -fsanitize=address,undefined,float-cast-overflow -fno-sanitize=vptr -fno-sanitize-recover=all
+flags=(-std=c++17 -O2 -g1 -D_GLIBCXX_SANITIZE_VECTOR
+       -fsanitize=address,undefined,float-cast-overflow -fno-sanitize=vptr
+       -fno-sanitize-recover=all
        -I "$tool" -I "$here/../../../include")
 objects=()
 parts=(Gzip_decoder Input_file Number_type Pcd_header Ply_header Point_collector Property_table
@@ -30,16 +32,23 @@ done
 clang++ "${flags[@]}" -fsanitize=fuzzer "${objects[@]}" -lz -o "$scratch/fuzz_readers"
 
 [ ! -f "$here/corpora/$corpus.tar.gz" ] || tar -C "$scratch" -xzf "$here/corpora/$corpus.tar.gz"
-# short stacks and no quarantine, as allocations are what most of the time would go to; leaks are looked for when all is replayed
-ASAN_OPTIONS=malloc_context_size=0:quarantine_size_mb=1 "$scratch/fuzz_readers" "$scratch/$corpus" --format="$format" \
-  -dict="$here/dictionaries/$format.dict" -max_len=1024 -detect_leaks=0 -runs="$executions" -artifact_prefix="$scratch/" -print_final_stats=1 \
+# short stacks and no quarantine, as allocations are what most of the time would go to; leaks are
+# looked for when all is replayed
+ASAN_OPTIONS=malloc_context_size=0:quarantine_size_mb=1 \
+  "$scratch/fuzz_readers" "$scratch/$corpus" --format="$format" \
+  -dict="$here/dictionaries/$format.dict" -max_len=1024 -detect_leaks=0 -runs="$executions" \
+  -artifact_prefix="$scratch/" -print_final_stats=1 \
   2>&1 | tee "$scratch/$corpus.log"
 
 mkdir -p "$scratch/merged/$corpus" "$here/corpora"
-"$scratch/fuzz_readers" -merge=1 --format="$format" -max_len=1024 "$scratch/merged/$corpus" "$scratch/$corpus"
-tar -C "$scratch/merged" --sort=name --owner=0 --group=0 --mtime=@0 -c "$corpus" | gzip -n9 > "$here/corpora/$corpus.tar.gz"
+"$scratch/fuzz_readers" -merge=1 --format="$format" -max_len=1024 "$scratch/merged/$corpus" \
+  "$scratch/$corpus"
+tar -C "$scratch/merged" --sort=name --owner=0 --group=0 --mtime=@0 -c "$corpus" | gzip -n9 \
+  > "$here/corpora/$corpus.tar.gz"
 
 executions=$(sed -n 's/^stat::number_of_executed_units: *//p' "$scratch/$corpus.log")
 kept=$(find "$scratch/merged/$corpus" -type f | wc -l)
-{ grep -v "^$corpus," "$here/executions.csv"; echo "$corpus,$executions,0,$kept"; } > "$scratch/executions.csv"
-{ head -n 1 "$scratch/executions.csv"; tail -n +2 "$scratch/executions.csv" | sort; } > "$here/executions.csv"
+{ grep -v "^$corpus," "$here/executions.csv"; echo "$corpus,$executions,0,$kept"; } \
+  > "$scratch/executions.csv"
+{ head -n 1 "$scratch/executions.csv"; tail -n +2 "$scratch/executions.csv" | sort; } \
+  > "$here/executions.csv"

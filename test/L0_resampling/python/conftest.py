@@ -14,7 +14,8 @@ import pytest
 
 
 def noisy_cube(n, seed=1):
-    """Points on the surface of a cube of side 1, moved by noise of 0.01, and the true normals with random signs."""
+    """Points on the surface of a cube of side 1, moved by noise of 0.01, and the true normals with
+    random signs."""
     random = numpy.random.default_rng(seed)
     axis = random.integers(3, size=n)
     side = random.choice([-1.0, 1.0], size=n)
@@ -37,7 +38,8 @@ def cube_normals():
 
 @pytest.fixture(scope="session")
 def endless():
-    """A call of ten thousand iterations. Were it not cancelled, it would outlast the time limit of the test."""
+    """A call of ten thousand iterations. Were it not cancelled, it would outlast the time limit of
+    the test."""
     return {"points": noisy_cube(200_000)[0], "method": "lor", "penalty_growth": 1.0003}
 
 

@@ -80,7 +80,8 @@ def test_calls_in_two_threads_do_not_meet(cube):
     def call(k, method, threads):
         together[k] = l0_resample_point_set(cube, method=method, threads=threads)
 
-    threads = [threading.Thread(target=call, args=(0, "default", 1)), threading.Thread(target=call, args=(1, "lor", 2))]
+    threads = [threading.Thread(target=call, args=(0, "default", 1)),
+               threading.Thread(target=call, args=(1, "lor", 2))]
     for thread in threads:
         thread.start()
     for thread in threads:

@@ -84,12 +84,16 @@ def test_a_strict_type_checker_is_content(tmp_path):
     def checked(*lines):
         script = tmp_path / "script.py"
         script.write_text("import cgal_l0, numpy\n" + "\n".join(lines) + "\n")
-        run = subprocess.run([sys.executable, "-m", "mypy", "--strict", "--cache-dir", str(tmp_path / "cache"), str(script)],
-                             env={**os.environ, "MYPYPATH": str(package.parent)}, capture_output=True, text=True)
+        run = subprocess.run([sys.executable, "-m", "mypy", "--strict", "--cache-dir",
+                              str(tmp_path / "cache"), str(script)],
+                             env={**os.environ, "MYPYPATH": str(package.parent)},
+                             capture_output=True, text=True)
         return run.stdout
 
-    assert checked("positions, normals, report = cgal_l0.l0_resample_point_set(numpy.zeros((9, 3)), report=True)",
-                   "print(positions.shape, normals.shape, report.neighbor_radius + 1, report.stages[0].name.upper())"
+    assert checked("positions, normals, report = cgal_l0.l0_resample_point_set(",
+                   "    numpy.zeros((9, 3)), report=True)",
+                   "print(positions.shape, normals.shape, report.neighbor_radius + 1,",
+                   "      report.stages[0].name.upper())"
                    ).startswith("Success")
     assert checked('cloud = cgal_l0.read_points("scan.ply")',
                    'positions, normals = cgal_l0.l0_resample_point_set(',
@@ -100,13 +104,16 @@ def test_a_strict_type_checker_is_content(tmp_path):
                    '    cgal_l0.l0_resample_point_set(',
                    '        cloud.points, callback=callback, device="auto")'
                    ).startswith("Success")
-    assert "No overload" in checked("cgal_l0.l0_resample_point_set(numpy.zeros((9, 3)), method='best')")
-    assert 'has no attribute "speed"' in checked("cgal_l0.l0_resample_point_set([], report=True)[2].speed")
+    assert "No overload" in checked(
+        "cgal_l0.l0_resample_point_set(numpy.zeros((9, 3)), method='best')")
+    assert 'has no attribute "speed"' in checked(
+        "cgal_l0.l0_resample_point_set([], report=True)[2].speed")
 
 
 def test_the_stub_of_the_core_has_its_names():
     def public(names):
-        return {name for name in names if not name.startswith("_") and name not in ("name", "value")}
+        return {name for name in names
+                if not name.startswith("_") and name not in ("name", "value")}
 
     stub = ast.parse((package / "_core.pyi").read_text())
     definitions = [node for node in stub.body if isinstance(node, (ast.ClassDef, ast.FunctionDef))]

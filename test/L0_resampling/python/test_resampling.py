@@ -3,7 +3,8 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""cgal_l0 gives what the C++ function gives, wherever its arrays lie, and passes every parameter on."""
+"""cgal_l0 gives what the C++ function gives, wherever its arrays lie, and passes every parameter
+on."""
 
 import dataclasses
 import inspect
@@ -51,7 +52,8 @@ def test_equals_the_program_with_normals(cube, cube_normals, tool):
     result = l0_resample_point_set(cube, cube_normals)
     assert same(result, (positions, normals))
     assert not same(result, l0_resample_point_set(cube))
-    assert same(result, l0_resample_point_set(cube, cube_normals.astype(numpy.float32)))   # zeros and ones
+    # zeros and ones
+    assert same(result, l0_resample_point_set(cube, cube_normals.astype(numpy.float32)))
 
 
 def test_orientation_hints(cube, cube_normals, tool):
@@ -103,13 +105,16 @@ def test_source_indices_and_feature_confidences(cube, number_type):
     positions, normals, sources, confidences, report = l0_resample_point_set(
         points, source_indices=True, feature_confidences=True, report=True)
     assert same(plain, (positions, normals)) and report.number_of_output_points == len(positions)
-    distances = numpy.linalg.norm(positions[:, None, :].astype(float) - points[None, :, :].astype(float), axis=2)
+    differences = positions[:, None, :].astype(float) - points[None, :, :].astype(float)
+    distances = numpy.linalg.norm(differences, axis=2)
     assert sources.dtype == numpy.int64 and sources.shape == (len(positions),)
-    assert numpy.array_equal(distances[numpy.arange(len(positions)), sources], distances.min(axis=1))
+    assert numpy.array_equal(distances[numpy.arange(len(positions)), sources],
+                             distances.min(axis=1))
     assert confidences.dtype == number_type and confidences.shape == (len(positions),)
     assert confidences.min() >= 0 and confidences.max() <= 1
     assert numpy.array_equal(l0_resample_point_set(points, source_indices=True)[2], sources)
-    assert numpy.array_equal(l0_resample_point_set(points, feature_confidences=True)[2], confidences)
+    assert numpy.array_equal(l0_resample_point_set(points, feature_confidences=True)[2],
+                             confidences)
 
 
 def test_single_precision(cube, tool):
@@ -117,7 +122,8 @@ def test_single_precision(cube, tool):
     positions, normals = l0_resample_point_set(single)
     assert positions.dtype == normals.dtype == numpy.float32
     expected = tool(single.astype(numpy.float64))
-    assert same((positions, normals), (expected[0].astype(numpy.float32), expected[1].astype(numpy.float32)))
+    assert same((positions, normals),
+                (expected[0].astype(numpy.float32), expected[1].astype(numpy.float32)))
 
 
 def test_every_other_parameter_arrives(cube):
@@ -128,7 +134,8 @@ def test_every_other_parameter_arrives(cube):
     assert report_of(normal_filter_radius=0.3).normal_filter_radius == pytest.approx(0.3, rel=1e-12)
     assert report_of(neighbor_radius=0.2).neighbor_radius == pytest.approx(0.2, rel=1e-12)
     assert report_of(initial_penalty=0.5).iterations[0].penalty == 0.5
-    assert report_of(maximum_penalty=0.2).iterations[-1].penalty <= 0.2 < default.iterations[-1].penalty
+    last = report_of(maximum_penalty=0.2).iterations[-1]
+    assert last.penalty <= 0.2 < default.iterations[-1].penalty
     assert report_of(penalty_growth=4).iterations[1].penalty == pytest.approx(0.4)
     assert report_of(regularization_weight=0).iterations[0].regularization_energy == 0
     assert default.iterations[0].regularization_energy > 0
@@ -141,11 +148,12 @@ def test_every_other_parameter_arrives(cube):
 
 
 def test_defaults_are_those_of_the_function(cube):
-    constants = {name: p.default for name, p in inspect.signature(l0_resample_point_set).parameters.items()}
+    signature = inspect.signature(l0_resample_point_set)
+    constants = {name: p.default for name, p in signature.parameters.items()}
     by_method = _core.Parameters(_core.Method.default)
-    for name in ("select_percentage", "sharpness_angle", "number_of_normal_filter_iterations", "normal_weight",
-                 "regularization_weight", "initial_penalty", "maximum_penalty", "number_of_orientation_neighbors",
-                 "random_seed", "drop_non_finite"):
+    for name in ("select_percentage", "sharpness_angle", "number_of_normal_filter_iterations",
+                 "normal_weight", "regularization_weight", "initial_penalty", "maximum_penalty",
+                 "number_of_orientation_neighbors", "random_seed", "drop_non_finite"):
         assert constants[name] == getattr(by_method, name), name
     for method in ("default", "lor"):
         own = _core.Parameters(_core.Method.__members__[method])
@@ -175,7 +183,8 @@ def layouts_of(array):
 def test_layouts_are_read_in_place(cube, cube_normals, number_type):
     points, normals = cube.astype(number_type), cube_normals.astype(number_type)
     expected = l0_resample_point_set(points, normals)
-    for (name, strided_points), strided_normals in zip(layouts_of(points).items(), layouts_of(normals).values()):
+    for (name, strided_points), strided_normals in zip(layouts_of(points).items(),
+                                                       layouts_of(normals).values()):
         tracemalloc.start()   # sees what NumPy allocates
         result = l0_resample_point_set(strided_points, strided_normals)
         peak = tracemalloc.get_traced_memory()[1]
@@ -196,9 +205,12 @@ def test_other_number_types_are_converted():
     assert same(l0_resample_point_set(steps), expected)
     assert same(l0_resample_point_set(steps.tolist()), expected)
     assert same(l0_resample_point_set(steps.astype(">f8")), expected)
-    assert same(l0_resample_point_set(steps.astype(">f4")), l0_resample_point_set(steps.astype(numpy.float32)))
-    for wrong in (steps.astype(complex), steps.astype(str), steps.astype(object), steps.astype(numpy.longdouble)):
-        with pytest.raises(TypeError, match="points is a .* array .*, expected numbers that float64"):
+    assert same(l0_resample_point_set(steps.astype(">f4")),
+                l0_resample_point_set(steps.astype(numpy.float32)))
+    for wrong in (steps.astype(complex), steps.astype(str), steps.astype(object),
+                  steps.astype(numpy.longdouble)):
+        with pytest.raises(TypeError,
+                           match="points is a .* array .*, expected numbers that float64"):
             l0_resample_point_set(wrong)
 
 
@@ -237,7 +249,8 @@ def test_drop_non_finite(cube):
 
 
 def test_drop_outliers(cube):
-    scattered = numpy.vstack([cube, numpy.random.default_rng(1).uniform(-3, 3, (300, 3)) * numpy.ptp(cube)])
+    outliers = numpy.random.default_rng(1).uniform(-3, 3, (300, 3)) * numpy.ptp(cube)
+    scattered = numpy.vstack([cube, outliers])
     *kept, report = l0_resample_point_set(scattered, drop_outliers=False, report=True)
     assert report.number_of_outliers == 0
     *result, report = l0_resample_point_set(scattered, report=True)
@@ -250,7 +263,8 @@ def test_drop_outliers(cube):
 @pytest.mark.parametrize("error, message, named", [
     (ValueError, "number_of_output_points is -1", {"number_of_output_points": -1}),
     (ValueError, "number_of_output_points is 2.5", {"number_of_output_points": 2.5}),
-    (ValueError, "number_of_output_points is 1000000000000000000000", {"number_of_output_points": 10**21}),
+    (ValueError, "number_of_output_points is 1000000000000000000000",
+     {"number_of_output_points": 10**21}),
     (ValueError, "select_percentage is 0", {"select_percentage": 0}),
     (ValueError, "select_percentage is nan", {"select_percentage": float("nan")}),
     (ValueError, "neighbor_radius is -1", {"neighbor_radius": -1}),
@@ -297,7 +311,8 @@ def test_report(cube, tool):
     for name in ("neighbor_radius", "normal_filter_radius", "oriented_share", "converged"):
         assert getattr(report, name) == expected[name], name
     assert report.number_of_self_neighbor_pairs == expected["self_neighbor_pairs"]
-    assert [stage.name for stage in report.stages] == [stage["name"] for stage in expected["stages"]]
+    names = [stage["name"] for stage in expected["stages"]]
+    assert [stage.name for stage in report.stages] == names
     for iteration, other in zip(report.iterations, expected["iterations"], strict=True):
         flat = {**dataclasses.asdict(iteration), **dataclasses.asdict(iteration.solver)}
         del flat["solver"]
@@ -333,7 +348,8 @@ def test_cuda_is_refused_where_no_device_can_be_seen():
         *result, report = cgal_l0.l0_resample_point_set(points, device="auto", report=True)
         print(report.device, len(result[0]), report.device_reason, sep=", ")
     """
-    outcome = subprocess.run([sys.executable, "-c", program], env={**os.environ, "CUDA_VISIBLE_DEVICES": "-1"},
+    outcome = subprocess.run([sys.executable, "-c", program],
+                             env={**os.environ, "CUDA_VISIBLE_DEVICES": "-1"},
                              check=True, capture_output=True, text=True)
     refusal, fallback = outcome.stdout.splitlines()
     reason = refusal.removeprefix("device='cuda': ")
