@@ -46,8 +46,10 @@ Input_file::Input_file(const std::string& path, On_progress on_progress)
     return;
   const off_t begin = lseek(m_descriptor, 0, SEEK_CUR); // others may have read standard input
   // Files under /proc say that they are empty, and are not
-  if (begin >= 0 && status.st_size > begin)
+  if (begin >= 0 && status.st_size > begin) {
+    m_begin_of_file = std::uint64_t(begin);
     m_size = std::uint64_t(status.st_size - begin);
+  }
 }
 
 Input_file::~Input_file()
@@ -60,7 +62,7 @@ Input_file::~Input_file()
 bool Input_file::fill()
 {
   throw_if_interrupted();
-  if (m_size && m_on_progress) {
+  if (m_size && m_on_progress && !m_is_ahead) {
     const std::uint64_t bytes_read = m_gzip ? m_gzip->compressed_bytes() : m_position;
     m_on_progress((std::min)(1., double(bytes_read) / double(*m_size)));
   }
@@ -162,6 +164,29 @@ void Input_file::skip_bytes(std::uint64_t n)
     read_bytes(block);
     n -= block;
   }
+}
+
+bool Input_file::look_ahead(std::uint64_t position, const std::function<void()>& read)
+{
+  if (!m_size || m_gzip)
+    return false;
+  const std::uint64_t here = m_position;
+  if (position > *m_size)
+    refuse("the file ends before byte " + std::to_string(position) + ", where it is said to go on");
+  m_is_ahead = true;
+  move_to(position);
+  read();
+  move_to(here);
+  m_is_ahead = false;
+  return true;
+}
+
+void Input_file::move_to(std::uint64_t position)
+{
+  if (lseek(m_descriptor, off_t(m_begin_of_file + position), SEEK_SET) < 0)
+    throw Failure(INPUT_REFUSED, m_path + ": cannot be read: " + last_error());
+  m_begin = m_end = 0;
+  m_position = position;
 }
 
 void Input_file::check_compression()

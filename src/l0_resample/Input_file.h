@@ -47,6 +47,13 @@ public:
 
   void skip_bytes(std::uint64_t n);
 
+  /// How many bytes were read.
+  std::uint64_t position() const { return m_position; }
+
+  /// Calls `read`, for which the file goes on at `position`, and then comes back to where it was.
+  /// \returns false, without a call, for a pipe and for a compressed file
+  bool look_ahead(std::uint64_t position, const std::function<void()>& read);
+
   /// Reads a compressed file to its end, as what it holds is only known to be sound then.
   void check_compression();
 
@@ -72,11 +79,13 @@ private:
   std::size_t read_descriptor(char* target, std::size_t n);
   bool find_compression();
   bool fill();
+  void move_to(std::uint64_t position);
 
   std::string m_path;
   On_progress m_on_progress;
   int m_descriptor;
-  std::optional<std::uint64_t> m_size; // of the file on the disk
+  std::uint64_t m_begin_of_file = 0;   // where others may have left standard input
+  std::optional<std::uint64_t> m_size; // of the file on the disk, from there on
   bool m_is_compression_known = false;
   std::optional<Gzip_decoder> m_gzip; // if the file is compressed
   std::unique_ptr<char[]> m_buffer;   // not initialized: a small file touches little of it
@@ -84,6 +93,7 @@ private:
   std::uint64_t m_position = 0;       // in the file, of m_begin
   std::uint64_t m_line = 0;
   bool m_in_text = true;
+  bool m_is_ahead = false;
 };
 
 } // namespace l0_tool

@@ -39,16 +39,6 @@ bool contains(const std::vector<const Property*>& properties, const Property& pr
   return std::find(properties.begin(), properties.end(), &property) != properties.end();
 }
 
-Output_column plain_column(const Property& property)
-{
-  Output_column column = {property.name, property.type, {}};
-  for (std::size_t k = 0; k < size_of(property.type); ++k)
-    column.bytes.push_back(property.offset + k);
-  if (!is_little_endian_machine())
-    std::reverse(column.bytes.begin(), column.bytes.end());
-  return column;
-}
-
 Output_column packed_color(const std::vector<const Property*>& color)
 {
   const bool has_alpha = color.size() == 4;
@@ -69,6 +59,16 @@ std::set<std::string> names_of_coordinates(File_format format, bool has_normals)
 }
 
 } // namespace
+
+Output_column plain_column(const Property& property)
+{
+  Output_column column = {property.name, property.type, {}};
+  for (std::size_t k = 0; k < size_of(property.type); ++k)
+    column.bytes.push_back(property.offset + k);
+  if (!is_little_endian_machine())
+    std::reverse(column.bytes.begin(), column.bytes.end());
+  return column;
+}
 
 Output_columns choose_columns(const Property_table& table, File_format format, bool has_normals)
 {

@@ -33,8 +33,11 @@ struct Output_columns
   std::vector<std::string> left_out; ///< names of properties
 };
 
+/// The property as it is.
+Output_column plain_column(const Property& property);
+
 /*!
-Chooses the columns of a file:
+Chooses the columns of a file, but for LAS, which has a layout of its own:
 - PLY holds all properties;
 - PCD too, and the channels of a color in bytes are packed as PCL does it: into a field rgb, or rgba
 if there is alpha;

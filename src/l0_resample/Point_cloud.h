@@ -6,6 +6,7 @@
 #ifndef L0_RESAMPLE_POINT_CLOUD_H
 #define L0_RESAMPLE_POINT_CLOUD_H
 
+#include "Las_origin.h"
 #include "Number_type.h"
 #include "Property_table.h"
 
@@ -36,14 +37,17 @@ struct Point_cloud
     Number_type::FLOAT64; ///< FLOAT32 if that held all coordinates and normals
   std::optional<std::array<double, 3>> viewpoint; ///< of PCD, if it is not the origin
   std::size_t number_of_dropped_points = 0;       ///< those with a coordinate that is not finite
+  std::optional<Las_origin> las;                  ///< of LAS
   std::vector<std::string> warnings;              ///< one line each, with the name of the file
+  std::vector<std::string> notes;                 ///< as `warnings`, of what is as it should be
 };
 
 /// What is written.
 struct Resampled_points
 {
   std::vector<Oriented_point> points;
-  Property_table properties; ///< one row for each point
+  Property_table properties;     ///< one row for each point
+  std::optional<Las_origin> las; ///< of an input in LAS
   std::vector<float>
     feature_confidences; ///< for the snapshot, if asked for; they are among the properties too
   std::optional<std::array<double, 3>> viewpoint; ///< that the call had, if all points had one

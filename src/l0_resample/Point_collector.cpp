@@ -74,6 +74,8 @@ void Point_collector::add(const Point_row& row)
       m_dropped_rows.push_back(std::size_t(m_number_of_rows - 1));
     return;
   }
+  if (!m_filter.keeps(m_file, m_cloud.properties, m_next_properties.data()))
+    return;
   check_limits(m_cloud.points.size() + 1);
   if (m_are_normals_unnamed)
     measure_vector(row);
@@ -138,6 +140,9 @@ void Point_collector::match_normals()
 
 Point_cloud Point_collector::take()
 {
+  if (m_filter.number_left_out() > 0)
+    note(std::to_string(m_filter.number_left_out())
+         + " points are left out by --keep-classes or --first-returns");
   if (m_are_normals_apart)
     match_normals();
   if (m_are_normals_unnamed)

@@ -8,6 +8,7 @@
 
 #include "Input_file.h"
 #include "Point_cloud.h"
+#include "Point_filter.h"
 #include "read_points.h"
 
 #include <array>
@@ -25,6 +26,7 @@ class Point_collector
 {
   const Input_file& m_file;
   Read_options m_options;
+  Point_filter m_filter;
   bool m_has_normals = false;
   bool m_is_organized = false;
   bool m_are_normals_unnamed = false;
@@ -45,7 +47,7 @@ class Point_collector
 
 public:
   Point_collector(const Input_file& file, const Read_options& options)
-    : m_file(file), m_options(options)
+    : m_file(file), m_options(options), m_filter(options)
   {}
 
   /// Says that from the first row on there are normals.
@@ -68,6 +70,8 @@ public:
   void set_organized() { m_is_organized = true; }
 
   bool wants_properties() const { return m_options.with_properties; }
+
+  bool wants_wide_colors() const { return m_options.with_wide_colors; }
 
   /// Says that each row has this one too. Only if they are wanted, and before the first row.
   /// \returns its index
@@ -98,10 +102,19 @@ public:
 
   void warn(const std::string& what) { m_cloud.warnings.push_back(m_file.path() + ": " + what); }
 
+  void note(const std::string& what) { m_cloud.notes.push_back(m_file.path() + ": " + what); }
+
+  void set_las_origin(const Las_origin& origin) { m_cloud.las = origin; }
+
   std::uint64_t number_of_rows() const { return m_number_of_rows; }
 
   /// After the last row; see `Property_table::narrow()`.
-  void set_types(const std::vector<Number_type>& types) { m_cloud.properties.narrow(types); }
+  void set_types(const std::vector<Number_type>& types, const std::vector<double>& factors = {})
+  {
+    m_cloud.properties.narrow(types, factors);
+  }
+
+  const std::vector<Property>& properties() const { return m_cloud.properties.properties(); }
 
   Point_cloud take();
 };

@@ -11,7 +11,8 @@
 
 namespace l0_tool {
 
-void Property_table::narrow(const std::vector<Number_type>& types)
+void Property_table::narrow(const std::vector<Number_type>& types,
+                            const std::vector<double>& factors)
 {
   Property_table narrow;
   for (std::size_t k = 0; k < m_properties.size(); ++k)
@@ -22,7 +23,8 @@ void Property_table::narrow(const std::vector<Number_type>& types)
   std::vector<char> next(narrow.m_row_size);
   for (std::size_t i = 0; i < number_of_rows; ++i) {
     for (std::size_t k = 0; k < m_properties.size(); ++k)
-      encode(value(i, m_properties[k]), types[k], next.data() + narrow.m_properties[k].offset);
+      encode(value(i, m_properties[k]) * (factors.empty() ? 1 : factors[k]), types[k],
+             next.data() + narrow.m_properties[k].offset);
     std::copy(next.begin(), next.end(), m_rows.begin() + std::ptrdiff_t(i * narrow.m_row_size));
   }
   m_rows.resize(number_of_rows * narrow.m_row_size);

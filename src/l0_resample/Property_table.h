@@ -39,7 +39,8 @@ public:
   }
 
   /// Gives the properties other types, none of them wider than before, and rounds as encode() does.
-  void narrow(const std::vector<Number_type>& types);
+  /// \param factors of the values; empty for 1
+  void narrow(const std::vector<Number_type>& types, const std::vector<double>& factors = {});
 
   const std::vector<Property>& properties() const { return m_properties; }
 

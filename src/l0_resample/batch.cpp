@@ -117,7 +117,7 @@ std::vector<Batch_item> plan_batch(const std::vector<std::string>& inputs,
     fs::path name = fs::path(item.input).filename();
     if (is_compressed(name.string()))
       name.replace_extension();
-    if (output_format || item.output_format != *by_extension)
+    if (output_format || item.output_format != *by_extension || is_laz(item.input))
       name.replace_extension(extension_of(item.output_format));
     item.output = (fs::path(directory) / name).string();
   }

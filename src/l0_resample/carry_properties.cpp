@@ -15,8 +15,13 @@ namespace {
 
 using CGAL::L0_resampling::internal::Near_points;
 
+/// What LAS tells of one pulse; a mean of two passes of the scanner would belong to none.
+bool is_of_one_pulse(const std::string& name) { return name == "gps_time" || name == "scan_angle"; }
+
 bool is_averaged(const Property& property)
 {
+  if (is_of_one_pulse(property.name))
+    return false;
   return property.type == Number_type::FLOAT32 || property.type == Number_type::FLOAT64
          || CGAL::L0_resampling::internal::is_color_channel(property.name);
 }

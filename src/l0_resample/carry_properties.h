@@ -17,8 +17,9 @@
 namespace l0_tool {
 
 /// The properties of a result: those of the input, of floating-point types and of colors the mean
-/// of near points and of others that of the nearest; then `source_index` and `feature_confidence`,
-/// where there are some. These two go before properties of the input of the same name.
+/// of near points, and of others that of the nearest, as of gps_time and scan_angle; then
+/// `source_index` and `feature_confidence`, where there are some. These two go before properties of
+/// the input of the same name.
 /// \param near_points of the result, unless `properties` has none
 /// \param size of the result
 Property_table carried_properties(const Property_table& properties,

@@ -36,7 +36,7 @@ const std::map<std::string, Device> devices = {
 const std::map<std::string, File_format> formats = {
   {"ply", File_format::PLY}, {"off", File_format::OFF}, {"xyz", File_format::XYZ},
   {"pcd", File_format::PCD}, {"npy", File_format::NPY}, {"csv", File_format::CSV},
-  {"obj", File_format::OBJ}};
+  {"obj", File_format::OBJ}, {"las", File_format::LAS}};
 
 std::map<std::string, File_format> written_formats()
 {
@@ -135,6 +135,24 @@ std::array<double, 3> parse_direction(const std::string& option, const std::stri
   return direction;
 }
 
+/// Whole numbers separated by commas.
+std::vector<unsigned> parse_classes(const std::string& option, const std::string& text)
+{
+  constexpr unsigned most = 255;
+  std::vector<unsigned> classes;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = (std::min)(text.find(',', begin), text.size());
+    const std::optional<unsigned> number = parse_number<unsigned>(
+      std::string_view(text).substr(begin, end - begin));
+    if (!number || *number > most)
+      refuse_usage(option + ": " + text + " is not whole numbers from 0 to " + std::to_string(most)
+                   + " separated by commas");
+    classes.push_back(*number);
+    begin = end + 1;
+  }
+  return classes;
+}
+
 // In the order of --help, which has room for 67 characters a line.
 
 void add_options_on_result(CLI::App& app, Arguments& arguments)
@@ -179,6 +197,15 @@ void add_options_on_input(CLI::App& app, Arguments& arguments)
     ->type_name("x,y,z,red,...");
   app.add_flag("--drop-non-finite", options.drop_non_finite,
                "leave out points with a NaN or infinite coordinate");
+  const auto set_classes = [&](const std::string& all) {
+    options.classes = parse_classes("--keep-classes", all);
+  };
+  app
+    .add_option_function<std::string>("--keep-classes", set_classes,
+                                      "only points of these classifications, as LAS has them")
+    ->type_name("2,6,...");
+  app.add_flag("--first-returns", options.only_first_returns,
+               "only points that are no second or later return, as LAS has them");
   app.add_flag("--keep-outliers", options.keep_outliers,
                "keep points off the cloud, which the default method leaves out");
 }
@@ -321,9 +348,10 @@ void add_other_tasks(CLI::App& app, Arguments& arguments)
 void exclude_others(CLI::App& app, const std::string& task,
                     const std::vector<std::string_view>& useful)
 {
-  static constexpr std::array<std::string_view, 12> always = {
-    "help",  "version",    "config",     "FILES",   "input-format", "columns", "drop-non-finite",
-    "quiet", "max-points", "max-memory", "timeout", "threads"};
+  static constexpr std::array<std::string_view, 14> always = {
+    "help",    "version",         "config",       "FILES",        "input-format",
+    "columns", "drop-non-finite", "quiet",        "max-points",   "max-memory",
+    "timeout", "threads",         "keep-classes", "first-returns"};
   const auto has = [](const auto& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };

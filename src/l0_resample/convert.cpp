@@ -8,7 +8,7 @@
 #include "Output_file.h"
 #include "check_output.h"
 #include "parse_numbers.h"
-#include "read_points.h"
+#include "read_input.h"
 #include "write_points.h"
 
 #include <string>
@@ -20,21 +20,12 @@ namespace l0_tool {
 void convert_file(const Options& options, Input_file::On_progress on_progress, Run_record& record)
 {
   check_output(options, 0);
-  Read_options read_options;
-  read_options.max_points = options.max_points;
-  read_options.max_memory = options.max_memory;
-  read_options.drop_non_finite = options.drop_non_finite;
-  read_options.with_normals = true;
-  read_options.with_properties = true;
-  read_options.columns = options.columns;
-  const Point_cloud cloud = read_points(options.input, options.input_format, read_options,
-                                        std::move(on_progress));
-  record.warnings = cloud.warnings;
+  const Point_cloud cloud = read_input(options, true, std::move(on_progress), record);
   record.report.number_of_input_points = cloud.points.size();
   record.report.number_of_dropped_points = cloud.number_of_dropped_points;
 
-  check_output(options,
-               largest_file_size(options.output_format, cloud.points.size(), cloud.properties));
+  check_output(options, largest_file_size(options.output_format, cloud.points.size(),
+                                          cloud.properties, cloud.las));
   record.report.number_of_output_points = cloud.points.size();
   if (options.dry_run)
     return;

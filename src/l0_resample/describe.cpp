@@ -66,6 +66,14 @@ std::string names_of(const Property_table& table)
   return names.empty() ? "none" : names;
 }
 
+std::string las_version(const Las_origin& las)
+{
+  return "1." + std::to_string(las.minor_version) + ", point format "
+         + std::to_string(las.point_format) + ", scale "
+         + in_digits(las.scale[0], las.scale[1], las.scale[2]) + ", "
+         + (las.coordinate_system.empty() ? "no" : "with a") + " coordinate system";
+}
+
 } // namespace
 
 std::string describe(const Point_cloud& cloud, const Options& options)
@@ -82,6 +90,8 @@ std::string describe(const Point_cloud& cloud, const Options& options)
   if (size > 0)
     text += line("extent", extent_of(box));
   text += line("normals", cloud.file_has_normals ? "yes" : "no");
+  if (cloud.las)
+    text += line("LAS", las_version(*cloud.las));
   text += line("properties", names_of(cloud.properties));
   text += line("viewpoint",
                cloud.viewpoint

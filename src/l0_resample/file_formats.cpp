@@ -29,6 +29,8 @@ bool is_written(File_format format)
 
 bool is_compressed(const std::string& path) { return lower_extension(path) == ".gz"; }
 
+bool is_laz(const std::string& path) { return lower_extension(path) == ".laz"; }
+
 std::optional<File_format> format_of(const std::string& path)
 {
   std::filesystem::path uncompressed = path;
@@ -49,6 +51,8 @@ std::optional<File_format> format_of(const std::string& path)
     return File_format::CSV;
   if (extension == ".obj")
     return File_format::OBJ;
+  if (extension == ".las" || extension == ".laz")
+    return File_format::LAS;
   return std::nullopt;
 }
 
@@ -61,23 +65,28 @@ std::string extension_of(File_format format)
   case File_format::PCD: return ".pcd";
   case File_format::NPY: return ".npy";
   case File_format::CSV: return ".csv";
-  case File_format::OBJ: break;
+  case File_format::OBJ: return ".obj";
+  case File_format::LAS: break;
   }
-  return ".obj";
+  return ".las";
 }
 
 std::string reason_against_output(const std::string& path, File_format format)
 {
   if (is_compressed(path))
     return path + ": compressed files are read, but not written";
+  if (is_laz(path))
+    return path + ": LAZ is not written: write .las and compress it (laszip, PDAL)";
   if (!is_written(format))
-    return path + ": CSV and OBJ are read, but not written; .ply, .off, .xyz, .pcd and .npy are";
+    return path
+           + ": CSV and OBJ are read, but not written; .ply, .off, .xyz, .pcd, .npy and .las are";
   return "";
 }
 
 std::string unknown_extension(const std::string& path, const std::string& option)
 {
-  return path + ": the extension is not .ply, .off, .xyz, .xyzn, .pwn, .pcd, .npy, .csv or .obj; "
+  return path
+         + ": the extension is not .ply, .off, .xyz, .xyzn, .pwn, .pcd, .npy, .csv, .obj or .las; "
          + option + " tells what the file is";
 }
 

@@ -19,7 +19,8 @@ enum class File_format
   PCD,
   NPY,
   CSV,
-  OBJ
+  OBJ,
+  LAS
 };
 
 /// Whether points can be written in that format too.
@@ -28,8 +29,11 @@ bool is_written(File_format format);
 /// Whether the name is that of a file which gzip has made.
 bool is_compressed(const std::string& path);
 
+/// Whether the name is that of compressed LAS, which is refused once the file says that it is.
+bool is_laz(const std::string& path);
+
 /// By the extension of `path`, maybe before .gz, in lower or upper case: .ply, .off, .xyz, .xyzn,
-/// .pwn, .pcd, .npy, .csv or .obj.
+/// .pwn, .pcd, .npy, .csv, .obj, .las or .laz.
 std::optional<File_format> format_of(const std::string& path);
 
 /// The usual one, with its dot.

@@ -228,7 +228,7 @@ std::string help_text(const CLI::App& app)
   text += "\nExamples:\n";
   for (const char* example : examples)
     text += std::string("  ") + example + "\n";
-  return text + "\nThe manual, man l0_resample, tells of files, batches and exit statuses.\n";
+  return text + "The manual, man l0_resample, tells of files, batches and exit statuses.\n";
 }
 
 std::string man_page(const CLI::App& app)

@@ -64,6 +64,8 @@ struct Options
   bool with_feature_confidences = false;
   bool drop_non_finite = false;
   bool keep_outliers = false;
+  std::vector<unsigned> classes; ///< to keep; empty for all
+  bool only_first_returns = false;
 
   Device device = Device::AUTO;
   Solver solver = Solver::BLOCK_CG;

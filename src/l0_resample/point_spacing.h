@@ -8,6 +8,8 @@
 
 #include "Point_cloud.h"
 
+#include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace l0_tool {
@@ -16,6 +18,9 @@ namespace l0_tool {
 /// distinct points. Estimated from a part of a large cloud, as for a surface: half as many points
 /// lie sqrt(2) as far apart.
 double point_spacing(const std::vector<Point>& points);
+
+/// Of `size` points.
+double point_spacing(std::size_t size, const std::function<const Point&(std::size_t)>& point);
 
 } // namespace l0_tool
 

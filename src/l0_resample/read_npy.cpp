@@ -3,6 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "little_endian.h"
 #include "parse_numbers.h"
 #include "readers.h"
 
@@ -141,11 +142,7 @@ public:
 
 std::uint64_t read_little_endian(Input_file& file, std::size_t size)
 {
-  const char* bytes = file.read_bytes(size);
-  std::uint64_t number = 0;
-  for (std::size_t k = 0; k < size; ++k)
-    number |= std::uint64_t(static_cast<unsigned char>(bytes[k])) << (8 * k);
-  return number;
+  return little_endian_at(file.read_bytes(size), size);
 }
 
 Npy_header read_npy_header(Input_file& file)

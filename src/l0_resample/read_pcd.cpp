@@ -5,6 +5,7 @@
 
 #include "Pcd_header.h"
 #include "decompress_lzf.h"
+#include "little_endian.h"
 #include "parse_numbers.h"
 #include "readers.h"
 
@@ -143,15 +144,7 @@ void read_binary_row(Input_file& file, const Pcd_header& header, const Targets& 
   }
 }
 
-std::uint64_t read_size(Input_file& file)
-{
-  char number[4];
-  copy_number(file.read_bytes(sizeof number), Number_type::UINT32, !is_little_endian_machine(),
-              number);
-  std::uint32_t size;
-  std::memcpy(&size, number, sizeof size);
-  return size;
-}
+std::uint64_t read_size(Input_file& file) { return little_endian_at(file.read_bytes(4), 4); }
 
 /// Of compressed data: all values of the first field come first, then those of the next one.
 /// \returns the fields that are there: PCL leaves padding out

@@ -43,6 +43,7 @@ Point_cloud read_points(const std::string& path, File_format format, const Read_
   case File_format::PCD: read_pcd(file, collector); break;
   case File_format::NPY: read_npy(file, collector); break;
   case File_format::OBJ: read_obj(file, collector); break;
+  case File_format::LAS: read_las(file, collector); break;
   case File_format::CSV: read_csv(file, collector, options.columns); break;
   }
   file.check_compression();

@@ -31,6 +31,10 @@ struct Read_options
   bool with_normals = false; ///< keep the normals, if the file has any
   bool with_properties =
     false; ///< keep all that the file tells of each point, and warn of what cannot be kept
+  bool with_wide_colors = false; ///< keep the 16 bits that a channel of a color has in LAS
+  std::vector<unsigned>
+    classes; ///< keep the points whose property `classification` is one of these; empty for all
+  bool only_first_returns = false; ///< keep the points whose property `return_number` is at most 1
   Column_names columns; ///< of XYZ and CSV, as from `parse_column_names()`; empty if unnamed
 };
 
@@ -65,8 +69,16 @@ What gzip has compressed, of any of these formats, is read as what it stands for
   i-th is taken for that of the i-th vertex. Three numbers behind x, y, z (and maybe w) are a
   color. What else the file has is skipped.
 
-\throws Failure with INPUT_REFUSED and the line or byte where the file is not what it should be, or
-holds more than
+- LAS 1.0 to 1.4, point data record formats 0 to 10: the coordinates in double precision, and as
+  properties the fields of `las_fields()` and the extra bytes that the file describes, but for
+  integers of 64 bits. Extra bytes nx, ny, nz or NormalX, NormalY, NormalZ in floating-point numbers
+  are normals. Colors get 8 bits a channel, unless `with_wide_colors`; a file whose channels are all
+  below 256 has them already. Points that are flagged as withheld are left out. LAZ is refused.
+
+The filters `classes` and `only_first_returns` need `with_properties`, and act in all formats.
+
+\throws Failure with INPUT_REFUSED and the line or byte where the file is not what it should be, has
+not the property that a filter looks at, or holds more than
         `max_points`; with RUN_TIME_FAILURE where the points need more than `max_memory`; with the
         status of an interrupt
 */

@@ -25,6 +25,7 @@ void read_xyz(Input_file& file, Point_collector& collector, const Column_names& 
 void read_pcd(Input_file& file, Point_collector& collector);
 void read_npy(Input_file& file, Point_collector& collector);
 void read_obj(Input_file& file, Point_collector& collector);
+void read_las(Input_file& file, Point_collector& collector);
 void read_csv(Input_file& file, Point_collector& collector, const Column_names& names);
 
 } // namespace l0_tool

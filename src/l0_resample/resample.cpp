@@ -177,6 +177,7 @@ Resampled_points resample(const Point_cloud& cloud, const Sides& sides, const Op
 
   Resampled_points result;
   result.viewpoint = sides.viewpoint;
+  result.las = cloud.las;
   try {
     const auto np = parameters::resampling_method(options.method)
                       .normal_weight(normal_weight_of(options))

@@ -12,7 +12,7 @@
 #include "convert.h"
 #include "describe.h"
 #include "parse_numbers.h"
-#include "read_points.h"
+#include "read_input.h"
 #include "render_snapshot.h"
 #include "resample.h"
 #include "signals.h"
@@ -45,17 +45,10 @@ public:
 Point_cloud read_input(const Options& options, Progress_bar& progress, Run_record& record)
 {
   const Stopwatch stopwatch;
-  Read_options read_options;
-  read_options.max_points = options.max_points;
-  read_options.max_memory = options.max_memory;
-  read_options.drop_non_finite = options.drop_non_finite;
-  read_options.with_normals = options.use_normals || options.orient_by_normals
-                              || !options.snapshot.empty();
-  read_options.with_properties = true;
-  read_options.columns = options.columns;
-  Point_cloud cloud = read_points(options.input, options.input_format, read_options,
-                                  [&](double share) { progress.update("read", share); });
-  record.warnings = cloud.warnings;
+  const bool with_normals = options.use_normals || options.orient_by_normals
+                            || !options.snapshot.empty();
+  Point_cloud cloud = read_input(
+    options, with_normals, [&](double share) { progress.update("read", share); }, record);
   record.seconds_to_read = stopwatch.seconds();
   return cloud;
 }
@@ -131,8 +124,8 @@ void resample_file(const Options& options, Run_record& record)
   Progress_bar progress(options.quiet);
   const Point_cloud cloud = read_input(options, progress, record);
   const std::size_t number_of_points = number_of_output_points(options, cloud.points.size());
-  check_output(options,
-               largest_file_size(options.output_format, number_of_points, cloud.properties));
+  check_output(options, largest_file_size(options.output_format, number_of_points, cloud.properties,
+                                          cloud.las));
 
   const Sides sides = find_sides(cloud, viewpoints, options, record);
   if (options.dry_run) {

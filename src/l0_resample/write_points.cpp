@@ -7,13 +7,15 @@
 
 #include "Failure.h"
 #include "Output_columns.h"
+#include "Point_rows.h"
+#include "little_endian.h"
+#include "write_las.h"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
-#include <cstring>
 #include <limits>
 
 namespace l0_tool {
@@ -35,42 +37,7 @@ struct Layout
   std::size_t number_of_coordinates() const { return has_normals ? 6 : 3; }
 };
 
-/// Oriented points, as rows.
-class Oriented_rows
-{
-  const std::vector<Oriented_point>& m_points;
-  const Property_table& m_properties;
-
-public:
-  Oriented_rows(const std::vector<Oriented_point>& points, const Property_table& properties)
-    : m_points(points), m_properties(properties)
-  {}
-
-  std::size_t size() const { return m_points.size(); }
-  const Point& point(std::size_t i) const { return m_points[i].first; }
-  const Vector& normal(std::size_t i) const { return m_points[i].second; }
-  const char* properties(std::size_t i) const { return m_properties.row(i); }
-};
-
-/// What a file held, as rows.
-class Cloud_rows
-{
-  const Point_cloud& m_cloud;
-
-public:
-  explicit Cloud_rows(const Point_cloud& cloud) : m_cloud(cloud) {}
-
-  std::size_t size() const { return m_cloud.points.size(); }
-  const Point& point(std::size_t i) const { return m_cloud.points[i]; }
-  Vector normal(std::size_t i) const
-  {
-    return m_cloud.normals.empty() ? Vector(0, 0, 0) : m_cloud.normals[i];
-  }
-  const char* properties(std::size_t i) const { return m_cloud.properties.row(i); }
-};
-
-template <typename Rows>
-Row row_of(const Rows& rows, std::size_t i)
+Row row_of(const Point_rows& rows, std::size_t i)
 {
   const Point& point = rows.point(i);
   const Vector normal = rows.normal(i);
@@ -103,22 +70,13 @@ void append_text(const Row& row, const char* properties, const Layout& layout, s
   text.back() = '\n';
 }
 
-template <typename Bits, typename Number>
-void append_bytes(Number number, std::string& bytes)
-{
-  Bits bits;
-  std::memcpy(&bits, &number, sizeof bits);
-  for (std::size_t byte = 0; byte < sizeof bits; ++byte)
-    bytes += char(static_cast<unsigned char>(bits >> (8 * byte)));
-}
-
 void append_binary(const Row& row, const char* properties, const Layout& layout, std::string& bytes)
 {
   for (std::size_t k = 0; k < layout.number_of_coordinates(); ++k)
     if (layout.is_single)
-      append_bytes<std::uint32_t>(float(row[k]), bytes);
+      append_little_endian<std::uint32_t>(float(row[k]), bytes);
     else
-      append_bytes<std::uint64_t>(row[k], bytes);
+      append_little_endian<std::uint64_t>(row[k], bytes);
   for (const Output_column& column : layout.others)
     for (const std::size_t byte : column.bytes)
       bytes += byte == Output_column::zero ? '\0' : properties[byte];
@@ -126,8 +84,7 @@ void append_binary(const Row& row, const char* properties, const Layout& layout,
 
 /// Whether `float` holds the points to a millionth of their diagonal: not if they lie far from the
 /// origin, or beyond its range.
-template <typename Rows>
-bool is_single_precision_enough(const Rows& rows)
+bool is_single_precision_enough(const Point_rows& rows)
 {
   constexpr double share = 1e-6;
   double largest = 0, squared_diagonal = 0;
@@ -244,8 +201,9 @@ std::string header_of(File_format format, std::size_t number_of_points, const La
   case File_format::XYZ: return "";
   case File_format::PCD: return pcd_header(number_of_points, layout);
   case File_format::NPY:
-  case File_format::CSV:
-  case File_format::OBJ: break; // which are not written
+  case File_format::CSV: // which is not written, nor is OBJ
+  case File_format::OBJ:
+  case File_format::LAS: break; // which has a writer of its own
   }
   return npy_header(number_of_points, layout);
 }
@@ -255,25 +213,42 @@ bool is_text(File_format format)
   return format == File_format::OFF || format == File_format::XYZ;
 }
 
-template <typename Rows>
-void write_rows(const std::string& path, File_format format, const Rows& rows, Layout layout,
-                Existing_file existing)
+void write_columns(Output_file& file, File_format format, const Point_rows& rows,
+                   const Layout& layout)
 {
-  const std::string reason = reason_against_output(path, format);
-  if (!reason.empty())
-    throw Failure(OUTPUT_NOT_WRITTEN, reason);
-  if (format == File_format::PCD)
-    layout.is_single = layout.is_single || is_single_precision_enough(rows);
-  Output_file file(path, existing);
   file.write(header_of(format, rows.size(), layout));
   const auto append_row = is_text(format) ? append_text : append_binary;
   std::string bytes;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     bytes.clear();
-    append_row(row_of(rows, i), rows.properties(i), layout, bytes);
+    append_row(row_of(rows, i), rows.properties().row(i), layout, bytes);
     file.write(bytes);
   }
+}
+
+/// \param layout without its other columns, which the format chooses
+/// \returns the names of the properties that the format cannot hold
+std::vector<std::string> write_rows(const std::string& path, File_format format,
+                                    const Point_rows& rows, Layout layout,
+                                    const std::optional<Las_origin>& las, Existing_file existing)
+{
+  const std::string reason = reason_against_output(path, format);
+  if (!reason.empty())
+    throw Failure(OUTPUT_NOT_WRITTEN, reason);
+  if (format == File_format::LAS) {
+    Output_file file(path, existing);
+    const std::vector<std::string> left_out = write_las(file, path, rows, layout.has_normals, las);
+    file.commit();
+    return left_out;
+  }
+  const Output_columns chosen = choose_columns(rows.properties(), format, layout.has_normals);
+  layout.others = chosen.columns;
+  if (format == File_format::PCD)
+    layout.is_single = layout.is_single || is_single_precision_enough(rows);
+  Output_file file(path, existing);
+  write_columns(file, format, rows, layout);
   file.commit();
+  return chosen.left_out;
 }
 
 } // namespace
@@ -281,33 +256,31 @@ void write_rows(const std::string& path, File_format format, const Rows& rows, L
 void write_points(const std::string& path, File_format format,
                   const std::vector<Oriented_point>& points, Existing_file existing)
 {
-  write_rows(path, format, Oriented_rows(points, {}), {true, false, {}, origin}, existing);
+  write_rows(path, format, Oriented_rows(points, {}), {true, false, {}, origin}, {}, existing);
 }
 
 std::vector<std::string> write_points(const std::string& path, File_format format,
                                       const Resampled_points& result, Existing_file existing)
 {
-  const Output_columns chosen = choose_columns(result.properties, format, true);
-  write_rows(path, format, Oriented_rows(result.points, result.properties),
-             {true, false, chosen.columns, result.viewpoint.value_or(origin)}, existing);
-  return chosen.left_out;
+  return write_rows(path, format, Oriented_rows(result.points, result.properties),
+                    {true, false, {}, result.viewpoint.value_or(origin)}, result.las, existing);
 }
 
 std::vector<std::string> write_point_cloud(const std::string& path, File_format format,
                                            const Point_cloud& cloud, Existing_file existing)
 {
-  const bool has_normals = !cloud.normals.empty();
-  const Output_columns chosen = choose_columns(cloud.properties, format, has_normals);
-  write_rows(path, format, Cloud_rows(cloud),
-             {has_normals, cloud.coordinate_type == Number_type::FLOAT32, chosen.columns,
-              cloud.viewpoint.value_or(origin)},
-             existing);
-  return chosen.left_out;
+  return write_rows(path, format, Cloud_rows(cloud),
+                    {!cloud.normals.empty(), cloud.coordinate_type == Number_type::FLOAT32, {},
+                     cloud.viewpoint.value_or(origin)},
+                    cloud.las, existing);
 }
 
 std::uint64_t largest_file_size(File_format format, std::uint64_t number_of_points,
-                                const Property_table& properties)
+                                const Property_table& properties,
+                                const std::optional<Las_origin>& las)
 {
+  if (format == File_format::LAS)
+    return largest_las_size(number_of_points, properties, las);
   std::uint64_t header_size = 1024;
   for (const Property& property : properties.properties())
     header_size += property.name.size() + 32;

@@ -11,6 +11,7 @@
 #include "file_formats.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,8 @@ namespace l0_tool {
 /// little-endian binary, NOFF, XYZ with six columns, or NPY of shape (n, 6). Binary PCD holds
 /// single precision, as the point types of PCL do, unless that would move a coordinate by more than
 /// a millionth of the diagonal of all points; its VIEWPOINT is the origin, as where nobody knows
-/// one. The file is there as a whole or not at all, see `Output_file`.
+/// one. LAS rounds coordinates by no more than a thousandth of the spacing of the points, and holds
+/// normals in single precision. The file is there as a whole or not at all, see `Output_file`.
 void write_points(const std::string& path, File_format format,
                   const std::vector<Oriented_point>& points,
                   Existing_file existing = Existing_file::REPLACE);
@@ -42,7 +44,8 @@ std::vector<std::string> write_point_cloud(const std::string& path, File_format 
 
 /// At least the number of bytes that the functions above will write.
 std::uint64_t largest_file_size(File_format format, std::uint64_t number_of_points,
-                                const Property_table& properties = {});
+                                const Property_table& properties = {},
+                                const std::optional<Las_origin>& las = {});
 
 } // namespace l0_tool
 
