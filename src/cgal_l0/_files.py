@@ -25,7 +25,8 @@ class PointCloud:
     points: array of shape (n, 3), float32 if that holds all numbers of the file, else float64
     normals: array of that type and shape, or None if the file has none; lengths as in the file
     properties: dict of the other numbers of each point by their names, such as "red" or
-        "intensity": arrays of shape (n,) in the number types of the file
+        "intensity": arrays of shape (n,) in the number types of the file, but uint8 for the
+        colors of LAS, as other formats have them
     number_of_dropped_points: those with a coordinate that is not finite, with drop_non_finite
     """
 
@@ -62,8 +63,8 @@ def read_points(path, *, format=None, drop_non_finite=False, callback=None):
     cloud = cgal_l0.read_points("scan.ply")
     positions, normals = cgal_l0.l0_resample_point_set(cloud.points)
 
-    path: str or path. The extension tells the format: .ply, .pcd, .off, .xyz, .xyzn, .pwn, .npy,
-        .csv or .obj, maybe before .gz.
+    path: str or path. The extension tells the format: .ply, .pcd, .las, .off, .xyz, .xyzn, .pwn,
+        .npy, .csv or .obj, maybe before .gz.
     format: str, one of these extensions without the dot, for a file with another one.
         Default: None, by the extension.
     drop_non_finite: bool. True: points with a coordinate that is not finite are left out and
@@ -73,7 +74,8 @@ def read_points(path, *, format=None, drop_non_finite=False, callback=None):
     Returns a cgal_l0.PointCloud: points, normals or None, properties, number_of_dropped_points.
 
     Raises ValueError with the line or byte where the file is not what it should be, OSError if
-    there is no such file, MemoryError, and Cancelled. Warns of what was not read.
+    there is no such file, MemoryError, and Cancelled. Warns of what was not read, as of points that
+    LAS flags as withheld.
     """
     os.stat(path)   # raises FileNotFoundError and its like
     found = _with_python_words(
@@ -120,10 +122,11 @@ def write_points(path, points, normals=None, properties=None, *, format=None):
         or after an error, it stays.
     points: array of shape (n, 3). Coordinates are written in single precision if points is
         float32, else in double precision. Binary PCD is in single precision if that moves no
-        point by more than a millionth of the diagonal.
+        point by more than a millionth of the diagonal. LAS rounds by no more than a thousandth of
+        the spacing of the points.
     normals: array of shape (n, 3) or None (default), for a file without normals.
     properties: dict of further numbers of each point by their names, arrays of shape (n,), as in
-        the properties of read_points(). PLY and PCD hold all, OFF colors as uint8. A warning
+        the properties of read_points(). PLY, PCD and LAS hold all, OFF colors as uint8. A warning
         names those that the format cannot hold. Default: None.
     format: str, as of read_points().
 

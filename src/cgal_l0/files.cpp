@@ -185,8 +185,9 @@ py::object read_points(const std::string& path, const std::optional<std::string>
   py::list names, warnings;
   for (const l0_tool::Property& property : cloud.properties.properties())
     names.append(text_of(property.name));
-  for (const std::string& warning : cloud.warnings)
-    warnings.append(text_of(warning));
+  for (const auto* messages : {&cloud.warnings, &cloud.notes})
+    for (const std::string& message : *messages)
+      warnings.append(text_of(message));
   return py::make_tuple(array_of_triples(std::move(cloud.points), is_single), normals, names,
                         records_of(std::move(cloud.properties), size),
                         cloud.number_of_dropped_points, warnings);

@@ -38,11 +38,11 @@ struct Section
 
 constexpr std::array<Section, 8> sections = {
   {{"FILES",
-    R"(PLY and PCD (ASCII, binary and compressed), OFF, XYZ, NPY, CSV and OBJ are read. PLY and
-PCD (binary), OFF, XYZ and NPY are written with normals, as a whole or not at all. What gzip has
-compressed (.ply.gz, ...) is read as what it stands for. LAS is not read: convert it first. PCD is
-written with the VIEWPOINT of the call: that of --viewpoint or of INPUT, else 0,0,0. A name that
-begins with a dash goes behind --.
+    R"(PLY and PCD (ASCII, binary and compressed), LAS, OFF, XYZ, NPY, CSV and OBJ are read. PLY
+and PCD (binary), LAS, OFF, XYZ and NPY are written with normals, as a whole or not at all. What
+gzip has compressed (.ply.gz, ...) is read as what it stands for. LAZ is not read: decompress it
+first (laszip, PDAL). PCD is written with the VIEWPOINT of the call: that of --viewpoint or of
+INPUT, else 0,0,0. A name that begins with a dash goes behind --.
 
 A file is not replaced without --force: if OUTPUT exists, also if it is INPUT, or a result of a
 batch, nothing is done. Reports (--json) and pictures (--snapshot) of an earlier run are replaced.
@@ -54,7 +54,13 @@ XYZ, a text, has coordinates in its first three columns and, if it has six, norm
 Where these are no unit vectors a warning says so, and they are left out. --columns tells what the
 columns are: x, y, z, nx, ny, nz, red, green, blue, alpha as in PLY, any other name for a property
 of the points, - or _ for a column to leave out. CSV, a table, names its columns in its first
-line. Of OBJ, vertices (v) are read and, if there are as many, normals (vn).)"},
+line. Of OBJ, vertices (v) are read and, if there are as many, normals (vn).
+
+LAS 1.0 to 1.4 is read with the fields of its points and with its extra bytes, but without waveforms
+and points that are flagged as withheld. --keep-classes and --first-returns look at the properties
+classification and return_number, which points of other formats may have too. LAS is written with
+scales that move no point by more than a thousandth of the spacing, as version 1.4, or 1.2 if the
+points of INPUT are of formats 0 to 5. From LAS to LAS the coordinate system goes along.)"},
    {"METHODS",
     R"(LOR and ALOR are the methods of the paper, the default method is the one that is
 recommended. The radius of a neighborhood follows from spacing and noise of the points in the
@@ -64,18 +70,19 @@ The default method flattens no jump that is too large for noise. So there is a l
 --normal-weight, which grows with the noise, from which on larger values give the same result; a
 note says so.)"},
    {"WITHOUT OUTPUT",
-    R"(--info tells of one INPUT the number of points, the extent, whether it has normals, which
-other properties its points have, and the viewpoint of a PCD file, unless that is 0,0,0, which many
-programs write if they know none; then spacing and noise of the points as the default method
-estimates them, and the radius and the number of points that a run with these options would have.
+    R"(--info tells of one INPUT the number of points, the extent, whether it has normals, version,
+point format and scale of LAS, which other properties its points have, and the viewpoint of a PCD
+file, unless that is 0,0,0, which many programs write if they know none; then spacing and noise of
+the points as the default method estimates them, and the radius and the number of points that a run
+with these options would have.
 
 --dry-run does all but to resample and to write: it reads INPUT, finds the radius, and finds out
 whether device, OUTPUT, report and picture could be used. The exit status is that of what is
 found. A batch makes no folder.)"},
    {"CONVERSIONS",
-    R"(--convert-only keeps the points as they are: PLY and PCD (binary) get all that INPUT tells
-of each, OFF normals and colors, XYZ and NPY normals; warnings say what else INPUT had. It takes
-no option on resampling.)"},
+    R"(--convert-only keeps the points as they are: PLY, PCD (binary) and LAS get all that INPUT
+tells of each, OFF normals and colors, XYZ and NPY normals; warnings say what else INPUT had. LAS
+rounds coordinates, but for those of another LAS. It takes no option on resampling.)"},
    {"BATCHES",
     R"(With --output-directory all FILES, and those of folders, are resampled. Results go there,
 under the same names; those of formats that are not written are PLY. Standard output gets one line

@@ -187,6 +187,52 @@ awk '{ print "v", $0; print "vn 0 0 1" }' a1.xyz > points.obj
 run_plainly points.obj - --convert-only --output-format xyz
 check "the points and normals of OBJ" test "$status" -eq 0 -a "$(grep -c ' 0 0 1$' stdout)" -eq 3000
 
+# LAS of a survey, with classes 0 to 4 and up to two returns
+awk 'BEGIN { print "X,Y,Z,classification,return_number,number_of_returns,intensity,r,g,b" }
+     { printf "%.6f,%.6f,%.6f,%d,%d,2,%d,7,0,255\n",
+       $1 + 637000, $2 + 5849000, $3, NR % 5, 1 + NR % 2, NR }' a1.xyz > survey.csv
+run_plainly survey.csv survey.las --convert-only
+check "LAS" test "$status" -eq 0 -a ! -s stderr -a "$(head -c 4 survey.las)" = LASF
+run_plainly --info survey.las
+check "what LAS is" grep -qx "LAS:             1.4, point format 7, scale .*, no coordinate system" stdout
+check "its properties" grep -q "^properties: .*intensity, return_number, .*red, green, blue$" stdout
+run_plainly survey.las survey.ply --convert-only
+check "the properties of LAS" test "$status" -eq 0 -a "$(number_of_points survey.ply)" -eq 3000 \
+  -a "$(properties survey.ply | tr ',' '\n' | grep -c 'uchar \(red\|green\|blue\|classification\)$')" -eq 4
+run_plainly survey.las same.las --convert-only
+check "LAS as it is" cmp survey.las same.las
+run_plainly survey.las ground.las --keep-classes 2 --first-returns -n 500
+check "the ground of a survey" test "$status" -eq 0
+check "a note on what is left out" grep -qx \
+  "l0_resample: note: survey.las: 2700 points are left out by --keep-classes or --first-returns" stderr
+run_plainly ground.las ground.csv.ply --convert-only --keep-classes 2
+check "all of one class" test "$status" -eq 0 -a ! -s stderr \
+  -a "$(number_of_points ground.csv.ply)" -eq 500
+run_plainly --info survey.ply --keep-classes 1,3
+check "classes of PLY" grep -qx "points:          1200" stdout
+check_plain_failure 3 "a1.xyz: --first-returns is given, but the points have no property 'return_number'" \
+  a1.xyz none.ply --first-returns
+for classes in 2,x 256 -1 2,,6 2, ""; do
+  check_plain_failure 2 "--keep-classes" survey.las none.ply "--keep-classes=$classes"
+done
+# a record of the coordinate system, between header and points
+{ head -c 96 survey.las; printf '\xb0\1\0\0\1\0\0\0'; head -c 375 survey.las | tail -c +105
+  printf '\0\0LASF_Projection\0\x40\x08\3\0'; head -c 32 /dev/zero; printf WKT
+  tail -c +376 survey.las; } > placed.las
+run_plainly placed.las placed.ply -n 100
+check "a coordinate system has no place" grep -qx \
+  "l0_resample: note: placed.ply: only LAS has a place for the coordinate system of the input" stderr
+run_plainly placed.las placed_too.las -n 100
+check "a coordinate system goes along" test "$status" -eq 0 -a ! -s stderr \
+  -a "$(head -c 432 placed_too.las | tail -c 57 | tr -d '\0' | tail -c 3)" = WKT
+{ head -c 104 survey.las; printf '\x87'; tail -c +106 survey.las; } > packed.laz
+check_plain_failure 3 "packed.laz: byte 375: LAZ is not read: decompress it first (laszip, PDAL)" \
+  packed.laz none.ply
+check_plain_failure 2 "none.laz: LAZ is not written" survey.las none.laz
+mkdir surveys; cp survey.las surveys/a.laz; cp packed.laz surveys/b.laz
+run_plainly surveys --output-directory resampled -n 100 --quiet
+check "a batch of LAZ, of which some is none" test "$status" -eq 3 -a "$(ls resampled)" = a.las
+
 # Compressed files
 gzip -c a1.xyz > packed.xyz.gz
 run_plainly packed.xyz.gz unpacked.xyz --convert-only --quiet
@@ -211,7 +257,7 @@ check "a text that announces no points" test "$status" -eq 0 -a "$(number_of_poi
 
 # A batch that a glob of the shell has made: what no reader knows is listed at the end
 mkdir scans scans/pictures; cp a1.xyz a2.xyz scans; : > scans/pictures/a.png
-echo notes > scans/notes.txt; echo old > scans/z.las
+echo notes > scans/notes.txt; echo old > scans/z.e57
 run_plainly scans/* --output-directory batch --points 40 --json batch.json
 check "status of a batch with strays" test "$status" -eq 3
 check "the others of a batch with strays" test "$(ls batch)" = "$(printf 'a1.xyz\na2.xyz')"

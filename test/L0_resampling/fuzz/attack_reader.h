@@ -70,6 +70,9 @@ inline void attack_reader(l0_tool::File_format format, const std::uint8_t* bytes
   options.drop_non_finite = is_lenient;
   options.with_normals = is_lenient;
   options.with_properties = size / 2 % 2 == 0;
+  options.only_first_returns = format == l0_tool::File_format::LAS && options.with_properties
+                               && size / 4 % 2 == 0;
+  options.with_wide_colors = size / 8 % 2 == 0;
   try
   {
     const l0_tool::Point_cloud cloud = l0_tool::read_points(file.path(), format, options);
@@ -88,8 +91,9 @@ inline void attack_reader(l0_tool::File_format format, const std::uint8_t* bytes
     for (const l0_tool::Property& property : cloud.properties.properties())
       for (std::size_t i = 0; i < cloud.points.size(); ++i)
         cloud.properties.value(i, property); // AddressSanitizer sees that it is there
-    for (const std::string& warning : cloud.warnings)
-      require_message(warning, file.path());
+    for (const auto* messages : {&cloud.warnings, &cloud.notes})
+      for (const std::string& message : *messages)
+        require_message(message, file.path());
   }
   catch (const l0_tool::Failure& failure)
   {

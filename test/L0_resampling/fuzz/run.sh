@@ -2,7 +2,7 @@
 # Attacks one reader with libFuzzer, under AddressSanitizer and UndefinedBehaviorSanitizer, packs
 # the files that reached new paths, and notes the number of executions in executions.csv.
 #
-#   run.sh CORPUS [EXECUTIONS]     CORPUS is csv, npy, obj, off, pcd, ply_ascii, ply_binary or xyz;
+#   run.sh CORPUS [EXECUTIONS]     CORPUS is csv, las, npy, obj, off, pcd, ply_ascii, ply_binary or xyz;
 #                                  100000 executions if none are given
 #
 # Needs clang with its run-time library for fuzzing (Debian: clang, libclang-rt-dev). Ends with 0 if
@@ -21,8 +21,9 @@ flags=(-std=c++17 -O2 -g1 -D_GLIBCXX_SANITIZE_VECTOR
        -fno-sanitize-recover=all
        -I "$tool" -I "$here/../../../include")
 objects=()
-parts=(Gzip_decoder Input_file Number_type Pcd_header Ply_header Point_collector Property_table
-       Text_columns decompress_lzf file_formats signals)
+parts=(Gzip_decoder Input_file Las_extra_bytes Las_fields Las_header Number_type Pcd_header
+       Ply_header Point_collector Point_filter Property_table Text_columns decompress_lzf
+       file_formats signals)
 parts=("${parts[@]/#/$tool/}")
 for source in "${parts[@]/%/.cpp}" "$tool"/read_*.cpp "$here/fuzz_readers.cpp"; do
   object=$scratch/objects/$(basename "$source" .cpp).o

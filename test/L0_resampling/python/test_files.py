@@ -108,6 +108,33 @@ def test_number_types(tmp_path, cube):
             cgal_l0.write_points(tmp_path / "cloud.ply", cube, properties={"a": wrong})
 
 
+def test_las(tmp_path, cloud):
+    points, normals, properties = cloud
+    path = tmp_path / "cloud.las"
+    columns = {
+        **properties,
+        "classification": numpy.arange(6000) % 7,
+        "classification_flags": numpy.arange(6000) // 5999 * 4,   # the last one is withheld
+        "gps_time": numpy.linspace(1e8, 2e8, 6000),
+        "roughness": numpy.linspace(-1, 1, 6000, dtype=numpy.float32),
+    }
+    cgal_l0.write_points(path, points + [637000, 5849000, 0], normals, columns)
+    with pytest.warns(UserWarning, match="cloud.las: 1 points are left out, .* as withheld"):
+        found = cgal_l0.read_points(path)
+    assert len(found.points) == 5999 and found.points.dtype == numpy.float64
+    spacing = 1 / 32   # of 6000 points on a cube
+    assert abs(found.points - points[:-1] - [637000, 5849000, 0]).max() < 1e-3 * spacing
+    assert numpy.array_equal(found.normals, numpy.float32(normals[:-1]))
+    for name, values in columns.items():
+        assert numpy.array_equal(found.properties[name], values[:-1]), name
+    assert found.properties["red"].dtype == numpy.uint8
+    assert found.properties["classification"].dtype == numpy.uint8
+    packed = path.read_bytes()
+    (tmp_path / "cloud.laz").write_bytes(packed[:104] + b"\x87" + packed[105:])
+    with pytest.raises(ValueError, match="LAZ is not read: decompress it first"):
+        cgal_l0.read_points(tmp_path / "cloud.laz")
+
+
 def test_the_format_may_be_said(tmp_path, cube):
     cgal_l0.write_points(tmp_path / "cloud.dat", cube, format="xyz")
     assert numpy.array_equal(numpy.loadtxt(tmp_path / "cloud.dat"), cube)
