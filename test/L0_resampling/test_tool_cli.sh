@@ -28,6 +28,18 @@ run cube.xyz plain.ply
 run carried.ply positions.xyz --convert-only
 run plain.ply plain.xyz --convert-only
 check "properties change no point" cmp -s positions.xyz plain.xyz
+# What was measured in two passes of a scanner is that of one of them: the last 12 bytes of a row
+# of 60
+{
+  printf 'ply\nformat ascii 1.0\nelement vertex 9600\n'
+  printf 'property %s\n' 'double x' 'double y' 'double z' 'double gps_time' 'float scan_angle'
+  printf 'end_header\n'
+  awk '{ print $0, ($1 > 0 ? "200 9" : "100 -9") }' cube.xyz
+} > passes.ply
+run passes.ply passes_carried.ply
+check "times and angles are no means" test "$status" -eq 0 \
+  -a "$(tail -c $((4800 * 60)) passes_carried.ply | od -An -v -w60 -t x1 | cut -c 145- \
+    | sort -u | wc -l)" -eq 2
 run carried.ply carried.off --convert-only --quiet
 run attributes.ply attributes.xyz --quiet
 check "a format without room for properties" test "$status" -eq 0
@@ -125,7 +137,7 @@ run --help
 check "help" test "$status" -eq 0 -a "$(grep -c -- '--neighbor-radius' stdout)" -ge 1
 
 # The written formats hold the same points, and each can be read again
-make_inputs same.ply same.off same.xyz same.xyzn same.pcd same.npy
+make_inputs same.ply same.off same.xyz same.xyzn same.pcd same.npy same.las
 check "XYZ and XYZN agree" cmp same.xyz same.xyzn
 run cube.xyz same.bin --output-format pcd --points 500
 check "the format by its name" cmp same.bin same.pcd
@@ -136,8 +148,10 @@ done
 check "PLY and XYZ agree" cmp again_ply.xyz again_xyz.xyz
 check "OFF and XYZ agree when read" cmp again_off.xyz again_xyz.xyz
 check "NPY and XYZ agree when read" cmp again_npy.xyz again_xyz.xyz
-run same.pcd again_pcd.xyz --points 100 --use-normals
-check "PCD has normals" test "$status" -eq 0 -a "$(wc -l < again_pcd.xyz)" -eq 100
+for format in pcd las; do
+  run "same.$format" "again_$format.xyz" --points 100 --use-normals
+  check "$format has normals" test "$status" -eq 0 -a "$(wc -l < "again_$format.xyz")" -eq 100
+done
 
 # What changes the result and what does not
 run cube.xyz a.xyz --threads 1

@@ -351,7 +351,7 @@ void test_colors()
   Las_file file;
   file.format = 2;
   Las_point point;
-  point.color = {65535, 257 * 40, 129};
+  point.color = {65535, 257 * 200, 129};
   file.points = {point.bytes(2)};
   Read_options options = everything();
   options.with_wide_colors = false;
@@ -360,11 +360,11 @@ void test_colors()
     return std::array<double, 3>{all["red"], all["green"], all["blue"]};
   };
   const Point_cloud narrow = read(file.bytes(), options);
-  CHECK((color_of(narrow) == std::array<double, 3>{255, 40, 1})); // rounded
+  CHECK((color_of(narrow) == std::array<double, 3>{255, 200, 1})); // rounded
   for (const Property& property : narrow.properties.properties())
     CHECK(property.name != "red" || property.type == Number_type::UINT8);
-  CHECK((color_of(read(file.bytes())) == std::array<double, 3>{65535, 257 * 40, 129}));
-  CHECK((color_of(read(written(narrow))) == std::array<double, 3>{65535, 257 * 40, 257}));
+  CHECK((color_of(read(file.bytes())) == std::array<double, 3>{65535, 257 * 200, 129}));
+  CHECK((color_of(read(written(narrow))) == std::array<double, 3>{65535, 257 * 200, 257}));
   // Of bytes that nobody has scaled
   point.color = {255, 0, 7};
   file.points = {point.bytes(2)};

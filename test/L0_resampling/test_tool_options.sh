@@ -77,7 +77,7 @@ check_failure 2 "--output: one INPUT expected, found 2" cube.xyz old.ply -o out.
 check_failure 2 "excludes" cube.xyz -o old.ply --output-directory batch
 check_failure 2 "INPUT is required" -o old.ply
 check_failure 2 "cube.txt: the extension" cube.txt old.ply
-check_failure 2 "old.las: the extension" cube.xyz old.las
+check_failure 2 "old.e57: the extension" cube.xyz old.e57
 check_failure 2 "the extension of a snapshot" cube.xyz old.ply --snapshot picture.jpg
 check_failure 2 "is named twice" cube.xyz old.ply --json ./old.ply
 check_failure 2 "is named twice" cube.xyz old.ply --json cube.xyz

@@ -117,7 +117,7 @@ make_inputs()   # their names
         make_inputs comma.xyz same.npy same.pcd
         cp cube.xyz scans/a.xyz; cp same.npy scans/b.npy
         cp comma.xyz scans/c.xyz; cp same.pcd scans/d.pcd
-        echo nothing > scans/notes.txt; echo old > scans/old.las ;;
+        echo nothing > scans/notes.txt; echo old > scans/old.e57 ;;
       old.ply)   # an output that nothing may harm
         echo old > old.ply ;;
       *)
