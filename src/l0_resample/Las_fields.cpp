@@ -165,4 +165,12 @@ std::vector<Las_field> las_fields(unsigned point_format)
   return fields;
 }
 
+const Las_field* find_las_field(const std::vector<Las_field>& fields, std::string_view name)
+{
+  for (const Las_field& field : fields)
+    if (field.name == name)
+      return &field;
+  return nullptr;
+}
+
 } // namespace l0_tool

@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace l0_tool {
@@ -57,6 +58,9 @@ bool has_las_waveforms(unsigned point_format);
 /// overlap), scanner_channel, user_data, scan_angle in degrees, point_source_id, gps_time, red,
 /// green, blue, nir.
 std::vector<Las_field> las_fields(unsigned point_format);
+
+/// \returns nullptr if none has that name
+const Las_field* find_las_field(const std::vector<Las_field>& fields, std::string_view name);
 
 /// The bit of `classification_flags` that says that a point is to be taken for deleted.
 constexpr unsigned las_withheld = 4;

@@ -24,14 +24,6 @@ const Property* find_property(const Property_table& table, const std::string& na
   return nullptr;
 }
 
-const Las_field* find_field(const std::vector<Las_field>& fields, const std::string& name)
-{
-  for (const Las_field& field : fields)
-    if (field.name == name)
-      return &field;
-  return nullptr;
-}
-
 bool is_channel(const std::string& name)
 {
   return std::find(channels.begin(), channels.end(), name) != channels.end();
@@ -102,7 +94,7 @@ Las_layout choose_las_layout(const Point_rows& rows, bool has_normals,
   for (const Property& property : table.properties()) {
     const bool is_byte_color = is_channel(property.name) && property.type == Number_type::UINT8;
     constexpr double colors_per_byte_color = 257; // 65535 / 255
-    const Las_field* const field = find_field(layout.fields, property.name);
+    const Las_field* const field = find_las_field(layout.fields, property.name);
     const bool is_new = names.count(property.name) == 0;
     if (is_new && field) {
       const Las_column column = {*field, property, is_byte_color ? colors_per_byte_color : 1};

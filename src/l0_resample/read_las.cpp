@@ -33,20 +33,13 @@ struct Point_plan
   Las_field flags;
 };
 
-const Las_field* find_field(const std::vector<Las_field>& fields, std::string_view name)
-{
-  const auto found = std::find_if(fields.begin(), fields.end(),
-                                  [&](const Las_field& field) { return field.name == name; });
-  return found == fields.end() ? nullptr : &*found;
-}
-
 /// Of extra bytes.
 std::vector<Las_field> find_normal(const std::vector<Las_field>& fields)
 {
   for (const auto& names : names_of_normals) {
     std::vector<Las_field> normal;
     for (const std::string_view name : names) {
-      const Las_field* const field = find_field(fields, name);
+      const Las_field* const field = find_las_field(fields, name);
       if (field && field->kind == Las_field::Kind::FLOATING)
         normal.push_back(*field);
     }
@@ -81,7 +74,7 @@ Point_plan plan_points(const Las_header& header, Point_collector& collector)
 {
   Point_plan plan;
   const std::vector<Las_field> fields = las_fields(header.origin.point_format);
-  plan.flags = *find_field(fields, "classification_flags");
+  plan.flags = *find_las_field(fields, "classification_flags");
   const std::vector<Las_field> extra = usable_extra_fields(header, collector);
   plan.normal = find_normal(extra);
   if (!plan.normal.empty())
@@ -90,10 +83,10 @@ Point_plan plan_points(const Las_header& header, Point_collector& collector)
     return plan;
   // Where both have a name, the format's field held less than what was to be written
   for (const Las_field& field : fields)
-    if (!find_field(extra, field.name))
+    if (!find_las_field(extra, field.name))
       plan.properties.push_back(field);
   for (const Las_field& field : extra)
-    if (!find_field(plan.normal, field.name))
+    if (!find_las_field(plan.normal, field.name))
       plan.properties.push_back(field);
   for (const Las_field& field : plan.properties)
     collector.add_property(field.name, field.type);

@@ -32,6 +32,8 @@ Json parameters_as_json(const Options& options, const Run_record& record)
                {"sharpness_angle", options.sharpness_angle},
                {"seed", options.seed},
                {"use_normals", options.use_normals},
+               {"keep_classes", options.classes},
+               {"first_returns", options.only_first_returns},
                {"keep_outliers", options.keep_outliers},
                {"keep_density", options.keep_density},
                {"orient_by_normals", options.orient_by_normals},

@@ -201,7 +201,9 @@ check "the properties of LAS" test "$status" -eq 0 -a "$(number_of_points survey
   -a "$(properties survey.ply | tr ',' '\n' | grep -c 'uchar \(red\|green\|blue\|classification\)$')" -eq 4
 run_plainly survey.las same.las --convert-only
 check "LAS as it is" cmp survey.las same.las
-run_plainly survey.las ground.las --keep-classes 2 --first-returns -n 500
+run_plainly survey.las ground.las --keep-classes 2 --first-returns -n 500 --json ground.json
+check "the report has the classes" test "$(tr -d ' \n' < ground.json \
+  | grep -c '"first_returns":true,"keep_classes":\[2\],')" -eq 1
 check "the ground of a survey" test "$status" -eq 0
 check "a note on what is left out" grep -qx \
   "l0_resample: note: survey.las: 2700 points are left out by --keep-classes or --first-returns" stderr
@@ -225,6 +227,24 @@ check "a coordinate system has no place" grep -qx \
 run_plainly placed.las placed_too.las -n 100
 check "a coordinate system goes along" test "$status" -eq 0 -a ! -s stderr \
   -a "$(head -c 432 placed_too.las | tail -c 57 | tr -d '\0' | tail -c 3)" = WKT
+# the same record behind the points, where others have read a part of standard input
+little_endian()   # a number below 2^24, in eight bytes
+{
+  local byte
+  for byte in $(($1 % 256)) $(($1 / 256 % 256)) $(($1 / 65536)); do
+    printf "\\x$(printf '%02x' "$byte")"
+  done
+  printf '\0\0\0\0\0'
+}
+{ printf 'seen'; head -c 235 survey.las; little_endian "$(stat -c %s survey.las)"
+  printf '\1\0\0\0'; tail -c +248 survey.las
+  printf '\0\0LASF_Projection\0\x40\x08\3\0\0\0\0\0\0\0'; head -c 32 /dev/zero; printf WKT; } > late.las
+{ dd bs=4 count=1 of=/dev/null status=none
+  "$program" - late_too.las --input-format las --convert-only; } < late.las > stdout 2> stderr
+check "a record behind the points" cmp late_too.las placed.las
+dd if=late.las bs=4 skip=1 status=none \
+  | "$program" - late_too.las --input-format las --convert-only --force > stdout 2> stderr
+check "a record behind the points of a pipe" cmp late_too.las placed.las
 { head -c 104 survey.las; printf '\x87'; tail -c +106 survey.las; } > packed.laz
 check_plain_failure 3 "packed.laz: byte 375: LAZ is not read: decompress it first (laszip, PDAL)" \
   packed.laz none.ply

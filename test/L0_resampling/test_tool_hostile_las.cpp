@@ -20,26 +20,11 @@ namespace {
 using namespace l0_tool;
 using namespace tool_test;
 
-const Scratch_folder scratch;
-
 // Where the numbers of the header stand.
 constexpr std::size_t version_at = 24, header_size_at = 94, points_at = 96, records_at = 100,
                       format_at = 104, point_size_at = 105, count_at = 107, scale_at = 131,
                       offset_at = 155, first_extended_at = 235, extended_at = 243,
                       long_count_at = 247;
-
-Read_options everything()
-{
-  Read_options options;
-  options.with_normals = true;
-  options.with_properties = true;
-  return options;
-}
-
-Point_cloud read(const std::string& bytes, const Read_options& options = everything())
-{
-  return tool_test::read(scratch, ".las", bytes, options);
-}
 
 Las_file good_file(unsigned minor, unsigned format, std::size_t number_of_points = 2)
 {
@@ -193,7 +178,7 @@ void test_hostile_files()
   for (std::size_t i = 0; i < 2 * files.size(); ++i)
   {
     const Hostile_file& file = files[i / 2];
-    const std::string path = scratch.file("hostile.las");
+    const std::string path = las_folder().file("hostile.las");
     write_bytes(path, file.bytes);
     const Read_options options = i % 2 == 0 ? Read_options() : everything();
     forget_allocations();
@@ -209,21 +194,21 @@ void test_hostile_files()
   CHECK(hostile_files().size() > 50);
 
   // A whole file is not refused, nor one with much that nobody looks at
-  CHECK(read(full_file().bytes()).points.size() == 2);
+  CHECK(read_las(full_file().bytes()).points.size() == 2);
   Las_file padded_file = good_file(2, 3);
   padded_file.before_points = std::string(100000, 'p');
-  CHECK(read(padded_file.bytes()).points.size() == 2);
+  CHECK(read_las(padded_file.bytes()).points.size() == 2);
   const std::string beyond = with_bytes(good_file(2, 3).bytes(), scale_at, le(1e300));
   const std::string infinite = with_bytes(beyond, 227, le(std::int32_t(2147483647)));
   Read_options lenient = everything();
   lenient.drop_non_finite = true;
-  CHECK(read(infinite, lenient).number_of_dropped_points == 1);
+  CHECK(read_las(infinite, lenient).number_of_dropped_points == 1);
   // Names reach a terminal only as letters
   Las_file named = good_file(2, 0);
   named.records = {las_record("LASF_Spec", 4, extra_bytes("\x1b[31m a\n", 7))};
   for (std::string& point : named.points)
     point += std::string(8, '\0');
-  const Point_cloud cloud = read(named.bytes());
+  const Point_cloud cloud = read_las(named.bytes());
   CHECK(cloud.warnings.size() == 1 && cloud.warnings[0].find("'_[31m_a_'") != std::string::npos);
 }
 
@@ -233,12 +218,12 @@ void test_truncated_files()
   for (const Las_file& file : {full_file(), good_file(0, 1), good_file(3, 5)})
   {
     const std::string bytes = file.bytes();
-    CHECK(read(bytes).points.size() == 2);
-    CHECK(read(gzip(bytes)).points.size() == 2);
+    CHECK(read_las(bytes).points.size() == 2);
+    CHECK(read_las(gzip(bytes)).points.size() == 2);
     for (std::size_t length = 0; length < bytes.size(); ++length)
     {
-      CHECK(failure_of([&]() { read(bytes.substr(0, length)); }).status == INPUT_REFUSED);
-      CHECK(failure_of([&]() { read(gzip(bytes.substr(0, length))); }).status == INPUT_REFUSED);
+      CHECK(failure_of([&]() { read_las(bytes.substr(0, length)); }).status == INPUT_REFUSED);
+      CHECK(failure_of([&]() { read_las(gzip(bytes.substr(0, length))); }).status == INPUT_REFUSED);
     }
   }
 }
@@ -259,7 +244,7 @@ void test_changed_bytes()
       for (unsigned k = 0; k < 1 + random() % 3; ++k)
         changed[random() % changed.size()] = char(random() % 256);
       const Failure_seen seen = failure_of([&]() {
-        const Point_cloud cloud = read(changed);
+        const Point_cloud cloud = read_las(changed);
         ++read_well;
         for (const Point& p : cloud.points)
           wrong += !std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z());

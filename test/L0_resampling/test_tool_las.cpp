@@ -3,89 +3,18 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// LAS, read and written: every version and point format, extra bytes, coordinate systems, and the
-// choice of scales. test_tool_hostile_las.cpp has the files that are refused.
+// LAS: every version and point format, extra bytes, coordinate systems and filters, and the way
+// back. test_tool_write_las.cpp has what is written of other points, and test_tool_hostile_las.cpp
+// the files that are refused.
 
 #include "test_support.h"
 #include "test_tool_gzip.h"
 #include "test_tool_las.h"
 
-#include "little_endian.h"
-#include "write_points.h"
-
-#include <cmath>
-#include <cstdint>
-#include <cstdlib>
-#include <limits>
-#include <map>
-#include <random>
-
 namespace {
 
 using namespace l0_tool;
 using namespace tool_test;
-
-const Scratch_folder scratch;
-
-Read_options everything()
-{
-  Read_options options;
-  options.with_normals = true;
-  options.with_properties = true;
-  options.with_wide_colors = true;
-  return options;
-}
-
-Point_cloud read(const std::string& bytes, const Read_options& options = everything())
-{
-  return tool_test::read(scratch, ".las", bytes, options);
-}
-
-std::string written(const Point_cloud& cloud, const std::vector<std::string>& left_out = {})
-{
-  const std::string path = scratch.file("written.las");
-  CHECK(write_point_cloud(path, File_format::LAS, cloud) == left_out);
-  std::string bytes = read_bytes(path);
-  CHECK(bytes.size()
-        <= largest_file_size(File_format::LAS, cloud.points.size(), cloud.properties, cloud.las));
-  return bytes;
-}
-
-std::map<std::string, double> values(const Point_cloud& cloud, std::size_t row)
-{
-  std::map<std::string, double> all;
-  for (const Property& property : cloud.properties.properties())
-    CHECK(all.emplace(property.name, cloud.properties.value(row, property)).second);
-  return all;
-}
-
-// Numbers of a written file, where the specification has them.
-std::uint64_t integer_at(const std::string& file, std::size_t position, std::size_t size)
-{
-  std::uint64_t number = 0;
-  std::memcpy(&number, file.data() + position, size);
-  return number;
-}
-
-double double_at(const std::string& file, std::size_t position)
-{
-  double number;
-  std::memcpy(&number, file.data() + position, sizeof number);
-  return number;
-}
-
-std::string point_bytes(const std::string& file, std::size_t i)
-{
-  const std::size_t size = integer_at(file, 105, 2);
-  return file.substr(integer_at(file, 96, 4) + i * size, size);
-}
-
-/// What stands between header and points.
-std::string records_of(const std::string& file)
-{
-  const std::size_t begin = integer_at(file, 94, 2);
-  return file.substr(begin, integer_at(file, 96, 4) - begin);
-}
 
 std::map<std::string, double> expected_values(const Las_point& p, unsigned format)
 {
@@ -138,7 +67,7 @@ void test_versions_and_formats()
       file.format = format;
       file.points = {first.bytes(format), second.bytes(format)};
       const std::string bytes = file.bytes();
-      const Point_cloud cloud = read(bytes);
+      const Point_cloud cloud = read_las(bytes);
       CHECK(cloud.points.size() == 2 && cloud.normals.empty() && !cloud.file_has_normals);
       CHECK(cloud.points[0]
             == Point(63701234 * 0.01 + 1000, -84902833 * 0.01 + 2000, 2147483647 * 0.001 - 5));
@@ -162,7 +91,7 @@ void test_versions_and_formats()
       CHECK(integer_at(again, format < 6 ? 115 : 263, 4) == 1
             && integer_at(again, format < 6 ? 111 : 255, 4) == 0);
       CHECK(format < 6 || integer_at(again, 255 + 6 * 8, 8) == 1);
-      CHECK(written(read(again)) == again);
+      CHECK(written(read_las(again)) == again);
     }
 }
 
@@ -176,18 +105,18 @@ void test_what_is_longer()
   file.points = {Las_point().bytes(6) + "12345", Las_point().bytes(6) + "12345"};
   file.before_points = "padding";
   std::string bytes = file.bytes();
-  const Point_cloud cloud = read(bytes);
+  const Point_cloud cloud = read_las(bytes);
   CHECK(cloud.points.size() == 2 && cloud.properties.properties().size() == 12);
   CHECK(cloud.warnings.size() == 1
         && cloud.warnings[0].find("5 bytes of each point are left out") != std::string::npos);
   bytes = with_bytes(bytes, 94, le(std::uint16_t(375 + 7))); // the padding belongs to the header
-  CHECK(read(bytes).points.size() == 2);
+  CHECK(read_las(bytes).points.size() == 2);
   bytes = with_bytes(with_bytes(bytes, 107, le(2u)), 247, le(std::uint64_t(0)));
-  CHECK(read(bytes).points.size() == 2); // the count of older versions
-  CHECK(read(bytes + "more").warnings.size() == 2);
-  CHECK(read(bytes, {}).warnings.empty()); // nobody asks for properties
-  CHECK(read(bytes, {}).properties.properties().empty());
-  CHECK(read(Las_file().bytes()).points.empty());
+  CHECK(read_las(bytes).points.size() == 2); // the count of older versions
+  CHECK(read_las(bytes + "more").warnings.size() == 2);
+  CHECK(read_las(bytes, {}).warnings.empty()); // nobody asks for properties
+  CHECK(read_las(bytes, {}).properties.properties().empty());
+  CHECK(read_las(Las_file().bytes()).points.empty());
 }
 
 void test_extra_bytes()
@@ -237,13 +166,13 @@ void test_extra_bytes()
   file.format = 1;
   file.points.assign(3, Las_point().bytes(1) + data);
   file.records = {las_record("other", 4, "not these"), las_record("LASF_Spec", 4, record)};
-  const Point_cloud cloud = read(file.bytes());
+  const Point_cloud cloud = read_las(file.bytes());
   CHECK(values(cloud, 2) == expected);
   CHECK(cloud.warnings.size() == 1
         && cloud.warnings[0].find("'u64' are left out: integers of 64") != std::string::npos);
 
   // They are written in their types, and read the same
-  const Point_cloud again = read(written(cloud));
+  const Point_cloud again = read_las(written(cloud));
   CHECK(values(again, 2) == expected && again.warnings.empty());
   for (std::size_t k = 0; k < cloud.properties.properties().size(); ++k)
     CHECK(again.properties.properties()[k].type == cloud.properties.properties()[k].type);
@@ -253,11 +182,11 @@ void test_extra_bytes()
   late.records = {las_record("LASF_Spec", 4, record.substr(0, 10 * 192))};
   late.extended_records = {las_extended_record("else", 4, std::string(100000, 'e')),
                            las_extended_record("LASF_Spec", 4, record.substr(10 * 192))};
-  const Point_cloud of_late = read(late.bytes());
+  const Point_cloud of_late = read_las(late.bytes());
   expected["extra_bytes_4"] = expected["extra_bytes_14"]; // counted within its record
   expected.erase("extra_bytes_14");
   CHECK(values(of_late, 2) == expected && of_late.warnings.size() == 1);
-  const Point_cloud compressed = read(gzip(late.bytes()));
+  const Point_cloud compressed = read_las(gzip(late.bytes()));
   CHECK(compressed.points == of_late.points && values(compressed, 0).size() < expected.size());
   CHECK(compressed.warnings.size() == 3
         && compressed.warnings[2].find("comes too late") != std::string::npos);
@@ -265,7 +194,7 @@ void test_extra_bytes()
   // More is described than there is
   for (std::string& point : file.points)
     point.pop_back();
-  const Point_cloud without = read(file.bytes());
+  const Point_cloud without = read_las(file.bytes());
   CHECK(values(without, 0) == expected_values(Las_point(), 1));
   CHECK(without.warnings.size() == 1
         && without.warnings[0].find("55 of them are described, but a point has 54")
@@ -283,7 +212,7 @@ void test_normals()
     file.records = {las_record("LASF_Spec", 4,
                                extra_bytes(names[0], type) + extra_bytes(names[1], type)
                                  + extra_bytes(names[2], type))};
-    return read(file.bytes());
+    return read_las(file.bytes());
   };
   const std::string doubles = le(0.1) + le(0.2) + le(0.3), floats = le(1.f) + le(2.f) + le(-3.f);
   const Point_cloud of_doubles = cloud_of({"nx", "ny", "nz"}, 10, doubles);
@@ -293,7 +222,7 @@ void test_normals()
         && of_floats.normals[0] == Vector(1, 2, -3));
   CHECK(values(of_floats, 0) == expected_values(Las_point(), 6));
   CHECK(written(of_floats).find(padded("NormalX", 32)) != std::string::npos);
-  CHECK(read(written(of_floats)).normals == of_floats.normals);
+  CHECK(read_las(written(of_floats)).normals == of_floats.normals);
   // No normals: a name is missing, or they are integers
   CHECK(cloud_of({"nx", "ny", "n"}, 9, floats).normals.empty());
   CHECK(cloud_of({"nx", "NormalY", "nz"}, 9, floats).normals.empty());
@@ -312,14 +241,14 @@ void test_coordinate_system()
   file.encoding = 1 + 2 + 8 + 16; // standard time; waveforms; what version 1.4 alone has
   file.points = {Las_point().bytes(1)};
   file.records = {las_record("other", 2, "x"), keys, text};
-  const std::string old = written(read(file.bytes()));
+  const std::string old = written(read_las(file.bytes()));
   CHECK(records_of(old) == keys + text && integer_at(old, 100, 4) == 2);
   CHECK(integer_at(old, 25, 1) == 2 && integer_at(old, 6, 2) == 1);
 
   // WKT needs 1.4, also for the points of older versions
   file.minor = 4;
   file.records = {wkt};
-  const std::string recent = written(read(file.bytes()));
+  const std::string recent = written(read_las(file.bytes()));
   CHECK(integer_at(recent, 25, 1) == 4 && integer_at(recent, 104, 1) == 1);
   CHECK(integer_at(recent, 6, 2) == 1 + 8 + 16 && records_of(recent) == wkt);
   CHECK(integer_at(recent, 107, 4) == 1 && integer_at(recent, 247, 8) == 1);
@@ -333,7 +262,7 @@ void test_coordinate_system()
                            las_extended_record("LASF_Projection", 2112, std::string(65536, 'w'))};
   for (const std::string& bytes : {file.bytes(), gzip(file.bytes())})
   {
-    const Point_cloud cloud = read(bytes);
+    const Point_cloud cloud = read_las(bytes);
     CHECK(cloud.warnings.size() == 1
           && cloud.warnings[0].find("longer than 65535 bytes") != std::string::npos);
     CHECK(records_of(written(cloud)) == wkt);
@@ -343,7 +272,7 @@ void test_coordinate_system()
   file = Las_file();
   file.minor = 1;
   file.encoding = 65535;
-  CHECK(integer_at(written(read(file.bytes())), 6, 2) == 0);
+  CHECK(integer_at(written(read_las(file.bytes())), 6, 2) == 0);
 }
 
 void test_colors()
@@ -359,17 +288,17 @@ void test_colors()
     std::map<std::string, double> all = values(cloud, 0);
     return std::array<double, 3>{all["red"], all["green"], all["blue"]};
   };
-  const Point_cloud narrow = read(file.bytes(), options);
+  const Point_cloud narrow = read_las(file.bytes(), options);
   CHECK((color_of(narrow) == std::array<double, 3>{255, 200, 1})); // rounded
   for (const Property& property : narrow.properties.properties())
     CHECK(property.name != "red" || property.type == Number_type::UINT8);
-  CHECK((color_of(read(file.bytes())) == std::array<double, 3>{65535, 257 * 200, 129}));
-  CHECK((color_of(read(written(narrow))) == std::array<double, 3>{65535, 257 * 200, 257}));
+  CHECK((color_of(read_las(file.bytes())) == std::array<double, 3>{65535, 257 * 200, 129}));
+  CHECK((color_of(read_las(written(narrow))) == std::array<double, 3>{65535, 257 * 200, 257}));
   // Of bytes that nobody has scaled
   point.color = {255, 0, 7};
   file.points = {point.bytes(2)};
-  CHECK((color_of(read(file.bytes(), options)) == std::array<double, 3>{255, 0, 7}));
-  CHECK(point_bytes(written(read(file.bytes())), 0) == file.points[0]);
+  CHECK((color_of(read_las(file.bytes(), options)) == std::array<double, 3>{255, 0, 7}));
+  CHECK(point_bytes(written(read_las(file.bytes())), 0) == file.points[0]);
 }
 
 void test_filters()
@@ -396,7 +325,7 @@ void test_filters()
       Read_options options = everything();
       options.classes = std::move(classes);
       options.only_first_returns = only_first;
-      const Point_cloud cloud = read(file.bytes(), options);
+      const Point_cloud cloud = read_las(file.bytes(), options);
       std::vector<double> xs;
       for (std::size_t i = 0; i < cloud.points.size(); ++i)
       {
@@ -426,169 +355,16 @@ void test_filters()
   options.classes = {2};
   const std::string ply = ply_header("ascii", "element vertex 2\n" + float_xyz
                                                 + "property float classification\n");
-  CHECK(tool_test::read(scratch, ".ply", ply + "0 0 0 2\n1 1 1 3\n", options).points
+  CHECK(tool_test::read(las_folder(), ".ply", ply + "0 0 0 2\n1 1 1 3\n", options).points
         == std::vector<Point>{Point(0, 0, 0)});
   options.only_first_returns = true;
   const Failure_seen seen = failure_of(
-    [&]() { tool_test::read(scratch, ".ply", ply + "0 0 0 2\n1 1 1 3\n", options); });
+    [&]() { tool_test::read(las_folder(), ".ply", ply + "0 0 0 2\n1 1 1 3\n", options); });
   CHECK(seen.status == INPUT_REFUSED
         && seen.says("--first-returns is given, but the points have no property 'return_number'"));
   CHECK(failure_of([&]() {
-          tool_test::read(scratch, ".xyz", "1 2 3\n", options);
+          tool_test::read(las_folder(), ".xyz", "1 2 3\n", options);
         }).says("--keep-classes is given, but the points have no property 'classification'"));
-}
-
-/// Random points of a square with a side of `side`, on average 1 from the next.
-Point_cloud random_square(double side, const Vector& shift)
-{
-  std::mt19937 random(5);
-  std::uniform_real_distribution<double> coordinate(0, side);
-  Point_cloud cloud;
-  for (int i = 0; i < int(side * side); ++i)
-    cloud.points.push_back(Point(coordinate(random), coordinate(random), 0) + shift);
-  return cloud;
-}
-
-double largest_move(const Point_cloud& cloud, const std::string& bytes)
-{
-  const Point_cloud found = read(bytes);
-  CHECK(found.points.size() == cloud.points.size());
-  double largest = 0;
-  for (std::size_t i = 0; i < found.points.size(); ++i)
-    for (int axis = 0; axis < 3; ++axis)
-      largest = (std::max)(largest, std::abs(found.points[i][axis] - cloud.points[i][axis]));
-  return largest;
-}
-
-// Roundings are small beside the spacing of points, wherever these are and of whatever size.
-void test_scales()
-{
-  const Vector utm(637012.34, 5849028.33, 120);
-  Point_cloud square = random_square(60, utm);
-  std::string bytes = written(square);
-  CHECK(double_at(bytes, 131) == 0.001); // the largest power of ten below 2/1000 of a spacing
-  CHECK(largest_move(square, bytes) <= 1e-3 * 0.51);
-  CHECK(std::abs(double_at(bytes, 155) - 637042) <= 1 && double_at(bytes, 163) == 5849058);
-
-  for (const double factor : {1e-280, 1e-20, 3e-3, 1e20, 1e280})
-  {
-    Point_cloud scaled = square;
-    for (std::size_t i = 0; i < square.points.size(); ++i)
-      scaled.points[i] = CGAL::ORIGIN
-                         + factor * (square.points[i] - Point(637012.34, 5849028.33, 0));
-    CHECK(largest_move(scaled, written(scaled)) <= factor * 1e-3);
-  }
-
-  // The scale of the input, where it is fine enough, per axis
-  square.las = Las_origin();
-  square.las->scale = {0.00025, 0.01, 0.0001};
-  bytes = written(square);
-  CHECK(double_at(bytes, 131) == 0.00025 && double_at(bytes, 139) == 0.001
-        && double_at(bytes, 147) == 0.0001);
-  CHECK(largest_move(square, bytes) <= 1e-3 * 0.51);
-  square.las->scale = {1e-9, 1e-9, 1e-9}; // too fine for 32 bits
-  bytes = written(square);
-  CHECK(double_at(bytes, 131) == 1e-7 && largest_move(square, bytes) <= 1e-7);
-
-  // An outlier takes what 32 bits can give
-  square.las.reset();
-  square.points.emplace_back(1e12, 0, 0);
-  CHECK(largest_move(square, written(square)) <= 1e12 / 4e8);
-  // One place, and no spacing that says what is small
-  Point_cloud place;
-  place.points = {Point(0.1, 1e9 / 3, -1e-9)};
-  CHECK(largest_move(place, written(place)) == 0);
-  place.points.assign(20, place.points[0]);
-  CHECK(largest_move(place, written(place)) == 0);
-  place.points.insert(place.points.end(), 20, Point(7, 7, 7));
-  CHECK(largest_move(place, written(place)) <= 1e9 / 2e8);
-  place.points = {Point(-1.7e308, 0, 1e-320), Point(1.7e308, 1e-320, 0)};
-  CHECK(std::isfinite(largest_move(place, written(place))));
-  CHECK(read(written(Point_cloud())).points.empty());
-
-  place.points = {Point(0, std::nan(""), 0)};
-  const Failure_seen seen = failure_of([&]() { written(place); });
-  CHECK(seen.status == OUTPUT_NOT_WRITTEN && seen.says("LAS cannot hold a coordinate"));
-}
-
-// What has no place in a field becomes extra bytes, and all of it is read again.
-void test_properties_of_others()
-{
-  const std::string elements = "element vertex 2\n" + float_xyz
-                               + "property float nx\nproperty float ny\nproperty float nz\n"
-                                 "property uchar red\nproperty uchar green\nproperty uchar blue\n"
-                                 "property uchar alpha\nproperty float intensity\n"
-                                 "property int classification\nproperty ushort return_number\n"
-                                 "property double quality\nproperty ushort nir\n"
-                                 "property uchar a_name_that_is_longer_than_32_bytes\n"
-                                 "property float NormalX\nproperty int quality\n";
-  const Point_cloud cloud = tool_test::read(
-    scratch, ".ply",
-    ply_header("ascii", elements)
-      + "1 2 3 0 0 1 255 0 9 8 0.25 255 16 0.1 77 1 5 1\n4 5 6 1 0 0 1 2 3 4 1 0 1 0.2 78 2 6 1\n",
-    everything());
-  const std::string bytes = written(cloud,
-                                    {"a_name_that_is_longer_than_32_bytes", "NormalX", "quality"});
-  CHECK(integer_at(bytes, 24, 2) == 0x0401 && integer_at(bytes, 104, 1) == 8);
-  CHECK(integer_at(bytes, 6, 2) == 16 && bytes.substr(58, 11) == "l0_resample");
-  CHECK(integer_at(bytes, 90, 4) == 0); // no day
-  CHECK(integer_at(bytes, 105, 2) == 38 + 3 * 4 + 1 + 4 + 2 + 8);
-  const Point_cloud found = read(bytes);
-  CHECK(found.normals == cloud.normals);
-  std::map<std::string, double> all = values(found, 0);
-  CHECK(all["red"] == 65535 && all["green"] == 0 && all["blue"] == 9 * 257 && all["alpha"] == 8);
-  CHECK(all["intensity"] == 0.25); // not whole
-  CHECK(all["classification"] == 255);
-  CHECK(all["return_number"] == 16); // beyond four bits
-  CHECK(all["number_of_returns"] == 1);
-  CHECK(all["quality"] == 0.1 && all["nir"] == 77);
-  CHECK(values(found, 1)["intensity"] == 1);
-
-  // As many as a record can describe
-  Point_cloud many;
-  many.points = {Point(1, 2, 3)};
-  for (int k = 0; k < 400; ++k)
-    many.properties.add_property("p" + std::to_string(k), Number_type::FLOAT64);
-  many.properties.append(std::vector<char>(many.properties.row_size()));
-  std::vector<std::string> rest;
-  for (int k = 341; k < 400; ++k)
-    rest.push_back("p" + std::to_string(k));
-  CHECK(read(written(many, rest)).properties.properties().size() == 12 + 341);
-}
-
-// Oriented points, as the result of a run.
-void test_result()
-{
-  Resampled_points result;
-  for (int i = 0; i < 100; ++i)
-    result.points.emplace_back(Point(i % 10 + 0.1234567, i / 10, 0), Vector(0, 0, 1));
-  result.las = Las_origin();
-  result.las->point_format = 3;
-  result.las->scale = {0.01, 0.01, 0.01};
-  const std::string path = scratch.file("result.las");
-  setenv("SOURCE_DATE_EPOCH", "1709164800", 1); // 2024-02-29
-  CHECK(write_points(path, File_format::LAS, result).empty());
-  unsetenv("SOURCE_DATE_EPOCH");
-  const std::string bytes = read_bytes(path);
-  CHECK(integer_at(bytes, 90, 2) == 60 && integer_at(bytes, 92, 2) == 2024);
-  CHECK(integer_at(bytes, 24, 2) == 0x0201 && integer_at(bytes, 104, 1) == 0);
-  CHECK(integer_at(bytes, 107, 4) == 100 && integer_at(bytes, 111, 4) == 100); // first returns
-  CHECK(double_at(bytes, 131) == 0.001);                                       // which 0.01 is not
-  const Point_cloud cloud = read(bytes);
-  CHECK(cloud.normals == std::vector<Vector>(100, Vector(0, 0, 1)));
-  double largest = 0;
-  for (std::size_t i = 0; i < 100; ++i)
-    largest = (std::max)(largest, std::abs(cloud.points[i].x() - result.points[i].first.x()));
-  CHECK(largest > 0 && largest <= 1e-3);
-  // The box of the header is that of the points as they are rounded
-  CHECK(double_at(bytes, 187) == cloud.points[0].x() && double_at(bytes, 203) == 0);
-  write_points(path, File_format::LAS, result);
-  CHECK(read_bytes(path).substr(94) == bytes.substr(94)
-        && integer_at(read_bytes(path), 90, 4) == 0);
-
-  CHECK(failure_of([&]() {
-          write_points(scratch.file("result.laz"), File_format::LAS, result);
-        }).says("LAZ is not written"));
 }
 
 } // namespace
@@ -602,8 +378,5 @@ int main()
   test_coordinate_system();
   test_colors();
   test_filters();
-  test_scales();
-  test_properties_of_others();
-  test_result();
   return test::result();
 }

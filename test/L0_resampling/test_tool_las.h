@@ -6,10 +6,15 @@
 #ifndef L0_RESAMPLE_TEST_TOOL_LAS_H
 #define L0_RESAMPLE_TEST_TOOL_LAS_H
 
+#include "test_support.h"
 #include "test_tool_support.h"
+
+#include "write_points.h"
 
 #include <array>
 #include <cstdint>
+#include <cstring>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -148,6 +153,75 @@ struct Las_file
 inline std::string with_bytes(std::string file, std::size_t position, const std::string& bytes)
 {
   return file.replace(position, bytes.size(), bytes);
+}
+
+/// The folder of the files that a test reads and writes.
+inline const Scratch_folder& las_folder()
+{
+  static const Scratch_folder folder;
+  return folder;
+}
+
+inline l0_tool::Read_options everything()
+{
+  l0_tool::Read_options options;
+  options.with_normals = true;
+  options.with_properties = true;
+  options.with_wide_colors = true;
+  return options;
+}
+
+inline l0_tool::Point_cloud read_las(const std::string& bytes,
+                                     const l0_tool::Read_options& options = everything())
+{
+  return read(las_folder(), ".las", bytes, options);
+}
+
+inline std::string written(const l0_tool::Point_cloud& cloud,
+                           const std::vector<std::string>& left_out = {})
+{
+  const std::string path = las_folder().file("written.las");
+  CHECK(l0_tool::write_point_cloud(path, l0_tool::File_format::LAS, cloud) == left_out);
+  std::string bytes = read_bytes(path);
+  CHECK(bytes.size() <= l0_tool::largest_file_size(l0_tool::File_format::LAS, cloud.points.size(),
+                                                   cloud.properties, cloud.las));
+  return bytes;
+}
+
+inline std::map<std::string, double> values(const l0_tool::Point_cloud& cloud, std::size_t row)
+{
+  std::map<std::string, double> all;
+  for (const l0_tool::Property& property : cloud.properties.properties())
+    CHECK(all.emplace(property.name, cloud.properties.value(row, property)).second);
+  return all;
+}
+
+// Numbers of a written file, where the specification has them.
+inline std::uint64_t integer_at(const std::string& file, std::size_t position, std::size_t size)
+{
+  std::uint64_t number = 0;
+  std::memcpy(&number, file.data() + position, size);
+  return number;
+}
+
+inline double double_at(const std::string& file, std::size_t position)
+{
+  double number;
+  std::memcpy(&number, file.data() + position, sizeof number);
+  return number;
+}
+
+inline std::string point_bytes(const std::string& file, std::size_t i)
+{
+  const std::size_t size = integer_at(file, 105, 2);
+  return file.substr(integer_at(file, 96, 4) + i * size, size);
+}
+
+/// What stands between header and points.
+inline std::string records_of(const std::string& file)
+{
+  const std::size_t begin = integer_at(file, 94, 2);
+  return file.substr(begin, integer_at(file, 96, 4) - begin);
 }
 
 } // namespace tool_test
