@@ -54,8 +54,8 @@ std::string name_of(std::string_view description, std::size_t index)
   name.resize((std::min)(name.find('\0'), name.size()));
   while (!name.empty() && name.back() == ' ')
     name.pop_back();
-  std::replace_if(
-    name.begin(), name.end(), [](char c) { return c <= ' ' || c > '~'; }, '_');
+  const auto ends_word = [](char c) { return static_cast<unsigned char>(c) <= ' ' || c == '\x7f'; };
+  std::replace_if(name.begin(), name.end(), ends_word, '_');
   return name.empty() ? "extra_bytes_" + std::to_string(index) : name;
 }
 

@@ -140,7 +140,7 @@ void test_extra_bytes()
   add(extra_bytes("two", 14), le(std::int16_t(-1)) + le(std::int16_t(2)));
   add(extra_bytes("three", 21, 8, {0.5, 2, 3}), std::string("\1\2\3"));
   add(extra_bytes("", 0, 3), "???");
-  add(extra_bytes("with a blank", 1), std::string("\x11"));
+  add(extra_bytes("with a \xc3\xa4", 1), std::string("\x11"));
   add(extra_bytes("", 1), std::string("\x12"));
   add(extra_bytes("shifted", 2, 16, {7, 0, 0}, {100, 0, 0}), std::string("\xff"));
   std::map<std::string, double> expected = expected_values(Las_point(), 1);
@@ -159,7 +159,7 @@ void test_extra_bytes()
                    {"three_1", 4},
                    {"three_2", 9},
                    {"shifted", 99},
-                   {"with_a_blank", 0x11},
+                   {"with_a_\xc3\xa4", 0x11},
                    {"extra_bytes_14", 0x12}});
   Las_file file;
   file.minor = 4;
