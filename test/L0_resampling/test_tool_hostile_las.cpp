@@ -126,8 +126,8 @@ std::vector<Hostile_file> hostile_files()
     {changed(old, count_at, Int(3)), "3 points are announced, but only 68 bytes are left"},
     {changed(old, count_at, Int(4294967295u)), "4294967295 points are announced"},
     {changed(recent, long_count_at, Long(-1)), "more than a file can hold"},
-    {changed(good_file(4, 6).bytes(), long_count_at, Long(614891469123651720u)),
-     "points are announced"}, // times 30 is 0 in 64 bits
+    {changed(good_file(4, 6).bytes(), long_count_at, Long(614891469123651721u)),
+     "points are announced, more than a file can hold"}, // times 30 is 14 in 64 bits
     {changed(good_file(4, 6).bytes(), long_count_at, Long(100000000000u)),
      "100000000000 points are announced, but only 60 bytes are left"},
     {changed(old, scale_at, 0.), "a scale of the coordinates is 0 or not finite"},
