@@ -291,7 +291,8 @@ without a value leaves the default.
     \cgalParamDefault{`LOR` and `ALOR`: \f$ l_{diag} / \sqrt[3]{n} \f$, where far outliers do not
       count for the diagonal of the bounding box. `DEFAULT`:
       \f$ ((3.5s)^{3/2} + (3.8\sigma)^{3/2})^{2/3} \f$ with the spacing s and the noise
-      \f$ \sigma \f$ estimated from the points}
+      \f$ \sigma \f$ estimated from the points; around each point with those of its surroundings,
+      where they differ from those of the cloud}
     \cgalParamExtra{`std::invalid_argument` if not finite or not positive; values beyond the
       diagonal are taken as the diagonal}
   \cgalParamNEnd

@@ -70,7 +70,7 @@ __global__ void compute_keys(Positions positions, Cell_frame frame, Key* keys, u
   const unsigned long long i = thread_index();
   if (i >= positions.size)
     return;
-  keys[i] = frame.key(positions(unsigned(i)));
+  keys[i] = frame.key(positions(unsigned(i)), positions.scale(unsigned(i)));
   indices[i] = unsigned(i);
 }
 
@@ -87,7 +87,7 @@ __global__ void count_points_of_cells(Positions positions, Cell_frame frame, Key
   const unsigned long long i = thread_index();
   if (i >= positions.size)
     return;
-  keys[i] = frame.key(positions(unsigned(i)));
+  keys[i] = frame.key(positions(unsigned(i)), 1);
   atomicAdd(&counts[number_in_box(frame, keys[i])], 1u);
 }
 
@@ -230,7 +230,10 @@ __global__ void compute_axis_keys(Positions positions, Cell_frame frame, const f
     return;
   }
   const double3 p = positions(order[i]);
-  keys[i] = axis == 6 ? frame.key(p) : ascending_bits(axis == 0 ? p.x : axis == 1 ? p.y : p.z);
+  keys[i] = axis == 6 ? frame.key(p, positions.scale(order[i]))
+                      : ascending_bits(axis == 0   ? p.x
+                                       : axis == 1 ? p.y
+                                                   : p.z);
 }
 
 __global__ void take_sorted_points(Cell_frame frame, const double3* positions,
@@ -259,6 +262,16 @@ __global__ void copy_cells(const Key* point_keys, const unsigned* begins, Cell_g
     grid.keys[c] = point_keys[begins[c]];
 }
 
+__global__ void gather_scales(Positions positions, Cell_grid grid, unsigned* levels)
+{
+  const unsigned long long i = thread_index();
+  if (i >= grid.size)
+    return;
+  const float scale = positions.scale(grid.order[i]);
+  grid.scales[i] = scale;
+  atomicOr(levels, 1u << level_of_scale(scale));
+}
+
 /// One thread for each row of cells of each block.
 __global__ void find_ranges(Cell_grid queries, Cell_grid grid, int reach, Cell_blocks blocks)
 {
@@ -270,15 +283,88 @@ __global__ void find_ranges(Cell_grid queries, Cell_grid grid, int reach, Cell_b
                                   int(t % unsigned(blocks.number_of_rows)));
 }
 
+/// Calls `f(range)` for each run of points around a cell of another grid of the same sizes of
+/// cells, those of its own level and of the levels next to it, as `Search_grid_3::Block_cursor`.
+template <typename F>
+__device__ void for_each_range_around(const Cell_frame& of_queries, Key key, const Cell_grid& grid,
+                                      int reach, const F& f)
+{
+  const Cell_frame& frame = grid.frame;
+  const int own_level = of_queries.level_of_key(key);
+  const uint3 cell = of_queries.cell_of_key(key);
+  const unsigned place[3] = {cell.x, cell.y, cell.z};
+  for (int level = max(own_level - levels_in_reach, 0);
+       level <= min(own_level + levels_in_reach, number_of_levels - 1); ++level)
+  {
+    if (!(grid.levels >> level & 1))
+      continue;
+    unsigned low[3], high[3];
+    bool is_empty = false;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double absolute = of_queries.first_of_level(own_level, axis) + place[axis];
+      double first = absolute - reach, last = absolute + reach;
+      if (level != own_level)
+      {
+        const double ratio = exp2(0.5 * (own_level - level));
+        first = floor(first * ratio);
+        last = floor((last + 1) * ratio);
+        first = absolute <= -Cell_frame::half_range ? -Cell_frame::half_range : first;
+        last = absolute >= Cell_frame::half_range - 1 ? Cell_frame::half_range - 1 : last;
+      }
+      const double begin = frame.first_of_level(level, axis),
+                   count = frame.count_of_level(level, axis);
+      is_empty |= last < begin || first >= begin + count;
+      low[axis] = unsigned(fmax(first - begin, 0.));
+      high[axis] = unsigned(fmin(fmax(last - begin, 0.), count - 1));
+    }
+    if (is_empty)
+      continue;
+    for (unsigned z = low[2]; z <= high[2]; ++z)
+      for (unsigned y = low[1]; y <= high[1]; ++y)
+      {
+        const Key last = frame.key_of_cell(level, high[0], y, z);
+        const unsigned begin = lower_bound(grid.keys, grid.number_of_cells,
+                                           frame.key_of_cell(level, low[0], y, z));
+        unsigned end = begin;
+        while (end < grid.number_of_cells && grid.keys[end] <= last)
+          ++end;
+        if (begin < end)
+          f(uint2{grid.begins[begin], grid.begins[end]});
+      }
+  }
+}
+
+__global__ void count_ranges(Cell_grid queries, Cell_grid grid, int reach,
+                             unsigned long long* counts)
+{
+  const unsigned long long c = thread_index();
+  if (c >= queries.number_of_cells)
+    return;
+  unsigned long long count = 0;
+  for_each_range_around(queries.frame, queries.keys[c], grid, reach, [&](uint2) { ++count; });
+  counts[c] = count;
+}
+
+__global__ void list_ranges(Cell_grid queries, Cell_grid grid, int reach, Cell_blocks blocks)
+{
+  const unsigned long long c = thread_index();
+  if (c >= queries.number_of_cells)
+    return;
+  unsigned long long place = blocks.begins[c];
+  for_each_range_around(queries.frame, queries.keys[c], grid, reach,
+                        [&](uint2 range) { blocks.ranges[place++] = range; });
+}
+
 __global__ void find_centers(Cell_grid queries, unsigned limit, Cell_blocks blocks)
 {
   const unsigned long long c = thread_index();
   if (c >= queries.number_of_cells)
     return;
   unsigned long long count = 0;
-  for (int row = 0; row < blocks.number_of_rows; ++row)
+  for (int row = 0; row < blocks.number_of_ranges(unsigned(c)); ++row)
   {
-    const uint2 range = blocks.ranges[c * unsigned(blocks.number_of_rows) + unsigned(row)];
+    const uint2 range = blocks.ranges_of(unsigned(c))[row];
     count += range.y - range.x;
   }
   Block_center center;
@@ -313,18 +399,19 @@ int bits_for(unsigned count)
 } // namespace
 
 Cell_frame Cell_frame::around(const double (&low)[3], const double (&high)[3], double cell_size,
-                              double longest_query)
+                              double longest_query, bool has_levels)
 {
-  const double margin = 8, half_range = std::ldexp(1., 20); // cells; the latter as in Search_grid_3
   Cell_frame frame;
   frame.cell_size = cell_size;
-  frame.units_per_length = units_per_length_for(cell_size, longest_query);
+  frame.has_levels = has_levels;
+  frame.units_per_length = units_per_length_for(cell_size, longest_query, has_levels);
   for (int axis = 0; axis < 3; ++axis)
   {
-    frame.first[axis] = (std::max)(std::floor(low[axis] / cell_size) - margin, -half_range);
-    const double last = (std::min)(std::floor(high[axis] / cell_size) + margin, half_range - 1);
-    frame.count[axis] = unsigned(last - frame.first[axis]) + 1;
-    frame.bits[axis] = bits_for(frame.count[axis]);
+    frame.low[axis] = low[axis];
+    frame.high[axis] = high[axis];
+    frame.first[axis] = frame.first_of_level(level_of_one, axis);
+    frame.count[axis] = frame.count_of_level(level_of_one, axis);
+    frame.bits[axis] = bits_for(has_levels ? frame.count_of_level(0, axis) : frame.count[axis]);
   }
   return frame;
 }
@@ -367,7 +454,8 @@ Cell_grid build_grid(const Positions& positions, const float* normals, const Cel
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(device_counts, 0, sizeof(Grid_counts), stream));
   const double cells_of_box = double(frame.count[0]) * double(frame.count[1])
                               * double(frame.count[2]);
-  if (cells_of_box <= (std::min)(most_counted_cells_per_point * double(n), 2e9))
+  if (!frame.has_levels
+      && cells_of_box <= (std::min)(most_counted_cells_per_point * double(n), 2e9))
     sort_by_counting(positions, frame, unsigned(cells_of_box), keys, other_keys, indices, scratch,
                      stream);
   else
@@ -414,6 +502,15 @@ Cell_grid build_grid(const Positions& positions, const float* normals, const Cel
   copy_cells<<<blocks_for(grid.number_of_cells + 1ull), threads_per_block, 0, stream>>>(
     keys, begins, grid);
   check_launch("copy_cells");
+  if (frame.has_levels)
+  {
+    grid.scales = arena.take<float>(n);
+    unsigned* const levels = scratch.take<unsigned>(1);
+    CGAL_L0_CUDA_CHECK(cudaMemsetAsync(levels, 0, sizeof(unsigned), stream));
+    gather_scales<<<blocks, threads_per_block, 0, stream>>>(positions, grid, levels);
+    check_launch("gather_scales");
+    grid.levels = scratch.read(levels, stream);
+  }
   return grid;
 }
 
@@ -424,12 +521,30 @@ Cell_blocks find_blocks(const Cell_grid& query_grid, const Cell_grid& grid, int 
   Cell_blocks blocks;
   blocks.reach = reach;
   blocks.number_of_rows = (2 * reach + 1) * (2 * reach + 1);
-  const std::size_t count = std::size_t(query_grid.number_of_cells)
-                            * std::size_t(blocks.number_of_rows);
-  blocks.ranges = arena.take<uint2>(count);
-  blocks.centers = arena.take<Block_center>(query_grid.number_of_cells);
-  find_ranges<<<blocks_for(count), threads_per_block, 0, stream>>>(query_grid, grid, reach, blocks);
-  check_launch("find_ranges");
+  const unsigned cells = query_grid.number_of_cells;
+  if (grid.frame.has_levels)
+  {
+    blocks.begins = arena.take<unsigned long long>(std::size_t(cells) + 1);
+    CGAL_L0_CUDA_CHECK(
+      cudaMemsetAsync(blocks.begins + cells, 0, sizeof(unsigned long long), stream));
+    count_ranges<<<blocks_for(cells), threads_per_block, 0, stream>>>(query_grid, grid, reach,
+                                                                      blocks.begins);
+    check_launch("count_ranges");
+    sum_up(blocks.begins, cells, blocks.begins, arena, stream);
+    blocks.ranges = arena.take<uint2>(arena.read(blocks.begins + cells, stream));
+    list_ranges<<<blocks_for(cells), threads_per_block, 0, stream>>>(query_grid, grid, reach,
+                                                                     blocks);
+    check_launch("list_ranges");
+  }
+  else
+  {
+    const std::size_t count = std::size_t(cells) * std::size_t(blocks.number_of_rows);
+    blocks.ranges = arena.take<uint2>(count);
+    find_ranges<<<blocks_for(count), threads_per_block, 0, stream>>>(query_grid, grid, reach,
+                                                                     blocks);
+    check_launch("find_ranges");
+  }
+  blocks.centers = arena.take<Block_center>(cells);
   find_centers<<<blocks_for(query_grid.number_of_cells), threads_per_block, 0, stream>>>(
     query_grid, maximum_number_of_candidates, blocks);
   check_launch("find_centers");

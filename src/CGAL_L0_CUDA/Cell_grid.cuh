@@ -9,6 +9,8 @@
 #include "Device_arena.cuh"
 #include "Frame.cuh"
 
+#include <CGAL/L0_resampling/internal/levels_of_scales.h>
+
 #include <cstdint>
 
 namespace CGAL {
@@ -22,7 +24,8 @@ using Key = unsigned long long;
 How space is cut into cells, and the fixed-point numbers that positions are on the device.
 
 A key holds the cell's number on each axis, x in the lowest bits, in as few bits as the cloud needs,
-which makes the sort short. Keys ascend as those of `Search_grid_3` do, and clamp as those do.
+which makes the sort short; and above them the level, if points have scales. Keys ascend as those of
+`Search_grid_3` do, and clamp as those do.
 
 A coordinate is `units_per_length` times the one in the frame, modulo 2^32. Differences of such
 numbers are exact whatever the extent of the cloud, as long as the points are within 2^31 units of
@@ -30,23 +33,61 @@ each other, and points that a query looks at are.
 */
 struct Cell_frame
 {
-  double cell_size;
+  double cell_size; // of points of scale 1
   double units_per_length;
-  double first[3];   // cell on each axis
-  unsigned count[3]; // of cells on each axis
+  double first[3];   // cell on each axis, of points of scale 1
+  unsigned count[3]; // of these cells on each axis
   int bits[3];
+  bool has_levels;
+  double low[3], high[3]; // of the box of the points
 
   /// \param low, high corners of the box of the points
   /// \param longest_query the largest distance at which points are looked at, at least
+  /// \param has_levels whether the points have scales
   static Cell_frame around(const double (&low)[3], const double (&high)[3], double cell_size,
-                           double longest_query);
+                           double longest_query, bool has_levels = false);
 
-  int total_bits() const { return bits[0] + bits[1] + bits[2]; }
+  int total_bits() const { return bits[0] + bits[1] + bits[2] + (has_levels ? 4 : 0); }
+
+  __host__ __device__ double size_of_level(int level) const
+  {
+    return cell_size * size_of_cells(level);
+  }
+
+  static constexpr double half_range = 1 << 19; // cells, as in Search_grid_3
+
+  /// The first cell of a level on an axis.
+  __host__ __device__ double first_of_level(int level, int axis) const
+  {
+    const double margin = 8;
+    return fmax(floor(low[axis] / size_of_level(level)) - margin, -half_range);
+  }
+
+  /// The number of cells of a level on an axis.
+  __host__ __device__ unsigned count_of_level(int level, int axis) const
+  {
+    const double margin = 8;
+    const double last = fmin(floor(high[axis] / size_of_level(level)) + margin, half_range - 1);
+    return unsigned(last - first_of_level(level, axis)) + 1;
+  }
   __host__ __device__ float unit() const { return float(1 / units_per_length); }
 
-  __device__ Key key(double3 p) const
+  __device__ Key key(double3 p, float scale) const
   {
     const double coordinates[3] = {p.x, p.y, p.z};
+    if (has_levels)
+    {
+      const int level = level_of_scale(scale);
+      Key key = Key(level);
+      for (int axis = 2; axis >= 0; --axis)
+      {
+        const double cell = fmin(
+          fmax(floor(coordinates[axis] / size_of_level(level)) - first_of_level(level, axis), 0.),
+          double(count_of_level(level, axis) - 1));
+        key = (key << bits[axis]) | Key(cell);
+      }
+      return key;
+    }
     Key key = 0;
     for (int axis = 2; axis >= 0; --axis)
     {
@@ -62,11 +103,21 @@ struct Cell_frame
     return (((Key(z) << bits[1]) | y) << bits[0]) | x;
   }
 
+  __host__ __device__ Key key_of_cell(int level, unsigned x, unsigned y, unsigned z) const
+  {
+    return (Key(level) << (bits[0] + bits[1] + bits[2])) | key_of_cell(x, y, z);
+  }
+
+  __host__ __device__ int level_of_key(Key key) const
+  {
+    return has_levels ? int(key >> (bits[0] + bits[1] + bits[2])) : level_of_one;
+  }
+
   __host__ __device__ uint3 cell_of_key(Key key) const
   {
     return {unsigned(key & ((Key(1) << bits[0]) - 1)),
             unsigned((key >> bits[0]) & ((Key(1) << bits[1]) - 1)),
-            unsigned(key >> (bits[0] + bits[1]))};
+            unsigned((key >> (bits[0] + bits[1])) & ((Key(1) << bits[2]) - 1))};
   }
 
   __device__ int3 fixed_point(double3 p) const
@@ -95,11 +146,17 @@ struct Cell_grid
   unsigned size = 0;
   unsigned number_of_cells = 0;
   unsigned number_of_distinct = 0;
-  int4* points = nullptr;            // fixed-point coordinates, and the cell
-  unsigned* order = nullptr;         // where each stood before
-  unsigned char* is_first = nullptr; // of the points that are equal to it
-  Key* keys = nullptr;               // of the cells, ascending
-  unsigned* begins = nullptr;        // the first point of each cell, and the number of points
+  int4* points = nullptr;               // fixed-point coordinates, and the cell
+  unsigned* order = nullptr;            // where each stood before
+  unsigned char* is_first = nullptr;    // of the points that are equal to it
+  Key* keys = nullptr;                  // of the cells, ascending
+  unsigned* begins = nullptr;           // the first point of each cell, and the number of points
+  float* scales = nullptr;              // of the points; null if all are 1
+  unsigned levels = 1u << level_of_one; // a bit for each that has cells
+
+#ifdef __CUDACC__
+  __device__ float scale(unsigned i) const { return scales ? scales[i] : 1.f; }
+#endif
 
   /// Once nobody asks for it, and its arrays go.
   void forget_order()
@@ -124,9 +181,21 @@ struct Block_center
 struct Cell_blocks
 {
   int reach = 0;
-  int number_of_rows = 0;          // (2 reach + 1)^2
+  int number_of_rows = 0;          // (2 reach + 1)^2; where there are levels, that of each differs
   uint2* ranges = nullptr;         // number_of_rows for each cell; `[x, y)`
   Block_center* centers = nullptr; // one for each cell
+  unsigned long long* begins = nullptr; // where there are levels: the first range of each cell
+
+#ifdef __CUDACC__
+  __device__ const uint2* ranges_of(unsigned cell) const
+  {
+    return ranges + (begins ? begins[cell] : (unsigned long long)(cell) * unsigned(number_of_rows));
+  }
+  __device__ int number_of_ranges(unsigned cell) const
+  {
+    return begins ? int(begins[cell + 1] - begins[cell]) : number_of_rows;
+  }
+#endif
 };
 
 /// Sorts points into cells.
@@ -269,23 +338,24 @@ __device__ inline void for_each_candidate(const Cell_grid& grid, const Cell_bloc
   const unsigned group_mask = ((1u << lanes) - 1) << (threadIdx.x % 32 / lanes * lanes);
   const Block_center block = blocks.centers[center.w];
   const unsigned stride = block.stride, shift = unsigned(__ffs(int(stride))) - 1;
-  const uint2* const ranges = blocks.ranges
-                              + (unsigned long long)(unsigned(center.w)) * blocks.number_of_rows;
+  const uint2* const ranges = blocks.ranges_of(unsigned(center.w));
+  const int number_of_ranges = blocks.number_of_ranges(unsigned(center.w));
+  const bool is_plain = block.is_inside && !blocks.begins;
   const float cell_size = float(grid.frame.cell_size);
   const Offset_in_row offset(block, center, grid.frame.unit());
 
-  for (int first_row = 0; first_row < blocks.number_of_rows; first_row += lanes)
+  for (int first_row = 0; first_row < number_of_ranges; first_row += lanes)
   {
     uint2 range = {0, 0};
     const int row = first_row + int(lane);
-    if (row < blocks.number_of_rows)
+    if (row < number_of_ranges)
     {
       const float squared_reach = offset.squared_reach(radius * radius, cell_size, blocks.reach,
                                                        row);
-      if (squared_reach > 0 || !block.is_inside)
+      if (squared_reach > 0 || !is_plain)
       {
         range = ranges[row];
-        if (block.is_inside && range.y - range.x > shortest_searched_row)
+        if (is_plain && range.y - range.x > shortest_searched_row)
         {
           const int reach =
             int(sqrtf(squared_reach) * 1.00001f * float(grid.frame.units_per_length)) + 1;

@@ -63,6 +63,9 @@ struct Positions
   Frame frame;
   bool in_frame;                  // whether they are there already
   const unsigned* list = nullptr; // which of the points they are; null for the first `size`
+  const float* scales = nullptr;  // of all points; null if all are 1
+
+  __device__ float scale(unsigned i) const { return scales ? scales[list ? list[i] : i] : 1.f; }
 
   __device__ double3 operator()(unsigned i) const
   {

@@ -18,19 +18,22 @@ namespace {
 /// Of the points in the ball of each query, itself included, and in the one of half the radius.
 /// \param wide_counts out: the same numbers
 __global__ void count_points_in_balls(Cell_grid queries, Cell_grid grid, Cell_blocks blocks,
-                                      float radius, float squared_radius, unsigned* counts,
-                                      unsigned* half_counts, Wide* wide_counts)
+                                      double radius, unsigned* counts, unsigned* half_counts,
+                                      Wide* wide_counts)
 {
   const Query query(queries.size);
   const int4 center = queries.points[query.index];
-  const float unit = grid.frame.unit(), squared_half_radius = squared_radius / 4;
+  const double own_radius = radius * queries.scale(query.index);
+  const float unit = grid.frame.unit(), squared_radius = float(own_radius * own_radius),
+              squared_half_radius = squared_radius / 4;
   unsigned count = 0, half_count = 0;
-  for_each_candidate(grid, blocks, center, query.lane, radius, [&](unsigned, const int4& point) {
-    const float3 d = difference(point, center, unit);
-    const float squared_distance = dot(d, d);
-    count += squared_distance < squared_radius;
-    half_count += squared_distance < squared_half_radius;
-  });
+  for_each_candidate(grid, blocks, center, query.lane, float(own_radius),
+                     [&](unsigned, const int4& point) {
+                       const float3 d = difference(point, center, unit);
+                       const float squared_distance = dot(d, d);
+                       count += squared_distance < squared_radius;
+                       half_count += squared_distance < squared_half_radius;
+                     });
   const unsigned stride = blocks.centers[center.w].stride;
   count = group_sum<lanes>(count) * stride;
   half_count = group_sum<lanes>(half_count) * stride;
@@ -46,9 +49,10 @@ __global__ void count_points_in_balls(Cell_grid queries, Cell_grid grid, Cell_bl
 __device__ Wide sum_around(const Cell_blocks& blocks, Wide cell, const Wide* sums)
 {
   Wide sum = 0;
-  for (int row = 0; row < blocks.number_of_rows; ++row)
+  const uint2* const ranges = blocks.ranges_of(unsigned(cell));
+  for (int row = 0, rows = blocks.number_of_ranges(unsigned(cell)); row < rows; ++row)
   {
-    const uint2 range = blocks.ranges[cell * unsigned(blocks.number_of_rows) + unsigned(row)];
+    const uint2 range = ranges[row];
     sum += sums[range.y] - sums[range.x];
   }
   return sum;
@@ -64,9 +68,10 @@ __global__ void find_least_counts(Cell_blocks blocks, unsigned number_of_cells, 
   if (cell >= number_of_cells)
     return;
   Wide count = 0;
-  for (int row = 0; row < blocks.number_of_rows; ++row)
+  const uint2* const ranges = blocks.ranges_of(unsigned(cell));
+  for (int row = 0, rows = blocks.number_of_ranges(unsigned(cell)); row < rows; ++row)
   {
-    const uint2 range = blocks.ranges[cell * unsigned(blocks.number_of_rows) + unsigned(row)];
+    const uint2 range = ranges[row];
     count += range.y - range.x;
   }
   least_counts[cell] = fmax(outlier_share_of_surroundings
@@ -101,7 +106,9 @@ __global__ void keep_dense(Cell_grid grid, const unsigned* counts, const unsigne
     *result.is_any_sparse_kept = 1;
 }
 
-/// The others in the two balls of each sparse point.
+/// The others in the two balls of each sparse point: one less than nothing, where only one of so
+/// many points is looked at, and not the point itself. Sums of these numbers are right once they
+/// are read with their sign.
 /// \param list the positions that the grid of the sparse points was built of
 /// \param half_counts of the positions, in the balls of a fourth of the radius of `counts`
 /// \param inner, outer out
@@ -111,8 +118,8 @@ __global__ void count_others(Cell_grid sparse, const unsigned* list, const unsig
   const Wide i = thread_index();
   if (i >= sparse.size)
     return;
-  inner[i] = half_counts[list[sparse.order[i]]] - 1;
-  outer[i] = counts[i] - 1;
+  inner[i] = Wide(half_counts[list[sparse.order[i]]]) - 1;
+  outer[i] = Wide(counts[i]) - 1;
 }
 
 /// \param inner_sums, outer_sums over all points before each point
@@ -122,9 +129,10 @@ __global__ void find_filled_cells(Cell_blocks blocks, unsigned number_of_cells,
 {
   const Wide cell = thread_index();
   if (cell < number_of_cells)
-    is_filled[cell] = double(sum_around(blocks, cell, outer_sums))
+    is_filled[cell] = double(static_cast<long long>(sum_around(blocks, cell, outer_sums)))
                       > volume_filling_ratio
-                          * (double(sum_around(blocks, cell, inner_sums)) + count_prior);
+                          * (double(static_cast<long long>(sum_around(blocks, cell, inner_sums)))
+                             + count_prior);
 }
 
 __global__ void drop_points_of_filled_cells(Cell_grid sparse, const unsigned* list,
@@ -191,6 +199,18 @@ __global__ void join_touching_cells(Cell_grid grid, unsigned* parents)
     join_parts(parents, unsigned(cell), other);
 }
 
+/// The same where cells are of several levels, with all cells at the ends of the runs around.
+__global__ void join_touching_levels(Cell_grid grid, Cell_blocks blocks, unsigned* parents)
+{
+  const Wide cell = thread_index();
+  if (cell >= grid.number_of_cells)
+    return;
+  const uint2* const ranges = blocks.ranges_of(unsigned(cell));
+  for (int row = 0, rows = blocks.number_of_ranges(unsigned(cell)); row < rows; ++row)
+    for (const unsigned point : {ranges[row].x, ranges[row].y - 1})
+      join_parts(parents, unsigned(cell), unsigned(grid.points[point].w));
+}
+
 /// \param sizes of each root: the points of its part
 __global__ void count_points_of_parts(Cell_grid grid, unsigned* parents, unsigned* sizes)
 {
@@ -224,8 +244,8 @@ void find_dense_points(const Workplace& workplace, const Positions& positions,
   const cudaStream_t stream = workplace.stream;
   const Arena_scope arena_scope(workplace.arena), scratch_scope(workplace.scratch);
   const Cell_grid grid = build_grid(positions, nullptr,
-                                    Cell_frame::around(low, high, radius, radius), workplace.arena,
-                                    workplace.scratch, stream);
+                                    Cell_frame::around(low, high, radius, radius, positions.scales),
+                                    workplace.arena, workplace.scratch, stream);
   const Cell_blocks blocks = find_blocks(grid, grid, 1, maximum_number_of_candidates,
                                          workplace.arena, stream);
   unsigned *const counts = workplace.arena.take<unsigned>(n), *const half_counts =
@@ -233,7 +253,7 @@ void find_dense_points(const Workplace& workplace, const Positions& positions,
   Wide* const sums = workplace.scratch.take<Wide>(Wide(n) + 1);
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(sums + n, 0, sizeof(Wide), stream));
   count_points_in_balls<<<blocks_for_queries(n), threads_per_block, 0, stream>>>(
-    grid, grid, blocks, float(radius), float(radius * radius), counts, half_counts, sums);
+    grid, grid, blocks, radius, counts, half_counts, sums);
   check_launch("count_points_in_balls");
   sum_up(sums, n, sums, workplace.scratch, stream);
   {
@@ -268,7 +288,8 @@ void drop_points_that_fill_space(const Workplace& workplace, const Positions& po
   sparse_positions.size = list_flagged(points.is_sparse, positions.size, list, workplace.scratch,
                                        stream);
   sparse_positions.list = list;
-  const Cell_frame frame = Cell_frame::around(low, high, large_radius, large_radius);
+  const Cell_frame frame = Cell_frame::around(low, high, large_radius, large_radius,
+                                              positions.scales);
   const Cell_grid grid = build_grid(positions, nullptr, frame, workplace.arena, workplace.scratch,
                                     stream);
   const Cell_grid sparse = build_grid(sparse_positions, nullptr, frame, workplace.arena,
@@ -284,8 +305,7 @@ void drop_points_that_fill_space(const Workplace& workplace, const Positions& po
     unsigned *const counts = workplace.scratch.take<unsigned>(n),
                     *const unused = workplace.scratch.take<unsigned>(n);
     count_points_in_balls<<<blocks_for_queries(n), threads_per_block, 0, stream>>>(
-      sparse, grid, blocks, float(large_radius), float(large_radius * large_radius), counts, unused,
-      outer);
+      sparse, grid, blocks, large_radius, counts, unused, outer);
     check_launch("count_points_in_balls");
     count_others<<<blocks_for(n), threads_per_block, 0, stream>>>(sparse, list, points.half_counts,
                                                                   counts, inner, outer);
@@ -321,18 +341,28 @@ void find_large_parts(const Workplace& workplace, const Positions& positions,
   rest.list = list;
   if (rest.size == 0)
     return;
-  const Cell_grid grid = build_grid(rest, nullptr,
-                                    Cell_frame::around(low, high, cell_size, cell_size),
-                                    workplace.arena, workplace.scratch, stream);
+  const Cell_grid grid =
+    build_grid(rest, nullptr, Cell_frame::around(low, high, cell_size, cell_size, positions.scales),
+               workplace.arena, workplace.scratch, stream);
   const unsigned cells = grid.number_of_cells, blocks_for_cells = blocks_for(cells);
   unsigned *const parents = workplace.scratch.take<unsigned>(cells),
                   *const sizes = workplace.scratch.take<unsigned>(cells);
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(sizes, 0, cells * sizeof(unsigned), stream));
   make_parts<<<blocks_for_cells, threads_per_block, 0, stream>>>(cells, parents);
   check_launch("make_parts");
-  join_touching_cells<<<blocks_for(Wide(cells) * number_of_rows_before), threads_per_block, 0,
-                        stream>>>(grid, parents);
-  check_launch("join_touching_cells");
+  if (grid.frame.has_levels)
+  {
+    const Cell_blocks blocks = find_blocks(grid, grid, 1, maximum_number_of_candidates,
+                                           workplace.scratch, stream);
+    join_touching_levels<<<blocks_for_cells, threads_per_block, 0, stream>>>(grid, blocks, parents);
+    check_launch("join_touching_levels");
+  }
+  else
+  {
+    join_touching_cells<<<blocks_for(Wide(cells) * number_of_rows_before), threads_per_block, 0,
+                          stream>>>(grid, parents);
+    check_launch("join_touching_cells");
+  }
   count_points_of_parts<<<blocks_for_cells, threads_per_block, 0, stream>>>(grid, parents, sizes);
   check_launch("count_points_of_parts");
   keep_large_parts<<<blocks_for(rest.size), threads_per_block, 0, stream>>>(grid, parents, sizes,

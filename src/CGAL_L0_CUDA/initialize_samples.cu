@@ -254,6 +254,8 @@ __device__ void start_on_point(const Samples& samples, Wide i, double3 position,
   samples.positions[3 * i + 2] = position.z;
   samples.normals[i] = unit_normal(heritage.normals[source]);
   samples.fit[i] = make_float4(0, 0, 0, 1);
+  if (samples.scales)
+    samples.scales[i] = grid.scale(source);
   if (samples.are_support_points)
     samples.are_support_points[i] = is_support_point;
   if (samples.spacings)
@@ -291,6 +293,7 @@ __global__ void place_between_points(Positions positions, Cell_grid grid, Cell_b
   const int4 center = grid.points[source];
   const float4* const normals = heritage.normals;
   const float3 normal = xyz(normals[source]);
+  radius *= grid.scale(source);
   const float unit = grid.frame.unit(), squared_radius = radius * radius,
               similar_cosine = 0.87f; // as on the CPU
 

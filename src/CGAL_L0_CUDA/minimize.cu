@@ -47,6 +47,19 @@ struct Turn
   Turn_arrays arrays;
   const Turn_result* last_result; // null in the first turn
   Turn_result* result;
+
+  __device__ Range_of_pairs range() const
+  {
+    return {float(parameters.range_of_pairs), samples.scales};
+  }
+};
+
+/// The scales of a pair: what its lengths are measured by.
+struct Scales_of_pair
+{
+  float own, other;
+
+  __device__ float squared() const { return own * other; }
 };
 
 /// Walks over the samples of a group of lanes, all groups in step.
@@ -99,19 +112,29 @@ __device__ void for_each_pair(const Neighbor_lists& neighbors, uint2 row, unsign
 __device__ void update_density_weights(const Turn& turn)
 {
   const float squared_bandwidth = float(turn.parameters.squared_bandwidth);
-  const float squared_range = float(square(turn.parameters.range_of_pairs));
+  const Range_of_pairs range = turn.range();
   const float mean_number_of_neighbors = float(double(turn.neighbors.number_of_pairs)
                                                / turn.samples.size);
   for_each_sample_of_group(turn.samples.size, [&](unsigned i, unsigned lane, bool is_sample) {
     const uint2 row = turn.neighbors.row(turn.points, turn.samples.size, i);
     const int4 center = turn.points[i];
+    const float own_scale = range.scale(i);
     float sum = 0;
+    struct Other
+    {
+      int4 point;
+      float scale;
+    };
     for_each_pair<4>(
-      turn.neighbors, row, lane, [&](unsigned k, Wide) { return turn.points[k]; },
-      [&](int4 point, Wide) {
-        const float3 d = difference(center, point, turn.unit);
-        sum += share_in_ball(dot(d, d), squared_range)
-               * gaussian_weight(dot(d, d), squared_bandwidth);
+      turn.neighbors, row, lane,
+      [&](unsigned k, Wide) {
+        return Other{turn.points[k], range.scale(k)};
+      },
+      [&](const Other& other, Wide) {
+        const float3 d = difference(center, other.point, turn.unit);
+        const float squared_scale = own_scale * other.scale;
+        sum += share_in_ball(dot(d, d), range.squared(own_scale, other.scale))
+               * gaussian_weight(dot(d, d) / squared_scale, squared_bandwidth);
       });
     sum = group_sum<lanes_per_sample>(sum);
     if (lane == 0 && is_sample)
@@ -159,28 +182,30 @@ __device__ double wide_dot(float3 a, float3 b)
 struct Pair_weights
 {
   bool regularize;
-  float regularization_weight, squared_radius, squared_jump, squared_range;
+  float regularization_weight, squared_radius, squared_jump;
+  Range_of_pairs range;
 
   __device__ explicit Pair_weights(const Turn& turn)
     : regularize(turn.regularize),
       regularization_weight(float(turn.parameters.regularization_weight)),
       squared_radius(float(turn.parameters.squared_radius)),
-      squared_jump(float(square(turn.parameters.regularized_jump))),
-      squared_range(float(square(turn.parameters.range_of_pairs)))
+      squared_jump(float(square(turn.parameters.regularized_jump))), range(turn.range())
   {}
 
   /// \param squared_distance, height_i, height_k of \f$ d = p_i - p_k \f$: its square,
   /// \f$ n_i^T d \f$ and \f$ n_k^T d \f$
   /// \param inverses \f$ 1/w_i + 1/w_k \f$
   __device__ float operator()(float squared_distance, float height_i, float height_k,
-                              float inverses) const
+                              float inverses, const Scales_of_pair& scales) const
   {
     const float squared_height = fmaxf(height_i * height_i, height_k * height_k);
-    return regularize
-             ? regularization_weight * share_in_ball(squared_distance, squared_range)
-                 * pair_weight(squared_distance, squared_radius, squared_height, squared_jump)
-                 * inverses
-             : 0.f;
+    const float stretch = 1 / scales.squared();
+    return regularize ? regularization_weight
+                          * share_in_ball(squared_distance, range.squared(scales.own, scales.other))
+                          * pair_weight(squared_distance * stretch, squared_radius,
+                                        squared_height * stretch, squared_jump)
+                          * inverses
+                      : 0.f;
   }
 };
 
@@ -197,7 +222,8 @@ struct Energy_sums
 /// \param sums out, of the thread: g^T g and r^T z
 __device__ void linearize(const Turn& turn, Energy_sums& energy, double (&sums)[2])
 {
-  const float penalty = turn.penalty, squared_range = float(square(turn.parameters.range_of_pairs));
+  const float penalty = turn.penalty;
+  const Range_of_pairs range = turn.range();
   const Pair_weights weight_of_pair(turn);
   const Wide size = turn.samples.size;
   for_each_sample_of_group(turn.samples.size, [&](unsigned i, unsigned lane, bool is_sample) {
@@ -209,13 +235,15 @@ __device__ void linearize(const Turn& turn, Energy_sums& energy, double (&sums)[
     float weight = 0, xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
     float regularization = 0, squared_misfit = 0;
     unsigned number_of_active_pairs = 0;
+    const float own_scale = range.scale(i);
     struct Other
     {
       int4 point;
       float4 normal;
+      float scale;
     };
     const auto load_other = [&](unsigned k, Wide) {
-      return Other{turn.points[k], turn.samples.normals[k]};
+      return Other{turn.points[k], turn.samples.normals[k], range.scale(k)};
     };
     for_each_pair<2>(turn.neighbors, row, lane, load_other, [&](const Other& loaded, Wide) {
       const float3 d = difference(center, loaded.point, turn.unit);
@@ -223,11 +251,14 @@ __device__ void linearize(const Turn& turn, Energy_sums& energy, double (&sums)[
       const float3 nk = xyz(other);
       const float squared_distance = dot(d, d);
       const float distance_i = dot(n, d), distance_k = dot(nk, d);
-      const float a = weight_of_pair(squared_distance, distance_i, distance_k, own.w + other.w);
-      const float share = share_in_ball(squared_distance, squared_range),
-                  shrunk_i = shrink(distance_i, turn.jumps);
+      const Scales_of_pair scales = {own_scale, loaded.scale};
+      const float a = weight_of_pair(squared_distance, distance_i, distance_k, own.w + other.w,
+                                     scales);
+      const float scale = range.scales ? sqrtf(scales.squared()) : 1.f;
+      const float share = share_in_ball(squared_distance, range.squared(own_scale, loaded.scale)),
+                  shrunk_i = scale * shrink(distance_i / scale, turn.jumps);
       const float misfit_i = share * (distance_i - shrunk_i),
-                  misfit_k = share * (distance_k - shrink(distance_k, turn.jumps));
+                  misfit_k = share * (distance_k - scale * shrink(distance_k / scale, turn.jumps));
       g -= a * d + (penalty * misfit_i) * n + (penalty * misfit_k) * nk;
       weight += a;
       xx += nk.x * nk.x;
@@ -292,18 +323,21 @@ __device__ void multiply(const Turn& turn, bool is_first, float ratio, double& c
       float4 z;
       float4 normal;
       int4 point;
+      float scale;
     };
     const uint2 row = turn.neighbors.row(turn.points, turn.samples.size, i);
     const int4 center = turn.points[i];
     const float4 own = turn.samples.normals[i];
     const float3 n = xyz(own);
+    const float own_scale = weight_of_pair.range.scale(i);
     const auto load_other = [&](unsigned k, Wide) {
-      return Other{turn.arrays.z[k], turn.samples.normals[k], turn.points[k]};
+      return Other{turn.arrays.z[k], turn.samples.normals[k], turn.points[k],
+                   weight_of_pair.range.scale(k)};
     };
     for_each_pair<2>(turn.neighbors, row, lane, load_other, [&](const Other& other, Wide) {
       const float3 d = difference(center, other.point, turn.unit);
       const float a = weight_of_pair(dot(d, d), dot(n, d), dot(xyz(other.normal), d),
-                                     own.w + other.normal.w);
+                                     own.w + other.normal.w, {own_scale, other.scale});
       sum += xyz(other.z);
       product += a * xyz(other.z) + other.z.w * xyz(other.normal);
     });

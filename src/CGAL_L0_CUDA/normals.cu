@@ -38,7 +38,8 @@ __global__ void fit_planes(Cell_grid grid, Cell_blocks blocks, float radius, flo
 {
   const Query query(grid.size);
   const int4 center = grid.points[query.index];
-  const Plane_fit fit = fit_plane(center, grid, blocks, query.lane, radius);
+  const Plane_fit fit = fit_plane(center, grid, blocks, query.lane,
+                                  radius * grid.scale(query.index));
   if (!query.writes)
     return;
   normals[query.index] = with_w(fit.normal, 0);
@@ -54,7 +55,8 @@ __global__ void refit_planes(Cell_grid coarse_grid, Cell_blocks blocks, const un
   const Query query(number_of_open);
   const unsigned i = open[query.index];
   const int4 center = coarse_grid.points[places[i]];
-  const Plane_fit fit = fit_plane(center, coarse_grid, blocks, query.lane, radius);
+  const Plane_fit fit = fit_plane(center, coarse_grid, blocks, query.lane,
+                                  radius * coarse_grid.scale(places[i]));
   if (!query.writes)
     return;
   normals[i] = with_w(fit.normal, 0);
@@ -155,6 +157,10 @@ __global__ void filter_normals_kernel(Cell_grid grid, Cell_blocks blocks, float 
   const Query query(grid.size);
   const int4 center = grid.points[query.index];
   const float3 normal = xyz(normals[query.index]);
+  const float scale = grid.scale(query.index), squared_scale = scale * scale;
+  radius *= scale;
+  squared_radius *= squared_scale;
+  squared_bandwidth *= squared_scale;
   float3 sum = {0, 0, 0};
   Density density;
   for_each_candidate(grid, blocks, center, query.lane, radius, [&](unsigned j, const int4& point) {
@@ -190,6 +196,10 @@ __global__ void refit_normals_kernel(Cell_grid grid, Cell_blocks blocks, float r
   const Query query(grid.size);
   const int4 center = grid.points[query.index];
   const float3 normal = xyz(normals[query.index]);
+  const float scale = grid.scale(query.index), squared_scale = scale * scale;
+  radius *= scale;
+  squared_bandwidth *= squared_scale;
+  squared_sheet_height *= squared_scale;
   const float unit = grid.frame.unit(), squared_radius = radius * radius;
   Moments moments;
   for_each_candidate(grid, blocks, center, query.lane, radius, [&](unsigned j, const int4& point) {
@@ -219,6 +229,10 @@ __global__ void sum_up_density(Cell_grid grid, Cell_blocks blocks, float radius,
 {
   const Query query(grid.size);
   const int4 center = grid.points[query.index];
+  const float scale = grid.scale(query.index), squared_scale = scale * scale;
+  radius *= scale;
+  squared_radius *= squared_scale;
+  squared_bandwidth *= squared_scale;
   Density density;
   for_each_candidate(grid, blocks, center, query.lane, radius, [&](unsigned, const int4& point) {
     const float3 d = difference(point, center, 1);
@@ -296,7 +310,7 @@ std::size_t estimate_pca_normals(const Workplace& workplace, const Positions& po
        ++doubling, number_of_open = list_flagged(is_degenerate, n, open, workplace.scratch, stream))
   {
     const double coarse_radius = std::ldexp(radius, doubling);
-    if (number_of_open <= largest_number_of_single_queries
+    if (number_of_open <= largest_number_of_single_queries && !grid.scales
         && cells_in_reach(coarse_radius, grid.frame.cell_size) <= largest_reach)
     {
       refit_planes_of(workplace, grid, open, number_of_open, coarse_radius, normals, is_degenerate);
@@ -306,11 +320,12 @@ std::size_t estimate_pca_normals(const Workplace& workplace, const Positions& po
     double low[3], high[3];
     for (int axis = 0; axis < 3; ++axis)
     {
-      low[axis] = (grid.frame.first[axis] + 8) * grid.frame.cell_size;
-      high[axis] = (grid.frame.first[axis] + grid.frame.count[axis] - 8) * grid.frame.cell_size;
+      low[axis] = grid.frame.low[axis];
+      high[axis] = grid.frame.high[axis];
     }
     const Cell_grid coarse_grid =
-      build_grid(positions, nullptr, Cell_frame::around(low, high, coarse_radius, coarse_radius),
+      build_grid(positions, nullptr,
+                 Cell_frame::around(low, high, coarse_radius, coarse_radius, grid.frame.has_levels),
                  workplace.arena, workplace.scratch, stream);
     const Cell_blocks coarse_blocks = find_blocks(
       coarse_grid, coarse_grid, 1, maximum_number_of_candidates, workplace.arena, stream);

@@ -27,9 +27,11 @@ void Framed_box::set_unit(double unit)
       corner[axis] /= unit;
 }
 
-Plan plan_and_scale(const Extent& extent, unsigned n, const Parameters& parameters,
-                    const std::function<Scales(const Framed_box&)>& scales_in, Framed_box& box,
-                    Call_report& report)
+Plan plan_and_scale(
+  const Extent& extent, unsigned n, const Parameters& parameters,
+  const std::function<Scales(const Framed_box&)>& scales_in,
+  const std::function<Range_of_scales(const Framed_box&, const Usual_scales&)>& range_of_scales_in,
+  Framed_box& box, Call_report& report)
 {
   box.frame = extent.frame;
   std::copy(extent.low, extent.low + 3, box.low);
@@ -44,10 +46,13 @@ Plan plan_and_scale(const Extent& extent, unsigned n, const Parameters& paramete
                                                          * paper_radius(facts));
     report.estimated_noise = box.frame.length_of_input(facts.scales.noise * paper_radius(facts));
   }
-  const Plan plan = make_plan(parameters, facts);
+  Plan plan = make_plan(parameters, facts);
+  Range_of_scales range;
+  if (plan.follows_scales)
+    range = range_of_scales_in(box, usual_scales(plan, facts));
+  plan.largest_radius = range.largest;
   box.set_unit(plan.unit);
-  report.neighbor_radius = box.frame.length_of_input(plan.radius);
-  report.normal_filter_radius = box.frame.length_of_input(plan.filter_radius);
+  report_radii(plan, range, box.frame, report);
   return plan;
 }
 

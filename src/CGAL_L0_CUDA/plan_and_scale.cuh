@@ -34,10 +34,13 @@ struct Framed_box
 /// `plan_and_scale()` on the CPU.
 /// \param scales_in called with the frame whose unit is the paper's radius, if spacing and noise of
 /// the points are wanted, in that unit
+/// \param range_of_scales_in called if the radius follows the field of scales: estimates it
 /// \param box out: in the frame whose unit is r_p
-Plan plan_and_scale(const Extent& extent, unsigned n, const Parameters& parameters,
-                    const std::function<Scales(const Framed_box&)>& scales_in, Framed_box& box,
-                    Call_report& report);
+Plan plan_and_scale(
+  const Extent& extent, unsigned n, const Parameters& parameters,
+  const std::function<Scales(const Framed_box&)>& scales_in,
+  const std::function<Range_of_scales(const Framed_box&, const Usual_scales&)>& range_of_scales_in,
+  Framed_box& box, Call_report& report);
 
 } // namespace cuda
 } // namespace internal

@@ -22,6 +22,11 @@ namespace {
 struct Quadric_kernel
 {
   float radius, normal_bandwidth, squared_sheet_height;
+
+  __device__ Quadric_kernel scaled(float scale) const
+  {
+    return {radius * scale, normal_bandwidth, squared_sheet_height * scale * scale};
+  }
 };
 
 /// \param listed the support points, in the order before that of their grid
@@ -36,11 +41,12 @@ __global__ void gather_normals_of_support_points(Cell_grid grid, const unsigned*
 /// \param grid of the support points
 /// \param normals of the support points, and the variances of their fits
 __global__ void settle(Cell_grid sample_grid, Cell_blocks blocks, Cell_grid grid,
-                       const float4* normals, Quadric_kernel kernel, Samples samples)
+                       const float4* normals, Quadric_kernel kernel_of_one, Samples samples)
 {
   const Query query(samples.size);
   const int4 center = sample_grid.points[query.index];
   const unsigned long long i = sample_grid.order[query.index];
+  const Quadric_kernel kernel = kernel_of_one.scaled(samples.scales ? samples.scales[i] : 1.f);
   const float3 normal = xyz(samples.normals[i]);
   const Tangent_frame frame({normal.x, normal.y, normal.z});
   const float3 u = to_float(frame.u), v = to_float(frame.v), w = to_float(frame.normal);
@@ -88,8 +94,8 @@ void project_to_local_quadrics(const Workplace& workplace, const Cell_frame& fra
     return;
   const Arena_scope arena_scope(workplace.arena);
   const auto grid_of = [&](const unsigned* list, unsigned size) {
-    return build_grid({samples.positions, size, Frame(), true, list}, nullptr, frame,
-                      workplace.arena, workplace.scratch, workplace.stream);
+    return build_grid({samples.positions, size, Frame(), true, list, samples.scales}, nullptr,
+                      frame, workplace.arena, workplace.scratch, workplace.stream);
   };
   const Cell_grid support_points = grid_of(listed, number_of_support_points),
                   all = grid_of(nullptr, samples.size);

@@ -25,7 +25,16 @@ namespace {
 struct Fit
 {
   float radius, squared_bandwidth, normal_bandwidth, squared_sheet_height;
-  Border_of_ball border;
+  Border_of_ball border; // at scale 1
+
+  __device__ Fit scaled(float scale) const
+  {
+    Fit fit = *this;
+    fit.radius *= scale;
+    fit.squared_bandwidth *= scale * scale;
+    fit.squared_sheet_height *= scale * scale;
+    return fit;
+  }
 };
 
 /// What the points of a ball that agree with a normal add up to, as on the CPU.
@@ -100,12 +109,14 @@ struct Surroundings
 /// The fit of the default method, as `fit_compatible_points()` on the CPU, which says why.
 /// \param number_of_lonely in and out, if not null: the samples without compatible points add up
 __global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_blocks blocks,
-                            Cell_grid grid, const float4* normals, Fit fit, Samples samples,
+                            Cell_grid grid, const float4* normals, Fit fit_of_one, Samples samples,
                             unsigned* number_of_lonely)
 {
   const Query query(samples.size);
   const int4 center = sample_grid.points[query.index];
   const unsigned i = order ? order[query.index] : query.index;
+  const float scale = samples.scales ? samples.scales[i] : 1.f;
+  const Fit fit = fit_of_one.scaled(scale);
   const Surroundings surroundings = {query, center, grid, blocks, normals, fit};
   float3 normal = xyz(samples.normals[i]);
   Compatible_points sums = surroundings.sum_compatible_points(normal, fit.squared_sheet_height);
@@ -145,12 +156,12 @@ __global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_b
   const double3 offset = mean - dot(old_normal, mean) * old_normal;
   const double distance = sqrt(dot(offset, offset));
   double3 to_centroid = (sums.height / total) * old_normal;
-  const double way_back = fit.border.way_back(distance);
+  const double way_back = scale * fit.border.way_back(distance / scale);
   if (way_back > 0)
     to_centroid = to_centroid + (way_back / distance) * offset;
   samples.fit[i] = with_w(to_float(to_centroid), float(total));
   const double held_back = fit.border.share_held_back(
-    distance, total * total / sums.squared_weights, double(sums.squared_sines) / sums.all);
+    distance / scale, total * total / sums.squared_weights, double(sums.squared_sines) / sums.all);
   if (held_back > 0)
     samples.outward[i] = Short_vector::of(to_float((-sqrt(held_back) / distance) * offset));
   const double3 mean_normal = to_double(sums.normal);
@@ -167,8 +178,9 @@ struct Push
 {
   float squared_range; // of the neighbors
   float squared_bandwidth, strength, maximum_step;
-  float spacing; // of an even set
-  double radius; // of the fit
+  float spacing;       // of an even set
+  double wide_spacing; // the same
+  double radius;       // of the fit, at scale 1
 };
 
 /// One step of `repel_tangentially()` on the CPU.
@@ -180,7 +192,7 @@ __global__ void repel(Cell_frame frame, Neighbor_lists neighbors, Push push_rule
   const float unit = frame.unit();
   const int4 center = points[i], place = places[i];
   float3 push = {0, 0, 0};
-  const uint2 row = neighbors.row(points, samples.size, i);
+  const uint2 row = neighbors.row(places, samples.size, i);
   for (Wide e = Wide(row.x) + query.lane; e < row.y; e += lanes)
   {
     const unsigned k = neighbors.indices[e];
@@ -203,9 +215,12 @@ __global__ void repel(Cell_frame frame, Neighbor_lists neighbors, Push push_rule
   push -= dot(normal, push) * normal;
   push -= fmaxf(dot(outward, push), 0) * outward;
   const float length = sqrtf(dot(push, push));
-  const float maximum_step = samples.spacings ? float(
-                               Repulsion(samples.spacings[i], push_rule.radius).maximum_step)
-                                              : push_rule.maximum_step;
+  const float maximum_step =
+    samples.spacings || samples.scales
+      ? float(Repulsion(samples.spacings ? samples.spacings[i] : push_rule.wide_spacing,
+                        samples.scales ? push_rule.radius * samples.scales[i] : push_rule.radius)
+                .maximum_step)
+      : push_rule.maximum_step;
   if (length > maximum_step)
     push = (maximum_step / length) * push;
   double* const position = samples.positions + 3 * Wide(i);
@@ -258,6 +273,7 @@ void repel_tangentially(const Workplace& workplace, const Cell_grid& sample_grid
                      float(repulsion.strength),
                      float(repulsion.maximum_step),
                      float(spacing),
+                     spacing,
                      radius};
   const Arena_scope scope(workplace.scratch);
   int4 *points = sample_grid.points, *moved = workplace.scratch.take<int4>(samples.size);

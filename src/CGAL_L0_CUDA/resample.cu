@@ -43,15 +43,16 @@ std::size_t estimate_memory(std::size_t n, std::size_t m, const Parameters& para
                             bool has_hints)
 {
   const bool is_default = parameters.method == Method::DEFAULT;
-  const std::size_t slack = std::size_t(1) << 20,
-                    of_outliers = parameters.drop_outliers ? 4 * n : 0;
+  const std::size_t slack = (std::size_t(1) << 20) + (is_default ? 4 * n : 0), // and the scales
+    of_outliers = parameters.drop_outliers ? 4 * n : 0;
   // positions, normals and fit; what the default method adds; and what parameters ask for
-  const std::size_t of_samples = (56 + (is_default ? 7 : 0)
+  const std::size_t of_samples = (56 + (is_default ? 11 : 0)
                                   + (is_default && parameters.keep_density ? 4 : 0)
                                   + (has_hints ? 16 : 0))
                                  * m;
   // points with their cells, and normals; and their order before
-  const std::size_t of_points = of_outliers + 18 * n + 16 * n, of_order = 5 * n;
+  const std::size_t of_points = of_outliers + 18 * n + 16 * n + (is_default ? 4 * n : 0),
+                    of_order = 5 * n;
   const std::size_t of_sorting = of_outliers + 24 * n + 76 * n;
   const std::size_t of_filtering = of_points + of_order + 16 * n + (is_default ? 20 : 10) * n;
   const std::size_t of_start = of_points + of_order + 24 * n + 16 * m + (has_hints ? 12 * n : 0);
@@ -92,7 +93,11 @@ struct Call
     return turn > 0 ? turn_results + turn - 1 : nullptr;
   }
 
-  Positions sample_positions() const { return {samples.positions, samples.size, Frame(), true}; }
+  /// \param scales of the samples, for cells that follow them; null for cells of one size
+  Positions sample_positions(const float* scales = nullptr) const
+  {
+    return {samples.positions, samples.size, Frame(), true, nullptr, scales};
+  }
 
   /// Sorts the samples into cells, and puts them in that order; that before is forgotten.
   /// \param arena takes the arrays of the grid
@@ -108,14 +113,19 @@ struct Call
 
   Cell_frame self_frame(double cell_size) const
   {
-    return Cell_frame::around(box.low, box.high, cell_size, plan.self_neighbor_radius);
+    return Cell_frame::around(box.low, box.high, cell_size,
+                              spreads_wider() ? plan.spreading_radius()
+                                              : plan.self_neighbor_radius);
   }
+
+  /// Whether other samples repel each other than those that the energy couples.
+  bool spreads_wider() const { return plan.refines && samples.scales; }
 };
 
 /// The points of the session that a call works with.
 struct Input
 {
-  Positions positions;
+  Positions positions;  // with their scales
   const float* normals; // of them; null if none were given
   bool all_normals_given;
   const float* hints; // of them; null if none were given
@@ -141,11 +151,12 @@ void take_vectors_of_list(Call& call, const Session& session, Input& input)
 }
 
 /// Leaves outliers out, if that is asked for.
-Input filter_input(Session& session, Call& call)
+/// \param scales of the points; null if all are 1
+Input filter_input(Session& session, Call& call, const float* scales)
 {
   const Workplace& workplace = call.workplace;
   const Plan& plan = call.plan;
-  Input input = {{session.points, session.size, call.box.frame, false},
+  Input input = {{session.points, session.size, call.box.frame, false, nullptr, scales},
                  session.normals,
                  session.all_normals_given,
                  session.hints};
@@ -182,10 +193,11 @@ Prepared_points prepare_points(Session& session, Call& call, Input& input)
   const Plan& plan = call.plan;
   Prepared_points points;
   const auto sort_points = [&]() {
-    points.grid = build_grid(
-      input.positions, input.normals,
-      Cell_frame::around(call.box.low, call.box.high, plan.cell_size, plan.longest_query()),
-      workplace.arena, workplace.scratch, workplace.scratch, workplace.stream);
+    points.grid = build_grid(input.positions, input.normals,
+                             Cell_frame::around(call.box.low, call.box.high, plan.cell_size,
+                                                plan.longest_query(), input.positions.scales),
+                             workplace.arena, workplace.scratch, workplace.scratch,
+                             workplace.stream);
   };
   sort_points();
   call.report.number_of_distinct_points = points.grid.number_of_distinct;
@@ -267,7 +279,7 @@ void choose_samples(Call& call, const Input& input, const Prepared_points& point
   Areas areas;
   if (plan.uses_areas)
   {
-    areas = areas_of_points(workplace, points.grid, plan.area_radius());
+    areas = areas_of_points(workplace, points.grid, plan.area_radius(), call.samples.size);
     plan.set_sample_spacing(std::sqrt(areas.total / double(call.samples.size)));
   }
   const Sources_of_samples sources = {points.normals, plan.uses_areas ? &areas : nullptr,
@@ -297,6 +309,8 @@ struct Neighborhood
 {
   Cell_grid points;
   Neighbor_lists neighbors;
+  int4* places; // as the points, for the neighbors that repel each other
+  Neighbor_lists spreading;
 };
 
 /// Takes the arrays from the arena.
@@ -312,9 +326,31 @@ Neighborhood find_neighborhood(Call& call, const Cell_frame& frame, const F& use
   const Arena_scope grid_scope(workplace.scratch);
   const Cell_grid grid = call.sort_samples(frame, workplace.scratch, workplace.arena);
   use_grid(grid);
-  result.neighbors = find_self_neighbors(workplace, grid, call.plan.self_neighbor_radius);
-  CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(result.points.points, grid.points, grid.size * sizeof(int4),
-                                     cudaMemcpyDeviceToDevice, workplace.stream));
+  const std::size_t bytes = grid.size * sizeof(int4);
+  const auto copy = [&](int4* to, const int4* from) {
+    CGAL_L0_CUDA_CHECK(
+      cudaMemcpyAsync(to, from, bytes, cudaMemcpyDeviceToDevice, workplace.stream));
+  };
+  const auto find_neighbors = [&](double radius, const float* scales) {
+    return find_self_neighbors(workplace, grid, radius, scales);
+  };
+  const float* const scales = call.samples.scales;
+  if (call.plan.refines)
+    result.places = workplace.arena.take<int4>(grid.size);
+  if (call.spreads_wider())
+  {
+    copy(result.points.points, grid.points);
+    result.spreading = find_neighbors(call.plan.spreading_radius(), nullptr);
+    copy(result.places, grid.points);
+    copy(grid.points, result.points.points); // with their cells again
+  }
+  result.neighbors = find_neighbors(call.plan.self_neighbor_radius, scales);
+  copy(result.points.points, grid.points);
+  if (call.plan.refines && !call.spreads_wider())
+  {
+    copy(result.places, grid.points);
+    result.spreading = result.neighbors;
+  }
   call.report.number_of_self_neighbor_pairs = result.neighbors.number_of_pairs;
   return result;
 }
@@ -326,7 +362,8 @@ void minimize_alternatingly(Call& call)
   call.stages.begin("self neighbors", 0.03);
   const Arena_scope arena_scope(workplace.arena);
   const Cell_frame frame = call.self_frame(call.plan.self_cell_size());
-  const auto [points, neighbors] = find_neighborhood(call, frame, [](const Cell_grid&) {});
+  const auto [points, neighbors, places, spreading] = find_neighborhood(call, frame,
+                                                                        [](const Cell_grid&) {});
   call.numbers_of_pairs.assign(call.penalties.size(), neighbors.number_of_pairs);
 
   call.stages.begin("L0 minimization", 0.12);
@@ -347,9 +384,12 @@ void minimize_with_refinement(Call& call, const Prepared_points& points)
   const Workplace& workplace = call.workplace;
   const Plan& plan = call.plan;
   const int reach = cells_in_reach(plan.radius, plan.cell_size);
-  const bool one_grid_is_enough = plan.self_neighbor_radius <= plan.cell_size;
-  const Cell_frame self_frame = one_grid_is_enough ? points.grid.frame
-                                                   : call.self_frame(plan.self_neighbor_radius);
+  const double largest_range = call.spreads_wider() ? plan.spreading_radius()
+                                                    : plan.self_neighbor_radius;
+  const bool one_grid_is_enough = !call.samples.scales && largest_range <= plan.cell_size;
+  const Cell_frame self_frame =
+    one_grid_is_enough ? points.grid.frame
+                       : call.self_frame((std::max)(largest_range, plan.smallest_cell_size));
   bool is_last = false;
   const auto fit = [&](const Cell_grid& sample_grid, bool is_in_order) {
     const Cell_blocks blocks = find_blocks(sample_grid, points.grid, reach,
@@ -361,8 +401,8 @@ void minimize_with_refinement(Call& call, const Prepared_points& points)
   };
   const auto fit_in_cells_of_points = [&]() {
     const Arena_scope scope(workplace.arena);
-    fit(build_grid(call.sample_positions(), nullptr, points.grid.frame, workplace.arena,
-                   workplace.scratch, workplace.stream),
+    fit(build_grid(call.sample_positions(call.samples.scales), nullptr, points.grid.frame,
+                   workplace.arena, workplace.scratch, workplace.stream),
         false);
   };
 
@@ -372,17 +412,14 @@ void minimize_with_refinement(Call& call, const Prepared_points& points)
   for (std::size_t i = 0; i < call.penalties.size(); ++i)
   {
     const Arena_scope scope(workplace.arena);
-    const auto [samples,
-                neighbors] = find_neighborhood(call, self_frame, [&](const Cell_grid& grid) {
+    const auto [samples, neighbors, places,
+                spreading] = find_neighborhood(call, self_frame, [&](const Cell_grid& grid) {
       if (!one_grid_is_enough)
         return fit_in_cells_of_points();
       const Arena_scope fit_scope(workplace.arena);
       fit(grid, true);
     });
     call.numbers_of_pairs.push_back(neighbors.number_of_pairs);
-    int4* const places = workplace.arena.take<int4>(samples.size);
-    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(places, samples.points, samples.size * sizeof(int4),
-                                       cudaMemcpyDeviceToDevice, workplace.stream));
     refit_sample_normals(workplace, kernel, samples, neighbors, number_of_sample_refits,
                          call.samples);
     {
@@ -391,8 +428,8 @@ void minimize_with_refinement(Call& call, const Prepared_points& points)
       minimize_once(workplace, call.plan.minimization, call.penalties[i], true, neighbors, samples,
                     call.samples, arrays, call.last_turn_result(i), call.turn_results + i);
     }
-    repel_tangentially(workplace, samples, neighbors, places, plan.self_neighbor_radius,
-                       plan.sample_spacing, plan.radius, number_of_repulsion_steps, call.samples);
+    repel_tangentially(workplace, samples, spreading, places, largest_range, plan.sample_spacing,
+                       plan.radius, number_of_repulsion_steps, call.samples);
     if (i + 1 == call.penalties.size()) // while the neighbors are there
     {
       is_last = true;
@@ -425,8 +462,9 @@ void project_to_local_quadrics(Call& call)
   const Plan& plan = call.plan;
   call.stages.begin("project to local quadrics", 0.03);
   const double radius = quadric_radius_factor * plan.radius;
-  const Cell_frame frame = Cell_frame::around(
-    call.box.low, call.box.high, (std::max)(radius / 2, plan.smallest_cell_size), radius);
+  const Cell_frame frame = Cell_frame::around(call.box.low, call.box.high,
+                                              (std::max)(radius / 2, plan.smallest_cell_size),
+                                              radius, call.samples.scales);
   project_to_local_quadrics(call.workplace, frame, radius, square(plan.sheet_height),
                             plan.compatible_bandwidth, call.samples);
 }
@@ -447,8 +485,16 @@ void run(Session& session, const Parameters& parameters, Stages& stages, Call_re
     session.has_scales = true;
     return session.scales;
   };
+  const float* scales = nullptr;
+  const auto range_of_scales_in = [&](const Framed_box& box, const Usual_scales& usual) {
+    const Scales_of_points found = estimate_scale_field(
+      workplace, {session.points, n, box.frame, false}, session.extent.robust_diagonal, usual);
+    scales = found.scales;
+    return found.range;
+  };
   Framed_box box;
-  const Plan plan = plan_and_scale(session.extent, n, parameters, scales_in, box, report);
+  const Plan plan = plan_and_scale(session.extent, n, parameters, scales_in, range_of_scales_in,
+                                   box, report);
   Call call = {
     parameters, workplace, stages, report,    box,        plan, plan.minimization.penalties(),
     nullptr,    nullptr,   {},     Samples(), Followers()};
@@ -456,11 +502,12 @@ void run(Session& session, const Parameters& parameters, Stages& stages, Call_re
   call.turn_results = session.arena.take<Turn_result>(results.size());
   call.counts = session.arena.take<Sample_counts>(1);
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(call.counts, 0, sizeof(Sample_counts), session.stream));
-  call.samples = take_samples(session.arena, m,
-                              {plan.refines, plan.keeps_spacings, session.hints != nullptr});
+  call.samples =
+    take_samples(session.arena, m,
+                 {plan.refines, scales != nullptr, plan.keeps_spacings, session.hints != nullptr});
   {
     const Arena_scope points_scope(session.arena);
-    Input input = filter_input(session, call);
+    Input input = filter_input(session, call, scales);
     const Prepared_points points = [&]() {
       const Arena_scope order_scope(session.scratch);
       Prepared_points prepared = prepare_points(session, call, input);

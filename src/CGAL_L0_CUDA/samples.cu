@@ -53,6 +53,8 @@ __global__ void reorder_samples(const unsigned* order, Samples from, Samples to)
   to.fit[i] = from.fit[k];
   if (to.are_support_points)
     to.are_support_points[i] = from.are_support_points[k];
+  if (to.scales)
+    to.scales[i] = from.scales[k];
   if (to.spacings)
     to.spacings[i] = from.spacings[k];
   if (to.hints)
@@ -66,16 +68,19 @@ __global__ void reorder_samples(const unsigned* order, Samples from, Samples to)
 /// thinned, a pair counts if both samples' strides say so, which keeps the lists symmetric.
 template <typename F>
 __device__ void for_each_self_neighbor(const Cell_grid& grid, const Cell_blocks& blocks,
-                                       float squared_radius, unsigned i, unsigned lane, const F& f)
+                                       const Range_of_pairs& range_of, unsigned i, unsigned lane,
+                                       const F& f)
 {
   const int4 center = grid.points[i];
   const unsigned cell = unsigned(center.w), stride = blocks.centers[cell].stride;
   const float unit = grid.frame.unit();
   const unsigned group_shift = threadIdx.x % 32 / lanes * lanes, group_mask = ((1u << lanes) - 1)
                                                                               << group_shift;
-  for (int row = 0; row < blocks.number_of_rows; ++row)
+  const float own_scale = range_of.scale(i);
+  const uint2* const ranges = blocks.ranges_of(cell);
+  for (int row = 0, rows = blocks.number_of_ranges(cell); row < rows; ++row)
   {
-    const uint2 range = blocks.ranges[Wide(cell) * unsigned(blocks.number_of_rows) + unsigned(row)];
+    const uint2 range = ranges[row];
     const Wide first = Wide(range.x) + ((i - range.x) & (stride - 1));
     for (Wide begin = first; begin < range.y; begin += lanes * stride)
     {
@@ -85,7 +90,7 @@ __device__ void for_each_self_neighbor(const Cell_grid& grid, const Cell_blocks&
       {
         const int4 other = grid.points[k];
         const float3 d = difference(center, other, unit);
-        is_neighbor = dot(d, d) < squared_radius
+        is_neighbor = dot(d, d) < range_of.squared(own_scale, range_of.scale(unsigned(k)))
                       && ((unsigned(k) - i) & (blocks.centers[other.w].stride - 1)) == 0;
       }
       const unsigned found = (__ballot_sync(group_mask, is_neighbor) & group_mask) >> group_shift;
@@ -94,12 +99,12 @@ __device__ void for_each_self_neighbor(const Cell_grid& grid, const Cell_blocks&
   }
 }
 
-__global__ void count_self_neighbors(Cell_grid grid, Cell_blocks blocks, float squared_radius,
+__global__ void count_self_neighbors(Cell_grid grid, Cell_blocks blocks, Range_of_pairs range_of,
                                      unsigned* counts, Wide* total_count)
 {
   const Query query(grid.size);
   unsigned count = 0;
-  for_each_self_neighbor(grid, blocks, squared_radius, query.index, query.lane,
+  for_each_self_neighbor(grid, blocks, range_of, query.index, query.lane,
                          [&](unsigned, bool, unsigned found) { count += unsigned(__popc(found)); });
   if (query.writes)
     counts[query.index] = count;
@@ -115,7 +120,7 @@ __global__ void count_self_neighbors(Cell_grid grid, Cell_blocks blocks, float s
     atomicAdd(total_count, block_count);
 }
 
-__global__ void list_self_neighbors(Cell_grid grid, Cell_blocks blocks, float squared_radius,
+__global__ void list_self_neighbors(Cell_grid grid, Cell_blocks blocks, Range_of_pairs range_of,
                                     const unsigned* offsets, unsigned* indices)
 {
   const Wide q = thread_index() / lanes;
@@ -123,7 +128,7 @@ __global__ void list_self_neighbors(Cell_grid grid, Cell_blocks blocks, float sq
     return;
   const unsigned lane = threadIdx.x % lanes;
   unsigned next = offsets[q];
-  for_each_self_neighbor(grid, blocks, squared_radius, unsigned(q), lane,
+  for_each_self_neighbor(grid, blocks, range_of, unsigned(q), lane,
                          [&](unsigned k, bool is_neighbor, unsigned found) {
                            if (is_neighbor)
                              indices[next + unsigned(__popc(found & ((1u << lane) - 1)))] = k;
@@ -163,6 +168,7 @@ Samples take_samples(Device_arena& arena, unsigned size, const Kinds_of_sample_d
   samples.fit = arena.take<float4>(size);
   samples.outward = kinds.of_default_method ? arena.take<Short_vector>(size) : nullptr;
   samples.are_support_points = kinds.of_default_method ? arena.take<unsigned char>(size) : nullptr;
+  samples.scales = kinds.scales ? arena.take<float>(size) : nullptr;
   samples.spacings = kinds.spacings ? arena.take<float>(size) : nullptr;
   samples.hints = kinds.hints ? arena.take<float4>(size) : nullptr;
   return samples;
@@ -191,6 +197,7 @@ void keep_listed(const Workplace& workplace, const unsigned* list, unsigned size
   copy(before.normals, m);
   copy(before.fit, m);
   copy(before.are_support_points, m);
+  copy(before.scales, m);
   copy(before.spacings, m);
   copy(before.hints, m);
   copy(before.start_indices, m);
@@ -210,12 +217,13 @@ void collapse_fit_term(const Workplace& workplace, const Cell_grid& sample_grid,
   check_launch("collapse");
 }
 
-Neighbor_lists find_self_neighbors(const Workplace& workplace, const Cell_grid& grid, double radius)
+Neighbor_lists find_self_neighbors(const Workplace& workplace, const Cell_grid& grid, double radius,
+                                   const float* scales)
 {
   const unsigned limit = 1024; // as on the CPU
   const cudaStream_t stream = workplace.stream;
   const unsigned m = grid.size, thread_blocks = blocks_for_queries(m);
-  const float squared_radius = float(radius * radius);
+  const Range_of_pairs range_of = {float(radius), scales};
   Neighbor_lists lists;
   const Arena_scope scope(workplace.scratch);
   const Cell_blocks blocks = find_blocks(grid, grid, 1, limit, workplace.scratch, stream);
@@ -223,7 +231,7 @@ Neighbor_lists find_self_neighbors(const Workplace& workplace, const Cell_grid& 
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(offsets + m, 0, sizeof(unsigned), stream));
   const Device_counter<Wide> total_count(workplace);
   count_self_neighbors<<<thread_blocks, threads_per_block, 0, stream>>>(
-    grid, blocks, squared_radius, offsets, total_count.address());
+    grid, blocks, range_of, offsets, total_count.address());
   check_launch("count_self_neighbors");
   sum_up(offsets, m, offsets, workplace.scratch, stream);
   lists.number_of_pairs = total_count.read();
@@ -231,7 +239,7 @@ Neighbor_lists find_self_neighbors(const Workplace& workplace, const Cell_grid& 
     throw Failure(Status::OUT_OF_MEMORY, "more than 2^32 - 1 pairs of self neighbors");
 
   lists.indices = workplace.arena.take<unsigned>(lists.number_of_pairs);
-  list_self_neighbors<<<thread_blocks, threads_per_block, 0, stream>>>(grid, blocks, squared_radius,
+  list_self_neighbors<<<thread_blocks, threads_per_block, 0, stream>>>(grid, blocks, range_of,
                                                                        offsets, lists.indices);
   check_launch("list_self_neighbors");
   note_rows<<<blocks_for(m), threads_per_block, 0, stream>>>(offsets, m, grid.points);

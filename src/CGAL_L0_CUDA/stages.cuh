@@ -52,7 +52,7 @@ public:
 
 /// Finds the points off the cloud, as `find_outliers()` on the CPU.
 /// \param low, high corners of the box of the points
-/// \param radius of the ball
+/// \param radius of the ball, at scale 1
 /// \param kept out, as many as there are positions: the indices of the others, ascending
 /// \returns the number of outliers; if it is 0, `kept` means nothing. Waits for the device
 unsigned find_outliers(const Workplace& workplace, const Positions& positions,
@@ -68,6 +68,19 @@ unsigned find_outliers(const Workplace& workplace, const Positions& positions,
 const unsigned* thin_crowds(const Workplace& workplace, const Positions& positions,
                             const Cell_grid& grid, unsigned& size,
                             const unsigned*& numbers_of_points);
+
+/// The field of scales, read at the points.
+struct Scales_of_points
+{
+  const float* scales; // from the arena; null if all are 1
+  Range_of_scales range;
+};
+
+/// Estimates the field of scales, as `estimate_scale_field()` on the CPU. Waits for the device.
+/// \param extent of the points, outliers left out
+/// \param usual of the cloud
+Scales_of_points estimate_scale_field(const Workplace& workplace, const Positions& positions,
+                                      double extent, const Usual_scales& usual);
 
 // The normals of the input, Section 3.1. They are float4; the fourth number is the density weight
 // 1/v_j in the end.
@@ -134,7 +147,8 @@ struct Areas
 
 /// Waits for the device. The areas are taken from the arena.
 /// \param radius of the disk that the points in a ball share
-Areas areas_of_points(const Workplace& workplace, const Cell_grid& grid, double radius);
+Areas areas_of_points(const Workplace& workplace, const Cell_grid& grid, double radius,
+                      unsigned number_of_samples);
 
 /// S, and what the fit term of Eq. (6) ties it to.
 struct Samples
@@ -145,6 +159,7 @@ struct Samples
   float4* fit = nullptr;                       // from the sample to c_i, and W_i
   Short_vector* outward = nullptr;             // as on the CPU; default method only
   unsigned char* are_support_points = nullptr; // as on the CPU; default method only
+  float* scales = nullptr;                     // as on the CPU: null if all are 1
   float* spacings = nullptr;         // as on the CPU: null unless the density of the input is kept
   float4* hints = nullptr;           // as on the CPU: null if the caller has none
   unsigned* start_indices = nullptr; // as on the CPU: null if no samples follow others
@@ -177,7 +192,7 @@ struct Sample_counts
 /// What samples may have beside positions, normals and fit.
 struct Kinds_of_sample_data
 {
-  bool of_default_method, spacings, hints;
+  bool of_default_method, scales, spacings, hints;
 };
 
 Samples take_samples(Device_arena& arena, unsigned size, const Kinds_of_sample_data& kinds);
@@ -212,6 +227,24 @@ void collapse_fit_term(const Workplace& workplace, const Cell_grid& sample_grid,
                        double radius, const Samples& samples, const unsigned* numbers_of_samples,
                        Sample_counts* counts);
 
+/// As `Range_of_pairs` on the CPU, in `float`.
+struct Range_of_pairs
+{
+  float radius;
+  const float* scales; // null for none
+
+#ifdef __CUDACC__
+  __device__ float scale(unsigned i) const { return scales ? scales[i] : 1.f; }
+
+  /// \param scale_i, scale_k of the samples of the pair
+  __device__ float squared(float scale_i, float scale_k) const
+  {
+    const float range = scales ? fminf(radius, fminf(scale_i, scale_k)) : radius;
+    return range * range;
+  }
+#endif
+};
+
 /// The self neighbors in compressed rows. Where the row of a sample begins stands in the fourth
 /// number of its point, in place of the cell.
 struct Neighbor_lists
@@ -231,8 +264,10 @@ struct Neighbor_lists
 
 /// Waits for the device. The lists are taken from the arena; the points of the grid lose their
 /// cells.
-Neighbor_lists find_self_neighbors(const Workplace& workplace, const Cell_grid& grid,
-                                   double radius);
+/// \param scales of the samples, in the order of the grid, that shorten the radius where they are
+/// smaller; null for none
+Neighbor_lists find_self_neighbors(const Workplace& workplace, const Cell_grid& grid, double radius,
+                                   const float* scales);
 
 /// What a turn of Algorithm 1 leaves on the device.
 struct Turn_result

@@ -34,7 +34,7 @@ struct Cell_of_warp
     const unsigned cell = index(), lane = threadIdx.x % lanes_of_warp;
     begin = grid.begins[cell];
     end = grid.begins[cell + 1];
-    if (end - begin <= limit || is_outermost(grid.frame, grid.frame.cell_of_key(grid.keys[cell])))
+    if (end - begin <= limit || is_outermost(grid.frame, grid.keys[cell]))
       return false;
     for (unsigned s = lane; s < subcells_of_cell; s += lanes_of_warp)
       counts[s] = 0;
@@ -52,17 +52,19 @@ struct Cell_of_warp
   {
     const double3 p = positions(grid.order[j]);
     const double xyz[3] = {p.x, p.y, p.z};
-    return subcell_of(xyz, grid.frame.cell_size);
+    const int level = grid.frame.level_of_key(grid.keys[grid.points[j].w]);
+    return subcell_of(xyz, grid.frame.size_of_level(level));
   }
 
 private:
   /// Whether the cell collects all that lies beyond, as `Search_grid_3::is_unbounded()`.
-  __device__ static bool is_outermost(const Cell_frame& frame, uint3 cell)
+  __device__ static bool is_outermost(const Cell_frame& frame, Key key)
   {
-    const double half_range = 1 << 20;
+    const int level = frame.level_of_key(key);
+    const uint3 cell = frame.cell_of_key(key);
     const auto is_on_axis = [&](unsigned place, int axis) {
-      const double absolute = frame.first[axis] + place;
-      return absolute <= -half_range || absolute >= half_range - 1;
+      const double absolute = frame.first_of_level(level, axis) + place;
+      return absolute <= -Cell_frame::half_range || absolute >= Cell_frame::half_range - 1;
     };
     return is_on_axis(cell.x, 0) || is_on_axis(cell.y, 1) || is_on_axis(cell.z, 2);
   }

@@ -74,6 +74,8 @@ class Report:
     number_of_lonely_samples: int, samples without a point in their radius; they do not move
     number_of_self_neighbor_pairs: int, pairs of samples in the energy
     neighbor_radius, normal_filter_radius: floats, the radii that were used
+    least_neighbor_radius, median_neighbor_radius, largest_neighbor_radius: floats, of the radii
+        around the points, which differ where "default" follows a spacing or noise that varies
     estimated_spacing: float, the distance between neighboring points; 0 but for "default"
     estimated_noise: float, the standard deviation across the surface; 0 but for "default"
     oriented_share: float in [0, 1], the share of samples whose side was propagated reliably
@@ -99,6 +101,9 @@ class Report:
     number_of_lonely_samples: int
     number_of_self_neighbor_pairs: int
     neighbor_radius: float
+    least_neighbor_radius: float
+    median_neighbor_radius: float
+    largest_neighbor_radius: float
     normal_filter_radius: float
     estimated_spacing: float
     estimated_noise: float

@@ -110,8 +110,13 @@ std::string describe(const Point_cloud& cloud, const Options& options)
   text += line("noise", in_digits(scales.estimated_noise));
   text += line("method", name_of(options.method));
   const bool is_default = options.method == by_default.method && !options.neighbor_radius;
-  const double radius = (is_default ? scales : estimate_scales(cloud, options)).neighbor_radius;
-  text += line("neighbor radius", in_digits(radius));
+  const CGAL::L0_resampling::Report radii = is_default ? scales : estimate_scales(cloud, options);
+  text += line("neighbor radius",
+               in_digits(radii.neighbor_radius)
+                 + (radii.least_neighbor_radius < radii.largest_neighbor_radius
+                      ? ", from " + in_digits(radii.least_neighbor_radius) + " to "
+                          + in_digits(radii.largest_neighbor_radius) + " around points"
+                      : ""));
   return text + line("points to write", std::to_string(number_of_output_points(options, size)));
 }
 

@@ -62,6 +62,9 @@ Json iteration_as_json(const Iteration_report& iteration)
 Json report_as_json(const Report& report)
 {
   Json json = {{"neighbor_radius", report.neighbor_radius},
+               {"least_neighbor_radius", report.least_neighbor_radius},
+               {"median_neighbor_radius", report.median_neighbor_radius},
+               {"largest_neighbor_radius", report.largest_neighbor_radius},
                {"normal_filter_radius", report.normal_filter_radius},
                {"outliers", report.number_of_outliers},
                {"degenerate_neighborhoods", report.number_of_degenerate_neighborhoods},

@@ -9,7 +9,8 @@ cmake_minimum_required(VERSION 3.21)
 
 set(level_0   # words: types, formulas and tools that know nothing of point sets
   tags.h Solver_report.h Quadratic_problem.h
-  internal/host_device.h internal/random_bits.h internal/exact_ball.h internal/weights.h
+  internal/host_device.h internal/random_bits.h internal/levels_of_scales.h
+  internal/exact_ball.h internal/weights.h
   internal/Border_of_ball.h internal/Orientation_hints.h internal/orientation_agreement.h
   internal/shrinkage.h internal/negligible_displacement.h internal/block_factorization.h
   internal/checked_count.h
@@ -19,7 +20,8 @@ set(level_0   # words: types, formulas and tools that know nothing of point sets
   internal/Buffer.h internal/lanes.h internal/parallel_for.h internal/parallel_sort.h
   internal/select_nth.h internal/Signed_union_find.h)
 set(level_1   # what several stages share, and what works on the arrays of one neighborhood
-  Report.h warnings.h internal/Any_solver.h internal/Parameters.h internal/Plan.h
+  Report.h warnings.h internal/Any_solver.h internal/Parameters.h internal/Plane_moments.h
+  internal/Morton_points.h internal/scale_field.h internal/Plan.h
   internal/cuda_interface.h internal/cuda_device_arrays.h internal/cuda_answer.h
   internal/Progress.h internal/solver_settings.h
   internal/Search_grid_3.h internal/working_frame.h internal/orientation_votes.h
@@ -28,11 +30,12 @@ set(level_1   # what several stages share, and what works on the arrays of one n
   internal/Neighborhoods.h internal/nearest_samples.h
   internal/Point_tree_3.h
   internal/Samples.h internal/Followers.h internal/least_memory.h internal/Local_normals.h
-  internal/update_normals.h internal/Plane_moments.h internal/Quadric_moments.h
+  internal/update_normals.h internal/Quadric_moments.h
   internal/project_to_local_quadric.h internal/estimate_plane.h internal/half_sampling.h
   internal/normal_matrix.h internal/least_squares_rows.h)
 set(level_2   # stages and solvers
-  internal/extents.h internal/estimate_scales.h internal/find_outliers.h internal/thin_crowds.h
+  internal/extents.h internal/estimate_scales.h internal/estimate_scale_field.h
+  internal/find_outliers.h internal/thin_crowds.h
   internal/estimate_pca_normals.h internal/filter_normals.h internal/refit_normals.h
   internal/density_weights.h internal/areas_of_points.h internal/initialize_samples.h
   internal/collapse_fit_term.h internal/Fit_rows.h

@@ -96,10 +96,10 @@ inline std::vector<Vector> border_points(double cell_size, Generator& generator)
   return points;
 }
 
-/// Clusters with neighbors inside, at the ends of what 2^20 cells number and far beyond.
+/// Clusters with neighbors inside, at the ends of what 2^19 cells number and far beyond.
 inline std::vector<Vector> far_points(Generator& generator)
 {
-  const double end = 1 << 20;
+  const double end = 1 << 19;
   std::vector<Vector> points;
   for (const Vector& center :
        {Vector(0, 0, 0), Vector(end, 0, 0), Vector(end + 40, -end, 3), Vector(-end - 40, 0, 5),

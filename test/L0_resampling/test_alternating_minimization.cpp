@@ -163,8 +163,8 @@ void check_end_of_range(const Scene& scene)
       Buffer<Vector> pulls(p.size());
       Buffer<double> pair_weights(pairs.indices.size(), 0.), no_offsets;
       shrink_normal_offsets<CGAL::Sequential_tag>(scene.samples, pairs, pair_weights, penalty,
-                                                  Shrunk_jumps<double>(jump, 0), range * range,
-                                                  pulls, no_offsets);
+                                                  Shrunk_jumps<double>(jump, 0), range, pulls,
+                                                  no_offsets);
       return pulls[i];
     };
     const Vector with_pair = pull_on_sample(pairs_within(scene, range, i, i)),

@@ -12,11 +12,14 @@
 
 using namespace test;
 
-Areas areas_of(const Gridded_points& input, double radius)
+/// \param input has a grid and its points
+template <typename Input>
+Areas areas_of(const Input& input, double radius, std::size_t number_of_samples = 1)
 {
   Unwatched unwatched;
   return areas_of_points<CGAL::Parallel_if_available_tag, float>(
-    input.grid, input.points, radius, units_per_length_for(input.grid.cell_size(), radius),
+    input.grid, input.points, radius, number_of_samples,
+    units_per_length_for(input.grid.cell_size(), radius, !input.grid.has_one_scale()),
     unwatched.progress);
 }
 
@@ -117,9 +120,34 @@ void check_crowds()
   CHECK(are_shared);
 }
 
+/// Where radii differ, points on a line that has nothing beside it stand for a strip as wide as the
+/// samples are apart, so that as many start there as find room; and a point alone for an eighth of
+/// its disk.
+void check_lines()
+{
+  const double radius = 0.2;
+  std::vector<Vector> points;
+  for (int k = 0; k < 3000; ++k)
+    points.push_back(Vector(0.01 * k + 0.0003 * (k % 7), 0, 0));
+  points.push_back(Vector(0, 100, 0));
+  const Buffer<float> scales(points.size(), 1.f);
+  const Sorted_queries input(CGAL::Sequential_tag(), to_buffer(points), Cell_sizes(radius, scales));
+  const double of_loner = 3.1416 * radius * radius / double(fewest_points_of_disk);
+  for (const std::size_t number_of_samples : {300u, 3000u})
+  {
+    const Areas areas = areas_of(input, radius, number_of_samples);
+    const double all_as_surface = 30 * radius * 3.1416 / 2,
+                 spacing = std::sqrt(all_as_surface / double(number_of_samples));
+    CHECK(is_close(areas.total(), 30 * (std::min)(spacing, 0.1 * 3.1416), 0.05));
+    for (std::size_t i = 0; i < points.size(); ++i)
+      CHECK(input.points[i][1] < 50 || is_close(areas.of_point(i), of_loner, 0.01));
+  }
+}
+
 int main()
 {
   Generator generator(7);
+  check_lines();
   check_exactness();
   check_counts(cube_points(1500, 1, generator).points);
   check_areas(generator);

@@ -81,6 +81,24 @@ void check_input(const std::vector<Vector>& points, double radius)
   }
 }
 
+/// Where all points are of one scale, balls are those of another radius, though cells are not.
+void check_one_scale(const std::vector<Vector>& points, double radius)
+{
+  const double scale = 0.75, bandwidth = 0.5 * radius;
+  const Buffer<float> scales(points.size(), float(scale));
+  const Sorted_queries scaled(CGAL::Sequential_tag(), to_buffer(points),
+                              Cell_sizes(radius, scales));
+  Unwatched unwatched;
+  Buffer<double> weights(points.size());
+  compute_input_density_weights<CGAL::Parallel_if_available_tag>(
+    scaled.grid, scaled.points, radius, bandwidth * bandwidth, unwatched.progress, weights);
+  const Gridded_points sorted(points, radius);
+  CHECK(largest_relative_difference(std::vector<double>(weights.begin(), weights.end()),
+                                    input_density_weights<double>(sorted, scale * radius,
+                                                                  scale * bandwidth))
+        < 1e-12);
+}
+
 /// w_i of Eq. (5) for the samples, and with it the weights of the pairs of Eq. (4), once for each
 /// of the two; less where there is a jump between them, and where the range ends.
 void check_samples(const std::vector<Vector>& points, double radius, double bandwidth, double jump,
@@ -97,7 +115,7 @@ void check_samples(const std::vector<Vector>& points, double radius, double band
     normals.push_back(random_unit_vector(generator));
   update_weights<CGAL::Parallel_if_available_tag>(sorted.points, normals, neighbors,
                                                   bandwidth * bandwidth, radius * radius,
-                                                  jump * jump, range * range, regularization_weight,
+                                                  jump * jump, range, regularization_weight,
                                                   weights, pair_weights);
   const std::vector<double> naive = naive_density_weights(sorted.vector, radius / 2, bandwidth,
                                                           range);
@@ -138,7 +156,7 @@ void check_loners()
                                                                        unwatched.progress);
   Buffer<double> weights(27, 0.), no_pair_weights;
   const Buffer<Vector> normals(27, Vector::UnitZ());
-  update_weights<CGAL::Sequential_tag>(apart.points, normals, none, 0.25, 1, 0.04, 0.3, 0.15,
+  update_weights<CGAL::Sequential_tag>(apart.points, normals, none, 0.25, 1, 0.04, 0.55, 0.15,
                                        weights, no_pair_weights);
   CHECK(std::vector<double>(weights.begin(), weights.end()) == ones);
 }
@@ -153,6 +171,7 @@ int main()
   points.insert(points.end(), 20, Vector(0.5, 0.5, 1)); // duplicates
   points.emplace_back(9, 9, 9);                         // a point alone
   check_input(points, 0.3);
+  check_one_scale(points, 0.3);
   points.emplace_back(1e9, 0, 0); // in an outermost cell, so that balls are looked at one by one
   check_input(points, 0.3);
   points.pop_back();

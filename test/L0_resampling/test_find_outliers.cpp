@@ -16,10 +16,10 @@ std::vector<bool> outliers_of(const std::vector<Vector>& points, double radius)
 {
   Unwatched unwatched;
   const auto parallel = find_outliers<float, CGAL::Parallel_if_available_tag>(
-    to_buffer(points), radius, unwatched.progress);
-  CHECK(
-    (parallel
-     == find_outliers<float, CGAL::Sequential_tag>(to_buffer(points), radius, unwatched.progress)));
+    to_buffer(points), radius, Scales_view(), unwatched.progress);
+  CHECK((parallel
+         == find_outliers<float, CGAL::Sequential_tag>(to_buffer(points), radius, Scales_view(),
+                                                       unwatched.progress)));
   return std::vector<bool>(parallel.begin(), parallel.end());
 }
 

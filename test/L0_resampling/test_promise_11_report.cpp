@@ -13,6 +13,7 @@
 #include <functional>
 #include <iostream>
 #include <limits>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -26,6 +27,29 @@ using test::noisy_cube;
 namespace params = CGAL::parameters;
 
 namespace {
+
+/// Of two squares, of which one is sixteen times as dense, and holds most of the points.
+void test_radii_that_follow_the_spacing()
+{
+  std::mt19937 generator(5);
+  const auto number = [&]() { return double(generator()) / 4294967296.; };
+  std::vector<Vector> points;
+  for (int k = 0; k < 17000; ++k)
+    points.push_back(k < 16000 ? Vector(number(), number(), 0) : Vector(1 + number(), number(), 0));
+  for (const Method method : {Method::LOR, Method::DEFAULT})
+  {
+    const Report report = test::resample<Kernel, Sequential_tag>(
+                            test::kernel_points<Kernel>(points), params::resampling_method(method))
+                            .report;
+    const double least = report.least_neighbor_radius, median = report.median_neighbor_radius,
+                 largest = report.largest_neighbor_radius;
+    CHECK(least <= report.neighbor_radius && report.neighbor_radius <= largest);
+    if (method == Method::LOR)
+      CHECK(least == largest && median == least);
+    else
+      CHECK(largest > 2 * least && median < 1.5 * least);
+  }
+}
 
 void test_completed_call()
 {
@@ -42,6 +66,8 @@ void test_completed_call()
     CHECK(report.number_of_input_points == 1001 && report.number_of_distinct_points == 1000);
     CHECK(report.number_of_output_points == 500 && report.number_of_dropped_points == 0);
     CHECK(report.neighbor_radius == 0.25);
+    CHECK(report.least_neighbor_radius == 0.25 && report.median_neighbor_radius == 0.25
+          && report.largest_neighbor_radius == 0.25);
     CHECK(report.number_of_lonely_samples == 0 && report.number_of_self_neighbor_pairs > 500);
     CHECK(report.oriented_share > 0.9 && report.oriented_share <= 1);
     CHECK(report.converged && report.device == "cpu" && !report.device_reason.empty());
@@ -344,6 +370,7 @@ void test_warnings()
 int main()
 {
   test_completed_call();
+  test_radii_that_follow_the_spacing();
   test_failed_call();
   test_solver_that_does_not_converge();
   test_turn_that_does_not_converge();

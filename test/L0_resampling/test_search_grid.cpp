@@ -6,6 +6,7 @@
 #include "stage_support.h"
 
 #include <CGAL/L0_resampling/internal/ball_queries.h>
+#include <CGAL/L0_resampling/internal/weights.h>
 
 #include <algorithm>
 #include <tuple>
@@ -101,9 +102,67 @@ void check_order(std::vector<Vector> points, double cell_size, Generator& genera
   }
 }
 
+/// Balls whose radii follow the scales of their centers, in cells of several levels, hold what
+/// comparing everybody with everybody finds.
+/// \param scale_at of a place
+template <typename Scale_at>
+void check_levels(const std::vector<Vector>& points, double radius, const Scale_at& scale_at)
+{
+  Buffer<float> scales;
+  for (const Vector& p : points)
+    scales.push_back(scale_at(p));
+  const Sorted_queries sorted(CGAL::Sequential_tag(), to_buffer(points), Cell_sizes(1, scales));
+  const std::size_t n = points.size();
+  Lists balls(n), naive(n);
+  std::size_t number_at_other_levels = 0;
+  Unwatched unwatched;
+  const auto squared_radius = [&](std::size_t i) { return square(radius * sorted.scales[i]); };
+  for_each_cell<double, CGAL::Parallel_if_available_tag>(
+    sorted.grid, sorted.points, sorted.grid, sorted.points, cells_in_reach(radius, 1),
+    unwatched.progress, [&]() {
+      return [&](Search_grid_3::Range range, const Local_points<double>& candidates,
+                 const Vector& origin) {
+        for (Index i = range.first; i < range.second; ++i)
+          for (std::size_t k = 0; k < candidates.indices.size(); ++k)
+            if ((Vector(candidates.x[k], candidates.y[k], candidates.z[k]) + origin
+                 - sorted.points[i])
+                  .squaredNorm()
+                < squared_radius(i))
+              balls[i].push_back(candidates.indices[k]);
+      };
+    });
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    for (std::size_t k = 0; k < n; ++k)
+      if ((sorted.points[k] - sorted.points[i]).squaredNorm() < squared_radius(i))
+      {
+        naive[i].push_back(std::uint32_t(k));
+        number_at_other_levels += level_of_scale(sorted.scales[i])
+                                  != level_of_scale(sorted.scales[k]);
+      }
+    std::sort(balls[i].begin(), balls[i].end());
+  }
+  CHECK(!sorted.grid.has_one_scale());
+  CHECK(number_at_other_levels > n / 20);
+  CHECK(balls == naive);
+}
+
+/// A level is the smallest whose cells are as large as the scale.
+void check_sizes()
+{
+  CHECK(level_of_scale(1) == level_of_one && size_of_cells(level_of_one) == 1);
+  for (double scale = least_scale; scale <= double(largest_scale); scale *= 1.01)
+  {
+    const int level = level_of_scale(scale);
+    CHECK(level < number_of_levels && size_of_cells(level) >= scale);
+    CHECK(level == 0 || size_of_cells(level - 1) < scale);
+  }
+}
+
 int main()
 {
   Generator generator(1);
+  check_sizes();
   std::vector<Vector> cloud = cube_points(1500, 3, generator).points;
   add_gaussian_noise(cloud, 0.1, generator);
   const std::vector<Vector> queries = sphere_points(200, 1.7, generator).points;
@@ -123,6 +182,11 @@ int main()
     check_balls(border, border, cell_size,
                 cell_size * (1 - 1e-12)); // local coordinates round the last bits
   }
+
+  const auto rising = [](const Vector& p) { return float(0.3 + 0.1 * std::abs(p[0])); };
+  const std::vector<Vector> wide = cube_points(1500, 12, generator).points;
+  for (double radius : {0.9, 1.7, 3.})
+    check_levels(wide, radius, rising);
 
   const std::vector<Vector> far = far_points(generator);
   for (double radius : {0.7, 1., 3.})

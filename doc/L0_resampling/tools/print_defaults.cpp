@@ -11,6 +11,7 @@
 #include <CGAL/L0_resampling/internal/Orientation_hints.h>
 #include <CGAL/L0_resampling/internal/checked_parameters.h>
 #include <CGAL/L0_resampling/internal/orientation_agreement.h>
+#include <CGAL/L0_resampling/internal/scale_field.h>
 #include <CGAL/L0_resampling/internal/scales_of_balls.h>
 #include <CGAL/L0_resampling/internal/ball_queries.h>
 
@@ -85,6 +86,12 @@ void print_constants()
   object.add("share_of_sparse_points", share_of_sparse_points);
   object.add("volume_filling_ratio", volume_filling_ratio);
   object.add("gap_of_parts", gap_of_parts);
+  object.add("points_per_seed", points_per_seed);
+  object.add("points_of_seed", points_of_seed);
+  object.add("seeds_of_group", seeds_of_group);
+  object.add("indifferent_scale", indifferent_scale);
+  object.add("slope_of_scales", slope_of_scales);
+  object.add("fewest_correlated_balls", fewest_correlated_balls);
   object.add("number_of_normal_refits", number_of_normal_refits);
   object.add("number_of_sample_refits", number_of_sample_refits);
   object.add("sample_refit_angle_factor", sample_refit_angle_factor);

@@ -98,6 +98,9 @@ inline void fill_report(const cuda::Call_report& call, Report& report)
   report.number_of_lonely_samples = call.number_of_lonely_samples;
   report.number_of_self_neighbor_pairs = call.number_of_self_neighbor_pairs;
   report.neighbor_radius = call.neighbor_radius;
+  report.least_neighbor_radius = call.least_neighbor_radius;
+  report.median_neighbor_radius = call.median_neighbor_radius;
+  report.largest_neighbor_radius = call.largest_neighbor_radius;
   report.normal_filter_radius = call.normal_filter_radius;
   report.estimated_spacing = call.estimated_spacing;
   report.estimated_noise = call.estimated_noise;

@@ -78,8 +78,13 @@ struct Report
   std::size_t number_of_self_neighbor_pairs =
     0; ///< ordered pairs \f$ (i, i') \f$ of the normal term
 
-  double neighbor_radius = 0;      ///< \f$ r_p \f$, in the unit of the input
-  double normal_filter_radius = 0; ///< \f$ r_q \f$, in the unit of the input
+  double neighbor_radius = 0; ///< \f$ r_p \f$, in the unit of the input
+  /// The least radius around a point, in the unit of the input. It, the median and the largest are
+  /// \f$ r_p \f$, unless the default method follows a spacing or a noise that varies.
+  double least_neighbor_radius = 0;
+  double median_neighbor_radius = 0;  ///< of the radii around the points
+  double largest_neighbor_radius = 0; ///< of the radii around the points
+  double normal_filter_radius = 0;    ///< \f$ r_q \f$, in the unit of the input
   double estimated_spacing =
     /// square root of the area a point mid-surface, in the unit of the input; default method only
     0;

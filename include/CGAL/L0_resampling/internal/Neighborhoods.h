@@ -8,6 +8,7 @@
 
 #include <CGAL/L0_resampling/Quadratic_problem.h>
 #include <CGAL/L0_resampling/internal/ball_queries.h>
+#include <CGAL/L0_resampling/internal/weights.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -26,22 +27,39 @@ struct Neighborhoods
   Neighborhoods_view view() const { return {offsets.size() - 1, offsets.data(), indices.data()}; }
 };
 
+/// How far apart two samples may be to be neighbors: no further than one radius for all, and than
+/// r_p around either, beyond which the surface may bend away.
+struct Range_of_pairs
+{
+  double radius;
+  Scales_view scales;
+
+  Range_of_pairs(double largest, const Scales_view& scales_of_samples = Scales_view())
+    : radius(largest), scales(scales_of_samples)
+  {} // not explicit: one radius for all is usual
+
+  double squared(std::size_t i, std::size_t k) const
+  {
+    return scales.values ? square((std::min)(radius, double(scales.smaller_of_pair(i, k))))
+                         : square(radius);
+  }
+};
+
 /*!
-Lists, for each sample, the other samples strictly closer than `radius`: the self neighbors
+Lists, for each sample, the other samples within the range of the pair: the self neighbors
 \f$ N_{p_i} \f$, ascending and symmetric.
 
 Where more than `maximum_number_of_candidates` samples share a block of cells, a sample keeps those
 whose index equals its own modulo a power of two, the larger one of the two samples', which keeps
 the lists symmetric and bounds their length.
 
-\param samples sorted for `grid`, whose cells are no smaller than `radius`
+\param samples sorted for `grid`, whose cells are no smaller than the range of their samples
 */
 template <typename ConcurrencyTag>
 Neighborhoods find_self_neighbors(const Search_grid_3& grid, const Buffer<Vector>& samples,
-                                  double radius, Progress& progress)
+                                  const Range_of_pairs& range_of, Progress& progress)
 {
   const std::size_t maximum_number_of_candidates = 1024;
-  const double squared_radius = radius * radius;
   using Ranges = std::vector<Search_grid_3::Range>;
 
   Buffer<Index> strides = filled_buffer(samples.size(), Index(1), samples.get_allocator());
@@ -81,7 +99,7 @@ Neighborhoods find_self_neighbors(const Search_grid_3& grid, const Buffer<Vector
                    k += stride)
               {
                 found[count] = k;
-                count += std::size_t((center - samples[k]).squaredNorm() < squared_radius)
+                count += std::size_t((center - samples[k]).squaredNorm() < range_of.squared(i, k))
                          & std::size_t(k != i) & std::size_t(((k - i) & (strides[k] - 1)) == 0);
               }
             indices.insert(indices.end(), found.begin(), found.begin() + std::ptrdiff_t(count));

@@ -86,6 +86,13 @@ constexpr double sparsity_unit_factor = 0.25;
 constexpr double radius_per_spacing = 3.5;
 constexpr double radius_per_noise = 3.8;
 
+/// The radius that the default method wants where points have this spacing and this noise.
+CGAL_L0_HOST_DEVICE inline double wanted_radius(double spacing, double noise)
+{
+  const double of_spacing = radius_per_spacing * spacing, of_noise = radius_per_noise * noise;
+  return std::cbrt(square(std::sqrt(of_spacing) * of_spacing + std::sqrt(of_noise) * of_noise));
+}
+
 /// The radius of the default method, in units of the paper's. It is rounded in steps of 0.2 to 0.4
 /// % of itself, which is less than the error of spacing and noise: processors that round
 /// differently, and clouds that are scaled by any factor, have the same radius, and with it the
@@ -94,10 +101,7 @@ constexpr double radius_per_noise = 3.8;
 inline double default_radius(double spacing, double noise)
 {
   int exponent = 0;
-  const double of_spacing = radius_per_spacing * spacing, of_noise = radius_per_noise * noise;
-  const double mantissa = std::frexp(
-    std::cbrt(square(std::sqrt(of_spacing) * of_spacing + std::sqrt(of_noise) * of_noise)),
-    &exponent);
+  const double mantissa = std::frexp(wanted_radius(spacing, noise), &exponent);
   return std::ldexp(std::floor(512 * mantissa + 0.5), exponent - 9);
 }
 

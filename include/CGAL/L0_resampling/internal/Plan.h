@@ -7,6 +7,7 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_PLAN_H
 
 #include <CGAL/L0_resampling/internal/Parameters.h>
+#include <CGAL/L0_resampling/internal/scale_field.h>
 #include <CGAL/L0_resampling/internal/scales_of_balls.h>
 
 #include <algorithm>
@@ -95,8 +96,9 @@ struct Plan
 {
   double unit; ///< r_p, in the unit of the facts
 
-  double radius;        ///< \f$ r_p \f$: 1
-  double filter_radius; ///< \f$ r_q \f$
+  double radius;             ///< \f$ r_p \f$: 1
+  double largest_radius = 1; ///< of any place; the same unless scales differ
+  double filter_radius;      ///< \f$ r_q \f$
   double pca_radius;
   double noise;              ///< standard deviation across the surface; 0 if it is not estimated
   double sheet_height;       ///< H
@@ -114,6 +116,7 @@ struct Plan
   std::size_t number_of_refits;        ///< before as many of the last of these passes
   std::size_t number_of_half_samplings;
 
+  bool follows_scales; ///< the radius and what follows from it are larger or smaller by places
   bool drops_outliers;
   bool uses_areas;     ///< the area that each point stands for tells the spacing of the samples
   bool starts_evenly;  ///< samples start evenly by area; else as the points do
@@ -137,12 +140,14 @@ struct Plan
     {
       // Beyond r_p the surface may bend away, and the fit could not hold a sample that the other
       // terms move.
-      self_neighbor_radius = (std::min)(self_neighbor_radius_per_spacing * spacing, radius);
+      self_neighbor_radius = (std::min)(spreading_radius(), largest_radius);
       minimization.range_of_pairs = self_neighbor_radius;
     }
   }
 
   double area_radius() const { return area_radius_factor * longest_query(); }
+  /// Of the samples that repel each other.
+  double spreading_radius() const { return self_neighbor_radius_per_spacing * sample_spacing; }
   double longest_query() const { return (std::max)(radius, filter_radius); }
   /// Of the grid of the samples in which self neighbors are found.
   double self_cell_size() const { return (std::max)(self_neighbor_radius, smallest_cell_size); }
@@ -195,6 +200,7 @@ inline Plan make_plan(const Parameters& parameters, const Facts& facts)
                             : 0;
   plan.number_of_half_samplings = parameters.method == Method::ALOR ? 2 : 0;
 
+  plan.follows_scales = is_default && !(parameters.neighbor_radius > 0);
   plan.drops_outliers = parameters.drop_outliers;
   plan.uses_areas = is_default;
   plan.starts_evenly = is_default && !parameters.keep_density;
@@ -223,6 +229,27 @@ inline Plan make_plan(const Parameters& parameters, const Facts& facts)
   // if all points but outliers are at one place, any length will do
   plan.set_sample_spacing(spacing > 0 ? spacing : plan.radius);
   return plan;
+}
+
+/// Notes the radii of a call, in the unit of the input.
+/// \param report of the CPU or of the device
+/// \param frame whose unit is \f$ r_p \f$
+template <typename Frame, typename Report>
+void report_radii(const Plan& plan, const Range_of_scales& scales, const Frame& frame,
+                  Report& report)
+{
+  report.neighbor_radius = frame.length_of_input(plan.radius);
+  report.least_neighbor_radius = frame.length_of_input(plan.radius * scales.least);
+  report.median_neighbor_radius = frame.length_of_input(plan.radius * scales.median);
+  report.largest_neighbor_radius = frame.length_of_input(plan.radius * scales.largest);
+  report.normal_filter_radius = frame.length_of_input(plan.filter_radius);
+}
+
+/// What the field of scales is measured by, in the unit of the facts.
+inline Usual_scales usual_scales(const Plan& plan, const Facts& facts)
+{
+  const double paper = paper_radius(facts);
+  return {plan.unit, facts.scales.spacing * paper, facts.scales.noise * paper};
 }
 
 } // namespace internal

@@ -30,6 +30,9 @@ struct Samples
     /// length is the share of a push there that is left out; else zero
     outward_directions;
 
+  Buffer<float>
+    /// of each sample, which is that of the point it starts from; none if all are 1
+    scales;
   Buffer<unsigned char>
     /// default method only: whether quadrics are fitted to the sample, which few of many are
     are_support_points;
@@ -47,8 +50,8 @@ struct Samples
 
   explicit Samples(const Counting_allocator<Vector>& allocator)
     : positions(allocator), normals(allocator), fit_weights(allocator), fit_centroids(allocator),
-      fit_variances(allocator), outward_directions(allocator), are_support_points(allocator),
-      spacings(allocator), hints(allocator), start_indices(allocator)
+      fit_variances(allocator), outward_directions(allocator), scales(allocator),
+      are_support_points(allocator), spacings(allocator), hints(allocator), start_indices(allocator)
   {}
 };
 
@@ -66,6 +69,7 @@ void apply_order(const Buffer<Index>& order, Samples<FT>& samples)
   };
   apply_to_what_there_is(samples.fit_variances);
   apply_to_what_there_is(samples.outward_directions);
+  apply_to_what_there_is(samples.scales);
   apply_to_what_there_is(samples.are_support_points);
   apply_to_what_there_is(samples.spacings);
   apply_to_what_there_is(samples.hints);

@@ -9,6 +9,7 @@
 #include <CGAL/L0_resampling/Quadratic_problem.h>
 #include <CGAL/L0_resampling/internal/Buffer.h>
 #include <CGAL/L0_resampling/internal/parallel_for.h>
+#include <CGAL/L0_resampling/internal/levels_of_scales.h>
 #include <CGAL/L0_resampling/internal/parallel_sort.h>
 
 #include <CGAL/assertions.h>
@@ -41,41 +42,83 @@ T* coordinates(Buffer<Eigen::Matrix<T, 3, 1>>& vectors)
   return vectors.empty() ? nullptr : vectors.front().data();
 }
 
-/*!
-Cubic cells of one size over the whole space, of which only the occupied ones are stored.
+inline Scales_view view_of_scales(const Buffer<float>& scales)
+{
+  return {scales.empty() ? nullptr : scales.data()};
+}
 
-The points are kept by the caller, sorted as `sorted_order()` says: by cell, x fastest, and within a
-cell by coordinates. So a run of cells along x is a run of points, and the order does not depend on
-the order of the input.
+/// The scales of those points that a list names; none if all are 1.
+inline Buffer<float> listed_scales(const Scales_view& scales, const Buffer<Index>& list)
+{
+  Buffer<float> listed(list.get_allocator());
+  if (scales.values)
+    for_each_in_order(list.size(), [&](std::size_t k) { listed.push_back(scales[list[k]]); });
+  return listed;
+}
+
+/// How large the cell of a point is.
+struct Cell_sizes
+{
+  double base; ///< of the cells of points of scale 1
+  Scales_view scales;
+
+  /// \param size of all cells
+  Cell_sizes(double size) : base(size) {} // not explicit: most grids have cells of one size
+  Cell_sizes(double size, const Scales_view& scales_of_points)
+    : base(size), scales(scales_of_points)
+  {}
+  Cell_sizes(double size, const Buffer<float>& scales_of_points)
+    : Cell_sizes(size, view_of_scales(scales_of_points))
+  {}
+
+  int level_of(std::size_t i) const
+  {
+    return scales.values ? level_of_scale(scales[i]) : level_of_one;
+  }
+};
+
+/*!
+Cubic cells over the whole space, of which only the occupied ones are stored. Points of one scale
+have cells of one size; those of smaller or larger scales have cells of other levels, as
+`level_of_scale()` says, so that a ball whose radius follows the scale of its center never reaches
+across more than a few cells.
+
+The points are kept by the caller, sorted as `sorted_order()` says: by level, by cell, x fastest,
+and within a cell by coordinates. So a run of cells along x is a run of points, and the order does
+not depend on the order of the input.
 */
 class Search_grid_3
 {
-  // 21 bits an axis. Coordinates beyond +-2^20 cells share the outermost cell. That keeps neighbors
+  // 20 bits an axis. Coordinates beyond +-2^19 cells share the outermost cell. That keeps neighbors
   // neighbors: clamping never moves two cells apart.
-  static constexpr std::int64_t half_range = std::int64_t(1) << 20;
-  static constexpr int axis_bits = 21;
+  static constexpr std::int64_t half_range = std::int64_t(1) << 19;
+  static constexpr int axis_bits = 20;
 
-  double m_cell_size;
+  Cell_sizes m_sizes;
   Buffer<std::uint64_t> m_keys; // of the occupied cells, ascending
   Buffer<Index> m_begins;       // first point of each cell, and the number of points
   Buffer<Index>
     m_rows; // first cell of each row of cells that share y and z, and the number of cells
+  std::vector<int> m_levels; // that have cells, ascending
 
 public:
   /// A run of points, `[first, second)`.
   using Range = std::pair<Index, Index>;
 
-  /// \param points sorted as `sorted_order()` gives for the same `cell_size`
-  Search_grid_3(const Buffer<Vector>& points, double cell_size)
-    : m_cell_size(cell_size), m_keys(points.get_allocator()), m_begins(points.get_allocator()),
+  /// \param sizes with the scales in the order of the points
+  /// \param points sorted as `sorted_order()` gives for the same sizes of cells
+  Search_grid_3(const Buffer<Vector>& points, const Cell_sizes& sizes)
+    : m_sizes(sizes), m_keys(points.get_allocator()), m_begins(points.get_allocator()),
       m_rows(points.get_allocator())
   {
     for_each_in_order(points.size(), [&](std::size_t i) {
-      const std::uint64_t key = cell_key(points[i], cell_size);
+      const std::uint64_t key = cell_key(points[i], sizes.base, sizes.level_of(i));
       if (m_keys.empty() || key != m_keys.back())
       {
         if (m_keys.empty() || row_of(key) != row_of(m_keys.back()))
           m_rows.push_back(Index(m_keys.size()));
+        if (m_levels.empty() || m_levels.back() != level_of(key))
+          m_levels.push_back(level_of(key));
         m_keys.push_back(key);
         m_begins.push_back(Index(i));
       }
@@ -84,7 +127,14 @@ public:
     m_rows.push_back(Index(m_keys.size()));
   }
 
-  double cell_size() const { return m_cell_size; }
+  /// Of the cells of points of scale 1.
+  double cell_size() const { return m_sizes.base; }
+  /// Of the points; the caller keeps them, as the points.
+  const Scales_view& scales() const { return m_sizes.scales; }
+  float scale(std::size_t i) const { return m_sizes.scales[i]; }
+  double size_of_cell(std::size_t c) const { return size_of_level(level_of(m_keys[c])); }
+  /// Whether all points are of scale 1, so that all balls and cells are of one size.
+  bool has_one_scale() const { return !m_sizes.scales.values; }
   std::size_t number_of_points() const { return m_begins.back(); }
   std::size_t number_of_cells() const { return m_keys.size(); }
   std::size_t number_of_rows() const { return m_rows.size() - 1; }
@@ -106,7 +156,7 @@ public:
   Vector cell_center(std::size_t c) const
   {
     const auto axis = [&](int a) { return double(axis_of(m_keys[c], a) - half_range) + 0.5; };
-    return m_cell_size * Vector(axis(0), axis(1), axis(2));
+    return size_of_cell(c) * Vector(axis(0), axis(1), axis(2));
   }
 
   /// Which cells of a block count: all, or the one in the middle and those that come after it in
@@ -118,14 +168,16 @@ public:
   };
 
   /*!
-  Walks along the rows of another grid of the same cell size and finds, for one of its cells after
-  the other, the points of this grid in the block of cells around it.
+  Walks along the rows of another grid of the same sizes of cells and finds, for one of its cells
+  after the other, the points of this grid in the block of cells around it, and in the cells of the
+  levels next to its own that the block meets.
   */
   class Block_cursor
   {
     struct Neighbor_row
     {
       Index first_cell, last_cell, end_cell;
+      int level;
     }; // the cells in reach, and the end of the row
 
     const Search_grid_3& m_grid;
@@ -135,7 +187,7 @@ public:
 
   public:
     /// \param reach number of cells to each side
-    /// \param block `AHEAD` only for the cells of `grid` itself
+    /// \param block `AHEAD` only for the cells of `grid` itself, if it `has_one_scale()`
     Block_cursor(const Search_grid_3& grid, int reach, Block block = Block::WHOLE)
       : m_grid(grid), m_reach(reach), m_block(block)
     {}
@@ -144,24 +196,9 @@ public:
     void enter_row(std::uint64_t key)
     {
       m_rows.clear();
-      const std::int64_t first_z = axis_of(key, 2) - (m_block == Block::WHOLE ? m_reach : 0);
-      for (std::int64_t z = first_z; z <= axis_of(key, 2) + m_reach; ++z)
-      {
-        const bool starts_with_own_row = m_block == Block::AHEAD && z == first_z;
-        const std::int64_t low = (std::max)(axis_of(key, 1) - (starts_with_own_row ? 0 : m_reach),
-                                            std::int64_t(0));
-        const std::int64_t high = (std::min)(axis_of(key, 1) + m_reach, 2 * half_range - 1);
-        if (z < 0 || z >= 2 * half_range)
-          continue;
-        // the rows of one z follow each other, so that one search finds them all
-        const auto begin = m_grid.m_rows.begin(), end = m_grid.m_rows.end() - 1;
-        auto it = std::lower_bound(begin, end, row_key(low, z),
-                                   [&](Index first_cell, std::uint64_t k) {
-                                     return row_of(m_grid.m_keys[first_cell]) < k;
-                                   });
-        for (; it != end && row_of(m_grid.m_keys[*it]) <= row_key(high, z); ++it)
-          m_rows.push_back({*it, *it, *(it + 1)});
-      }
+      for (int level : m_grid.m_levels)
+        if (std::abs(level - level_of(key)) <= levels_in_reach)
+          add_rows(key, level);
     }
 
     /// Lists the runs of points around the cell, which has to come after the last one of its row.
@@ -170,12 +207,12 @@ public:
     {
       ranges.clear();
       std::size_t count = 0;
-      const std::int64_t high = axis_of(key, 0) + m_reach;
       for (Neighbor_row& row : m_rows)
       {
         const bool is_own_row_ahead = m_block == Block::AHEAD && &row == &m_rows.front();
-        const std::int64_t low = axis_of(key, 0) - (is_own_row_ahead ? 0 : m_reach);
-        while (row.first_cell < row.end_cell && axis_of(m_grid.m_keys[row.first_cell], 0) < low)
+        const auto [low, high] = places_in_reach(key, 0, row.level);
+        const std::int64_t first = is_own_row_ahead ? axis_of(key, 0) : low;
+        while (row.first_cell < row.end_cell && axis_of(m_grid.m_keys[row.first_cell], 0) < first)
           ++row.first_cell;
         row.last_cell = (std::max)(row.last_cell, row.first_cell);
         while (row.last_cell < row.end_cell && axis_of(m_grid.m_keys[row.last_cell], 0) <= high)
@@ -186,6 +223,46 @@ public:
         count += ranges.back().second - ranges.back().first;
       }
       return count;
+    }
+
+  private:
+    /// The first and the last place on an axis of the cells of a level that the block meets.
+    std::pair<std::int64_t, std::int64_t> places_in_reach(std::uint64_t key, int axis,
+                                                          int level) const
+    {
+      const std::int64_t place = axis_of(key, axis), last = 2 * half_range - 1;
+      std::int64_t low = place - m_reach, high = place + m_reach;
+      if (level != level_of(key))
+      {
+        const double ratio = std::exp2(0.5 * (level_of(key) - level)); // of the sizes of cells
+        low = half_range + std::int64_t(std::floor(double(low - half_range) * ratio));
+        high = half_range + std::int64_t(std::floor(double(high + 1 - half_range) * ratio));
+        // an outermost cell collects all that lies beyond, at any level
+        low = place == 0 ? 0 : low;
+        high = place == last ? last : high;
+      }
+      return {(std::max)(low, std::int64_t(0)), (std::min)(high, last)};
+    }
+
+    /// The rows of a level in the block around a cell.
+    void add_rows(std::uint64_t key, int level)
+    {
+      const auto [low_z, high_z] = places_in_reach(key, 2, level);
+      const auto [low_y, high_y] = places_in_reach(key, 1, level);
+      const std::int64_t first_z = m_block == Block::WHOLE ? low_z : axis_of(key, 2);
+      for (std::int64_t z = first_z; z <= high_z; ++z)
+      {
+        const bool starts_with_own_row = m_block == Block::AHEAD && z == first_z;
+        const std::int64_t first_y = starts_with_own_row ? axis_of(key, 1) : low_y;
+        // the rows of one z follow each other, so that one search finds them all
+        const auto begin = m_grid.m_rows.begin(), end = m_grid.m_rows.end() - 1;
+        auto it = std::lower_bound(begin, end, row_key(level, first_y, z),
+                                   [&](Index first_cell, std::uint64_t k) {
+                                     return row_of(m_grid.m_keys[first_cell]) < k;
+                                   });
+        for (; it != end && row_of(m_grid.m_keys[*it]) <= row_key(level, high_y, z); ++it)
+          m_rows.push_back({*it, *it, *(it + 1), level});
+      }
     }
   };
 
@@ -200,31 +277,41 @@ public:
     return false;
   }
 
-  /// The order in which a grid of this cell size wants its points.
+  /// The order in which a grid of these sizes of cells wants its points.
   template <typename ConcurrencyTag>
-  static Buffer<Index> sorted_order(const Buffer<Vector>& points, double cell_size)
+  static Buffer<Index> sorted_order(const Buffer<Vector>& points, const Cell_sizes& sizes)
   {
-    CGAL_precondition(cell_size > 0);
+    CGAL_precondition(sizes.base > 0);
     struct Entry
     {
       std::uint64_t key;
       Index index;
     };
     const std::size_t block_size = 4096;
-    const Box box = block_sum<ConcurrencyTag>(points.size(), block_size,
-                                              [&](std::size_t begin, std::size_t end) {
-                                                Box box_of_block;
-                                                for (std::size_t i = begin; i < end; ++i)
-                                                  box_of_block += {points[i], points[i]};
-                                                return box_of_block;
-                                              });
-    const Short_keys short_key(cell_key(box.low, cell_size), cell_key(box.high, cell_size));
     Buffer<Entry> entries(points.size(), points.get_allocator());
-    for_each_block<ConcurrencyTag>(points.size(), block_size,
-                                   [&](std::size_t begin, std::size_t end) {
-                                     for (std::size_t i = begin; i < end; ++i)
-                                       entries[i] = {short_key(points[i], cell_size), Index(i)};
-                                   });
+    const auto list_entries = [&](const auto& key_of) {
+      for_each_block<ConcurrencyTag>(points.size(), block_size,
+                                     [&](std::size_t begin, std::size_t end) {
+                                       for (std::size_t i = begin; i < end; ++i)
+                                         entries[i] = {key_of(i), Index(i)};
+                                     });
+    };
+    if (sizes.scales.values)
+      list_entries(
+        [&](std::size_t i) { return cell_key(points[i], sizes.base, sizes.level_of(i)); });
+    else
+    {
+      const Box box = block_sum<ConcurrencyTag>(points.size(), block_size,
+                                                [&](std::size_t begin, std::size_t end) {
+                                                  Box box_of_block;
+                                                  for (std::size_t i = begin; i < end; ++i)
+                                                    box_of_block += {points[i], points[i]};
+                                                  return box_of_block;
+                                                });
+      const Short_keys short_key(cell_key(box.low, sizes.base, level_of_one),
+                                 cell_key(box.high, sizes.base, level_of_one));
+      list_entries([&](std::size_t i) { return short_key(points[i], sizes.base); });
+    }
     sort_by_key<ConcurrencyTag>(
       entries, [](const Entry& e) { return e.key; },
       [&](const Entry& a, const Entry& b) {
@@ -274,7 +361,7 @@ private:
     std::uint64_t operator()(const Vector& point, double cell_size) const
     {
       // on every axis, since no axis of a key is below that of the lowest
-      const std::uint64_t difference = cell_key(point, cell_size) - m_lowest;
+      const std::uint64_t difference = cell_key(point, cell_size, level_of_one) - m_lowest;
       std::uint64_t key = std::uint64_t(axis_of(difference, 2));
       key = (key << m_y_bits) | std::uint64_t(axis_of(difference, 1));
       key = (key << m_x_bits) | std::uint64_t(axis_of(difference, 0));
@@ -298,9 +385,10 @@ private:
     return (std::min)((std::max)(x, -double(half_range)), double(half_range - 1));
   }
 
-  static std::uint64_t cell_key(const Vector& point, double cell_size)
+  static std::uint64_t cell_key(const Vector& point, double base, int level)
   {
-    std::uint64_t key = 0;
+    const double cell_size = base * size_of_cells(level);
+    std::uint64_t key = std::uint64_t(level);
     for (int axis = 2; axis >= 0; --axis)
     {
       const double cell = clamped_to_cells(std::floor(point[axis] / cell_size));
@@ -309,15 +397,20 @@ private:
     return key;
   }
 
+  static int level_of(std::uint64_t key) { return int(key >> (3 * axis_bits)); }
+
+  double size_of_level(int level) const { return m_sizes.base * size_of_cells(level); }
+
   static std::int64_t axis_of(std::uint64_t key, int axis)
   {
     return std::int64_t((key >> (axis * axis_bits)) & ((std::uint64_t(1) << axis_bits) - 1));
   }
 
   static std::uint64_t row_of(std::uint64_t key) { return key >> axis_bits; }
-  static std::uint64_t row_key(std::int64_t y, std::int64_t z)
+  static std::uint64_t row_key(int level, std::int64_t y, std::int64_t z)
   {
-    return (std::uint64_t(z) << axis_bits) | std::uint64_t(y);
+    return (((std::uint64_t(level) << axis_bits) | std::uint64_t(z)) << axis_bits)
+           | std::uint64_t(y);
   }
 };
 

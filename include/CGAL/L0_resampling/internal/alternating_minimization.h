@@ -74,6 +74,7 @@ public:
   {
     const Minimization_parameters& p = m_parameters;
     const std::size_t m = samples.positions.size(), number_of_pairs = neighbors.indices.size();
+    const Range_of_pairs range = {p.range_of_pairs, view_of_scales(samples.scales)};
     m_right_hand_side.resize(m);
     fill_buffer(m, Local_vector(Local_vector::Zero()), m_displacements);
     resize_to_overwrite(m_solver.needs_explicit_rows ? number_of_pairs : 0, m_normal_offsets);
@@ -87,8 +88,8 @@ public:
       Buffer<FT> density_weights(m, samples.positions.get_allocator());
       update_weights<ConcurrencyTag>(samples.positions, samples.normals, neighbors,
                                      p.squared_bandwidth, p.squared_radius,
-                                     square(p.regularized_jump), square(p.range_of_pairs),
-                                     p.regularization_weight, density_weights, m_pair_weights);
+                                     square(p.regularized_jump), range, p.regularization_weight,
+                                     density_weights, m_pair_weights);
     }
     m_progress.advance(0);
 
@@ -99,8 +100,8 @@ public:
                                                  p.largest_shrunk_jump);
     const Energy_sums sums = shrink_normal_offsets<ConcurrencyTag, FT>(
       samples, neighbors, m_pair_weights, bounded_penalty,
-      Shrunk_jumps<FT>(threshold, p.half_width_of_shrinkage), FT(square(p.range_of_pairs)),
-      m_right_hand_side, m_normal_offsets);
+      Shrunk_jumps<FT>(threshold, p.half_width_of_shrinkage), range, m_right_hand_side,
+      m_normal_offsets);
     m_progress.advance(0);
 
     // Line 3: Eq. (10), for the displacements

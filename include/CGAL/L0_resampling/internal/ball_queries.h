@@ -75,7 +75,7 @@ public:
     }
     for (Aligned_vector<T>* coordinates : {&x, &y, &z})
       coordinates->resize(maximum_size);
-    gather_coordinates(points.data()->data(), origin.data(), x, y, z);
+    gather_coordinates(coordinates(points), origin.data(), x, y, z);
     const std::size_t padded_size = (size + lanes - 1) / lanes * lanes;
     for (Aligned_vector<T>* coordinates : {&x, &y, &z})
     {
@@ -185,16 +185,20 @@ class Sorted_queries
 public:
   const Buffer<Index> order; ///< which query stands where
   const Buffer<Vector> points;
+  const Buffer<float> scales; ///< none if all are 1
   const Search_grid_3 grid;
 
+  /// \param sizes of cells, with the scales of the unsorted points
   template <typename ConcurrencyTag>
-  Sorted_queries(ConcurrencyTag, const Buffer<Vector>& unsorted_points, double cell_size)
-    : order(Search_grid_3::sorted_order<ConcurrencyTag>(unsorted_points, cell_size)),
-      points(in_order(unsorted_points, order)), grid(points, cell_size)
+  Sorted_queries(ConcurrencyTag, const Buffer<Vector>& unsorted_points, const Cell_sizes& sizes)
+    : order(Search_grid_3::sorted_order<ConcurrencyTag>(unsorted_points, sizes)),
+      points(points_in_order(unsorted_points, order)), scales(listed_scales(sizes.scales, order)),
+      grid(points, Cell_sizes(sizes.base, scales))
   {}
 
 private:
-  static Buffer<Vector> in_order(const Buffer<Vector>& unsorted_points, const Buffer<Index>& order)
+  static Buffer<Vector> points_in_order(const Buffer<Vector>& unsorted_points,
+                                        const Buffer<Index>& order)
   {
     Buffer<Vector> points = copy_of(unsorted_points);
     apply_order(order, points);
@@ -247,25 +251,27 @@ void for_each_cell_block(const Search_grid_3& query_grid, const Search_grid_3& p
     });
 }
 
-/// Whether `Local_points` takes all points of each block of cells as they are: no block is thinned,
-/// and no cell is an outermost one, whose points may be anywhere.
+/// Whether all balls are of one size, and `Local_points` takes all points of each block of cells as
+/// they are: no block is thinned, and no cell is an outermost one, whose points may be anywhere.
 template <typename T, typename ConcurrencyTag>
 bool has_plain_blocks_only(const Search_grid_3& grid, int reach)
 {
-  return 0
-         == block_sum<ConcurrencyTag>(
-           grid.number_of_rows(), rows_per_block, [&](std::size_t begin, std::size_t end) {
-             Search_grid_3::Block_cursor cursor(grid, reach);
-             std::vector<Search_grid_3::Range> ranges;
-             std::size_t number_of_others = 0;
-             for (std::size_t r = begin; r < end; ++r)
-               for_each_cell_of_row(
-                 grid, r, cursor, ranges, [&](Index cell, const auto&, std::size_t count) {
-                   number_of_others += grid.is_unbounded(cell)
-                                       || count > Local_points<T>::maximum_number_of_candidates;
-                 });
-             return number_of_others;
-           });
+  return grid.has_one_scale()
+         && 0
+              == block_sum<ConcurrencyTag>(
+                grid.number_of_rows(), rows_per_block, [&](std::size_t begin, std::size_t end) {
+                  Search_grid_3::Block_cursor cursor(grid, reach);
+                  std::vector<Search_grid_3::Range> ranges;
+                  std::size_t number_of_others = 0;
+                  for (std::size_t r = begin; r < end; ++r)
+                    for_each_cell_of_row(
+                      grid, r, cursor, ranges, [&](Index cell, const auto&, std::size_t count) {
+                        number_of_others += grid.is_unbounded(cell)
+                                            || count
+                                                 > Local_points<T>::maximum_number_of_candidates;
+                      });
+                  return number_of_others;
+                });
 }
 
 /// As `for_each_cell_block()`, but calls `visitor(queries, candidates, origin)`: `queries` is the

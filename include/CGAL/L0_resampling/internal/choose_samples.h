@@ -23,16 +23,18 @@ namespace internal {
 
 /// Samples can start in crowds: where points do, or where many more samples are asked for than
 /// there are points. Removes the samples of each crowd but for a few, which the others follow.
+/// \param scales of the points; none if all are 1
 /// \param samples sorted for a grid of cells of size `plan.cell_size`, before and after
 template <typename ConcurrencyTag>
-Followers take_followers(const Plan& plan, Initial_samples& samples)
+Followers take_followers(const Plan& plan, const Buffer<float>& scales, Initial_samples& samples)
 {
   const std::size_t m = samples.positions.size();
   Followers followers(samples.positions.get_allocator());
   // a crowd in the smaller cells is one in these too
-  if (!Crowded_cells(Search_grid_3(samples.positions, plan.cell_size), samples.positions,
-                     most_samples_of_subcell)
-         .are_there_any<ConcurrencyTag>())
+  if (scales.empty()
+      && !Crowded_cells(Search_grid_3(samples.positions, plan.cell_size), samples.positions,
+                        most_samples_of_subcell)
+            .are_there_any<ConcurrencyTag>())
     return followers;
   const double cell_size = plan.self_cell_size();
   const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(samples.positions,
@@ -87,15 +89,15 @@ Followers choose_samples(const Parameters& parameters, const Prepared_points& in
   if (plan.uses_areas)
   {
     areas = areas_of_points<ConcurrencyTag, Local>(
-      input.grid, points, plan.area_radius(),
-      units_per_length_for(plan.cell_size, plan.longest_query()), progress);
+      input.grid, points, plan.area_radius(), m,
+      units_per_length_for(plan.cell_size, plan.longest_query(), !input.scales.empty()), progress);
     plan.set_sample_spacing(std::sqrt(areas.total() / double(m)));
   }
   const Buffer<std::uint64_t> no_areas(points.get_allocator());
   Initial_samples start = initialize_samples<ConcurrencyTag>(
     input.grid, points, input.normals, plan.starts_evenly ? areas.units : no_areas, m, plan.radius,
     parameters.random_seed, progress);
-  Followers followers = take_followers<ConcurrencyTag>(plan, start);
+  Followers followers = take_followers<ConcurrencyTag>(plan, input.scales, start);
   samples.positions = std::move(start.positions);
   const std::size_t size = samples.positions.size();
   samples.normals.reserve(size);
@@ -105,6 +107,8 @@ Followers choose_samples(const Parameters& parameters, const Prepared_points& in
   for_each_source([&](Index source) {
     samples.normals.push_back(input.normals[source].cast<FT>().normalized());
   });
+  if (!input.scales.empty())
+    for_each_source([&](Index source) { samples.scales.push_back(input.scales[source]); });
   if (plan.keeps_spacings)
     for_each_source([&](Index source) {
       samples.spacings.push_back(

@@ -26,19 +26,20 @@ void sum_weights_in_balls(const Search_grid_3& grid, const Buffer<Vector>& point
                           Buffer<T>& sums)
 {
   using L = Lanes<T>;
-  const T squared_radius = T(radius * radius);
   const auto make_visitor = [&]() {
     return
       [&](Search_grid_3::Range queries, const Local_points<T>& candidates, const Vector& origin) {
         for (Index i = queries.first; i < queries.second; ++i)
         {
           const Eigen::Matrix<T, 3, 1> center = (points[i] - origin).template cast<T>();
+          const T squared_radius = T(square(radius * grid.scale(i))),
+                  own_squared_bandwidth = squared_bandwidth * T(grid.scale(i)) * T(grid.scale(i));
           L count, sum;
           candidates.for_each_run_in_ball(
             center, squared_radius, [&](std::size_t, const L& squared_distance) {
               count += where_less(squared_distance, squared_radius, L(T(1)));
               sum += where_less(squared_distance, squared_radius,
-                                gaussian_weight(squared_distance, squared_bandwidth));
+                                gaussian_weight(squared_distance, own_squared_bandwidth));
             });
           // thinning may have left the point itself out
           const T self = count.sum() > 0 ? T(1) : T(0);
@@ -95,6 +96,7 @@ void sum_weights_by_pairs(const Search_grid_3& grid, const Buffer<Vector>& point
 /// \f$ v_j \f$ of Eq. (5) for each input point. The sum leaves out the point itself, which the "1
 /// +" of Eq. (5) counts.
 /// \param points sorted for `grid`
+/// \param radius, squared_bandwidth at scale 1
 /// \param weights out: one number a point, at least 1
 /// \returns the number of points whose balls hold fewer than `fewest_points_of_plane`
 template <typename ConcurrencyTag, typename T>
@@ -104,11 +106,12 @@ std::size_t compute_input_density_weights(const Search_grid_3& grid, const Buffe
 {
   Buffer<Index> counts = filled_buffer(points.size(), Index(0), points.get_allocator());
   fill_buffer(points.size(), T(0), weights);
-  const auto sum_weights =
-    has_plain_blocks_only<T, ConcurrencyTag>(grid, cells_in_reach(radius, grid.cell_size()))
-      ? sum_weights_by_pairs<ConcurrencyTag, T>
-      : sum_weights_in_balls<ConcurrencyTag, T>;
-  sum_weights(grid, points, radius, T(squared_bandwidth), progress, counts, weights);
+  if (has_plain_blocks_only<T, ConcurrencyTag>(grid, cells_in_reach(radius, grid.cell_size())))
+    sum_weights_by_pairs<ConcurrencyTag>(grid, points, radius, T(squared_bandwidth), progress,
+                                         counts, weights);
+  else
+    sum_weights_in_balls<ConcurrencyTag>(grid, points, radius, T(squared_bandwidth), progress,
+                                         counts, weights);
 
   double total = 0;
   std::size_t number_of_sparse_balls = 0;

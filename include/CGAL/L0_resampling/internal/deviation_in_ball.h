@@ -6,6 +6,7 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_DEVIATION_IN_BALL_H
 #define CGAL_L0_RESAMPLING_INTERNAL_DEVIATION_IN_BALL_H
 
+#include <CGAL/L0_resampling/internal/host_device.h>
 #include <CGAL/L0_resampling/internal/weights.h>
 
 #include <algorithm>
@@ -32,6 +33,19 @@ struct Sheet_in_ball
   double share_of_points; ///< of those over the disk in the middle of the ball, how many it holds
 };
 
+/// How many of the points over the disk in the middle of a ball it holds: \f$ m_0 - m_2 \f$ of
+/// `sheet_of_deviations()`.
+/// \param noise standard deviation, per radius
+inline double share_of_sheet_in_ball(double noise)
+{
+  const double pi = 3.141592653589793, u = noise, squared = u * u;
+  if (!(u > 1e-3))
+    return 1 - squared;
+  const double at_end = std::sqrt(2 / pi) / u * std::exp(-0.5 / squared),
+               m_0 = std::erf(1 / (u * std::sqrt(2.)));
+  return m_0 - squared * (m_0 - at_end);
+}
+
 /*!
 The sheet whose points have these standard deviations across it, per radius, as far as balls hold
 them: a ball cuts off the noisiest ones, and at a given height it has room for those over a smaller
@@ -47,7 +61,7 @@ some hundred points around points, which are off the sheet themselves, is smalle
 
 \param third_tenth of the deviations
 */
-inline Sheet_in_ball sheet_of_deviations(double third_tenth)
+CGAL_L0_HOST_DEVICE inline Sheet_in_ball sheet_of_deviations(double third_tenth)
 {
   const double pi = 3.141592653589793, deviation = 1.06 * third_tenth;
   double low = 0, high = 2, share_of_points = 1;

@@ -21,36 +21,37 @@ namespace internal {
 /// Fits planes to the balls of this radius around the points listed in `open`, and strikes those
 /// off that found one.
 /// \param points that `open` and `normals` count
+/// \param scales of the points
 /// \param sorted_points the same, sorted for `grid`
 template <typename ConcurrencyTag, typename T>
 void refit_in_larger_balls(const Buffer<Vector>& points, const Search_grid_3& grid,
-                           const Buffer<Vector>& sorted_points, double radius, Progress& progress,
-                           Buffer<Index>& open, Buffer<Eigen::Matrix<T, 3, 1>>& normals)
+                           const Buffer<Vector>& sorted_points, const Scales_view& scales,
+                           double radius, Progress& progress, Buffer<Index>& open,
+                           Buffer<Eigen::Matrix<T, 3, 1>>& normals)
 {
   Buffer<Vector> open_points(points.get_allocator());
   open_points.reserve(open.size());
   for_each_in_order(open.size(), [&](std::size_t k) { open_points.push_back(points[open[k]]); });
-  const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(open_points,
-                                                                          grid.cell_size());
-  apply_order(order, open_points);
-  apply_order(order, open);
-  const Search_grid_3 open_grid(open_points, grid.cell_size());
+  const Sorted_queries queries(ConcurrencyTag(), open_points,
+                               Cell_sizes(grid.cell_size(), listed_scales(scales, open)));
+  apply_order(queries.order, open);
 
   const Index closed = (std::numeric_limits<Index>::max)();
   const auto make_visitor = [&]() {
     return
-      [&](Search_grid_3::Range queries, const Local_points<T>& candidates, const Vector& origin) {
-        for (Index k = queries.first; k < queries.second; ++k)
+      [&](Search_grid_3::Range range, const Local_points<T>& candidates, const Vector& origin) {
+        for (Index k = range.first; k < range.second; ++k)
         {
-          const Plane_fit<T> fit = fit_plane<T>((open_points[k] - origin).template cast<T>(),
-                                                candidates, T(radius * radius));
+          const Plane_fit<T> fit = fit_plane<T>((queries.points[k] - origin).template cast<T>(),
+                                                candidates,
+                                                T(square(radius * queries.grid.scale(k))));
           normals[open[k]] = fit.normal;
           if (fit.spans_plane)
             open[k] = closed;
         }
       };
   };
-  for_each_cell<T, ConcurrencyTag>(open_grid, open_points, grid, sorted_points,
+  for_each_cell<T, ConcurrencyTag>(queries.grid, queries.points, grid, sorted_points,
                                    cells_in_reach(radius, grid.cell_size()), progress,
                                    make_visitor);
   open.erase(std::remove(open.begin(), open.end(), closed), open.end());
@@ -60,6 +61,7 @@ void refit_in_larger_balls(const Buffer<Vector>& points, const Search_grid_3& gr
 /// spans no plane takes the normal of the next larger ball that does, of twice, four times ... the
 /// radius; if none does, whatever the largest gave.
 /// \param points sorted for `grid`
+/// \param radius at scale 1
 /// \param numbers_of_points how many points of the input each point stands for; empty if only for
 /// itself
 /// \param normals out: one unit vector a point
@@ -72,14 +74,13 @@ std::size_t estimate_pca_normals(const Search_grid_3& grid, const Buffer<Vector>
   const int number_of_doublings = 10;
   Buffer<unsigned char> is_degenerate(points.size(), 0, points.get_allocator());
   std::atomic<std::size_t> number_of_degenerate{0};
-
   const auto make_visitor = [&]() {
     return
       [&](Search_grid_3::Range queries, const Local_points<T>& candidates, const Vector& origin) {
         for (Index i = queries.first; i < queries.second; ++i)
         {
           const Plane_fit<T> fit = fit_plane<T>((points[i] - origin).template cast<T>(), candidates,
-                                                T(radius * radius));
+                                                T(square(radius * grid.scale(i))));
           normals[i] = fit.normal;
           if (!fit.spans_plane)
           {
@@ -111,15 +112,14 @@ std::size_t estimate_pca_normals(const Search_grid_3& grid, const Buffer<Vector>
     const int farthest_reach =
       3; // sorting all points anew costs more than to look at so many cells for a few of them
     if (cells_in_reach(larger_radius, grid.cell_size()) <= farthest_reach)
-      refit_in_larger_balls<ConcurrencyTag>(points, grid, points, larger_radius, progress, open,
-                                            normals);
+      refit_in_larger_balls<ConcurrencyTag>(points, grid, points, grid.scales(), larger_radius,
+                                            progress, open, normals);
     else
     {
-      Buffer<Vector> coarse_points = copy_of(points);
-      apply_order(Search_grid_3::sorted_order<ConcurrencyTag>(points, larger_radius),
-                  coarse_points);
-      refit_in_larger_balls<ConcurrencyTag>(points, Search_grid_3(coarse_points, larger_radius),
-                                            coarse_points, larger_radius, progress, open, normals);
+      const Sorted_queries coarse(ConcurrencyTag(), points,
+                                  Cell_sizes(larger_radius, grid.scales()));
+      refit_in_larger_balls<ConcurrencyTag>(points, coarse.grid, coarse.points, grid.scales(),
+                                            larger_radius, progress, open, normals);
     }
   }
   return number_in_input;

@@ -121,6 +121,7 @@ void filter_normals_by_pairs(const Search_grid_3& grid, const Buffer<Vector>& po
 /// Bilateral filtering of unoriented normals, Eq. (1) and (2), `number_of_iterations` times over
 /// all points.
 /// \param points sorted for `grid`
+/// \param filter at scale 1
 /// \param normals in and out, one unit vector a point
 template <typename ConcurrencyTag, typename T>
 void filter_normals(const Search_grid_3& grid, const Buffer<Vector>& points,
@@ -140,9 +141,10 @@ void filter_normals(const Search_grid_3& grid, const Buffer<Vector>& points,
     for (std::size_t iteration = 0; iteration < number_of_iterations; ++iteration)
       update_normals<ConcurrencyTag>(
         grid, points, filter.radius, progress, normals,
-        [&](const Local_vector& center, const Local_vector& normal,
+        [&](const Local_vector& center, float scale, const Local_vector& normal,
             const Local_points<T>& candidates, const Local_normals<T>& candidate_normals) {
-          return filtered_normal(center, normal, candidates, candidate_normals, filter);
+          return filtered_normal(center, normal, candidates, candidate_normals,
+                                 filter.scaled(T(scale)));
         });
 }
 

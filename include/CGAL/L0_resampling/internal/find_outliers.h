@@ -28,14 +28,13 @@ struct Counts_in_balls
 };
 
 /// \param queries sorted for `query_grid`
-/// \param points sorted for `grid`; neither has cells smaller than `radius`
+/// \param points sorted for `grid`; neither has cells smaller than `radius` times the scale
 template <typename T, typename ConcurrencyTag>
 Counts_in_balls count_points_in_balls(const Search_grid_3& query_grid,
                                       const Buffer<Vector>& queries, const Search_grid_3& grid,
                                       const Buffer<Vector>& points, double radius,
                                       Progress& progress)
 {
-  const T squared_radius = T(radius * radius), squared_half_radius = squared_radius / 4;
   Counts_in_balls counts{filled_buffer(queries.size(), 0., queries.get_allocator()),
                          filled_buffer(queries.size(), 0., queries.get_allocator())};
   for_each_cell<T, ConcurrencyTag>(query_grid, queries, grid, points, 1, progress, [&]() {
@@ -44,6 +43,8 @@ Counts_in_balls count_points_in_balls(const Search_grid_3& query_grid,
         using L = Lanes<T>;
         for (Index i = range.first; i < range.second; ++i)
         {
+          const T squared_radius = T(square(radius * query_grid.scale(i))),
+                  squared_half_radius = squared_radius / 4;
           L in_ball, in_half_ball;
           candidates.for_each_run_in_ball(
             (queries[i] - origin).template cast<T>(), squared_radius,
@@ -104,27 +105,25 @@ sparse end of a scan: by how the numbers of points grow from their balls of r_p/
 in sum over the sparse points in the block of cells of 2 r_p around each. A point alone has too few
 others to tell.
 
+\param scales of the points; none if all are 1
+\param sparse which of the points are sparse
 \param counts_in_half_balls of the sparse points
-\param radius \f$ r_p \f$
+\param radius \f$ r_p \f$, at scale 1
 */
 template <typename T, typename ConcurrencyTag>
-Buffer<unsigned char> fill_space(const Buffer<Vector>& unsorted_points,
-                                 const Buffer<Vector>& unsorted_sparse_points,
+Buffer<unsigned char> fill_space(const Buffer<Vector>& unsorted_points, const Scales_view& scales,
+                                 const Buffer<Index>& sparse,
                                  const Buffer<double>& counts_in_half_balls, double radius,
                                  Progress& progress)
 {
   const double cell_size = 2 * radius;
-  const auto sort = [&](const Buffer<Index>& order, const auto& unsorted) {
-    auto values = copy_of(unsorted);
-    apply_order(order, values);
-    return values;
-  };
-  const Buffer<Vector> points =
-    sort(Search_grid_3::sorted_order<ConcurrencyTag>(unsorted_points, cell_size), unsorted_points);
-  const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(unsorted_sparse_points,
-                                                                          cell_size);
-  const Buffer<Vector> sparse_points = sort(order, unsorted_sparse_points);
-  const Search_grid_3 grid(points, cell_size), sparse_grid(sparse_points, cell_size);
+  Buffer<Vector> unsorted_sparse_points(unsorted_points.get_allocator());
+  unsorted_sparse_points.reserve(sparse.size());
+  for (Index i : sparse)
+    unsorted_sparse_points.push_back(unsorted_points[i]);
+  const Sorted_queries all(ConcurrencyTag(), unsorted_points, Cell_sizes(cell_size, scales));
+  const Sorted_queries sparse_points(ConcurrencyTag(), unsorted_sparse_points,
+                                     Cell_sizes(cell_size, listed_scales(scales, sparse)));
 
   // the point itself is none of the others
   const auto others = [](Buffer<double> counts) {
@@ -132,20 +131,22 @@ Buffer<unsigned char> fill_space(const Buffer<Vector>& unsorted_points,
       --count;
     return counts;
   };
-  const Range_sums inner_sums(others(sort(order, counts_in_half_balls)));
+  Buffer<double> inner_counts = copy_of(counts_in_half_balls);
+  apply_order(sparse_points.order, inner_counts);
+  const Range_sums inner_sums(others(std::move(inner_counts)));
   const Range_sums outer_sums(
-    others(count_points_in_balls<T, ConcurrencyTag>(sparse_grid, sparse_points, grid, points,
-                                                    cell_size, progress)
+    others(count_points_in_balls<T, ConcurrencyTag>(sparse_points.grid, sparse_points.points,
+                                                    all.grid, all.points, cell_size, progress)
              .in_ball));
-  Buffer<unsigned char> result = filled_buffer(sparse_points.size(), static_cast<unsigned char>(0),
+  Buffer<unsigned char> result = filled_buffer(sparse.size(), static_cast<unsigned char>(0),
                                                unsorted_points.get_allocator());
-  for_each_cell_block<Sequential_tag>(sparse_grid, sparse_grid, 1, progress, [&]() {
+  for_each_cell_block<Sequential_tag>(sparse_points.grid, sparse_points.grid, 1, progress, [&]() {
     return [&](Index cell, const std::vector<Search_grid_3::Range>& ranges, std::size_t) {
       const bool fills = outer_sums(ranges)
                          > volume_filling_ratio * (inner_sums(ranges) + count_prior);
-      const Search_grid_3::Range own = sparse_grid.points_of_cell(cell);
+      const Search_grid_3::Range own = sparse_points.grid.points_of_cell(cell);
       for (Index i = own.first; i < own.second; ++i)
-        result[order[i]] = fills;
+        result[sparse_points.order[i]] = fills;
     };
   });
   return result;
@@ -155,15 +156,12 @@ Buffer<unsigned char> fill_space(const Buffer<Vector>& unsorted_points,
 /// connected.
 template <typename ConcurrencyTag>
 Buffer<Index> sizes_of_parts(const Buffer<Vector>& unsorted_points, double cell_size,
-                             Progress& progress)
+                             const Scales_view& scales, Progress& progress)
 {
   const Counting_allocator<Index> allocator = unsorted_points.get_allocator();
   const std::size_t n = unsorted_points.size();
-  const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(unsorted_points,
-                                                                          cell_size);
-  Buffer<Vector> points = copy_of(unsorted_points);
-  apply_order(order, points);
-  const Search_grid_3 grid(points, cell_size);
+  const Sorted_queries sorted(ConcurrencyTag(), unsorted_points, Cell_sizes(cell_size, scales));
+  const Search_grid_3& grid = sorted.grid;
   Buffer<Index> ranks = filled_buffer(n, Index(0), allocator),
                 parents = filled_buffer(n, Index(0), allocator),
                 sizes = filled_buffer(n, Index(0), allocator),
@@ -185,17 +183,9 @@ Buffer<Index> sizes_of_parts(const Buffer<Vector>& unsorted_points, double cell_
   });
   for_each_in_order(n, [&](std::size_t i) { ++sizes[parts.find_set(Index(i))]; });
   for_each_in_order(n, [&](std::size_t i) {
-    sizes_of_points[order[i]] = sizes[parts.find_set(Index(i))];
+    sizes_of_points[sorted.order[i]] = sizes[parts.find_set(Index(i))];
   });
   return sizes_of_points;
-}
-
-/// The middle one of the values, the upper of two.
-inline double median_of(Buffer<double> values)
-{
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  select_nth(values.begin(), middle, values.end());
-  return *middle;
 }
 
 /*!
@@ -205,39 +195,37 @@ others, those of connected components that have fewer points than half a median 
 clusters of outliers. The first comparison is with the surroundings so that a sparse region of a
 surface stays. If that would be all points, there are none.
 
-\param radius of the ball, \f$ r_p \f$
+\param radius of the ball, \f$ r_p \f$, at scale 1
+\param scales of the points; none if all are 1
 \returns whether each point is an outlier
 */
 template <typename T, typename ConcurrencyTag>
 Buffer<unsigned char> find_outliers(const Buffer<Vector>& unsorted_points, double radius,
-                                    Progress& progress)
+                                    const Scales_view& scales, Progress& progress)
 {
   const auto allocator = unsorted_points.get_allocator();
-  const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(unsorted_points, radius);
-  Buffer<Vector> points = copy_of(unsorted_points);
-  apply_order(order, points);
-  Buffer<unsigned char> is_outlier(points.size(), 1, allocator);
+  const std::size_t n = unsorted_points.size();
+  Buffer<unsigned char> is_outlier(n, 1, allocator);
   Buffer<Index> sparse(allocator);
-  Buffer<Vector> sparse_points(allocator);
   Buffer<double> counts_in_half_balls(allocator);
   double median;
   bool is_any_sparse_kept = false;
   {
-    const Search_grid_3 grid(points, radius);
-    const Counts_in_balls counts =
-      count_points_in_balls<T, ConcurrencyTag>(grid, points, grid, points, radius, progress);
+    const Sorted_queries sorted(ConcurrencyTag(), unsorted_points, Cell_sizes(radius, scales));
+    const Search_grid_3& grid = sorted.grid;
+    const Counts_in_balls counts = count_points_in_balls<T, ConcurrencyTag>(
+      grid, sorted.points, grid, sorted.points, radius, progress);
     const Buffer<double> surroundings = means_around<ConcurrencyTag>(grid, counts.in_ball,
                                                                      progress);
     median = median_of(copy_of(counts.in_ball));
-    for_each_in_order(points.size(), [&](std::size_t i) {
+    for_each_in_order(n, [&](std::size_t i) {
       const double count = counts.in_ball[i];
       const bool is_kept = count >= (std::max)(outlier_share_of_surroundings * surroundings[i],
                                                outlier_share_of_median * median);
-      is_outlier[order[i]] = !is_kept;
+      is_outlier[sorted.order[i]] = !is_kept;
       if (count < share_of_sparse_points * median)
       {
-        sparse.push_back(order[i]);
-        sparse_points.push_back(points[i]);
+        sparse.push_back(sorted.order[i]);
         counts_in_half_balls.push_back(counts.in_half_ball[i]);
         is_any_sparse_kept = is_any_sparse_kept || is_kept;
       }
@@ -246,7 +234,7 @@ Buffer<unsigned char> find_outliers(const Buffer<Vector>& unsorted_points, doubl
   if (is_any_sparse_kept)
   {
     const Buffer<unsigned char> fills = fill_space<T, ConcurrencyTag>(
-      unsorted_points, sparse_points, counts_in_half_balls, radius, progress);
+      unsorted_points, scales, sparse, counts_in_half_balls, radius, progress);
     for_each_in_order(sparse.size(), [&](std::size_t k) {
       is_outlier[sparse[k]] = is_outlier[sparse[k]] || fills[k];
     });
@@ -254,22 +242,22 @@ Buffer<unsigned char> find_outliers(const Buffer<Vector>& unsorted_points, doubl
 
   Buffer<Index> rest(allocator);
   Buffer<Vector> rest_points(allocator);
-  for_each_in_order(points.size(), [&](std::size_t i) {
-    if (!is_outlier[order[i]])
-    {
-      rest.push_back(order[i]);
-      rest_points.push_back(points[i]);
-    }
+  for_each_in_order(n, [&](std::size_t i) {
+    if (is_outlier[i])
+      return;
+    rest.push_back(Index(i));
+    rest_points.push_back(unsorted_points[i]);
   });
+  const Buffer<float> rest_scales = listed_scales(scales, rest);
   const Buffer<Index> sizes = sizes_of_parts<ConcurrencyTag>(rest_points, gap_of_parts * radius,
-                                                             progress);
+                                                             view_of_scales(rest_scales), progress);
   bool is_any_left = false;
   for_each_in_order(rest.size(), [&](std::size_t k) {
     is_outlier[rest[k]] = sizes[k] < median / 2;
     is_any_left = is_any_left || !is_outlier[rest[k]];
   });
   if (!is_any_left)
-    is_outlier.assign(points.size(), 0);
+    is_outlier.assign(n, 0);
   return is_outlier;
 }
 

@@ -32,8 +32,8 @@ struct Fit_input
   const Buffer<Vector>& points;
   const Buffer<Eigen::Matrix<T, 3, 1>>& normals;
   const Buffer<T>& density_weights; ///< \f$ v_j \f$
-  double radius;                    ///< \f$ r_p \f$
-  double squared_sheet_height;      ///< \f$ H^2 \f$
+  double radius;                    ///< \f$ r_p \f$, at scale 1
+  double squared_sheet_height;      ///< \f$ H^2 \f$, at scale 1
   double normal_bandwidth;          ///< \f$ (1 - \cos\sigma_n)^2 \f$
 };
 
@@ -42,6 +42,12 @@ template <typename T>
 struct Fit_kernel
 {
   T squared_radius, squared_bandwidth, normal_bandwidth, squared_sheet_height;
+
+  Fit_kernel scaled(T scale) const
+  {
+    const T s = scale * scale;
+    return {squared_radius * s, squared_bandwidth * s, normal_bandwidth, squared_sheet_height * s};
+  }
 };
 
 /// Sums over the points of a ball.
@@ -158,10 +164,11 @@ std::size_t fit_compatible_points(const Fit_input<T>& input, Progress& progress,
                                   Samples<FT>& samples)
 {
   const double cell_size = input.grid.cell_size(), bandwidth = fit_bandwidth_factor * input.radius;
-  const Sorted_queries sorted_queries(ConcurrencyTag(), samples.positions, cell_size);
+  const Sorted_queries sorted_queries(ConcurrencyTag(), samples.positions,
+                                      Cell_sizes(cell_size, samples.scales));
 
-  const Fit_kernel<T> kernel = {T(input.radius * input.radius), T(bandwidth * bandwidth),
-                                T(input.normal_bandwidth), T(input.squared_sheet_height)};
+  const Fit_kernel<T> kernel_of_one = {T(input.radius * input.radius), T(bandwidth * bandwidth),
+                                       T(input.normal_bandwidth), T(input.squared_sheet_height)};
   const Border_of_ball border(input.radius, bandwidth);
   std::atomic<std::size_t> number_of_lonely_samples{0};
   const auto make_visitor = [&]() {
@@ -179,22 +186,26 @@ std::size_t fit_compatible_points(const Fit_input<T>& input, Progress& progress,
         const Eigen::Matrix<T, 3, 1> center =
           (sorted_queries.points[q] - origin).template cast<T>();
         Vector old_normal = samples.normals[i].template cast<double>();
+        const double scale = sorted_queries.grid.scale(q),
+                     squared_radius = square(input.radius * scale),
+                     squared_sheet_height = input.squared_sheet_height * square(scale);
+        const Fit_kernel<T> kernel = kernel_of_one.scaled(T(scale));
         const auto sums_with = [&](const Fit_kernel<T>& own_kernel) {
           return sum_compatible_points<T>(center, old_normal.cast<T>(), candidates, normals, scales,
                                           own_kernel);
         };
         Compatible_points sums = sums_with(kernel);
-        const Unsupported_sample support(sums.weight, sums.all, input.squared_sheet_height,
-                                         input.radius * input.radius);
+        const Unsupported_sample support(sums.weight, sums.all, squared_sheet_height,
+                                         squared_radius);
         double own_sheet_height = support.squared_sheet_height;
         if (support.is_unsupported)
           old_normal = normal_of_most(center, old_normal, support.weight_of_own_normal, candidates,
                                       normals, scales, kernel);
         else
-          own_sheet_height = squared_sheet_height_among(input.squared_sheet_height,
+          own_sheet_height = squared_sheet_height_among(squared_sheet_height,
                                                         weighted_variance(sums.weight, sums.height,
                                                                           sums.squared_heights));
-        if (own_sheet_height != input.squared_sheet_height)
+        if (own_sheet_height != squared_sheet_height)
         {
           Fit_kernel<T> own_kernel = kernel;
           own_kernel.squared_sheet_height = T(own_sheet_height);
@@ -218,11 +229,11 @@ std::size_t fit_compatible_points(const Fit_input<T>& input, Progress& progress,
         const Vector offset = mean - old_normal.dot(mean) * old_normal;
         const double distance = offset.norm();
         samples.fit_centroids[i] += (sums.height / total) * old_normal;
-        const double way_back = border.way_back(distance);
+        const double way_back = scale * border.way_back(distance / scale);
         if (way_back > 0)
           samples.fit_centroids[i] += (way_back / distance) * offset;
         const double held_back = border.share_held_back(
-          distance, total * total / sums.squared_weights, sums.squared_sines / sums.all);
+          distance / scale, total * total / sums.squared_weights, sums.squared_sines / sums.all);
         if (held_back > 0)
           samples.outward_directions[i] =
             (-std::sqrt(held_back) / distance * offset).template cast<FT>();

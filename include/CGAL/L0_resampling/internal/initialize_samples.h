@@ -9,6 +9,7 @@
 #include <CGAL/L0_resampling/internal/ball_queries.h>
 #include <CGAL/L0_resampling/internal/exact_ball.h>
 #include <CGAL/L0_resampling/internal/random_bits.h>
+#include <CGAL/L0_resampling/internal/weights.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -49,7 +50,8 @@ void move_between_points(const Search_grid_3& grid, const Buffer<Vector>& points
                          Progress& progress, Initial_samples& samples)
 {
   const Buffer<Vector> starts = copy_of(samples.positions);
-  const Search_grid_3 start_grid(starts, grid.cell_size());
+  const Buffer<float> start_scales = listed_scales(grid.scales(), samples.sources);
+  const Search_grid_3 start_grid(starts, Cell_sizes(grid.cell_size(), start_scales));
   const T similar_cosine = T(
     0.87); // 30 degrees, what survives bilateral filtering on one side of an edge
 
@@ -72,7 +74,7 @@ void move_between_points(const Search_grid_3& grid, const Buffer<Vector>& points
           const Index j = candidates.indices[k];
           const Eigen::Matrix<T, 3, 1> d =
             Eigen::Matrix<T, 3, 1>(candidates.x[k], candidates.y[k], candidates.z[k]) - center;
-          if (d.squaredNorm() >= T(radius * radius) || points[j] == starts[e])
+          if (d.squaredNorm() >= T(square(radius * start_grid.scale(e))) || points[j] == starts[e])
             continue;
           const bool is_similar = std::abs(normals[source].dot(normals[j])) > similar_cosine;
           const std::uint64_t rank = (random_bits(seed + source, (number << 32) | j) >> 1)
@@ -159,7 +161,7 @@ point start between two points each.
 \param normals unoriented, one a point
 \param areas what each point stands for, so that the samples spread evenly over the surface; or
 none, so that they spread as the points do
-\param radius how far apart the two points of a further sample may lie
+\param radius how far apart the two points of a further sample may lie, at scale 1
 \returns samples sorted for a grid of the same cell size
 */
 template <typename ConcurrencyTag, typename T>
@@ -197,8 +199,8 @@ Initial_samples initialize_samples(const Search_grid_3& grid, const Buffer<Vecto
   start_on_sources();
   if (is_sorted)
     return samples;
-  const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(samples.positions,
-                                                                          grid.cell_size());
+  const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(
+    samples.positions, Cell_sizes(grid.cell_size(), listed_scales(grid.scales(), samples.sources)));
   apply_order(order, samples.positions);
   apply_order(order, samples.sources);
   return samples;

@@ -34,14 +34,15 @@ constexpr std::size_t samples_per_block = 256;
 /// \param squared_bandwidth \f$ \sigma_q^2 \f$
 /// \param squared_radius \f$ r_p^2 \f$
 /// \param squared_jump \f$ J^2 \f$, infinite in LOR and ALOR
-/// \param squared_range of the self neighbors, where the weights end; infinite in LOR and ALOR,
-/// whose pairs stay
+/// \param range of the self neighbors, where the weights end; infinite in LOR and ALOR, whose pairs
+/// stay
 /// \param density_weights out: one number a sample, at least 1
 /// \param pair_weights out: one number a pair
+/// \param scales of the samples; lengths are those at scale 1
 template <typename ConcurrencyTag, typename FT>
 void update_weights(const Buffer<Vector>& samples, const Buffer<Eigen::Matrix<FT, 3, 1>>& normals,
                     const Neighborhoods& neighbors, double squared_bandwidth, double squared_radius,
-                    double squared_jump, double squared_range, double regularization_weight,
+                    double squared_jump, const Range_of_pairs& range, double regularization_weight,
                     Buffer<FT>& density_weights, Buffer<FT>& pair_weights)
 {
   using Array = Eigen::Array<FT, Eigen::Dynamic, 1>;
@@ -72,7 +73,18 @@ void update_weights(const Buffer<Vector>& samples, const Buffer<Eigen::Matrix<FT
           squared_heights[Eigen::Index(e - neighbors.offsets[begin])] =
             (std::max)(height_i * height_i, height_k * height_k);
         }
-      const Array share = share_in_ball(Array(squared_distances), FT(squared_range));
+      Array share = share_in_ball(Array(squared_distances), FT(square(range.radius)));
+      if (range.scales.values)
+        for (std::size_t i = begin; i < end; ++i)
+          for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
+          {
+            const Index k = neighbors.indices[e];
+            const Eigen::Index pair = Eigen::Index(e - neighbors.offsets[begin]);
+            const FT stretch = FT(1 / range.scales.squared_of_pair(i, k));
+            share[pair] = share_in_ball(FT(pair_weights[e]), FT(range.squared(i, k)));
+            squared_heights[pair] *= stretch;
+            pair_weights[e] *= stretch;
+          }
       const Array theta = share * gaussian_weight(Array(squared_distances), FT(squared_bandwidth));
       for (std::size_t i = begin; i < end; ++i)
       {
@@ -155,8 +167,8 @@ its negative gradient at the current positions,
 Only differences of neighbors enter, so that neither the place of the cloud nor a far outlier costs
 digits.
 
-\param jumps by \f$ \sqrt{\lambda/\beta} \f$, as lengths
-\param squared_range as of `update_weights()`; near it, as much of a jump is kept as the weights
+\param jumps by \f$ \sqrt{\lambda/\beta} \f$, as lengths at scale 1
+\param range as of `update_weights()`; near it, as much of a jump is kept as the weights
 there lack
 \param right_hand_side out: \f$ g_i \f$, one vector a sample
 \param normal_offsets out: \f$ \delta_{ik} \f$ for each pair if not empty, for solvers that want the
@@ -165,11 +177,12 @@ rows of Eq. (11)
 template <typename ConcurrencyTag, typename FT>
 Energy_sums shrink_normal_offsets(const Samples<FT>& samples, const Neighborhoods& neighbors,
                                   const Buffer<FT>& pair_weights, FT penalty,
-                                  const Shrunk_jumps<FT>& jumps, FT squared_range,
+                                  const Shrunk_jumps<FT>& jumps, const Range_of_pairs& range,
                                   Buffer<Eigen::Matrix<FT, 3, 1>>& right_hand_side,
                                   Buffer<FT>& normal_offsets)
 {
   using Local_vector = Eigen::Matrix<FT, 3, 1>;
+  const bool is_scaled = range.scales.values != nullptr;
   return block_sum<ConcurrencyTag>(
     samples.positions.size(), samples_per_block, [&](std::size_t begin, std::size_t end) {
       Energy_sums sums;
@@ -195,10 +208,11 @@ Energy_sums shrink_normal_offsets(const Samples<FT>& samples, const Neighborhood
           const FT distance_i = normal[0] * x + normal[1] * y + normal[2] * z;
           const FT distance_k = other_normal[0] * x + other_normal[1] * y + other_normal[2] * z;
           const FT squared_distance = x * x + y * y + z * z,
-                   share = share_in_ball(squared_distance, squared_range);
-          const FT shrunk_i = shrink(distance_i, jumps);
+                   share = share_in_ball(squared_distance, FT(range.squared(i, k)));
+          const FT scale = is_scaled ? std::sqrt(FT(range.scales.squared_of_pair(i, k))) : FT(1);
+          const FT shrunk_i = scale * shrink(distance_i / scale, jumps);
           // delta_ki is minus that of this one, as p_k - p_i is minus the difference
-          const FT shrunk_k = shrink(distance_k, jumps);
+          const FT shrunk_k = scale * shrink(distance_k / scale, jumps);
           const FT misfit_i = share * (distance_i - shrunk_i),
                    pull_k = penalty * share * (distance_k - shrunk_k);
           const FT weight = pair_weights[e];

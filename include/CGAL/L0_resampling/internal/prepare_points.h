@@ -10,6 +10,7 @@
 #include <CGAL/L0_resampling/internal/Plan.h>
 #include <CGAL/L0_resampling/internal/density_weights.h>
 #include <CGAL/L0_resampling/internal/estimate_pca_normals.h>
+#include <CGAL/L0_resampling/internal/estimate_scale_field.h>
 #include <CGAL/L0_resampling/internal/estimate_scales.h>
 #include <CGAL/L0_resampling/internal/filter_normals.h>
 #include <CGAL/L0_resampling/internal/find_outliers.h>
@@ -31,9 +32,10 @@ using Local_vector = Eigen::Matrix<Local, 3, 1>;
 
 /// Finds the facts of the cloud, plans the call, and makes r_p the unit of frame and points.
 /// \param frame that the points have entered
+/// \param scales out: of the points; none if all are 1
 template <typename ConcurrencyTag>
 Plan plan_and_scale(const Parameters& parameters, Buffer<Vector>& points, Working_frame& frame,
-                    Progress& progress, Report& report)
+                    Progress& progress, Report& report, Buffer<float>& scales)
 {
   Facts facts{points.size(), box_diagonal(points), robust_diagonal<ConcurrencyTag>(points),
               frame.exponent()};
@@ -43,10 +45,17 @@ Plan plan_and_scale(const Parameters& parameters, Buffer<Vector>& points, Workin
     report.estimated_spacing = frame.length_of_input(facts.scales.spacing * paper_radius(facts));
     report.estimated_noise = frame.length_of_input(facts.scales.noise * paper_radius(facts));
   }
-  const Plan plan = make_plan(parameters, facts);
+  Plan plan = make_plan(parameters, facts);
+  if (plan.follows_scales)
+  {
+    const Scale_field field = estimate_scale_field<ConcurrencyTag>(
+      points, facts.robust_diagonal, usual_scales(plan, facts), progress);
+    scales = field.of_points<ConcurrencyTag>(points);
+  }
+  const Range_of_scales range = range_of(scales);
+  plan.largest_radius = range.largest;
   frame.set_unit<ConcurrencyTag>(plan.unit, points);
-  report.neighbor_radius = frame.length_of_input(plan.radius);
-  report.normal_filter_radius = frame.length_of_input(plan.filter_radius);
+  report_radii(plan, range, frame, report);
   return plan;
 }
 
@@ -71,12 +80,12 @@ inline void sort_normals_of_coincident_points(const Buffer<Vector>& points,
 /// Removes the outliers from the points and what belongs to them.
 /// \returns their number
 template <typename ConcurrencyTag>
-std::size_t drop_outliers(double radius, Buffer<Vector>& points,
+std::size_t drop_outliers(double radius, Buffer<Vector>& points, Buffer<float>& scales,
                           Buffer<Local_vector>& given_normals, Buffer<Local_vector>& hints,
                           Progress& progress)
 {
-  const Buffer<unsigned char> is_outlier = find_outliers<Local, ConcurrencyTag>(points, radius,
-                                                                                progress);
+  const Buffer<unsigned char> is_outlier =
+    find_outliers<Local, ConcurrencyTag>(points, radius, view_of_scales(scales), progress);
   const auto drop_from = [&](auto& values) {
     std::size_t size = 0;
     for_each_in_order(values.size(), [&](std::size_t i) {
@@ -87,6 +96,7 @@ std::size_t drop_outliers(double radius, Buffer<Vector>& points,
   };
   const std::size_t n = points.size();
   drop_from(points);
+  drop_from(scales);
   drop_from(given_normals);
   drop_from(hints);
   return n - points.size();
@@ -95,12 +105,15 @@ std::size_t drop_outliers(double radius, Buffer<Vector>& points,
 /// Sorts the points, and what belongs to them, into the order of their grid.
 /// \returns the number of distinct points
 template <typename ConcurrencyTag>
-std::size_t sort_points(double cell_size, Buffer<Vector>& points,
+std::size_t sort_points(double cell_size, Buffer<Vector>& points, Buffer<float>& scales,
                         Buffer<Local_vector>& given_normals, Buffer<Local_vector>& hints)
 {
   {
-    const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(points, cell_size);
+    const Buffer<Index> order =
+      Search_grid_3::sorted_order<ConcurrencyTag>(points, Cell_sizes(cell_size, scales));
     apply_order<ConcurrencyTag>(order, points);
+    if (!scales.empty())
+      apply_order<ConcurrencyTag>(order, scales);
     for (Buffer<Local_vector>* vectors : {&given_normals, &hints})
       if (!vectors->empty())
       {
@@ -127,6 +140,7 @@ inline bool are_all_given(const Buffer<Local_vector>& given_normals)
 struct Prepared_points
 {
   Buffer<Vector>& points;
+  Buffer<float>& scales; ///< of the points; none if all are 1
   Search_grid_3 grid;
   /// How many points of the input each one stands for; empty if only for itself.
   Buffer<Index> numbers_of_points;
@@ -137,6 +151,7 @@ struct Prepared_points
   void release_all()
   {
     release(points);
+    release(scales);
     release(numbers_of_points);
     release(normals);
     release(density_weights);
@@ -185,33 +200,39 @@ void compute_filtered_normals(const Plan& plan, const Buffer<Local_vector>& give
 /// Removes outliers, sorts the points, thins crowds, and finds the normals of the points and their
 /// density weights of Eq. (5).
 /// \param points in the working frame
+/// \param scales of the points; none if all are 1
 /// \param given_normals used up
 template <typename ConcurrencyTag>
-Prepared_points prepare_points(const Plan& plan, Buffer<Vector>& points,
+Prepared_points prepare_points(const Plan& plan, Buffer<Vector>& points, Buffer<float>& scales,
                                Buffer<Local_vector>& given_normals, Buffer<Local_vector>& hints,
                                Progress& progress, Report& report)
 {
   if (plan.drops_outliers)
   {
     progress.begin_stage("find outliers", 0.05, points.size());
-    report.number_of_outliers = drop_outliers<ConcurrencyTag>(plan.radius, points, given_normals,
-                                                              hints, progress);
+    report.number_of_outliers = drop_outliers<ConcurrencyTag>(plan.radius, points, scales,
+                                                              given_normals, hints, progress);
     progress.begin_stage("sort points", 0.05, 1);
   }
-  report.number_of_distinct_points = sort_points<ConcurrencyTag>(plan.cell_size, points,
+  report.number_of_distinct_points = sort_points<ConcurrencyTag>(plan.cell_size, points, scales,
                                                                  given_normals, hints);
   const auto allocator = points.get_allocator();
-  Prepared_points input{points, Search_grid_3(points, plan.cell_size), Buffer<Index>(allocator),
-                        Buffer<Local_vector>(allocator), Buffer<Local>(allocator)};
+  Prepared_points input{points,
+                        scales,
+                        Search_grid_3(points, Cell_sizes(plan.cell_size, scales)),
+                        Buffer<Index>(allocator),
+                        Buffer<Local_vector>(allocator),
+                        Buffer<Local>(allocator)};
   const Representatives kept = thin_crowds<ConcurrencyTag>(input.grid, points,
                                                            most_points_of_subcell);
   if (!kept.are_all_points())
   {
     input.numbers_of_points = kept.numbers_of_points();
     kept.keep(points);
+    kept.keep(scales);
     kept.keep(given_normals);
     kept.keep(hints);
-    input.grid = Search_grid_3(points, plan.cell_size);
+    input.grid = Search_grid_3(points, Cell_sizes(plan.cell_size, scales));
   }
   compute_filtered_normals<ConcurrencyTag>(plan, given_normals, progress, report, input);
   const bool all_normals_given = are_all_given(given_normals);

@@ -29,6 +29,11 @@ struct Quadric_kernel
   double radius;               ///< of the wide ball
   double normal_bandwidth;     ///< \f$ (1 - \cos\sigma_n)^2 \f$
   double squared_sheet_height; ///< \f$ H^2 \f$
+
+  Quadric_kernel scaled(double scale) const
+  {
+    return {radius * scale, normal_bandwidth, squared_sheet_height * square(scale)};
+  }
 };
 
 /// The samples that planes and quadrics are fitted to.
@@ -38,11 +43,12 @@ struct Support_points
   Buffer<Vector> positions;
   Buffer<Eigen::Matrix<T, 3, 1>> normals;
   Buffer<T> variances; ///< \f$ u_k \f$, `Samples::fit_variances`
+  Buffer<float> scales;
 
   template <typename FT>
   explicit Support_points(const Samples<FT>& samples)
     : positions(samples.positions.get_allocator()), normals(positions.get_allocator()),
-      variances(positions.get_allocator())
+      variances(positions.get_allocator()), scales(positions.get_allocator())
   {
     for_each_in_order(samples.positions.size(), [&](std::size_t i) {
       if (!samples.are_support_points[i])
@@ -50,6 +56,8 @@ struct Support_points
       positions.push_back(samples.positions[i]);
       normals.push_back(samples.normals[i].template cast<T>());
       variances.push_back(T(samples.fit_variances[i]));
+      if (!samples.scales.empty())
+        scales.push_back(samples.scales[i]);
     });
   }
 };
@@ -137,14 +145,18 @@ void project_to_local_quadrics(const Quadric_kernel& kernel, double smallest_cel
   const double cell_size = (std::max)(kernel.radius / 2, smallest_cell_size);
   Support_points<T> support_points(samples);
   {
-    const Buffer<Index> order =
-      Search_grid_3::sorted_order<ConcurrencyTag>(support_points.positions, cell_size);
+    const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(
+      support_points.positions, Cell_sizes(cell_size, support_points.scales));
     apply_order(order, support_points.positions);
     apply_order(order, support_points.normals);
     apply_order(order, support_points.variances);
+    if (!support_points.scales.empty())
+      apply_order(order, support_points.scales);
   }
-  const Search_grid_3 support_grid(support_points.positions, cell_size);
-  const Sorted_queries sorted_queries(ConcurrencyTag(), samples.positions, cell_size);
+  const Search_grid_3 support_grid(support_points.positions,
+                                   Cell_sizes(cell_size, support_points.scales));
+  const Sorted_queries sorted_queries(ConcurrencyTag(), samples.positions,
+                                      Cell_sizes(cell_size, samples.scales));
 
   const auto make_visitor = [&]() {
     return [&, normals = Local_normals<T>(), variances = Aligned_vector<T>()](
@@ -160,10 +172,11 @@ void project_to_local_quadrics(const Quadric_kernel& kernel, double smallest_cel
         const Eigen::Matrix<T, 3, 1> center =
           (sorted_queries.points[q] - origin).template cast<T>();
         const Vector normal = samples.normals[i].template cast<double>();
+        const Quadric_kernel own_kernel = kernel.scaled(sorted_queries.grid.scale(q));
         const Tangent_frame frame({normal.x(), normal.y(), normal.z()});
         const Agreeing_support_points sums =
-          sum_agreeing_support_points<T>(center, frame, candidates, normals, variances, kernel);
-        const Settled_sample settled = settled_sample(sums, frame, kernel.radius);
+          sum_agreeing_support_points<T>(center, frame, candidates, normals, variances, own_kernel);
+        const Settled_sample settled = settled_sample(sums, frame, own_kernel.radius);
         samples.positions[i] += settled.height * normal;
         samples.normals[i] =
           Vector(settled.normal.x, settled.normal.y, settled.normal.z).template cast<FT>();

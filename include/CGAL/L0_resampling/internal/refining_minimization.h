@@ -25,6 +25,7 @@ struct Refinement_parameters
   double
     /// in place of r_p/2, so that a sample has neighbors at any number of samples
     self_neighbor_radius;
+  double spreading_radius;               ///< of the samples that repel each other; no smaller
   double spacing;                        ///< of an even set of that many samples
   std::size_t number_of_repulsion_steps; ///< after each turn
   Sample_refit_kernel refit_kernel;
@@ -67,7 +68,11 @@ Refinement_counts minimize_with_refinement(const Minimization_parameters& p,
                                            std::vector<Iteration_report>& reports)
 {
   const auto allocator = samples.positions.get_allocator();
-  const double cell_size = (std::max)(input.grid.cell_size(), refinement.self_neighbor_radius);
+  // the neighbors that repel each other, where they are others than those that the energy couples
+  const bool spreads_wider = !samples.scales.empty();
+  const double cell_size = (std::max)(input.grid.cell_size(), spreads_wider
+                                                                ? refinement.spreading_radius
+                                                                : refinement.self_neighbor_radius);
   using Local_vector = typename Samples<typename SolverTraits::FT>::Local_vector;
   fill_buffer(samples.positions.size(), Local_vector(Local_vector::Zero()),
               samples.outward_directions);
@@ -85,8 +90,8 @@ Refinement_counts minimize_with_refinement(const Minimization_parameters& p,
     fit_compatible_points<ConcurrencyTag>(input, progress, samples);
     apply_order(Search_grid_3::sorted_order<ConcurrencyTag>(samples.positions, cell_size), samples);
     const Search_grid_3 grid(samples.positions, cell_size);
-    neighbors = find_self_neighbors<ConcurrencyTag>(grid, samples.positions,
-                                                    refinement.self_neighbor_radius, progress);
+    const Range_of_pairs range = {refinement.self_neighbor_radius, view_of_scales(samples.scales)};
+    neighbors = find_self_neighbors<ConcurrencyTag>(grid, samples.positions, range, progress);
     refit_sample_normals<ConcurrencyTag>(refinement.refit_kernel, neighbors,
                                          refinement.number_of_sample_refits, samples);
     if constexpr (std::is_same<typename SolverTraits::FT,
@@ -97,9 +102,16 @@ Refinement_counts minimize_with_refinement(const Minimization_parameters& p,
     sum_normal_spreads<ConcurrencyTag>(samples.normals, neighbors, normal_spreads);
     const Buffer<Vector> places = copy_of(samples.positions);
     reports.push_back(step(penalty, true, neighbors, normal_spreads, fit_rows, samples));
-    repel_tangentially<ConcurrencyTag>(neighbors, places, refinement.self_neighbor_radius,
-                                       refinement.spacing, input.radius,
-                                       refinement.number_of_repulsion_steps, samples);
+    const auto repel = [&](const Neighborhoods& others, double radius) {
+      repel_tangentially<ConcurrencyTag>(others, places, radius, refinement.spacing, input.radius,
+                                         refinement.number_of_repulsion_steps, samples);
+    };
+    if (spreads_wider)
+      repel(find_self_neighbors<ConcurrencyTag>(grid, places, {refinement.spreading_radius, {}},
+                                                progress),
+            refinement.spreading_radius);
+    else
+      repel(neighbors, refinement.self_neighbor_radius);
   }
 
   const std::size_t number_of_lonely_samples =

@@ -63,7 +63,7 @@ those of its own side, leans the other way, since it lacks their noisiest part. 
 is nearer to the truth than either; filtering once more then spreads it.
 
 \param points sorted for `grid`
-\param squared_sheet_height \f$ H^2 \f$
+\param squared_sheet_height \f$ H^2 \f$, at scale 1 as the filter
 \param normals in and out, one unit vector a point
 */
 template <typename ConcurrencyTag, typename T>
@@ -73,10 +73,10 @@ void refit_normals(const Search_grid_3& grid, const Buffer<Vector>& points,
 {
   update_normals<ConcurrencyTag>(
     grid, points, filter.radius, progress, normals,
-    [&](const Eigen::Matrix<T, 3, 1>& center, const Eigen::Matrix<T, 3, 1>& normal,
+    [&](const Eigen::Matrix<T, 3, 1>& center, float scale, const Eigen::Matrix<T, 3, 1>& normal,
         const Local_points<T>& candidates, const Local_normals<T>& candidate_normals) {
-      return refitted_normal(center, normal, candidates, candidate_normals, filter,
-                             squared_sheet_height);
+      return refitted_normal(center, normal, candidates, candidate_normals, filter.scaled(T(scale)),
+                             squared_sheet_height * T(scale) * T(scale));
     });
 }
 

@@ -47,6 +47,7 @@ void refit_sample_normals(const Sample_refit_kernel& kernel, const Neighborhoods
            squared_bandwidth = FT(kernel.squared_bandwidth);
   const FT normal_bandwidth = FT(kernel.normal_bandwidth),
            squared_sheet_height = FT(kernel.squared_sheet_height);
+  const Range_of_pairs range = {kernel.radius, view_of_scales(samples.scales)};
   const std::size_t samples_per_block = 1024;
   Buffer<Local_vector> refitted = copy_of(samples.normals);
   for (std::size_t pass = 0; pass < number_of_passes; ++pass)
@@ -57,6 +58,8 @@ void refit_sample_normals(const Sample_refit_kernel& kernel, const Neighborhoods
         const Eigen::Index number_of_pairs = Eigen::Index(neighbors.offsets[end] - first_pair);
         Eigen::Matrix<FT, 3, Eigen::Dynamic> differences(3, number_of_pairs);
         Array cosines(number_of_pairs), heights(number_of_pairs);
+        // what shortens the range of a pair shortens the kernel
+        Array squared_stretches = Array::Ones(number_of_pairs);
         for (std::size_t i = begin; i < end; ++i)
           for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
           {
@@ -70,8 +73,12 @@ void refit_sample_normals(const Sample_refit_kernel& kernel, const Neighborhoods
             cosines[pair] = cosine;
             heights[pair] = symmetric_height(samples.normals[i].dot(d),
                                              FT(sign * samples.normals[k].dot(d)));
+            if (range.scales.values)
+              squared_stretches[pair] = squared_radius / FT(range.squared(i, k));
           }
-        const Array squared_distances = differences.colwise().squaredNorm().transpose();
+        const Array squared_distances = differences.colwise().squaredNorm().transpose().array()
+                                        * squared_stretches;
+        heights *= squared_stretches.sqrt();
         const Array weights = share_in_ball(squared_distances, squared_radius)
                               * sheet_weight(squared_distances, squared_bandwidth, cosines,
                                              normal_bandwidth, heights, squared_sheet_height);
@@ -89,7 +96,8 @@ void refit_sample_normals(const Sample_refit_kernel& kernel, const Neighborhoods
           }
           const Local_vector& normal = samples.normals[i];
           const Triple leaning = lean_to_plane(moments, {normal[0], normal[1], normal[2]},
-                                               variance / moments.sum, kernel.radius);
+                                               variance / moments.sum,
+                                               std::sqrt(range.squared(i, i)));
           refitted[i] = Vector(leaning.x, leaning.y, leaning.z).template cast<FT>();
         }
       });

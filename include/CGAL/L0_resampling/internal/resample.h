@@ -77,8 +77,8 @@ void minimize_from_start(const Plan& plan, const Followers& followers, Any_solve
     if (solver.needs_explicit_rows)
       apply_order(order, fit_rows);
     const Search_grid_3 grid(samples.positions, plan.self_cell_size());
-    return find_self_neighbors<ConcurrencyTag>(grid, samples.positions, plan.self_neighbor_radius,
-                                               progress);
+    return find_self_neighbors<ConcurrencyTag>(grid, samples.positions,
+                                               {plan.self_neighbor_radius, {}}, progress);
   }();
   report.number_of_self_neighbor_pairs = neighbors.indices.size();
 
@@ -102,9 +102,13 @@ void minimize_and_refine(const Plan& plan, Any_solver<FT>& solver, Progress& pro
                                    plan.radius,
                                    square(plan.sheet_height),
                                    plan.compatible_bandwidth};
-  const Refinement_parameters refinement{
-    plan.self_neighbor_radius, plan.sample_spacing, number_of_repulsion_steps,
-    Sample_refit_kernel(plan.self_neighbor_radius, plan.refit_bandwidth), number_of_sample_refits};
+  const Refinement_parameters refinement{plan.self_neighbor_radius,
+                                         plan.spreading_radius(),
+                                         plan.sample_spacing,
+                                         number_of_repulsion_steps,
+                                         Sample_refit_kernel(plan.self_neighbor_radius,
+                                                             plan.refit_bandwidth),
+                                         number_of_sample_refits};
   const Refinement_counts counts = minimize_with_refinement<ConcurrencyTag>(
     plan.minimization, refinement, fit_input, solver, progress, samples, report.iterations);
   report.number_of_self_neighbor_pairs = counts.number_of_self_neighbor_pairs;
@@ -156,14 +160,15 @@ Oriented_points<FT> resample(Buffer<Vector>& points, Buffer<Local_vector>& given
   progress.begin_stage("sort points", 0.05, 1);
   Working_frame frame;
   frame.enter<ConcurrencyTag>(points);
-  Plan plan = plan_and_scale<ConcurrencyTag>(parameters, points, frame, progress, report);
+  Buffer<float> scales(allocator);
+  Plan plan = plan_and_scale<ConcurrencyTag>(parameters, points, frame, progress, report, scales);
   const Vector input_extent = trimmed_extent<ConcurrencyTag>(points);
 
   Samples<FT> samples(allocator);
   Followers followers(allocator);
   {
-    Prepared_points input = prepare_points<ConcurrencyTag>(plan, points, given_normals, hints,
-                                                           progress, report);
+    Prepared_points input = prepare_points<ConcurrencyTag>(plan, points, scales, given_normals,
+                                                           hints, progress, report);
     followers = choose_samples<ConcurrencyTag>(parameters, input, hints, progress, plan, samples);
     if (plan.refines)
       minimize_and_refine<ConcurrencyTag>(plan, solver, progress, report, input, samples);

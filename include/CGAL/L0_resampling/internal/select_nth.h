@@ -52,6 +52,15 @@ void select_nth(Iterator first, Iterator nth, Iterator last)
   std::nth_element(first, nth, last);
 }
 
+/// The middle one of the values, the upper of two.
+template <typename T>
+T median_of(Buffer<T> values)
+{
+  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+  select_nth(values.begin(), middle, values.end());
+  return *middle;
+}
+
 } // namespace internal
 } // namespace L0_resampling
 } // namespace CGAL

@@ -29,10 +29,10 @@ two. Then the pushes cancel, to first order of the gradient, on a set whose dens
 square of those spacings.
 
 \param places where the samples were when their neighbors were found
-\param range of the neighbors, there; pushes end softly at it (`share_in_ball()`), so that no
+\param range of the pairs, there; pushes end softly at it (`share_in_ball()`), so that no
 rounding decides whether one is felt
 \param spacing of an even set of that many samples, a length
-\param radius of the fit: no sample is pushed out of its reach
+\param radius of the fit, at scale 1: no sample is pushed out of its reach
 */
 template <typename ConcurrencyTag, typename FT>
 void repel_tangentially(const Neighborhoods& neighbors, const Buffer<Vector>& places, double range,
@@ -44,6 +44,7 @@ void repel_tangentially(const Neighborhoods& neighbors, const Buffer<Vector>& pl
   const Repulsion repulsion(spacing, radius);
   const FT squared_bandwidth = FT(repulsion.squared_bandwidth), strength = FT(repulsion.strength);
   const bool is_even = samples.spacings.empty();
+  const Scales_view scale_of = view_of_scales(samples.scales);
   const std::size_t samples_per_block = 1024;
   Buffer<Vector> moved = copy_of(samples.positions);
   for (std::size_t step = 0; step < number_of_steps; ++step)
@@ -86,8 +87,9 @@ void repel_tangentially(const Neighborhoods& neighbors, const Buffer<Vector>& pl
           const Local_vector& outward = samples.outward_directions[i];
           push -= (std::max)(outward.dot(push), FT(0)) * outward;
           const FT length = push.norm(),
-                   maximum_step = FT(is_even ? repulsion.maximum_step
-                                             : Repulsion(samples.spacings[i], radius).maximum_step);
+                   maximum_step = FT(Repulsion(is_even ? spacing : double(samples.spacings[i]),
+                                               radius * double(scale_of[i]))
+                                       .maximum_step);
           if (length > maximum_step)
             push *= maximum_step / length;
           moved[i] = samples.positions[i] + push.template cast<double>();

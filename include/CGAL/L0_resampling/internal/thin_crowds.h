@@ -67,8 +67,8 @@ public:
     : m_grid(grid), m_points(points), m_limit(limit)
   {}
 
-  /// Calls `f(range, counts)` for each such cell, with its points and the numbers of them in its
-  /// subcells; at the same time for several cells.
+  /// Calls `f(cell, range, counts)` for each such cell, with its points and the numbers of them in
+  /// its subcells; at the same time for several cells.
   /// \returns the number of such cells
   template <typename ConcurrencyTag, typename F>
   std::size_t for_each(const F& f) const
@@ -82,7 +82,7 @@ public:
                                          if (is_crowded(cell, counts))
                                          {
                                            ++number_of_crowded_cells;
-                                           f(m_grid.points_of_cell(cell), counts);
+                                           f(cell, m_grid.points_of_cell(cell), counts);
                                          }
                                        return number_of_crowded_cells;
                                      });
@@ -91,10 +91,14 @@ public:
   template <typename ConcurrencyTag>
   bool are_there_any() const
   {
-    return for_each<ConcurrencyTag>([](const Search_grid_3::Range&, const Counts&) {}) > 0;
+    return for_each<ConcurrencyTag>([](std::size_t, const Search_grid_3::Range&, const Counts&) {})
+           > 0;
   }
 
-  std::size_t subcell(Index i) const { return subcell_of(m_points[i].data(), m_grid.cell_size()); }
+  std::size_t subcell(Index i, std::size_t cell) const
+  {
+    return subcell_of(m_points[i].data(), m_grid.size_of_cell(cell));
+  }
 
 private:
   bool is_crowded(std::size_t cell, Counts& counts) const
@@ -105,7 +109,7 @@ private:
     counts.fill(0);
     bool is = false;
     for (Index i = range.first; i < range.second; ++i)
-      is |= ++counts[subcell(i)] > m_limit;
+      is |= ++counts[subcell(i, cell)] > m_limit;
     return is;
   }
 };
@@ -126,16 +130,17 @@ Representatives thin_crowds(const Search_grid_3& grid, const Buffer<Vector>& poi
     return result;
   result.of_points.reserve(points.size());
   for_each_in_order(points.size(), [&](std::size_t i) { result.of_points.push_back(Index(i)); });
-  cells.for_each<ConcurrencyTag>([&](const Search_grid_3::Range& range, const auto& counts) {
-    std::array<Index, subcells_of_cell> ranks{}, last_kept;
-    for (Index i = range.first; i < range.second; ++i)
-    {
-      const std::size_t s = cells.subcell(i);
-      if (is_kept_of_crowd(ranks[s]++, counts[s], limit))
-        last_kept[s] = i;
-      result.of_points[i] = last_kept[s];
-    }
-  });
+  cells.for_each<ConcurrencyTag>(
+    [&](std::size_t cell, const Search_grid_3::Range& range, const auto& counts) {
+      std::array<Index, subcells_of_cell> ranks{}, last_kept;
+      for (Index i = range.first; i < range.second; ++i)
+      {
+        const std::size_t s = cells.subcell(i, cell);
+        if (is_kept_of_crowd(ranks[s]++, counts[s], limit))
+          last_kept[s] = i;
+        result.of_points[i] = last_kept[s];
+      }
+    });
   return result;
 }
 

@@ -20,11 +20,16 @@ struct Normal_filter
   double radius;       ///< \f$ r_q \f$
   T squared_bandwidth; ///< \f$ \sigma_q^2 \f$
   T normal_bandwidth;  ///< \f$ (1 - \cos\sigma_n)^2 \f$
+
+  Normal_filter scaled(T scale) const
+  {
+    return {radius * scale, squared_bandwidth * scale * scale, normal_bandwidth};
+  }
 };
 
-/// Replaces each normal by `f(center, normal, candidates, candidate_normals)`, which reads only the
-/// old ones. Candidates are all points within `radius`, and others; their coordinates and `center`
-/// are relative to one origin.
+/// Replaces each normal by `f(center, scale, normal, candidates, candidate_normals)`, which reads
+/// only the old ones. Candidates are all points within `radius` times the scale, and others; their
+/// coordinates and `center` are relative to one origin.
 template <typename ConcurrencyTag, typename T, typename F>
 void update_normals(const Search_grid_3& grid, const Buffer<Vector>& points, double radius,
                     Progress& progress, Buffer<Eigen::Matrix<T, 3, 1>>& normals, const F& f)
@@ -36,8 +41,8 @@ void update_normals(const Search_grid_3& grid, const Buffer<Vector>& points, dou
                                                    const Vector& origin) mutable {
       local_normals.gather(candidates, normals);
       for (Index i = queries.first; i < queries.second; ++i)
-        updated[i] = f((points[i] - origin).template cast<T>().eval(), normals[i], candidates,
-                       local_normals);
+        updated[i] = f((points[i] - origin).template cast<T>().eval(), grid.scale(i), normals[i],
+                       candidates, local_normals);
     };
   };
   for_each_cell<T, ConcurrencyTag>(
