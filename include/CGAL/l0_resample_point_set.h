@@ -11,8 +11,10 @@
 #include <CGAL/L0_resampling/internal/Point_data.h>
 #include <CGAL/L0_resampling/internal/carry_properties.h>
 #include <CGAL/L0_resampling/internal/checked_parameters.h>
+#include <CGAL/L0_resampling/internal/checked_types.h>
 #include <CGAL/L0_resampling/internal/compiled_templates.h>
 #include <CGAL/L0_resampling/internal/least_memory.h>
+#include <CGAL/L0_resampling/internal/output_iterators.h>
 #include <CGAL/L0_resampling/internal/points_of_range.h>
 #include <CGAL/L0_resampling/internal/resample.h>
 #include <CGAL/L0_resampling/named_parameters.h>
@@ -41,9 +43,6 @@
 #endif
 
 namespace CGAL {
-
-template <typename Point, typename Vector>
-class Point_set_3;
 
 namespace L0_resampling {
 namespace internal {
@@ -171,10 +170,6 @@ template <typename ConcurrencyTag, typename Kernel, typename PointRange, typenam
 void l0_resample_point_set(const PointRange& range, PointMap point_map, NormalMap normal_map,
                            std::size_t near_count, const Write& write, const NamedParameters& np)
 {
-  static_assert(
-    std::is_floating_point<typename Kernel::FT>::value,
-    "l0_resample_point_set() computes in floating point: convert the points to a kernel such as "
-    "Exact_predicates_inexact_constructions_kernel or Simple_cartesian<double> first.");
   if constexpr (!std::is_same<ConcurrencyTag, CUDA_tag>::value)
     resample_on_cpu<ConcurrencyTag, Kernel>(range, point_map, normal_map, near_count, write, np);
   else
@@ -200,8 +195,7 @@ OutputIterator resample_to_iterator(const PointRange& range, PointMap point_map,
 {
   const auto write = [&](std::size_t size, const auto& pair_of, const Point_data& data) {
     write_point_data(np, data, size, [](std::size_t i) { return i; });
-    for (std::size_t i = 0; i < size; ++i)
-      *out++ = pair_of(i);
+    write_result<Kernel>(size, pair_of, out);
   };
   l0_resample_point_set<ConcurrencyTag, Kernel>(range, point_map, normal_map, 0, write, np);
   return out;
@@ -226,10 +220,12 @@ given normals, on the number of threads or on the run; it scales and moves with 
 the device the solver is fixed, `maximum_memory` is of the device, and `Device_error` is thrown
 where none can be used.
 \tparam PointRange is a model of `ConstRange` with forward iterators.
-\tparam OutputIterator accepts `std::pair<Point_3, Vector_3>`.
+\tparam OutputIterator accepts `std::pair<Point_3, Vector_3>`, or else `Point_3`. A
+`boost::function_output_iterator` accepts what its function does.
 
 \param points the input. Any number of points, from none.
-\param out takes one pair for each point of the result: its position and its normal of unit length.
+\param out takes one pair for each point of the result: its position and its normal of unit length;
+or the position alone, if it does not accept pairs.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
 below. Those that CGAL lacks start a chain, or are joined to one by `|`, one at a time:
 `parameters::neighbor_radius(0.1) | parameters::normal_weight(0.5)`. All but `point_map`,
@@ -241,7 +237,7 @@ without a value leaves the default.
     \cgalParamDescription{a property map associating points to the elements of the range `points`}
     \cgalParamType{a model of `ReadablePropertyMap` with the iterator's value type as key type and
       `Point_3` as value type}
-    \cgalParamDefault{`CGAL::Identity_property_map<Point_3>`}
+    \cgalParamDefault{`CGAL::Identity_property_map<Point_3>`; of a `Point_set_3` its own}
   \cgalParamNEnd
   \cgalParamNBegin{normal_map}
     \cgalParamDescription{a property map associating normals to the elements of the range `points`;
@@ -472,7 +468,7 @@ without a value leaves the default.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\returns the output iterator behind the last pair written.
+\returns the output iterator behind the last element written.
 
 \throws std::invalid_argument for a parameter out of its range, or a point that is not finite,
 before any work
@@ -481,7 +477,8 @@ before any work
 \throws CGAL::L0_resampling::Device_error with `CUDA_tag`, if there is no usable device, or it
 failed
 
-What the property maps, the callback and the output iterator throw passes through. Nothing is
+Arguments whose types do not fit are refused at compile time, with a sentence that says what is
+wrong. What the property maps, the callback and the output iterator throw passes through. Nothing is
 written unless everything else succeeded.
 
 \cgalHeading{Complexity} With k neighbors in the ball of radius \f$ r_p \f$, time \cgalBigO{n k};
@@ -492,24 +489,19 @@ template <typename ConcurrencyTag, typename PointRange, typename OutputIterator,
 OutputIterator l0_resample_point_set(const PointRange& points, OutputIterator out,
                                      const NamedParameters& np = parameters::default_values())
 {
-  using Value = typename std::iterator_traits<decltype(points.begin())>::value_type;
-  using Point_map =
-    typename internal_np::Lookup_named_param_def<internal_np::point_t, NamedParameters,
-                                                 Identity_property_map<const Value>>::type;
-  using Default_kernel = typename Kernel_traits<
-    std::remove_cv_t<typename boost::property_traits<Point_map>::value_type>>::Kernel;
+  using namespace L0_resampling::internal;
+  const auto point_map = point_map_of(points, np);
+  const auto normal_map = normal_map_of(np);
+  using Point_map = std::decay_t<decltype(point_map)>;
+  using Normal_map = std::decay_t<decltype(normal_map)>;
+  using Default_kernel = typename Kernel_traits<typename Value_of_map<Point_map>::type>::Kernel;
   using Kernel =
     typename internal_np::Lookup_named_param_def<internal_np::geom_traits_t, NamedParameters,
                                                  Default_kernel>::type;
-
-  const Point_map point_map = parameters::choose_parameter<Point_map>(
-    parameters::get_parameter(np, internal_np::point_map));
-  if constexpr (parameters::is_default_parameter<NamedParameters, internal_np::normal_t>::value)
-    return L0_resampling::internal::resample_to_iterator<ConcurrencyTag, Kernel>(points, point_map,
-                                                                                 false, out, np);
-  else
-    return L0_resampling::internal::resample_to_iterator<ConcurrencyTag, Kernel>(
-      points, point_map, parameters::get_parameter(np, internal_np::normal_map), out, np);
+  if constexpr (input_fits<Kernel, Point_map, Normal_map, NamedParameters>())
+    if constexpr (output_fits<NamedParameters>() && iterator_fits<Kernel, OutputIterator>())
+      return resample_to_iterator<ConcurrencyTag, Kernel>(points, point_map, normal_map, out, np);
+  return out;
 }
 
 /*!
@@ -536,16 +528,14 @@ void l0_resample_point_set(const Point_set_3<Point, Vector>& points,
                            Point_set_3<Point, Vector>& result,
                            const NamedParameters& np = parameters::default_values())
 {
+  namespace internal = L0_resampling::internal;
   using Kernel = typename Kernel_traits<Point>::Kernel;
-  const bool has_properties = L0_resampling::internal::has_other_properties(points);
-  const std::size_t near_count = has_properties ? L0_resampling::internal::number_of_averaged_points
-                                                : 0;
-  const auto write = [&](std::size_t size, const auto& pair_of,
-                         const L0_resampling::internal::Point_data& data) {
+  const bool has_properties = internal::has_other_properties(points);
+  const std::size_t near_count = has_properties ? internal::number_of_averaged_points : 0;
+  const auto write = [&](std::size_t size, const auto& pair_of, const internal::Point_data& data) {
     const std::size_t size_before = result.size();
     if (has_properties)
-      L0_resampling::internal::append_with_properties(points, data.near_points, size, pair_of,
-                                                      result);
+      internal::append_with_properties(points, data.near_points, size, pair_of, result);
     else
     {
       result.reserve(size_before + size);
@@ -556,23 +546,17 @@ void l0_resample_point_set(const Point_set_3<Point, Vector>& points,
         result.insert(pair.first, pair.second);
       }
     }
-    L0_resampling::internal::write_point_data(np, data, size, [&](std::size_t i) {
+    internal::write_point_data(np, data, size, [&](std::size_t i) {
       return *(result.begin() + std::ptrdiff_t(size_before + i));
     });
   };
-  const auto point_map = [&]() {
-    if constexpr (parameters::is_default_parameter<NamedParameters, internal_np::point_t>::value)
-      return points.point_map();
-    else
-      return parameters::get_parameter(np, internal_np::point_map);
-  }();
-  if constexpr (parameters::is_default_parameter<NamedParameters, internal_np::normal_t>::value)
-    L0_resampling::internal::l0_resample_point_set<ConcurrencyTag, Kernel>(points, point_map, false,
-                                                                           near_count, write, np);
-  else
-    L0_resampling::internal::l0_resample_point_set<ConcurrencyTag, Kernel>(
-      points, point_map, parameters::get_parameter(np, internal_np::normal_map), near_count, write,
-      np);
+  const auto point_map = internal::point_map_of(points, np);
+  const auto normal_map = internal::normal_map_of(np);
+  if constexpr (internal::input_fits<Kernel, std::decay_t<decltype(point_map)>,
+                                     std::decay_t<decltype(normal_map)>, NamedParameters>())
+    if constexpr (internal::output_fits<NamedParameters>())
+      internal::l0_resample_point_set<ConcurrencyTag, Kernel>(points, point_map, normal_map,
+                                                              near_count, write, np);
 }
 
 } // namespace CGAL

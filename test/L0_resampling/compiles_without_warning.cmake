@@ -1,18 +1,10 @@
 # Has COMPILER look at SOURCE in C++ STANDARD with all that it warns of, and fails on a warning.
 # Headers of CGAL come from CGAL_INCLUDE_DIRECTORIES only: those that another CGAL has, and this one
 # has not any more, would be found silently.
-find_program(program NAMES ${COMPILER})
+include(${CMAKE_CURRENT_LIST_DIR}/compiler_and_includes.cmake)
 if(NOT program)
-  message(STATUS "${COMPILER} is not installed")
   return()
 endif()
-
-set(includes -I ${INCLUDE_DIRECTORY})
-foreach(directory IN LISTS CGAL_INCLUDE_DIRECTORIES SYSTEM_INCLUDE_DIRECTORIES)
-  if(NOT directory STREQUAL "/usr/include")   # is searched anyway, and only in its own place
-    list(APPEND includes -isystem ${directory})
-  endif()
-endforeach()
 file(REMOVE_RECURSE ${SCRATCH})
 file(MAKE_DIRECTORY ${SCRATCH})
 execute_process(

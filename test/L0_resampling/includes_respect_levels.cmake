@@ -51,6 +51,7 @@ set(level_3   # Algorithm 1, and the whole
   internal/refining_minimization.h internal/resample.h)
 set(level_4   # what users include, and how it reads what they pass
   named_parameters_interface.h named_parameters.h internal/checked_parameters.h
+  internal/output_iterators.h internal/checked_types.h
   internal/points_of_range.h internal/compiled_templates.h internal/Point_data.h
   internal/carry_properties.h CUDA_resampler.h
   ../l0_resample_point_set.h)

@@ -1,6 +1,7 @@
-# Installs the build in BUILD_DIRECTORY to a folder of its own, and builds and runs a project that
-# only knows that folder:
-#   cmake -DBUILD_DIRECTORY=... -DSCRATCH=... -DGENERATOR=... -P test_install.cmake
+# Installs the build in BUILD_DIRECTORY to a folder of its own, and builds and runs projects that
+# only know that folder, one of them with the program of README.md in SOURCE:
+#   cmake -DBUILD_DIRECTORY=... -DSCRATCH=... -DGENERATOR=... -DCGAL_DIR=... -DPYTHON=...
+#         -DSOURCE=... -P test_install.cmake
 
 cmake_minimum_required(VERSION 3.21)
 
@@ -14,15 +15,28 @@ endfunction()
 
 file(REMOVE_RECURSE ${SCRATCH})
 run(${CMAKE_COMMAND} --install ${BUILD_DIRECTORY} --prefix ${SCRATCH}/installed)
-run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${SCRATCH}/build -G ${GENERATOR}
-    -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH=${SCRATCH}/installed)
+set(options -G ${GENERATOR} -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH=${SCRATCH}/installed
+            -DCGAL_DIR=${CGAL_DIR})
+run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${SCRATCH}/build ${options})
 # A build with CUDA is of use also where there is no CUDA toolkit.
-run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${SCRATCH}/without_cuda
-    -G ${GENERATOR} -DCMAKE_PREFIX_PATH=${SCRATCH}/installed
+run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${SCRATCH}/without_cuda ${options}
     -DCMAKE_DISABLE_FIND_PACKAGE_CUDAToolkit=ON)
 run(${CMAKE_COMMAND} --build ${SCRATCH}/build)
 run(${SCRATCH}/build/consumer)
 run(${SCRATCH}/build/consumer_of_compiled)
+
+# What README shows
+set(readme ${SCRATCH}/readme)
+run(${PYTHON} ${CMAKE_CURRENT_LIST_DIR}/extract_readme_project.py ${SOURCE}/README.md ${readme})
+run(${CMAKE_COMMAND} -S ${readme} -B ${readme}/build ${options})
+run(${CMAKE_COMMAND} --build ${readme}/build)
+file(COPY_FILE ${SOURCE}/data/bracket_noisy.ply ${readme}/scan.ply)
+run(${CMAKE_COMMAND} -E chdir ${readme} build/clean_scan)
+file(STRINGS ${readme}/clean.ply header LIMIT_COUNT 20 REGEX "^(element|property) ")
+if(NOT header MATCHES "^element vertex 20000;.*property [a-z]+ nz")
+  message(FATAL_ERROR "clean.ply of the program of README has the header ${header}")
+endif()
+
 if(EXISTS ${SCRATCH}/installed/bin/l0_resample)
   run(${SCRATCH}/installed/bin/l0_resample --version)
   foreach(file IN ITEMS share/man/man1/l0_resample.1 share/bash-completion/completions/l0_resample)

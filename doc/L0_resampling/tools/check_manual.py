@@ -13,7 +13,7 @@ print_defaults
   that the code takes.
 - Formulas use only macros that are generated; every figure exists and is used; every named
   parameter is explained.
-- The tests that the page of promises names exist.
+- The tests that the page of promises names exist, and tests run the C++ examples that pages show.
 """
 
 import json
@@ -124,6 +124,14 @@ def unknown_macros(name, page, macros):
                 yield f"{name} has \\{macro} in a formula, which generate_text.py does not make"
 
 
+def snippets_without_test(name, page, examples):
+    """The C++ examples that a page shows and that the build folder does not compile and run."""
+    lists = (examples / "CMakeLists.txt").read_text(encoding="utf-8")
+    for example in sorted(set(re.findall(r"\\snippet L0_resampling/(\w+)\.cpp", page))):
+        if not re.search(rf"\b{example}\b", lists):
+            yield f"{name} shows {example}.cpp, which no test runs"
+
+
 def unknown_tests(page, tests):
     lists = "".join(path.read_text(encoding="utf-8") for path in tests.rglob("CMakeLists.txt"))
     for name in sorted(set(re.findall(r"`(test_\w+)`", page))):
@@ -154,7 +162,8 @@ def main():
     texts["the docstring of neighbor_radius"] = parameters["neighbor_radius"][1]
     errors += wrong_radii(sys.argv[1], values["constant"], texts)
     for name, page in pages.items():
-        errors += [*typed_by_hand(name, page), *unknown_macros(name, page, macros)]
+        errors += [*typed_by_hand(name, page), *unknown_macros(name, page, macros),
+                   *snippets_without_test(name, page, source / "examples" / "L0_resampling")]
     errors += [f"the user manual does not explain {name}"
                for name in parameters if name not in pages["L0_resampling.txt"]]
 

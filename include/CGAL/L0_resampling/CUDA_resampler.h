@@ -13,10 +13,12 @@
 #include <CGAL/L0_resampling/Report.h>
 #include <CGAL/L0_resampling/internal/Point_data.h>
 #include <CGAL/L0_resampling/internal/checked_parameters.h>
+#include <CGAL/L0_resampling/internal/checked_types.h>
 #include <CGAL/L0_resampling/internal/compiled_templates.h>
 #include <CGAL/L0_resampling/internal/cuda_answer.h>
 #include <CGAL/L0_resampling/internal/cuda_device_arrays.h>
 #include <CGAL/L0_resampling/internal/cuda_interface.h>
+#include <CGAL/L0_resampling/internal/output_iterators.h>
 #include <CGAL/L0_resampling/internal/points_of_range.h>
 #include <CGAL/L0_resampling/named_parameters.h>
 
@@ -233,21 +235,16 @@ public:
   template <typename PointRange, typename NamedParameters = parameters::Default_named_parameters>
   void upload(const PointRange& points, const NamedParameters& np = parameters::default_values())
   {
-    using Value = typename std::iterator_traits<decltype(points.begin())>::value_type;
-    using Point_map =
-      typename internal_np::Lookup_named_param_def<internal_np::point_t, NamedParameters,
-                                                   Identity_property_map<const Value>>::type;
-    const Point_map point_map = parameters::choose_parameter<Point_map>(
-      parameters::get_parameter(np, internal_np::point_map));
-    if constexpr (parameters::is_default_parameter<NamedParameters, internal_np::normal_t>::value)
-      upload(points, point_map, false, np);
-    else
-      upload(points, point_map, parameters::get_parameter(np, internal_np::normal_map), np);
+    const auto point_map = internal::point_map_of(points, np);
+    const auto normal_map = internal::normal_map_of(np);
+    if constexpr (internal::input_fits<Kernel, std::decay_t<decltype(point_map)>,
+                                       std::decay_t<decltype(normal_map)>, NamedParameters>())
+      upload(points, point_map, normal_map, np);
   }
 
   /// Resamples the points that the last `upload()` brought; of none, the result is empty. A named
   /// parameter that is not given has its default, whatever an earlier call had.
-  /// \param out takes one `std::pair<Point_3, Vector_3>` for each point of the result
+  /// \param out takes one `std::pair<Point_3, Vector_3>`, or `Point_3`, for each point of the result
   /// \param np as for `l0_resample_point_set()`, without those that `upload()` reads, and without
   /// `sparse_linear_solver` and `source_index_map`
   /// \returns the output iterator behind the last pair written
@@ -267,10 +264,11 @@ public:
     const auto write = [&](std::size_t size, const auto& pair_of,
                            const internal::Point_data& data) {
       internal::write_point_data(np, data, size, [](std::size_t i) { return i; });
-      for (std::size_t i = 0; i < size; ++i)
-        *out++ = pair_of(i);
+      internal::write_result<Kernel>(size, pair_of, out);
     };
-    resample_and_write([](const auto&, internal::Near_points&) {}, write, np);
+    if constexpr (internal::output_fits<NamedParameters>()
+                  && internal::iterator_fits<Kernel, OutputIterator>())
+      resample_and_write([](const auto&, internal::Near_points&) {}, write, np);
     return out;
   }
 

@@ -20,10 +20,46 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 
 namespace CGAL {
+
+template <typename Point, typename Vector>
+class Point_set_3;
+
 namespace L0_resampling {
 namespace internal {
+
+template <typename Range>
+struct Is_point_set : std::false_type
+{};
+template <typename Point, typename Vector>
+struct Is_point_set<Point_set_3<Point, Vector>> : std::true_type
+{};
+
+/// The point map among the named parameters, or else that of a `Point_set_3`, or else the one that
+/// takes the elements themselves.
+template <typename PointRange, typename NamedParameters>
+auto point_map_of(const PointRange& range, const NamedParameters& np)
+{
+  if constexpr (!parameters::is_default_parameter<NamedParameters, internal_np::point_t>::value)
+    return parameters::get_parameter(np, internal_np::point_map);
+  else if constexpr (Is_point_set<PointRange>::value)
+    return range.point_map();
+  else
+    return Identity_property_map<
+      const typename std::iterator_traits<decltype(range.begin())>::value_type>();
+}
+
+/// The normal map among the named parameters, or `false`.
+template <typename NamedParameters>
+auto normal_map_of(const NamedParameters& np)
+{
+  if constexpr (parameters::is_default_parameter<NamedParameters, internal_np::normal_t>::value)
+    return false;
+  else
+    return parameters::get_parameter(np, internal_np::normal_map);
+}
 
 constexpr std::size_t points_per_look = 65536; // at the loop: a few milliseconds
 

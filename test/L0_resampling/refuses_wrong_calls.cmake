@@ -1,0 +1,45 @@
+# Has COMPILER look at SOURCE and compares its errors with the comments "// refused: SENTENCE" there:
+# as many of each sentence, and no others.
+cmake_minimum_required(VERSION 3.21)
+
+include(${CMAKE_CURRENT_LIST_DIR}/compiler_and_includes.cmake)
+if(NOT program)
+  return()
+endif()
+set(no_limit -fmax-errors=0)
+if(COMPILER MATCHES "clang")
+  set(no_limit -ferror-limit=0)
+endif()
+execute_process(
+  COMMAND ${program} ${no_limit} -std=c++17 -fsyntax-only ${includes} -DCGAL_LINKED_WITH_TBB
+          -DCGAL_EIGEN3_ENABLED ${SOURCE}
+  ERROR_VARIABLE errors)
+string(REPLACE ";" "," errors "${errors}")   # which would make a list of each line
+string(REGEX MATCHALL "error: [^\n]*" errors "${errors}")
+
+file(STRINGS ${SOURCE} lines REGEX "^ *// refused: ")
+list(LENGTH lines number_of_calls)
+if(number_of_calls LESS 10)
+  message(FATAL_ERROR "${SOURCE} has ${number_of_calls} calls, this test does not look where it should")
+endif()
+foreach(line IN LISTS lines)
+  string(REGEX REPLACE "^ *// refused: " "" sentence "${line}")
+  set(is_found OFF)
+  set(others "")
+  foreach(error IN LISTS errors)
+    string(FIND "${error}" "${sentence}" place)
+    if(place EQUAL -1 OR is_found)
+      list(APPEND others "${error}")
+    else()
+      set(is_found ON)
+    endif()
+  endforeach()
+  if(NOT is_found)
+    message(SEND_ERROR "no error says: ${sentence}")
+  endif()
+  set(errors "${others}")
+endforeach()
+if(errors)
+  list(JOIN errors "\n  " text)
+  message(SEND_ERROR "errors that no call should have:\n  ${text}")
+endif()
