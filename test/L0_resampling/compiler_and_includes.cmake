@@ -1,5 +1,5 @@
-# Sets `program` to the path of COMPILER, empty if it is not installed, and `includes` to the options
-# that name the folders of the headers: INCLUDE_DIRECTORY, CGAL_INCLUDE_DIRECTORIES and
+# Sets `program` to the path of COMPILER, empty if it is not installed, and `includes` to the
+# options that name the folders of the headers: INCLUDE_DIRECTORY, CGAL_INCLUDE_DIRECTORIES and
 # SYSTEM_INCLUDE_DIRECTORIES.
 find_program(program NAMES ${COMPILER})
 if(NOT program)

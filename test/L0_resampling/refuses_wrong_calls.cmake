@@ -1,5 +1,5 @@
-# Has COMPILER look at SOURCE and compares its errors with the comments "// refused: SENTENCE" there:
-# as many of each sentence, and no others.
+# Has COMPILER look at SOURCE and compares its errors with the comments "// refused: SENTENCE"
+# there: as many of each sentence, and no others.
 cmake_minimum_required(VERSION 3.21)
 
 include(${CMAKE_CURRENT_LIST_DIR}/compiler_and_includes.cmake)
@@ -20,7 +20,7 @@ string(REGEX MATCHALL "error: [^\n]*" errors "${errors}")
 file(STRINGS ${SOURCE} lines REGEX "^ *// refused: ")
 list(LENGTH lines number_of_calls)
 if(number_of_calls LESS 10)
-  message(FATAL_ERROR "${SOURCE} has ${number_of_calls} calls, this test does not look where it should")
+  message(FATAL_ERROR "${SOURCE} has ${number_of_calls} calls, this test looks at the wrong file")
 endif()
 foreach(line IN LISTS lines)
   string(REGEX REPLACE "^ *// refused: " "" sentence "${line}")

@@ -217,7 +217,8 @@ void test_calls_of_ear()
   CHECK(!test::are_identical<Kernel>(results[0], results[1])); // another sharpness_angle
 }
 
-/// Pairs are preferred by iterators that take both; positions are written as the kernel prints them.
+/// Pairs are preferred by iterators that take both; positions can be
+/// printed.
 void test_other_iterators()
 {
   const Input input(600);

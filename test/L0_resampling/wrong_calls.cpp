@@ -103,17 +103,17 @@ void wrong_output_iterators()
 {
   const std::vector<Point> points;
   std::vector<Vector> vectors;
-  // refused: The output iterator of l0_resample_point_set() has to take std::pair<Point_3, Vector_3>
+  // refused: The output iterator of l0_resample_point_set() has to take std::pair<Point_3
   resample(points, std::back_inserter(vectors));
   std::vector<CGAL::Simple_cartesian<float>::Point_3> floats;
-  // refused: The output iterator of l0_resample_point_set() has to take std::pair<Point_3, Vector_3>
+  // refused: The output iterator of l0_resample_point_set() has to take std::pair<Point_3
   resample(points, std::back_inserter(floats));
   std::vector<Pair> result;
-  // refused: The output iterator of l0_resample_point_set() has to take std::pair<Point_3, Vector_3>
+  // refused: The output iterator of l0_resample_point_set() has to take std::pair<Point_3
   resample(points, result);
-  // refused: The output iterator of l0_resample_point_set() has to take std::pair<Point_3, Vector_3>
+  // refused: The output iterator of l0_resample_point_set() has to take std::pair<Point_3
   resample(points, points.begin());
-  // refused: The output iterator of l0_resample_point_set() has to take std::pair<Point_3, Vector_3>
+  // refused: The output iterator of l0_resample_point_set() has to take std::pair<Point_3
   resample(points, boost::make_function_output_iterator([](const Vector&) {}));
 }
 
