@@ -270,7 +270,9 @@ std::vector<std::string> write_point_cloud(const std::string& path, File_format 
                                            const Point_cloud& cloud, Existing_file existing)
 {
   return write_rows(path, format, Cloud_rows(cloud),
-                    {!cloud.normals.empty(), cloud.coordinate_type == Number_type::FLOAT32, {},
+                    {!cloud.normals.empty(),
+                     cloud.coordinate_type == Number_type::FLOAT32,
+                     {},
                      cloud.viewpoint.value_or(origin)},
                     cloud.las, existing);
 }

@@ -3,7 +3,8 @@
 # All rights reserved.
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes the C++ program and the CMakeLists.txt that a page shows to a folder, to be compiled there:
+"""Writes the C++ program and the CMakeLists.txt that a page shows to a folder, to be compiled
+there:
 
   extract_readme_project.py README.md FOLDER
 

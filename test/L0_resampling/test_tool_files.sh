@@ -194,11 +194,13 @@ awk 'BEGIN { print "X,Y,Z,classification,return_number,number_of_returns,intensi
 run_plainly survey.csv survey.las --convert-only
 check "LAS" test "$status" -eq 0 -a ! -s stderr -a "$(head -c 4 survey.las)" = LASF
 run_plainly --info survey.las
-check "what LAS is" grep -qx "LAS:             1.4, point format 7, scale .*, no coordinate system" stdout
+check "what LAS is" \
+  grep -qx "LAS:             1.4, point format 7, scale .*, no coordinate system" stdout
 check "its properties" grep -q "^properties: .*intensity, return_number, .*red, green, blue$" stdout
 run_plainly survey.las survey.ply --convert-only
 check "the properties of LAS" test "$status" -eq 0 -a "$(number_of_points survey.ply)" -eq 3000 \
-  -a "$(properties survey.ply | tr ',' '\n' | grep -c 'uchar \(red\|green\|blue\|classification\)$')" -eq 4
+  -a "$(properties survey.ply | tr ',' '\n' \
+    | grep -c 'uchar \(red\|green\|blue\|classification\)$')" -eq 4
 run_plainly survey.las same.las --convert-only
 check "LAS as it is" cmp survey.las same.las
 run_plainly survey.las ground.las --keep-classes 2 --first-returns -n 500 --json ground.json
@@ -206,13 +208,15 @@ check "the report has the classes" test "$(tr -d ' \n' < ground.json \
   | grep -c '"keep_classes":\[2\],"first_returns":true,')" -eq 1
 check "the ground of a survey" test "$status" -eq 0
 check "a note on what is left out" grep -qx \
-  "l0_resample: note: survey.las: 2700 points are left out by --keep-classes or --first-returns" stderr
+  "l0_resample: note: survey.las: 2700 points are left out by --keep-classes or --first-returns" \
+  stderr
 run_plainly ground.las ground.csv.ply --convert-only --keep-classes 2
 check "all of one class" test "$status" -eq 0 -a ! -s stderr \
   -a "$(number_of_points ground.csv.ply)" -eq 500
 run_plainly --info survey.ply --keep-classes 1,3
 check "classes of PLY" grep -qx "points:          1200" stdout
-check_plain_failure 3 "a1.xyz: --first-returns is given, but the points have no property 'return_number'" \
+check_plain_failure 3 \
+  "a1.xyz: --first-returns is given, but the points have no property 'return_number'" \
   a1.xyz none.ply --first-returns
 for classes in 2,x 256 -1 2,,6 2, ""; do
   check_plain_failure 2 "--keep-classes" survey.las none.ply "--keep-classes=$classes"
@@ -223,7 +227,8 @@ done
   tail -c +376 survey.las; } > placed.las
 run_plainly placed.las placed.ply -n 100
 check "a coordinate system has no place" grep -qx \
-  "l0_resample: note: placed.ply: only LAS has a place for the coordinate system of the input" stderr
+  "l0_resample: note: placed.ply: only LAS has a place for the coordinate system of the input" \
+  stderr
 run_plainly placed.las placed_too.las -n 100
 check "a coordinate system goes along" test "$status" -eq 0 -a ! -s stderr \
   -a "$(head -c 432 placed_too.las | tail -c 57 | tr -d '\0' | tail -c 3)" = WKT
@@ -238,7 +243,8 @@ little_endian()   # a number below 2^24, in eight bytes
 }
 { printf 'seen'; head -c 235 survey.las; little_endian "$(stat -c %s survey.las)"
   printf '\1\0\0\0'; tail -c +248 survey.las
-  printf '\0\0LASF_Projection\0\x40\x08\3\0\0\0\0\0\0\0'; head -c 32 /dev/zero; printf WKT; } > late.las
+  printf '\0\0LASF_Projection\0\x40\x08\3\0\0\0\0\0\0\0'; head -c 32 /dev/zero
+  printf WKT; } > late.las
 { dd bs=4 count=1 of=/dev/null status=none
   "$program" - late_too.las --input-format las --convert-only; } < late.las > stdout 2> stderr
 check "a record behind the points" cmp late_too.las placed.las

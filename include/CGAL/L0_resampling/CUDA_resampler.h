@@ -244,7 +244,8 @@ public:
 
   /// Resamples the points that the last `upload()` brought; of none, the result is empty. A named
   /// parameter that is not given has its default, whatever an earlier call had.
-  /// \param out takes one `std::pair<Point_3, Vector_3>`, or `Point_3`, for each point of the result
+  /// \param out takes one `std::pair<Point_3, Vector_3>`, or `Point_3`, for each point of the
+  /// result
   /// \param np as for `l0_resample_point_set()`, without those that `upload()` reads, and without
   /// `sparse_linear_solver` and `source_index_map`
   /// \returns the output iterator behind the last pair written

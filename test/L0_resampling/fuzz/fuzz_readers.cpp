@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The readers under libFuzzer. "--format=ply" chooses one of ply, off, xyz, pcd, npy, csv, obj, las; the
-// other arguments are libFuzzer's.
+// The readers under libFuzzer. "--format=ply" chooses one of ply, off, xyz, pcd, npy, csv, obj,
+// las; the other arguments are libFuzzer's.
 
 #include "attack_reader.h"
 

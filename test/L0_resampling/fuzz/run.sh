@@ -2,8 +2,8 @@
 # Attacks one reader with libFuzzer, under AddressSanitizer and UndefinedBehaviorSanitizer, packs
 # the files that reached new paths, and notes the number of executions in executions.csv.
 #
-#   run.sh CORPUS [EXECUTIONS]     CORPUS is csv, las, npy, obj, off, pcd, ply_ascii, ply_binary or xyz;
-#                                  100000 executions if none are given
+#   run.sh CORPUS [EXECUTIONS]     CORPUS is csv, las, npy, obj, off, pcd, ply_ascii, ply_binary
+#                                  or xyz; 100000 executions if none are given
 #
 # Needs clang with its run-time library for fuzzing (Debian: clang, libclang-rt-dev). Ends with 0 if
 # no file was found that breaks a reader; such a file is left in the folder that is named.

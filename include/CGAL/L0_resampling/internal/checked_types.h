@@ -4,7 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // What the compiler says of arguments whose types do not fit: one sentence for each. Of a call that
-// is refused callers compile nothing else, so that the sentence is the first error, not one of many.
+// is refused callers compile nothing else, so that the sentence is the first error, not one of
+// many.
 
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_CHECKED_TYPES_H
 #define CGAL_L0_RESAMPLING_INTERNAL_CHECKED_TYPES_H
