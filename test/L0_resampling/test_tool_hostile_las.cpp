@@ -178,7 +178,7 @@ void test_hostile_files()
   for (std::size_t i = 0; i < 2 * files.size(); ++i)
   {
     const Hostile_file& file = files[i / 2];
-    const std::string path = las_folder().file("hostile.las");
+    const std::string path = scratch.file("hostile.las");
     write_bytes(path, file.bytes);
     const Read_options options = i % 2 == 0 ? Read_options() : everything();
     forget_allocations();

@@ -355,15 +355,15 @@ void test_filters()
   options.classes = {2};
   const std::string ply = ply_header("ascii", "element vertex 2\n" + float_xyz
                                                 + "property float classification\n");
-  CHECK(tool_test::read(las_folder(), ".ply", ply + "0 0 0 2\n1 1 1 3\n", options).points
+  CHECK(tool_test::read(".ply", ply + "0 0 0 2\n1 1 1 3\n", options).points
         == std::vector<Point>{Point(0, 0, 0)});
   options.only_first_returns = true;
   const Failure_seen seen = failure_of(
-    [&]() { tool_test::read(las_folder(), ".ply", ply + "0 0 0 2\n1 1 1 3\n", options); });
+    [&]() { tool_test::read(".ply", ply + "0 0 0 2\n1 1 1 3\n", options); });
   CHECK(seen.status == INPUT_REFUSED
         && seen.says("--first-returns is given, but the points have no property 'return_number'"));
   CHECK(failure_of([&]() {
-          tool_test::read(las_folder(), ".xyz", "1 2 3\n", options);
+          tool_test::read(".xyz", "1 2 3\n", options);
         }).says("--keep-classes is given, but the points have no property 'classification'"));
 }
 

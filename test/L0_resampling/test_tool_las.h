@@ -7,7 +7,7 @@
 #define L0_RESAMPLE_TEST_TOOL_LAS_H
 
 #include "test_support.h"
-#include "test_tool_support.h"
+#include "test_tool_reading.h"
 
 #include "write_points.h"
 
@@ -155,13 +155,6 @@ inline std::string with_bytes(std::string file, std::size_t position, const std:
   return file.replace(position, bytes.size(), bytes);
 }
 
-/// The folder of the files that a test reads and writes.
-inline const Scratch_folder& las_folder()
-{
-  static const Scratch_folder folder;
-  return folder;
-}
-
 inline l0_tool::Read_options everything()
 {
   l0_tool::Read_options options;
@@ -174,13 +167,13 @@ inline l0_tool::Read_options everything()
 inline l0_tool::Point_cloud read_las(const std::string& bytes,
                                      const l0_tool::Read_options& options = everything())
 {
-  return read(las_folder(), ".las", bytes, options);
+  return read(".las", bytes, options);
 }
 
 inline std::string written(const l0_tool::Point_cloud& cloud,
                            const std::vector<std::string>& left_out = {})
 {
-  const std::string path = las_folder().file("written.las");
+  const std::string path = scratch.file("written.las");
   CHECK(l0_tool::write_point_cloud(path, l0_tool::File_format::LAS, cloud) == left_out);
   std::string bytes = read_bytes(path);
   CHECK(bytes.size() <= l0_tool::largest_file_size(l0_tool::File_format::LAS, cloud.points.size(),

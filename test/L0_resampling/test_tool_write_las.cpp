@@ -102,7 +102,7 @@ void test_properties_of_others()
                                  "property uchar a_name_that_is_longer_than_32_bytes\n"
                                  "property float NormalX\nproperty int quality\n";
   const Point_cloud cloud = tool_test::read(
-    las_folder(), ".ply",
+    ".ply",
     ply_header("ascii", elements)
       + "1 2 3 0 0 1 255 0 9 8 0.25 255 16 0.1 77 1 5 1\n4 5 6 1 0 0 1 2 3 4 1 0 1 0.2 78 2 6 1\n",
     everything());
@@ -144,7 +144,7 @@ void test_result()
   result.las = Las_origin();
   result.las->point_format = 3;
   result.las->scale = {0.01, 0.01, 0.01};
-  const std::string path = las_folder().file("result.las");
+  const std::string path = scratch.file("result.las");
   setenv("SOURCE_DATE_EPOCH", "1709164800", 1); // 2024-02-29
   CHECK(write_points(path, File_format::LAS, result).empty());
   unsetenv("SOURCE_DATE_EPOCH");
@@ -166,7 +166,7 @@ void test_result()
         && integer_at(read_bytes(path), 90, 4) == 0);
 
   CHECK(failure_of([&]() {
-          write_points(las_folder().file("result.laz"), File_format::LAS, result);
+          write_points(scratch.file("result.laz"), File_format::LAS, result);
         }).says("LAZ is not written"));
 }
 
