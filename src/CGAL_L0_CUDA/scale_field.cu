@@ -22,18 +22,19 @@ namespace {
 struct Warp
 {
   static constexpr int number_of_threads = 32;
-  static constexpr unsigned all = 0xffffffffu;
+  static constexpr unsigned all_lanes = 0xffffffffu;
 
   __device__ int lane() const { return int(threadIdx.x % number_of_threads); }
 
   template <typename F>
   __device__ void for_each_range(const Strided_range& own, const F& f) const
   {
-    for (unsigned rest = __ballot_sync(all, own.begin < own.end); rest; rest &= rest - 1)
+    for (unsigned rest = __ballot_sync(all_lanes, own.begin < own.end); rest; rest &= rest - 1)
     {
       const int lane = __ffs(int(rest)) - 1;
-      f(Strided_range{__shfl_sync(all, own.begin, lane), __shfl_sync(all, own.end, lane),
-                      __shfl_sync(all, own.stride, lane)});
+      f(Strided_range{__shfl_sync(all_lanes, own.begin, lane),
+                      __shfl_sync(all_lanes, own.end, lane),
+                      __shfl_sync(all_lanes, own.stride, lane)});
     }
   }
 
@@ -41,9 +42,11 @@ struct Warp
   __device__ double least(double value) const
   {
     for (int offset = number_of_threads / 2; offset > 0; offset /= 2)
-      value = fmin(value, __shfl_xor_sync(all, value, offset));
+      value = fmin(value, __shfl_xor_sync(all_lanes, value, offset));
     return value;
   }
+
+  __device__ bool all(bool value) const { return __all_sync(all_lanes, value); }
 
   /// Each lane holds the numbers whose ranks leave it as the remainder, ascending.
   template <typename T, int capacity>
@@ -62,20 +65,21 @@ struct Warp
       T value = m_values[0];
       for (int row = 1; row < rows; ++row)
         value = rank / number_of_threads == row ? m_values[row] : value;
-      return __shfl_sync(all, value, rank % number_of_threads);
+      return __shfl_sync(all_lanes, value, rank % number_of_threads);
     }
 
     __device__ void add_if_room(T value, bool is_there)
     {
-      for (unsigned rest = __ballot_sync(all, is_there); rest && m_size < capacity;
+      for (unsigned rest = __ballot_sync(all_lanes, is_there); rest && m_size < capacity;
            rest &= rest - 1)
-        insert(__shfl_sync(all, value, __ffs(int(rest)) - 1));
+        insert(__shfl_sync(all_lanes, value, __ffs(int(rest)) - 1));
     }
 
     __device__ void add_if_small(T value, bool is_there)
     {
-      for (unsigned rest = __ballot_sync(all, is_there); rest; rest &= rest - 1)
-        insert(__shfl_sync(all, value, __ffs(int(rest)) - 1));
+      const bool is_small = m_size < capacity || value < (*this)[capacity - 1];
+      for (unsigned rest = __ballot_sync(all_lanes, is_there && is_small); rest; rest &= rest - 1)
+        insert(__shfl_sync(all_lanes, value, __ffs(int(rest)) - 1));
     }
 
   private:
@@ -85,12 +89,12 @@ struct Warp
       const int lane = int(threadIdx.x % number_of_threads);
       int place = 0;
       for (int row = 0; row < rows; ++row)
-        place += __popc(
-          __ballot_sync(all, row * number_of_threads + lane < m_size && !(value < m_values[row])));
+        place += __popc(__ballot_sync(all_lanes, row * number_of_threads + lane < m_size
+                                                   && !(value < m_values[row])));
       for (int row = rows - 1; row >= 0; --row)
       {
-        const T below = __shfl_up_sync(all, m_values[row], 1),
-                last_of_row_before = __shfl_sync(all, m_values[row > 0 ? row - 1 : 0],
+        const T below = __shfl_up_sync(all_lanes, m_values[row], 1),
+                last_of_row_before = __shfl_sync(all_lanes, m_values[row > 0 ? row - 1 : 0],
                                                  number_of_threads - 1);
         const int rank = row * number_of_threads + lane;
         if (rank > place)
@@ -164,15 +168,15 @@ __global__ void find_wanted_scales(Morton_points seeds, const Seed* known, Usual
 }
 
 __global__ void find_scales(Morton_points seeds, const Seed* known, const double* wanted,
-                            double* scales, unsigned* is_any_other_than_one)
+                            double* scales, unsigned* number_of_others)
 {
   const Wide i = warp_index();
   if (i >= seeds.size)
     return;
   const double scale = scale_of_group(Warp(), seeds, known, wanted, i);
   scales[i] = scale;
-  if (scale != 1)
-    *is_any_other_than_one = 1;
+  if (scale != 1 && Warp().lane() == 0)
+    atomicAdd(number_of_others, 1u);
 }
 
 __global__ void limit_scales(Morton_points seeds, const Seed* known, const double* scales,
@@ -268,16 +272,16 @@ Scales_of_points estimate_scale_field(const Workplace& workplace, const Position
   Seed* const known = scratch.take<Seed>(size);
   double *const reaches = scratch.take<double>(size), *of_seeds = scratch.take<double>(size),
                 *limited = scratch.take<double>(size);
-  const Device_counter<unsigned> is_any_other_than_one(workplace);
+  const Device_counter<unsigned> number_of_others(workplace);
   know_seeds<<<blocks, threads_per_block, 0, stream>>>(places, size, known, reaches);
   check_launch("know_seeds");
   find_wanted_scales<<<blocks, threads_per_block, 0, stream>>>(
     seeds, known, usual, widening_by_correlation(known, size, scratch, stream), limited);
   check_launch("find_wanted_scales");
   find_scales<<<blocks, threads_per_block, 0, stream>>>(seeds, known, limited, of_seeds,
-                                                        is_any_other_than_one.address());
+                                                        number_of_others.address());
   check_launch("find_scales");
-  if (!is_any_other_than_one.read())
+  if (number_of_others.read() <= most_seeds_by_chance(size))
     return {nullptr, {}};
   for (int sweep = 0; sweep < sweeps_over_seeds; ++sweep)
   {

@@ -84,6 +84,20 @@ void check_even_clouds(Generator& generator)
   }
 }
 
+/// A few seeds that are off make no field; somewhat more do.
+void check_few_seeds(Generator& generator)
+{
+  const double spacing = std::sqrt(16. / 64000);
+  for (const std::size_t number_of_dense_points : {160u, 8000u})
+  {
+    std::vector<Vector> points = plane_points(64000, 4, generator).points;
+    const double side = spacing / 8 * std::sqrt(double(number_of_dense_points));
+    for (const Vector& p : plane_points(number_of_dense_points, side, generator).points)
+      points.push_back(p);
+    CHECK(Field(points, spacing, 0).scales.empty() == (number_of_dense_points == 160));
+  }
+}
+
 /// Where a cloud is four times as dense as elsewhere, its radius is half as large, and between the
 /// two it changes no faster than it may, whatever order the points come in.
 void check_two_densities(Generator& generator)
@@ -187,6 +201,7 @@ int main()
   Generator generator(3);
   check_Morton_points(generator);
   check_even_clouds(generator);
+  check_few_seeds(generator);
   check_two_densities(generator);
   check_correlated_noise(generator);
   check_outliers(generator);

@@ -100,6 +100,7 @@ struct One_thread
   /// Over the values of all threads.
   CGAL_L0_HOST_DEVICE double sum(double value) const { return value; }
   CGAL_L0_HOST_DEVICE double least(double value) const { return value; }
+  CGAL_L0_HOST_DEVICE bool all(bool value) const { return value; }
 
   /// At most `capacity` numbers, ascending.
   template <typename T, int capacity>
@@ -188,9 +189,10 @@ struct Morton_points
 
   \param team the threads that share the ball, all of which call this: `f` is called by all at
   once, for a point of each, in the order of the points
+  \returns whether all points of the ball were looked at
   */
   template <typename Team, typename F>
-  CGAL_L0_HOST_DEVICE void visit_ball(const Team& team, const double* p, double radius,
+  CGAL_L0_HOST_DEVICE bool visit_ball(const Team& team, const double* p, double radius,
                                       std::uint64_t most_of_cell, const F& f) const
   {
     int level = 0;
@@ -204,6 +206,7 @@ struct Morton_points
       count[axis] = (cells.place(p[axis] + radius) >> level) - low[axis] + 1;
     }
     const std::int64_t number_of_cells = count[0] * count[1] * count[2];
+    bool are_all_looked_at = true;
     for (std::int64_t first = 0; first < number_of_cells; first += Team::number_of_threads)
     {
       Strided_range own = {0, 0, 1};
@@ -216,6 +219,7 @@ struct Morton_points
         own.begin = lower_bound(code << 3 * level);
         own.end = lower_bound_from(own.begin, (code + 1) << 3 * level);
         own.stride = (own.end - own.begin) / most_of_cell + 1;
+        are_all_looked_at = are_all_looked_at && own.stride == 1;
       }
       team.for_each_range(own, [&](const Strided_range& range) {
         const std::uint64_t step = range.stride * Team::number_of_threads;
@@ -227,6 +231,7 @@ struct Morton_points
         }
       });
     }
+    return team.all(are_all_looked_at);
   }
 };
 

@@ -139,7 +139,6 @@ Scale_field estimate_scale_field(const Buffer<Vector>& points, double extent,
   for (std::size_t i = 0; i < size; i += stride_of_growth(size))
     growths.push_back(growth_at(known[i]));
   const double widening = widening_by_correlation(growths);
-  bool are_all_one = true;
   Buffer<double> wanted(size, allocator);
   field.scales.resize(size);
   for_each_seed([&](std::size_t i) {
@@ -148,8 +147,9 @@ Scale_field estimate_scale_field(const Buffer<Vector>& points, double extent,
   for_each_seed([&](std::size_t i) {
     field.scales[i] = scale_of_group(One_thread(), seeds, known.data(), wanted.data(), i);
   });
-  for_each_in_order(size, [&](std::size_t i) { are_all_one &= field.scales[i] == 1; });
-  if (are_all_one)
+  std::size_t number_of_others = 0;
+  for_each_in_order(size, [&](std::size_t i) { number_of_others += field.scales[i] != 1; });
+  if (number_of_others <= most_seeds_by_chance(size))
   {
     release(field.scales);
     return field;

@@ -76,6 +76,13 @@ constexpr std::uint64_t most_seeds_of_cell = 8, most_limits_of_cell = 32;
 /// edges.
 constexpr double indifferent_scale = 1.4;
 
+/// Up to how many of the seeds may have another scale than 1 in a cloud of one radius: as many
+/// points are left out at either end where the extent of the cloud is measured.
+inline std::size_t most_seeds_by_chance(std::size_t number_of_seeds)
+{
+  return margin_of_extent(number_of_seeds);
+}
+
 /// What is known at a seed of the points around it.
 struct Seed
 {
@@ -104,15 +111,26 @@ CGAL_L0_HOST_DEVICE double reach_of_nearest(const Team& team, const Morton_point
   const int last = next.size() - 1;
   if (last < 0)
     return 0;
-  const double distance = std::sqrt(next[last]);
+  double distance = std::sqrt(next[last]);
   if (next.size() < k)
     return distance;
-  Nearest nearest(team);
-  points.visit_ball(team, p, distance * (1 + 1e-9), (std::numeric_limits<std::uint64_t>::max)(),
-                    [&](std::uint64_t j, double squared_distance, bool is_inside) {
-                      nearest.add_if_small(squared_distance, is_inside && j != i);
-                    });
-  return std::sqrt(nearest[nearest.size() - 1]);
+  // Where the order leaps, that is far, and very many points are nearer. Some of them, first, tell
+  // how near the others have to be.
+  const std::uint64_t few = 64, all = (std::numeric_limits<std::uint64_t>::max)();
+  for (const std::uint64_t most_of_cell : {few, all})
+  {
+    Nearest nearest(team);
+    const bool are_all_looked_at =
+      points.visit_ball(team, p, distance * (1 + 1e-9), most_of_cell,
+                        [&](std::uint64_t j, double squared_distance, bool is_inside) {
+                          nearest.add_if_small(squared_distance, is_inside && j != i);
+                        });
+    if (nearest.size() == k)
+      distance = std::sqrt(nearest[k - 1]);
+    if (are_all_looked_at)
+      break;
+  }
+  return distance;
 }
 
 /// \param i of the point that the seed is
