@@ -7,13 +7,10 @@
 // that says where, nor takes more memory than its size justifies. Here: files that are wrong in one
 // place, each refused with its own reason.
 
-#include "test_support.h"
-#include "test_tool_allocations.h"
-#include "test_tool_reading.h"
+#include "test_tool_hostile.h"
 
 #include <cmath>
 #include <cstdint>
-#include <iostream>
 #include <string>
 #include <vector>
 
@@ -31,26 +28,10 @@ struct Hostile_file
 
 const std::string ascii_vertex = "element vertex 1\n" + float_xyz;
 
-// Each of them is refused with its own reason, and with no more memory than the reader's fixed
-// buffer and what a message takes.
 void check_refusals(const std::vector<Hostile_file>& files)
 {
-  for (std::size_t i = 0; i < 2 * files.size(); ++i)
-  {
-    const Hostile_file& file = files[i / 2];
-    const std::string path = scratch.file(std::string("hostile") + file.extension);
-    write_bytes(path, file.bytes);
-    const Read_options options = i % 2 == 0 ? Read_options() : with_everything();
-    forget_allocations();
-    const Failure_seen seen = failure_of([&]() { read_points(path, *format_of(path), options); });
-    if (!CHECK(seen.status == INPUT_REFUSED && seen.says(file.expected) && seen.says(path + ": ")))
-      std::cerr << "  expected \"" << file.expected << "\", found status " << seen.status << ", \""
-                << seen.message << "\"\n";
-    CHECK(seen.message.find('\n') == std::string::npos);
-    if (!CHECK(largest_allocation() <= most_memory_of_a_refusal))
-      std::cerr << "  " << largest_allocation() << " bytes allocated for \"" << file.expected
-                << "\"\n";
-  }
+  for (const Hostile_file& file : files)
+    check_refusal(file.extension, file.bytes, file.expected, with_everything());
 }
 
 void test_hostile_texts()
