@@ -155,7 +155,7 @@ struct Cell_grid
   unsigned levels = 1u << level_of_one; // a bit for each that has cells
 
 #ifdef __CUDACC__
-  __device__ float scale(unsigned i) const { return scales ? scales[i] : 1.f; }
+  __device__ float scale(unsigned i) const { return Scales_view{scales}[i]; }
 #endif
 
   /// Once nobody asks for it, and its arrays go.

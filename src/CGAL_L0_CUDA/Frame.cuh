@@ -8,6 +8,8 @@
 
 #include "vectors.cuh"
 
+#include <CGAL/L0_resampling/internal/levels_of_scales.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -65,7 +67,7 @@ struct Positions
   const unsigned* list = nullptr; // which of the points they are; null for the first `size`
   const float* scales = nullptr;  // of all points; null if all are 1
 
-  __device__ float scale(unsigned i) const { return scales ? scales[list ? list[i] : i] : 1.f; }
+  __device__ float scale(unsigned i) const { return Scales_view{scales}[list ? list[i] : i]; }
 
   __device__ double3 operator()(unsigned i) const
   {

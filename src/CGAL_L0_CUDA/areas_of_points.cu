@@ -26,22 +26,16 @@ __global__ void share_balls(Cell_grid grid, Cell_blocks blocks, double radius,
   // as on the CPU
   const double own_radius = radius * size_of_cells(grid.frame.level_of_key(grid.keys[center.w]));
   const Exact_ball ball(own_radius, units_per_length), half_ball = ball.half();
-  unsigned count = 0, half_count = 0;
+  Counts_in_balls found;
   for_each_candidate(
     grid, blocks, center, query.lane, float(own_radius), [&](unsigned, const int4& other) {
       const auto difference = [](int a, int b) { return int(unsigned(a) - unsigned(b)); };
       const int x = difference(other.x, center.x), y = difference(other.y, center.y),
                 z = difference(other.z, center.z);
-      count += ball.holds(x, y, z);
-      half_count += half_ball.holds(x, y, z);
+      found.in_ball += ball.holds(x, y, z);
+      found.in_half_ball += half_ball.holds(x, y, z);
     });
-  const unsigned stride = blocks.centers[center.w].stride;
-  count = group_sum<lanes>(count) * stride;
-  half_count = group_sum<lanes>(half_count) * stride;
-  if (!query.writes)
-    return;
-  counts[query.index] = count;
-  half_counts[query.index] = half_count;
+  found.sum_up(query, blocks.centers[center.w].stride, counts, half_counts);
 }
 
 /// One warp for each cell: the sum of the areas of its points, as if all were of a surface.

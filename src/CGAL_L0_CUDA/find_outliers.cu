@@ -26,22 +26,17 @@ __global__ void count_points_in_balls(Cell_grid queries, Cell_grid grid, Cell_bl
   const double own_radius = radius * queries.scale(query.index);
   const float unit = grid.frame.unit(), squared_radius = float(own_radius * own_radius),
               squared_half_radius = squared_radius / 4;
-  unsigned count = 0, half_count = 0;
+  Counts_in_balls found;
   for_each_candidate(grid, blocks, center, query.lane, float(own_radius),
                      [&](unsigned, const int4& point) {
                        const float3 d = difference(point, center, unit);
                        const float squared_distance = dot(d, d);
-                       count += squared_distance < squared_radius;
-                       half_count += squared_distance < squared_half_radius;
+                       found.in_ball += squared_distance < squared_radius;
+                       found.in_half_ball += squared_distance < squared_half_radius;
                      });
-  const unsigned stride = blocks.centers[center.w].stride;
-  count = group_sum<lanes>(count) * stride;
-  half_count = group_sum<lanes>(half_count) * stride;
-  if (!query.writes)
-    return;
-  counts[query.index] = count;
-  half_counts[query.index] = half_count;
-  wide_counts[query.index] = count;
+  found.sum_up(query, blocks.centers[center.w].stride, counts, half_counts);
+  if (query.writes)
+    wide_counts[query.index] = found.in_ball;
 }
 
 /// The sum over the points of the block of cells around a cell.

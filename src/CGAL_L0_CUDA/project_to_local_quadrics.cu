@@ -46,7 +46,7 @@ __global__ void settle(Cell_grid sample_grid, Cell_blocks blocks, Cell_grid grid
   const Query query(samples.size);
   const int4 center = sample_grid.points[query.index];
   const unsigned long long i = sample_grid.order[query.index];
-  const Quadric_kernel kernel = kernel_of_one.scaled(samples.scales ? samples.scales[i] : 1.f);
+  const Quadric_kernel kernel = kernel_of_one.scaled(samples.scale(i));
   const float3 normal = xyz(samples.normals[i]);
   const Tangent_frame frame({normal.x, normal.y, normal.z});
   const float3 u = to_float(frame.u), v = to_float(frame.v), w = to_float(frame.normal);

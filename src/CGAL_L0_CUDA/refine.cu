@@ -115,7 +115,7 @@ __global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_b
   const Query query(samples.size);
   const int4 center = sample_grid.points[query.index];
   const unsigned i = order ? order[query.index] : query.index;
-  const float scale = samples.scales ? samples.scales[i] : 1.f;
+  const float scale = samples.scale(i);
   const Fit fit = fit_of_one.scaled(scale);
   const Surroundings surroundings = {query, center, grid, blocks, normals, fit};
   float3 normal = xyz(samples.normals[i]);
@@ -218,7 +218,7 @@ __global__ void repel(Cell_frame frame, Neighbor_lists neighbors, Push push_rule
   const float maximum_step =
     samples.spacings || samples.scales
       ? float(Repulsion(samples.spacings ? samples.spacings[i] : push_rule.wide_spacing,
-                        samples.scales ? push_rule.radius * samples.scales[i] : push_rule.radius)
+                        push_rule.radius * samples.scale(i))
                 .maximum_step)
       : push_rule.maximum_step;
   if (length > maximum_step)

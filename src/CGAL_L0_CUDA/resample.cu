@@ -113,13 +113,17 @@ struct Call
 
   Cell_frame self_frame(double cell_size) const
   {
-    return Cell_frame::around(box.low, box.high, cell_size,
-                              spreads_wider() ? plan.spreading_radius()
-                                              : plan.self_neighbor_radius);
+    return Cell_frame::around(box.low, box.high, cell_size, largest_range());
   }
 
   /// Whether other samples repel each other than those that the energy couples.
   bool spreads_wider() const { return plan.refines && samples.scales; }
+
+  /// Of the self neighbors, and of the samples that repel each other.
+  double largest_range() const
+  {
+    return spreads_wider() ? plan.spreading_radius() : plan.self_neighbor_radius;
+  }
 };
 
 /// The points of the session that a call works with.
@@ -309,7 +313,7 @@ struct Neighborhood
 {
   Cell_grid points;
   Neighbor_lists neighbors;
-  int4* places; // as the points, for the neighbors that repel each other
+  int4* places = nullptr; // as the points, for the neighbors that repel each other; if any do
   Neighbor_lists spreading;
 };
 
@@ -384,8 +388,7 @@ void minimize_with_refinement(Call& call, const Prepared_points& points)
   const Workplace& workplace = call.workplace;
   const Plan& plan = call.plan;
   const int reach = cells_in_reach(plan.radius, plan.cell_size);
-  const double largest_range = call.spreads_wider() ? plan.spreading_radius()
-                                                    : plan.self_neighbor_radius;
+  const double largest_range = call.largest_range();
   const bool one_grid_is_enough = !call.samples.scales && largest_range <= plan.cell_size;
   const Cell_frame self_frame =
     one_grid_is_enough ? points.grid.frame

@@ -163,6 +163,10 @@ struct Samples
   float* spacings = nullptr;         // as on the CPU: null unless the density of the input is kept
   float4* hints = nullptr;           // as on the CPU: null if the caller has none
   unsigned* start_indices = nullptr; // as on the CPU: null if no samples follow others
+
+#ifdef __CUDACC__
+  __device__ float scale(unsigned i) const { return Scales_view{scales}[i]; }
+#endif
 };
 
 /// Samples that start close to a crowd of others and are not worked on, as on the CPU.
@@ -234,7 +238,7 @@ struct Range_of_pairs
   const float* scales; // null for none
 
 #ifdef __CUDACC__
-  __device__ float scale(unsigned i) const { return scales ? scales[i] : 1.f; }
+  __device__ float scale(unsigned i) const { return Scales_view{scales}[i]; }
 
   /// \param scale_i, scale_k of the samples of the pair
   __device__ float squared(float scale_i, float scale_k) const
