@@ -5,6 +5,8 @@
 
 #include "orientation.cuh"
 
+#include <CGAL/L0_resampling/internal/side_confidence.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -61,6 +63,8 @@ struct Sides
     sure_sizes; // of each sample: the size of its set once all that is sure was joined
 };
 
+constexpr double units_per_confidence = Sample_counts::units_per_confidence;
+
 /// Sums over a tree, in fixed point: integers may be added in any order.
 struct Tree_sums
 {
@@ -70,6 +74,8 @@ struct Tree_sums
     // votes, that of their absolute values, and that of the certain sides
     [8];
   unsigned largest_sure_size;
+  unsigned number_of_dipoles;
+  long long winding_numbers, confidences; // of the dipoles
 
   __device__ long long size() const { return center_and_size[3]; }
   __device__ long long flux() const { return sides[0]; }
@@ -78,6 +84,35 @@ struct Tree_sums
   __device__ Side_votes votes() const
   {
     return {double(sides[7]), double(sides[5]), double(sides[6])};
+  }
+  /// Of a sum over the dipoles.
+  __device__ double mean_of_dipoles(long long sum) const
+  {
+    return number_of_dipoles > 0 ? double(sum) / units_per_confidence / number_of_dipoles : 0;
+  }
+  __device__ double mean_winding_number() const { return mean_of_dipoles(winding_numbers); }
+
+  /// As `Tree` on the CPU.
+  __device__ bool is_turned_inwards() const
+  {
+    const double rounding = 1e-9;
+    if (fabs(double(flux())) > rounding * double(largest_flux()))
+      return flux() < 0;
+    int axis = 0;
+    for (int other = 1; other < 3; ++other)
+      if (llabs(normal(other)) > llabs(normal(axis)))
+        axis = other;
+    return normal(axis) < 0;
+  }
+  __device__ bool is_to_be_turned() const
+  {
+    return votes().are_clear() ? votes().say_turn()
+                               : is_turned_by_windings(is_turned_inwards(), mean_winding_number());
+  }
+  __device__ double confidence() const
+  {
+    return votes().are_clear() ? confidence_of_hints(votes())
+                               : confidence_of_tree(fabs(mean_winding_number()));
   }
 };
 
@@ -182,39 +217,120 @@ __global__ void find_fluxes(Sides sides, Samples samples, Tree_scale scale, Side
     atomicAdd(number_of_oriented, unsigned(count));
 }
 
-/// As `is_turned_inwards()` on the CPU.
-__device__ bool is_turned_inwards(const Tree_sums& tree)
+/// A sample that stands for those around it, and what the others of its tree say of its side.
+struct Dipole
 {
-  const double rounding = 1e-9;
-  if (fabs(double(tree.flux())) > rounding * double(tree.largest_flux()))
-    return tree.flux() < 0;
-  int axis = 0;
-  for (int other = 1; other < 3; ++other)
-    if (llabs(tree.normal(other)) > llabs(tree.normal(axis)))
-      axis = other;
-  return tree.normal(axis) < 0;
+  double3 position, normal; // that in the sense of its tree
+  unsigned tree;
+  Side_evidence evidence;
+  double confidence; // within the tree
+};
+
+struct Dipoles
+{
+  Dipole* dipoles;
+  unsigned size;
+  double area; // that a dipole stands for
+};
+
+__global__ void place_dipoles(Dipoles all, Samples samples, const Link* trees_of_samples)
+{
+  const Wide k = thread_index();
+  if (k >= all.size)
+    return;
+  const unsigned i = unsigned(sample_of_dipole(k, samples.size, all.size));
+  const Link link = trees_of_samples[i];
+  const double* const p = samples.positions + 3 * Wide(i);
+  all.dipoles[k].position = {p[0], p[1], p[2]};
+  all.dipoles[k].normal = (link.is_turned() ? -1. : 1.) * to_double(xyz(samples.normals[i]));
+  all.dipoles[k].tree = link.target();
 }
 
-__global__ void turn_normals(const Link* trees_of_samples, const Tree_sums* trees, Samples samples,
-                             unsigned* number_of_hinted)
+/// As `Dipoles_of_trees::evidence_of()` on the CPU, one block for each dipole.
+__global__ void find_evidence(Dipoles all, Tree_sums* trees)
+{
+  __shared__ double of_warps[threads_per_block / 32][3];
+  const Dipole& own = all.dipoles[blockIdx.x];
+  const double squared_core = squared_core_of_dipole(all.area);
+  double sums[3] = {0, 0, 0}; // winding number, agreement, its absolute values
+  for (unsigned k = threadIdx.x; k < all.size; k += blockDim.x)
+  {
+    const Dipole& other = all.dipoles[k];
+    if (k == blockIdx.x || other.tree != own.tree)
+      continue;
+    const double3 d = {other.position.x - own.position.x, other.position.y - own.position.y,
+                       other.position.z - own.position.z};
+    const double height = dot(other.normal, d), squared_distance = dot(d, d);
+    const double agreement = dipole_agreement(
+      dot(own.normal, other.normal), height * dot(own.normal, d), squared_distance, squared_core);
+    sums[0] += winding_number_of_dipole(height, squared_distance, squared_core);
+    sums[1] += agreement;
+    sums[2] += fabs(agreement);
+  }
+  for (int c = 0; c < 3; ++c)
+  {
+    const double sum = group_sum<32>(sums[c]);
+    if (threadIdx.x % 32 == 0)
+      of_warps[threadIdx.x / 32][c] = sum;
+  }
+  __syncthreads();
+  if (threadIdx.x != 0)
+    return;
+  for (unsigned warp = 1; warp < threads_per_block / 32; ++warp)
+    for (int c = 0; c < 3; ++c)
+      sums[c] = (warp == 1 ? of_warps[0][c] : sums[c]) + of_warps[warp][c];
+  const Side_evidence evidence = {sums[0] * all.area, sums[2] > 0 ? sums[1] / sums[2] : 0};
+  all.dipoles[blockIdx.x].evidence = evidence;
+  Tree_sums& tree = trees[own.tree];
+  atomicAdd(&tree.number_of_dipoles, 1u);
+  atomicAdd(reinterpret_cast<Wide*>(&tree.winding_numbers),
+            Wide(__double2ll_rn(evidence.winding_number * units_per_confidence)));
+}
+
+__global__ void find_confidences(Dipoles all, Tree_sums* trees)
+{
+  const Wide k = thread_index();
+  if (k >= all.size)
+    return;
+  Dipole& dipole = all.dipoles[k];
+  Tree_sums& tree = trees[dipole.tree];
+  const double sign = tree.is_to_be_turned() ? -1 : 1;
+  dipole.confidence =
+    confidence_within_tree({sign * dipole.evidence.winding_number, dipole.evidence.agreement},
+                           sign * tree.mean_winding_number());
+  atomicAdd(reinterpret_cast<Wide*>(&tree.confidences),
+            Wide(__double2ll_rn(dipole.confidence * units_per_confidence)));
+}
+
+__global__ void turn_normals(const Link* trees_of_samples, const Tree_sums* trees, Dipoles all,
+                             Samples samples, Sample_counts* counts)
 {
   const Wide i = thread_index();
   bool hinted = false;
+  long long confidence = 0;
   if (i < samples.size)
   {
     const Link link = trees_of_samples[i];
     const Tree_sums& tree = trees[link.target()];
-    const Side_votes votes = tree.votes();
-    hinted = votes.are_clear();
-    if ((hinted ? votes.say_turn() : is_turned_inwards(tree)) != link.is_turned())
+    hinted = tree.votes().are_clear();
+    if (tree.is_to_be_turned() != link.is_turned())
     {
       const float4 n = samples.normals[i];
       samples.normals[i] = make_float4(-n.x, -n.y, -n.z, n.w);
     }
+    const Dipole& dipole = all.dipoles[dipole_of_sample(i, samples.size, all.size)];
+    const double within_tree = dipole.tree == link.target() ? dipole.confidence
+                               : tree.number_of_dipoles > 0 ? tree.mean_of_dipoles(tree.confidences)
+                                                            : guessed_confidence;
+    confidence = __double2ll_rn(confidence_of_side(tree.confidence(), within_tree)
+                                * units_per_confidence);
   }
   const int count = __syncthreads_count(hinted);
   if (threadIdx.x == 0 && count > 0)
-    atomicAdd(number_of_hinted, unsigned(count));
+    atomicAdd(&counts->hinted, unsigned(count));
+  const long long sum = group_sum<32>(confidence);
+  if (threadIdx.x % 32 == 0)
+    atomicAdd(&counts->confidence, Wide(sum));
 }
 
 } // namespace
@@ -299,8 +415,18 @@ void orient_normals(const Workplace& workplace, const double (&low)[3], const do
   find_fluxes<<<blocks_for(m), threads_per_block, 0, stream>>>(sides, samples, scale, hints, trees,
                                                                &counts->oriented);
   check_launch("find_fluxes");
-  turn_normals<<<blocks_for(m), threads_per_block, 0, stream>>>(roots, trees, samples,
-                                                                &counts->hinted);
+  const unsigned number_of_dipoles = (std::min)(m, maximum_number_of_dipoles);
+  const Dipoles dipoles = {workplace.scratch.take<Dipole>(number_of_dipoles), number_of_dipoles,
+                           spacing * spacing * double(m) / double(number_of_dipoles)};
+  place_dipoles<<<blocks_for(number_of_dipoles), threads_per_block, 0, stream>>>(dipoles, samples,
+                                                                                 roots);
+  check_launch("place_dipoles");
+  find_evidence<<<number_of_dipoles, threads_per_block, 0, stream>>>(dipoles, trees);
+  check_launch("find_evidence");
+  find_confidences<<<blocks_for(number_of_dipoles), threads_per_block, 0, stream>>>(dipoles, trees);
+  check_launch("find_confidences");
+  turn_normals<<<blocks_for(m), threads_per_block, 0, stream>>>(roots, trees, dipoles, samples,
+                                                                counts);
   check_launch("turn_normals");
 }
 

@@ -15,10 +15,8 @@ namespace cuda {
 
 namespace {
 
-constexpr double weight_of_votes = 3; // as on the CPU
-
 constexpr unsigned no_set = ~0u;
-constexpr unsigned threads_of_turning_block = 352; // one for each set
+constexpr unsigned threads_of_turning_block = 704; // one for each set
 static_assert(threads_of_turning_block >= maximum_number_of_sets, "too few threads for the sets");
 static_assert(threads_of_turning_block % 32 == 0, "warps are whole");
 
@@ -231,8 +229,8 @@ __global__ void add_votes_between_sets(Field field, Graph graph, const Link* set
       if (!field.are_of_one_tree(set_a, set_b))
         return;
       const double agreement = agreement_of(graph, i, other);
-      const long long units = __double2ll_rn((a.is_turned() == b.is_turned() ? 1 : -1)
-                                             * weight_of_votes * agreement * units_per_vote);
+      const long long units = __double2ll_rn((a.is_turned() == b.is_turned() ? 1 : -1) * agreement
+                                             * units_per_vote);
       add_to(&field.row(set_a)[set_b], units);
       add_to(&field.row(set_b)[set_a], units);
     });

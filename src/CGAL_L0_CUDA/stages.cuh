@@ -191,6 +191,10 @@ struct Sample_counts
 {
   unsigned lonely; // without an original neighbor, or without a compatible one in the last fit
   unsigned oriented, hinted; // surely, and as hints say
+  Wide confidence;           // the sum over the samples, in `units_per_confidence`
+
+  /// Confidences, and winding numbers, are added up in fixed point.
+  static constexpr double units_per_confidence = 1 << 30;
 };
 
 /// What samples may have beside positions, normals and fit.

@@ -72,6 +72,11 @@ struct Lanes
   friend Lanes operator*(const Lanes& a, T b) { return a * Lanes(b); }
   friend Lanes operator-(const Lanes& a) { return Lanes(Eigen::internal::pnegate(a.packet)); }
   friend Lanes abs(const Lanes& a) { return Lanes(Eigen::internal::pabs(a.packet)); }
+  friend Lanes inverse_sqrt(const Lanes& a)
+  {
+    using namespace Eigen::internal;
+    return Lanes(pdiv(Lanes(T(1)).packet, psqrt(a.packet)));
+  }
   friend Lanes exp(const Lanes& a) { return Lanes(Eigen::internal::pexp(a.packet)); }
 
   /// \f$ e^{-x} \f$ for x >= 0, held at e^-40 as for a single number. Half the work of `exp`, which

@@ -11,7 +11,9 @@
 #include <CGAL/L0_resampling/internal/orientation_agreement.h>
 #include <CGAL/L0_resampling/internal/orientation_field.h>
 #include <CGAL/L0_resampling/internal/orientation_votes.h>
+#include <CGAL/L0_resampling/internal/side_confidence.h>
 #include <CGAL/L0_resampling/internal/spanning_forest.h>
+#include <CGAL/L0_resampling/internal/winding_numbers.h>
 
 #include <algorithm>
 #include <cmath>
@@ -105,6 +107,66 @@ inline bool is_turned_inwards(double flux, double largest_flux, const Vector& no
   return normal_sum[axis] < 0;
 }
 
+/// What the dipoles say of each other's sides.
+/// \param trees of the samples
+template <typename ConcurrencyTag, typename T>
+std::vector<Side_evidence> evidence_of_dipoles(const std::vector<Index>& samples,
+                                               const Signed_union_find& trees,
+                                               const Buffer<Vector>& positions,
+                                               const Buffer<Eigen::Matrix<T, 3, 1>>& normals,
+                                               double spacing)
+{
+  const Dipoles_of_trees dipoles(samples, trees, positions, normals);
+  const double area = spacing * spacing * double(positions.size()) / double(samples.size());
+  std::vector<Side_evidence> evidence(samples.size());
+  for_each_block<ConcurrencyTag>(samples.size(), 64, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k)
+      evidence[k] = dipoles.evidence_of(k, area);
+  });
+  return evidence;
+}
+
+/// A connected component of the sets of samples, which is turned as a whole.
+struct Tree
+{
+  Vector center = Vector::Zero();
+  Vector normal_sum = Vector::Zero();
+  double flux = 0,
+         largest_flux =
+           0; // of the divergence theorem, and if all normals pointed away from the center
+  Side_votes votes;
+  Index largest_sure_set = 0;
+  double sum_of_winding_numbers = 0;
+  Index number_of_dipoles = 0;
+  double sum_of_confidences = 0; // of the dipoles within the tree
+
+  double mean_winding_number() const
+  {
+    return number_of_dipoles > 0 ? sum_of_winding_numbers / number_of_dipoles : 0;
+  }
+  double confidence_of_dipoles() const
+  {
+    return number_of_dipoles > 0 ? sum_of_confidences / number_of_dipoles : guessed_confidence;
+  }
+
+  /// Whether its normals are on the wrong side: that of the hints, if these are clear; else
+  /// inwards, by the flux through it, unless the winding numbers say otherwise.
+  bool is_to_be_turned() const
+  {
+    if (votes.are_clear())
+      return votes.say_turn();
+    return is_turned_by_windings(is_turned_inwards(flux, largest_flux, normal_sum),
+                                 mean_winding_number());
+  }
+
+  /// As it is turned.
+  double confidence() const
+  {
+    return votes.are_clear() ? confidence_of_hints(votes)
+                             : confidence_of_tree(std::abs(mean_winding_number()));
+  }
+};
+
 /// How sure the sides are that `orient_normals()` has chosen, as shares of the samples.
 struct Orientation
 {
@@ -112,7 +174,8 @@ struct Orientation
     /// joined to the largest part of their tree by viewpoints, by edges beyond doubt, by the field
     /// and by clear majorities only
     oriented_share;
-  double hinted_share; ///< of trees whose side is that of the hints
+  double hinted_share;       ///< of trees whose side is that of the hints
+  Buffer<float> confidences; ///< how sure it is that a sample is on the right side, in [0, 1]
 };
 
 /*!
@@ -164,16 +227,6 @@ Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_o
     all = joined_by_votes(0, parts);
   const Signed_union_find& sets = all.sets;
 
-  struct Tree
-  {
-    Vector center = Vector::Zero();
-    Vector normal_sum = Vector::Zero();
-    double flux = 0,
-           largest_flux =
-             0; // of the divergence theorem, and if all normals pointed away from the center
-    Side_votes votes;
-    Index largest_sure_set = 0;
-  };
   Buffer<Tree> trees =
     filled_buffer(m, Tree(), positions.get_allocator()); // that of a sample stands at its root
   for_each_in_order(m, [&](std::size_t i) {
@@ -196,6 +249,29 @@ Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_o
     tree.votes.certain_sum += hints.certain_side_of(i, sign * normal(i));
     number_of_oriented += sets.size_of_set(root) > 1 && sure_set_sizes[i] == tree.largest_sure_set;
   });
+
+  const std::vector<Index> dipoles = samples_of_dipoles(m);
+  std::vector<Side_evidence> evidence =
+    evidence_of_dipoles<ConcurrencyTag>(dipoles, sets, positions, normals, spacing);
+  for (std::size_t k = 0; k < dipoles.size(); ++k)
+  {
+    Tree& tree = trees[sets.find(dipoles[k]).first];
+    tree.sum_of_winding_numbers += evidence[k].winding_number;
+    ++tree.number_of_dipoles;
+  }
+  std::vector<double> confidences_within_trees(dipoles.size());
+  for (std::size_t k = 0; k < dipoles.size(); ++k)
+  {
+    Tree& tree = trees[sets.find(dipoles[k]).first];
+    const double sign = tree.is_to_be_turned() ? -1 : 1;
+    confidences_within_trees[k] =
+      confidence_within_tree({sign * evidence[k].winding_number, evidence[k].agreement},
+                             sign * tree.mean_winding_number());
+    tree.sum_of_confidences += confidences_within_trees[k];
+  }
+
+  Orientation result{double(number_of_oriented) / double(m), 0,
+                     filled_buffer(m, 0.f, Counting_allocator<float>(positions.get_allocator()))};
   const std::size_t samples_per_task = 4096;
   const auto number_of_hinted =
     block_sum<ConcurrencyTag>(m, samples_per_task, [&](std::size_t begin, std::size_t end) {
@@ -204,17 +280,19 @@ Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_o
       {
         const auto [root, sign] = sets.find(i);
         const Tree& tree = trees[root];
-        const bool is_hinted = tree.votes.are_clear();
-        const bool is_turned = is_hinted
-                                 ? tree.votes.say_turn()
-                                 : is_turned_inwards(tree.flux, tree.largest_flux, tree.normal_sum);
-        number += is_hinted;
-        if (is_turned != (sign < 0))
+        number += tree.votes.are_clear();
+        if (tree.is_to_be_turned() != (sign < 0))
           normals[i] = -normals[i];
+        const std::size_t k = dipole_of_sample(i, m, dipoles.size());
+        const bool is_of_tree = sets.find(dipoles[k]).first == root;
+        result.confidences[i] = float(
+          confidence_of_side(tree.confidence(), is_of_tree ? confidences_within_trees[k]
+                                                           : tree.confidence_of_dipoles()));
       }
       return number;
     });
-  return {double(number_of_oriented) / double(m), double(number_of_hinted) / double(m)};
+  result.hinted_share = double(number_of_hinted) / double(m);
+  return result;
 }
 
 } // namespace internal

@@ -23,7 +23,7 @@ constexpr double beyond_doubt = 0.98;
 constexpr double clear_majority = 0.5;
 
 /// The field of sets is that of so many samples, evenly spread, and of so many sets at most.
-constexpr unsigned maximum_number_of_dipoles = 2048, maximum_number_of_sets = 341;
+constexpr unsigned maximum_number_of_dipoles = 4096, maximum_number_of_sets = 682;
 
 /// The k-th of the samples that are dipoles. Samples are sorted by place: every so-maniest of them
 /// are spread evenly.
@@ -32,6 +32,14 @@ CGAL_L0_HOST_DEVICE inline std::size_t sample_of_dipole(std::size_t k,
                                                         std::size_t number_of_dipoles)
 {
   return std::size_t((2 * std::uint64_t(k) + 1) * number_of_samples / (2 * number_of_dipoles));
+}
+
+/// The dipole that stands for a sample: the nearest one in their order.
+CGAL_L0_HOST_DEVICE inline std::size_t dipole_of_sample(std::size_t i,
+                                                        std::size_t number_of_samples,
+                                                        std::size_t number_of_dipoles)
+{
+  return std::size_t(std::uint64_t(i) * number_of_dipoles / number_of_samples);
 }
 
 /// Sets of so many dipoles are large: there are no more of them than `maximum_number_of_sets`.
@@ -131,6 +139,15 @@ CGAL_L0_HOST_DEVICE inline T dipole_agreement(T cosine, T product_of_heights, T 
   const T softened = squared_distance + squared_core;
   return (cosine - 3 * (squared_core * cosine + product_of_heights) / softened)
          / (softened * sqrt(softened));
+}
+
+/// The same of many at once, by \f$ 1/r^2 \f$ and \f$ 1/r^3 \f$.
+template <typename Lanes, typename T>
+Lanes dipole_agreement(const Lanes& cosine, const Lanes& product_of_heights,
+                       const Lanes& squared_inverse, const Lanes& cubed_inverse, T squared_core)
+{
+  return (cosine - (cosine * squared_core + product_of_heights) * squared_inverse * T(3))
+         * cubed_inverse;
 }
 
 /// \f$ a^2 \f$ of a dipole that stands for a disk of that area: with the radius of the disk for

@@ -72,8 +72,6 @@ bool join_by_field(const Signed_union_find& trees, const Buffer<Vector>& positio
                    const Buffer<Eigen::Matrix<T, 3, 1>>& normals, double spacing, Voting& voting)
 {
   Signed_union_find& sets = voting.sets;
-  const double weight_of_votes =
-    3; // of an edge, against the field of two faces of one spacing each
   const std::vector<Index> samples = samples_of_dipoles(positions.size());
   Field_of_sets field;
   field.roots = sets_of_field(trees, dipoles_of_sets(samples, sets));
@@ -126,8 +124,8 @@ bool join_by_field(const Signed_union_find& trees, const Buffer<Vector>& positio
     if (is_in_field(v.a) && is_in_field(v.b))
     {
       const std::size_t a = place_of(v.a), b = place_of(v.b);
-      field.agreements[a * number_of_sets + b] += weight_of_votes * v.agreement;
-      field.agreements[b * number_of_sets + a] += weight_of_votes * v.agreement;
+      field.agreements[a * number_of_sets + b] += v.agreement;
+      field.agreements[b * number_of_sets + a] += v.agreement;
     }
   });
 
