@@ -24,6 +24,7 @@ set(level_1   # what several stages share, and what works on the arrays of one n
   internal/Plane_moments.h
   internal/Morton_points.h internal/scale_field.h internal/Plan.h
   internal/cuda_interface.h internal/cuda_device_arrays.h internal/cuda_answer.h
+  internal/Device_progress.h
   internal/Progress.h internal/solver_settings.h
   internal/Search_grid_3.h internal/working_frame.h internal/orientation_votes.h
   internal/dipoles_of_sets.h internal/spanning_forest.h internal/Field_of_sets.h
@@ -54,6 +55,7 @@ set(level_4   # what users include, and how it reads what they pass
   named_parameters_interface.h named_parameters.h internal/checked_parameters.h
   internal/output_iterators.h internal/checked_types.h
   internal/points_of_range.h internal/compiled_templates.h internal/Point_data.h
+  internal/resample_on_cpu.h
   internal/carry_properties.h CUDA_resampler.h
   ../l0_resample_point_set.h)
 
