@@ -57,6 +57,28 @@ struct Frame
   }
 };
 
+/// A frame, and the bounding box of the points in it.
+struct Framed_box
+{
+  Frame frame;
+  double low[3], high[3];
+
+  double diagonal() const
+  {
+    const double x = high[0] - low[0], y = high[1] - low[1], z = high[2] - low[2];
+    return std::sqrt(x * x + y * y + z * z);
+  }
+
+  /// Makes `unit`, a length in the frame, the unit of frame and box.
+  void set_unit(double unit)
+  {
+    frame.unit *= unit;
+    for (double* corner : {low, high})
+      for (int axis = 0; axis < 3; ++axis)
+        corner[axis] /= unit;
+  }
+};
+
 /// Points of the input, all or some, in a frame; or of that frame itself.
 struct Positions
 {

@@ -216,8 +216,9 @@ private:
   }
 };
 
-/// The stages of the paper, one after the other. The result is left in the session.
-void run(Session& session, const Parameters& parameters, Stages& stages, Call_report& report);
+/// All stages of a call. The result is left in the session.
+void run_stages(Session& session, const Parameters& parameters, Stages& stages,
+                Call_report& report);
 
 } // namespace cuda
 } // namespace internal

@@ -123,7 +123,7 @@ Answer resample(Session& session, const Parameters& parameters, Progress_callbac
       check_launch("write_to_nowhere");
     }
     Stages stages(session, progress, report);
-    run(session, parameters, stages, report);
+    run_stages(session, parameters, stages, report);
   });
 }
 

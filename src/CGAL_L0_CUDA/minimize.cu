@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "Grid_sum.cuh"
+#include "loops_over_samples.cuh"
 #include "stages.cuh"
 
 #include <CGAL/L0_resampling/internal/block_factorization.h>
@@ -20,9 +21,6 @@ namespace cuda {
 
 namespace {
 
-// Threads that share a sample: it has some 10 to 50 self neighbors.
-constexpr int lanes_per_sample = 2;
-
 // Large blocks: few to wait for, and few partial sums.
 constexpr unsigned threads_per_large_block = 512;
 
@@ -33,7 +31,7 @@ constexpr unsigned maximum_number_of_iterations = 100;
 // At once: the two of conjugate gradients, and the energies.
 constexpr int number_of_sums = 6;
 
-struct Turn
+struct Turn_in_kernel
 {
   Minimization_parameters parameters;
   float penalty;
@@ -62,54 +60,8 @@ struct Scales_of_pair
   __device__ float squared() const { return own * other; }
 };
 
-/// Walks over the samples of a group of lanes, all groups in step.
-template <typename F>
-__device__ void for_each_sample_of_group(unsigned size, const F& f)
-{
-  const Wide number_of_groups = Wide(gridDim.x) * blockDim.x / lanes_per_sample;
-  const Wide group = thread_index() / lanes_per_sample;
-  const unsigned lane = threadIdx.x % lanes_per_sample;
-  for (Wide begin = 0; begin < size; begin += number_of_groups)
-  {
-    const Wide i = begin + group;
-    // groups without a sample repeat the last one: whole warps have to take part in sums
-    f(unsigned(i < size ? i : size - 1), lane, i < size);
-  }
-}
-
-template <typename F>
-__device__ void for_each_sample(unsigned size, const F& f)
-{
-  const Wide number_of_threads = Wide(gridDim.x) * blockDim.x;
-  for (Wide i = thread_index(); i < size; i += number_of_threads)
-    f(unsigned(i));
-}
-
-/// Walks over the pairs of a lane in batches: calls `load(k, e)` for each pair of a batch, and then
-/// `use(loaded, e)`, so that the memory has several reads to do at once.
-template <int batch, typename Load, typename Use>
-__device__ void for_each_pair(const Neighbor_lists& neighbors, uint2 row, unsigned lane,
-                              const Load& load, const Use& use)
-{
-  const Wide last = row.y;
-  for (Wide e = Wide(row.x) + lane; e < last; e += batch * lanes_per_sample)
-  {
-    decltype(load(0u, e)) loaded[batch];
-#pragma unroll
-    for (int b = 0; b < batch; ++b)
-    {
-      const Wide own = e + b * lanes_per_sample, other = own < last ? own : e;
-      loaded[b] = load(neighbors.indices[other], other);
-    }
-#pragma unroll
-    for (int b = 0; b < batch; ++b)
-      if (e + b * lanes_per_sample < last)
-        use(loaded[b], e + b * lanes_per_sample);
-  }
-}
-
 /// w_i of Eq. (5): its inverse becomes the fourth number of the normal.
-__device__ void update_density_weights(const Turn& turn)
+__device__ void update_density_weights(const Turn_in_kernel& turn)
 {
   const float squared_bandwidth = float(turn.parameters.squared_bandwidth);
   const Range_of_pairs range = turn.range();
@@ -185,7 +137,7 @@ struct Pair_weights
   float regularization_weight, squared_radius, squared_jump;
   Range_of_pairs range;
 
-  __device__ explicit Pair_weights(const Turn& turn)
+  __device__ explicit Pair_weights(const Turn_in_kernel& turn)
     : regularize(turn.regularize),
       regularization_weight(float(turn.parameters.regularization_weight)),
       squared_radius(float(turn.parameters.squared_radius)),
@@ -220,7 +172,7 @@ struct Energy_sums
 /// neighbors need of z beside itself. From here to the end of the turn, the place of the position
 /// holds c_i, and the fit tells where the sample is: the step need not be kept beside them.
 /// \param sums out, of the thread: g^T g and r^T z
-__device__ void linearize(const Turn& turn, Energy_sums& energy, double (&sums)[2])
+__device__ void linearize(const Turn_in_kernel& turn, Energy_sums& energy, double (&sums)[2])
 {
   const float penalty = turn.penalty;
   const Range_of_pairs range = turn.range();
@@ -313,7 +265,7 @@ __device__ void linearize(const Turn& turn, Energy_sums& energy, double (&sums)[
 /// where D_i z_i is r_i. The weights a_ik are computed anew each time: that takes no longer than
 /// reading them, and they would be as many numbers as the lists of neighbors have.
 /// \param curvature out, of the thread: z^T H z
-__device__ void multiply(const Turn& turn, bool is_first, float ratio, double& curvature)
+__device__ void multiply(const Turn_in_kernel& turn, bool is_first, float ratio, double& curvature)
 {
   const Pair_weights weight_of_pair(turn);
   for_each_sample_of_group(turn.samples.size, [&](unsigned i, unsigned lane, bool is_sample) {
@@ -354,7 +306,7 @@ __device__ void multiply(const Turn& turn, bool is_first, float ratio, double& c
 
 /// p = z + ratio p, x += step p, r -= step s, z = D^-1 r, where x is what the fit has lost
 /// \param sums out, of the thread: r^T r and r^T z
-__device__ void take_step(const Turn& turn, bool is_first, float ratio, float step,
+__device__ void take_step(const Turn_in_kernel& turn, bool is_first, float ratio, float step,
                           double (&sums)[2])
 {
   for_each_sample(turn.samples.size, [&](unsigned i) {
@@ -374,7 +326,7 @@ __device__ void take_step(const Turn& turn, bool is_first, float ratio, float st
 }
 
 /// Moves the samples to where the fit tells that they are.
-__device__ void move_samples(const Turn& turn)
+__device__ void move_samples(const Turn_in_kernel& turn)
 {
   for_each_sample(turn.samples.size, [&](unsigned i) {
     double* const position = turn.samples.positions + 3 * Wide(i);
@@ -398,7 +350,7 @@ The conjugate gradients are those of Chronopoulos and Gear (1989): in place of t
 directions p they carry s = H p by the recurrence of p, which leaves two barriers an iteration
 instead of three. At a tolerance of 1e-5 the few more roundings do not show.
 */
-__global__ void __launch_bounds__(threads_per_large_block, 2) run_turn(Turn turn)
+__global__ void __launch_bounds__(threads_per_large_block, 2) run_turn(Turn_in_kernel turn)
 {
   __shared__ double shared[Grid_sum<number_of_sums>::size_of_shared(threads_per_large_block)];
   Grid_sum<number_of_sums> grid_sum(turn.arrays.partial_sums, shared);
@@ -504,10 +456,11 @@ void minimize_once(const Workplace& workplace, const Minimization_parameters& pa
 {
   const double threshold = shrinkage_threshold(
     parameters.normal_weight, penalty, parameters.sparsity_unit, parameters.largest_shrunk_jump);
-  Turn turn = {parameters, float(penalty),    {threshold, parameters.half_width_of_shrinkage},
-               regularize, grid.frame.unit(), grid.frame.units_per_length,
-               neighbors,  samples,           grid.points,
-               arrays,     last_result,       result};
+  Turn_in_kernel turn = {
+    parameters, float(penalty),    {threshold, parameters.half_width_of_shrinkage},
+    regularize, grid.frame.unit(), grid.frame.units_per_length,
+    neighbors,  samples,           grid.points,
+    arrays,     last_result,       result};
   void* arguments[] = {&turn};
   const unsigned useful_blocks = unsigned(
     (Wide(samples.size) * lanes_per_sample + threads_per_large_block - 1)

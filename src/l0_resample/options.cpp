@@ -11,6 +11,8 @@
 #include "config_file.h"
 #include "manual.h"
 
+#include <CGAL/L0_resampling/internal/Method_rules.h>
+
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -22,7 +24,7 @@
 namespace l0_tool {
 namespace {
 
-using CGAL::L0_resampling::Method;
+using CGAL::L0_resampling::internal::rules_of;
 
 void choose_format(const std::string& path, const std::string& option, const CLI::App& app,
                    File_format& format)
@@ -50,7 +52,7 @@ void check_paths_differ(const Options& options)
 // Nothing that the command line asks for is ignored.
 void check_effects(const CLI::App& app, const Options& options)
 {
-  if (app.count("--keep-outliers") > 0 && options.method != Method::DEFAULT)
+  if (app.count("--keep-outliers") > 0 && !rules_of(options.method).drops_outliers)
     refuse_usage("--keep-outliers: " + name_of(options.method) + " keeps all points anyway");
   if (app.count("--solver-iterations") > 0 && options.solver == Solver::CHOLESKY)
     refuse_usage("--solver-iterations: cholesky has none");

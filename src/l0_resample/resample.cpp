@@ -179,21 +179,20 @@ Resampled_points resample(const Point_cloud& cloud, const Sides& sides, const Op
   result.viewpoint = sides.viewpoint;
   result.las = cloud.las;
   try {
-    const auto np = parameters::resampling_method(options.method)
-                      .normal_weight(normal_weight_of(options))
-                      .sharpness_angle(options.sharpness_angle)
-                      .random_seed(options.seed)
-                      .drop_outliers(options.method == CGAL::L0_resampling::Method::DEFAULT
-                                     && !options.keep_outliers)
-                      .number_of_output_points(
-                        number_of_output_points(options, cloud.points.size()))
-                      .maximum_memory(options.max_memory)
-                      .callback(callback)
-                      .resampling_report(&report)
-                      .neighbor_radius(options.neighbor_radius)
-                      .keep_density(options.keep_density)
-                      .viewpoint(sides.viewpoint)
-                      .up_direction(options.up_direction);
+    const auto np =
+      parameters::resampling_method(options.method)
+        .normal_weight(normal_weight_of(options))
+        .sharpness_angle(options.sharpness_angle)
+        .random_seed(options.seed)
+        .drop_outliers(options.keep_outliers ? std::optional<bool>(false) : std::nullopt)
+        .number_of_output_points(number_of_output_points(options, cloud.points.size()))
+        .maximum_memory(options.max_memory)
+        .callback(callback)
+        .resampling_report(&report)
+        .neighbor_radius(options.neighbor_radius)
+        .keep_density(options.keep_density)
+        .viewpoint(sides.viewpoint)
+        .up_direction(options.up_direction);
     const auto on_device = [&]() {
 #ifdef CGAL_L0_LINKED_WITH_CUDA
       call<CGAL::CUDA_tag>(cloud, sides, options, np, result);

@@ -20,6 +20,7 @@
 #include "write_png.h"
 #include "write_points.h"
 
+#include <CGAL/L0_resampling/internal/Method_rules.h>
 #include <CGAL/L0_resampling/warnings.h>
 
 #include <chrono>
@@ -97,8 +98,8 @@ Sides find_sides(const Point_cloud& cloud, const std::vector<Point>& viewpoints,
 void note_weight_without_effect(const Options& options, Run_record& record)
 {
   const double limit = largest_effective_normal_weight(record.report);
-  if (!options.normal_weight || options.method != CGAL::L0_resampling::Method::DEFAULT
-      || *options.normal_weight <= limit)
+  if (!options.normal_weight || *options.normal_weight <= limit
+      || !CGAL::L0_resampling::internal::rules_of(options.method).limits_jumps)
     return;
   char text[96];
   std::snprintf(text, sizeof text,

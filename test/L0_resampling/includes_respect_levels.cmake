@@ -20,9 +20,11 @@ set(level_0   # words: types, formulas and tools that know nothing of point sets
   internal/Buffer.h internal/lanes.h internal/parallel_for.h internal/parallel_sort.h
   internal/select_nth.h internal/Signed_union_find.h)
 set(level_1   # what several stages share, and what works on the arrays of one neighborhood
-  Report.h warnings.h internal/Any_solver.h internal/Parameters.h internal/Plane_moments.h
+  Report.h warnings.h internal/Any_solver.h internal/Parameters.h internal/Method_rules.h
+  internal/Plane_moments.h
   internal/Morton_points.h internal/scale_field.h internal/Plan.h
   internal/cuda_interface.h internal/cuda_device_arrays.h internal/cuda_answer.h
+  internal/Device_progress.h
   internal/Progress.h internal/solver_settings.h
   internal/Search_grid_3.h internal/working_frame.h internal/orientation_votes.h
   internal/dipoles_of_sets.h internal/spanning_forest.h internal/Field_of_sets.h
@@ -47,12 +49,13 @@ set(level_2   # stages and solvers
   Eigen_least_squares_solver_traits.h
   CUDA_least_squares_solver_traits.h)
 set(level_3   # Algorithm 1, and the whole
-  internal/prepare_points.h internal/choose_samples.h internal/alternating_minimization.h
-  internal/refining_minimization.h internal/resample.h)
+  internal/side_hints.h internal/prepare_points.h internal/choose_samples.h
+  internal/Minimization_step.h internal/Cpu_backend.h internal/run.h internal/resample.h)
 set(level_4   # what users include, and how it reads what they pass
   named_parameters_interface.h named_parameters.h internal/checked_parameters.h
   internal/output_iterators.h internal/checked_types.h
   internal/points_of_range.h internal/compiled_templates.h internal/Point_data.h
+  internal/resample_on_cpu.h
   internal/carry_properties.h CUDA_resampler.h
   ../l0_resample_point_set.h)
 

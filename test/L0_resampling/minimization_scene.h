@@ -8,7 +8,8 @@
 
 #include "stage_support.h"
 
-#include <CGAL/L0_resampling/internal/alternating_minimization.h>
+#include <CGAL/L0_resampling/internal/Fit_rows.h>
+#include <CGAL/L0_resampling/internal/Minimization_step.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +17,8 @@
 #include <vector>
 
 namespace test {
+
+using CGAL::L0_resampling::Iteration_report;
 
 /// A noisy cube with samples on it, before Algorithm 1.
 struct Scene
@@ -68,6 +71,23 @@ struct Scene
     }
   }
 };
+
+/// Algorithm 1 with the neighbors of the start.
+template <typename ConcurrencyTag, typename Solver>
+std::vector<Iteration_report> minimize(const Neighborhoods& neighbors, const Fit_rows& rows,
+                                       const Minimization_parameters& parameters, Solver& solver,
+                                       Samples<double>& samples)
+{
+  Unwatched unwatched;
+  Minimization_step<ConcurrencyTag, Solver> step(parameters, solver, unwatched.progress,
+                                                 samples.positions.get_allocator());
+  Buffer<Upper_triangle<double>> normal_spreads;
+  sum_normal_spreads<ConcurrencyTag>(samples.normals, neighbors, normal_spreads);
+  std::vector<Iteration_report> reports;
+  for (const Turn& turn : parameters.turns())
+    reports.push_back(step(turn, neighbors, normal_spreads, rows, samples));
+  return reports;
+}
 
 /// What the solver of Algorithm 1 sees in one iteration.
 struct Step

@@ -182,11 +182,9 @@ int main()
   {
     const Scene start(generator, interleave);
     Scene end = start;
-    Unwatched unwatched;
     Watching_solver solver;
-    std::vector<Iteration_report> reports;
-    minimize_alternatingly<CGAL::Parallel_if_available_tag>(
-      end.parameters, end.neighbors, end.rows, solver, unwatched.progress, end.samples, reports);
+    const std::vector<Iteration_report> reports = minimize<CGAL::Parallel_if_available_tag>(
+      end.neighbors, end.rows, end.parameters, solver, end.samples);
     check_course(start, end, solver.steps, reports);
     check_descent(start, solver.steps, reports, generator);
     check_report(start, solver.steps, reports);
@@ -194,11 +192,9 @@ int main()
 
     // Solvers of the collapsed form get no rows and see the same problems.
     Scene without_rows = start;
-    without_rows.rows = Fit_rows();
     Eigen_cholesky_solver_traits<double> cholesky;
-    minimize_alternatingly<CGAL::Sequential_tag>(end.parameters, end.neighbors, without_rows.rows,
-                                                 cholesky, unwatched.progress, without_rows.samples,
-                                                 reports);
+    minimize<CGAL::Sequential_tag>(end.neighbors, Fit_rows(), end.parameters, cholesky,
+                                   without_rows.samples);
     CHECK(without_rows.samples.positions == end.samples.positions);
   }
   return result();

@@ -8,6 +8,7 @@
 
 #include "../common/sample_mesh.h"
 
+#include <CGAL/L0_resampling/internal/Method_rules.h>
 #include <CGAL/L0_resampling/internal/cuda_interface.h>
 
 #include <CLI/CLI.hpp>
@@ -182,8 +183,8 @@ int main(int argc, char** argv)
       coordinates.insert(coordinates.end(), {p.x(), p.y(), p.z()});
     const std::size_t m = parameters.number_of_output_points;
     parameters.method = methods.at(method);
-    if (parameters.method == Method::DEFAULT)
-      parameters.penalty_growth = CGAL::L0_resampling::internal::default_penalty_growth;
+    parameters.penalty_growth =
+      CGAL::L0_resampling::internal::rules_of(parameters.method).penalty_growth;
     if (radius_in_spacings > 0)
       parameters.neighbor_radius = radius_in_spacings * spacing;
 

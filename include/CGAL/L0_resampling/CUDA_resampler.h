@@ -11,6 +11,7 @@
 #endif
 
 #include <CGAL/L0_resampling/Report.h>
+#include <CGAL/L0_resampling/internal/Device_progress.h>
 #include <CGAL/L0_resampling/internal/Point_data.h>
 #include <CGAL/L0_resampling/internal/checked_parameters.h>
 #include <CGAL/L0_resampling/internal/checked_types.h>
@@ -45,50 +46,6 @@ namespace internal {
 struct Destroy_session
 {
   void operator()(cuda::Session* session) const noexcept { cuda::destroy(session); }
-};
-
-/// The caller's callback behind the C interface: what it throws waits until the device is done.
-class Device_progress
-{
-  std::function<bool(double)> m_callback;
-  std::exception_ptr m_exception;
-
-public:
-  explicit Device_progress(std::function<bool(double)> callback) : m_callback(std::move(callback))
-  {}
-
-  cuda::Progress_callback as_callback()
-  {
-    cuda::Progress_callback callback;
-    if (m_callback)
-    {
-      callback.function = [](void* context, double share) {
-        return static_cast<Device_progress*>(context)->ask(share);
-      };
-      callback.context = this;
-    }
-    return callback;
-  }
-
-  void rethrow_exception_of_callback() const
-  {
-    if (m_exception)
-      std::rethrow_exception(m_exception);
-  }
-
-private:
-  bool ask(double share)
-  {
-    try
-    {
-      return m_callback(share);
-    }
-    catch (...)
-    {
-      m_exception = std::current_exception();
-      return false;
-    }
-  }
 };
 
 /// What the device did, as the report that users know.

@@ -6,6 +6,7 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_PLAN_H
 #define CGAL_L0_RESAMPLING_INTERNAL_PLAN_H
 
+#include <CGAL/L0_resampling/internal/Method_rules.h>
 #include <CGAL/L0_resampling/internal/Parameters.h>
 #include <CGAL/L0_resampling/internal/scale_field.h>
 #include <CGAL/L0_resampling/internal/scales_of_balls.h>
@@ -28,7 +29,7 @@ struct Facts
   double box_diagonal;    ///< of the bounding box
   double robust_diagonal; ///< the same without far outliers
   int exponent_of_input;  ///< a length of the input times 2 to the power of this is one of these
-  Scales scales = {0, 0}; ///< in units of `paper_radius()`; known if `Plan::needs_scales()`
+  Scales scales = {0, 0}; ///< in units of `paper_radius()`; known if the method estimates them
 };
 
 /// The radius itself, but at most the diagonal of the bounding box, which reaches all points, and
@@ -56,6 +57,14 @@ inline double normal_bandwidth(double angle)
   return (std::max)(square(1 - std::cos(angle * pi / 180)), 1e-12);
 }
 
+/// One time that lines 2 to 5 of Algorithm 1 run.
+struct Turn
+{
+  std::size_t number; ///< from 0
+  double penalty;     ///< \f$ \beta \f$
+  bool regularizes;   ///< whether the second term of Eq. (7) takes part
+};
+
 /// The weights of Algorithm 1 in the working frame.
 struct Minimization_parameters
 {
@@ -71,20 +80,13 @@ struct Minimization_parameters
   double initial_penalty, maximum_penalty, penalty_growth; ///< \f$ \beta, \beta_{max}, \mu \f$
   bool interleave_regularization; ///< Section 4.2: regularize in every second iteration only
 
-  /// The values of \f$ \beta \f$, one for each time that lines 2 to 5 of Algorithm 1 run.
-  std::vector<double> penalties() const
+  std::vector<Turn> turns() const
   {
-    std::vector<double> values;
-    for (double penalty = initial_penalty; values.empty() || penalty <= maximum_penalty;
+    std::vector<Turn> turns;
+    for (double penalty = initial_penalty; turns.empty() || penalty <= maximum_penalty;
          penalty = next_penalty(penalty, penalty_growth))
-      values.push_back(penalty);
-    return values;
-  }
-
-  /// Whether the regularization takes part in an iteration of this number, counted from 0.
-  bool regularizes(std::size_t iteration) const
-  {
-    return !interleave_regularization || iteration % 2 == 0;
+      turns.push_back({turns.size(), penalty, !interleave_regularization || turns.size() % 2 == 0});
+    return turns;
   }
 };
 
@@ -115,6 +117,9 @@ struct Plan
   std::size_t number_of_filter_passes; ///< over the normals of the points
   std::size_t number_of_refits;        ///< before as many of the last of these passes
   std::size_t number_of_half_samplings;
+  std::size_t number_of_samples; ///< m
+  std::size_t number_of_orientation_neighbors;
+  std::size_t random_seed;
 
   bool follows_scales; ///< the radius and what follows from it are larger or smaller by places
   bool drops_outliers;
@@ -123,14 +128,9 @@ struct Plan
   bool weighs_density; ///< by Eq. (5) of the input
   bool keeps_spacings; ///< the repulsion follows the spacing of the input around each sample
   bool refines; ///< Algorithm 1 as the default method runs it, and projection to local quadrics
+  bool finds_feature_confidences;
 
   Minimization_parameters minimization;
-
-  /// Whether `Facts::scales` have to be known.
-  static bool needs_scales(const Parameters& parameters)
-  {
-    return parameters.method == Method::DEFAULT;
-  }
 
   /// Sets the spacing of the samples, and what follows from it.
   void set_sample_spacing(double spacing)
@@ -143,6 +143,12 @@ struct Plan
       self_neighbor_radius = (std::min)(spreading_radius(), largest_radius);
       minimization.range_of_pairs = self_neighbor_radius;
     }
+  }
+
+  /// Whether the normals are corrected by the positions before this pass of the filter.
+  bool refits_before(std::size_t pass) const
+  {
+    return pass + number_of_refits >= number_of_filter_passes;
   }
 
   double area_radius() const { return area_radius_factor * longest_query(); }
@@ -158,22 +164,22 @@ struct Plan
 /// \param parameters checked
 inline Plan make_plan(const Parameters& parameters, const Facts& facts)
 {
-  const bool is_default = parameters.method == Method::DEFAULT;
+  const Method_rules rules = rules_of(parameters.method);
   const double paper = paper_radius(facts), infinity = std::numeric_limits<double>::infinity();
   const double n = double(facts.number_of_points), m = double(parameters.number_of_output_points);
   Plan plan;
-  double radius = is_default ? default_radius(facts.scales.spacing, facts.scales.noise) * paper
-                             : paper;
+  double radius = rules.estimates_scales
+                    ? default_radius(facts.scales.spacing, facts.scales.noise) * paper
+                    : paper;
   if (parameters.neighbor_radius > 0)
     radius = std::ldexp(parameters.neighbor_radius, facts.exponent_of_input);
   radius = sensible_radius(radius, facts.box_diagonal);
 
   plan.unit = radius;
   plan.radius = 1;
-  plan.noise = is_default ? facts.scales.noise * paper / radius : 0;
+  plan.noise = rules.estimates_scales ? facts.scales.noise * paper / radius : 0;
   plan.sheet_height = sheet_height(plan.noise, plan.radius);
-  const double default_filter_radius = is_default ? default_filter_radius_factor : 1.;
-  plan.filter_radius = default_filter_radius;
+  plan.filter_radius = rules.filter_radius_factor;
   if (parameters.normal_filter_radius > 0)
     plan.filter_radius = (std::max)(
       sensible_radius(std::ldexp(parameters.normal_filter_radius, facts.exponent_of_input),
@@ -195,37 +201,40 @@ inline Plan make_plan(const Parameters& parameters, const Facts& facts)
   plan.refit_bandwidth = normal_bandwidth(sample_refit_angle_factor * parameters.sharpness_angle);
 
   plan.number_of_filter_passes = parameters.number_of_normal_filter_iterations;
-  plan.number_of_refits = is_default
-                            ? (std::min)(number_of_normal_refits, plan.number_of_filter_passes)
-                            : 0;
-  plan.number_of_half_samplings = parameters.method == Method::ALOR ? 2 : 0;
+  plan.number_of_refits = (std::min)(rules.number_of_normal_refits, plan.number_of_filter_passes);
+  plan.number_of_half_samplings = rules.number_of_half_samplings;
+  plan.number_of_samples = parameters.number_of_output_points;
+  plan.number_of_orientation_neighbors = parameters.number_of_orientation_neighbors;
+  plan.random_seed = parameters.random_seed;
 
-  plan.follows_scales = is_default && !(parameters.neighbor_radius > 0);
+  plan.follows_scales = rules.estimates_scales && !(parameters.neighbor_radius > 0);
   plan.drops_outliers = parameters.drop_outliers;
-  plan.uses_areas = is_default;
-  plan.starts_evenly = is_default && !parameters.keep_density;
-  plan.weighs_density = is_default || !parameters.keep_density;
-  plan.keeps_spacings = is_default && parameters.keep_density;
-  plan.refines = is_default;
+  plan.uses_areas = rules.uses_areas;
+  plan.starts_evenly = rules.uses_areas && !parameters.keep_density;
+  plan.weighs_density = rules.uses_areas || !parameters.keep_density;
+  plan.keeps_spacings = rules.uses_areas && parameters.keep_density;
+  plan.refines = rules.refines;
+  plan.finds_feature_confidences = parameters.with_feature_confidences;
 
   plan.minimization = {
     square(plan.radius),
     plan.squared_bandwidth,
     sparsity_unit_factor * plan.radius,
-    is_default ? largest_shrunk_jump_per_sheet_height * plan.sheet_height : infinity,
-    is_default ? regularized_jump_per_sheet_height * plan.sheet_height : infinity,
+    rules.limits_jumps ? largest_shrunk_jump_per_sheet_height * plan.sheet_height : infinity,
+    rules.limits_jumps ? regularized_jump_per_sheet_height * plan.sheet_height : infinity,
     infinity,
-    is_default ? half_width_of_firm_shrinkage : 0,
+    rules.limits_jumps ? half_width_of_firm_shrinkage : 0,
     parameters.normal_weight,
     parameters.regularization_weight,
     parameters.initial_penalty,
     parameters.maximum_penalty,
     parameters.penalty_growth,
-    parameters.method == Method::ALOR};
+    rules.interleaves_regularization};
   plan.self_neighbor_radius = self_neighbor_radius_factor * plan.radius;
   // without scales: a surface through the middle of a cube of that diagonal, evenly sampled
-  const double spacing = is_default ? facts.scales.spacing * paper * std::sqrt(n / m) / radius
-                                    : facts.robust_diagonal / std::sqrt(m) / radius;
+  const double spacing = rules.estimates_scales
+                           ? facts.scales.spacing * paper * std::sqrt(n / m) / radius
+                           : facts.robust_diagonal / std::sqrt(m) / radius;
   // if all points but outliers are at one place, any length will do
   plan.set_sample_spacing(spacing > 0 ? spacing : plan.radius);
   return plan;

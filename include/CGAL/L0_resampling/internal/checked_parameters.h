@@ -7,6 +7,7 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_CHECKED_PARAMETERS_H
 
 #include <CGAL/L0_resampling/Quadratic_problem.h>
+#include <CGAL/L0_resampling/internal/Method_rules.h>
 #include <CGAL/L0_resampling/internal/Parameters.h>
 #include <CGAL/L0_resampling/named_parameters.h>
 
@@ -165,9 +166,7 @@ Parameters checked_parameters(const NamedParameters& np, std::size_t n)
   const auto is_not_negative = [](double x) { return std::isfinite(x) && x >= 0; };
 
   read_parameter(np, internal_np::resampling_method, p.method);
-  check_parameter(p.method == Method::DEFAULT || p.method == Method::LOR
-                    || p.method == Method::ALOR,
-                  "resampling_method", int(p.method), "a Method");
+  check_parameter(is_method(p.method), "resampling_method", int(p.method), "a Method");
 
   const bool has_radius = is_given(np, internal_np::neighbor_radius);
   read_parameter(np, internal_np::neighbor_radius, p.neighbor_radius);
@@ -200,8 +199,8 @@ Parameters checked_parameters(const NamedParameters& np, std::size_t n)
   read_parameter(np, internal_np::maximum_penalty, p.maximum_penalty);
   check_parameter(is_positive(p.maximum_penalty), "maximum_penalty", p.maximum_penalty,
                   "a finite number above 0");
-  if (p.method == Method::DEFAULT)
-    p.penalty_growth = default_penalty_growth;
+  const Method_rules rules = rules_of(p.method);
+  p.penalty_growth = rules.penalty_growth;
   read_parameter(np, internal_np::penalty_growth, p.penalty_growth);
   check_parameter(std::isfinite(p.penalty_growth) && p.penalty_growth > 1, "penalty_growth",
                   p.penalty_growth, "a finite number above 1");
@@ -210,7 +209,7 @@ Parameters checked_parameters(const NamedParameters& np, std::size_t n)
   check_parameter(number_of_steps <= 1e4, "penalty_growth", p.penalty_growth,
                   "a growth that reaches maximum_penalty in 10000 steps");
 
-  p.drop_outliers = p.method == Method::DEFAULT;
+  p.drop_outliers = rules.drops_outliers;
   read_parameter(np, internal_np::drop_outliers, p.drop_outliers);
 
   read_parameter(np, internal_np::keep_density, p.keep_density);

@@ -7,6 +7,7 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_CHOOSE_SAMPLES_H
 
 #include <CGAL/L0_resampling/internal/Followers.h>
+#include <CGAL/L0_resampling/internal/Plan.h>
 #include <CGAL/L0_resampling/internal/Samples.h>
 #include <CGAL/L0_resampling/internal/areas_of_points.h>
 #include <CGAL/L0_resampling/internal/initialize_samples.h>
@@ -71,32 +72,21 @@ Followers take_followers(const Plan& plan, const Buffer<float>& scales, Initial_
   return followers;
 }
 
-/// Section 3.2: the first S. The area that the points stand for, where it is used, tells the
-/// spacing of the samples.
-/// \param plan in and out
+/// Section 3.2: the first S.
+/// \param areas that the points stand for, if the plan uses them
 /// \param hints used up
 /// \param samples out: all but what the fit finds
 /// \returns the samples that follow others
 template <typename ConcurrencyTag, typename FT>
-Followers choose_samples(const Parameters& parameters, const Prepared_points& input,
-                         Buffer<Local_vector>& hints, Progress& progress, Plan& plan,
-                         Samples<FT>& samples)
+Followers choose_samples(const Plan& plan, const Prepared_points& input, const Areas& areas,
+                         Buffer<Local_vector>& hints, Progress& progress, Samples<FT>& samples)
 {
   const Buffer<Vector>& points = input.points;
-  const std::size_t m = parameters.number_of_output_points;
-  progress.begin_stage("initial samples", 0.02, m + (plan.uses_areas ? points.size() : 0));
-  Areas areas{Buffer<std::uint64_t>(points.get_allocator()), 0};
-  if (plan.uses_areas)
-  {
-    areas = areas_of_points<ConcurrencyTag, Local>(
-      input.grid, points, plan.area_radius(), m,
-      units_per_length_for(plan.cell_size, plan.longest_query(), !input.scales.empty()), progress);
-    plan.set_sample_spacing(std::sqrt(areas.total() / double(m)));
-  }
+  const std::size_t m = plan.number_of_samples;
   const Buffer<std::uint64_t> no_areas(points.get_allocator());
   Initial_samples start = initialize_samples<ConcurrencyTag>(
     input.grid, points, input.normals, plan.starts_evenly ? areas.units : no_areas, m, plan.radius,
-    parameters.random_seed, progress);
+    plan.random_seed, progress);
   Followers followers = take_followers<ConcurrencyTag>(plan, input.scales, start);
   samples.positions = std::move(start.positions);
   const std::size_t size = samples.positions.size();
@@ -121,12 +111,15 @@ Followers choose_samples(const Parameters& parameters, const Prepared_points& in
     };
     std::size_t number_on_points = 0;
     for_each_in_order(size, [&](std::size_t i) { number_on_points += starts_on_point(i); });
-    const Support_subset choice(parameters.random_seed, plan.radius, plan.sample_spacing, m,
+    const Support_subset choice(plan.random_seed, plan.radius, plan.sample_spacing, m,
                                 number_on_points);
     samples.are_support_points.reserve(size);
     for_each_in_order(size, [&](std::size_t i) {
       samples.are_support_points.push_back(starts_on_point(i) && choice.takes(start.sources[i]));
     });
+    fill_buffer(size, FT(0), samples.fit_variances);
+    fill_buffer(size, typename Samples<FT>::Local_vector(Samples<FT>::Local_vector::Zero()),
+                samples.outward_directions);
   }
   if (!hints.empty())
     for_each_source(

@@ -118,34 +118,28 @@ void filter_normals_by_pairs(const Search_grid_3& grid, const Buffer<Vector>& po
   });
 }
 
-/// Bilateral filtering of unoriented normals, Eq. (1) and (2), `number_of_iterations` times over
-/// all points.
+/// Bilateral filtering of unoriented normals, Eq. (1) and (2), once over all points.
 /// \param points sorted for `grid`
 /// \param filter at scale 1
 /// \param normals in and out, one unit vector a point
 template <typename ConcurrencyTag, typename T>
 void filter_normals(const Search_grid_3& grid, const Buffer<Vector>& points,
-                    const Normal_filter<T>& filter, std::size_t number_of_iterations,
-                    Progress& progress, Buffer<Eigen::Matrix<T, 3, 1>>& normals)
+                    const Normal_filter<T>& filter, Progress& progress,
+                    Buffer<Eigen::Matrix<T, 3, 1>>& normals)
 {
   using Local_vector = Eigen::Matrix<T, 3, 1>;
   const int reach = cells_in_reach(filter.radius, grid.cell_size());
   if (has_plain_blocks_only<T, ConcurrencyTag>(grid, reach))
-  {
-    const Tiles_of_rows tiles(grid, reach);
-    for (std::size_t iteration = 0; iteration < number_of_iterations; ++iteration)
-      filter_normals_by_pairs<ConcurrencyTag>(grid, points, tiles, reach, filter, progress,
-                                              normals);
-  }
+    filter_normals_by_pairs<ConcurrencyTag>(grid, points, Tiles_of_rows(grid, reach), reach, filter,
+                                            progress, normals);
   else // points that thinning leaves out of one ball are not those that it leaves out of another
-    for (std::size_t iteration = 0; iteration < number_of_iterations; ++iteration)
-      update_normals<ConcurrencyTag>(
-        grid, points, filter.radius, progress, normals,
-        [&](const Local_vector& center, float scale, const Local_vector& normal,
-            const Local_points<T>& candidates, const Local_normals<T>& candidate_normals) {
-          return filtered_normal(center, normal, candidates, candidate_normals,
-                                 filter.scaled(T(scale)));
-        });
+    update_normals<ConcurrencyTag>(
+      grid, points, filter.radius, progress, normals,
+      [&](const Local_vector& center, float scale, const Local_vector& normal,
+          const Local_points<T>& candidates, const Local_normals<T>& candidate_normals) {
+        return filtered_normal(center, normal, candidates, candidate_normals,
+                               filter.scaled(T(scale)));
+      });
 }
 
 } // namespace internal

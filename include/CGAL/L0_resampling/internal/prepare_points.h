@@ -6,15 +6,8 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_PREPARE_POINTS_H
 #define CGAL_L0_RESAMPLING_INTERNAL_PREPARE_POINTS_H
 
-#include <CGAL/L0_resampling/Report.h>
-#include <CGAL/L0_resampling/internal/Plan.h>
-#include <CGAL/L0_resampling/internal/density_weights.h>
-#include <CGAL/L0_resampling/internal/estimate_pca_normals.h>
-#include <CGAL/L0_resampling/internal/estimate_scale_field.h>
-#include <CGAL/L0_resampling/internal/estimate_scales.h>
-#include <CGAL/L0_resampling/internal/filter_normals.h>
+#include <CGAL/L0_resampling/internal/Progress.h>
 #include <CGAL/L0_resampling/internal/find_outliers.h>
-#include <CGAL/L0_resampling/internal/refit_normals.h>
 #include <CGAL/L0_resampling/internal/thin_crowds.h>
 #include <CGAL/L0_resampling/internal/working_frame.h>
 
@@ -29,35 +22,6 @@ namespace internal {
 /// The scalar type of what happens within one ball, where relative coordinates make `float` enough.
 using Local = float;
 using Local_vector = Eigen::Matrix<Local, 3, 1>;
-
-/// Finds the facts of the cloud, plans the call, and makes r_p the unit of frame and points.
-/// \param frame that the points have entered
-/// \param scales out: of the points; none if all are 1
-template <typename ConcurrencyTag>
-Plan plan_and_scale(const Parameters& parameters, Buffer<Vector>& points, Working_frame& frame,
-                    Progress& progress, Report& report, Buffer<float>& scales)
-{
-  Facts facts{points.size(), box_diagonal(points), robust_diagonal<ConcurrencyTag>(points),
-              frame.exponent()};
-  if (Plan::needs_scales(parameters))
-  {
-    facts.scales = estimate_scales<ConcurrencyTag, Local>(points, paper_radius(facts), progress);
-    report.estimated_spacing = frame.length_of_input(facts.scales.spacing * paper_radius(facts));
-    report.estimated_noise = frame.length_of_input(facts.scales.noise * paper_radius(facts));
-  }
-  Plan plan = make_plan(parameters, facts);
-  if (plan.follows_scales)
-  {
-    const Scale_field field = estimate_scale_field<ConcurrencyTag>(
-      points, facts.robust_diagonal, usual_scales(plan, facts), progress);
-    scales = field.of_points<ConcurrencyTag>(points);
-  }
-  const Range_of_scales range = range_of(scales);
-  plan.largest_radius = range.largest;
-  frame.set_unit<ConcurrencyTag>(plan.unit, points);
-  report_radii(plan, range, frame, report);
-  return plan;
-}
 
 /// Coincident points are in no order but that of the input, which must not matter: puts their
 /// normals, or hints, in one.
@@ -140,12 +104,19 @@ inline bool are_all_given(const Buffer<Local_vector>& given_normals)
 struct Prepared_points
 {
   Buffer<Vector>& points;
-  Buffer<float>& scales; ///< of the points; none if all are 1
+  Buffer<float> scales; ///< of the points; none if all are 1
   Search_grid_3 grid;
   /// How many points of the input each one stands for; empty if only for itself.
   Buffer<Index> numbers_of_points;
   Buffer<Local_vector> normals;  ///< filtered
   Buffer<Local> density_weights; ///< \f$ v_j \f$
+
+  /// \param p the points, which are in no order yet: the grid has none of them
+  explicit Prepared_points(Buffer<Vector>& p)
+    : points(p), scales(p.get_allocator()), grid(Buffer<Vector>(p.get_allocator()), 1.),
+      numbers_of_points(p.get_allocator()), normals(p.get_allocator()),
+      density_weights(p.get_allocator())
+  {}
 
   /// Frees the memory, once the samples are fitted.
   void release_all()
@@ -159,95 +130,28 @@ struct Prepared_points
   }
 };
 
-/// Section 3.1: the filtered normals of the input points, Eq. (1) and (2). `given_normals` replace
-/// PCA where they are usable.
+/// Sorts the points, and what belongs to them, into the order of their grid, and leaves out those
+/// of crowds but for a few, which stand for the others.
+/// \returns the number of distinct points
 template <typename ConcurrencyTag>
-void compute_filtered_normals(const Plan& plan, const Buffer<Local_vector>& given_normals,
-                              Progress& progress, Report& report, Prepared_points& input)
+std::size_t sort_and_thin_points(double cell_size, Prepared_points& input,
+                                 Buffer<Local_vector>& given_normals, Buffer<Local_vector>& hints)
 {
-  const Search_grid_3& grid = input.grid;
-  const Buffer<Vector>& points = input.points;
-  Buffer<Local_vector>& normals = input.normals;
-  normals = filled_buffer(points.size(), Local_vector(Local_vector::UnitZ()),
-                          points.get_allocator());
-  if (!are_all_given(given_normals))
-  {
-    progress.begin_stage("PCA normals", 0.1, points.size());
-    report.number_of_degenerate_neighborhoods = estimate_pca_normals<ConcurrencyTag>(
-      grid, points, input.numbers_of_points, plan.pca_radius, progress, normals);
-  }
-  for_each_in_order(given_normals.size(), [&](std::size_t i) {
-    if (!given_normals[i].isZero(0))
-      normals[i] = given_normals[i];
-  });
-
-  const Normal_filter<Local> filter{plan.filter_radius, Local(plan.squared_bandwidth),
-                                    Local(plan.normal_bandwidth)};
-  const Normal_filter<Local> plane{plan.filter_radius, Local(plan.squared_bandwidth),
-                                   Local(plan.compatible_bandwidth)};
-  progress.begin_stage("filter normals", 0.4,
-                       points.size() * (plan.number_of_filter_passes + plan.number_of_refits));
-  filter_normals<ConcurrencyTag>(
-    grid, points, filter, plan.number_of_filter_passes - plan.number_of_refits, progress, normals);
-  for (std::size_t refit = 0; refit < plan.number_of_refits; ++refit)
-  {
-    refit_normals<ConcurrencyTag>(grid, points, plane, Local(square(plan.sheet_height)), progress,
-                                  normals);
-    filter_normals<ConcurrencyTag>(grid, points, filter, 1, progress, normals);
-  }
-}
-
-/// Removes outliers, sorts the points, thins crowds, and finds the normals of the points and their
-/// density weights of Eq. (5).
-/// \param points in the working frame
-/// \param scales of the points; none if all are 1
-/// \param given_normals used up
-template <typename ConcurrencyTag>
-Prepared_points prepare_points(const Plan& plan, Buffer<Vector>& points, Buffer<float>& scales,
-                               Buffer<Local_vector>& given_normals, Buffer<Local_vector>& hints,
-                               Progress& progress, Report& report)
-{
-  if (plan.drops_outliers)
-  {
-    progress.begin_stage("find outliers", 0.05, points.size());
-    report.number_of_outliers = drop_outliers<ConcurrencyTag>(plan.radius, points, scales,
-                                                              given_normals, hints, progress);
-    progress.begin_stage("sort points", 0.05, 1);
-  }
-  report.number_of_distinct_points = sort_points<ConcurrencyTag>(plan.cell_size, points, scales,
-                                                                 given_normals, hints);
-  const auto allocator = points.get_allocator();
-  Prepared_points input{points,
-                        scales,
-                        Search_grid_3(points, Cell_sizes(plan.cell_size, scales)),
-                        Buffer<Index>(allocator),
-                        Buffer<Local_vector>(allocator),
-                        Buffer<Local>(allocator)};
-  const Representatives kept = thin_crowds<ConcurrencyTag>(input.grid, points,
+  const std::size_t number_of_distinct_points =
+    sort_points<ConcurrencyTag>(cell_size, input.points, input.scales, given_normals, hints);
+  input.grid = Search_grid_3(input.points, Cell_sizes(cell_size, input.scales));
+  const Representatives kept = thin_crowds<ConcurrencyTag>(input.grid, input.points,
                                                            most_points_of_subcell);
   if (!kept.are_all_points())
   {
     input.numbers_of_points = kept.numbers_of_points();
-    kept.keep(points);
-    kept.keep(scales);
+    kept.keep(input.points);
+    kept.keep(input.scales);
     kept.keep(given_normals);
     kept.keep(hints);
-    input.grid = Search_grid_3(points, Cell_sizes(plan.cell_size, scales));
+    input.grid = Search_grid_3(input.points, Cell_sizes(cell_size, input.scales));
   }
-  compute_filtered_normals<ConcurrencyTag>(plan, given_normals, progress, report, input);
-  const bool all_normals_given = are_all_given(given_normals);
-  release(given_normals);
-
-  progress.begin_stage("density weights", 0.08, points.size());
-  const std::size_t number_of_sparse_balls = compute_input_density_weights<ConcurrencyTag>(
-    input.grid, points, plan.filter_radius, plan.squared_bandwidth, progress,
-    input.density_weights);
-  if (all_normals_given)
-    report.number_of_degenerate_neighborhoods = number_of_sparse_balls;
-  if (!plan.weighs_density)
-    input.density_weights.assign(points.size(),
-                                 Local(1)); // sparse points shall not count more than dense ones
-  return input;
+  return number_of_distinct_points;
 }
 
 } // namespace internal

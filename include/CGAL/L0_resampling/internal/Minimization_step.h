@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_L0_RESAMPLING_INTERNAL_ALTERNATING_MINIMIZATION_H
-#define CGAL_L0_RESAMPLING_INTERNAL_ALTERNATING_MINIMIZATION_H
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_MINIMIZATION_STEP_H
+#define CGAL_L0_RESAMPLING_INTERNAL_MINIMIZATION_STEP_H
 
 #include <CGAL/L0_resampling/Quadratic_problem.h>
 #include <CGAL/L0_resampling/internal/Fit_rows.h>
@@ -23,16 +23,16 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-inline Iteration_report iteration_report(const Minimization_parameters& p, double penalty,
-                                         bool regularized, const Energy_sums& sums,
-                                         std::size_t number_of_pairs, const Solver_report& solver)
+inline Iteration_report iteration_report(const Minimization_parameters& p, const Turn& turn,
+                                         const Energy_sums& sums, std::size_t number_of_pairs,
+                                         const Solver_report& solver)
 {
   Iteration_report report;
-  report.penalty = penalty;
-  report.regularized = regularized;
+  report.penalty = turn.penalty;
+  report.regularized = turn.regularizes;
   report.fit_energy = sums.fit / p.squared_radius;
   report.regularization_energy = sums.regularization / p.squared_radius;
-  report.normal_energy = penalty * sums.squared_normal_misfit / p.squared_radius;
+  report.normal_energy = turn.penalty * sums.squared_normal_misfit / p.squared_radius;
   report.sparsity_energy = p.normal_weight * p.sparsity_unit * p.sparsity_unit
                            * double(sums.number_of_active_pairs) / p.squared_radius;
   report.active_pair_share = number_of_pairs
@@ -42,7 +42,7 @@ inline Iteration_report iteration_report(const Minimization_parameters& p, doubl
   return report;
 }
 
-/// One turn of Algorithm 1, lines 2 to 4, and the arrays it works on.
+/// Lines 2 to 4 of Algorithm 1, and the arrays they work on from turn to turn.
 template <typename ConcurrencyTag, typename SolverTraits>
 class Minimization_step
 {
@@ -64,11 +64,10 @@ public:
   {}
 
   /// Moves the samples to the minimum of Eq. (10).
-  /// \param regularize whether the second term of Eq. (7) takes part
   /// \param normal_spreads `sum_normal_spreads()`
   /// \param fit_rows the fit rows of Eq. (11), for solvers that need them; may be empty for others
   /// \returns the terms of Eq. (7) after line 2 and what the solver did
-  Iteration_report operator()(double penalty, bool regularize, const Neighborhoods& neighbors,
+  Iteration_report operator()(const Turn& turn, const Neighborhoods& neighbors,
                               const Buffer<Upper_triangle<FT>>& normal_spreads,
                               const Fit_rows& fit_rows, Samples<FT>& samples)
   {
@@ -81,7 +80,7 @@ public:
     resize_to_overwrite(number_of_pairs, m_pair_weights);
 
     // Line 4, of the iteration before or of "Initialize"
-    if (!regularize)
+    if (!turn.regularizes)
       fill_buffer(number_of_pairs, FT(0), m_pair_weights);
     else
     {
@@ -95,8 +94,8 @@ public:
 
     // Line 2: Eq. (8), (9). Beyond these bounds one term of Eq. (7) is lost in the rounding of the
     // others, whatever the penalty.
-    const FT bounded_penalty = FT((std::min)((std::max)(penalty, 1e-15), 1e15));
-    const double threshold = shrinkage_threshold(p.normal_weight, penalty, p.sparsity_unit,
+    const FT bounded_penalty = FT((std::min)((std::max)(turn.penalty, 1e-15), 1e15));
+    const double threshold = shrinkage_threshold(p.normal_weight, turn.penalty, p.sparsity_unit,
                                                  p.largest_shrunk_jump);
     const Energy_sums sums = shrink_normal_offsets<ConcurrencyTag, FT>(
       samples, neighbors, m_pair_weights, bounded_penalty,
@@ -128,33 +127,12 @@ public:
         samples.positions[i] += m_displacements[i].template cast<double>();
     });
     m_progress.advance(1);
-    return iteration_report(p, penalty, regularize, sums, number_of_pairs, solver_report);
+    return iteration_report(p, turn, sums, number_of_pairs, solver_report);
   }
 };
-
-/// Algorithm 1. Moves the samples to a minimum of Eq. (6); the neighbors stay those of the start.
-/// \param fit_rows the fit rows of Eq. (11), for solvers that need them; may be empty for others
-/// \param reports out: one for each value of the penalty
-template <typename ConcurrencyTag, typename SolverTraits>
-void minimize_alternatingly(const Minimization_parameters& p, const Neighborhoods& neighbors,
-                            const Fit_rows& fit_rows, SolverTraits& solver, Progress& progress,
-                            Samples<typename SolverTraits::FT>& samples,
-                            std::vector<Iteration_report>& reports)
-{
-  Minimization_step<ConcurrencyTag, SolverTraits> step(p, solver, progress,
-                                                       samples.positions.get_allocator());
-  Buffer<Upper_triangle<typename SolverTraits::FT>> normal_spreads(
-    samples.positions.get_allocator());
-  sum_normal_spreads<ConcurrencyTag>(samples.normals, neighbors,
-                                     normal_spreads); // the normals stay
-  const std::vector<double> penalties = p.penalties();
-  for (std::size_t i = 0; i < penalties.size(); ++i)
-    reports.push_back(
-      step(penalties[i], p.regularizes(i), neighbors, normal_spreads, fit_rows, samples));
-}
 
 } // namespace internal
 } // namespace L0_resampling
 } // namespace CGAL
 
-#endif // CGAL_L0_RESAMPLING_INTERNAL_ALTERNATING_MINIMIZATION_H
+#endif // CGAL_L0_RESAMPLING_INTERNAL_MINIMIZATION_STEP_H

@@ -1,0 +1,55 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "estimate_memory.cuh"
+#include "orientation.cuh"
+
+#include <CGAL/L0_resampling/internal/Method_rules.h>
+
+#include <algorithm>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+namespace cuda {
+
+std::size_t estimate_memory(std::size_t n, std::size_t m, const Parameters& parameters,
+                            bool has_hints)
+{
+  const Method_rules rules = rules_of(parameters.method);
+  const std::size_t of_scales = rules.estimates_scales ? 4 * n : 0;
+  const std::size_t slack = (std::size_t(1) << 20) + of_scales,
+                    of_outliers = parameters.drop_outliers ? 4 * n : 0;
+  // positions, normals and fit; what the default method adds; and what parameters ask for
+  const std::size_t of_samples = (56 + (rules.refines ? 11 : 0)
+                                  + (rules.uses_areas && parameters.keep_density ? 4 : 0)
+                                  + (has_hints ? 16 : 0))
+                                 * m;
+  // points with their cells, and normals; and their order before
+  const std::size_t of_points = of_outliers + 18 * n + 16 * n + of_scales, of_order = 5 * n;
+  const std::size_t of_sorting = of_outliers + 24 * n + 76 * n;
+  const std::size_t of_filtering = of_points + of_order + 16 * n
+                                   + (rules.number_of_normal_refits > 0 ? 20 : 10) * n;
+  const std::size_t of_start = of_points + of_order + 24 * n + 16 * m + (has_hints ? 12 * n : 0);
+  const std::size_t of_sample_grid = 19 * m;
+  const std::size_t of_neighbors = rules.refines ? 80 * m : 64 * m;
+  const std::size_t of_sorting_samples = (rules.refines ? of_points : 0) + of_sample_grid + 5 * m
+                                         + 76 * m;
+  const std::size_t of_fit = of_points + of_sample_grid + 15 * m;
+  const std::size_t of_minimization = (rules.refines ? of_points + 16 * m : 0) + 16 * m
+                                      + of_neighbors + 76 * m;
+  const std::size_t of_quadrics = 2 * of_sample_grid + 20 * m + 76 * m;
+  const std::size_t k = parameters.number_of_orientation_neighbors;
+  const std::size_t of_orientation = // votes and the field, or grades of the edges
+    4 * k * m + (std::max)(118 * m + bytes_of_field, 2 * k * m + 16 * m);
+  return slack + of_samples
+         + (std::max)({of_sorting, of_filtering, of_start, of_sorting_samples, of_fit,
+                       of_minimization, of_quadrics, of_orientation});
+}
+
+} // namespace cuda
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
