@@ -319,6 +319,24 @@ without a value leaves the default.
     \cgalParamDefault{none}
     \cgalParamExtra{written before the first pair}
   \cgalParamNEnd
+  \cgalParamNBegin{side_confidence_map}
+    \cgalParamDescription{out: for each point of the result, how sure it is that its normal is on the
+      right side, in [0, 1]. Where many have 0.9, about nine of ten are. The side of a part that is
+      open, such as a scan from one place, or terrain, is a guess without a hint, and has about 0.5.
+      The mean is `Report::right_side_share`.}
+    \cgalParamType{a model of `WritablePropertyMap` with `std::size_t`, the place in the result, as
+      key type and a floating-point value type}
+    \cgalParamDefault{none}
+    \cgalParamExtra{written before the first pair}
+  \cgalParamNEnd
+  \cgalParamNBegin{neighbor_radius_map}
+    \cgalParamDescription{out: for each point of the result, the radius \f$ r_p \f$ that it was
+      fitted with, in the unit of the points}
+    \cgalParamType{a model of `WritablePropertyMap` with `std::size_t`, the place in the result, as
+      key type and a floating-point value type}
+    \cgalParamDefault{none}
+    \cgalParamExtra{written before the first pair}
+  \cgalParamNEnd
   \cgalParamNBegin{maximum_memory}
     \cgalParamDescription{the most memory that the function's own arrays may take}
     \cgalParamType{any integral type, in bytes}
@@ -388,8 +406,9 @@ The input's own normals are used only if they are passed:
 
 Each point gets the properties of the input point nearest to it, whatever their type; where that is
 `float`, `double` or `CGAL::IO::Color`, or where a `std::uint8_t` is named red, green, blue or
-alpha, the weighted mean of the eight nearest ones. The keys of `source_index_map` and
-`feature_confidence_map` are indices of `result`, whose property maps fit.
+alpha, the weighted mean of the eight nearest ones. The keys of `source_index_map`,
+`feature_confidence_map`, `side_confidence_map` and `neighbor_radius_map` are indices of `result`,
+whose property maps fit.
 
 \param points the input; its point map is the default of `point_map`
 \param result another point set than `points`

@@ -432,6 +432,8 @@ void Cuda_backend::end(const Plan& plan)
   m_report.number_of_lonely_samples = counts->lonely;
   m_report.oriented_share = double(counts->oriented) / m_number_of_leaders;
   m_report.hinted_share = double(counts->hinted) / m_number_of_leaders;
+  m_report.right_side_share = double(counts->confidence) / Sample_counts::units_per_confidence
+                              / m_number_of_leaders;
 
   m_session.iterations.clear();
   for (const Turn& turn : m_turns)
@@ -447,6 +449,8 @@ void Cuda_backend::end(const Plan& plan)
   m_report.number_of_iterations = m_session.iterations.size();
   m_session.positions = m_samples.positions;
   m_session.sample_normals = reinterpret_cast<float*>(m_samples.fit);
+  m_session.side_confidences = m_samples.side_confidences;
+  m_session.sample_scales = m_samples.scales;
   m_session.number_of_samples = unsigned(plan.number_of_samples);
 }
 

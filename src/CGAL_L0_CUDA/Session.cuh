@@ -52,6 +52,8 @@ struct Session
   unsigned number_of_samples = 0;
   double* positions = nullptr; // the result, at the bottom of the arena
   float* sample_normals = nullptr;
+  float* side_confidences = nullptr;
+  float* sample_scales = nullptr; // null if all are 1
   std::vector<Iteration> iterations;
   std::vector<cudaEvent_t> events;
 

@@ -7,6 +7,7 @@
 
 #include <CGAL/L0_resampling/internal/cuda_device_arrays.h>
 
+#include <algorithm>
 #include <atomic>
 #include <memory>
 
@@ -135,6 +136,24 @@ Answer download(Session& session, double* positions, float* normals)
                                        cudaMemcpyDeviceToHost, session.stream));
     CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(normals, session.sample_normals, 3 * m * sizeof(float),
                                        cudaMemcpyDeviceToHost, session.stream));
+    CGAL_L0_CUDA_CHECK(cudaStreamSynchronize(session.stream));
+  });
+}
+
+Answer download_values(Session& session, float* side_confidences, float* scales)
+{
+  return guarded(&session, [&]() {
+    const std::size_t m = session.number_of_samples;
+    const auto copy = [&](float* to, const float* from) {
+      CGAL_L0_CUDA_CHECK(
+        cudaMemcpyAsync(to, from, m * sizeof(float), cudaMemcpyDeviceToHost, session.stream));
+    };
+    if (side_confidences)
+      copy(side_confidences, session.side_confidences);
+    if (scales && session.sample_scales)
+      copy(scales, session.sample_scales);
+    else if (scales)
+      std::fill_n(scales, m, 1.f);
     CGAL_L0_CUDA_CHECK(cudaStreamSynchronize(session.stream));
   });
 }

@@ -22,8 +22,8 @@ std::size_t estimate_memory(std::size_t n, std::size_t m, const Parameters& para
   const std::size_t of_scales = rules.estimates_scales ? 4 * n : 0;
   const std::size_t slack = (std::size_t(1) << 20) + of_scales,
                     of_outliers = parameters.drop_outliers ? 4 * n : 0;
-  // positions, normals and fit; what the default method adds; and what parameters ask for
-  const std::size_t of_samples = (56 + (rules.refines ? 11 : 0)
+  // positions, normals, fit and confidences; what the default method adds; and what parameters ask for
+  const std::size_t of_samples = (60 + (rules.refines ? 11 : 0)
                                   + (rules.uses_areas && parameters.keep_density ? 4 : 0)
                                   + (has_hints ? 16 : 0))
                                  * m;
@@ -43,7 +43,7 @@ std::size_t estimate_memory(std::size_t n, std::size_t m, const Parameters& para
   const std::size_t of_quadrics = 2 * of_sample_grid + 20 * m + 76 * m;
   const std::size_t k = parameters.number_of_orientation_neighbors;
   const std::size_t of_orientation = // votes and the field, or grades of the edges
-    4 * k * m + (std::max)(118 * m + bytes_of_field, 2 * k * m + 16 * m);
+    4 * k * m + (std::max)(132 * m + bytes_of_field, 2 * k * m + 16 * m);
   return slack + of_samples
          + (std::max)({of_sorting, of_filtering, of_start, of_sorting_samples, of_fit,
                        of_minimization, of_quadrics, of_orientation});

@@ -303,7 +303,7 @@ __global__ void find_confidences(Dipoles all, Tree_sums* trees)
 }
 
 __global__ void turn_normals(const Link* trees_of_samples, const Tree_sums* trees, Dipoles all,
-                             Samples samples, Sample_counts* counts)
+                             Side_hints hints, Samples samples, Sample_counts* counts)
 {
   const Wide i = thread_index();
   bool hinted = false;
@@ -322,8 +322,10 @@ __global__ void turn_normals(const Link* trees_of_samples, const Tree_sums* tree
     const double within_tree = dipole.tree == link.target() ? dipole.confidence
                                : tree.number_of_dipoles > 0 ? tree.mean_of_dipoles(tree.confidences)
                                                             : guessed_confidence;
-    confidence = __double2ll_rn(confidence_of_side(tree.confidence(), within_tree)
-                                * units_per_confidence);
+    const double of_side = confidence_of_side(hints.certain_side_of(samples, i), tree.confidence(),
+                                              within_tree);
+    samples.side_confidences[i] = float(of_side);
+    confidence = __double2ll_rn(of_side * units_per_confidence);
   }
   const int count = __syncthreads_count(hinted);
   if (threadIdx.x == 0 && count > 0)
@@ -425,8 +427,8 @@ void orient_normals(const Workplace& workplace, const double (&low)[3], const do
   check_launch("find_evidence");
   find_confidences<<<blocks_for(number_of_dipoles), threads_per_block, 0, stream>>>(dipoles, trees);
   check_launch("find_confidences");
-  turn_normals<<<blocks_for(m), threads_per_block, 0, stream>>>(roots, trees, dipoles, samples,
-                                                                counts);
+  turn_normals<<<blocks_for(m), threads_per_block, 0, stream>>>(roots, trees, dipoles, hints,
+                                                                samples, counts);
   check_launch("turn_normals");
 }
 

@@ -171,6 +171,7 @@ Samples take_samples(Device_arena& arena, unsigned size, const Kinds_of_sample_d
   samples.scales = kinds.scales ? arena.take<float>(size) : nullptr;
   samples.spacings = kinds.spacings ? arena.take<float>(size) : nullptr;
   samples.hints = kinds.hints ? arena.take<float4>(size) : nullptr;
+  samples.side_confidences = arena.take<float>(size);
   return samples;
 }
 

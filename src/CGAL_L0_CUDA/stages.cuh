@@ -163,6 +163,7 @@ struct Samples
   float* spacings = nullptr;         // as on the CPU: null unless the density of the input is kept
   float4* hints = nullptr;           // as on the CPU: null if the caller has none
   unsigned* start_indices = nullptr; // as on the CPU: null if no samples follow others
+  float* side_confidences = nullptr; // how sure the sides are, once they are chosen
 
 #ifdef __CUDACC__
   __device__ float scale(unsigned i) const { return Scales_view{scales}[i]; }
@@ -183,7 +184,7 @@ struct Followers
 /// \returns arrays from the scratch arena
 Followers take_followers(const Workplace& workplace, const Cell_frame& frame, Samples& samples);
 
-/// Appends the positions and normals of the followers.
+/// Appends the positions of the followers, and what the result has of each point beside.
 void append_followers(const Workplace& workplace, const Followers& followers, Samples& samples);
 
 /// How many of the samples are so, counted on the device.

@@ -208,6 +208,9 @@ __global__ void append(Samples samples, Followers followers, const unsigned* pla
     samples.positions[3 * i + axis] = samples.positions[3 * leader + axis]
                                       + followers.offsets[3 * f + axis];
   samples.normals[i] = samples.normals[leader];
+  samples.side_confidences[i] = samples.side_confidences[leader];
+  if (samples.scales)
+    samples.scales[i] = samples.scales[leader];
 }
 
 unsigned blocks_for_cells(const Cell_grid& grid)

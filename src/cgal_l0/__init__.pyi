@@ -69,6 +69,8 @@ def l0_resample_point_set(
     callback: Callable[[float], object] | None = None,
     source_indices: Literal[False] = False,
     feature_confidences: Literal[False] = False,
+    side_confidences: Literal[False] = False,
+    neighbor_radii: Literal[False] = False,
     report: Literal[False] = False,
 ) -> tuple[_Array, _Array]: ...
 @overload
@@ -103,6 +105,8 @@ def l0_resample_point_set(
     callback: Callable[[float], object] | None = None,
     source_indices: Literal[False] = False,
     feature_confidences: Literal[False] = False,
+    side_confidences: Literal[False] = False,
+    neighbor_radii: Literal[False] = False,
     report: Literal[True],
 ) -> tuple[_Array, _Array, Report]: ...
 @overload
@@ -137,6 +141,8 @@ def l0_resample_point_set(
     callback: Callable[[float], object] | None = None,
     source_indices: bool = False,
     feature_confidences: bool = False,
+    side_confidences: bool = False,
+    neighbor_radii: bool = False,
     report: bool = False,
 ) -> tuple[Any, ...]: ...
 def read_points(

@@ -41,6 +41,8 @@ class Parameters:
     up_direction: list[float] | None
     source_indices: bool
     feature_confidences: bool
+    side_confidences: bool
+    neighbor_radii: bool
     number_of_orientation_neighbors: int
     random_seed: int
     drop_non_finite: bool

@@ -96,6 +96,8 @@ def l0_resample_point_set(
     callback=None,
     source_indices=False,
     feature_confidences=False,
+    side_confidences=False,
+    neighbor_radii=False,
     report=False,
 ):
     """Resample raw, noisy points to clean, evenly spaced points with oriented normals.
@@ -189,11 +191,16 @@ def l0_resample_point_set(
         nearest of points, as int64.
     feature_confidences: bool. True: also return, for each point of the result, how sure it is
         to be on an edge or a corner, in [0, 1].
+    side_confidences: bool. True: also return, for each point of the result, how sure it is that
+        its normal is on the right side, in [0, 1]; about 0.5 for a guess, such as the side of
+        terrain without up_direction.
+    neighbor_radii: bool. True: also return, for each point of the result, the radius that it was
+        fitted with, in the unit of the points.
     report: bool. True: also return a cgal_l0.Report.
 
     Returns a tuple: positions and normals, arrays of shape (m, 3) and of the number type of
     points, then what else is asked for, in this order: source indices, feature confidences,
-    report. Normals have unit length. For points on a CUDA device the arrays are of the type
+    side confidences, neighbor radii, report. Normals have unit length. For points on a CUDA device the arrays are of the type
     cgal_l0.DeviceArray, on that device, which torch.from_dlpack() and cupy.asarray() take
     without a copy.
 
@@ -202,7 +209,8 @@ def l0_resample_point_set(
 
     Warns with ResamplingWarning, once for each reason, if the result cannot be good: more than 3 %
     of the points were left out as outliers, the extent has shrunk by more than 5 %, the radius has
-    hardly a point in it, or more than 5 % of the result has no compatible points near it.
+    hardly a point in it, more than 5 % of the result has no compatible points near it, or less
+    than 90 % of the normals can be expected on the right side.
 
     Raises ValueError for points and parameters that cannot be used, TypeError for arrays and
     parameters of a wrong type, MemoryError, Cancelled, any exception of the callback, and
@@ -225,6 +233,8 @@ def l0_resample_point_set(
         "up_direction": _floats_or_none(up_direction),
         "source_indices": bool(source_indices),
         "feature_confidences": bool(feature_confidences),
+        "side_confidences": bool(side_confidences),
+        "neighbor_radii": bool(neighbor_radii),
         "number_of_orientation_neighbors": number_of_orientation_neighbors,
         "random_seed": random_seed,
         "drop_non_finite": bool(drop_non_finite),
@@ -266,14 +276,12 @@ def l0_resample_point_set(
         raise type(error)(words) from None
     if result is None:
         raise Cancelled("the callback returned False")
-    positions, resampled_normals, sources, confidences, members = result
+    positions, resampled_normals, *further, members = result
     for message in members["warnings"]:
         warnings.warn(message, ResamplingWarning, stacklevel=2)
     answer = [positions, resampled_normals]
-    if source_indices:
-        answer.append(sources)
-    if feature_confidences:
-        answer.append(confidences)
+    wanted = (source_indices, feature_confidences, side_confidences, neighbor_radii)
+    answer += [array for array, is_wanted in zip(further, wanted) if is_wanted]
     if report:
         answer.append(report_of(members))
     return tuple(answer)

@@ -30,8 +30,8 @@ namespace {
 namespace py = pybind11;
 using CGAL::L0_resampling::Method;
 
-/// \returns positions, normals, source indices, feature confidences and the report; or None, if the
-/// callback cancelled. What is not wanted is empty.
+/// \returns positions, normals, source indices, feature confidences, side confidences, radii and the
+/// report; or None, if the callback cancelled. What is not wanted is empty.
 template <typename FT>
 py::object resample_as(const Array_view& points, const Vectors_of_points<Array_view>& vectors,
                        const Parameters& parameters, const py::object& callback)
@@ -47,7 +47,9 @@ py::object resample_as(const Array_view& points, const Vectors_of_points<Array_v
   return py::make_tuple(array_of(std::move(result.positions), 3),
                         array_of(std::move(result.normals), 3),
                         array_of(std::move(result.source_indices), 1),
-                        array_of(std::move(result.feature_confidences), 1), report);
+                        array_of(std::move(result.feature_confidences), 1),
+                        array_of(std::move(result.side_confidences), 1),
+                        array_of(std::move(result.neighbor_radii), 1), report);
 }
 
 py::object resample_arrays(const py::array& points, const std::optional<py::array>& normals,
@@ -115,6 +117,8 @@ PYBIND11_MODULE(_core, module)
     .def_readwrite("up_direction", &Parameters::up_direction)
     .def_readwrite("source_indices", &Parameters::source_indices)
     .def_readwrite("feature_confidences", &Parameters::feature_confidences)
+    .def_readwrite("side_confidences", &Parameters::side_confidences)
+    .def_readwrite("neighbor_radii", &Parameters::neighbor_radii)
     .def_readwrite("number_of_orientation_neighbors", &Parameters::number_of_orientation_neighbors)
     .def_readwrite("random_seed", &Parameters::random_seed)
     .def_readwrite("drop_non_finite", &Parameters::drop_non_finite)

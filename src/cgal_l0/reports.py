@@ -78,7 +78,9 @@ class Report:
         around the points, which differ where "default" follows a spacing or noise that varies
     estimated_spacing: float, the distance between neighboring points; 0 but for "default"
     estimated_noise: float, the standard deviation across the surface; 0 but for "default"
-    oriented_share: float in [0, 1], the share of samples whose side was propagated reliably
+    oriented_share: float in [0, 1], the share of samples to which one sign was propagated
+    right_side_share: float in [0, 1], the share of normals that can be expected on the right
+        side; about 0.5 says that the side is a guess
     hinted_share: float in [0, 1], the share in parts whose side viewpoint, viewpoints,
         up_direction or orientation_hints decided
     extent_share: float in [0, 1], the diagonal of the box of the result per that of the points,
@@ -108,6 +110,7 @@ class Report:
     estimated_spacing: float
     estimated_noise: float
     oriented_share: float
+    right_side_share: float
     hinted_share: float
     extent_share: float
     warnings: tuple[str, ...]

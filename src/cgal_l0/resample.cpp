@@ -101,6 +101,10 @@ Result<FT> resample_with_tag(const Array_view& points, const Vectors_of_points<A
         if_wanted(parameters.source_indices, Appending_map<std::int64_t>{&result.source_indices}))
       .feature_confidence_map(
         if_wanted(parameters.feature_confidences, Appending_map<FT>{&result.feature_confidences}))
+      .side_confidence_map(
+        if_wanted(parameters.side_confidences, Appending_map<FT>{&result.side_confidences}))
+      .neighbor_radius_map(
+        if_wanted(parameters.neighbor_radii, Appending_map<FT>{&result.neighbor_radii}))
       .point_map(Point_map{points})
       .geom_traits(CGAL::Simple_cartesian<FT>());
   const auto range = boost::irange(std::size_t(0), points.size);

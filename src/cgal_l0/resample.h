@@ -49,9 +49,12 @@ struct Parameters
   std::optional<bool> drop_outliers;
   std::uint64_t maximum_memory = (std::numeric_limits<std::uint64_t>::max)(); ///< in bytes
 
-  // whether the named parameters source_index_map and feature_confidence_map are wanted
+  // whether the named parameters source_index_map, feature_confidence_map, side_confidence_map and
+  // neighbor_radius_map are wanted
   bool source_indices = false;
   bool feature_confidences = false;
+  bool side_confidences = false;
+  bool neighbor_radii = false;
 
   // of this call, not of the function
   std::optional<std::int64_t> threads; ///< all, if not given
@@ -82,7 +85,7 @@ struct Result
 {
   std::vector<FT> positions, normals;
   std::vector<std::int64_t> source_indices;
-  std::vector<FT> feature_confidences;
+  std::vector<FT> feature_confidences, side_confidences, neighbor_radii;
   CGAL::L0_resampling::Report report;
 };
 

@@ -7,6 +7,7 @@
 
 #include <CGAL/L0_resampling/internal/attribute_kinds.h>
 
+#include <algorithm>
 #include <cstring>
 #include <string>
 
@@ -30,21 +31,25 @@ bool is_averaged(const Property& property)
 
 Property_table carried_properties(const Property_table& properties, const Near_points& near_points,
                                   const std::vector<std::uint32_t>& source_indices,
-                                  const std::vector<float>& feature_confidences, std::size_t size)
+                                  const std::vector<Result_column>& columns, std::size_t size)
 {
-  const std::string source_name = "source_index", confidence_name = "feature_confidence";
+  const std::string source_name = "source_index";
+  const auto is_replaced = [&](const std::string& name) {
+    return (name == source_name && !source_indices.empty())
+           || std::any_of(columns.begin(), columns.end(),
+                          [&](const Result_column& column) { return column.name == name; });
+  };
   Property_table result;
   std::vector<Property> origins; // of the first columns of the result
   for (const Property& property : properties.properties())
-    if ((property.name != source_name || source_indices.empty())
-        && (property.name != confidence_name || feature_confidences.empty())) {
+    if (!is_replaced(property.name)) {
       result.add_property(property.name, property.type);
       origins.push_back(property);
     }
   if (!source_indices.empty())
     result.add_property(source_name, Number_type::UINT32);
-  if (!feature_confidences.empty())
-    result.add_property(confidence_name, Number_type::FLOAT32);
+  for (const Result_column& column : columns)
+    result.add_property(column.name, Number_type::FLOAT32);
 
   result.reserve(size);
   std::vector<char> row(result.row_size());
@@ -63,9 +68,9 @@ Property_table carried_properties(const Property_table& properties, const Near_p
     if (!source_indices.empty())
       encode(double(source_indices[i]), Number_type::UINT32,
              row.data() + result.properties()[next++].offset);
-    if (!feature_confidences.empty())
-      encode(double(feature_confidences[i]), Number_type::FLOAT32,
-             row.data() + result.properties()[next].offset);
+    for (const Result_column& column : columns)
+      encode(double(column.values[i]), Number_type::FLOAT32,
+             row.data() + result.properties()[next++].offset);
     result.append(row);
   }
   return result;

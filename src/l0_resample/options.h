@@ -62,6 +62,8 @@ struct Options
   bool keep_density = false;
   bool with_source_indices = false;
   bool with_feature_confidences = false;
+  bool with_side_confidences = false;
+  bool with_neighbor_radii = false;
   bool drop_non_finite = false;
   bool keep_outliers = false;
   std::vector<unsigned> classes; ///< to keep; empty for all

@@ -8,6 +8,7 @@
 #include <CGAL/L0_resampling/warnings.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <cstdio>
 
 namespace l0_tool {
@@ -71,6 +72,7 @@ Json report_as_json(const Report& report)
                {"lonely_samples", report.number_of_lonely_samples},
                {"self_neighbor_pairs", report.number_of_self_neighbor_pairs},
                {"oriented_share", report.oriented_share},
+               {"right_side_share", report.right_side_share},
                {"hinted_share", report.hinted_share},
                {"extent_share", report.extent_share},
                {"warnings", Json::array()},
@@ -118,8 +120,9 @@ std::string summary_line(const Options& options, const Run_record& record)
 {
   const Report& report = record.report;
   char numbers[96];
-  std::snprintf(numbers, sizeof numbers, "%.2f s, one sign propagated to %.1f %%",
-                record.seconds_to_resample, 100 * report.oriented_share);
+  std::snprintf(numbers, sizeof numbers,
+                "%.2f s, %.0f %% of the normals expected on the right side",
+                record.seconds_to_resample, std::floor(100 * report.right_side_share));
   const std::string input_points = std::to_string(report.number_of_input_points);
   std::string line = options.input_name() + ": " + input_points + " points in, ";
   if (report.number_of_dropped_points > 0)

@@ -46,25 +46,41 @@ void call(const Point_cloud& cloud, const Sides& sides, const Options& options,
   };
   std::vector<std::uint32_t> sources(
     options.with_source_indices ? number_of_output_points(options, cloud.points.size()) : 0);
-  result.feature_confidences.resize(
-    options.with_feature_confidences ? number_of_output_points(options, cloud.points.size()) : 0);
+  // where they are asked for
+  std::vector<Result_column> columns;
+  const auto add_column = [&](bool is_wanted, const char* name) -> std::optional<std::size_t> {
+    if (!is_wanted)
+      return std::nullopt;
+    columns.push_back(
+      {name, std::vector<float>(number_of_output_points(options, cloud.points.size()))});
+    return columns.size() - 1;
+  };
+  const auto features = add_column(options.with_feature_confidences, "feature_confidence"),
+             side_confidences = add_column(options.with_side_confidences, "side_confidence"),
+             radii = add_column(options.with_neighbor_radii, "neighbor_radius");
+  const auto map_of = [&](const std::optional<std::size_t>& column) {
+    return column ? std::make_optional(CGAL::make_property_map(columns[*column].values.data()))
+                  : std::nullopt;
+  };
   const auto source_map = CGAL::make_property_map(sources.data());
-  const auto confidence_map = CGAL::make_property_map(result.feature_confidences.data());
 
   const auto viewpoint_map = CGAL::make_property_map(sides.viewpoints.data());
   const auto whole_np =
     np.orientation_hint_map(if_asked_for(options.orient_by_normals))
       .viewpoint_map(sides.viewpoints.empty() ? std::nullopt : std::make_optional(viewpoint_map))
       .source_index_map(options.with_source_indices ? std::make_optional(source_map) : std::nullopt)
-      .feature_confidence_map(options.with_feature_confidences ? std::make_optional(confidence_map)
-                                                               : std::nullopt);
+      .feature_confidence_map(map_of(features))
+      .side_confidence_map(map_of(side_confidences))
+      .neighbor_radius_map(map_of(radii));
   const auto write = [&](std::size_t size, const auto& pair_of, const internal::Point_data& data) {
     internal::write_point_data(whole_np, data, size, [](std::size_t i) { return i; });
     result.points.reserve(size);
     for (std::size_t i = 0; i < size; ++i)
       result.points.push_back(pair_of(i));
-    result.properties = carried_properties(cloud.properties, data.near_points, sources,
-                                           result.feature_confidences, size);
+    result.properties = carried_properties(cloud.properties, data.near_points, sources, columns,
+                                           size);
+    if (features)
+      result.feature_confidences = columns[*features].values;
   };
   internal::l0_resample_point_set<Tag, Kernel>(
     boost::irange(std::size_t(0), cloud.points.size()),

@@ -12,6 +12,7 @@ set(level_0   # words: types, formulas and tools that know nothing of point sets
   internal/host_device.h internal/random_bits.h internal/levels_of_scales.h
   internal/exact_ball.h internal/weights.h
   internal/Border_of_ball.h internal/Orientation_hints.h internal/orientation_agreement.h
+  internal/side_confidence.h
   internal/shrinkage.h internal/negligible_displacement.h internal/block_factorization.h
   internal/checked_count.h
   internal/crowded_subcells.h internal/share_of_extent.h
@@ -27,7 +28,7 @@ set(level_1   # what several stages share, and what works on the arrays of one n
   internal/Device_progress.h
   internal/Progress.h internal/solver_settings.h
   internal/Search_grid_3.h internal/working_frame.h internal/orientation_votes.h
-  internal/dipoles_of_sets.h internal/spanning_forest.h internal/Field_of_sets.h
+  internal/dipoles_of_sets.h internal/winding_numbers.h internal/spanning_forest.h internal/Field_of_sets.h
   internal/orientation_field.h internal/ball_queries.h internal/near_pairs.h
   internal/Neighborhoods.h internal/nearest_samples.h
   internal/Point_tree_3.h

@@ -64,6 +64,7 @@ inline void fill_report(const cuda::Call_report& call, Report& report)
   report.estimated_spacing = call.estimated_spacing;
   report.estimated_noise = call.estimated_noise;
   report.oriented_share = call.oriented_share;
+  report.right_side_share = call.right_side_share;
   report.hinted_share = call.hinted_share;
   report.extent_share = call.extent_share;
   report.peak_bytes = call.peak_bytes;
@@ -210,7 +211,7 @@ public:
   /// \throws std::bad_alloc if memory does not suffice, on the device or here
   /// \throws Device_error if the device fails
   ///
-  /// What the callback, `feature_confidence_map` and the output iterator throw passes through.
+  /// What the callback, the maps of the result and the output iterator throw passes through.
   template <typename OutputIterator,
             typename NamedParameters = parameters::Default_named_parameters>
   OutputIterator resample(OutputIterator out,
@@ -344,6 +345,21 @@ public:
     return confidences;
   }
 
+  internal::Buffer<float> side_confidences(std::size_t number_of_samples)
+  {
+    internal::Buffer<float> confidences(number_of_samples, 0.f);
+    internal::throw_if_failed(
+      internal::cuda::download_values(*m_session, confidences.data(), nullptr));
+    return confidences;
+  }
+
+  internal::Buffer<float> neighbor_radii(std::size_t number_of_samples, const Report& report)
+  {
+    internal::Buffer<float> scales(number_of_samples, 0.f);
+    internal::throw_if_failed(internal::cuda::download_values(*m_session, nullptr, scales.data()));
+    return internal::neighbor_radii(std::move(scales), number_of_samples, report.neighbor_radius);
+  }
+
 private:
   /// Runs the stages; the result stays on the device.
   /// \param parameters out: those that were checked
@@ -414,6 +430,10 @@ private:
     if (parameters.with_feature_confidences)
       estimate_feature_confidences(positions, normals, parameters.sharpness_angle,
                                    data.feature_confidences);
+    if (parameters.with_side_confidences)
+      data.side_confidences = side_confidences(m);
+    if (parameters.with_neighbor_radii)
+      data.neighbor_radii = neighbor_radii(m, report);
     report.number_of_output_points = m;
     const auto pair_of = [&](std::size_t i) {
       return std::make_pair(Point(rounded[i][0], rounded[i][1], rounded[i][2]),

@@ -92,9 +92,11 @@ struct Report
     0; ///< standard deviation across the surface, in the unit of the input; default method only
   /// Share of the samples to which one sign was propagated, over edges beyond doubt, in [0, 1].
   /// Samples that face their viewpoints for certain count as joined to each other. It does not say
-  /// how many normals are on the right side: on thin parts under noise half of them may be wrong at
-  /// a share of 1.
+  /// how many normals are on the right side: `right_side_share` does.
   double oriented_share = 0;
+  /// Expected share of the samples whose normals are on the right side, in [0, 1]: the mean of what
+  /// `side_confidence_map` gets. About 0.5 says that the side of the whole is a guess.
+  double right_side_share = 0;
   /// Share of the samples in [0, 1] whose side `viewpoint`, `viewpoint_map`, `up_direction` or
   /// `orientation_hint_map` decided: their own, or that of what they are joined to.
   double hinted_share = 0;

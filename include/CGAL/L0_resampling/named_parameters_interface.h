@@ -29,6 +29,10 @@ CGAL_add_named_parameter(resampling_method_t, resampling_method, resampling_meth
                                                    source_index_map)
                             CGAL_add_named_parameter(feature_confidence_map_t,
                                                      feature_confidence_map, feature_confidence_map)
+                              CGAL_add_named_parameter(side_confidence_map_t, side_confidence_map,
+                                                       side_confidence_map)
+                              CGAL_add_named_parameter(neighbor_radius_map_t, neighbor_radius_map,
+                                                       neighbor_radius_map)
                               CGAL_add_named_parameter(viewpoint_t, viewpoint, viewpoint)
                                 CGAL_add_named_parameter(orientation_hint_map_t,
                                                          orientation_hint_map, orientation_hint_map)

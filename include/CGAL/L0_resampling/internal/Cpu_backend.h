@@ -49,7 +49,8 @@ struct Oriented_points
 {
   Buffer<Vector> positions;
   Buffer<Eigen::Matrix<FT, 3, 1>> normals; ///< of unit length but for rounding in `FT`
-  Buffer<float> feature_confidences;       ///< in [0, 1], if they are asked for
+  // of each, if they are asked for; no scales if all are 1
+  Buffer<float> feature_confidences, side_confidences, scales;
 };
 
 /// The stages on the CPU, and the arrays of one call. What calls them, and in which order, stands
@@ -77,7 +78,7 @@ class Cpu_backend
   Buffer<Vector> m_places;                    // of the samples in that grid
   std::optional<Minimization_step<ConcurrencyTag, Any_solver<FT>>> m_step;
   Buffer<Upper_triangle<FT>> m_normal_spreads;
-  Buffer<float> m_feature_confidences;
+  Buffer<float> m_feature_confidences, m_side_confidences;
 
 public:
   static constexpr bool finds_feature_confidences = true;
@@ -96,7 +97,8 @@ public:
       m_hints(hints), m_areas{Buffer<std::uint64_t>(points.get_allocator()), 0},
       m_samples(points.get_allocator()), m_followers(points.get_allocator()), m_fit_rows(no_rows()),
       m_neighbors(no_neighbors()), m_places(points.get_allocator()),
-      m_normal_spreads(points.get_allocator()), m_feature_confidences(points.get_allocator())
+      m_normal_spreads(points.get_allocator()), m_feature_confidences(points.get_allocator()),
+      m_side_confidences(points.get_allocator())
   {}
   Cpu_backend(const Cpu_backend&) = delete;
   Cpu_backend& operator=(const Cpu_backend&) = delete;
@@ -105,7 +107,8 @@ public:
   Oriented_points<FT> take_result()
   {
     return {std::move(m_samples.positions), std::move(m_samples.normals),
-            std::move(m_feature_confidences)};
+            std::move(m_feature_confidences), std::move(m_side_confidences),
+            std::move(m_samples.scales)};
   }
 
   void begin_stage(const std::string& name, double share, std::size_t number_of_steps)
@@ -354,10 +357,13 @@ public:
 
   void orient_normals(const Plan& plan)
   {
-    const Orientation orientation = internal::orient_normals<ConcurrencyTag>(
+    Orientation orientation = internal::orient_normals<ConcurrencyTag>(
       m_samples.positions, plan.number_of_orientation_neighbors, plan.sample_spacing,
       side_hints(m_parameters, m_frame, m_samples), m_progress, m_samples.normals);
     m_report.oriented_share = orientation.oriented_share;
+    m_report.right_side_share = orientation.right_side_share();
+    if (m_parameters.with_side_confidences)
+      m_side_confidences = std::move(orientation.confidences);
     m_report.hinted_share = orientation.hinted_share;
   }
 
@@ -380,6 +386,9 @@ public:
   {
     m_followers.append_values(m_samples.start_indices, m_samples.normals);
     m_followers.append_values(m_samples.start_indices, m_feature_confidences);
+    m_followers.append_values(m_samples.start_indices, m_side_confidences);
+    if (m_parameters.with_neighbor_radii)
+      m_followers.append_values(m_samples.start_indices, m_samples.scales);
     m_followers.append_positions(m_samples.start_indices, m_samples.positions);
   }
 

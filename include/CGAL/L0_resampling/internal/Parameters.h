@@ -47,7 +47,8 @@ struct Parameters
   bool has_viewpoint = false;
   Viewpoint viewpoint;               ///< that all normals shall face, if there is one
   bool hints_are_viewpoints = false; ///< whether the hints of the points lead to their viewpoints
-  bool with_feature_confidences = false; ///< whether they are asked for
+  // whether they are asked for, of each point of the result
+  bool with_feature_confidences = false, with_side_confidences = false, with_neighbor_radii = false;
   std::size_t random_seed = 0;
   std::size_t maximum_memory = (std::numeric_limits<std::size_t>::max)(); ///< in bytes
 };

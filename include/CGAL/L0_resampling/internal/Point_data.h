@@ -23,9 +23,22 @@ namespace internal {
 /// What callers may want to know of each point of the result beside its position and its normal.
 struct Point_data
 {
-  Near_points near_points;           ///< if some are asked for
-  Buffer<float> feature_confidences; ///< if they are asked for
+  Near_points near_points; ///< if some are asked for
+  // if they are asked for
+  Buffer<float> feature_confidences, side_confidences, neighbor_radii;
 };
+
+/// The radii of samples, from their scales.
+/// \param scales of the samples; none if all are 1
+inline Buffer<float> neighbor_radii(Buffer<float> scales, std::size_t number_of_samples,
+                                    double neighbor_radius)
+{
+  if (scales.empty())
+    scales.assign(number_of_samples, 1.f);
+  for (float& scale : scales)
+    scale = float(double(scale) * neighbor_radius);
+  return scales;
+}
 
 /// How many near points a call with these named parameters has to find, of which `others` are asked
 /// for elsewhere.
@@ -52,6 +65,12 @@ void write_point_data(const NamedParameters& np, const Point_data& data, std::si
   });
   if_given(np, internal_np::feature_confidence_map, [&](const auto& map) {
     write(map, [&](std::size_t i) { return data.feature_confidences[i]; });
+  });
+  if_given(np, internal_np::side_confidence_map, [&](const auto& map) {
+    write(map, [&](std::size_t i) { return data.side_confidences[i]; });
+  });
+  if_given(np, internal_np::neighbor_radius_map, [&](const auto& map) {
+    write(map, [&](std::size_t i) { return data.neighbor_radii[i]; });
   });
 }
 

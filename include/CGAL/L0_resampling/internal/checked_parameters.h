@@ -215,6 +215,8 @@ Parameters checked_parameters(const NamedParameters& np, std::size_t n)
   read_parameter(np, internal_np::keep_density, p.keep_density);
   read_viewpoint(np, p);
   p.with_feature_confidences = is_given(np, internal_np::feature_confidence_map);
+  p.with_side_confidences = is_given(np, internal_np::side_confidence_map);
+  p.with_neighbor_radii = is_given(np, internal_np::neighbor_radius_map);
 
   read_count(np, internal_np::number_of_orientation_neighbors, "number_of_orientation_neighbors",
              p.number_of_orientation_neighbors);

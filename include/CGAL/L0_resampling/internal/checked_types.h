@@ -137,6 +137,12 @@ constexpr bool output_fits()
     has_values<Given<NamedParameters, internal_np::feature_confidence_map_t>,
                std::is_floating_point>;
   static_assert(has_confidences, "feature_confidence_map needs values of a floating-point type.");
+  constexpr bool has_sides =
+    has_values<Given<NamedParameters, internal_np::side_confidence_map_t>, std::is_floating_point>;
+  static_assert(has_sides, "side_confidence_map needs values of a floating-point type.");
+  constexpr bool has_radii =
+    has_values<Given<NamedParameters, internal_np::neighbor_radius_map_t>, std::is_floating_point>;
+  static_assert(has_radii, "neighbor_radius_map needs values of a floating-point type.");
 
   using Callback = Given<NamedParameters, internal_np::callback_t>;
   constexpr bool has_callback =
@@ -149,7 +155,7 @@ constexpr bool output_fits()
   constexpr bool has_report = std::is_same<Report_pointer, Param_not_found>::value
                               || std::is_convertible<Report_pointer, Report*>::value;
   static_assert(has_report, "resampling_report has to be the address of a Report.");
-  return has_indices && has_confidences && has_callback && has_report;
+  return has_indices && has_confidences && has_sides && has_radii && has_callback && has_report;
 }
 
 /// Refuses output iterators that take neither pairs nor points.

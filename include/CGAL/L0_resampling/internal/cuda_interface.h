@@ -67,7 +67,7 @@ struct Call_report
   std::size_t number_of_self_neighbor_pairs;
   double neighbor_radius, least_neighbor_radius, median_neighbor_radius, largest_neighbor_radius;
   double normal_filter_radius, estimated_spacing, estimated_noise;
-  double oriented_share, hinted_share, extent_share;
+  double oriented_share, right_side_share, hinted_share, extent_share;
   std::size_t peak_bytes;
 
   std::size_t number_of_stages;
@@ -113,6 +113,10 @@ Answer resample(Session& session, const Parameters& parameters, Progress_callbac
 /// Brings the result to the host: positions in the coordinates of the input, normals of unit
 /// length; xyz interleaved.
 Answer download(Session& session, double* positions, float* normals);
+
+/// Brings to the host how sure the sides of the result are, and its scales; either may be null.
+/// \param scales out: 1 for all, where the radius is the same everywhere
+Answer download_values(Session& session, float* side_confidences, float* scales);
 
 /// What tests let go wrong.
 enum class Fault

@@ -174,8 +174,17 @@ struct Orientation
     /// joined to the largest part of their tree by viewpoints, by edges beyond doubt, by the field
     /// and by clear majorities only
     oriented_share;
-  double hinted_share;       ///< of trees whose side is that of the hints
+  double hinted_share; ///< of trees whose side is that of the hints
+
   Buffer<float> confidences; ///< how sure it is that a sample is on the right side, in [0, 1]
+
+  double right_side_share() const
+  {
+    double sum = 0;
+    for (const float confidence : confidences)
+      sum += double(confidence);
+    return sum / double(confidences.size());
+  }
 };
 
 /*!
@@ -284,10 +293,11 @@ Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_o
         if (tree.is_to_be_turned() != (sign < 0))
           normals[i] = -normals[i];
         const std::size_t k = dipole_of_sample(i, m, dipoles.size());
-        const bool is_of_tree = sets.find(dipoles[k]).first == root;
+        const double within_tree = sets.find(dipoles[k]).first == root
+                                     ? confidences_within_trees[k]
+                                     : tree.confidence_of_dipoles();
         result.confidences[i] = float(
-          confidence_of_side(tree.confidence(), is_of_tree ? confidences_within_trees[k]
-                                                           : tree.confidence_of_dipoles()));
+          confidence_of_side(hints.certain_side_of(i, normal(i)), tree.confidence(), within_tree));
       }
       return number;
     });

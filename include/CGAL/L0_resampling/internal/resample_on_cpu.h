@@ -94,6 +94,8 @@ void resample_on_cpu(const PointRange& range, PointMap point_map, NormalMap norm
   Buffer<Eigen::Matrix<typename Solver::FT, 3, 1>> normals(&memory);
   Point_data data{{number_of_near_points(np, near_count), Buffer<Index>(&memory),
                    Buffer<float>(&memory)},
+                  Buffer<float>(&memory),
+                  Buffer<float>(&memory),
                   Buffer<float>(&memory)};
   try
   {
@@ -120,6 +122,10 @@ void resample_on_cpu(const PointRange& range, PointMap point_map, NormalMap norm
                                             report.number_of_distinct_points >= (std::min)(n, m));
     normals = std::move(result.normals);
     data.feature_confidences = std::move(result.feature_confidences);
+    data.side_confidences = std::move(result.side_confidences);
+    if (checked.with_neighbor_radii)
+      data.neighbor_radii = neighbor_radii(std::move(result.scales), result.positions.size(),
+                                           report.neighbor_radius);
     release(result.positions);
     if (data.near_points.count > 0)
     {
