@@ -61,6 +61,8 @@ void resample()
       parameters::source_index_map(CGAL::make_property_map(sources))
         .viewpoint(typename Kernel::Point_3(0, 0, 1))
         .feature_confidence_map(CGAL::make_property_map(confidences))
+        .side_confidence_map(CGAL::make_property_map(confidences))
+        .neighbor_radius_map(CGAL::make_property_map(confidences))
         .keep_density(true));
     CGAL::l0_resample_point_set<ConcurrencyTag>(
       points, std::back_inserter(result),

@@ -79,6 +79,12 @@ void wrong_maps()
   // refused: feature_confidence_map needs values of a floating-point type.
   resample(pairs, std::back_inserter(result),
            np | parameters::feature_confidence_map(CGAL::make_property_map(integers)));
+  // refused: side_confidence_map needs values of a floating-point type.
+  resample(pairs, std::back_inserter(result),
+           np | parameters::side_confidence_map(CGAL::make_property_map(integers)));
+  // refused: neighbor_radius_map needs values of a floating-point type.
+  resample(pairs, std::back_inserter(result),
+           np | parameters::neighbor_radius_map(CGAL::make_property_map(integers)));
 }
 
 void wrong_callbacks_and_reports()

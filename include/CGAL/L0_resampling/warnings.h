@@ -125,9 +125,10 @@ inline std::string message_of(Warning warning, const Report& report)
            + " of the result has no compatible input points near it";
   case Warning::UNSURE_SIDES:
     return "only " + as_percentage(report.right_side_share)
-           + " of the normals can be expected on the right side; a viewpoint, the way up or "
-             "normals "
-             "of the input as hints decide it";
+           + " of the normals can be expected on the right side"
+           + (report.hinted_share > 0.5 ? ""
+                                        : "; a viewpoint, the way up or normals of the input as "
+                                          "hints would decide it");
   }
   return "";
 }
