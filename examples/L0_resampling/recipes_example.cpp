@@ -68,7 +68,7 @@ Report photogrammetry()
   Report report;
   CGAL::l0_resample_point_set<Concurrency_tag>(
     photos, std::back_inserter(clean),
-    parameters::number_of_output_points(8000).resampling_report(&report));
+    parameters::resampling_report(&report).number_of_output_points(8000));
   //! [photos]
   return report;
 }
@@ -116,11 +116,11 @@ Report machined_part()
   Oriented_points clean;
   std::vector<double> confidences(10000);
   Report report;
-  CGAL::l0_resample_point_set<Concurrency_tag>(
-    part, std::back_inserter(clean),
-    parameters::number_of_output_points(confidences.size())
-      .feature_confidence_map(CGAL::make_property_map(confidences))
-      .resampling_report(&report));
+  CGAL::l0_resample_point_set<Concurrency_tag>(part, std::back_inserter(clean),
+                                               parameters::feature_confidence_map(
+                                                 CGAL::make_property_map(confidences))
+                                                 .resampling_report(&report)
+                                                 .number_of_output_points(confidences.size()));
   const auto on_edges = std::count_if(confidences.begin(), confidences.end(),
                                       [](double confidence) { return confidence > 0.8; });
   std::cout << on_edges << " points lie on edges\n";
@@ -135,7 +135,7 @@ Report before_poisson()
   Oriented_points clean;
   Report report;
   CGAL::l0_resample_point_set<Concurrency_tag>(
-    body, std::back_inserter(clean), parameters::select_percentage(100).resampling_report(&report));
+    body, std::back_inserter(clean), parameters::resampling_report(&report).select_percentage(100));
   std::cout << "one orientation: " << 100 * report.oriented_share << " %\n";
   //! [poisson]
   return report;
@@ -149,7 +149,7 @@ double spacing_of(const std::vector<Point_3>& points)
   Report report;
   CGAL::l0_resample_point_set<Concurrency_tag>(
     points, std::back_inserter(one),
-    parameters::number_of_output_points(1).resampling_report(&report));
+    parameters::resampling_report(&report).number_of_output_points(1));
   return report.estimated_spacing;
 }
 

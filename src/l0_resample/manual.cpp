@@ -199,17 +199,19 @@ std::string option_for_man(const CLI::Option& option)
   return entry + "\n" + for_man(description_of(option)) + "\n";
 }
 
-/// For Doxygen, which takes two dashes for a longer one.
+/// For Doxygen, which takes two dashes for a longer one unless a backslash is before them.
 std::string for_html(std::string_view text)
 {
   std::string escaped;
-  for (const char c : text)
-    switch (c) {
+  for (std::size_t i = 0; i < text.size(); ++i)
+    switch (text[i]) {
     case '&': escaped += "&amp;"; break;
     case '<': escaped += "&lt;"; break;
     case '>': escaped += "&gt;"; break;
-    case '-': escaped += "&#45;"; break;
-    default: escaped += c;
+    default:
+      if (text.substr(i, 2) == "--")
+        escaped += '\\';
+      escaped += text[i];
     }
   return escaped;
 }

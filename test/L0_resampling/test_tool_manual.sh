@@ -36,7 +36,7 @@ in_bash=$(sed -n "/current == -/{n;s/.*-W '\(.*\)' --.*/\1/p}" "$manual/l0_resam
   | tr ' ' '\n' | sort)
 check "the options of the completions" test "$in_bash" = "$options"
 
-in_tables=$(cat "$manual"/table_of_*_options.txt | sed 's/&#45;/-/g' | grep -oE '<code>-[^<]*' \
+in_tables=$(sed 's/\\--/--/g' "$manual"/table_of_*_options.txt | grep -oE '<code>-[^<]*' \
   | sed 's/<code>//' | sort)
 check "the options of the tables" test "$in_tables" = "$options"
 tables=$(cd "$manual" && ls table_of_*_options.txt)

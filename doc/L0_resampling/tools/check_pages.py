@@ -8,7 +8,8 @@ over: check_pages.py HTML_DIRECTORY [SCREENSHOT_DIRECTORY]
 
 - a formula that MathJax cannot draw, or has not drawn;
 - a picture that is not there;
-- a command of Doxygen, an alias or the stars of bold words that stand in the text;
+- a command of Doxygen, an alias, an entity of HTML or the stars of bold words that stand in the
+  text;
 - something wider than the page, a list without entries, or a name in a list that is broken into
   many lines;
 - a link to a place that does not exist;
@@ -64,6 +65,8 @@ for (const name of content.querySelectorAll(".directory td.entry a.el"))
 for (const resource of performance.getEntriesByType("resource"))
   if (!/^(file|data|blob):/.test(resource.name))
     found.push("asks a network for " + resource.name);
+for (const entity of content.innerText.match(/&(?:#\d+|amp|lt|gt|quot|nbsp);/g) || [])
+  found.push("an entity stands in the text: " + entity);
 const code_and_formulas = "code, .fragment, pre, script, style, "
                           + ".MathJax_Preview, .MathJax_SVG, .MathJax_SVG_Display";
 for (const code of content.querySelectorAll(code_and_formulas))
