@@ -9,8 +9,8 @@
 
 - Scripts, styles, pictures and frames of the pages, and what their styles name, are files of the
   folder, under relative names.
-- A page with formulas in TeX loads the MathJax of the folder. With --formulas, the formulas of the
-  whole manual are of that kind.
+- A page with formulas in TeX loads the MathJax of the folder. Formulas as text hold no TeX. With
+  --formulas, the formulas of the whole manual are of that kind.
 """
 
 import argparse
@@ -22,6 +22,7 @@ from urllib.parse import unquote
 
 LOADED = {"script": "src", "img": "src", "iframe": "src", "source": "src", "link": "href"}
 URL = re.compile(r"""url\(\s*["']?([^"')]+)|@import\s+["']([^"']+)""")
+FORMULA = re.compile(r'<code class="l0Formula[^>]*>(.*?)</code>', re.DOTALL)
 NOT_FILES = ("data:", "#", "javascript:void")
 
 
@@ -80,8 +81,10 @@ def errors_of_folder(folder, formulas):
                 kinds.add("drawn")
                 if not has_mathjax:
                     yield f"{path.name}: formulas in TeX, and no MathJax"
-            if "l0Formula" in path.read_text(encoding="utf-8"):
+            for formula in FORMULA.findall(path.read_text(encoding="utf-8")):
                 kinds.add("text")
+                if "\\" in formula:
+                    yield f"{path.name}: TeX is left in {formula}"
         else:
             continue
         for name in loaded:

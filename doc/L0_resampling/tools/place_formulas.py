@@ -8,8 +8,8 @@
   place_formulas.py HTML_DIRECTORY [MATHJAX_DIRECTORY]
 
 With MATHJAX_DIRECTORY, an installed MathJax 2, the parts of it that draw formulas are copied beside
-the pages, where Doxygen was told to look for them. Without it the pages show each formula as it is
-written in TeX, and ask for no script.
+the pages, where Doxygen was told to look for them. Without it the pages show each formula as text,
+with Greek letters, indices and exponents, and ask for no script.
 """
 
 import html
@@ -29,6 +29,41 @@ MACRO = re.compile(r'^\s*(\w+): "\{(.*)\}",?$', re.MULTILINE)
 FORMULA = re.compile(r"\\\((.*?)\\\)|\\\[(.*?)\\\]", re.DOTALL)
 
 
+SYMBOLS = {
+    "alpha": "α", "beta": "β", "delta": "δ", "eta": "η", "theta": "θ", "kappa": "κ", "lambda": "λ",
+    "mu": "μ", "pi": "π", "rho": "ρ", "sigma": "σ", "tau": "τ", "psi": "ψ", "Delta": "Δ",
+    "sum": "Σ", "int": "∫", "nabla": "∇", "in": "∈", "notin": "∉", "le": "≤", "leq": "≤", "ge": "≥",
+    "neq": "≠", "cdot": "·", "times": "×", "circ": "°", "leftarrow": "←", "Rightarrow": "⇒",
+    "Leftrightarrow": "⇔", "lfloor": "⌊", "rfloor": "⌋", "min": "min", "max": "max", "cos": "cos",
+    "sin": "sin", "exp": "exp", "quad": " ", "qquad": " ", "left": "", "right": ""}
+GROUPS = [(r"\\t?frac\{([^{}]*)\}\{([^{}]*)\}", r"(\1)/(\2)"),
+          (r"\\sqrt\[(\w)\]\{([^{}]*)\}", r"<sup>\1</sup>√(\2)"),
+          (r"\\sqrt\{([^{}]*)\}", r"√(\1)"),
+          (r"\\(?:bar|overline) *\{?(\\[a-z]+|\w)\}?", "\\1\u0304"),
+          (r"\\hat *\{?(\\[a-z]+|\w)\}?", "\\1\u0302"),
+          (r"\\begin\{\w+\}", "{ "), (r"\\end\{\w+\}", ""), (r" *&amp; *", " "),
+          (r"\\(?:mathrm|text)\{([^{}]*)\}", r"\1"),
+          (r"_\{([^{}]*)\}", r"<sub>\1</sub>"), (r"\^\{([^{}]*)\}", r"<sup>\1</sup>")]
+
+
+def as_letters(formula):
+    """A formula of TeX in HTML, without what draws fractions and roots."""
+    for short, braced in ((r"([_^])(\\[A-Za-z]+|\w)", r"\1{\2}"), (r"\\sqrt (\w)", r"\\sqrt{\1}"),
+                          (r"\\t?frac(\d)(\d)", r"\\frac{\1}{\2}"),
+                          (r"\\\{", "\x01"), (r"\\\}", "\x02")):    # braces that are shown
+        formula = re.sub(short, braced, formula)
+    before = None
+    while before != formula:    # from the innermost braces to the outer ones
+        before = formula
+        for pattern, text in GROUPS:
+            formula = re.sub(pattern, text, formula)
+    formula = re.sub(r"\\([A-Za-z]+)", lambda m: SYMBOLS.get(m[1], m[0]), formula)
+    for command, text in ((r"\\\\", ";"), (r"\\\|", "‖"), (r"\\[,; ]", " "), (r"\\_", "_"),
+                          ("\x01", "{"), ("\x02", "}")):
+        formula = re.sub(command, text, formula)
+    return formula
+
+
 def copy_mathjax(mathjax, pages):
     target = pages / "mathjax"
     for part in MATHJAX_PARTS:
@@ -41,7 +76,7 @@ def copy_mathjax(mathjax, pages):
 
 
 def with_formulas_as_text(page):
-    """The page without MathJax: numbers of the code in their place, the rest as TeX has it."""
+    """The page without MathJax, with the numbers of the code in their place."""
     settings = "".join(MATHJAX_SCRIPT.findall(page))
     macros = {name: html.escape(value) for name, value in MACRO.findall(settings)}
 
@@ -50,7 +85,7 @@ def with_formulas_as_text(page):
         formula = re.sub(r"\\([A-Za-z]+)(?:\{\})?",
                          lambda m: macros.get(m[1], m[0]), " ".join(formula.split()))
         block = " l0DisplayedFormula" if match[1] is None else ""
-        return f'<code class="l0Formula{block}">{formula}</code>'
+        return f'<code class="l0Formula{block}">{as_letters(formula)}</code>'
 
     return FORMULA.sub(as_text, MATHJAX_SCRIPT.sub("", page))
 
