@@ -6,8 +6,9 @@ set(CPACK_PACKAGE_CONTACT "The CGAL::L0_resampling authors")
 set(CPACK_PACKAGE_DESCRIPTION
 "Turns raw, noisy, unoriented points into clean, evenly spread, oriented points
 of an exact number that keep sharp features: the program l0_resample, the C++
-headers of CGAL::l0_resample_point_set() with their CMake package, and, where it
-was built, the Python package cgal_l0.")
+headers of CGAL::l0_resample_point_set() with their CMake package, examples, and,
+where they were built, the Python package cgal_l0 and the manual, which is read
+from /usr/share/doc/cgal-l0-resampling/html/index.html without a network.")
 if(CGAL_L0_WITH_CUDA)
   string(APPEND CPACK_PACKAGE_DESCRIPTION "\n\nThe program uses an NVIDIA device where a driver finds one; to link with the library for
 devices takes the CUDA toolkit, which Debian does not have in main.")
@@ -30,5 +31,5 @@ if(TARGET cgal_l0)
          ", python3 (<< ${Python_VERSION_MAJOR}.${l0_next_python})")
 endif()
 
-install(FILES ${CMAKE_CURRENT_LIST_DIR}/copyright DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/${CPACK_PACKAGE_NAME})
+install(FILES ${CMAKE_CURRENT_LIST_DIR}/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})
 include(CPack)

@@ -7,7 +7,7 @@ packages=(g++ cmake make git python3 libcgal-dev libeigen3-dev libtbb-dev libboo
 packages+=(pybind11-dev python3-dev python3-numpy python3-pytest mypy)   # for the Python package
 packages+=(python3-pip python3-setuptools python3-wheel)            # for its wheel
 packages+=(dpkg-dev file)                                           # for the Debian package
-packages+=(doxygen texlive-binaries)                                # for the manual
+packages+=(doxygen texlive-binaries libjs-mathjax)                  # for the manual
 packages+=("$@")
 missing=()
 for package in "${packages[@]}"; do

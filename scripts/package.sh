@@ -5,8 +5,9 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 scripts/install_dependencies.sh
 cmake -S . -B build-package -DCMAKE_BUILD_TYPE=Release -DCGAL_L0_WITH_NATIVE_INSTRUCTIONS=OFF -DPython_EXECUTABLE=/usr/bin/python3 \
-      -DCGAL_L0_BUILD_TESTS=OFF -DCGAL_L0_BUILD_EXAMPLES=OFF -DCGAL_L0_BUILD_BENCHMARKS=OFF -DCGAL_L0_WITH_DOCUMENTATION=OFF
+      -DCGAL_L0_BUILD_TESTS=OFF -DCGAL_L0_BUILD_EXAMPLES=OFF -DCGAL_L0_BUILD_BENCHMARKS=OFF -DCGAL_L0_WITH_DOCUMENTATION=ON
 cmake --build build-package -j "$(nproc)"
+cmake --build build-package --target doc
 cpack --config build-package/CPackConfig.cmake -B build-package
 
 cat <<END

@@ -3,7 +3,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-scripts/install_dependencies.sh clang-format valgrind python3-matplotlib python3-scipy python3-jinja2 libjs-three libjs-mathjax chromium chromium-driver \
+scripts/install_dependencies.sh clang-format valgrind python3-matplotlib python3-scipy python3-jinja2 libjs-three chromium chromium-driver \
                                 python3-selenium python3-yaml
 # Device code for one architecture: that of the device, or any where there is none.
 architecture=90

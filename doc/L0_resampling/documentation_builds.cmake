@@ -15,7 +15,8 @@ endif()
 
 set(pages
   index L0_resampling_mathematics L0_resampling_accuracy_and_speed L0_resampling_extending
-  L0_resampling_promises L0_resampling_python bgl_namedparameters citelist examples
+  L0_resampling_promises L0_resampling_python L0_resampling_tool L0_resampling_recipes
+  L0_resampling_glossary bgl_namedparameters citelist examples
   group__PkgL0ResamplingRef group__PkgL0ResamplingConcepts classL0ResamplingSolverTraits
   structCGAL_1_1CUDA__tag)
 foreach(name IN ITEMS Block__conjugate__gradient__solver__traits Eigen__cholesky__solver__traits

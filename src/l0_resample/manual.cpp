@@ -13,6 +13,7 @@
 #include <array>
 #include <cstddef>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace l0_tool {
@@ -198,6 +199,34 @@ std::string option_for_man(const CLI::Option& option)
   return entry + "\n" + for_man(description_of(option)) + "\n";
 }
 
+/// For Doxygen, which takes two dashes for a longer one unless a backslash is before them.
+std::string for_html(std::string_view text)
+{
+  std::string escaped;
+  for (std::size_t i = 0; i < text.size(); ++i)
+    switch (text[i]) {
+    case '&': escaped += "&amp;"; break;
+    case '<': escaped += "&lt;"; break;
+    case '>': escaped += "&gt;"; break;
+    default:
+      if (text.substr(i, 2) == "--")
+        escaped += '\\';
+      escaped += text[i];
+    }
+  return escaped;
+}
+
+std::string row_for_html(const CLI::Option& option)
+{
+  std::string names;
+  for (const std::string& name : names_of(option))
+    names += (names.empty() ? "" : ", ") + ("<code>" + for_html(name)) + "</code>";
+  if (has_value(option))
+    names += " <i>" + for_html(option.get_type_name()) + "</i>";
+  return "<tr><td>" + names + "</td><td>" + for_html(option.get_description()) + "</td><td>"
+         + for_html(option.get_default_str()) + "</td></tr>\n";
+}
+
 std::string joined(const std::vector<std::string>& words, const std::string& separator)
 {
   std::string text;
@@ -256,6 +285,21 @@ std::string man_page(const CLI::App& app)
   for (const char* example : examples)
     page += for_man(example) + "\n";
   return page + ".fi\n";
+}
+
+std::vector<std::pair<std::string, std::string>> option_tables(const CLI::App& app)
+{
+  std::vector<std::pair<std::string, std::string>> tables;
+  for (const std::string& group : groups_of(app)) {
+    std::string table = "<table class=\"l0Table\">\n<tr><th>option</th><th>what it does</th>"
+                        "<th>default</th></tr>\n";
+    for (const CLI::Option* option : options_of_group(app, group))
+      table += row_for_html(*option);
+    std::string name = CLI::detail::to_lower(group);
+    std::replace(name.begin(), name.end(), ' ', '_');
+    tables.emplace_back(name, table + "</table>\n");
+  }
+  return tables;
 }
 
 std::string bash_completion(const CLI::App& app)

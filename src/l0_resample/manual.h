@@ -7,6 +7,8 @@
 #define L0_RESAMPLE_MANUAL_H
 
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace CLI {
 
@@ -23,6 +25,10 @@ std::string help_text(const CLI::App& app);
 
 /// In the language of man(7).
 std::string man_page(const CLI::App& app);
+
+/// A table in HTML of each group of options, for the manual, behind the name of the group in small
+/// letters with underscores for blanks.
+std::vector<std::pair<std::string, std::string>> option_tables(const CLI::App& app);
 
 /// A script for bash: names of options, choices, files and folders.
 std::string bash_completion(const CLI::App& app);

@@ -3,7 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Writes the man page and the completions of bash into a folder, for the build: write_manual FOLDER
+// Writes into a folder, for the build, what is made of the table of options: the man page, the
+// completions of bash, and tables for the manual:  write_manual FOLDER
 
 #include "command_line.h"
 #include "manual.h"
@@ -37,7 +38,9 @@ int main(int argc, char** argv)
   CLI::App app;
   l0_tool::Arguments arguments;
   l0_tool::add_options(app, arguments);
-  const bool is_written = write(folder + "/l0_resample.1", l0_tool::man_page(app))
-                          && write(folder + "/l0_resample", l0_tool::bash_completion(app));
+  bool is_written = write(folder + "/l0_resample.1", l0_tool::man_page(app))
+                    && write(folder + "/l0_resample", l0_tool::bash_completion(app));
+  for (const auto& [name, table] : l0_tool::option_tables(app))
+    is_written = is_written && write(folder + "/table_of_" + name + "_options.txt", table);
   return is_written ? 0 : 1;
 }

@@ -1,6 +1,7 @@
 # Makes the Debian package of the build in BUILD_DIRECTORY, as it was built, looks into it, installs
 # it below a folder of its own and runs what it brings:
-#   cmake -DBUILD_DIRECTORY=... -DSCRATCH=... -DCPACK=... -DVERSION=... -DDATA=...
+#   cmake -DBUILD_DIRECTORY=... -DSCRATCH=... -DCPACK=... -DVERSION=... -DDATA=... -DGENERATOR=...
+#         -DCGAL_DIR=... -DMANUAL=<its sources> -DMANUAL_PAGES=<its pages, if they were built>
 #         [-DPYTHON=... -DPYTHON_PACKAGES=...] -P test_package.cmake
 
 cmake_minimum_required(VERSION 3.21)
@@ -48,10 +49,18 @@ expect("The control file" "${output}" "Recommends: libcgal-dev \\(>= 5\\.5\\), "
 run(dpkg-deb --contents ${packages})
 foreach(path IN ITEMS bin/l0_resample include/CGAL/l0_resample_point_set.h
                       CGAL_L0_resamplingConfig.cmake share/doc/cgal-l0-resampling/copyright
-                      share/man/man1/l0_resample.1
+                      share/man/man1/l0_resample.1.gz share/doc/cgal-l0-resampling/README.md
+                      share/doc/cgal-l0-resampling/examples/CMakeLists.txt
+                      share/doc/cgal-l0-resampling/examples/l0_resample_example.cpp
+                      share/doc/cgal-l0-resampling/examples/data/bracket_noisy.ply
                       share/bash-completion/completions/l0_resample)
   expect("The list of files" "${output}" "root/root [^\n]* \\./usr/[^\n]*${path}\n")
 endforeach()
+if(EXISTS ${MANUAL_PAGES})
+  foreach(page IN ITEMS index L0_resampling_tool L0_resampling_python L0_resampling_recipes)
+    expect("The list of files" "${output}" "/usr/share/doc/cgal-l0-resampling/html/${page}.html\n")
+  endforeach()
+endif()
 string(REGEX MATCHALL "[^\n]* \\./[^\n]*" lines "${output}")
 list(FILTER lines EXCLUDE REGEX " \\./(usr/.*)?$")
 if(lines)
@@ -69,6 +78,17 @@ run(${root}/usr/bin/l0_resample --version)
 expect("The version of the program" "${output}" "^l0_resample [0-9.]+, ")
 run(${root}/usr/bin/l0_resample ${DATA}/bracket_noisy.ply ${SCRATCH}/out.npy --points 500)
 expect("The summary" "${output}" "500 out")
+set(documentation ${root}/usr/share/doc/cgal-l0-resampling)
+run(gzip -dc ${root}/usr/share/man/man1/l0_resample.1.gz)
+expect("The man page" "${output}" "^\\.TH L0_RESAMPLE 1 ")
+if(EXISTS ${MANUAL_PAGES})
+  find_program(interpreter NAMES python3 REQUIRED)
+  run(${interpreter} -B ${MANUAL}/tools/check_offline.py ${documentation}/html)
+endif()
+run(${CMAKE_COMMAND} -S ${documentation}/examples -B ${SCRATCH}/examples -G ${GENERATOR}
+    -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH=${root}/usr -DCGAL_DIR=${CGAL_DIR})
+run(${CMAKE_COMMAND} --build ${SCRATCH}/examples --target l0_resample_example)
+run(${CMAKE_COMMAND} -E chdir ${SCRATCH}/examples ./l0_resample_example)
 if(PYTHON)
   set(ENV{PYTHONPATH} ${root}/usr/${PYTHON_PACKAGES})
   file(WRITE ${SCRATCH}/use.py "import cgal_l0, numpy\n"

@@ -5,11 +5,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # What is made of the table of options of l0_resample: --help on one page, the man page, and the
-# completions of bash, which all have the same options.
-# usage: test_tool_manual.sh PROGRAM FOLDER
-# FOLDER has the man page and the completions.
+# completions of bash, and tables for the manual, which all have the same options.
+# usage: test_tool_manual.sh PROGRAM FOLDER PAGE
+# FOLDER has the man page, the completions and tables of options; PAGE of the manual shows the tables.
 
 manual=$(realpath "$2")
+page=$(realpath "$3")
 # shellcheck source-path=SCRIPTDIR
 . "$(dirname "${BASH_SOURCE[0]}")/tool_checks.sh"
 
@@ -34,6 +35,13 @@ check "the options of the man page" test "$in_man" = "$options"
 in_bash=$(sed -n "/current == -/{n;s/.*-W '\(.*\)' --.*/\1/p}" "$manual/l0_resample" \
   | tr ' ' '\n' | sort)
 check "the options of the completions" test "$in_bash" = "$options"
+
+in_tables=$(sed 's/\\--/--/g' "$manual"/table_of_*_options.txt | grep -oE '<code>-[^<]*' \
+  | sed 's/<code>//' | sort)
+check "the options of the tables" test "$in_tables" = "$options"
+tables=$(cd "$manual" && ls table_of_*_options.txt)
+shown=$(sed -n "s/^.include{doc} //p" "$page" | sort)
+check "the tables that the page shows" test "$shown" = "$tables"
 
 if command -v groff > /dev/null; then
   groff -man -ww -z -Tutf8 "$manual/l0_resample.1" > stdout 2> stderr

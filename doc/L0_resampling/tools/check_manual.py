@@ -13,7 +13,7 @@ print_defaults
   that the code takes.
 - Formulas use only macros that are generated; every figure exists and is used; every named
   parameter is explained.
-- The tests that the page of promises names exist, and tests run the C++ examples that pages show.
+- The tests that the page of promises names exist, and tests run the examples that pages show.
 """
 
 import json
@@ -124,12 +124,21 @@ def unknown_macros(name, page, macros):
                 yield f"{name} has \\{macro} in a formula, which generate_text.py does not make"
 
 
-def snippets_without_test(name, page, examples):
-    """The C++ examples that a page shows and that the build folder does not compile and run."""
-    lists = (examples / "CMakeLists.txt").read_text(encoding="utf-8")
-    for example in sorted(set(re.findall(r"\\snippet L0_resampling/(\w+)\.cpp", page))):
-        if not re.search(rf"\b{example}\b", lists):
-            yield f"{name} shows {example}.cpp, which no test runs"
+def run_by_tests(source):
+    """The names of the examples that tests run."""
+    lists = (source / "examples" / "L0_resampling" / "CMakeLists.txt").read_text(encoding="utf-8")
+    tests = "".join(path.read_text(encoding="utf-8") for path in
+                    (source / "test" / "L0_resampling" / "python").glob("*.py"))
+    in_python = re.search(r"ITEMS ([\w ]+)\)\s+add_test\(NAME python_\$", lists)[1].split()
+    return {*(f"{name}.cpp" for name in re.findall(r"\b\w+_example\b(?!\.)", lists)),
+            *(f"python_{name}_example.py" for name in in_python),
+            *re.findall(r"\w+_example\.(?:sh|py)", lists + tests)}
+
+
+def snippets_without_test(name, page, run):
+    """The examples that a page shows and that no test runs."""
+    for example in sorted(set(re.findall(r"\\snippet L0_resampling/(\S+)", page)) - run):
+        yield f"{name} shows {example}, which no test runs"
 
 
 def unknown_tests(page, tests):
@@ -161,9 +170,10 @@ def main():
     texts = {name: pages[name] for name in ("L0_resampling.txt", "Mathematics.txt")}
     texts["the docstring of neighbor_radius"] = parameters["neighbor_radius"][1]
     errors += wrong_radii(sys.argv[1], values["constant"], texts)
+    run = run_by_tests(source)
     for name, page in pages.items():
         errors += [*typed_by_hand(name, page), *unknown_macros(name, page, macros),
-                   *snippets_without_test(name, page, source / "examples" / "L0_resampling")]
+                   *snippets_without_test(name, page, run)]
     errors += [f"the user manual does not explain {name}"
                for name in parameters if name not in pages["L0_resampling.txt"]]
 

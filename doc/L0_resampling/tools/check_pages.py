@@ -8,10 +8,12 @@ over: check_pages.py HTML_DIRECTORY [SCREENSHOT_DIRECTORY]
 
 - a formula that MathJax cannot draw, or has not drawn;
 - a picture that is not there;
-- a command of Doxygen, an alias or the stars of bold words that stand in the text;
+- a command of Doxygen, an alias, an entity of HTML or the stars of bold words that stand in the
+  text;
 - something wider than the page, a list without entries, or a name in a list that is broken into
   many lines;
-- a link to a place that does not exist.
+- a link to a place that does not exist;
+- a script, picture or style that is asked of a network, which the browser has none of.
 
 With SCREENSHOT_DIRECTORY, a picture of each page lies there for people to look at.
 Exit status 77 if Debian's chromium-driver or python3-selenium is not installed.
@@ -60,6 +62,11 @@ for (const list of content.querySelectorAll(".directory"))
 for (const name of content.querySelectorAll(".directory td.entry a.el"))
   if (name.getBoundingClientRect().height > 60)
     found.push("a name has many lines: " + name.textContent);
+for (const resource of performance.getEntriesByType("resource"))
+  if (!/^(file|data|blob):/.test(resource.name))
+    found.push("asks a network for " + resource.name);
+for (const entity of content.innerText.match(/&(?:#\d+|amp|lt|gt|quot|nbsp);/g) || [])
+  found.push("an entity stands in the text: " + entity);
 const code_and_formulas = "code, .fragment, pre, script, style, "
                           + ".MathJax_Preview, .MathJax_SVG, .MathJax_SVG_Display";
 for (const code of content.querySelectorAll(code_and_formulas))
@@ -84,8 +91,8 @@ return [places.flatMap(e => [e.id, e.getAttribute("name")]),
 def browser():
     options = webdriver.ChromeOptions()
     for argument in ("--headless=new", "--no-sandbox", "--disable-dev-shm-usage",
-                     "--allow-file-access-from-files", f"--window-size={WIDTH},1000",
-                     "--force-device-scale-factor=1"):
+                     "--host-resolver-rules=MAP * ~NOTFOUND",   # there is no network
+                     f"--window-size={WIDTH},1000", "--force-device-scale-factor=1"):
         options.add_argument(argument)
     driver = webdriver.Chrome(service=Service(shutil.which("chromedriver")), options=options)
     driver.set_script_timeout(TIME_LIMIT)

@@ -179,12 +179,10 @@ def test_figures(tests):
 
 # Files of tables, and their names in the manual where these differ
 TABLES = {"quality": {"fandisk": "quality_fandisk", "armadillo": "quality_armadillo",
-                      "comparison": "comparison", "oracle": "oracle", "poisson": "poisson",
-                      "ablation": "ablation", "thin_plates": "thin_plates",
+                      "comparison": "comparison", "poisson": "poisson",
+                      "ablation": "ablation",
                       "rounding": "rounding", "rounding_h200": "rounding_of_device"},
-          "performance": {"fandisk": "speed", "scaling": "scaling", "callback": "callback",
-                          "cuda_h200": "device",
-                          "cuda_roofline": "roofline"},
+          "performance": {"fandisk": "speed", "callback": "callback", "cuda_h200": "device"},
           "report": {"full": "claims"}}
 
 

@@ -140,6 +140,18 @@ def test_the_report_has_the_members_of_the_cpp_report():
     assert len(members) == len(fields) + 1   # the outcome, which is an exception here
 
 
+def test_the_manual_says_which_names_differ():
+    page = (root / "doc/L0_resampling/Python.txt").read_text()
+    rows = re.search(r"\| in C\+\+ \| in Python \|\n(.*?)\n\n", page, re.DOTALL)[1].splitlines()[1:]
+    cells = [[set(re.findall(r"`(\w+)`", cell)) for cell in row.split("|")[1:3]] for row in rows]
+    arguments = set(inspect.signature(cgal_l0.l0_resample_point_set).parameters)
+    assert set().union(*(python for _, python in cells)) <= arguments
+    header = (root / "include/CGAL/l0_resample_point_set.h").read_text()
+    in_cpp = set(re.findall(r"\\cgalParamNBegin\{(\w+)\}", header))
+    assert set().union(*(cpp for cpp, _ in cells)) == in_cpp - arguments
+    assert arguments - in_cpp - {"points"} == set().union(*(python for _, python in cells))
+
+
 def example_code(name):
     """As the manual shows it."""
     code = (root / "examples/L0_resampling" / name).read_text()
