@@ -17,7 +17,9 @@ namespace l0_tool {
 namespace {
 
 constexpr int panel_width = 800, panel_height = 800;
-constexpr double radius_in_spacings = 1.25; // of discs that leave no gap where points lie unevenly
+// Of discs, in spacings: large enough to leave no gap where points lie unevenly. Those near an edge
+// are cut there, and may have to reach it.
+constexpr double radius_in_spacings = 1.25, radius_at_edges = 1.75;
 constexpr double least_radius = 0.7, largest_radius = 0.1 * panel_width; // pixels
 
 float to_linear(float srgb) { return std::pow(srgb, 2.2f); }
@@ -107,8 +109,9 @@ Image render_panel(const Panel& panel, const Camera& camera)
     if (splat.normal[2] < 0 && lies_behind_edge(place, surroundings, camera))
       continue;
     splat.center = camera.project(points[i]);
+    const double spacings = place.across_edges[0] ? radius_at_edges : radius_in_spacings;
     splat.radius = float(
-      (std::clamp)(radius_in_spacings * place.spacing * scale, least_radius, largest_radius));
+      (std::clamp)(spacings * place.spacing * scale, least_radius, largest_radius));
     splat.color = panel.color_of(i, place.normal, splat.normal);
     for (std::size_t k = 0; k < place.across_edges.size(); ++k)
       if (const std::optional<std::size_t> j = place.across_edges[k]) {
