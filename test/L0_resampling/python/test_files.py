@@ -226,7 +226,7 @@ def test_snapshot(tmp_path, cube, cube_normals):
     marked = numpy.split(
         cgal_l0.snapshot(cube, positions, normals, feature_confidences=confidences), 2, axis=1
     )[1]
-    assert (marked[..., 0] >= marked[..., 1]).all() and (marked[..., 0] > marked[..., 1]).any()
+    assert (marked[..., 0] < marked[..., 1]).mean() < 0.002 < (marked[..., 0] > marked[..., 1]).mean()
     for view in ((0, 0, 0), (1, 2), (1, 2, float("nan"))):
         with pytest.raises(ValueError, match="view is"):
             cgal_l0.snapshot(cube, positions, normals, view=view)
