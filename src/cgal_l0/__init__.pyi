@@ -167,6 +167,7 @@ def snapshot(
     *,
     input_normals: ArrayLike | None = None,
     feature_confidences: ArrayLike | None = None,
+    colors: str = "shaded",
     view: Sequence[float] | None = None,
     path: _Path | None = None,
 ) -> NDArray[uint8]: ...

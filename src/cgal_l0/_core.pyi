@@ -136,6 +136,7 @@ def snapshot(
     positions: NDArray[Any],
     normals: NDArray[Any],
     feature_confidences: NDArray[Any] | None,
+    colors_of_normals: bool,
     view: list[float] | None,
     path: bytes | None,
 ) -> NDArray[Any]: ...

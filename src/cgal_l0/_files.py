@@ -155,19 +155,22 @@ def snapshot(
     *,
     input_normals=None,
     feature_confidences=None,
+    colors="shaded",
     view=None,
     path=None,
 ):
-    """Draw the input on the left and the result on the right, seen from the same side.
+    """Draw the input on the left and the result on the right, seen from the same side in one light.
 
     image = cgal_l0.snapshot(points, positions, normals, path="picture.png")
 
     points: array of shape (n, 3), the input.
     positions, normals: arrays of shape (m, 3), the result.
-    input_normals: array of shape (n, 3) or None. Normals color the points by their direction.
-        Without normals (None, default) the input is gray.
+    input_normals: array of shape (n, 3) or None (default), for which planes through points nearby
+        stand in.
     feature_confidences: array of shape (m,) or None (default), from l0_resample_point_set(). With
-        it, the result is the redder the higher they are.
+        it, the shaded result is the redder the higher they are.
+    colors: "shaded" (default), gray surfaces that are blue where normals are turned away from the
+        eye, or "normals", which colors points by the direction of their normals.
     view: three floats, the direction from the points towards the eye, not zero. Default: from the
         front right, a little above, with y pointing up.
     path: str or path of a PNG file to write, or None (default).
@@ -178,6 +181,10 @@ def snapshot(
     Raises ValueError or TypeError for arrays that are no points, OSError if the file cannot be
     written.
     """
+    if colors not in ("shaded", "normals"):
+        raise ValueError(f"colors is {colors!r}, expected 'shaded' or 'normals'")
+    if colors == "normals" and feature_confidences is not None:
+        raise ValueError("feature_confidences need colors='shaded'")
     points, input_normals = coordinates(points=points, normals=input_normals)
     positions, normals = coordinates(positions=positions, normals=normals)
     if normals is None:
@@ -200,6 +207,7 @@ def snapshot(
         positions,
         normals,
         confidences,
+        colors == "normals",
         eye,
         None if path is None else os.fsencode(path),
     )

@@ -251,7 +251,7 @@ std::vector<std::string> write_points(const std::string& path,
 py::array snapshot(const py::array& points, const std::optional<py::array>& input_normals,
                    const py::array& positions, const py::array& normals,
                    const std::optional<py::array_t<float>>& feature_confidences,
-                   const std::optional<std::array<double, 3>>& view,
+                   bool colors_of_normals, const std::optional<std::array<double, 3>>& view,
                    const std::optional<std::string>& path)
 {
   Point_cloud input;
@@ -268,12 +268,15 @@ py::array snapshot(const py::array& points, const std::optional<py::array>& inpu
     confidences.assign(feature_confidences->data(),
                        feature_confidences->data() + feature_confidences->size());
 
+  using Colors = l0_tool::Snapshot_colors;
+  const Colors colors = colors_of_normals ? Colors::NORMALS : Colors::SHADED;
   return with_python_exceptions([&]() -> py::array {
     std::vector<unsigned char> bytes;
     std::vector<py::ssize_t> shape;
     {
       const py::gil_scoped_release without_lock;
-      const l0_tool::Image image = l0_tool::render_snapshot(input, result, view, confidences);
+      const l0_tool::Image image = l0_tool::render_snapshot(input, result, view, confidences,
+                                                            colors);
       bytes = l0_tool::srgb_bytes(image);
       shape = {image.height, image.width, 3};
       if (path)
@@ -294,7 +297,7 @@ void bind_files(py::module_& module)
              py::arg("normals"), py::arg("properties"));
   module.def("snapshot", &snapshot, py::arg("points"), py::arg("input_normals"),
              py::arg("positions"), py::arg("normals"), py::arg("feature_confidences"),
-             py::arg("view"), py::arg("path"));
+             py::arg("colors_of_normals"), py::arg("view"), py::arg("path"));
 }
 
 } // namespace l0_python

@@ -33,6 +33,8 @@ const std::map<std::string, Solver> solvers = {
   {"block-cg", Solver::BLOCK_CG}, {"cholesky", Solver::CHOLESKY}, {"rows-cg", Solver::ROWS_CG}};
 const std::map<std::string, Device> devices = {
   {"cpu", Device::CPU}, {"cuda", Device::CUDA}, {"auto", Device::AUTO}};
+const std::map<std::string, Snapshot_colors> snapshot_colors = {
+  {"shaded", Snapshot_colors::SHADED}, {"normals", Snapshot_colors::NORMALS}};
 const std::map<std::string, File_format> formats = {
   {"ply", File_format::PLY}, {"off", File_format::OFF}, {"xyz", File_format::XYZ},
   {"pcd", File_format::PCD}, {"npy", File_format::NPY}, {"csv", File_format::CSV},
@@ -305,6 +307,8 @@ void add_options_on_reports(CLI::App& app, Arguments& arguments)
     .add_option_function<std::string>("--view", set_view,
                                       "where the eye of the snapshot is, such as 1,-2,0.5")
     ->type_name("X,Y,Z");
+  add_choice(app, "--snapshot-colors", "COLORS", snapshot_colors, options.snapshot_colors,
+             "how to color points");
   app.add_flag("--quiet", options.quiet, "no summary, no progress bar, no warnings");
   app.add_flag("--strict", options.strict, "write nothing if a solve did not converge");
 }

@@ -22,9 +22,9 @@ namespace {
 constexpr const char* summary =
   "turns noisy points into clean, evenly spread, oriented ones that keep sharp features";
 
-constexpr std::array<const char*, 4> usages = {
+constexpr std::array<const char*, 3> usages = {
   "l0_resample [OPTIONS] INPUT OUTPUT", "l0_resample [OPTIONS] INPUT... --output-directory FOLDER",
-  "l0_resample --convert-only INPUT OUTPUT", "l0_resample --info INPUT"};
+  "l0_resample --info INPUT"};
 
 constexpr std::array<const char*, 3> examples = {
   "l0_resample scan.ply clean.ply --percentage 50 --snapshot picture.png",
@@ -37,7 +37,7 @@ struct Section
   const char* text; ///< paragraphs, with an empty line between them
 };
 
-constexpr std::array<Section, 8> sections = {
+constexpr std::array<Section, 9> sections = {
   {{"FILES",
     R"(PLY and PCD (ASCII, binary and compressed), LAS, OFF, XYZ, NPY, CSV and OBJ are read. PLY
 and PCD (binary), LAS, OFF, XYZ and NPY are written with normals, as a whole or not at all. What
@@ -97,6 +97,12 @@ folder, which gets NAME.png of each result NAME.)"},
 name of an option, and its value, or true or false for one that takes none. Lines that begin with
 # are skipped. The command line goes before the file: what it says, and what cannot go with that,
 is not taken from the file. --output, --help, --version and --config are not in files.)"},
+   {"PICTURES",
+    R"(--snapshot draws INPUT on the left and the result on the right, seen by one eye in one light,
+as surfaces of discs. Without normals of INPUT, its discs are planes through points nearby. What is
+turned away from the eye is blue: the inside of a surface, or a normal of the wrong sign. With
+--feature-confidence the result is the redder the surer it is of an edge. --snapshot-colors normals
+colors points by the direction of their normals instead, x as red, y as green, z as blue.)"},
    {"OUTPUT OF THE PROGRAM",
     R"(Standard output gets one line of summary; if points or a report go there, standard error
 gets it. Notes, warnings and errors are lines on standard error.)"},

@@ -56,8 +56,9 @@ void check_effects(const CLI::App& app, const Options& options)
     refuse_usage("--keep-outliers: " + name_of(options.method) + " keeps all points anyway");
   if (app.count("--solver-iterations") > 0 && options.solver == Solver::CHOLESKY)
     refuse_usage("--solver-iterations: cholesky has none");
-  if (app.count("--view") > 0 && options.snapshot.empty())
-    refuse_usage("--view: there is no --snapshot to look at");
+  for (const char* option : {"--view", "--snapshot-colors"})
+    if (app.count(option) > 0 && options.snapshot.empty())
+      refuse_usage(std::string(option) + ": there is no --snapshot to look at");
 }
 
 // Only a text has columns to name.

@@ -9,6 +9,7 @@
 #include "../common/device_choice.h"
 #include "Output_file.h"
 #include "file_formats.h"
+#include "render_snapshot.h"
 
 #include <CGAL/L0_resampling/tags.h>
 
@@ -77,6 +78,7 @@ struct Options
   std::string json;                          ///< empty for none
   std::string snapshot;                      ///< empty for none
   std::optional<std::array<double, 3>> view; ///< from the points towards the eye
+  Snapshot_colors snapshot_colors = Snapshot_colors::SHADED;
   bool convert_only = false;
   bool info = false;    ///< say what the input is, and write nothing
   bool dry_run = false; ///< read and check, and write nothing

@@ -22,6 +22,9 @@ double point_spacing(const std::vector<Point>& points);
 /// Of `size` points.
 double point_spacing(std::size_t size, const std::function<const Point&(std::size_t)>& point);
 
+/// \param values at least one
+double median(std::vector<double> values);
+
 } // namespace l0_tool
 
 #endif // L0_RESAMPLE_POINT_SPACING_H

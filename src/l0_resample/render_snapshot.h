@@ -15,15 +15,22 @@
 
 namespace l0_tool {
 
-/// Draws the input on the left and the result on the right, seen by the same camera. Points are
-/// colored by the direction of their normals, as in the figures of the paper; an input without
-/// normals is gray.
-/// \param feature_confidences of the result, in [0, 1], or none; with some, the result is the
-/// redder the higher they are
+enum class Snapshot_colors
+{
+  SHADED, ///< gray, blue where the normal is turned away from the eye
+  NORMALS ///< by the direction of the normal, as in the figures of the paper
+};
+
+/// Draws the input on the left and the result on the right, seen by the same camera in the same
+/// light: as surfaces of discs that are large enough to leave no gap. An input without normals is
+/// gray, and lit as planes through its points would be.
+/// \param feature_confidences of the result, in [0, 1], or none; with some, the shaded result is
+/// the redder the higher they are
 /// \param towards_eye not zero; by default from the front right, a little above, with y pointing up
 Image render_snapshot(const Point_cloud& input, const std::vector<Oriented_point>& result,
                       const std::optional<std::array<double, 3>>& towards_eye,
-                      const std::vector<float>& feature_confidences = {});
+                      const std::vector<float>& feature_confidences = {},
+                      Snapshot_colors colors = Snapshot_colors::SHADED);
 
 } // namespace l0_tool
 

@@ -153,7 +153,8 @@ void resample_file(const Options& options, Run_record& record)
                               + printable(property));
   if (!options.snapshot.empty())
     write_png(options.snapshot,
-              render_snapshot(cloud, result.points, options.view, result.feature_confidences));
+              render_snapshot(cloud, result.points, options.view, result.feature_confidences,
+                              options.snapshot_colors));
 }
 
 void describe_file(const Options& options, Run_record& record)

@@ -14,26 +14,32 @@
 
 namespace l0_tool {
 
+/// In the directions of `Projected_point`.
+using Direction = std::array<float, 3>;
+
 /// A disc in space as the camera sees it.
 struct Splat
 {
+  /// What lies behind a plane.
+  struct Half_space
+  {
+    Direction normal = {0, 0, 0};
+    float offset = 0; ///< of the plane from the center of the disc, in pixels; not negative
+  };
+
   Projected_point center;
-  std::array<float, 3>
-    normal; ///< in the directions of `Projected_point`, unit length; (0, 0, 1) faces the eye
+  float radius;     ///< in pixels
+  Direction normal; ///< of unit length; (0, 0, 1) faces the eye
   Color color;
+  std::array<Half_space, 2> clips; ///< to draw what lies in all of them
 };
 
 /*!
-Draws the discs on white, smooth at their edges. Those that lie behind a surface are left out,
-although one could look at them between the discs in front: a first pass lets every disc grow until
-the surface closes and keeps its depth.
-
-\param spacing of the points, in pixels
-\param has_normals whether the splats' normals mean something; if not, their light comes from the
-  depth of what surrounds them
+Draws the discs on white, smooth at their edges. Of discs that overlap, each shows what lies nearest
+to its center, so that they may be large enough to leave no gap: their rims give way to others as if
+they were bent away from the eye.
 */
-Image render_splats(const std::vector<Splat>& splats, float spacing, bool has_normals, int width,
-                    int height);
+Image render_splats(const std::vector<Splat>& splats, int width, int height);
 
 } // namespace l0_tool
 

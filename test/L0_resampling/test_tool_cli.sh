@@ -231,6 +231,11 @@ for key in '"exit_status": 0' '"points": 9600' '"points": 4800' '"used": "cpu"' 
 done
 check "a PNG of 1600 x 800" test "$(head -c 24 picture.png | od -An -tx1 | tr -d ' \n')" = \
   89504e470d0a1a0a0000000d494844520000064000000320
+for colors in shaded normals; do
+  run cube.xyz out.ply --snapshot "$colors.png" --snapshot-colors "$colors"
+done
+check "a snapshot is shaded unless it is to have the colors of normals" \
+  test "$(cmp -s shaded.png picture.png; echo $?) $(cmp -s normals.png picture.png; echo $?)" = "0 1"
 run cube.xyz out.ply --json /dev/stdout
 check "the report alone on stdout" test "$(head -n 1 stdout)" = "{" -a "$(tail -n 1 stdout)" = "}"
 

@@ -73,6 +73,9 @@ done
 check_failure 2 "--solver-iterations: cholesky has none" \
   cube.xyz old.ply --solver cholesky --solver-iterations 5
 check_failure 2 "--view: there is no --snapshot" cube.xyz old.ply --view 1,2,3
+check_failure 2 "--snapshot-colors: there is no --snapshot" \
+  cube.xyz old.ply --snapshot-colors normals
+check_failure 2 "--snapshot-colors" cube.xyz old.ply --snapshot p.png --snapshot-colors red
 check_failure 2 "--output: one INPUT expected, found 2" cube.xyz old.ply -o out.ply
 check_failure 2 "excludes" cube.xyz -o old.ply --output-directory batch
 check_failure 2 "INPUT is required" -o old.ply

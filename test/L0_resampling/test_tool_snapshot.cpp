@@ -8,12 +8,16 @@
 #include "test_support.h"
 #include "test_tool_support.h"
 
+#include "Camera.h"
 #include "point_spacing.h"
 #include "render_snapshot.h"
 #include "write_png.h"
 
 #include <png.h>
+#include <tbb/global_control.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -79,6 +83,19 @@ Patch patch_around(const Image& image, int x, int y, int radius)
   return patch;
 }
 
+bool is_gray(const Image& image)
+{
+  return std::all_of(image.pixels.begin(), image.pixels.end(), [](const Color& color) {
+    return std::abs(color[0] - color[1]) < 1e-6f && std::abs(color[1] - color[2]) < 1e-6f;
+  });
+}
+
+Image colored_by_normals(const std::vector<Oriented_point>& points,
+                         const std::array<double, 3>& view)
+{
+  return render_snapshot(cloud_of(points), points, view, {}, Snapshot_colors::NORMALS);
+}
+
 void test_sphere()
 {
   const std::vector<Oriented_point> points = sphere(4000);
@@ -91,19 +108,149 @@ void test_sphere()
       different += image.at(x, y) != image.at(x + image.width / 2, y);
   CHECK(different == 0); // one camera and one rule for both sides
 
-  // A circle of 720 pixels in the middle of its half, white around it
-  CHECK(is_white(image.at(0, 0)) && is_white(image.at(400, 30)) && is_white(image.at(400, 770))
-        && is_white(image.at(30, 400)));
-  CHECK(patch_around(image, 400, 400, 60).white_share < 0.5);
-  CHECK(patch_around(image, 400, 60, 15).white_share < 1);
+  // A circle of 720 pixels in the middle of its half, white around it and without a hole
+  std::size_t wrong = 0;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width / 2; ++x)
+    {
+      const double radius = std::hypot(x + 0.5 - 400, y + 0.5 - 400);
+      wrong += radius < 357 ? is_white(image.at(x, y)) : radius > 368 && !is_white(image.at(x, y));
+    }
+  CHECK(wrong == 0);
 
-  // (n + 1) / 2: blue in the middle, more red to the right, more green upwards
+  // gray, lit from the upper left of the eye
+  CHECK(is_gray(image));
+  CHECK(patch_around(image, 250, 250, 40).color[0]
+        > 1.5f * patch_around(image, 550, 550, 40).color[0]);
+}
+
+// (n + 1) / 2: blue in the middle, more red to the right, more green upwards
+void test_colors_of_normals()
+{
+  const Image image = colored_by_normals(sphere(4000), from_above);
   const Patch middle = patch_around(image, 400, 400, 60);
   CHECK(middle.color[2] > 2 * middle.color[0] && middle.color[2] > 2 * middle.color[1]);
   CHECK(patch_around(image, 600, 400, 20).color[0]
         > 2 * patch_around(image, 200, 400, 20).color[0]);
   CHECK(patch_around(image, 400, 200, 20).color[1]
         > 2 * patch_around(image, 400, 600, 20).color[1]);
+}
+
+// A normal of the wrong sign is seen, the one of the face before it is not covered.
+void test_turned_away()
+{
+  std::vector<Oriented_point> points = sphere(4000);
+  for (Oriented_point& point : points)
+    if (point.first.x() < 0)
+      point.second = -point.second;
+  const Image image = render_snapshot(cloud_of(points), points, from_above);
+  const Patch left = patch_around(image, 250, 400, 60), right = patch_around(image, 550, 400, 60);
+  CHECK(left.color[2] > 2 * left.color[0] && left.white_share == 0);
+  CHECK(std::abs(right.color[2] - right.color[0]) < 1e-6f && right.white_share == 0);
+}
+
+void test_feature_confidences()
+{
+  const std::vector<Oriented_point> points = sphere(4000);
+  std::vector<float> confidences;
+  for (const Oriented_point& point : points)
+    confidences.push_back(point.first.x() > 0 ? 1.f : 0.f);
+  const Image image = render_snapshot(cloud_of(points), points, from_above, confidences);
+  const Patch left = patch_around(image, 1050, 400, 60), right = patch_around(image, 1350, 400, 60);
+  CHECK(left.color[0] == left.color[1] && right.color[1] == 0 && right.color[0] > 0.1f);
+}
+
+/// Six faces, from -1 to 1, of `n` by `n` points that are no nearer to an edge than to each other.
+std::vector<Oriented_point> cube(int n)
+{
+  std::vector<Oriented_point> points;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double side : {-1., 1.})
+      for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j)
+        {
+          std::array<double, 3> p, normal = {0, 0, 0};
+          p[std::size_t(axis)] = normal[std::size_t(axis)] = side;
+          p[std::size_t((axis + 1) % 3)] = (2. * i + 1) / n - 1;
+          p[std::size_t((axis + 2) % 3)] = (2. * j + 1) / n - 1;
+          points.emplace_back(Point(p[0], p[1], p[2]), Vector(normal[0], normal[1], normal[2]));
+        }
+  return points;
+}
+
+/// How far a place of the picture lies outside of the silhouette of that cube, in pixels; negative
+/// inside. The silhouette is bounded by two edges along each axis.
+double distance_to_silhouette(const Camera& camera, double x, double y)
+{
+  const Projected_point middle = camera.project(CGAL::ORIGIN);
+  const std::array<Projected_point, 3> ends = {
+    camera.project(Point(1, 0, 0)), camera.project(Point(0, 1, 0)), camera.project(Point(0, 0, 1))};
+  double distance = std::numeric_limits<double>::lowest();
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const double along_x = ends[k].x - middle.x, along_y = ends[k].y - middle.y;
+    const auto from_axis = [&](double px, double py) {
+      return std::abs(along_x * (py - middle.y) - along_y * (px - middle.x))
+             / std::hypot(along_x, along_y);
+    };
+    const Projected_point &a = ends[(k + 1) % 3], &b = ends[(k + 2) % 3];
+    distance = (std::max)(distance, from_axis(x, y) - from_axis(a.x, a.y) - from_axis(b.x, b.y));
+  }
+  return distance;
+}
+
+// At no edge there is a crack, and no disc stands out: the picture is the silhouette.
+void test_cube()
+{
+  for (const std::array<double, 3>& view :
+       {std::array<double, 3>{0.6, 0.55, 1}, {1, 0.2, 0.3}, {-1, 2, -0.7}})
+    for (const int n : {12, 40})
+    {
+      const std::vector<Oriented_point> points = cube(n);
+      std::vector<Point> positions;
+      for (const Oriented_point& point : points)
+        positions.push_back(point.first);
+      const Image image = render_snapshot(cloud_of(points), points, view);
+      Camera camera(Vector(view[0], view[1], view[2]), 800, 800);
+      camera.fit({&positions, &positions});
+      std::size_t cracks = 0, outside = 0;
+      for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width / 2; ++x)
+        {
+          const double distance = distance_to_silhouette(camera, x + 0.5, y + 0.5);
+          cracks += distance < -1.5 && is_white(image.at(x, y));
+          outside += distance > 1.5 && !is_white(image.at(x, y));
+        }
+      CHECK(cracks == 0);
+      CHECK(outside == 0);
+      CHECK(is_gray(image)); // of the faces that are turned away, nothing is seen
+    }
+}
+
+// Where points lie farther apart, discs are larger.
+void test_uneven_spacing()
+{
+  std::vector<Oriented_point> points;
+  for (double x = -30; x < 30; x += x < 0 ? 1 : 2.2)
+    for (double y = -30; y < 30; y += x < 0 ? 1 : 2.2)
+      points.emplace_back(Point(x, y, 0), Vector(0, 0, 1));
+  const Image image = render_snapshot(cloud_of(points), points, from_above);
+  CHECK(patch_around(image, 400, 400, 300).white_share == 0);
+}
+
+// Neither runs nor threads change a picture.
+void test_determinism()
+{
+  const std::vector<Oriented_point> points = sphere(110000);
+  Point_cloud input = cloud_of(points);
+  input.normals.clear();
+  const Image image = render_snapshot(input, points, {});
+  CHECK(patch_around(image, 400, 400, 250).white_share == 0);
+  for (const std::size_t threads : {1, 3})
+  {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    CHECK(render_snapshot(input, points, {}).pixels == image.pixels);
+  }
 }
 
 // What lies behind the surface shows in no gap of it: whatever its normals, the middle of the
@@ -146,22 +293,22 @@ void test_invariance()
   with_outlier.emplace_back(Point(1e9, -1e9, 1e9), Vector(0, 0, 1));
   CHECK(patch_around(render_snapshot(cloud_of(with_outlier), with_outlier, {}), 400, 400, 60)
           .white_share
-        < 0.5);
+        == 0);
 }
 
-void test_gray_input()
+// The input without normals has those of planes through points nearby.
+void test_input_without_normals()
 {
   Point_cloud input = cloud_of(sphere(4000));
   input.normals.clear();
-  const Image image = render_snapshot(input, sphere(1000), from_above);
-  std::size_t colored = 0;
-  for (int y = 0; y < image.height; ++y)
-    for (int x = 0; x < image.width / 2; ++x)
-      colored += image.at(x, y)[0] != image.at(x, y)[1] || image.at(x, y)[1] != image.at(x, y)[2];
-  CHECK(colored == 0);
-  // lit from the upper left of the eye
-  CHECK(patch_around(image, 300, 300, 40).color[0]
-        > 1.3f * patch_around(image, 550, 550, 40).color[0]);
+  for (const Snapshot_colors colors : {Snapshot_colors::SHADED, Snapshot_colors::NORMALS})
+  {
+    const Image image = render_snapshot(input, {}, from_above, {}, colors);
+    CHECK(is_gray(image));
+    CHECK(patch_around(image, 400, 400, 240).white_share == 0);
+    CHECK(patch_around(image, 250, 250, 40).color[0]
+          > 1.5f * patch_around(image, 550, 550, 40).color[0]);
+  }
 }
 
 // No set of points is too small or too odd for a picture.
@@ -230,9 +377,15 @@ void test_png()
 int main()
 {
   test_sphere();
+  test_colors_of_normals();
+  test_turned_away();
+  test_feature_confidences();
+  test_cube();
+  test_uneven_spacing();
+  test_determinism();
   test_hidden_points();
   test_invariance();
-  test_gray_input();
+  test_input_without_normals();
   test_degenerate();
   test_spacing();
   test_png();
