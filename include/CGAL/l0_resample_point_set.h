@@ -320,10 +320,10 @@ without a value leaves the default.
     \cgalParamExtra{written before the first pair}
   \cgalParamNEnd
   \cgalParamNBegin{side_confidence_map}
-    \cgalParamDescription{out: for each point of the result, how sure it is that its normal is on the
-      right side, in [0, 1]. Where many have 0.9, about nine of ten are. The side of a part that is
-      open, such as a scan from one place, or terrain, is a guess without a hint, and has about 0.5.
-      The mean is `Report::right_side_share`.}
+    \cgalParamDescription{out: for each point of the result, how sure it is that its normal is on
+      the right side, in [0, 1]. Where many have 0.9, about nine of ten are. Without a hint the side
+      of terrain, or of a room that was scanned from within, is a guess, and has about 0.5. The mean
+      is `Report::right_side_share`.}
     \cgalParamType{a model of `WritablePropertyMap` with `std::size_t`, the place in the result, as
       key type and a floating-point value type}
     \cgalParamDefault{none}

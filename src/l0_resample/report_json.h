@@ -37,7 +37,8 @@ struct Run_record
 /// One JSON object; lengths are in the unit of the input, times in seconds, memory in bytes.
 std::string report_as_json(const Options& options, const Run_record& record);
 
-/// "kitten.xyz: 5210 points in, 2605 out, method lor, 0.21 s, 98 % of the normals expected on the right side"
+/// "kitten.xyz: 5210 points in, 2605 out, method lor, 0.21 s, 98 % of the normals expected on the
+/// right side"
 std::string summary_line(const Options& options, const Run_record& record);
 
 } // namespace l0_tool
