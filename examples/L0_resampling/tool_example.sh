@@ -55,8 +55,8 @@ l0_resample orange.xyz orange.ply --columns x,y,z,red,green,blue
 #! [text]
 
 #! [pipe]
-# As a filter between two programs
-cat scan.ply | l0_resample - - --input-format ply --output-format xyz | gzip > clean.xyz.gz
+# From standard input to another program
+l0_resample - - --input-format ply --output-format xyz < scan.ply | gzip > clean.xyz.gz
 #! [pipe]
 
 #! [survey]
