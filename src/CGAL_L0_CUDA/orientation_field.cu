@@ -256,6 +256,10 @@ struct Turning
   int signs[maximum_number_of_sets];
   unsigned char is_turned[maximum_number_of_sets];
   long long rest_of_second, rest_of_whole; // how far groups that become one agree with all others
+  // the groups whose closest one has to be found anew, and what was found
+  unsigned number_of_searches, searches[maximum_number_of_sets];
+  unsigned closest[maximum_number_of_sets];
+  long long links[maximum_number_of_sets];
 };
 
 /// The least of a block, for all its threads.
@@ -313,9 +317,33 @@ struct Groups
       }
   }
 
-  /// The second becomes part of the first.
-  __device__ void join(unsigned first, unsigned second, unsigned a)
+  /// As `find_closest()`, for the group that stands at `a`, by all threads of a warp.
+  __device__ void find_closest_by_warp(unsigned a, Turning& turning) const
   {
+    Agreement most = {0, no_set, no_set}; // the least, of opposite links
+    for (unsigned b = threadIdx.x % 32; b < size; b += 32)
+      if (const Agreement other = {-link_of(a, b), b, no_set}; other.units < most.units)
+        most = other;
+    for (int offset = 16; offset > 0; offset /= 2)
+    {
+      const Agreement other = {__shfl_down_sync(0xffffffffu, most.units, offset),
+                               __shfl_down_sync(0xffffffffu, most.set, offset), no_set};
+      if (other < most)
+        most = other;
+    }
+    if (threadIdx.x % 32 != 0)
+      return;
+    turning.closest[a] = most.set;
+    turning.links[a] = -most.units;
+  }
+
+  /// The second becomes part of the first.
+  /// \param turning shared
+  __device__ void join(unsigned first, unsigned second, unsigned a, Turning& turning)
+  {
+    if (a == 0)
+      turning.number_of_searches = 0;
+
     if (a < size)
     {
       const long long sum = a == first || a == second ? 0 : link_of(first, a) + link_of(second, a);
@@ -325,14 +353,23 @@ struct Groups
         group = first;
     }
     __syncthreads();
-    if (a >= size)
-      return;
-    if (a == first || a == second || closest == first || closest == second)
-      find_closest(a);
-    else if (link_of(first, a) > link)
+    const bool searches = a < size
+                          && (a == first || a == second || closest == first || closest == second);
+    if (searches)
+      turning.searches[atomicAdd(&turning.number_of_searches, 1u)] = a;
+    else if (a < size && link_of(first, a) > link)
     {
       closest = first;
       link = link_of(first, a);
+    }
+    __syncthreads();
+    for (unsigned n = a / 32; n < turning.number_of_searches; n += threads_of_turning_block / 32)
+      find_closest_by_warp(turning.searches[n], turning);
+    __syncthreads();
+    if (searches)
+    {
+      closest = turning.closest[a];
+      link = turning.links[a];
     }
   }
 };
@@ -360,7 +397,7 @@ __device__ bool is_in_disagreeing_group(const Field& field, long long with_other
     const unsigned first = most.set, second = most.other;
     if (a == second)
       turning.rest_of_second = groups.with_rest;
-    groups.join(first, second, a);
+    groups.join(first, second, a, turning);
     if (a == first)
       turning.rest_of_whole = groups.with_rest += turning.rest_of_second + 2 * most.units;
     __syncthreads();

@@ -52,11 +52,15 @@ public:
     for (std::size_t k = 0; k < samples.size(); ++k)
       roots_and_dipoles.push_back({trees.find(samples[k]).first, k});
     std::sort(roots_and_dipoles.begin(), roots_and_dipoles.end());
+    Vector origin = Vector::Zero(); // of a tree, which may be far from the others
     for (std::size_t n = 0; n < samples.size(); ++n)
     {
       const auto [root, k] = roots_and_dipoles[n];
       if (n == 0 || roots_and_dipoles[n - 1].first != root)
+      {
         begin_tree();
+        origin = positions[samples[k]];
+      }
       m_tree_of_dipole[k] = m_trees.size() - 1;
       m_place_of_dipole[k] = m_coordinates[0].size();
       const Index i = samples[k];
@@ -64,7 +68,7 @@ public:
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
         const Eigen::Index a = Eigen::Index(axis);
-        m_coordinates[axis].push_back(float(positions[i][a]));
+        m_coordinates[axis].push_back(float(positions[i][a] - origin[a]));
         m_coordinates[3 + axis].push_back(float(sign * double(normals[i][a])));
       }
     }
