@@ -24,11 +24,28 @@ struct Scene
 };
 
 /// Hills of 0.3 m over 20 m and of 0.1 m over 7 m: slopes up to 8 degrees, no sharp edge.
-inline double height_of_ground(double x, double y)
+struct Hills
 {
-  return 0.3 * Rotation::of_turns(x / 21).sine * Rotation::of_turns(y / 19).cosine
-         + 0.1 * Rotation::of_turns((x + y) / 7).sine;
-}
+  Rotation along_x, along_y, diagonal;
+
+  Hills(double x, double y)
+    : along_x(Rotation::of_turns(x / 21)), along_y(Rotation::of_turns(y / 19)),
+      diagonal(Rotation::of_turns((x + y) / 7))
+  {}
+
+  double height() const { return 0.3 * along_x.sine * along_y.cosine + 0.1 * diagonal.sine; }
+
+  /// Of unit length, upwards.
+  Vector_3 normal() const
+  {
+    constexpr double two_pi = 6.28318530717958648;
+    const double both = 0.1 * two_pi / 7 * diagonal.cosine;
+    return normalized(Vector_3(-0.3 * two_pi / 21 * along_x.cosine * along_y.cosine - both,
+                               0.3 * two_pi / 19 * along_x.sine * along_y.sine - both, 1));
+  }
+};
+
+inline double height_of_ground(double x, double y) { return Hills(x, y).height(); }
 
 inline Point_3 on_ground(double x, double y, double above = 0)
 {
