@@ -36,6 +36,21 @@ def duration(seconds):
     return f"{seconds:.3g} s" if seconds >= 1 else f"{1000 * seconds:.3g} ms"
 
 
+def picture():
+    result = load_json(HERE / "quality/results/picture.json")
+    experiment, tried = result["experiment"], result["methods"]
+    best = {name: min(tried[name]["mean_distance_percent"].values()) for name in tried}
+    of_cgal = len(tried["WLOP"]["mean_distance_percent"]), len(tried["EAR"]["mean_distance_percent"])
+    radii = ", ".join(f"{radius:g}" for radius in result["radii"])
+    return (f"Above: {experiment['input_points']} points of the fandisk mesh with noise of {experiment['noise_percent']:g} % of its diagonal, and "
+            f"{experiment['output_points']} points that each method makes of them. Of\nWLOP and EAR, in CGAL's programs, it is the best of "
+            f"{of_cgal[0]} and {of_cgal[1]} variants (radii of {radii} spacings, with and without uniform density, with and without\nsmoothing). "
+            f"Middle: CGAL's Poisson mesh of these points, red where it is {result['largest_error_percent']:g} % off the true surface or more. On "
+            f"average it is {best['WLOP']:.2f} % off for\nWLOP, {best['EAR']:.2f} % for EAR, {best['ours']:.2f} % for this package, and "
+            f"{best['input']:.2f} % for all points of the input with CGAL's normals. Below: a real scan of CGAL's data, of a\nhippo from one side, and "
+            "what this package makes of its points. Drawn by `draw_comparison.py` in `benchmark/L0_resampling/quality`.\n")
+
+
 def quality():
     text = read("quality/results/fandisk.md")
     rows = [[f"{noise:g} %", name, *(figures[method][heading] for heading in QUALITY_HEADINGS)]
@@ -109,7 +124,7 @@ def report():
             "versions stand in `benchmark/L0_resampling/report/results`.\n")
 
 
-PARTS = {"report": report, "quality": quality, "speed": speed, "device": device}
+PARTS = {"picture": picture, "report": report, "quality": quality, "speed": speed, "device": device}
 
 
 def main():

@@ -3,12 +3,12 @@
 # All rights reserved.
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws the figures of the manual and of README:  make_figures.py BUILD_DIRECTORY [NAME...]
+"""Draws the figures of the manual:  make_figures.py BUILD_DIRECTORY [NAME...]
 
-BUILD_DIRECTORY has the programs draw_variants and sample_mesh. Points are those in data/; two
-figures take CGAL's own data, which scripts/fetch_demo_data.sh brings. Needs Pillow (Debian:
-python3-pil) to make the files small. Each figure is a row of pictures; what differs from one to the
-next stands below.
+BUILD_DIRECTORY has the programs draw_variants and sample_mesh. Points are those in data/. Needs
+Pillow (Debian: python3-pil) to make the files small. Each figure is a row of pictures; what differs
+from one to the next stands below. The figure `comparison`, README's too, is by draw_comparison.py
+in benchmark/L0_resampling/quality.
 """
 
 import math
@@ -64,15 +64,12 @@ def corrugated_sheet():
 # name: (points, towards the eye, what is drawn, variants for draw_variants)
 FIGURE_LIST = {
     "teaser": ("bracket_noisy", CORNER, EVERYTHING, ["input", "default"]),
-    "fandisk": (sampled("demo/meshes/fandisk.off", points=110000, noise=0.5), "1,-1,0.6",
-                EVERYTHING, ["input", f"select_percentage={6000 / 110}"]),
-    "hippo": ("demo/points_3/hippo1.ply", CORNER, EVERYTHING, ["input", "select_percentage=100"]),
-    "torus": ("torus_noisy", CORNER, EVERYTHING, ["input", "default"]),
+    "torus": ("torus_noisy", CORNER, EVERYTHING, ["input", "dots=1"]),
     "methods": ("bracket_noisy", CORNER, EVERYTHING, ["input", *METHODS.values()]),
     "profile": ("staircase_noisy", FRONT, STEPS,
                 ["input", *(f"{method},select_percentage=100" for method in METHODS.values())]),
     "number_of_output_points": ("dodecahedron_noisy", CORNER, EVERYTHING,
-                                [f"select_percentage={p}" for p in (5, 20, 50, 200)]),
+                                [f"dots=1,select_percentage={p}" for p in (5, 20, 50, 200)]),
     "neighbor_radius": ("bracket_noisy", CORNER, EVERYTHING,
                         [f"neighbor_radius={r}" for r in (0.4, 1, 2)]),
     "normal_filter_radius": ("bracket_noisy", CORNER, EVERYTHING,
@@ -87,7 +84,8 @@ FIGURE_LIST = {
                        *(f"{ON_NOISY_STAIRCASE},maximum_penalty=200,normal_weight={w}"
                          for w in (0, 0.9, 50))]),
     "regularization_weight": ("bracket_noisy", ABOVE, FACE,
-                              ["input", *(f"regularization_weight={w}" for w in (0, 0.15, 1.5))]),
+                              ["input",
+                               *(f"dots=1,regularization_weight={w}" for w in (0, 0.15, 1.5))]),
     "penalties": (NOISY_STAIRCASE, FRONT, STEPS,
                   ["input", *(f"{ON_NOISY_STAIRCASE},maximum_penalty={p}" for p in (0.1, 2, 200))]),
     "number_of_orientation_neighbors": (corrugated_sheet, "0.3,-0.6,1", EVERYTHING,
@@ -95,10 +93,10 @@ FIGURE_LIST = {
                                          *(f"number_of_orientation_neighbors={k}"
                                            for k in (12, 100))]),
     "random_seed": ("dodecahedron_noisy", CORNER, "-9,-9,1,9,9,9",
-                    [f"select_percentage=20,random_seed={s}" for s in (0, 1, 2)]),
+                    [f"dots=1,select_percentage=20,random_seed={s}" for s in (0, 1, 2)]),
     "keep_density": (sampled("dodecahedron.off", points=8000, noise=0.5, density_gradient=10),
                      CORNER, EVERYTHING,
-                     ["input", "default", "keep_density=1"]),
+                     ["input", "dots=1", "dots=1,keep_density=1"]),
     "drop_outliers": (sampled("bracket.off", points=10000, noise=0.5, outliers=5),
                       CORNER, EVERYTHING,
                       ["input", "drop_outliers=0", "drop_outliers=1"]),
@@ -106,15 +104,6 @@ FIGURE_LIST = {
     "viewpoint": ("torus_noisy", "0,-0.25,1", "-9,-9,-9,9,9,-0.2",
                   ["input", "cut=1", "cut=1,viewpoint_z=5"]),
 }
-
-
-def file_of(name):
-    """A file of data/, or of CGAL's data."""
-    if not name.startswith("demo/"):
-        return ROOT / "data" / name
-    folder = subprocess.run([ROOT / "scripts" / "fetch_demo_data.sh"], check=True,
-                            stdout=subprocess.PIPE, text=True).stdout.strip()
-    return ROOT / folder / name.removeprefix("demo/")
 
 
 def write_ply(points, path):
@@ -126,13 +115,13 @@ def write_ply(points, path):
 
 def input_file(points, programs, scratch):
     if isinstance(points, str):
-        return file_of(points if points.endswith(".ply") else f"{points}.ply")
+        return ROOT / "data" / f"{points}.ply"
     path = scratch / "input.ply"
     if callable(points):
         write_ply(points(), path)
         return path
     mesh, options = points
-    subprocess.run([programs / "sample_mesh", file_of(mesh), path, *options], check=True,
+    subprocess.run([programs / "sample_mesh", ROOT / "data" / mesh, path, *options], check=True,
                    stdout=subprocess.DEVNULL)
     return path
 

@@ -19,7 +19,7 @@ namespace {
 constexpr int panel_width = 800, panel_height = 800;
 // Of discs, in spacings: large enough to leave no gap where points lie unevenly. Those near an edge
 // are cut there, and may have to reach it.
-constexpr double radius_in_spacings = 1.25, radius_at_edges = 1.75;
+constexpr double radius_in_spacings = 1.25, radius_at_edges = 1.75, radius_of_dots = 0.4;
 constexpr double least_radius = 0.7, largest_radius = 0.1 * panel_width; // pixels
 
 float to_linear(float srgb) { return std::pow(srgb, 2.2f); }
@@ -67,6 +67,7 @@ struct Panel
   const std::vector<Vector>& normals;    ///< one for each point, or none at all
   const std::vector<float>& confidences; ///< likewise
   Snapshot_colors colors;
+  bool as_dots;
 
   /// Of a disc, lit.
   /// \param normal of the surface at that point
@@ -112,6 +113,8 @@ Image render_panel(const Panel& panel, const Camera& camera)
     const double spacings = place.across_edges[0] ? radius_at_edges : radius_in_spacings;
     splat.radius = float(
       (std::clamp)(spacings * place.spacing * scale, least_radius, largest_radius));
+    if (panel.as_dots)
+      splat.colored_share = float(radius_of_dots / spacings);
     splat.color = panel.color_of(i, place.normal, splat.normal);
     for (std::size_t k = 0; k < place.across_edges.size(); ++k)
       if (const std::optional<std::size_t> j = place.across_edges[k]) {
@@ -128,7 +131,8 @@ Image render_panel(const Panel& panel, const Camera& camera)
 
 Image render_snapshot(const Point_cloud& input, const std::vector<Oriented_point>& result,
                       const std::optional<std::array<double, 3>>& towards_eye,
-                      const std::vector<float>& feature_confidences, Snapshot_colors colors)
+                      const std::vector<float>& feature_confidences, Snapshot_colors colors,
+                      bool as_dots)
 {
   std::vector<Point> result_points;
   std::vector<Vector> result_normals;
@@ -141,9 +145,9 @@ Image render_snapshot(const Point_cloud& input, const std::vector<Oriented_point
   Camera camera(Vector(eye[0], eye[1], eye[2]), panel_width, panel_height);
   camera.fit({&input.points, &result_points});
 
-  const Image left = render_panel({input.points, input.normals, {}, colors}, camera);
-  const Image right = render_panel({result_points, result_normals, feature_confidences, colors},
-                                   camera);
+  const Image left = render_panel({input.points, input.normals, {}, colors, as_dots}, camera);
+  const Image right =
+    render_panel({result_points, result_normals, feature_confidences, colors, as_dots}, camera);
   Image image(2 * panel_width, panel_height, {1, 1, 1});
   for (int y = 0; y < panel_height; ++y) {
     std::copy_n(&left.at(0, y), panel_width, &image.at(0, y));

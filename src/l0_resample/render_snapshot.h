@@ -26,11 +26,12 @@ enum class Snapshot_colors
 /// gray, and lit as planes through its points would be.
 /// \param feature_confidences of the result, in [0, 1], or none; with some, the shaded result is
 /// the redder the higher they are
+/// \param as_dots whether a white surface has a dot for each point, which shows how they lie
 /// \param towards_eye not zero; by default from the front right, a little above, with y pointing up
 Image render_snapshot(const Point_cloud& input, const std::vector<Oriented_point>& result,
                       const std::optional<std::array<double, 3>>& towards_eye,
                       const std::vector<float>& feature_confidences = {},
-                      Snapshot_colors colors = Snapshot_colors::SHADED);
+                      Snapshot_colors colors = Snapshot_colors::SHADED, bool as_dots = false);
 
 } // namespace l0_tool
 

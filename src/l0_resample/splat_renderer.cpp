@@ -74,7 +74,8 @@ void draw_splat(const Splat& splat, Samples& samples)
       if (squared_share > 1 || depth <= samples.depths[i] || !lies_in_all(splat.clips, dx, dy, dz))
         continue;
       samples.depths[i] = depth;
-      samples.colors[i] = splat.color;
+      const float squared_colored_share = splat.colored_share * splat.colored_share;
+      samples.colors[i] = squared_share <= squared_colored_share ? splat.color : Color{1, 1, 1};
     }
 }
 

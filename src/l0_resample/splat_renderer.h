@@ -31,6 +31,7 @@ struct Splat
   float radius;     ///< in pixels
   Direction normal; ///< of unit length; (0, 0, 1) faces the eye
   Color color;
+  float colored_share = 1;         ///< of the radius: the rest of the disc is white
   std::array<Half_space, 2> clips; ///< to draw what lies in all of them
 };
 

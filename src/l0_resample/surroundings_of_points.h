@@ -26,7 +26,7 @@ struct Surroundings
   std::array<std::optional<std::size_t>, 2> across_edges;
 };
 
-/// Of each point; of a large cloud only where a sample of it has points, of which the others take it.
+/// Of each point. In a large cloud, most points take those of the nearest one of a sample.
 /// \param normals one for each point, of any length, or none at all
 std::vector<Surroundings> surroundings_of_points(const std::vector<Point>& points,
                                                  const std::vector<Vector>& normals);

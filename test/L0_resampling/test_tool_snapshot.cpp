@@ -227,6 +227,16 @@ void test_cube()
     }
 }
 
+// Dots have gaps, and the back, which is blue, shows in none of them.
+void test_dots()
+{
+  const Image image = render_snapshot({}, sphere(4000), from_above, {}, Snapshot_colors::SHADED,
+                                      true);
+  const Patch middle = patch_around(image, 1200, 400, 200);
+  CHECK(middle.white_share > 0.1 && middle.white_share < 0.7);
+  CHECK(std::abs(middle.color[2] - middle.color[0]) < 1e-6f);
+}
+
 // Where points lie farther apart, discs are larger.
 void test_uneven_spacing()
 {
@@ -381,6 +391,7 @@ int main()
   test_turned_away();
   test_feature_confidences();
   test_cube();
+  test_dots();
   test_uneven_spacing();
   test_determinism();
   test_hidden_points();

@@ -11,7 +11,8 @@
 // `input`, or `default`, or names and values such as `method=1,normal_weight=5`, with the names of
 // the named parameters and the number of a Method. A radius is read in units of its default.
 // Besides, `viewpoint_z=5` is a viewpoint on the z-axis, `features=1` draws the feature confidences
-// in place of the normals, and `cut=1` resamples only what lies in BOX, which then has a border.
+// in place of the normals, `dots=1` draws points as dots, so that one sees how they lie, and `cut=1`
+// resamples only what lies in BOX, which then has a border.
 
 #include "file_formats.h"
 #include "read_points.h"
@@ -218,9 +219,11 @@ void draw(int argc, char** argv)
   {
     const bool is_input = std::string(argv[v]) == "input";
     Result visible_result;
+    bool as_dots = false;
     if (!is_input)
     {
       Values values = values_of_variant(argv[v]);
+      as_dots = take(values, "dots", 0) != 0;
       const bool is_cut = take(values, "cut", 0) != 0;
       const Result result = resample(is_cut ? visible_cloud.points : cloud.points, values);
       for (std::size_t i = 0; i < result.points.size(); ++i)
@@ -231,8 +234,9 @@ void draw(int argc, char** argv)
             visible_result.feature_confidences.push_back(result.feature_confidences[i]);
         }
     }
-    const Image snapshot = l0_tool::render_snapshot(
-      visible_cloud, visible_result.points, towards_eye, visible_result.feature_confidences);
+    const Image snapshot = l0_tool::render_snapshot(visible_cloud, visible_result.points,
+                                                    towards_eye, visible_result.feature_confidences,
+                                                    l0_tool::Snapshot_colors::SHADED, as_dots);
     if (v == 5)
       picture = Image((argc - 5) * snapshot.width / 4, snapshot.height / 2, {1, 1, 1});
     copy_panel(snapshot, is_input ? 0 : 1, v - 5, picture);

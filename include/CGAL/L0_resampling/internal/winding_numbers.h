@@ -6,6 +6,7 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_WINDING_NUMBERS_H
 #define CGAL_L0_RESAMPLING_INTERNAL_WINDING_NUMBERS_H
 
+#include <CGAL/L0_resampling/internal/Search_grid_3.h>
 #include <CGAL/L0_resampling/internal/Signed_union_find.h>
 #include <CGAL/L0_resampling/internal/lanes.h>
 #include <CGAL/L0_resampling/internal/orientation_agreement.h>
