@@ -47,7 +47,8 @@ set(level_2   # stages and solvers
   Eigen_least_squares_solver_traits.h
   CUDA_least_squares_solver_traits.h)
 set(level_3   # Algorithm 1, and the whole
-  internal/prepare_points.h internal/choose_samples.h internal/alternating_minimization.h
+  internal/prepare_points.h internal/choose_samples.h internal/expected_memory.h
+  internal/alternating_minimization.h
   internal/refining_minimization.h internal/resample.h)
 set(level_4   # what users include, and how it reads what they pass
   named_parameters_interface.h named_parameters.h internal/checked_parameters.h

@@ -71,8 +71,41 @@ Followers take_followers(const Plan& plan, const Buffer<float>& scales, Initial_
   return followers;
 }
 
-/// Section 3.2: the first S. The area that the points stand for, where it is used, tells the
-/// spacing of the samples.
+/// The samples where they start, and those that are not worked on.
+struct Placed_samples
+{
+  Areas areas; ///< of the points; none if they are not used
+  Initial_samples start;
+  Followers followers;
+};
+
+/// Where samples start. The area that the points stand for, where it is used, tells the spacing of
+/// the samples.
+/// \param normals of the points
+/// \param plan in and out
+template <typename ConcurrencyTag>
+Placed_samples place_samples(const Parameters& parameters, const Prepared_points& input,
+                             const Buffer<Local_vector>& normals, Progress& progress, Plan& plan)
+{
+  const Buffer<Vector>& points = input.points;
+  const std::size_t m = parameters.number_of_output_points;
+  Areas areas{Buffer<std::uint64_t>(points.get_allocator()), 0};
+  if (plan.uses_areas)
+  {
+    areas = areas_of_points<ConcurrencyTag, Local>(
+      input.grid, points, plan.area_radius(), m,
+      units_per_length_for(plan.cell_size, plan.longest_query(), !input.scales.empty()), progress);
+    plan.set_sample_spacing(std::sqrt(areas.total() / double(m)));
+  }
+  const Buffer<std::uint64_t> no_areas(points.get_allocator());
+  Initial_samples start = initialize_samples<ConcurrencyTag>(
+    input.grid, points, normals, plan.starts_evenly ? areas.units : no_areas, m, plan.radius,
+    parameters.random_seed, progress);
+  Followers followers = take_followers<ConcurrencyTag>(plan, input.scales, start);
+  return {std::move(areas), std::move(start), std::move(followers)};
+}
+
+/// Section 3.2: the first S.
 /// \param plan in and out
 /// \param hints used up
 /// \param samples out: all but what the fit finds
@@ -85,19 +118,8 @@ Followers choose_samples(const Parameters& parameters, const Prepared_points& in
   const Buffer<Vector>& points = input.points;
   const std::size_t m = parameters.number_of_output_points;
   progress.begin_stage("initial samples", 0.02, m + (plan.uses_areas ? points.size() : 0));
-  Areas areas{Buffer<std::uint64_t>(points.get_allocator()), 0};
-  if (plan.uses_areas)
-  {
-    areas = areas_of_points<ConcurrencyTag, Local>(
-      input.grid, points, plan.area_radius(), m,
-      units_per_length_for(plan.cell_size, plan.longest_query(), !input.scales.empty()), progress);
-    plan.set_sample_spacing(std::sqrt(areas.total() / double(m)));
-  }
-  const Buffer<std::uint64_t> no_areas(points.get_allocator());
-  Initial_samples start = initialize_samples<ConcurrencyTag>(
-    input.grid, points, input.normals, plan.starts_evenly ? areas.units : no_areas, m, plan.radius,
-    parameters.random_seed, progress);
-  Followers followers = take_followers<ConcurrencyTag>(plan, input.scales, start);
+  auto [areas, start, followers] = place_samples<ConcurrencyTag>(parameters, input, input.normals,
+                                                                 progress, plan);
   samples.positions = std::move(start.positions);
   const std::size_t size = samples.positions.size();
   samples.normals.reserve(size);

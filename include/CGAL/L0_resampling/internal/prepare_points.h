@@ -197,15 +197,14 @@ void compute_filtered_normals(const Plan& plan, const Buffer<Local_vector>& give
   }
 }
 
-/// Removes outliers, sorts the points, thins crowds, and finds the normals of the points and their
-/// density weights of Eq. (5).
+/// Removes outliers, sorts the points, and thins crowds.
 /// \param points in the working frame
 /// \param scales of the points; none if all are 1
-/// \param given_normals used up
+/// \returns the points without normals and density weights
 template <typename ConcurrencyTag>
-Prepared_points prepare_points(const Plan& plan, Buffer<Vector>& points, Buffer<float>& scales,
-                               Buffer<Local_vector>& given_normals, Buffer<Local_vector>& hints,
-                               Progress& progress, Report& report)
+Prepared_points sort_and_thin(const Plan& plan, Buffer<Vector>& points, Buffer<float>& scales,
+                              Buffer<Local_vector>& given_normals, Buffer<Local_vector>& hints,
+                              Progress& progress, Report& report)
 {
   if (plan.drops_outliers)
   {
@@ -234,20 +233,28 @@ Prepared_points prepare_points(const Plan& plan, Buffer<Vector>& points, Buffer<
     kept.keep(hints);
     input.grid = Search_grid_3(points, Cell_sizes(plan.cell_size, scales));
   }
+  return input;
+}
+
+/// Finds the normals of the points and their density weights of Eq. (5).
+/// \param given_normals used up
+template <typename ConcurrencyTag>
+void find_normals_and_weights(const Plan& plan, Buffer<Local_vector>& given_normals,
+                              Progress& progress, Report& report, Prepared_points& input)
+{
   compute_filtered_normals<ConcurrencyTag>(plan, given_normals, progress, report, input);
   const bool all_normals_given = are_all_given(given_normals);
   release(given_normals);
 
-  progress.begin_stage("density weights", 0.08, points.size());
+  progress.begin_stage("density weights", 0.08, input.points.size());
   const std::size_t number_of_sparse_balls = compute_input_density_weights<ConcurrencyTag>(
-    input.grid, points, plan.filter_radius, plan.squared_bandwidth, progress,
+    input.grid, input.points, plan.filter_radius, plan.squared_bandwidth, progress,
     input.density_weights);
   if (all_normals_given)
     report.number_of_degenerate_neighborhoods = number_of_sparse_balls;
   if (!plan.weighs_density)
-    input.density_weights.assign(points.size(),
+    input.density_weights.assign(input.points.size(),
                                  Local(1)); // sparse points shall not count more than dense ones
-  return input;
 }
 
 } // namespace internal

@@ -13,6 +13,7 @@
 #include <CGAL/L0_resampling/internal/choose_samples.h>
 #include <CGAL/L0_resampling/internal/collapse_fit_term.h>
 #include <CGAL/L0_resampling/internal/estimate_feature_confidences.h>
+#include <CGAL/L0_resampling/internal/expected_memory.h>
 #include <CGAL/L0_resampling/internal/extents.h>
 #include <CGAL/L0_resampling/internal/orient_normals.h>
 #include <CGAL/L0_resampling/internal/prepare_points.h>
@@ -167,8 +168,11 @@ Oriented_points<FT> resample(Buffer<Vector>& points, Buffer<Local_vector>& given
   Samples<FT> samples(allocator);
   Followers followers(allocator);
   {
-    Prepared_points input = prepare_points<ConcurrencyTag>(plan, points, scales, given_normals,
-                                                           hints, progress, report);
+    Prepared_points input = sort_and_thin<ConcurrencyTag>(plan, points, scales, given_normals,
+                                                          hints, progress, report);
+    refuse_too_little_memory<ConcurrencyTag, FT>(parameters, plan, given_normals, hints,
+                                                 solver.bytes_per_sample, progress, input);
+    find_normals_and_weights<ConcurrencyTag>(plan, given_normals, progress, report, input);
     followers = choose_samples<ConcurrencyTag>(parameters, input, hints, progress, plan, samples);
     if (plan.refines)
       minimize_and_refine<ConcurrencyTag>(plan, solver, progress, report, input, samples);
