@@ -341,8 +341,9 @@ without a value leaves the default.
     \cgalParamDescription{the most memory that the function's own arrays may take}
     \cgalParamType{any integral type, in bytes}
     \cgalParamDefault{unlimited}
-    \cgalParamExtra{`std::bad_alloc` if it does not suffice; where the numbers of points alone say
-      so, before any point is read}
+    \cgalParamExtra{`std::bad_alloc` if it does not suffice: before any point is read where the
+      numbers of points alone say so, and before the normals where the neighbors of the first
+      samples do; the time to count these is spent only if there is a limit}
   \cgalParamNEnd
   \cgalParamNBegin{callback}
     \cgalParamDescription{called every now and then, on the CPU also at the begin of each stage,

@@ -93,7 +93,7 @@ class Cuda_backend
 
 public:
   // Without them, the device need not wait; the host finds them of the result.
-  static constexpr bool finds_feature_confidences = false;
+  static constexpr bool finds_feature_confidences = false, foresees_memory = false;
   static constexpr bool may_need_explicit_rows = false;
 
   /// \param parameters that tell of the sides of the normals

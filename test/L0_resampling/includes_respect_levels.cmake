@@ -51,6 +51,7 @@ set(level_2   # stages and solvers
   CUDA_least_squares_solver_traits.h)
 set(level_3   # Algorithm 1, and the whole
   internal/side_hints.h internal/prepare_points.h internal/choose_samples.h
+  internal/expected_memory.h
   internal/Minimization_step.h internal/Cpu_backend.h internal/run.h internal/resample.h)
 set(level_4   # what users include, and how it reads what they pass
   named_parameters_interface.h named_parameters.h internal/checked_parameters.h

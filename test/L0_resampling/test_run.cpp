@@ -41,7 +41,8 @@ class Recorder
   }
 
 public:
-  static constexpr bool finds_feature_confidences = true, may_need_explicit_rows = true;
+  static constexpr bool finds_feature_confidences = true, may_need_explicit_rows = true,
+                        foresees_memory = true;
 
   // What a test may set
   bool all_normals_given = false, needs_rows = false;
@@ -98,6 +99,7 @@ public:
   void begin(const Plan& plan) { note("begin", plan); }
   void drop_outliers(const Plan& plan) { note("drop_outliers", plan); }
   void sort_points(const Plan& plan) { note("sort_points", plan); }
+  void refuse_too_little_memory(const Plan& plan) { note("refuse_too_little_memory", plan); }
   bool are_all_normals_given() const { return all_normals_given; }
   void estimate_pca_normals(const Plan& plan) { note("estimate_pca_normals", plan); }
   void take_given_normals() { note("take_given_normals"); }
@@ -236,6 +238,8 @@ void test_switches()
     CHECK(without.count("gather_fit_rows") == 0);
     CHECK(with.count("gather_fit_rows") == (method != Method::DEFAULT));
     CHECK(with.place("drop_outliers") < with.place("sort_points"));
+    // before the work that is worth sparing
+    CHECK(with.place("refuse_too_little_memory") == with.place("sort_points") + 1);
     CHECK(with.count("[sort points]") == 2);
   }
 }

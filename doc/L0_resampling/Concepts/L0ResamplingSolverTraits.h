@@ -34,6 +34,10 @@ public:
   /// neighbors, much memory; a model that declares `false` gets a null pointer.
   static constexpr bool needs_explicit_rows = unspecified;
 
+  /// What `solve()` books with `Quadratic_problem::memory` for each sample at least, so that a
+  /// `maximum_memory` that does not suffice is refused early. A model need not have it.
+  static constexpr std::size_t bytes_per_sample = unspecified;
+
   /*!
   Minimizes Eq. (10).
 

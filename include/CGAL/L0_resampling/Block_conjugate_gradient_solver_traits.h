@@ -49,6 +49,8 @@ class Block_conjugate_gradient_solver_traits
 public:
   using FT = FT_;
   static constexpr bool needs_explicit_rows = false;
+  /// What `solve()` books for each sample.
+  static constexpr std::size_t bytes_per_sample = 20 * sizeof(FT);
 
   /// \param tolerance when to stop: relative residual as in `L0ResamplingSolverTraits::solve()`
   /// \param maximum_number_of_iterations of one solve

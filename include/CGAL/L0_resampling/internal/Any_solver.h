@@ -27,11 +27,23 @@ public:
   using Unknowns = Eigen::Ref<Eigen::Matrix<FT, Eigen::Dynamic, 1>>;
 
 private:
+  template <typename SolverTraits, std::size_t bytes = SolverTraits::bytes_per_sample>
+  static constexpr std::size_t bytes_per_sample_of(int)
+  {
+    return bytes;
+  }
+  template <typename SolverTraits>
+  static constexpr std::size_t bytes_per_sample_of(...)
+  {
+    return 0;
+  }
+
   void* m_solver;
   Solver_report (*m_solve)(void*, const Quadratic_problem<FT>&, Unknowns);
 
 public:
   const bool needs_explicit_rows;
+  const std::size_t bytes_per_sample; ///< that a solve books for sure; 0 if nobody knows
 
   /// \param solver outlives this object
   template <typename SolverTraits>
@@ -39,7 +51,8 @@ public:
     : m_solver(&solver), m_solve([](void* s, const Quadratic_problem<FT>& problem, Unknowns x) {
         return static_cast<SolverTraits*>(s)->solve(problem, x);
       }),
-      needs_explicit_rows(SolverTraits::needs_explicit_rows)
+      needs_explicit_rows(SolverTraits::needs_explicit_rows),
+      bytes_per_sample(bytes_per_sample_of<SolverTraits>(0))
   {
     static_assert(!SolverTraits::needs_explicit_rows || std::is_same<FT, double>::value,
                   "The rows of Eq. (11) hold positions and not differences, so that a solver that "

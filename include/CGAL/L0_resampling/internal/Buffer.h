@@ -47,6 +47,8 @@ public:
   void release(std::size_t bytes) noexcept { m_current.fetch_sub(bytes); }
 
   std::size_t peak() const { return m_peak.load(); }
+  std::size_t current() const { return m_current.load(); }
+  std::size_t limit() const { return m_limit; }
 
   /// The peak since the last call of this function; starts the next interval at what is held now.
   std::size_t take_peak() { return m_peak.exchange(m_current.load()); }

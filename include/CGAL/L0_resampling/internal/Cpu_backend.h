@@ -17,6 +17,7 @@
 #include <CGAL/L0_resampling/internal/estimate_pca_normals.h>
 #include <CGAL/L0_resampling/internal/estimate_scale_field.h>
 #include <CGAL/L0_resampling/internal/estimate_scales.h>
+#include <CGAL/L0_resampling/internal/expected_memory.h>
 #include <CGAL/L0_resampling/internal/extents.h>
 #include <CGAL/L0_resampling/internal/filter_normals.h>
 #include <CGAL/L0_resampling/internal/fit_compatible_points.h>
@@ -81,7 +82,7 @@ class Cpu_backend
   Buffer<float> m_feature_confidences, m_side_confidences;
 
 public:
-  static constexpr bool finds_feature_confidences = true;
+  static constexpr bool finds_feature_confidences = true, foresees_memory = true;
   static constexpr bool may_need_explicit_rows = std::is_same<FT, double>::value; // `Any_solver`
 
   /// \param points the input, finite, at least one point; used up
@@ -173,6 +174,15 @@ public:
                                     m_input.points.get_allocator());
   }
 
+  /// \throws std::bad_alloc if the limit of memory is below what the call takes for sure
+  void refuse_too_little_memory(const Plan& plan)
+  {
+    internal::refuse_too_little_memory<ConcurrencyTag, FT>(
+      plan, m_given_normals, m_hints, m_solver.bytes_per_sample,
+      [this](const Plan& with_radius) { return areas_of_points(with_radius); }, m_progress,
+      m_input);
+  }
+
   bool are_all_normals_given() const { return are_all_given(m_given_normals); }
 
   void estimate_pca_normals(const Plan& plan)
@@ -226,10 +236,7 @@ public:
 
   double total_area(const Plan& plan)
   {
-    m_areas = areas_of_points<ConcurrencyTag, Local>(
-      m_input.grid, m_input.points, plan.area_radius(), plan.number_of_samples,
-      units_per_length_for(plan.cell_size, plan.longest_query(), !m_input.scales.empty()),
-      m_progress);
+    m_areas = areas_of_points(plan);
     return m_areas.total();
   }
 
@@ -413,6 +420,14 @@ public:
   void end(const Plan&) { m_progress.end_stage(); }
 
 private:
+  Areas areas_of_points(const Plan& plan)
+  {
+    return internal::areas_of_points<ConcurrencyTag, Local>(
+      m_input.grid, m_input.points, plan.area_radius(), plan.number_of_samples,
+      units_per_length_for(plan.cell_size, plan.longest_query(), !m_input.scales.empty()),
+      m_progress);
+  }
+
   Neighborhoods no_neighbors() const
   {
     const auto allocator = m_input.points.get_allocator();

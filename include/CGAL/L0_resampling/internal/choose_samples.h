@@ -72,6 +72,27 @@ Followers take_followers(const Plan& plan, const Buffer<float>& scales, Initial_
   return followers;
 }
 
+/// The samples where they start, and those that are not worked on.
+struct Placed_samples
+{
+  Initial_samples start;
+  Followers followers;
+};
+
+/// Where samples start.
+/// \param areas that the points stand for, if the plan uses them
+template <typename ConcurrencyTag>
+Placed_samples place_samples(const Plan& plan, const Prepared_points& input, const Areas& areas,
+                             Progress& progress)
+{
+  const Buffer<std::uint64_t> no_areas(input.points.get_allocator());
+  Initial_samples start = initialize_samples<ConcurrencyTag>(
+    input.grid, input.points, input.normals, plan.starts_evenly ? areas.units : no_areas,
+    plan.number_of_samples, plan.radius, plan.random_seed, progress);
+  Followers followers = take_followers<ConcurrencyTag>(plan, input.scales, start);
+  return {std::move(start), std::move(followers)};
+}
+
 /// Section 3.2: the first S.
 /// \param areas that the points stand for, if the plan uses them
 /// \param hints used up
@@ -83,11 +104,7 @@ Followers choose_samples(const Plan& plan, const Prepared_points& input, const A
 {
   const Buffer<Vector>& points = input.points;
   const std::size_t m = plan.number_of_samples;
-  const Buffer<std::uint64_t> no_areas(points.get_allocator());
-  Initial_samples start = initialize_samples<ConcurrencyTag>(
-    input.grid, points, input.normals, plan.starts_evenly ? areas.units : no_areas, m, plan.radius,
-    plan.random_seed, progress);
-  Followers followers = take_followers<ConcurrencyTag>(plan, input.scales, start);
+  auto [start, followers] = place_samples<ConcurrencyTag>(plan, input, areas, progress);
   samples.positions = std::move(start.positions);
   const std::size_t size = samples.positions.size();
   samples.normals.reserve(size);

@@ -51,6 +51,8 @@ void prepare_points(const Plan& plan, Backend& backend)
     backend.begin_stage("sort points", 0.05, 1);
   }
   backend.sort_points(plan);
+  if constexpr (Backend::foresees_memory) // if not, it knows from the numbers of points
+    backend.refuse_too_little_memory(plan);
 
   const std::size_t n = backend.number_of_points();
   if (!backend.are_all_normals_given())
