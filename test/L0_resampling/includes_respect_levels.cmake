@@ -48,13 +48,14 @@ set(level_2   # stages and solvers
   CUDA_least_squares_solver_traits.h)
 set(level_3   # Algorithm 1, and the whole
   internal/prepare_points.h internal/choose_samples.h internal/alternating_minimization.h
-  internal/refining_minimization.h internal/resample.h)
+  internal/refining_minimization.h internal/side_hints.h internal/resample.h
+  internal/orient_point_set.h)
 set(level_4   # what users include, and how it reads what they pass
   named_parameters_interface.h named_parameters.h internal/checked_parameters.h
   internal/output_iterators.h internal/checked_types.h
   internal/points_of_range.h internal/compiled_templates.h internal/Point_data.h
   internal/carry_properties.h CUDA_resampler.h
-  ../l0_resample_point_set.h)
+  ../l0_resample_point_set.h ../l0_orient_normals.h)
 
 set(kernel_free_headers CGAL/tags.h CGAL/assertions.h)   # all that levels 0 to 3 may have of CGAL
 

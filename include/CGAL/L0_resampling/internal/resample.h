@@ -19,6 +19,7 @@
 #include <CGAL/L0_resampling/internal/refining_minimization.h>
 #include <CGAL/L0_resampling/internal/project_to_local_quadrics.h>
 #include <CGAL/L0_resampling/internal/share_of_extent.h>
+#include <CGAL/L0_resampling/internal/side_hints.h>
 #include <CGAL/L0_resampling/internal/working_frame.h>
 
 #include <cstddef>
@@ -116,32 +117,6 @@ void minimize_and_refine(const Plan& plan, Any_solver<FT>& solver, Progress& pro
   input.release_all();
 }
 
-/// What the caller says of the sides of the samples, where they are when it is asked for.
-template <typename FT>
-Side_hints side_hints(const Parameters& parameters, const Working_frame& frame,
-                      const Samples<FT>& samples)
-{
-  Side_hints hints;
-  hints.are_viewpoints = parameters.has_viewpoint || parameters.hints_are_viewpoints;
-  if (!samples.hints.empty())
-    hints.direction_of = [&](Index i) -> Vector {
-      return samples.hints[i].template cast<double>();
-    };
-  else if (parameters.has_viewpoint)
-  {
-    Viewpoint viewpoint = parameters.viewpoint;
-    Eigen::Map<Vector> place(viewpoint.coordinates);
-    if (viewpoint.weight > 0)
-      place = frame.point_in_frame(place);
-    hints.direction_of = [&samples, viewpoint](Index i) -> Vector {
-      double direction[3];
-      viewpoint.find_direction(samples.positions[i].data(), direction);
-      return Eigen::Map<Vector>(direction);
-    };
-  }
-  return hints;
-}
-
 /*!
 Resamples: the stages of the paper, one after the other.
 
@@ -183,7 +158,7 @@ Oriented_points<FT> resample(Buffer<Vector>& points, Buffer<Local_vector>& given
   progress.begin_stage("orient normals", 0.1, m);
   const Orientation orientation = orient_normals<ConcurrencyTag>(
     samples.positions, parameters.number_of_orientation_neighbors, plan.sample_spacing,
-    side_hints(parameters, frame, samples), progress, samples.normals);
+    side_hints(parameters, frame, samples.positions, samples.hints), progress, samples.normals);
   report.oriented_share = orientation.oriented_share;
   report.hinted_share = orientation.hinted_share;
 
