@@ -18,6 +18,7 @@ namespace internal {
 
 CGAL_L0_COMPILED_TEMPLATES(template, Parallel_tag, float)
 CGAL_L0_COMPILED_TEMPLATES(template, Parallel_tag, double)
+CGAL_L0_COMPILED_TEMPLATES_OF_TAG(template, Parallel_tag)
 
 } // namespace internal
 } // namespace L0_resampling

@@ -18,6 +18,7 @@ namespace internal {
 
 CGAL_L0_COMPILED_TEMPLATES(template, Sequential_tag, float)
 CGAL_L0_COMPILED_TEMPLATES(template, Sequential_tag, double)
+CGAL_L0_COMPILED_TEMPLATES_OF_TAG(template, Sequential_tag)
 
 } // namespace internal
 } // namespace L0_resampling

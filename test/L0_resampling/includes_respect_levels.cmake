@@ -52,14 +52,15 @@ set(level_2   # stages and solvers
 set(level_3   # Algorithm 1, and the whole
   internal/side_hints.h internal/prepare_points.h internal/choose_samples.h
   internal/expected_memory.h
-  internal/Minimization_step.h internal/Cpu_backend.h internal/run.h internal/resample.h)
+  internal/Minimization_step.h internal/Cpu_points.h internal/Cpu_backend.h internal/run.h internal/resample.h
+  internal/orient_point_set.h)
 set(level_4   # what users include, and how it reads what they pass
   named_parameters_interface.h named_parameters.h internal/checked_parameters.h
   internal/output_iterators.h internal/checked_types.h
   internal/points_of_range.h internal/compiled_templates.h internal/Point_data.h
   internal/resample_on_cpu.h
   internal/carry_properties.h CUDA_resampler.h
-  ../l0_resample_point_set.h)
+  ../l0_resample_point_set.h ../l0_orient_normals.h)
 
 set(kernel_free_headers CGAL/tags.h CGAL/assertions.h)   # all that levels 0 to 3 may have of CGAL
 

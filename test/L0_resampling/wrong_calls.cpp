@@ -40,13 +40,13 @@ void resample(const Range& range, OutputIterator out,
 void wrong_ranges_and_kernels()
 {
   std::vector<Pair> result;
-  // refused: l0_resample_point_set() needs a point_map with values of type Point_3
+  // refused: point_map needs values of type Point_3; without it
   resample(std::vector<Pair>(), std::back_inserter(result));
-  // refused: l0_resample_point_set() needs a point_map with values of type Point_3
+  // refused: point_map needs values of type Point_3; without it
   resample(std::vector<std::array<double, 3>>(), std::back_inserter(result));
-  // refused: l0_resample_point_set() needs a point_map with values of type Point_3
+  // refused: point_map needs values of type Point_3; without it
   resample(std::vector<Pair>(), std::back_inserter(result), parameters::point_map(Second()));
-  // refused: l0_resample_point_set() needs a point_map with values of type Point_3
+  // refused: point_map needs values of type Point_3; without it
   resample(std::vector<Pair>(), std::back_inserter(result),
            parameters::point_map([](const Pair& pair) { return pair.first; }));
 

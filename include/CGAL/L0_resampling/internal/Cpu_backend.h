@@ -10,13 +10,12 @@
 #include <CGAL/L0_resampling/internal/Any_solver.h>
 #include <CGAL/L0_resampling/internal/Minimization_step.h>
 #include <CGAL/L0_resampling/internal/Plan.h>
+#include <CGAL/L0_resampling/internal/Cpu_points.h>
 #include <CGAL/L0_resampling/internal/choose_samples.h>
 #include <CGAL/L0_resampling/internal/collapse_fit_term.h>
 #include <CGAL/L0_resampling/internal/density_weights.h>
 #include <CGAL/L0_resampling/internal/estimate_feature_confidences.h>
 #include <CGAL/L0_resampling/internal/estimate_pca_normals.h>
-#include <CGAL/L0_resampling/internal/estimate_scale_field.h>
-#include <CGAL/L0_resampling/internal/estimate_scales.h>
 #include <CGAL/L0_resampling/internal/expected_memory.h>
 #include <CGAL/L0_resampling/internal/extents.h>
 #include <CGAL/L0_resampling/internal/filter_normals.h>
@@ -29,7 +28,6 @@
 #include <CGAL/L0_resampling/internal/share_of_extent.h>
 #include <CGAL/L0_resampling/internal/side_hints.h>
 #include <CGAL/L0_resampling/internal/tangential_repulsion.h>
-#include <CGAL/L0_resampling/internal/working_frame.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -58,16 +56,18 @@ struct Oriented_points
 /// in `run.h`.
 /// \tparam FT the number type of the solver
 template <typename ConcurrencyTag, typename FT>
-class Cpu_backend
+class Cpu_backend : public Cpu_points<ConcurrencyTag>
 {
+  using Base = Cpu_points<ConcurrencyTag>;
+  using Base::m_frame;
+  using Base::m_input;
+  using Base::m_progress;
+  using Base::m_report;
+
   const Parameters& m_parameters;
   Any_solver<FT>& m_solver;
-  Progress& m_progress;
-  Report& m_report;
 
-  Working_frame m_frame;
   Vector m_input_extent = Vector::Zero();
-  Prepared_points m_input;
   Buffer<Local_vector>&m_given_normals, &m_hints; // of the points; none if none are given
   Areas m_areas;                                  // of the points, for the first samples
 
@@ -82,6 +82,8 @@ class Cpu_backend
   Buffer<float> m_feature_confidences, m_side_confidences;
 
 public:
+  using Base::number_of_points;
+
   static constexpr bool finds_feature_confidences = true, foresees_memory = true;
   static constexpr bool may_need_explicit_rows = std::is_same<FT, double>::value; // `Any_solver`
 
@@ -93,8 +95,8 @@ public:
   Cpu_backend(Buffer<Vector>& points, Buffer<Local_vector>& given_normals,
               Buffer<Local_vector>& hints, const Parameters& parameters, Any_solver<FT>& solver,
               Progress& progress, Report& report)
-    : m_parameters(parameters), m_solver(solver), m_progress(progress), m_report(report),
-      m_input(points), m_given_normals(given_normals),
+    : Base(points, progress, report), m_parameters(parameters), m_solver(solver),
+      m_given_normals(given_normals),
       m_hints(hints), m_areas{Buffer<std::uint64_t>(points.get_allocator()), 0},
       m_samples(points.get_allocator()), m_followers(points.get_allocator()), m_fit_rows(no_rows()),
       m_neighbors(no_neighbors()), m_places(points.get_allocator()),
@@ -112,49 +114,10 @@ public:
             std::move(m_samples.scales)};
   }
 
-  void begin_stage(const std::string& name, double share, std::size_t number_of_steps)
-  {
-    m_progress.begin_stage(name, share, number_of_steps);
-  }
-
   /// The loops of the stages count their steps, and ask the caller, by themselves.
   void end_turn(std::size_t, std::size_t) { m_progress.look(); }
 
-  Report& report() { return m_report; }
-  const Working_frame& frame() const { return m_frame; }
-  std::size_t number_of_points() const { return m_input.points.size(); }
   std::size_t number_of_samples() const { return m_samples.positions.size(); }
-
-  // The plan
-
-  /// Facts of the points in a frame that they enter.
-  Facts find_facts()
-  {
-    const Buffer<Vector>& points = m_input.points;
-    m_frame.enter<ConcurrencyTag>(m_input.points);
-    return {points.size(), box_diagonal(points), robust_diagonal<ConcurrencyTag>(points),
-            m_frame.exponent()};
-  }
-
-  /// \param paper_radius the unit of the scales
-  Scales estimate_scales(double paper_radius)
-  {
-    const Scales scales =
-      internal::estimate_scales<ConcurrencyTag, Local>(m_input.points, paper_radius, m_progress);
-    m_report.estimated_spacing = m_frame.length_of_input(scales.spacing * paper_radius);
-    m_report.estimated_noise = m_frame.length_of_input(scales.noise * paper_radius);
-    return scales;
-  }
-
-  Range_of_scales estimate_scale_field(double robust_diagonal, const Usual_scales& usual)
-  {
-    const Scale_field field = internal::estimate_scale_field<ConcurrencyTag>(
-      m_input.points, robust_diagonal, usual, m_progress);
-    m_input.scales = field.of_points<ConcurrencyTag>(m_input.points);
-    return range_of(m_input.scales);
-  }
-
-  void set_unit(double unit) { m_frame.set_unit<ConcurrencyTag>(unit, m_input.points); }
 
   void begin(const Plan&) { m_input_extent = trimmed_extent<ConcurrencyTag>(m_input.points); }
 
@@ -366,7 +329,8 @@ public:
   {
     Orientation orientation = internal::orient_normals<ConcurrencyTag>(
       m_samples.positions, plan.number_of_orientation_neighbors, plan.sample_spacing,
-      side_hints(m_parameters, m_frame, m_samples), m_progress, m_samples.normals);
+      side_hints(m_parameters, m_frame, m_samples.positions, m_samples.hints), m_progress,
+      m_samples.normals);
     m_report.oriented_share = orientation.oriented_share;
     m_report.right_side_share = orientation.right_side_share();
     if (m_parameters.with_side_confidences)

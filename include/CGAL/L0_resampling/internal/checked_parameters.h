@@ -26,15 +26,21 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// \throws std::invalid_argument that names the parameter and its value, unless `is_good`
+/// What messages say of whom the parameters are.
+constexpr const char* resampling_function = "l0_resample_point_set";
+constexpr const char* orienting_function = "l0_orient_normals";
+
+/// \throws std::invalid_argument that names the function, the parameter and its value, unless
+/// `is_good`
 template <typename T>
-void check_parameter(bool is_good, const char* name, const T& value, const char* expected)
+void check_parameter(bool is_good, const char* name, const T& value, const char* expected,
+                     const char* function = resampling_function)
 {
   if (is_good)
     return;
   std::ostringstream message;
   message.precision(17);
-  message << "l0_resample_point_set: " << name << " is " << value << ", expected " << expected;
+  message << function << ": " << name << " is " << value << ", expected " << expected;
   throw std::invalid_argument(message.str());
 }
 
@@ -84,12 +90,13 @@ void read_parameter(const NamedParameters& np, Tag tag, T& target)
 
 /// A count, which callers may pass as any number type; `target` stays as it is if they do not.
 template <typename NamedParameters, typename Tag>
-void read_count(const NamedParameters& np, Tag tag, const char* name, std::size_t& target)
+void read_count(const NamedParameters& np, Tag tag, const char* name, std::size_t& target,
+                const char* function = resampling_function)
 {
   if_given(np, tag, [&](const auto& value) {
     check_parameter(!(value < 0)
                       && double(value) <= double((std::numeric_limits<std::size_t>::max)() / 2),
-                    name, value, "a count that is not negative");
+                    name, value, "a count that is not negative", function);
     target = std::size_t(value);
   });
 }
@@ -100,7 +107,7 @@ struct Given_sides
   bool viewpoint, up_direction, viewpoint_map, orientation_hint_map;
 
   /// \throws std::invalid_argument for two of them
-  void check_at_most_one() const
+  void check_at_most_one(const char* function = resampling_function) const
   {
     const std::pair<const char*, bool> sides[] = {{"viewpoint", viewpoint},
                                                   {"up_direction", up_direction},
@@ -112,7 +119,8 @@ struct Given_sides
       if (!is_given)
         continue;
       if (first)
-        check_parameter(false, first, "given", ("no " + std::string(name) + " beside it").c_str());
+        check_parameter(false, first, "given", ("no " + std::string(name) + " beside it").c_str(),
+                        function);
       first = name;
     }
   }
@@ -128,10 +136,10 @@ Given_sides given_sides(const NamedParameters& np)
 
 /// Reads what all points were seen from.
 template <typename NamedParameters>
-void read_viewpoint(const NamedParameters& np, Parameters& p)
+void read_viewpoint(const NamedParameters& np, const char* function, Parameters& p)
 {
   const Given_sides sides = given_sides(np);
-  sides.check_at_most_one();
+  sides.check_at_most_one(function);
   p.hints_are_viewpoints = sides.viewpoint_map;
   const auto read = [&](const char* name, const auto& coordinates) {
     p.has_viewpoint = true;
@@ -139,7 +147,7 @@ void read_viewpoint(const NamedParameters& np, Parameters& p)
     {
       p.viewpoint.coordinates[axis] = double(coordinates[axis]);
       check_parameter(std::isfinite(p.viewpoint.coordinates[axis]), name,
-                      p.viewpoint.coordinates[axis], "three finite coordinates");
+                      p.viewpoint.coordinates[axis], "three finite coordinates", function);
     }
   };
   if_given(np, internal_np::viewpoint, [&](const auto& place) { read("viewpoint", place); });
@@ -148,11 +156,33 @@ void read_viewpoint(const NamedParameters& np, Parameters& p)
     p.viewpoint.weight = 0;
     double(&up)[3] = p.viewpoint.coordinates;
     const double largest = (std::max)({std::abs(up[0]), std::abs(up[1]), std::abs(up[2])});
-    check_parameter(largest > 0, "up_direction", "0, 0, 0", "a direction");
+    check_parameter(largest > 0, "up_direction", "0, 0, 0", "a direction", function);
     const double length = std::hypot(up[0] / largest, up[1] / largest, up[2] / largest);
     for (double& coordinate : up)
       coordinate = coordinate / largest / length;
   });
+}
+
+/// Reads the radius of a neighborhood.
+template <typename NamedParameters>
+void read_neighbor_radius(const NamedParameters& np, const char* function, Parameters& p)
+{
+  const bool is_there = is_given(np, internal_np::neighbor_radius);
+  read_parameter(np, internal_np::neighbor_radius, p.neighbor_radius);
+  check_parameter(!is_there || (std::isfinite(p.neighbor_radius) && p.neighbor_radius > 0),
+                  "neighbor_radius", p.neighbor_radius, "a finite length above 0", function);
+}
+
+/// Reads what says how normals get their side.
+template <typename NamedParameters>
+void read_orientation(const NamedParameters& np, const char* function, Parameters& p)
+{
+  read_viewpoint(np, function, p);
+  read_count(np, internal_np::number_of_orientation_neighbors, "number_of_orientation_neighbors",
+             p.number_of_orientation_neighbors, function);
+  check_parameter(
+    p.number_of_orientation_neighbors >= 3 && p.number_of_orientation_neighbors <= 1000,
+    "number_of_orientation_neighbors", p.number_of_orientation_neighbors, "3 to 1000", function);
 }
 
 /// Reads and checks everything that does not depend on the types of the points.
@@ -168,10 +198,7 @@ Parameters checked_parameters(const NamedParameters& np, std::size_t n)
   read_parameter(np, internal_np::resampling_method, p.method);
   check_parameter(is_method(p.method), "resampling_method", int(p.method), "a Method");
 
-  const bool has_radius = is_given(np, internal_np::neighbor_radius);
-  read_parameter(np, internal_np::neighbor_radius, p.neighbor_radius);
-  check_parameter(!has_radius || is_positive(p.neighbor_radius), "neighbor_radius",
-                  p.neighbor_radius, "a finite length above 0");
+  read_neighbor_radius(np, resampling_function, p);
   const bool has_filter_radius = is_given(np, internal_np::normal_filter_radius);
   read_parameter(np, internal_np::normal_filter_radius, p.normal_filter_radius);
   check_parameter(!has_filter_radius || is_positive(p.normal_filter_radius), "normal_filter_radius",
@@ -213,16 +240,10 @@ Parameters checked_parameters(const NamedParameters& np, std::size_t n)
   read_parameter(np, internal_np::drop_outliers, p.drop_outliers);
 
   read_parameter(np, internal_np::keep_density, p.keep_density);
-  read_viewpoint(np, p);
+  read_orientation(np, resampling_function, p);
   p.with_feature_confidences = is_given(np, internal_np::feature_confidence_map);
   p.with_side_confidences = is_given(np, internal_np::side_confidence_map);
   p.with_neighbor_radii = is_given(np, internal_np::neighbor_radius_map);
-
-  read_count(np, internal_np::number_of_orientation_neighbors, "number_of_orientation_neighbors",
-             p.number_of_orientation_neighbors);
-  check_parameter(
-    p.number_of_orientation_neighbors >= 3 && p.number_of_orientation_neighbors <= 1000,
-    "number_of_orientation_neighbors", p.number_of_orientation_neighbors, "3 to 1000");
 
   read_parameter(np, internal_np::random_seed, p.random_seed);
   read_parameter(np, internal_np::maximum_memory, p.maximum_memory);
@@ -241,6 +262,22 @@ Parameters checked_parameters(const NamedParameters& np, std::size_t n)
                   "number_of_output_points", p.number_of_output_points, "fewer than 2^32 - 1");
   if (n == 0)
     p.number_of_output_points = 0;
+  return p;
+}
+
+/// The same for `l0_orient_normals()`, which has as many points out as in.
+/// \param n number of points that are used
+/// \throws std::invalid_argument
+template <typename NamedParameters>
+Parameters checked_orientation_parameters(const NamedParameters& np, std::size_t n)
+{
+  Parameters p;
+  read_neighbor_radius(np, orienting_function, p);
+  read_orientation(np, orienting_function, p);
+  read_parameter(np, internal_np::maximum_memory, p.maximum_memory);
+  check_parameter(n < (std::numeric_limits<Index>::max)(), "the number of points", n,
+                  "fewer than 2^32 - 1", orienting_function);
+  p.number_of_output_points = n;
   return p;
 }
 

@@ -92,15 +92,14 @@ template <typename Kernel, typename PointMap>
 constexpr bool points_fit()
 {
   constexpr bool has_points = has_values<PointMap, Is_point>;
-  static_assert(has_points,
-                "l0_resample_point_set() needs a point_map with values of type Point_3; "
-                "without it, the elements of the range have to be points.");
+  static_assert(has_points, "point_map needs values of type Point_3; "
+                            "without it, the elements of the range have to be points.");
   if constexpr (has_points)
   {
     constexpr bool is_floating_point = std::is_floating_point<typename Kernel::FT>::value;
     static_assert(
       is_floating_point,
-      "l0_resample_point_set() computes in floating point: convert the points to a kernel such as "
+      "This package computes in floating point: convert the points to a kernel such as "
       "Exact_predicates_inexact_constructions_kernel or Simple_cartesian<double> first.");
     return is_floating_point;
   }
@@ -125,11 +124,29 @@ constexpr bool input_fits()
   return points_fit<Kernel, PointMap>() && has_normals && has_viewpoints && has_hints;
 }
 
+/// Refuses parameters for what is said of the call whose types do not fit.
+template <typename NamedParameters>
+constexpr bool call_fits()
+{
+  using internal_np::Param_not_found;
+  using Callback = Given<NamedParameters, internal_np::callback_t>;
+  constexpr bool has_callback =
+    std::is_same<Callback, Param_not_found>::value
+    || std::is_constructible<std::function<bool(double)>, Callback>::value;
+  static_assert(has_callback,
+                "callback has to be a function that takes the progress, a double, and "
+                "returns a bool: whether to go on.");
+  using Report_pointer = Given<NamedParameters, internal_np::resampling_report_t>;
+  constexpr bool has_report = std::is_same<Report_pointer, Param_not_found>::value
+                              || std::is_convertible<Report_pointer, Report*>::value;
+  static_assert(has_report, "resampling_report has to be the address of a Report.");
+  return has_callback && has_report;
+}
+
 /// Refuses parameters for the result, and for what is said of the call, whose types do not fit.
 template <typename NamedParameters>
 constexpr bool output_fits()
 {
-  using internal_np::Param_not_found;
   constexpr bool has_indices =
     has_values<Given<NamedParameters, internal_np::source_index_map_t>, std::is_integral>;
   static_assert(has_indices, "source_index_map needs values of an integral type.");
@@ -143,19 +160,7 @@ constexpr bool output_fits()
   constexpr bool has_radii =
     has_values<Given<NamedParameters, internal_np::neighbor_radius_map_t>, std::is_floating_point>;
   static_assert(has_radii, "neighbor_radius_map needs values of a floating-point type.");
-
-  using Callback = Given<NamedParameters, internal_np::callback_t>;
-  constexpr bool has_callback =
-    std::is_same<Callback, Param_not_found>::value
-    || std::is_constructible<std::function<bool(double)>, Callback>::value;
-  static_assert(has_callback,
-                "callback has to be a function that takes the progress, a double, and "
-                "returns a bool: whether to go on.");
-  using Report_pointer = Given<NamedParameters, internal_np::resampling_report_t>;
-  constexpr bool has_report = std::is_same<Report_pointer, Param_not_found>::value
-                              || std::is_convertible<Report_pointer, Report*>::value;
-  static_assert(has_report, "resampling_report has to be the address of a Report.");
-  return has_indices && has_confidences && has_sides && has_radii && has_callback && has_report;
+  return has_indices && has_confidences && has_sides && has_radii && call_fits<NamedParameters>();
 }
 
 /// Refuses output iterators that take neither pairs nor points.

@@ -11,6 +11,7 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_COMPILED_TEMPLATES_H
 
 #include <CGAL/L0_resampling/internal/nearest_input_points.h>
+#include <CGAL/L0_resampling/internal/orient_point_set.h>
 #include <CGAL/L0_resampling/internal/points_of_range.h>
 #include <CGAL/L0_resampling/internal/resample.h>
 
@@ -29,6 +30,12 @@
   declaration void nearest_input_points<Tag, FT>(                                                  \
     const Point_tree_3&, const Buffer<std::array<FT, 3>>&, Progress&, Near_points&);
 
+/// Those for a concurrency tag alone.
+#define CGAL_L0_COMPILED_TEMPLATES_OF_TAG(declaration, Tag)                                        \
+  declaration Oriented_representatives orient_point_set<Tag>(                                      \
+    Buffer<Vector>&, Buffer<Local_vector>&, Buffer<Local_vector>&, const Parameters&, Progress&,   \
+    Report&);
+
 #ifdef CGAL_L0_LINKED_WITH_COMPILED
 
 namespace CGAL {
@@ -37,9 +44,11 @@ namespace internal {
 
 CGAL_L0_COMPILED_TEMPLATES(extern template, Sequential_tag, float)
 CGAL_L0_COMPILED_TEMPLATES(extern template, Sequential_tag, double)
+CGAL_L0_COMPILED_TEMPLATES_OF_TAG(extern template, Sequential_tag)
 #ifdef CGAL_LINKED_WITH_TBB
 CGAL_L0_COMPILED_TEMPLATES(extern template, Parallel_tag, float)
 CGAL_L0_COMPILED_TEMPLATES(extern template, Parallel_tag, double)
+CGAL_L0_COMPILED_TEMPLATES_OF_TAG(extern template, Parallel_tag)
 #endif
 
 } // namespace internal

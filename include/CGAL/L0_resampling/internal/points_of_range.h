@@ -85,9 +85,10 @@ struct Input
 };
 
 /// \throws std::invalid_argument for a point of the caller that is not finite
-[[noreturn]] inline void refuse_non_finite_point(std::size_t index, const Vector& point)
+[[noreturn]] inline void refuse_non_finite_point(std::size_t index, const Vector& point,
+                                                 const char* function = resampling_function)
 {
-  throw std::invalid_argument("l0_resample_point_set: point " + std::to_string(index)
+  throw std::invalid_argument(std::string(function) + ": point " + std::to_string(index)
                               + " has a coordinate that is not finite (" + std::to_string(point[0])
                               + ", " + std::to_string(point[1]) + ", " + std::to_string(point[2])
                               + "); drop_non_finite(true) leaves such points out");
@@ -97,7 +98,7 @@ struct Input
 /// \throws std::invalid_argument for the first non-finite point if they are not
 template <typename PointRange, typename PointMap>
 void read_points(const PointRange& range, PointMap point_map, bool drop_non_finite, Report& report,
-                 Input& input)
+                 Input& input, const char* function = resampling_function)
 {
   const std::size_t many_points =
     1000000; // a buffer of more that grows is copied for longer than the callback can wait
@@ -116,7 +117,7 @@ void read_points(const PointRange& range, PointMap point_map, bool drop_non_fini
     const Vector point = as_vector(get(point_map, *it));
     const bool is_finite = point.allFinite();
     if (!is_finite && !drop_non_finite)
-      refuse_non_finite_point(index, point);
+      refuse_non_finite_point(index, point, function);
     input.is_kept.push_back(is_finite);
     if (!is_finite)
     {

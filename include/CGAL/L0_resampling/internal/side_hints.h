@@ -7,7 +7,6 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_SIDE_HINTS_H
 
 #include <CGAL/L0_resampling/internal/Parameters.h>
-#include <CGAL/L0_resampling/internal/Samples.h>
 #include <CGAL/L0_resampling/internal/orient_normals.h>
 #include <CGAL/L0_resampling/internal/working_frame.h>
 
@@ -16,15 +15,18 @@ namespace L0_resampling {
 namespace internal {
 
 /// What the caller says of the sides of the samples, where they are when it is asked for.
-template <typename FT>
+/// \param positions, hints of the samples, in the frame; no hints, or one each. Both outlive the
+/// result.
+template <typename T>
 Side_hints side_hints(const Parameters& parameters, const Working_frame& frame,
-                      const Samples<FT>& samples)
+                      const Buffer<Vector>& positions,
+                      const Buffer<Eigen::Matrix<T, 3, 1>>& hints_of_samples)
 {
   Side_hints hints;
   hints.are_viewpoints = parameters.has_viewpoint || parameters.hints_are_viewpoints;
-  if (!samples.hints.empty())
+  if (!hints_of_samples.empty())
     hints.direction_of = [&](Index i) -> Vector {
-      return samples.hints[i].template cast<double>();
+      return hints_of_samples[i].template cast<double>();
     };
   else if (parameters.has_viewpoint)
   {
@@ -32,9 +34,9 @@ Side_hints side_hints(const Parameters& parameters, const Working_frame& frame,
     Eigen::Map<Vector> place(viewpoint.coordinates);
     if (viewpoint.weight > 0)
       place = frame.point_in_frame(place);
-    hints.direction_of = [&samples, viewpoint](Index i) -> Vector {
+    hints.direction_of = [&positions, viewpoint](Index i) -> Vector {
       double direction[3];
-      viewpoint.find_direction(samples.positions[i].data(), direction);
+      viewpoint.find_direction(positions[i].data(), direction);
       return Eigen::Map<Vector>(direction);
     };
   }

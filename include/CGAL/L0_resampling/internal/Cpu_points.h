@@ -1,0 +1,84 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_CPU_POINTS_H
+#define CGAL_L0_RESAMPLING_INTERNAL_CPU_POINTS_H
+
+#include <CGAL/L0_resampling/Report.h>
+#include <CGAL/L0_resampling/internal/Plan.h>
+#include <CGAL/L0_resampling/internal/estimate_scale_field.h>
+#include <CGAL/L0_resampling/internal/estimate_scales.h>
+#include <CGAL/L0_resampling/internal/extents.h>
+#include <CGAL/L0_resampling/internal/prepare_points.h>
+#include <CGAL/L0_resampling/internal/working_frame.h>
+
+#include <cstddef>
+#include <string>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/// The points of a call on the CPU, and what `plan_call()` asks of them.
+template <typename ConcurrencyTag>
+class Cpu_points
+{
+protected:
+  Progress& m_progress;
+  Report& m_report;
+  Working_frame m_frame;
+  Prepared_points m_input;
+
+public:
+  /// \param points finite, at least one; used up
+  Cpu_points(Buffer<Vector>& points, Progress& progress, Report& report)
+    : m_progress(progress), m_report(report), m_input(points)
+  {}
+
+  void begin_stage(const std::string& name, double share, std::size_t number_of_steps)
+  {
+    m_progress.begin_stage(name, share, number_of_steps);
+  }
+
+  Report& report() { return m_report; }
+  const Working_frame& frame() const { return m_frame; }
+  std::size_t number_of_points() const { return m_input.points.size(); }
+  Buffer<float>& scales() { return m_input.scales; } ///< of the points; none if all are 1
+
+  /// Facts of the points in a frame that they enter.
+  Facts find_facts()
+  {
+    const Buffer<Vector>& points = m_input.points;
+    m_frame.enter<ConcurrencyTag>(m_input.points);
+    return {points.size(), box_diagonal(points), robust_diagonal<ConcurrencyTag>(points),
+            m_frame.exponent()};
+  }
+
+  /// \param paper_radius the unit of the scales
+  Scales estimate_scales(double paper_radius)
+  {
+    const Scales scales =
+      internal::estimate_scales<ConcurrencyTag, Local>(m_input.points, paper_radius, m_progress);
+    m_report.estimated_spacing = m_frame.length_of_input(scales.spacing * paper_radius);
+    m_report.estimated_noise = m_frame.length_of_input(scales.noise * paper_radius);
+    return scales;
+  }
+
+  Range_of_scales estimate_scale_field(double robust_diagonal, const Usual_scales& usual)
+  {
+    const Scale_field field = internal::estimate_scale_field<ConcurrencyTag>(
+      m_input.points, robust_diagonal, usual, m_progress);
+    m_input.scales = field.of_points<ConcurrencyTag>(m_input.points);
+    return range_of(m_input.scales);
+  }
+
+  void set_unit(double unit) { m_frame.set_unit<ConcurrencyTag>(unit, m_input.points); }
+};
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_CPU_POINTS_H
