@@ -76,6 +76,7 @@ struct Options
   std::string snapshot;                      ///< empty for none
   std::optional<std::array<double, 3>> view; ///< from the points towards the eye
   bool convert_only = false;
+  bool orient_only = false; ///< keep points and properties, and give normals their side
   bool info = false;    ///< say what the input is, and write nothing
   bool dry_run = false; ///< read and check, and write nothing
   bool quiet = false;
