@@ -342,6 +342,8 @@ void add_other_tasks(CLI::App& app, Arguments& arguments)
                "read INPUT, check all that can be, and write nothing");
   app.add_flag("--convert-only", arguments.options.convert_only,
                "write the points of INPUT as they are, in the format of OUTPUT");
+  app.add_flag("--orient-only", arguments.options.orient_only,
+               "the same, but turn normals to their side; estimate missing ones");
   app
     .add_option("--config", arguments.config,
                 "read lines option = value; the command line goes before them")
@@ -396,6 +398,10 @@ void add_options(CLI::App& app, Arguments& arguments)
   }
   exclude_others(app, "convert-only",
                  {"output", "output-directory", "output-format", "force", "dry-run"});
+  exclude_others(app, "orient-only",
+                 {"output", "output-directory", "output-format", "force", "dry-run", "json",
+                  "neighbor-radius", "orient-by-normals", "viewpoint", "viewpoints",
+                  "view-property", "up"});
   exclude_others(app, "info",
                  {"points", "percentage", "method", "neighbor-radius", "keep-outliers"});
 }

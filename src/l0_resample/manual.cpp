@@ -83,7 +83,13 @@ found. A batch makes no folder.)"},
    {"CONVERSIONS",
     R"(--convert-only keeps the points as they are: PLY, PCD (binary) and LAS get all that INPUT
 tells of each, OFF normals and colors, XYZ and NPY normals; warnings say what else INPUT had. LAS
-rounds coordinates, but for those of another LAS. It takes no option on resampling.)"},
+rounds coordinates, but for those of another LAS. It takes no option on resampling.
+
+--orient-only writes the same, with normals. Those of INPUT change at most their sign; where one is
+zero or not finite, or INPUT has none, it is estimated. They point outwards, or as the options on
+viewpoints, --up and --orient-by-normals say. Points are neither moved nor reordered. Of the
+options on the method it takes --neighbor-radius, for estimated normals; it runs on the
+processor.)"},
    {"BATCHES",
     R"(With --output-directory all FILES, and those of folders, are resampled. Results go there,
 under the same names; those of formats that are not written are PLY. Standard output gets one line

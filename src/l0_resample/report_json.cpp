@@ -133,7 +133,9 @@ std::string summary_line(const Options& options, const Run_record& record)
           + (options.dry_run ? " would be written to " + options.output + ", " : " out, ");
   if (options.convert_only)
     return line + "converted\n";
-  line += "method " + name_of(options.method) + ", ";
+  if (options.orient_only && options.dry_run)
+    return line + "oriented\n";
+  line += options.orient_only ? "oriented, " : "method " + name_of(options.method) + ", ";
   if (options.dry_run) {
     std::snprintf(numbers, sizeof numbers, "neighbor radius %.6g\n", report.neighbor_radius);
     return line + numbers;

@@ -11,6 +11,7 @@
 #include "check_output.h"
 #include "convert.h"
 #include "describe.h"
+#include "orient.h"
 #include "parse_numbers.h"
 #include "read_input.h"
 #include "render_snapshot.h"
@@ -26,6 +27,7 @@
 #include <chrono>
 #include <cstdio>
 #include <exception>
+#include <functional>
 #include <iostream>
 #include <new>
 #include <sstream>
@@ -46,7 +48,7 @@ public:
 Point_cloud read_input(const Options& options, Progress_bar& progress, Run_record& record)
 {
   const Stopwatch stopwatch;
-  const bool with_normals = options.use_normals || options.orient_by_normals
+  const bool with_normals = options.use_normals || options.orient_by_normals || options.orient_only
                             || !options.snapshot.empty();
   Point_cloud cloud = read_input(
     options, with_normals, [&](double share) { progress.update("read", share); }, record);
@@ -54,20 +56,29 @@ Point_cloud read_input(const Options& options, Progress_bar& progress, Run_recor
   return cloud;
 }
 
-Resampled_points resample_input(const Point_cloud& cloud, const Sides& sides,
-                                const Options& options, Progress_bar& progress, Run_record& record)
+/// Calls `work` with a callback that moves the progress bar and ends it after a signal.
+template <typename Work>
+void watch(const Point_cloud& cloud, Progress_bar& progress, Run_record& record, const Work& work)
 {
   const Stopwatch stopwatch;
   progress.restart();
-  const auto callback = [&](double share) {
+  work([&](double share) {
     progress.update(record.report.stages.empty() ? "" : record.report.stages.back().name, share);
     return !is_interrupted();
-  };
-  Resampled_points result = resample(cloud, sides, options, callback, record.report);
+  });
   throw_if_interrupted();
   record.report.number_of_dropped_points =
     cloud.number_of_dropped_points; // the reader drops them, not the library
   record.seconds_to_resample = stopwatch.seconds();
+}
+
+Resampled_points resample_input(const Point_cloud& cloud, const Sides& sides,
+                                const Options& options, Progress_bar& progress, Run_record& record)
+{
+  Resampled_points result;
+  watch(cloud, progress, record, [&](const std::function<bool(double)>& callback) {
+    result = resample(cloud, sides, options, callback, record.report);
+  });
   return result;
 }
 
@@ -106,6 +117,14 @@ void note_weight_without_effect(const Options& options, Run_record& record)
                 ": --normal-weight %g acts as %.3g does, the largest one that the",
                 *options.normal_weight, limit);
   record.notes.push_back(options.input + text + " default method has a use for here");
+}
+
+void warn_of_left_out(const Options& options, const std::vector<std::string>& properties,
+                      Run_record& record)
+{
+  for (const std::string& property : properties)
+    record.warnings.push_back(options.output + ": the format has no place for the property "
+                              + printable(property));
 }
 
 void resample_file(const Options& options, Run_record& record)
@@ -148,13 +167,41 @@ void resample_file(const Options& options, Run_record& record)
   const std::vector<std::string> left_out = write_points(options.output, options.output_format,
                                                          result, options.existing_file());
   record.seconds_to_write = stopwatch.seconds();
-  for (const std::string& property : left_out)
-    record.warnings.push_back(options.output + ": the format has no place for the property "
-                              + printable(property));
+  warn_of_left_out(options, left_out, record);
   if (!options.snapshot.empty())
     write_png(options.snapshot,
               render_snapshot(cloud, result.points, options.view, result.feature_confidences,
                               options.snapshot_colors));
+}
+
+void orient_file(const Options& options, Run_record& record)
+{
+  check_output(options, 0);
+  if (!options.json.empty() && !is_folder_missing(options, options.json))
+    check_writable(options.json, 0);
+  const std::vector<Point> viewpoints = options.viewpoints.empty()
+                                          ? std::vector<Point>()
+                                          : read_viewpoints(options.viewpoints);
+  Progress_bar progress(options.quiet);
+  Point_cloud cloud = read_input(options, progress, record);
+  check_output(options, largest_file_size(options.output_format, cloud.points.size(),
+                                          cloud.properties, cloud.las));
+  const Sides sides = find_sides(cloud, viewpoints, options, record);
+  if (options.dry_run) {
+    record.report.number_of_input_points = cloud.points.size();
+    record.report.number_of_dropped_points = cloud.number_of_dropped_points;
+    record.report.number_of_output_points = cloud.points.size();
+    return;
+  }
+  watch(cloud, progress, record, [&](const std::function<bool(double)>& callback) {
+    orient(sides, options, callback, cloud, record.report);
+  });
+  const Stopwatch stopwatch;
+  warn_of_left_out(options,
+                   write_point_cloud(options.output, options.output_format, cloud,
+                                     options.existing_file()),
+                   record);
+  record.seconds_to_write = stopwatch.seconds();
 }
 
 void describe_file(const Options& options, Run_record& record)
@@ -201,6 +248,8 @@ Run_record run(const Options& options)
       throw Failure(INPUT_REFUSED, options.refusal);
     if (options.info)
       return describe_file(options, record);
+    if (options.orient_only)
+      return orient_file(options, record);
     if (!options.convert_only)
       return resample_file(options, record);
     Progress_bar progress(options.quiet);

@@ -50,6 +50,51 @@ check "a batch of conversions" test "$status" -eq 3 \
   -a "$(number_of_points batch/converted/a.ply)" -eq 9600 \
   -a "$(ls batch/converted)" = "$(printf 'a.ply\nb.ply\nd.ply')"
 
+# Normals get their side, and nothing else changes
+awk '{ a = $1; b = $2; c = $3; for (k = 1; k <= 3; ++k) n[k] = 0
+  m = a * a > b * b ? 1 : 2; if (c * c > $m * $m) m = 3
+  n[m] = ($m > 0 ? 1 : -1) * (NR % 3 ? 2 : -2); print $0, n[1], n[2], n[3], NR }' cube.xyz > signs.csv
+sed -i '1i x,y,z,nx,ny,nz,time' signs.csv && sed -i 's/ /,/g' signs.csv
+run --orient-only signs.csv oriented.ply
+check "normals are oriented" test "$status" -eq 0
+check "the summary of an orientation" \
+  grep -qE '^signs.csv: 9600 points in, 9600 out, oriented, .* s, one sign propagated to ' stdout
+run --convert-only oriented.ply oriented.pcd
+run --convert-only signs.csv signs.pcd
+check "sizes and properties stay" cmp <(wc -c < oriented.pcd) <(wc -c < signs.pcd)
+run --convert-only oriented.ply oriented.xyz
+run --convert-only signs.csv signs.xyz
+share_outwards='{ outwards += $1 * $4 + $2 * $5 + $3 * $6 > 0 } END { print outwards / NR, NR }'
+check "points and their order stay, normals change their sign only" \
+  cmp <(awk '{ print $1, $2, $3, $4 ^ 2, $5 ^ 2, $6 ^ 2 }' oriented.xyz) \
+  <(awk '{ print $1, $2, $3, $4 ^ 2, $5 ^ 2, $6 ^ 2 }' signs.xyz)
+check "normals were of both signs" \
+  test "$(awk "$share_outwards" signs.xyz)" = "0.666667 9600"
+check "they point outwards" \
+  test "$(awk "$share_outwards" oriented.xyz | awk '{ print ($1 > 0.995), $2 }')" = "1 9600"
+run --orient-only cube.xyz estimated.xyz --viewpoint 0,0,0 --json orient.json
+check "normals are estimated, and face the viewpoint" \
+  test "$(awk "$share_outwards" estimated.xyz | awk '{ print ($1 < 0.005), $2 }')" = "1 9600"
+check "the report of an orientation" grep -q '"hinted_share": 1.0' orient.json
+run --orient-only signs.csv turned.xyz --orient-by-normals --neighbor-radius 0.1 --threads 1
+check "the side of most normals" test "$status" -eq 0
+run_plainly --orient-only cube.xyz nothing.ply --dry-run
+check "a dry orientation" test "$(cat stdout)" = \
+  "cube.xyz: 9600 points in, 9600 would be written to nothing.ply, oriented" -a ! -e nothing.ply
+check_failure 3 "has no normals" --orient-only cube.xyz old.ply --orient-by-normals
+check_failure 3 "line 9601" --orient-only bad.xyz old.ply
+check_failure 1 "--max-memory" --orient-only cube.xyz old.ply --max-memory 1mb
+check_failure 4 "no/out.ply" --orient-only cube.xyz no/out.ply
+for option in "--points 5" "--percentage 5" "--method lor" --use-normals --convert-only \
+    --keep-outliers "--device cpu" "--snapshot x.png"; do
+  # shellcheck disable=SC2086
+  check_failure 2 "--orient-only" --orient-only cube.xyz old.ply $option
+done
+check "a refused orientation writes nothing" is_old old.ply
+run --orient-only scans --output-directory batch/oriented --output-format ply
+check "a batch of orientations" test "$status" -eq 3 \
+  -a "$(number_of_points batch/oriented/a.ply)" -eq 9600
+
 # What an input is
 fact() { sed -n "s/^$1: *//p" stdout; }
 run_plainly --info cube.xyz
