@@ -41,13 +41,13 @@ void resample(const Range& range, OutputIterator out,
 void wrong_ranges_and_kernels()
 {
   std::vector<Pair> result;
-  // refused: point_map needs values of type Point_3; without it
+  // refused: point_map needs values of type Point_3
   resample(std::vector<Pair>(), std::back_inserter(result));
-  // refused: point_map needs values of type Point_3; without it
+  // refused: point_map needs values of type Point_3
   resample(std::vector<std::array<double, 3>>(), std::back_inserter(result));
-  // refused: point_map needs values of type Point_3; without it
+  // refused: point_map needs values of type Point_3
   resample(std::vector<Pair>(), std::back_inserter(result), parameters::point_map(Second()));
-  // refused: point_map needs values of type Point_3; without it
+  // refused: point_map needs values of type Point_3
   resample(std::vector<Pair>(), std::back_inserter(result),
            parameters::point_map([](const Pair& pair) { return pair.first; }));
 
@@ -125,7 +125,7 @@ void wrong_orientations()
   // refused: l0_orient_normals() needs a normal_map, which it reads and writes.
   CGAL::l0_orient_normals<CGAL::Sequential_tag>(pairs, np);
   // refused: normal_map needs values of type Vector_3.
-  CGAL::l0_orient_normals<CGAL::Sequential_tag>(pairs, np.normal_map(First()));
+  CGAL::l0_orient_normals<CGAL::Sequential_tag>(pairs, np.neighbor_radius(1.).normal_map(First()));
   // refused: l0_orient_normals() runs on the CPU only, not with CUDA_tag.
   CGAL::l0_orient_normals<CGAL::CUDA_tag>(pairs, np.normal_map(Second()));
   // refused: resampling_report has to be the address of a Report.
