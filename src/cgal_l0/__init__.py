@@ -14,10 +14,18 @@
 from . import _core
 from ._core import DeviceArray
 from ._files import PointCloud, read_points, snapshot, write_points
+from ._orienting import l0_orient_normals
 from ._progress import progress_bar
 from ._resampling import Cancelled, ResamplingWarning, l0_resample_point_set
 from .reports import IterationReport, Report, SolverReport, StageReport
 
 # What help(cgal_l0) lists: the functions. They say where the classes come in.
-__all__ = ["l0_resample_point_set", "progress_bar", "read_points", "snapshot", "write_points"]
+__all__ = [
+    "l0_orient_normals",
+    "l0_resample_point_set",
+    "progress_bar",
+    "read_points",
+    "snapshot",
+    "write_points",
+]
 __version__ = _core.__version__

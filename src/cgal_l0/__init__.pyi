@@ -19,7 +19,14 @@ from .reports import SolverReport as SolverReport
 from .reports import StageReport as StageReport
 
 __version__: str
-__all__ = ["l0_resample_point_set", "progress_bar", "read_points", "snapshot", "write_points"]
+__all__ = [
+    "l0_orient_normals",
+    "l0_resample_point_set",
+    "progress_bar",
+    "read_points",
+    "snapshot",
+    "write_points",
+]
 
 class _OnDevice(Protocol):
     def __dlpack__(self, *, stream: Any = None) -> Any: ...
@@ -145,6 +152,40 @@ def l0_resample_point_set(
     neighbor_radii: bool = False,
     report: bool = False,
 ) -> tuple[Any, ...]: ...
+@overload
+def l0_orient_normals(
+    points: ArrayLike,
+    normals: ArrayLike | None = None,
+    *,
+    neighbor_radius: float | None = None,
+    viewpoint: Sequence[float] | None = None,
+    viewpoints: ArrayLike | None = None,
+    up_direction: Sequence[float] | None = None,
+    orientation_hints: ArrayLike | None = None,
+    number_of_orientation_neighbors: int = 12,
+    drop_non_finite: bool = False,
+    maximum_memory: int | None = None,
+    threads: int | None = None,
+    callback: Callable[[float], object] | None = None,
+    report: Literal[False] = False,
+) -> NDArray[Any]: ...
+@overload
+def l0_orient_normals(
+    points: ArrayLike,
+    normals: ArrayLike | None = None,
+    *,
+    neighbor_radius: float | None = None,
+    viewpoint: Sequence[float] | None = None,
+    viewpoints: ArrayLike | None = None,
+    up_direction: Sequence[float] | None = None,
+    orientation_hints: ArrayLike | None = None,
+    number_of_orientation_neighbors: int = 12,
+    drop_non_finite: bool = False,
+    maximum_memory: int | None = None,
+    threads: int | None = None,
+    callback: Callable[[float], object] | None = None,
+    report: Literal[True],
+) -> tuple[NDArray[Any], Report]: ...
 def read_points(
     path: _Path,
     *,

@@ -107,6 +107,14 @@ def resample(
     parameters: Parameters,
     callback: Callable[[float], object] | None,
 ) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any], NDArray[Any], dict[str, Any]] | None: ...
+def orient(
+    points: NDArray[Any],
+    normals: NDArray[Any] | None,
+    orientation_hints: NDArray[Any] | None,
+    viewpoints: NDArray[Any] | None,
+    parameters: Parameters,
+    callback: Callable[[float], object] | None,
+) -> tuple[NDArray[Any], dict[str, Any]] | None: ...
 def resample_on_device(
     points: DeviceView,
     normals: DeviceView | None,

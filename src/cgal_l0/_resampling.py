@@ -32,7 +32,7 @@ class ResamplingWarning(UserWarning):
 
 def in_python_words(message):
     """A message of the C++ function, with its names and values as Python has them."""
-    message = message.replace("l0_resample_point_set: ", "")
+    message = re.sub(r"^l0_(resample_point_set|orient_normals): ", "", message)
     message = re.sub(r"^point (\d+) has", r"points[\1] has", message)
     message = re.sub(r"\b(\w+)\((true|false)\)", lambda m: f"{m[1]}={m[2].capitalize()}", message)
     message = message.replace("--drop-non-finite", "drop_non_finite=True")
@@ -47,7 +47,7 @@ def _choice(name, value, enumeration):
     return choices[value]
 
 
-def _floats_or_none(coordinates_or_none):
+def floats_or_none(coordinates_or_none):
     return None if coordinates_or_none is None else [float(x) for x in coordinates_or_none]
 
 
@@ -63,6 +63,47 @@ def _device_choice(device, points):
             "copy it to the host first, or leave device out"
         )
     return choice
+
+
+def parameters_of(method, named):
+    """The parameters of a call in the form that _core takes; those that are None keep the default.
+
+    Raises ValueError or TypeError that name the parameter.
+    """
+    parameters = _core.Parameters(method)
+    for name, value in named.items():
+        if value is None:
+            continue
+        try:
+            setattr(parameters, name, value)
+        except TypeError:
+            # A number that does not fit is a bad value; a string is a bad type.
+            error = ValueError if isinstance(value, (int, float, list)) else TypeError
+            expected = (
+                "three coordinates"
+                if name in ("viewpoint", "up_direction")
+                else "a whole number"
+                if name in _whole_numbers
+                else "a number"
+            )
+            if isinstance(value, int) and name in _whole_numbers:
+                expected = "a whole number of at least 0 that 64 bits hold"
+            raise error(f"{name} is {value!r}, expected {expected}") from None
+    return parameters
+
+
+def call(function, *arguments):
+    """What a function of _core gives; raises its exceptions with Python's names, or Cancelled."""
+    try:
+        result = function(*arguments)
+    except (ValueError, RuntimeError) as error:
+        words = in_python_words(str(error))
+        if words == str(error):   # of the callback too
+            raise
+        raise type(error)(words) from None
+    if result is None:
+        raise Cancelled("the callback returned False")
+    return result
 
 
 def l0_resample_point_set(
@@ -229,8 +270,8 @@ def l0_resample_point_set(
         "maximum_penalty": maximum_penalty,
         "penalty_growth": penalty_growth,
         "keep_density": bool(keep_density),
-        "viewpoint": _floats_or_none(viewpoint),
-        "up_direction": _floats_or_none(up_direction),
+        "viewpoint": floats_or_none(viewpoint),
+        "up_direction": floats_or_none(up_direction),
         "source_indices": bool(source_indices),
         "feature_confidences": bool(feature_confidences),
         "side_confidences": bool(side_confidences),
@@ -243,39 +284,12 @@ def l0_resample_point_set(
         "threads": threads,
         "device": _device_choice(device, points),
     }
-    parameters = _core.Parameters(_choice("method", method, _core.Method))
-    for name, value in named.items():
-        if value is None:
-            continue
-        try:
-            setattr(parameters, name, value)
-        except TypeError:
-            # A number that does not fit is a bad value; a string is a bad type.
-            error = ValueError if isinstance(value, (int, float, list)) else TypeError
-            expected = (
-                "three coordinates"
-                if name in ("viewpoint", "up_direction")
-                else "a whole number"
-                if name in _whole_numbers
-                else "a number"
-            )
-            if isinstance(value, int) and name in _whole_numbers:
-                expected = "a whole number of at least 0 that 64 bits hold"
-            raise error(f"{name} is {value!r}, expected {expected}") from None
-
+    parameters = parameters_of(_choice("method", method, _core.Method), named)
     arrays = coordinates(
         points=points, normals=normals, orientation_hints=orientation_hints, viewpoints=viewpoints
     )
     resample = _core.resample if cuda_device_of(points) is None else _core.resample_on_device
-    try:
-        result = resample(*arrays, parameters, callback)
-    except (ValueError, RuntimeError) as error:
-        words = in_python_words(str(error))
-        if words == str(error):   # of the callback too
-            raise
-        raise type(error)(words) from None
-    if result is None:
-        raise Cancelled("the callback returned False")
+    result = call(resample, *arrays, parameters, callback)
     positions, resampled_normals, *further, members = result
     for message in members["warnings"]:
         warnings.warn(message, ResamplingWarning, stacklevel=2)

@@ -9,6 +9,7 @@
 #include "device_arrays.h"
 #include "dictionary_of.h"
 #include "files.h"
+#include "orient.h"
 #include "resample.h"
 #include "run_beside_python.h"
 
@@ -52,24 +53,71 @@ py::object resample_as(const Array_view& points, const Vectors_of_points<Array_v
                         array_of(std::move(result.neighbor_radii), 1), report);
 }
 
+/// \returns normals and the report; or None, if the callback cancelled.
+template <typename FT>
+py::object orient_as(const Array_view& points, const Vectors_of_points<Array_view>& vectors,
+                     const Parameters& parameters, const py::object& callback)
+{
+  Oriented_normals<FT> result;
+  const bool is_complete =
+    run_beside_python(callback, [&](const std::function<bool(double)>& go_on) {
+      result = orient<FT>(points, vectors, parameters, go_on);
+    });
+  if (!is_complete)
+    return py::none();
+  const py::dict report = dictionary_of(result.report);
+  return py::make_tuple(array_of(std::move(result.normals), 3), report);
+}
+
+/// Views of the arrays that are given.
+class Given_vectors
+{
+  std::array<std::optional<Array_view>, 3> m_views;
+
+public:
+  Vectors_of_points<Array_view> vectors;
+
+  Given_vectors(const std::optional<py::array>& normals,
+                const std::optional<py::array>& orientation_hints,
+                const std::optional<py::array>& viewpoints)
+    : vectors{view(normals, m_views[0]), view(orientation_hints, m_views[1]),
+              view(viewpoints, m_views[2])}
+  {}
+  Given_vectors(const Given_vectors&) = delete;
+  Given_vectors& operator=(const Given_vectors&) = delete;
+
+private:
+  static const Array_view* view(const std::optional<py::array>& array,
+                                std::optional<Array_view>& place)
+  {
+    if (array)
+      place = view_of(*array);
+    return place ? &*place : nullptr;
+  }
+};
+
 py::object resample_arrays(const py::array& points, const std::optional<py::array>& normals,
                            const std::optional<py::array>& orientation_hints,
                            const std::optional<py::array>& viewpoints, const Parameters& parameters,
                            const py::object& callback)
 {
-  const Array_view point_view = view_of(points);
-  std::array<std::optional<Array_view>, 3> views;
-  const auto view_of_given = [](const std::optional<py::array>& array,
-                                std::optional<Array_view>& view) -> const Array_view* {
-    if (array)
-      view = view_of(*array);
-    return view ? &*view : nullptr;
-  };
-  const Vectors_of_points<Array_view> vectors = {view_of_given(normals, views[0]),
-                                                 view_of_given(orientation_hints, views[1]),
-                                                 view_of_given(viewpoints, views[2])};
-  return point_view.is_double ? resample_as<double>(point_view, vectors, parameters, callback)
-                              : resample_as<float>(point_view, vectors, parameters, callback);
+  const Array_view view = view_of(points);
+  const Given_vectors given(normals, orientation_hints, viewpoints);
+  return view.is_double ? resample_as<double>(view, given.vectors, parameters, callback)
+                        : resample_as<float>(view, given.vectors, parameters, callback);
+}
+
+/// The result has the number type of the normals, or else that of the points.
+py::object orient_arrays(const py::array& points, const std::optional<py::array>& normals,
+                         const std::optional<py::array>& orientation_hints,
+                         const std::optional<py::array>& viewpoints, const Parameters& parameters,
+                         const py::object& callback)
+{
+  const Array_view view = view_of(points);
+  const Given_vectors given(normals, orientation_hints, viewpoints);
+  const bool is_double = given.vectors.normals ? given.vectors.normals->is_double : view.is_double;
+  return is_double ? orient_as<double>(view, given.vectors, parameters, callback)
+                   : orient_as<float>(view, given.vectors, parameters, callback);
 }
 
 } // namespace
@@ -128,6 +176,9 @@ PYBIND11_MODULE(_core, module)
     .def_readwrite("device", &Parameters::device);
 
   module.def("resample", &resample_arrays, py::arg("points"), py::arg("normals"),
+             py::arg("orientation_hints"), py::arg("viewpoints"), py::arg("parameters"),
+             py::arg("callback"));
+  module.def("orient", &orient_arrays, py::arg("points"), py::arg("normals"),
              py::arg("orientation_hints"), py::arg("viewpoints"), py::arg("parameters"),
              py::arg("callback"));
   bind_device_arrays(module);

@@ -9,6 +9,7 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Point_set_3.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/l0_orient_normals.h>
 #include <CGAL/l0_resample_point_set.h>
 
 #include <boost/iterator/function_output_iterator.hpp>
@@ -40,13 +41,13 @@ void resample(const Range& range, OutputIterator out,
 void wrong_ranges_and_kernels()
 {
   std::vector<Pair> result;
-  // refused: point_map needs values of type Point_3; without it
+  // refused: point_map needs values of type Point_3
   resample(std::vector<Pair>(), std::back_inserter(result));
-  // refused: point_map needs values of type Point_3; without it
+  // refused: point_map needs values of type Point_3
   resample(std::vector<std::array<double, 3>>(), std::back_inserter(result));
-  // refused: point_map needs values of type Point_3; without it
+  // refused: point_map needs values of type Point_3
   resample(std::vector<Pair>(), std::back_inserter(result), parameters::point_map(Second()));
-  // refused: point_map needs values of type Point_3; without it
+  // refused: point_map needs values of type Point_3
   resample(std::vector<Pair>(), std::back_inserter(result),
            parameters::point_map([](const Pair& pair) { return pair.first; }));
 
@@ -123,10 +124,26 @@ void wrong_output_iterators()
   resample(points, boost::make_function_output_iterator([](const Vector&) {}));
 }
 
+void wrong_orientations()
+{
+  std::vector<Pair> pairs;
+  const auto np = parameters::point_map(First());
+  // refused: l0_orient_normals() needs a normal_map, which it reads and writes.
+  CGAL::l0_orient_normals<CGAL::Sequential_tag>(pairs, np);
+  // refused: normal_map needs values of type Vector_3.
+  CGAL::l0_orient_normals<CGAL::Sequential_tag>(pairs, np.neighbor_radius(1.).normal_map(First()));
+  // refused: l0_orient_normals() runs on the CPU only, not with CUDA_tag.
+  CGAL::l0_orient_normals<CGAL::CUDA_tag>(pairs, np.normal_map(Second()));
+  // refused: resampling_report has to be the address of a Report.
+  CGAL::l0_orient_normals<CGAL::Sequential_tag>(
+    pairs, np.normal_map(Second()) | parameters::resampling_report(CGAL::L0_resampling::Report()));
+}
+
 } // namespace
 
 int main()
 {
+  wrong_orientations();
   wrong_ranges_and_kernels();
   wrong_maps();
   wrong_callbacks_and_reports();
