@@ -126,9 +126,11 @@ std::size_t check_agreement(const std::string& name, const PointRange& points,
             << comparison.largest_angle_share << ", flipped " << flipped_share << ", pairs "
             << pairs << " / " << device_report.number_of_self_neighbor_pairs << ", oriented "
             << cpu_report.oriented_share << " / " << device_report.oriented_share << ", hinted "
-            << cpu_report.hinted_share << " / " << device_report.hinted_share << ", outliers "
-            << cpu_report.number_of_outliers << " / " << device_report.number_of_outliers
-            << ", degenerate " << cpu_report.number_of_degenerate_neighborhoods << " / "
+            << cpu_report.hinted_share << " / " << device_report.hinted_share << ", right sides "
+            << cpu_report.right_side_share << " / " << device_report.right_side_share
+            << ", outliers " << cpu_report.number_of_outliers << " / "
+            << device_report.number_of_outliers << ", degenerate "
+            << cpu_report.number_of_degenerate_neighborhoods << " / "
             << device_report.number_of_degenerate_neighborhoods << ", iterations "
             << solver_iterations << " +- " << more_solver_iterations << std::endl;
   CHECK(comparison.median <= 1e-4);

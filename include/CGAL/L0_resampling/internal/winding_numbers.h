@@ -32,7 +32,7 @@ lanes.
 */
 class Dipoles_of_trees
 {
-  std::vector<Aligned_vector<float>> m_coordinates{6}; // of positions and normals
+  std::vector<Aligned_vector<double>> m_coordinates{6}; // of positions and normals
 
   struct Tree
   {
@@ -53,15 +53,11 @@ public:
     for (std::size_t k = 0; k < samples.size(); ++k)
       roots_and_dipoles.push_back({trees.find(samples[k]).first, k});
     std::sort(roots_and_dipoles.begin(), roots_and_dipoles.end());
-    Vector origin = Vector::Zero(); // of a tree, which may be far from the others
     for (std::size_t n = 0; n < samples.size(); ++n)
     {
       const auto [root, k] = roots_and_dipoles[n];
       if (n == 0 || roots_and_dipoles[n - 1].first != root)
-      {
         begin_tree();
-        origin = positions[samples[k]];
-      }
       m_tree_of_dipole[k] = m_trees.size() - 1;
       m_place_of_dipole[k] = m_coordinates[0].size();
       const Index i = samples[k];
@@ -69,8 +65,8 @@ public:
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
         const Eigen::Index a = Eigen::Index(axis);
-        m_coordinates[axis].push_back(float(positions[i][a] - origin[a]));
-        m_coordinates[3 + axis].push_back(float(sign * double(normals[i][a])));
+        m_coordinates[axis].push_back(positions[i][a]);
+        m_coordinates[3 + axis].push_back(sign * double(normals[i][a]));
       }
     }
     end_tree();
@@ -80,7 +76,7 @@ public:
   /// \param area that a dipole stands for
   Side_evidence evidence_of(std::size_t k, double area) const
   {
-    using L = Lanes<float>;
+    using L = Lanes<double>;
     const double squared_core = squared_core_of_dipole(area);
     const std::size_t place = m_place_of_dipole[k];
     const auto [begin, end] = m_trees[m_tree_of_dipole[k]];
@@ -93,24 +89,24 @@ public:
       const L nx = at(3), ny = at(4), nz = at(5);
       const L height = nx * x + ny * y + nz * z, own_height = x * own(3) + y * own(4) + z * own(5),
               cosine = nx * own(3) + ny * own(4) + nz * own(5);
-      const L inverse = inverse_sqrt(x * x + y * y + z * z + L(float(squared_core)));
+      const L inverse = inverse_sqrt(x * x + y * y + z * z + L(squared_core));
       const L squared_inverse = inverse * inverse, cubed_inverse = squared_inverse * inverse;
       const L of_pair = dipole_agreement(cosine, height * own_height, squared_inverse,
-                                         cubed_inverse, float(squared_core));
+                                         cubed_inverse, squared_core);
       winding += height * cubed_inverse;
       agreement += of_pair;
       total += abs(of_pair);
     }
     const double with_itself = dipole_agreement(1., 0., 0., squared_core);
-    const double all_others = double(total.sum()) - std::abs(with_itself);
-    return {double(winding.sum()) * area / (4 * 3.141592653589793),
-            all_others > 0 ? (double(agreement.sum()) - with_itself) / all_others : 0};
+    const double all_others = total.sum() - std::abs(with_itself);
+    return {winding.sum() * area / (4 * 3.141592653589793),
+            all_others > 0 ? (agreement.sum() - with_itself) / all_others : 0};
   }
 
 private:
   void end_tree()
   {
-    while (m_coordinates[0].size() % Lanes<float>::size != 0)
+    while (m_coordinates[0].size() % Lanes<double>::size != 0)
       for (auto& values : m_coordinates)
         values.push_back(0);
     if (!m_trees.empty())
