@@ -115,7 +115,9 @@ std::size_t check_agreement(const std::string& name, const PointRange& points,
         <= 2 + 0.1 * solver_iterations); // one stopping rule, but other roundings
   CHECK(std::abs(cpu_report.oriented_share - device_report.oriented_share) <= 1e-2);
   CHECK(std::abs(cpu_report.hinted_share - device_report.hinted_share) <= 1e-2);
-  CHECK(std::abs(cpu_report.right_side_share - device_report.right_side_share) <= 1e-2);
+  // The dipoles that tell are every so-maniest sample. Where cells of the CPU have many samples, it
+  // spreads them less evenly than the device, which has smaller cells.
+  CHECK(std::abs(cpu_report.right_side_share - device_report.right_side_share) <= 3e-2);
   CHECK(std::abs(cpu_report.extent_share - device_report.extent_share) <= 1e-3);
   CHECK(warnings(cpu_report) == warnings(device_report));
 
