@@ -250,8 +250,7 @@ def l0_resample_point_set(
 
     Warns with ResamplingWarning, once for each reason, if the result cannot be good: more than 3 %
     of the points were left out as outliers, the extent has shrunk by more than 5 %, the radius has
-    hardly a point in it, more than 5 % of the result has no compatible points near it, or less
-    than 90 % of the normals can be expected on the right side.
+    hardly a point in it, or more than 5 % of the result has no compatible points near it.
 
     Raises ValueError for points and parameters that cannot be used, TypeError for arrays and
     parameters of a wrong type, MemoryError, Cancelled, any exception of the callback, and

@@ -186,7 +186,7 @@ void add_options_on_result(CLI::App& app, Arguments& arguments)
   app.add_flag("--feature-confidence", options.with_feature_confidences,
                "a property feature_confidence: 0 if smooth, 1 on an edge");
   app.add_flag("--side-confidence", options.with_side_confidences,
-               "a property side_confidence: 0.5 if a normal's side is a guess, 1 if sure");
+               "a property side_confidence: 0.5 if the side is a guess, 1 if sure");
   app.add_flag("--point-radius", options.with_neighbor_radii,
                "a property neighbor_radius: that which a point was fitted with");
 }

@@ -81,8 +81,8 @@ struct Options
   Snapshot_colors snapshot_colors = Snapshot_colors::SHADED;
   bool convert_only = false;
   bool orient_only = false; ///< keep points and properties, and give normals their side
-  bool info = false;    ///< say what the input is, and write nothing
-  bool dry_run = false; ///< read and check, and write nothing
+  bool info = false;        ///< say what the input is, and write nothing
+  bool dry_run = false;     ///< read and check, and write nothing
   bool quiet = false;
   bool strict = false;
 

@@ -141,6 +141,9 @@ std::string summary_line(const Options& options, const Run_record& record)
     return line + numbers;
   }
   line += numbers;
+  const double well_known_share = 0.9;
+  if (report.right_side_share < well_known_share && report.hinted_share < 0.5)
+    line += " (--viewpoint, --up or --orient-by-normals would tell)";
   if (!report.converged)
     line += ", not converged";
   return line + "\n";

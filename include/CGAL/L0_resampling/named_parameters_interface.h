@@ -31,14 +31,15 @@ CGAL_add_named_parameter(resampling_method_t, resampling_method, resampling_meth
                                                      feature_confidence_map, feature_confidence_map)
                               CGAL_add_named_parameter(side_confidence_map_t, side_confidence_map,
                                                        side_confidence_map)
-                              CGAL_add_named_parameter(neighbor_radius_map_t, neighbor_radius_map,
-                                                       neighbor_radius_map)
-                              CGAL_add_named_parameter(viewpoint_t, viewpoint, viewpoint)
-                                CGAL_add_named_parameter(orientation_hint_map_t,
-                                                         orientation_hint_map, orientation_hint_map)
-                                  CGAL_add_named_parameter(keep_density_t, keep_density,
-                                                           keep_density)
-                                    CGAL_add_named_parameter(viewpoint_map_t, viewpoint_map,
-                                                             viewpoint_map)
-                                      CGAL_add_named_parameter(up_direction_t, up_direction,
-                                                               up_direction)
+                                CGAL_add_named_parameter(neighbor_radius_map_t, neighbor_radius_map,
+                                                         neighbor_radius_map)
+                                  CGAL_add_named_parameter(viewpoint_t, viewpoint, viewpoint)
+                                    CGAL_add_named_parameter(orientation_hint_map_t,
+                                                             orientation_hint_map,
+                                                             orientation_hint_map)
+                                      CGAL_add_named_parameter(keep_density_t, keep_density,
+                                                               keep_density)
+                                        CGAL_add_named_parameter(viewpoint_map_t, viewpoint_map,
+                                                                 viewpoint_map)
+                                          CGAL_add_named_parameter(up_direction_t, up_direction,
+                                                                   up_direction)

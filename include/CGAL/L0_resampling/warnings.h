@@ -27,14 +27,13 @@ enum class Warning
   SMALL_RADIUS,    ///< more than half of the points have a degenerate neighborhood
   /// more than 5 % of the samples have no original neighbor or no compatible one
   UNSUPPORTED_SAMPLES,
-  UNSURE_SIDES, ///< `Report::right_side_share` is below 90 %
 };
 
 namespace internal {
 
 constexpr double largest_share_of_outliers = 0.03, least_extent_share = 0.95;
 constexpr double largest_share_of_degenerate_neighborhoods = 0.5,
-                 largest_share_of_lonely_samples = 0.05, least_right_side_share = 0.9;
+                 largest_share_of_lonely_samples = 0.05;
 
 inline double share_of(std::size_t part, std::size_t whole)
 {
@@ -82,7 +81,6 @@ inline std::vector<Warning> warnings(const Report& report)
   add_if(internal::share_of(report.number_of_lonely_samples, report.number_of_output_points)
            > internal::largest_share_of_lonely_samples,
          Warning::UNSUPPORTED_SAMPLES);
-  add_if(report.right_side_share < internal::least_right_side_share, Warning::UNSURE_SIDES);
   return found;
 }
 
@@ -96,7 +94,6 @@ inline std::string name_of(Warning warning)
   case Warning::SHRUNKEN_EXTENT: return "shrunken_extent";
   case Warning::SMALL_RADIUS: return "small_radius";
   case Warning::UNSUPPORTED_SAMPLES: return "unsupported_samples";
-  case Warning::UNSURE_SIDES: return "unsure_sides";
   }
   return "";
 }
@@ -123,12 +120,6 @@ inline std::string message_of(Warning warning, const Report& report)
   case Warning::UNSUPPORTED_SAMPLES:
     return as_percentage(share_of(report.number_of_lonely_samples, report.number_of_output_points))
            + " of the result has no compatible input points near it";
-  case Warning::UNSURE_SIDES:
-    return "only " + as_percentage(report.right_side_share)
-           + " of the normals can be expected on the right side"
-           + (report.hinted_share > 0.5 ? ""
-                                        : "; a viewpoint, the way up or normals of the input as "
-                                          "hints would decide it");
   }
   return "";
 }

@@ -104,7 +104,8 @@ Followers choose_samples(const Plan& plan, const Prepared_points& input, const A
 {
   const Buffer<Vector>& points = input.points;
   const std::size_t m = plan.number_of_samples;
-  auto [start, followers] = place_samples<ConcurrencyTag>(plan, input, areas, progress);
+  Placed_samples placed = place_samples<ConcurrencyTag>(plan, input, areas, progress);
+  Initial_samples& start = placed.start;
   samples.positions = std::move(start.positions);
   const std::size_t size = samples.positions.size();
   samples.normals.reserve(size);
@@ -142,11 +143,11 @@ Followers choose_samples(const Plan& plan, const Prepared_points& input, const A
     for_each_source(
       [&](Index source) { samples.hints.push_back(hints[source].template cast<FT>()); });
   release(hints);
-  if (!followers.is_empty())
+  if (!placed.followers.is_empty())
     for_each_in_order(size, [&](std::size_t i) { samples.start_indices.push_back(Index(i)); });
   fill_buffer(size, FT(0), samples.fit_weights);
   samples.fit_centroids = copy_of(samples.positions);
-  return followers;
+  return std::move(placed.followers);
 }
 
 } // namespace internal

@@ -76,7 +76,7 @@ Expected_samples count_neighbors(const Plan& plan, double cell_size_of_points,
   for_each_in_order(m, [&](std::size_t i) {
     const double range = scales.empty() ? plan.self_neighbor_radius
                                         : (std::min)(plan.self_neighbor_radius, double(scales[i]));
-    number_of_even_ones += EIGEN_PI * square(range / plan.sample_spacing) - 1;
+    number_of_even_ones += double(EIGEN_PI) * square(range / plan.sample_spacing) - 1;
   });
   expected.self = once_spread(expected.self, number_of_even_ones);
   return expected;
