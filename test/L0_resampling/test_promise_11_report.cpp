@@ -229,12 +229,12 @@ void test_exceptional_points()
   // no surface at all
   test::Generator generator(2);
   std::vector<Vector> fog;
-  for (int i = 0; i < 1000; ++i)
+  for (int i = 0; i < 5000; ++i)
     fog.push_back(Vector(test::random_number(0, 1, generator), test::random_number(0, 1, generator),
                          test::random_number(0, 1, generator)));
   const Report unsure =
     test::resample<Kernel, Sequential_tag>(test::kernel_points<Kernel>(fog),
-                                           params::neighbor_radius(0.1)
+                                           params::neighbor_radius(0.06)
                                              | params::number_of_normal_filter_iterations(0)
                                              | params::resampling_method(Method::LOR))
       .report;

@@ -99,8 +99,9 @@ public:
     }
     const double with_itself = dipole_agreement(1., 0., 0., squared_core);
     const double all_others = total.sum() - std::abs(with_itself);
+    const double rounding = 1e-9 * std::abs(with_itself); // of a tree of one dipole
     return {winding.sum() * area / (4 * 3.141592653589793),
-            all_others > 0 ? (agreement.sum() - with_itself) / all_others : 0};
+            all_others > rounding ? (agreement.sum() - with_itself) / all_others : 0};
   }
 
 private:
