@@ -82,10 +82,7 @@ void orient_range(PointRange& range, PointMap point_map, const std::optional<Nor
                   const MapToWrite& map_to_write, const NamedParameters& np)
 {
   Report unwanted_report;
-  Report* wanted_report = &unwanted_report;
-  read_parameter(np, internal_np::resampling_report, wanted_report);
-  Report& report = *wanted_report;
-  report = Report();
+  Report& report = report_of_call(np, unwanted_report);
   report.device_reason = "compiled for the CPU";
 
   std::function<bool(double)> callback;

@@ -217,18 +217,17 @@ __global__ void find_fluxes(Sides sides, Samples samples, Tree_scale scale, Side
     atomicAdd(number_of_oriented, unsigned(count));
 }
 
-/// A sample that stands for those around it, and what the others of its tree say of its side.
-struct Dipole
+/// What is known of the side of a dipole of a tree.
+struct Side_of_dipole
 {
-  double3 position, normal; // that in the sense of its tree
-  unsigned tree;
-  Side_evidence evidence;
-  double confidence; // within the tree
+  Side_evidence evidence; // of the others of its tree
+  double confidence;      // within the tree
 };
 
 struct Dipoles
 {
   Dipole* dipoles;
+  Side_of_dipole* sides;
   unsigned size;
   double area; // that a dipole stands for
 };
@@ -236,14 +235,8 @@ struct Dipoles
 __global__ void place_dipoles(Dipoles all, Samples samples, const Link* trees_of_samples)
 {
   const Wide k = thread_index();
-  if (k >= all.size)
-    return;
-  const unsigned i = unsigned(sample_of_dipole(k, samples.size, all.size));
-  const Link link = trees_of_samples[i];
-  const double* const p = samples.positions + 3 * Wide(i);
-  all.dipoles[k].position = {p[0], p[1], p[2]};
-  all.dipoles[k].normal = (link.is_turned() ? -1. : 1.) * to_double(xyz(samples.normals[i]));
-  all.dipoles[k].tree = link.target();
+  if (k < all.size)
+    all.dipoles[k] = dipole_of(samples, trees_of_samples, k, all.size);
 }
 
 /// As `Dipoles_of_trees::evidence_of()` on the CPU, one block for each dipole.
@@ -256,7 +249,7 @@ __global__ void find_evidence(Dipoles all, Tree_sums* trees)
   for (unsigned k = threadIdx.x; k < all.size; k += blockDim.x)
   {
     const Dipole& other = all.dipoles[k];
-    if (k == blockIdx.x || other.tree != own.tree)
+    if (k == blockIdx.x || other.root != own.root)
       continue;
     const double3 d = {other.position.x - own.position.x, other.position.y - own.position.y,
                        other.position.z - own.position.z};
@@ -276,12 +269,15 @@ __global__ void find_evidence(Dipoles all, Tree_sums* trees)
   __syncthreads();
   if (threadIdx.x != 0)
     return;
-  for (unsigned warp = 1; warp < threads_per_block / 32; ++warp)
-    for (int c = 0; c < 3; ++c)
-      sums[c] = (warp == 1 ? of_warps[0][c] : sums[c]) + of_warps[warp][c];
+  for (int c = 0; c < 3; ++c)
+  {
+    sums[c] = 0;
+    for (unsigned warp = 0; warp < threads_per_block / 32; ++warp)
+      sums[c] += of_warps[warp][c];
+  }
   const Side_evidence evidence = {sums[0] * all.area, sums[2] > 0 ? sums[1] / sums[2] : 0};
-  all.dipoles[blockIdx.x].evidence = evidence;
-  Tree_sums& tree = trees[own.tree];
+  all.sides[blockIdx.x].evidence = evidence;
+  Tree_sums& tree = trees[own.root];
   atomicAdd(&tree.number_of_dipoles, 1u);
   atomicAdd(reinterpret_cast<Wide*>(&tree.winding_numbers),
             Wide(__double2ll_rn(evidence.winding_number * units_per_confidence)));
@@ -292,14 +288,14 @@ __global__ void find_confidences(Dipoles all, Tree_sums* trees)
   const Wide k = thread_index();
   if (k >= all.size)
     return;
-  Dipole& dipole = all.dipoles[k];
-  Tree_sums& tree = trees[dipole.tree];
+  Side_of_dipole& side = all.sides[k];
+  Tree_sums& tree = trees[all.dipoles[k].root];
   const double sign = tree.is_to_be_turned() ? -1 : 1;
-  dipole.confidence =
-    confidence_within_tree({sign * dipole.evidence.winding_number, dipole.evidence.agreement},
+  side.confidence =
+    confidence_within_tree({sign * side.evidence.winding_number, side.evidence.agreement},
                            sign * tree.mean_winding_number());
   atomicAdd(reinterpret_cast<Wide*>(&tree.confidences),
-            Wide(__double2ll_rn(dipole.confidence * units_per_confidence)));
+            Wide(__double2ll_rn(side.confidence * units_per_confidence)));
 }
 
 __global__ void turn_normals(const Link* trees_of_samples, const Tree_sums* trees, Dipoles all,
@@ -318,8 +314,8 @@ __global__ void turn_normals(const Link* trees_of_samples, const Tree_sums* tree
       const float4 n = samples.normals[i];
       samples.normals[i] = make_float4(-n.x, -n.y, -n.z, n.w);
     }
-    const Dipole& dipole = all.dipoles[dipole_of_sample(i, samples.size, all.size)];
-    const double within_tree = dipole.tree == link.target() ? dipole.confidence
+    const std::size_t k = dipole_of_sample(i, samples.size, all.size);
+    const double within_tree = all.dipoles[k].root == link.target() ? all.sides[k].confidence
                                : tree.number_of_dipoles > 0 ? tree.mean_of_dipoles(tree.confidences)
                                                             : guessed_confidence;
     const double of_side = confidence_of_side(hints.certain_side_of(samples, i), tree.confidence(),
@@ -418,7 +414,9 @@ void orient_normals(const Workplace& workplace, const double (&low)[3], const do
                                                                &counts->oriented);
   check_launch("find_fluxes");
   const unsigned number_of_dipoles = (std::min)(m, maximum_number_of_dipoles);
-  const Dipoles dipoles = {workplace.scratch.take<Dipole>(number_of_dipoles), number_of_dipoles,
+  const Dipoles dipoles = {workplace.scratch.take<Dipole>(number_of_dipoles),
+                           workplace.scratch.take<Side_of_dipole>(number_of_dipoles),
+                           number_of_dipoles,
                            spacing * spacing * double(m) / double(number_of_dipoles)};
   place_dipoles<<<blocks_for(number_of_dipoles), threads_per_block, 0, stream>>>(dipoles, samples,
                                                                                  roots);

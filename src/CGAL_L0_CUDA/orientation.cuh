@@ -43,6 +43,25 @@ __device__ inline Link operator+(Link first, Link second)
 __device__ inline Link load(const Link* link) { return {__ldcg(&link->word)}; }
 __device__ inline void store(Link* link, Link value) { __stcg(&link->word, value.word); }
 
+/// A sample that stands for those around it.
+struct Dipole
+{
+  double3 position, normal; // that in the sense of its set
+  unsigned root;            // of the set
+};
+
+/// The k-th of so many dipoles.
+__device__ inline Dipole dipole_of(const Samples& samples, const Link* sets, Wide k,
+                                   unsigned number_of_dipoles)
+{
+  const unsigned i = unsigned(sample_of_dipole(k, samples.size, number_of_dipoles));
+  const Link link = sets[i];
+  const double* const p = samples.positions + 3 * Wide(i);
+  return {{p[0], p[1], p[2]},
+          (link.is_turned() ? -1. : 1.) * to_double(xyz(samples.normals[i])),
+          link.target()};
+}
+
 /// Set in what sample i lists as a neighbor: that sample lists i too, and has the pair for both. It
 /// is set where there is nobody, too.
 constexpr unsigned is_listed_by_other = 1u << 31;

@@ -106,7 +106,18 @@ def resample(
     viewpoints: NDArray[Any] | None,
     parameters: Parameters,
     callback: Callable[[float], object] | None,
-) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any], NDArray[Any], dict[str, Any]] | None: ...
+) -> (
+    tuple[
+        NDArray[Any],
+        NDArray[Any],
+        NDArray[Any],
+        NDArray[Any],
+        NDArray[Any],
+        NDArray[Any],
+        dict[str, Any],
+    ]
+    | None
+): ...
 def orient(
     points: NDArray[Any],
     normals: NDArray[Any] | None,
@@ -123,7 +134,16 @@ def resample_on_device(
     parameters: Parameters,
     callback: Callable[[float], object] | None,
 ) -> (
-    tuple[DeviceArray, DeviceArray, DeviceArray | None, DeviceArray | None, dict[str, Any]] | None
+    tuple[
+        DeviceArray,
+        DeviceArray,
+        DeviceArray | None,
+        DeviceArray | None,
+        DeviceArray | None,
+        DeviceArray | None,
+        dict[str, Any],
+    ]
+    | None
 ): ...
 def read_points(
     path: bytes,

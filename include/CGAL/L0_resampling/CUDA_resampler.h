@@ -413,9 +413,7 @@ private:
   {
     using namespace internal;
     Report unwanted_report;
-    Report* wanted_report = &unwanted_report;
-    read_parameter(np, internal_np::resampling_report, wanted_report);
-    Report& report = *wanted_report;
+    Report& report = report_of_call(np, unwanted_report);
     Parameters parameters;
     if (!compute(np, parameters, report))
       return;

@@ -8,9 +8,9 @@
 
 #include <CGAL/L0_resampling/Report.h>
 #include <CGAL/L0_resampling/internal/Any_solver.h>
+#include <CGAL/L0_resampling/internal/Cpu_points.h>
 #include <CGAL/L0_resampling/internal/Minimization_step.h>
 #include <CGAL/L0_resampling/internal/Plan.h>
-#include <CGAL/L0_resampling/internal/Cpu_points.h>
 #include <CGAL/L0_resampling/internal/choose_samples.h>
 #include <CGAL/L0_resampling/internal/collapse_fit_term.h>
 #include <CGAL/L0_resampling/internal/density_weights.h>

@@ -7,6 +7,7 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_CHECKED_PARAMETERS_H
 
 #include <CGAL/L0_resampling/Quadratic_problem.h>
+#include <CGAL/L0_resampling/Report.h>
 #include <CGAL/L0_resampling/internal/Method_rules.h>
 #include <CGAL/L0_resampling/internal/Parameters.h>
 #include <CGAL/L0_resampling/named_parameters.h>
@@ -86,6 +87,16 @@ template <typename NamedParameters, typename Tag, typename T>
 void read_parameter(const NamedParameters& np, Tag tag, T& target)
 {
   if_given(np, tag, [&](const auto& value) { target = static_cast<T>(value); });
+}
+
+/// The report that the caller wants to be filled, reset; else `unwanted`.
+template <typename NamedParameters>
+Report& report_of_call(const NamedParameters& np, Report& unwanted)
+{
+  Report* report = &unwanted;
+  read_parameter(np, internal_np::resampling_report, report);
+  *report = Report();
+  return *report;
 }
 
 /// A count, which callers may pass as any number type; `target` stays as it is if they do not.

@@ -167,6 +167,72 @@ struct Tree
   }
 };
 
+/// The sums over the trees, each of which stands at its root.
+/// \param sure_set_sizes of each sample: the size of its set once all that is sure was joined
+/// \param number_of_oriented out: samples that are joined to the largest part of their tree
+template <typename T>
+Buffer<Tree> trees_of_samples(const Signed_union_find& sets, const Buffer<Index>& sure_set_sizes,
+                              const Buffer<Vector>& positions,
+                              const Buffer<Eigen::Matrix<T, 3, 1>>& normals,
+                              const Side_hints& hints, std::size_t& number_of_oriented)
+{
+  const std::size_t m = positions.size();
+  Buffer<Tree> trees = filled_buffer(m, Tree(), positions.get_allocator());
+  for_each_in_order(m, [&](std::size_t i) {
+    const Index root = sets.find(Index(i)).first;
+    trees[root].center += positions[i] / double(sets.size_of_set(root));
+    trees[root].largest_sure_set = (std::max)(trees[root].largest_sure_set, sure_set_sizes[i]);
+  });
+  number_of_oriented = 0;
+  for_each_in_order(m, [&](std::size_t place) {
+    const Index i = Index(place);
+    const auto [root, sign] = sets.find(i);
+    Tree& tree = trees[root];
+    const Vector from_center = positions[i] - tree.center,
+                 normal = sign * normals[i].template cast<double>();
+    tree.flux += normal.dot(from_center);
+    tree.largest_flux += from_center.norm();
+    tree.normal_sum += normal;
+    const double vote = normal.dot(hints.direction_of(i));
+    tree.votes.sum += vote;
+    tree.votes.total += std::abs(vote);
+    tree.votes.certain_sum += hints.certain_side_of(i, normal);
+    number_of_oriented += sets.size_of_set(root) > 1 && sure_set_sizes[i] == tree.largest_sure_set;
+  });
+  return trees;
+}
+
+/// How sure it is that the dipoles have the sides that their trees have, once these are turned.
+/// \param samples that are dipoles
+/// \param trees in and out: what their dipoles say of them
+template <typename ConcurrencyTag, typename T>
+std::vector<double> confidences_of_dipoles(const std::vector<Index>& samples,
+                                           const Signed_union_find& sets,
+                                           const Buffer<Vector>& positions,
+                                           const Buffer<Eigen::Matrix<T, 3, 1>>& normals,
+                                           double spacing, Buffer<Tree>& trees)
+{
+  const std::vector<Side_evidence> evidence =
+    evidence_of_dipoles<ConcurrencyTag>(samples, sets, positions, normals, spacing);
+  const auto tree_of = [&](std::size_t k) -> Tree& { return trees[sets.find(samples[k]).first]; };
+  for (std::size_t k = 0; k < samples.size(); ++k)
+  {
+    tree_of(k).sum_of_winding_numbers += evidence[k].winding_number;
+    ++tree_of(k).number_of_dipoles;
+  }
+  std::vector<double> confidences(samples.size());
+  for (std::size_t k = 0; k < samples.size(); ++k)
+  {
+    Tree& tree = tree_of(k);
+    const double sign = tree.is_to_be_turned() ? -1 : 1;
+    confidences[k] =
+      confidence_within_tree({sign * evidence[k].winding_number, evidence[k].agreement},
+                             sign * tree.mean_winding_number());
+    tree.sum_of_confidences += confidences[k];
+  }
+  return confidences;
+}
+
 /// How sure the sides are that `orient_normals()` has chosen, as shares of the samples.
 struct Orientation
 {
@@ -174,8 +240,7 @@ struct Orientation
     /// joined to the largest part of their tree by viewpoints, by edges beyond doubt, by the field
     /// and by clear majorities only
     oriented_share;
-  double hinted_share; ///< of trees whose side is that of the hints
-
+  double hinted_share;       ///< of trees whose side is that of the hints
   Buffer<float> confidences; ///< how sure it is that a sample is on the right side, in [0, 1]
 
   double right_side_share() const
@@ -194,8 +259,9 @@ are one set from the start. Over the edges of the graph of nearest neighbors whe
 Hoppe et al. does, until most samples are in large sets. Where these touch, within a face, across a
 sharp edge or through noise, one edge may well err, and would turn a whole face; there, all edges
 between two sets vote. Then the connected components of the sets are turned as a whole: to the side
-of the hints where these are clear, else outwards, in the sense of the divergence theorem:
-\f$ \sum n_i^T (p_i - \bar p) > 0 \f$. Works on indices; no sample changes its place.
+of the hints where these are clear, else outwards, in the sense of the divergence theorem,
+\f$ \sum n_i^T (p_i - \bar p) > 0 \f$, unless their winding numbers contradict it. Works on
+indices; no sample changes its place.
 
 \param positions, normals unit vectors of any sign in, consistent out
 \param number_of_neighbors of the graph, at least 1
@@ -236,48 +302,12 @@ Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_o
     all = joined_by_votes(0, parts);
   const Signed_union_find& sets = all.sets;
 
-  Buffer<Tree> trees =
-    filled_buffer(m, Tree(), positions.get_allocator()); // that of a sample stands at its root
-  for_each_in_order(m, [&](std::size_t i) {
-    const Index root = sets.find(Index(i)).first;
-    trees[root].center += positions[i] / double(sets.size_of_set(root));
-    trees[root].largest_sure_set = (std::max)(trees[root].largest_sure_set, sure_set_sizes[i]);
-  });
   std::size_t number_of_oriented = 0;
-  for_each_in_order(m, [&](std::size_t place) {
-    const Index i = Index(place);
-    const auto [root, sign] = sets.find(i);
-    Tree& tree = trees[root];
-    const Vector from_center = positions[i] - tree.center;
-    tree.flux += sign * normal(i).dot(from_center);
-    tree.largest_flux += from_center.norm();
-    tree.normal_sum += sign * normal(i);
-    const double vote = sign * normal(i).dot(hints.direction_of(i));
-    tree.votes.sum += vote;
-    tree.votes.total += std::abs(vote);
-    tree.votes.certain_sum += hints.certain_side_of(i, sign * normal(i));
-    number_of_oriented += sets.size_of_set(root) > 1 && sure_set_sizes[i] == tree.largest_sure_set;
-  });
-
+  Buffer<Tree> trees = trees_of_samples(sets, sure_set_sizes, positions, normals, hints,
+                                        number_of_oriented);
   const std::vector<Index> dipoles = samples_of_dipoles(m);
-  std::vector<Side_evidence> evidence =
-    evidence_of_dipoles<ConcurrencyTag>(dipoles, sets, positions, normals, spacing);
-  for (std::size_t k = 0; k < dipoles.size(); ++k)
-  {
-    Tree& tree = trees[sets.find(dipoles[k]).first];
-    tree.sum_of_winding_numbers += evidence[k].winding_number;
-    ++tree.number_of_dipoles;
-  }
-  std::vector<double> confidences_within_trees(dipoles.size());
-  for (std::size_t k = 0; k < dipoles.size(); ++k)
-  {
-    Tree& tree = trees[sets.find(dipoles[k]).first];
-    const double sign = tree.is_to_be_turned() ? -1 : 1;
-    confidences_within_trees[k] =
-      confidence_within_tree({sign * evidence[k].winding_number, evidence[k].agreement},
-                             sign * tree.mean_winding_number());
-    tree.sum_of_confidences += confidences_within_trees[k];
-  }
+  const std::vector<double> confidences_within_trees =
+    confidences_of_dipoles<ConcurrencyTag>(dipoles, sets, positions, normals, spacing, trees);
 
   Orientation result{double(number_of_oriented) / double(m), 0,
                      filled_buffer(m, 0.f, Counting_allocator<float>(positions.get_allocator()))};

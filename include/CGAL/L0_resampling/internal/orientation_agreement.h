@@ -113,6 +113,14 @@ CGAL_L0_HOST_DEVICE inline T orientation_agreement(T cosine, T height, T other_h
              / (squared_heights + squared_noise);
 }
 
+/// Of a number; lanes have their own.
+template <typename T>
+CGAL_L0_HOST_DEVICE inline T inverse_sqrt(T x)
+{
+  using std::sqrt;
+  return 1 / sqrt(x);
+}
+
 /*!
 How far two dipoles agree, as those do whose field has the least energy. On a flat or bent sheet,
 across an edge and from one side of a solid to the other, that is when both point outwards. Their
@@ -126,28 +134,30 @@ It is that of a current and has no sources: through a plane of any height over t
 much one way as the other. So the dipoles of a wide sheet have no field beyond it, however close,
 and one of two sheets leaves it to the rims to say on which side the other one is.
 
+\tparam T of numbers, or of lanes of them
 \param cosine \f$ n_i^T n_k \f$
 \param product_of_heights \f$ (n_i^T d)(n_k^T d) \f$
 \param squared_distance \f$ d^T d \f$
 \param squared_core \f$ a^2 \f$
 */
-template <typename T>
+template <typename T, typename Scalar>
 CGAL_L0_HOST_DEVICE inline T dipole_agreement(T cosine, T product_of_heights, T squared_distance,
-                                              T squared_core)
+                                              Scalar squared_core)
 {
-  using std::sqrt;
-  const T softened = squared_distance + squared_core;
-  return (cosine - 3 * (squared_core * cosine + product_of_heights) / softened)
-         / (softened * sqrt(softened));
+  const T inverse = inverse_sqrt(squared_distance + T(squared_core));
+  const T squared_inverse = inverse * inverse;
+  return (cosine - (cosine * squared_core + product_of_heights) * squared_inverse * Scalar(3))
+         * (squared_inverse * inverse);
 }
 
-/// The same of many at once, by \f$ 1/r^2 \f$ and \f$ 1/r^3 \f$.
-template <typename Lanes, typename T>
-Lanes dipole_agreement(const Lanes& cosine, const Lanes& product_of_heights,
-                       const Lanes& squared_inverse, const Lanes& cubed_inverse, T squared_core)
+/// The winding number that a dipole, which stands for an area of 1, has at another place.
+/// \param height \f$ n^T d \f$
+template <typename T, typename Scalar>
+CGAL_L0_HOST_DEVICE inline T winding_number_of_dipole(T height, T squared_distance,
+                                                      Scalar squared_core)
 {
-  return (cosine - (cosine * squared_core + product_of_heights) * squared_inverse * T(3))
-         * cubed_inverse;
+  const T inverse = inverse_sqrt(squared_distance + T(squared_core));
+  return height * (inverse * inverse * inverse) * Scalar(1 / (4 * 3.141592653589793));
 }
 
 /// \f$ a^2 \f$ of a dipole that stands for a disk of that area: with the radius of the disk for

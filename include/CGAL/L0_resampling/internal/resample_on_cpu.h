@@ -65,10 +65,7 @@ void resample_on_cpu(const PointRange& range, PointMap point_map, NormalMap norm
 {
   using FT = typename Kernel::FT;
   Report unwanted_report;
-  Report* wanted_report = &unwanted_report;
-  read_parameter(np, internal_np::resampling_report, wanted_report);
-  Report& report = *wanted_report;
-  report = Report();
+  Report& report = report_of_call(np, unwanted_report);
   report.device_reason = "compiled for the CPU";
 
   std::function<bool(double)> callback;

@@ -35,17 +35,6 @@ CGAL_L0_HOST_DEVICE inline double logistic(double x)
   return 1 / (1 + exp(-x));
 }
 
-/// Of a dipole that stands for an area of 1, at another one.
-/// \param height \f$ n^T d \f$
-/// \param squared_distance \f$ d^T d \f$
-CGAL_L0_HOST_DEVICE inline double winding_number_of_dipole(double height, double squared_distance,
-                                                           double squared_core)
-{
-  using std::sqrt;
-  const double softened = squared_distance + squared_core;
-  return height / (softened * sqrt(softened)) / (4 * 3.141592653589793);
-}
-
 /// Whether a tree is turned that no hints turn: as the flux through it says, unless that makes the
 /// mean winding number negative, beyond rounding.
 CGAL_L0_HOST_DEVICE inline bool is_turned_by_windings(bool is_turned_inwards,

@@ -89,18 +89,17 @@ public:
       const L nx = at(3), ny = at(4), nz = at(5);
       const L height = nx * x + ny * y + nz * z, own_height = x * own(3) + y * own(4) + z * own(5),
               cosine = nx * own(3) + ny * own(4) + nz * own(5);
-      const L inverse = inverse_sqrt(x * x + y * y + z * z + L(squared_core));
-      const L squared_inverse = inverse * inverse, cubed_inverse = squared_inverse * inverse;
-      const L of_pair = dipole_agreement(cosine, height * own_height, squared_inverse,
-                                         cubed_inverse, squared_core);
-      winding += height * cubed_inverse;
+      const L squared_distance = x * x + y * y + z * z;
+      const L of_pair = dipole_agreement(cosine, height * own_height, squared_distance,
+                                         squared_core);
+      winding += winding_number_of_dipole(height, squared_distance, squared_core);
       agreement += of_pair;
       total += abs(of_pair);
     }
     const double with_itself = dipole_agreement(1., 0., 0., squared_core);
     const double all_others = total.sum() - std::abs(with_itself);
     const double rounding = 1e-9 * std::abs(with_itself); // of a tree of one dipole
-    return {winding.sum() * area / (4 * 3.141592653589793),
+    return {winding.sum() * area,
             all_others > rounding ? (agreement.sum() - with_itself) / all_others : 0};
   }
 
