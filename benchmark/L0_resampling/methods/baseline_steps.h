@@ -17,6 +17,7 @@
 #include <boost/iterator/function_output_iterator.hpp>
 
 #include <iterator>
+#include <stdexcept>
 
 namespace L0_benchmark {
 
@@ -37,10 +38,13 @@ inline Json radius_to_json(double radius_in_spacings)
 /// WLOP to `number_of_output_points` points, which replace those of `result`, without normals. CGAL
 /// reorders `points`. `radius_in_spacings` is a multiple of the average spacing of `points`, or
 /// `default_radius`: CGAL's, eight of them.
+/// \throws std::invalid_argument for more points than `points` has, which CGAL reads out of range
 template <typename ConcurrencyTag>
 void wlop(std::vector<Point>& points, std::size_t number_of_output_points,
           double radius_in_spacings, bool require_uniform_sampling, Oriented_points& result)
 {
+  if (number_of_output_points > points.size())
+    throw std::invalid_argument("WLOP makes no more points than it is given");
   // WLOP floors the product of share and size: half a point more makes the count exact
   const double percentage = 100. * (double(number_of_output_points) + 0.5) / double(points.size());
   const double radius =
