@@ -9,6 +9,9 @@
     cloud = cgal_l0.read_points("scan.ply")
     positions, normals = cgal_l0.l0_resample_point_set(cloud.points)
     cgal_l0.write_points("clean.ply", positions, normals)
+
+l0_resample_point_set() is the function that this package is for, and its help explains every
+parameter. The others turn normals to their sides, read, write and draw points, and show progress.
 """
 
 from . import _core
