@@ -14,6 +14,7 @@ set(level_0   # words: types, formulas and tools that know nothing of point sets
   internal/Border_of_ball.h internal/Orientation_hints.h internal/orientation_agreement.h
   internal/side_confidence.h
   internal/shrinkage.h internal/negligible_displacement.h internal/block_factorization.h
+  internal/chebyshev_steps.h internal/matrix_free_product.h
   internal/checked_count.h
   internal/crowded_subcells.h internal/share_of_extent.h
   internal/symmetric_eigen.h internal/Height_moments.h internal/deviation_in_ball.h
@@ -46,7 +47,8 @@ set(level_2   # stages and solvers
   internal/tangential_repulsion.h internal/project_to_local_quadrics.h internal/orient_normals.h
   internal/separate_coincident_points.h internal/estimate_feature_confidences.h
   internal/nearest_input_points.h
-  Block_conjugate_gradient_solver_traits.h Eigen_cholesky_solver_traits.h
+  Block_chebyshev_solver_traits.h Block_conjugate_gradient_solver_traits.h
+  Eigen_cholesky_solver_traits.h
   Eigen_least_squares_solver_traits.h
   CUDA_least_squares_solver_traits.h)
 set(level_3   # Algorithm 1, and the whole

@@ -118,7 +118,8 @@ public:
                                         {normal_spreads.front().data(), 6, Eigen::Index(m)},
                                         m_solver.needs_explicit_rows ? &rows : nullptr,
                                         scale_so_far,
-                                        samples.positions.get_allocator().counter};
+                                        samples.positions.get_allocator().counter,
+                                        turn.regularizes ? p.regularization_weight : 0};
     const Solver_report solver_report = m_solver.solve(
       problem, Eigen::Map<Eigen::Matrix<FT, Eigen::Dynamic, 1>>(coordinates(m_displacements),
                                                                 Eigen::Index(3 * m)));
