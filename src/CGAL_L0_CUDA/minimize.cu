@@ -62,8 +62,10 @@ __device__ void update_density_weights(const Turn_in_kernel& turn)
 {
   const float squared_bandwidth = float(turn.parameters.squared_bandwidth);
   const Range_of_pairs range = turn.range();
-  const float mean_number_of_neighbors = float(double(turn.neighbors.number_of_pairs)
-                                               / turn.samples.size);
+  const float mean_number_of_neighbors = float(turn.parameters.mean_number_of_neighbors > 0
+                                                 ? turn.parameters.mean_number_of_neighbors
+                                                 : double(turn.neighbors.number_of_pairs)
+                                                     / turn.samples.size);
   for_each_sample_of_group(turn.samples.size, [&](unsigned i, unsigned lane, bool is_sample) {
     const uint2 row = turn.neighbors.row(turn.points, turn.samples.size, i);
     const int4 center = turn.points[i];

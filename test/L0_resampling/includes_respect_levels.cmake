@@ -28,7 +28,8 @@ set(level_1   # what several stages share, and what works on the arrays of one n
   internal/cuda_interface.h internal/cuda_device_arrays.h internal/cuda_answer.h
   internal/Device_progress.h
   internal/Progress.h internal/solver_settings.h
-  internal/Search_grid_3.h internal/working_frame.h internal/orientation_votes.h
+  internal/Search_grid_3.h internal/working_frame.h internal/Facts_of_cloud.h
+  internal/orientation_votes.h
   internal/dipoles_of_sets.h internal/winding_numbers.h internal/spanning_forest.h internal/Field_of_sets.h
   internal/orientation_field.h internal/ball_queries.h internal/near_pairs.h
   internal/Neighborhoods.h internal/nearest_samples.h

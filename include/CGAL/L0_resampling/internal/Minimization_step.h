@@ -86,6 +86,9 @@ public:
     {
       Buffer<FT> density_weights(m, samples.positions.get_allocator());
       update_weights<ConcurrencyTag>(samples.positions, samples.normals, neighbors,
+                                     p.mean_number_of_neighbors > 0
+                                       ? p.mean_number_of_neighbors
+                                       : double(number_of_pairs) / double(m),
                                      p.squared_bandwidth, p.squared_radius,
                                      square(p.regularized_jump), range, p.regularization_weight,
                                      density_weights, m_pair_weights);
