@@ -19,7 +19,8 @@ set(pages
   L0_resampling_glossary bgl_namedparameters citelist examples
   group__PkgL0ResamplingRef group__PkgL0ResamplingConcepts classL0ResamplingSolverTraits
   structCGAL_1_1CUDA__tag)
-foreach(name IN ITEMS Block__conjugate__gradient__solver__traits Eigen__cholesky__solver__traits
+foreach(name IN ITEMS Block__chebyshev__solver__traits Block__conjugate__gradient__solver__traits
+                      Eigen__cholesky__solver__traits
                       Eigen__least__squares__solver__traits
                       CUDA__least__squares__solver__traits CUDA__resampler
                       Solver__error Device__error)

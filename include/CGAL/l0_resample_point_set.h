@@ -6,7 +6,7 @@
 #ifndef CGAL_L0_RESAMPLE_POINT_SET_H
 #define CGAL_L0_RESAMPLE_POINT_SET_H
 
-#include <CGAL/L0_resampling/Block_conjugate_gradient_solver_traits.h>
+#include <CGAL/L0_resampling/Block_chebyshev_solver_traits.h>
 #include <CGAL/L0_resampling/Report.h>
 #include <CGAL/L0_resampling/internal/Point_data.h>
 #include <CGAL/L0_resampling/internal/carry_properties.h>
@@ -42,8 +42,7 @@ void l0_resample_point_set(const PointRange& range, PointMap point_map, NormalMa
                            std::size_t near_count, const Write& write, const NamedParameters& np)
 {
   if constexpr (!std::is_same<ConcurrencyTag, CUDA_tag>::value)
-    resample_on_cpu<ConcurrencyTag, Kernel,
-                    Block_conjugate_gradient_solver_traits<Local, ConcurrencyTag>>(
+    resample_on_cpu<ConcurrencyTag, Kernel, Block_chebyshev_solver_traits<Local, ConcurrencyTag>>(
       range, point_map, normal_map, near_count, write, np);
   else
   {
@@ -280,7 +279,7 @@ without a value leaves the default.
   \cgalParamNBegin{sparse_linear_solver}
     \cgalParamDescription{solves Eq. (10)}
     \cgalParamType{a model of `L0ResamplingSolverTraits`, or a `std::reference_wrapper` of one}
-    \cgalParamDefault{`CGAL::L0_resampling::Block_conjugate_gradient_solver_traits`}
+    \cgalParamDefault{`CGAL::L0_resampling::Block_chebyshev_solver_traits`}
     \cgalParamExtra{throws `CGAL::L0_resampling::Solver_error` where it has no answer}
   \cgalParamNEnd
   \cgalParamNBegin{random_seed}

@@ -40,7 +40,7 @@ std::size_t estimate_memory(std::size_t n, std::size_t m, const Parameters& para
                                          + 76 * m;
   const std::size_t of_fit = of_points + of_sample_grid + 15 * m;
   const std::size_t of_minimization = (rules.refines ? of_points + 16 * m : 0) + 16 * m
-                                      + of_neighbors + 76 * m;
+                                      + of_neighbors + 68 * m;
   const std::size_t of_quadrics = 2 * of_sample_grid + 20 * m + 76 * m;
   const std::size_t k = parameters.number_of_orientation_neighbors;
   const std::size_t of_orientation = // votes and the field, or grades of the edges

@@ -8,11 +8,10 @@
 #include "stages.cuh"
 
 #include <CGAL/L0_resampling/internal/block_factorization.h>
+#include <CGAL/L0_resampling/internal/chebyshev_steps.h>
 #include <CGAL/L0_resampling/internal/negligible_displacement.h>
 #include <CGAL/L0_resampling/internal/shrinkage.h>
 #include <CGAL/L0_resampling/internal/weights.h>
-
-#include <cfloat>
 
 namespace CGAL {
 namespace L0_resampling {
@@ -24,12 +23,8 @@ namespace {
 // Large blocks: few to wait for, and few partial sums.
 constexpr unsigned threads_per_large_block = 512;
 
-// The defaults of Block_conjugate_gradient_solver_traits
-constexpr double tolerance = 1e-5;
-constexpr unsigned maximum_number_of_iterations = 100;
-
-// At once: the two of conjugate gradients, and the energies.
-constexpr int number_of_sums = 6;
+// At once: the square of the right-hand side, and the energies.
+constexpr int number_of_sums = 5;
 
 struct Turn_in_kernel
 {
@@ -37,6 +32,8 @@ struct Turn_in_kernel
   float penalty;
   Shrunk_jumps<float> jumps;
   bool regularize;
+  double low_end_of_spectrum;
+  unsigned number_of_steps; // at least one
   float unit;
   double units_per_length;
   Neighbor_lists neighbors;
@@ -65,8 +62,10 @@ __device__ void update_density_weights(const Turn_in_kernel& turn)
 {
   const float squared_bandwidth = float(turn.parameters.squared_bandwidth);
   const Range_of_pairs range = turn.range();
-  const float mean_number_of_neighbors = float(double(turn.neighbors.number_of_pairs)
-                                               / turn.samples.size);
+  const float mean_number_of_neighbors = float(turn.parameters.mean_number_of_neighbors > 0
+                                                 ? turn.parameters.mean_number_of_neighbors
+                                                 : double(turn.neighbors.number_of_pairs)
+                                                     / turn.samples.size);
   for_each_sample_of_group(turn.samples.size, [&](unsigned i, unsigned lane, bool is_sample) {
     const uint2 row = turn.neighbors.row(turn.points, turn.samples.size, i);
     const int4 center = turn.points[i];
@@ -125,6 +124,14 @@ __device__ float3 solve(const Block_factorization<float>& block, float3 r)
   return {y[0], y[1], y[2]};
 }
 
+__device__ float3 multiply(const Block_factorization<float>& block, float3 p)
+{
+  const float x[3] = {p.x, p.y, p.z};
+  float y[3];
+  multiply_block(block, x, y);
+  return {y[0], y[1], y[2]};
+}
+
 __device__ double wide_dot(float3 a, float3 b)
 {
   return double(a.x) * b.x + double(a.y) * b.y + double(a.z) * b.z;
@@ -168,12 +175,14 @@ struct Energy_sums
 };
 
 /// Lines 4 and 2 of Algorithm 1 and the start of line 3: offsets by Eq. (9), g of Eq. (10),
-/// diagonal blocks D, and r = g, z = D^-1 r. The fourth number of z is beta n^T z, all that
-/// neighbors need of z beside itself. From here to the end of the turn, the place of the position
-/// holds c_i, and the fit tells where the sample is: the step need not be kept beside them.
-/// \param sums out, of the thread: g^T g and r^T z
-__device__ void linearize(const Turn_in_kernel& turn, Energy_sums& energy, double (&sums)[2])
+/// diagonal blocks D, r = g, and the first step p = D^-1 r. The fourth number of p is beta n^T p,
+/// all that neighbors need of p beside itself. From here to the end of the turn, the place of the
+/// position holds c_i, and the fit tells where the sample is: the step need not be kept beside
+/// them.
+/// \returns g^T g of the thread
+__device__ double linearize(const Turn_in_kernel& turn, Energy_sums& energy)
 {
+  double squared_rhs = 0;
   const float penalty = turn.penalty;
   const Range_of_pairs range = turn.range();
   const Pair_weights weight_of_pair(turn);
@@ -249,30 +258,33 @@ __device__ void linearize(const Turn_in_kernel& turn, Energy_sums& energy, doubl
       penalty * (yz + count * n.y * n.z),          weight + penalty * (zz + count * n.z * n.z)};
     const Block_factorization<float> block = factorize_block(upper);
     store_block(block, size, i, turn.arrays.blocks);
-    const float3 z = solve(block, g);
+    const float3 p = solve(block, g);
     turn.arrays.r.set(i, g);
-    turn.arrays.z[i] = with_w(z, penalty * dot(n, z));
+    turn.arrays.directions[0][i] = with_w(p, penalty * dot(n, p));
+    turn.samples.fit[i] = with_w(to_centroid - p, fit.w);
     double* const position = turn.samples.positions + 3 * Wide(i);
     position[0] += to_centroid.x;
     position[1] += to_centroid.y;
     position[2] += to_centroid.z;
-    sums[0] += wide_dot(g, g);
-    sums[1] += wide_dot(g, z);
+    squared_rhs += wide_dot(g, g);
   });
+  return squared_rhs;
 }
 
-/// s = H z + ratio s, as (Hz)_i = D_i z_i - sum of [a_ik I + beta (n_i n_i^T + n_k n_k^T)] z_k,
-/// where D_i z_i is r_i. The weights a_ik are computed anew each time: that takes no longer than
-/// reading them, and they would be as many numbers as the lists of neighbors have.
-/// \param curvature out, of the thread: z^T H z
-__device__ void multiply(const Turn_in_kernel& turn, bool is_first, float ratio, double& curvature)
+/// r -= H p, as (Hp)_i = D_i p_i - sum of [a_ik I + beta (n_i n_i^T + n_k n_k^T)] p_k. The weights
+/// a_ik are computed anew each time: that takes no longer than reading them, and they would be as
+/// many numbers as the lists of neighbors have.
+/// \param use gets the sample, its block, its p and what becomes r
+template <typename Use>
+__device__ void subtract_product(const Turn_in_kernel& turn, const float4* directions,
+                                 const Use& use)
 {
   const Pair_weights weight_of_pair(turn);
   for_each_sample_of_group(turn.samples.size, [&](unsigned i, unsigned lane, bool is_sample) {
     float3 sum = {0, 0, 0}, product = {0, 0, 0};
     struct Other
     {
-      float4 z;
+      float4 p;
       float4 normal;
       int4 point;
       float scale;
@@ -283,46 +295,40 @@ __device__ void multiply(const Turn_in_kernel& turn, bool is_first, float ratio,
     const float3 n = xyz(own);
     const float own_scale = weight_of_pair.range.scale(i);
     const auto load_other = [&](unsigned k, Wide) {
-      return Other{turn.arrays.z[k], turn.samples.normals[k], turn.points[k],
+      return Other{directions[k], turn.samples.normals[k], turn.points[k],
                    weight_of_pair.range.scale(k)};
     };
     for_each_pair<2>(turn.neighbors, row, lane, load_other, [&](const Other& other, Wide) {
       const float3 d = difference(center, other.point, turn.unit);
       const float a = weight_of_pair(dot(d, d), dot(n, d), dot(xyz(other.normal), d),
                                      own.w + other.normal.w, {own_scale, other.scale});
-      sum += xyz(other.z);
-      product += a * xyz(other.z) + other.z.w * xyz(other.normal);
+      sum += xyz(other.p);
+      product += a * xyz(other.p) + other.p.w * xyz(other.normal);
     });
     sum = group_sum<lanes_per_sample>(sum);
     product = group_sum<lanes_per_sample>(product);
     if (lane != 0 || !is_sample)
       return;
-    const float3 z = xyz(turn.arrays.z[i]);
-    const float3 w = turn.arrays.r.get(i) - product - (turn.penalty * dot(n, sum)) * n;
-    turn.arrays.s.set(i, is_first ? w : w + ratio * turn.arrays.s.get(i));
-    curvature += wide_dot(z, w);
+    const Block_factorization<float> block = load_block(turn.arrays.blocks, turn.samples.size, i);
+    const float3 p = xyz(directions[i]);
+    product += (turn.penalty * dot(n, sum)) * n;
+    use(i, block, p, turn.arrays.r.get(i) - (multiply(block, p) - product));
   });
 }
 
-/// p = z + ratio p, x += step p, r -= step s, z = D^-1 r, where x is what the fit has lost
-/// \param sums out, of the thread: r^T r and r^T z
-__device__ void take_step(const Turn_in_kernel& turn, bool is_first, float ratio, float step,
-                          double (&sums)[2])
+/// r -= H p, p' = keep p + gain D^-1 r, x += p', where x is what the fit has lost
+__device__ void take_step(const Turn_in_kernel& turn, float keep, float gain,
+                          const float4* directions, float4* next_directions)
 {
-  for_each_sample(turn.samples.size, [&](unsigned i) {
-    float3 p = xyz(turn.arrays.z[i]);
-    if (!is_first)
-      p += ratio * turn.arrays.p.get(i);
-    turn.arrays.p.set(i, p);
-    const float4 fit = turn.samples.fit[i];
-    turn.samples.fit[i] = with_w(xyz(fit) - step * p, fit.w);
-    const float3 r = turn.arrays.r.get(i) - step * turn.arrays.s.get(i);
-    turn.arrays.r.set(i, r);
-    const float3 z = solve(load_block(turn.arrays.blocks, turn.samples.size, i), r);
-    turn.arrays.z[i] = with_w(z, turn.penalty * dot(xyz(turn.samples.normals[i]), z));
-    sums[0] += wide_dot(r, r);
-    sums[1] += wide_dot(r, z);
-  });
+  subtract_product(turn, directions,
+                   [&](unsigned i, const Block_factorization<float>& block, float3 last, float3 r) {
+                     turn.arrays.r.set(i, r);
+                     const float3 p = keep * last + gain * solve(block, r);
+                     next_directions[i] = with_w(p, turn.penalty
+                                                      * dot(xyz(turn.samples.normals[i]), p));
+                     const float4 fit = turn.samples.fit[i];
+                     turn.samples.fit[i] = with_w(xyz(fit) - p, fit.w);
+                   });
 }
 
 /// Moves the samples to where the fit tells that they are.
@@ -344,11 +350,8 @@ __device__ void move_samples(const Turn_in_kernel& turn)
 
 /*!
 One turn of Algorithm 1 in one cooperative launch, so that nobody waits for the host: weights,
-shrinkage, conjugate gradients, step.
-
-The conjugate gradients are those of Chronopoulos and Gear (1989): in place of the product with the
-directions p they carry s = H p by the recurrence of p, which leaves two barriers an iteration
-instead of three. At a tolerance of 1e-5 the few more roundings do not show.
+shrinkage, and the steps of `Block_chebyshev_solver_traits`. These need one barrier each. Every
+second one is written over the last but one, since neighbors may still read the last.
 */
 __global__ void __launch_bounds__(threads_per_large_block, 2) run_turn(Turn_in_kernel turn)
 {
@@ -362,67 +365,50 @@ __global__ void __launch_bounds__(threads_per_large_block, 2) run_turn(Turn_in_k
     grid.sync();
   }
   Energy_sums energy;
-  double sums[2] = {0, 0};
-  linearize(turn, energy, sums);
-  double first_sums[number_of_sums] = {sums[0],
-                                       sums[1],
-                                       energy.fit,
-                                       energy.regularization,
-                                       energy.squared_normal_misfit,
-                                       double(energy.number_of_active_pairs)};
-  grid_sum(first_sums);
-  sums[0] = first_sums[0];
-  sums[1] = first_sums[1];
-  if (thread_index() == 0)
-  {
-    turn.result->fit_energy = first_sums[2];
-    turn.result->regularization_energy = first_sums[3];
-    turn.result->squared_normal_misfit = first_sums[4];
-    turn.result->number_of_active_pairs = Wide(first_sums[5]);
-  }
-  // As on the CPU: where the samples have come a long way, what is left of it need not be known
-  // better than the way itself.
-  const double squared_rhs = sums[0], last_scale = turn.last_result
-                                                     ? turn.last_result->right_hand_side_scale
-                                                     : negligible_displacement;
-  const double scale = max(last_scale, sqrt(squared_rhs)),
-               squared_limit = tolerance * tolerance * scale * scale;
+  const double squared_rhs_of_thread = linearize(turn, energy);
+  double sums[number_of_sums] = {squared_rhs_of_thread, energy.fit, energy.regularization,
+                                 energy.squared_normal_misfit,
+                                 double(energy.number_of_active_pairs)};
+  grid_sum(sums);
+  const double squared_rhs = sums[0];
 
-  double squared_residual = squared_rhs, gamma = sums[1], last_gamma = 0, last_step = 0;
-  unsigned iterations = 0;
-  bool is_finite = isfinite(squared_rhs);
-  while (is_finite && squared_residual > squared_limit && iterations < maximum_number_of_iterations)
+  Chebyshev_steps steps(turn.low_end_of_spectrum);
+  unsigned last = 0; // direction
+  for (unsigned step = 1; step < turn.number_of_steps; ++step, last = 1 - last)
   {
-    double curvature[1] = {0};
-    const double ratio = iterations == 0 ? 0 : gamma / last_gamma;
-    multiply(turn, iterations == 0, float(ratio), curvature[0]);
-    grid_sum(curvature);
-    is_finite = isfinite(curvature[0]);
-    const double direction_curvature = iterations == 0 ? curvature[0]
-                                                       : curvature[0] - ratio * gamma / last_step;
-    // H is positive definite, but near the rounding of its terms a step could go anywhere.
-    if (!(direction_curvature > 100. * FLT_EPSILON * gamma))
-      break;
-    last_step = gamma / direction_curvature;
-    last_gamma = gamma;
-    sums[0] = sums[1] = 0;
-    take_step(turn, iterations == 0, float(ratio), float(last_step), sums);
-    grid_sum(sums);
-    squared_residual = sums[0];
-    gamma = sums[1];
-    is_finite = is_finite && isfinite(squared_residual);
-    ++iterations;
+    steps.advance();
+    take_step(turn, float(steps.keep), float(steps.gain), turn.arrays.directions[last],
+              turn.arrays.directions[1 - last]);
+    grid.sync();
   }
+  double squared_residual[1] = {0};
+  subtract_product(turn, turn.arrays.directions[last],
+                   [&](unsigned, const Block_factorization<float>&, float3, float3 r) {
+                     squared_residual[0] += wide_dot(r, r);
+                   });
+  grid_sum(squared_residual);
+  const bool is_finite = isfinite(squared_rhs) && isfinite(squared_residual[0]);
   if (is_finite)
     move_samples(turn);
 
   if (thread_index() == 0)
   {
-    turn.result->right_hand_side_scale = scale;
-    turn.result->relative_residual = sqrt(squared_residual) / scale;
-    turn.result->solver_iterations = iterations;
-    turn.result->converged = squared_residual <= squared_limit;
-    turn.result->is_finite = is_finite;
+    // As on the CPU: where the samples have come a long way, what is left of it need not be known
+    // better than the way itself.
+    const double last_scale = turn.last_result ? turn.last_result->right_hand_side_scale
+                                               : negligible_displacement,
+                 scale = max(last_scale, sqrt(squared_rhs)),
+                 relative_residual = sqrt(squared_residual[0]) / scale;
+    Turn_result& result = *turn.result;
+    result.fit_energy = sums[1];
+    result.regularization_energy = sums[2];
+    result.squared_normal_misfit = sums[3];
+    result.number_of_active_pairs = Wide(sums[4]);
+    result.right_hand_side_scale = scale;
+    result.relative_residual = relative_residual;
+    result.solver_iterations = squared_rhs > 0 ? turn.number_of_steps : 0;
+    result.converged = relative_residual <= default_chebyshev_tolerance;
+    result.is_finite = is_finite;
   }
 }
 
@@ -440,9 +426,9 @@ Turn_arrays take_turn_arrays(const Workplace& workplace, unsigned number_of_samp
 {
   Device_arena& arena = workplace.scratch;
   Turn_arrays arrays;
-  arrays.z = arena.take<float4>(number_of_samples);
-  for (Vectors* vectors : {&arrays.p, &arrays.s, &arrays.r})
-    *vectors = {arena.take<float>(3 * std::size_t(number_of_samples)), number_of_samples};
+  for (float4*& directions : arrays.directions)
+    directions = arena.take<float4>(number_of_samples);
+  arrays.r = {arena.take<float>(3 * std::size_t(number_of_samples)), number_of_samples};
   arrays.blocks = arena.take<float>(6 * std::size_t(number_of_samples));
   arrays.partial_sums = arena.take<double>(2 * number_of_sums
                                            * std::size_t(number_of_cooperative_blocks(workplace)));
@@ -456,11 +442,23 @@ void minimize_once(const Workplace& workplace, const Minimization_parameters& pa
 {
   const double threshold = shrinkage_threshold(
     parameters.normal_weight, penalty, parameters.sparsity_unit, parameters.largest_shrunk_jump);
-  Turn_in_kernel turn = {
-    parameters, float(penalty),    {threshold, parameters.half_width_of_shrinkage},
-    regularize, grid.frame.unit(), grid.frame.units_per_length,
-    neighbors,  samples,           grid.points,
-    arrays,     last_result,       result};
+  const double regularization_weight = regularize ? parameters.regularization_weight : 0;
+  Turn_in_kernel turn = {parameters,
+                         float(penalty),
+                         {threshold, parameters.half_width_of_shrinkage},
+                         regularize,
+                         low_end_of_spectrum(regularization_weight, penalty),
+                         unsigned(number_of_chebyshev_steps(regularization_weight, penalty,
+                                                            default_chebyshev_tolerance,
+                                                            most_chebyshev_steps)),
+                         grid.frame.unit(),
+                         grid.frame.units_per_length,
+                         neighbors,
+                         samples,
+                         grid.points,
+                         arrays,
+                         last_result,
+                         result};
   void* arguments[] = {&turn};
   const unsigned useful_blocks = unsigned(
     (Wide(samples.size) * lanes_per_sample + threads_per_large_block - 1)

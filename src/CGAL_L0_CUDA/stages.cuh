@@ -313,8 +313,8 @@ struct Vectors
 /// The arrays of a turn; they keep their place from turn to turn.
 struct Turn_arrays
 {
-  float4* z;
-  Vectors p, s, r;
+  float4* directions[2]; // of this step and of the next
+  Vectors r;
   float* blocks;
   double* partial_sums;
 };

@@ -5,13 +5,16 @@
 
 // The stages for `Sequential_tag`, with the default solver.
 
+#include <CGAL/L0_resampling/Block_chebyshev_solver_traits.h>
 #include <CGAL/L0_resampling/Block_conjugate_gradient_solver_traits.h>
 #include <CGAL/L0_resampling/internal/compiled_templates.h>
 
 namespace CGAL {
 namespace L0_resampling {
 
+template class Block_chebyshev_solver_traits<float, Sequential_tag>;
 template class Block_conjugate_gradient_solver_traits<float, Sequential_tag>;
+template class Block_chebyshev_solver_traits<double, Sequential_tag>;
 template class Block_conjugate_gradient_solver_traits<double, Sequential_tag>;
 
 namespace internal {

@@ -29,8 +29,10 @@ using CGAL::L0_resampling::Method;
 
 const std::map<std::string, Method> methods = {
   {"default", Method::DEFAULT}, {"lor", Method::LOR}, {"alor", Method::ALOR}};
-const std::map<std::string, Solver> solvers = {
-  {"block-cg", Solver::BLOCK_CG}, {"cholesky", Solver::CHOLESKY}, {"rows-cg", Solver::ROWS_CG}};
+const std::map<std::string, Solver> solvers = {{"block-chebyshev", Solver::BLOCK_CHEBYSHEV},
+                                               {"block-cg", Solver::BLOCK_CG},
+                                               {"cholesky", Solver::CHOLESKY},
+                                               {"rows-cg", Solver::ROWS_CG}};
 const std::map<std::string, Device> devices = {
   {"cpu", Device::CPU}, {"cuda", Device::CUDA}, {"auto", Device::AUTO}};
 const std::map<std::string, Snapshot_colors> snapshot_colors = {
@@ -244,7 +246,7 @@ void add_options_on_method(CLI::App& app, Arguments& arguments)
   add_choice(app, "--solver", "SOLVER", solvers, options.solver, "of linear systems");
   app
     .add_option("--solver-iterations", options.solver_iterations,
-                "most iterations of a solve by block-cg or rows-cg")
+                "most iterations of a solve, but for cholesky")
     ->check(count_within(1, any_count))
     ->type_name("N");
 }

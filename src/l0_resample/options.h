@@ -27,6 +27,7 @@ using l0_common::Device;
 
 enum class Solver
 {
+  BLOCK_CHEBYSHEV,
   BLOCK_CG,
   CHOLESKY,
   ROWS_CG
@@ -71,7 +72,7 @@ struct Options
   bool only_first_returns = false;
 
   Device device = Device::AUTO;
-  Solver solver = Solver::BLOCK_CG;
+  Solver solver = Solver::BLOCK_CHEBYSHEV;
   std::optional<std::uint64_t> solver_iterations; ///< the most of one solve
   std::optional<int> threads;
 

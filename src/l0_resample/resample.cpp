@@ -9,6 +9,7 @@
 #include "carry_properties.h"
 #include "signals.h"
 
+#include <CGAL/L0_resampling/Block_chebyshev_solver_traits.h>
 #include <CGAL/L0_resampling/Block_conjugate_gradient_solver_traits.h>
 #include <CGAL/L0_resampling/Eigen_cholesky_solver_traits.h>
 #include <CGAL/L0_resampling/Eigen_least_squares_solver_traits.h>
@@ -89,10 +90,10 @@ void call(const Point_cloud& cloud, const Sides& sides, const Options& options,
     whole_np);
 }
 
+/// \param tolerance the default of the solver
 template <typename Solver_traits>
-Solver_traits iterative_solver(const Options& options)
+Solver_traits iterative_solver(const Options& options, double tolerance = 1e-5)
 {
-  constexpr double tolerance = 1e-5; // as by default
   return options.solver_iterations
            ? Solver_traits(tolerance, std::size_t(*options.solver_iterations))
            : Solver_traits();
@@ -103,10 +104,16 @@ void call_with_solver(const Point_cloud& cloud, const Sides& sides, const Option
                       const NamedParameters& np, Resampled_points& result)
 {
   using namespace CGAL::L0_resampling;
-  using Block_cg =
-    Block_conjugate_gradient_solver_traits<float, Concurrency_tag>; // the function's own default
+  using Block_chebyshev =
+    Block_chebyshev_solver_traits<float, Concurrency_tag>; // the function's own default
+  using Block_cg = Block_conjugate_gradient_solver_traits<float, Concurrency_tag>;
   using Rows_cg = Eigen_least_squares_solver_traits<double>;
   switch (options.solver) {
+  case Solver::BLOCK_CHEBYSHEV:
+    return call<Concurrency_tag>(cloud, sides, options,
+                                 np.sparse_linear_solver(iterative_solver<Block_chebyshev>(
+                                   options, internal::default_chebyshev_tolerance)),
+                                 result);
   case Solver::BLOCK_CG:
     return call<Concurrency_tag>(
       cloud, sides, options, np.sparse_linear_solver(iterative_solver<Block_cg>(options)), result);
@@ -123,7 +130,7 @@ void call_with_solver(const Point_cloud& cloud, const Sides& sides, const Option
 l0_common::Device_request device_request(const Options& options)
 {
   l0_common::Device_request request = {options.device, "--device cuda", ""};
-  if (options.solver != Solver::BLOCK_CG || options.solver_iterations)
+  if (options.solver != Solver::BLOCK_CHEBYSHEV || options.solver_iterations)
     request.obstacle = "the device has a solver of its own, and --solver or --solver-iterations "
                        "asks for another";
   return request;

@@ -14,6 +14,7 @@ set(level_0   # words: types, formulas and tools that know nothing of point sets
   internal/Border_of_ball.h internal/Orientation_hints.h internal/orientation_agreement.h
   internal/side_confidence.h
   internal/shrinkage.h internal/negligible_displacement.h internal/block_factorization.h
+  internal/chebyshev_steps.h internal/matrix_free_product.h
   internal/checked_count.h
   internal/crowded_subcells.h internal/share_of_extent.h
   internal/symmetric_eigen.h internal/Height_moments.h internal/deviation_in_ball.h
@@ -27,7 +28,8 @@ set(level_1   # what several stages share, and what works on the arrays of one n
   internal/cuda_interface.h internal/cuda_device_arrays.h internal/cuda_answer.h
   internal/Device_progress.h
   internal/Progress.h internal/solver_settings.h
-  internal/Search_grid_3.h internal/working_frame.h internal/orientation_votes.h
+  internal/Search_grid_3.h internal/working_frame.h internal/Facts_of_cloud.h
+  internal/orientation_votes.h
   internal/dipoles_of_sets.h internal/winding_numbers.h internal/spanning_forest.h internal/Field_of_sets.h
   internal/orientation_field.h internal/ball_queries.h internal/near_pairs.h
   internal/Neighborhoods.h internal/nearest_samples.h
@@ -46,7 +48,8 @@ set(level_2   # stages and solvers
   internal/tangential_repulsion.h internal/project_to_local_quadrics.h internal/orient_normals.h
   internal/separate_coincident_points.h internal/estimate_feature_confidences.h
   internal/nearest_input_points.h
-  Block_conjugate_gradient_solver_traits.h Eigen_cholesky_solver_traits.h
+  Block_chebyshev_solver_traits.h Block_conjugate_gradient_solver_traits.h
+  Eigen_cholesky_solver_traits.h
   Eigen_least_squares_solver_traits.h
   CUDA_least_squares_solver_traits.h)
 set(level_3   # Algorithm 1, and the whole

@@ -31,6 +31,7 @@ struct Scene
                                      std::numeric_limits<double>::infinity(),
                                      std::numeric_limits<double>::infinity(),
                                      0,
+                                     0,
                                      0.9,
                                      0.15,
                                      0.1,

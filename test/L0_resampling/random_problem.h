@@ -112,6 +112,7 @@ class Collapsed_problem
   std::vector<CGAL::L0_resampling::Index> m_indices;
   CGAL::L0_resampling::Explicit_rows<FT> m_rows;
   FT m_beta;
+  double m_alpha;
 
   static std::vector<FT> flat(const std::vector<Vector>& vectors)
   {
@@ -143,7 +144,7 @@ public:
 
   explicit Collapsed_problem(const Paper_problem& paper)
     : m_normals(flat(paper.normals)), m_offsets(offsets(paper.pairs, paper.samples.size())),
-      m_beta(FT(paper.beta)), fit_weights(paper.samples.size(), FT(0)),
+      m_beta(FT(paper.beta)), m_alpha(paper.alpha), fit_weights(paper.samples.size(), FT(0)),
       fit_offsets(offsets(paper.fit, paper.samples.size())), origins(flat(paper.samples))
   {
     const std::vector<Vector>& o = paper.samples;
@@ -200,7 +201,10 @@ public:
             {right_hand_side.data(), 3, columns},
             m_beta,
             {m_normal_spreads.data(), 6, columns},
-            &m_rows};
+            &m_rows,
+            0,
+            nullptr,
+            m_alpha};
   }
 };
 

@@ -49,9 +49,10 @@ std::vector<double> input_density_weights(const Gridded_points& sorted, double r
                                           double bandwidth)
 {
   Unwatched unwatched;
+  Facts_of_cloud facts;
   Buffer<T> weights(sorted.points.size());
   compute_input_density_weights<CGAL::Parallel_if_available_tag>(
-    sorted.grid, sorted.points, radius, bandwidth * bandwidth, unwatched.progress, weights);
+    sorted.grid, sorted.points, radius, bandwidth * bandwidth, facts, unwatched.progress, weights);
   return std::vector<double>(weights.begin(), weights.end());
 }
 
@@ -89,9 +90,10 @@ void check_one_scale(const std::vector<Vector>& points, double radius)
   const Sorted_queries scaled(CGAL::Sequential_tag(), to_buffer(points),
                               Cell_sizes(radius, scales));
   Unwatched unwatched;
+  Facts_of_cloud facts;
   Buffer<double> weights(points.size());
   compute_input_density_weights<CGAL::Parallel_if_available_tag>(
-    scaled.grid, scaled.points, radius, bandwidth * bandwidth, unwatched.progress, weights);
+    scaled.grid, scaled.points, radius, bandwidth * bandwidth, facts, unwatched.progress, weights);
   const Gridded_points sorted(points, radius);
   CHECK(largest_relative_difference(std::vector<double>(weights.begin(), weights.end()),
                                     input_density_weights<double>(sorted, scale * radius,
@@ -113,10 +115,10 @@ void check_samples(const std::vector<Vector>& points, double radius, double band
   Buffer<Vector> normals;
   for (std::size_t i = 0; i < points.size(); ++i)
     normals.push_back(random_unit_vector(generator));
-  update_weights<CGAL::Parallel_if_available_tag>(sorted.points, normals, neighbors,
-                                                  bandwidth * bandwidth, radius * radius,
-                                                  jump * jump, range, regularization_weight,
-                                                  weights, pair_weights);
+  update_weights<CGAL::Parallel_if_available_tag>(
+    sorted.points, normals, neighbors, double(neighbors.indices.size()) / double(points.size()),
+    bandwidth * bandwidth, radius * radius, jump * jump, range, regularization_weight, weights,
+    pair_weights);
   const std::vector<double> naive = naive_density_weights(sorted.vector, radius / 2, bandwidth,
                                                           range);
   CHECK(largest_relative_difference(std::vector<double>(weights.begin(), weights.end()), naive)
@@ -156,9 +158,56 @@ void check_loners()
                                                                        unwatched.progress);
   Buffer<double> weights(27, 0.), no_pair_weights;
   const Buffer<Vector> normals(27, Vector::UnitZ());
-  update_weights<CGAL::Sequential_tag>(apart.points, normals, none, 0.25, 1, 0.04, 0.55, 0.15,
+  update_weights<CGAL::Sequential_tag>(apart.points, normals, none, 0, 0.25, 1, 0.04, 0.55, 0.15,
                                        weights, no_pair_weights);
   CHECK(std::vector<double>(weights.begin(), weights.end()) == ones);
+}
+
+/// What lies far away, before them or behind them, changes no bit of the weights of samples:
+/// neither by the lanes that a pair is computed in nor by the order of sums.
+void check_far_samples(Generator& generator)
+{
+  struct Weights
+  {
+    std::vector<float> of_samples, of_pairs;
+  };
+  const auto weights_of = [](const std::vector<Vector>& points, std::size_t first,
+                             std::size_t size) {
+    const Gridded_points sorted(points, 1);
+    Unwatched unwatched;
+    const Neighborhoods neighbors =
+      find_self_neighbors<CGAL::Sequential_tag>(sorted.grid, sorted.points, 1, unwatched.progress);
+    Buffer<float> weights(points.size()), pair_weights(neighbors.indices.size());
+    const Buffer<Eigen::Vector3f> normals(points.size(), Eigen::Vector3f::UnitZ());
+    update_weights<CGAL::Sequential_tag>(sorted.points, normals, neighbors, 5, 0.25, 1, 0.04, 0.9,
+                                         0.15, weights, pair_weights);
+    const auto part = [](const Buffer<float>& values, std::size_t begin, std::size_t end) {
+      return std::vector<float>(values.begin() + std::ptrdiff_t(begin),
+                                values.begin() + std::ptrdiff_t(end));
+    };
+    return Weights{part(weights, first, first + size),
+                   part(pair_weights, neighbors.offsets[first], neighbors.offsets[first + size])};
+  };
+  const auto random_points = [&](std::size_t n, double z) {
+    std::vector<Vector> points;
+    for (std::size_t i = 0; i < n; ++i)
+      points.push_back(
+        {random_number(0, 1, generator), random_number(0, 1, generator), z + 0.001 * double(i)});
+    return points;
+  };
+  for (std::size_t trial = 0; trial < 50; ++trial)
+  {
+    const std::vector<Vector> points = random_points(15, 0);
+    const Weights alone = weights_of(points, 0, 15);
+    for (const double z : {-10., 10.})
+    {
+      std::vector<Vector> all = random_points(2 + trial % 7, z);
+      const std::size_t first = z < 0 ? all.size() : 0;
+      all.insert(all.end(), points.begin(), points.end());
+      const Weights beside = weights_of(all, first, 15);
+      CHECK(beside.of_samples == alone.of_samples && beside.of_pairs == alone.of_pairs);
+    }
+  }
 }
 
 int main()
@@ -179,5 +228,6 @@ int main()
     for (double range : {0.3, infinity})
       check_samples(points, 0.6, 0.3, jump, range, generator);
   check_loners();
+  check_far_samples(generator);
   return result();
 }

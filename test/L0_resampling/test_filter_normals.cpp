@@ -24,8 +24,9 @@ std::vector<Vector> filter(const Oriented_points& cloud, double radius, double s
   const Normal_filter<T> settings{radius, T(radius * radius / 4),
                                   T(normal_bandwidth(sharpness_angle))};
   Unwatched unwatched;
+  Facts_of_cloud facts;
   for (std::size_t i = 0; i < number_of_iterations; ++i)
-    filter_normals<CGAL::Parallel_if_available_tag>(sorted.grid, sorted.points, settings,
+    filter_normals<CGAL::Parallel_if_available_tag>(sorted.grid, sorted.points, settings, facts,
                                                     unwatched.progress, normals);
   std::vector<Vector> result(normals.size());
   for (std::size_t i = 0; i < normals.size(); ++i)

@@ -15,11 +15,13 @@ using namespace test;
 std::vector<bool> outliers_of(const std::vector<Vector>& points, double radius)
 {
   Unwatched unwatched;
+  std::optional<double> median, same_median;
   const auto parallel = find_outliers<float, CGAL::Parallel_if_available_tag>(
-    to_buffer(points), radius, Scales_view(), unwatched.progress);
+    to_buffer(points), radius, Scales_view(), median, unwatched.progress);
   CHECK((parallel
          == find_outliers<float, CGAL::Sequential_tag>(to_buffer(points), radius, Scales_view(),
-                                                       unwatched.progress)));
+                                                       same_median, unwatched.progress)));
+  CHECK(*median == *same_median);
   return std::vector<bool>(parallel.begin(), parallel.end());
 }
 

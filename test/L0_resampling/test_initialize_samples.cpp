@@ -31,9 +31,10 @@ struct Start
     : input(cloud.points, radius / 2)
   {
     Unwatched unwatched;
+    std::optional<std::uint64_t> total;
     const Initial_samples samples = initialize_samples<CGAL::Parallel_if_available_tag>(
       input.grid, input.points, to_local_vectors<float>(permuted(input.order, cloud.normals)),
-      areas_in_order(areas), number_of_samples, radius, seed, unwatched.progress);
+      areas_in_order(areas), number_of_samples, radius, seed, total, unwatched.progress);
     positions.assign(samples.positions.begin(), samples.positions.end());
     for (Index j : samples.sources)
       sources.push_back(input.vector[j]);

@@ -95,7 +95,7 @@ int main(int argc, char** argv)
   app.add_option("--method", method)->check(CLI::IsMember(methods));
   app
     .add_option("--solver", solver,
-                "block: conjugate gradients on 3x3 blocks; cholesky: of the normal equations; "
+                "block: the default, on 3x3 blocks; cholesky: of the normal equations; "
                 "rows: least-squares conjugate gradients on the paper's rows; cuda_rows: the same "
                 "on a CUDA device, "
                 "where built with CUDA")

@@ -92,7 +92,7 @@ def bound_of(stage, limits):
 def waits_of(run, limits):
     """Seconds that launches and the solver's barriers take at least, however little there is to do."""
     kernels = sum(stage["kernels"] for stage in run["stages"])
-    sums = 2 * (run["turns"] + run["solver_iterations"])   # weights and right-hand side of a turn; two of conjugate gradients
+    sums = 2 * run["turns"] + run["solver_iterations"]   # weights and right-hand side of a turn; one of each step and the residual
     return {"kernels": kernels, "launches": kernels * limits["launch_seconds"], "sums": sums, "barriers": sums * limits["sum_seconds"]}
 
 

@@ -17,6 +17,7 @@ last, so that a model may reuse what it has allocated.
 \cgalRefines{CopyConstructible}
 
 \cgalHasModelsBegin
+\cgalHasModels{CGAL::L0_resampling::Block_chebyshev_solver_traits<FT, ConcurrencyTag>}
 \cgalHasModels{CGAL::L0_resampling::Block_conjugate_gradient_solver_traits<FT, ConcurrencyTag>}
 \cgalHasModels{CGAL::L0_resampling::Eigen_cholesky_solver_traits<FT>}
 \cgalHasModels{CGAL::L0_resampling::Eigen_least_squares_solver_traits<FT>}
@@ -41,7 +42,7 @@ public:
   /*!
   Minimizes Eq. (10).
 
-  Every model stops by the same rule, as soon as
+  Models stop by the same rule, as soon as
   \f$ \|A^T(b - Ax)\| \leq \mathrm{tolerance} \cdot s \f$, in terms of `Quadratic_problem`
   \f$ \|g - Hx\| \leq \mathrm{tolerance} \cdot s \f$, or when it has spent its maximum number of
   iterations. The scale \f$ s \f$ is \f$ \|g\| \f$ or `Quadratic_problem::right_hand_side_scale`,
@@ -50,8 +51,10 @@ public:
   found.
 
   Running out of iterations is no error: Algorithm 1 lives well with inexact solves. An initial
-  guess that fulfills the rule costs no iteration. Where \f$ A^T b = 0 \f$, the solution is zero,
-  with a relative residual of 0.
+  guess that fulfills the rule costs no iteration. A model may also know the number of its
+  iterations beforehand, as `CGAL::L0_resampling::Block_chebyshev_solver_traits` does; then it takes
+  these, whatever the residual is, and the rule only decides whether it has converged. Where
+  \f$ A^T b = 0 \f$, the solution is zero, with a relative residual of 0.
 
   \param problem what to minimize; the arrays belong to the caller and are not kept. A model whose
   own arrays shall

@@ -10,6 +10,7 @@
 #include <CGAL/L0_resampling/Solver_report.h>
 #include <CGAL/L0_resampling/internal/Buffer.h>
 #include <CGAL/L0_resampling/internal/block_factorization.h>
+#include <CGAL/L0_resampling/internal/matrix_free_product.h>
 #include <CGAL/L0_resampling/internal/parallel_for.h>
 #include <CGAL/L0_resampling/internal/solver_settings.h>
 
@@ -28,9 +29,10 @@ namespace L0_resampling {
 /*!
 \ingroup PkgL0ResamplingRef
 
-The default solver: conjugate gradients on \f$ Hx = g \f$ of `Quadratic_problem`, which never forms
-\f$ H \f$, preconditioned by its 3 x 3 diagonal blocks \f$ D_i \f$. The coupling of the samples is
-weak, so that a handful of iterations does.
+Conjugate gradients on \f$ Hx = g \f$ of `Quadratic_problem`, which never form \f$ H \f$,
+preconditioned by its 3 x 3 diagonal blocks \f$ D_i \f$. They adapt to the spectrum of the problem,
+and so reach small tolerances, and weights far from the defaults, in few iterations. In return, each
+iteration takes two sums over all samples, so that each sample has an influence on all others.
 
 The result is bitwise the same for `Sequential_tag` and for `Parallel_tag` with any number of
 threads.
@@ -192,9 +194,6 @@ private:
     }
   };
 
-  using Four = Eigen::Array<FT, 4, 1>;
-  using Eight = Eigen::Array<FT, 8, 1>;
-
   template <typename F>
   static void for_each_block(std::size_t m, const F& f)
   {
@@ -207,23 +206,13 @@ private:
     return internal::block_sum<ConcurrencyTag>(m, block_size, f);
   }
 
-  static FT dot(const FT* a, const FT* b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-  /// D_i = (W_i + sum of a_ik) I + beta * sum of (n_i n_i^T + n_k n_k^T), and p_i = 0
+  /// D, and p = 0
   void start(const Quadratic_problem<FT>& problem, std::size_t begin, std::size_t end)
   {
     for (std::size_t i = begin; i < end; ++i)
     {
-      FT weight = problem.fit_weights[Eigen::Index(i)];
-      for (std::size_t e = problem.self_neighbors.offsets[i];
-           e < problem.self_neighbors.offsets[i + 1]; ++e)
-        weight += problem.pair_weights[Eigen::Index(e)];
-      const FT* const spread = problem.normal_spreads.data() + 6 * i;
-      const FT beta = problem.penalty;
       std::fill_n(m_directions.begin() + std::ptrdiff_t(8 * i), 8, FT(0));
-      m_blocks[i] = internal::factorize_block({weight + beta * spread[0], beta * spread[1],
-                                               beta * spread[2], weight + beta * spread[3],
-                                               beta * spread[4], weight + beta * spread[5]});
+      m_blocks[i] = internal::diagonal_block(problem, i);
     }
   }
 
@@ -258,53 +247,34 @@ private:
     }
   }
 
-  /// p = source + ratio * p. Stored with each p_i is beta n_i n_i^T p_i, all that its neighbors
-  /// need of n_i. Each of the two takes the room of four numbers, so that they fill vector
-  /// registers.
+  /// p = source + ratio * p
   void update_directions(const Quadratic_problem<FT>& problem, const FT* source, FT ratio,
                          std::size_t begin, std::size_t end)
   {
     for (std::size_t i = begin; i < end; ++i)
     {
-      const FT* const ni = problem.sample_normals.data() + 3 * i;
       FT* const p = &m_directions[8 * i];
       for (std::size_t c = 0; c < 3; ++c)
         p[c] = source[3 * i + c] + ratio * p[c];
-      const FT s = problem.penalty * dot(ni, p);
-      for (std::size_t c = 0; c < 3; ++c)
-        p[4 + c] = s * ni[c];
+      internal::complete_direction(problem, i, p);
     }
   }
 
-  /// The product H p, as (Hp)_i = D_i p_i - sum of [a_ik I + beta (n_i n_i^T + n_k n_k^T)] p_k. For
-  /// a neighbor, all that `update_directions()` has stored is added, and its first half once more,
-  /// times a_ik.
+  /// The product H p.
   Curvatures multiply(const Quadratic_problem<FT>& problem, std::size_t begin, std::size_t end)
   {
-    const FT* const directions = m_directions.data();
-    const FT* const pair_weights = problem.pair_weights.data();
-    const Index* const indices = problem.self_neighbors.indices;
     Curvatures curvatures;
     for (std::size_t i = begin; i < end; ++i)
     {
-      Eight sum = Eight::Zero();        // of p_k and beta n_k n_k^T p_k
-      Four weighted_sum = Four::Zero(); // of a_ik p_k
-      for (std::size_t e = problem.self_neighbors.offsets[i];
-           e < problem.self_neighbors.offsets[i + 1]; ++e)
-      {
-        const FT* const p = directions + 8 * std::size_t(indices[e]);
-        sum += Eigen::Map<const Eight>(p);
-        weighted_sum += pair_weights[e] * Eigen::Map<const Four>(p);
-      }
-      const FT* const ni = problem.sample_normals.data() + 3 * i;
-      const FT* const pi = directions + 8 * i;
-      const FT s = problem.penalty * dot(ni, sum.data());
+      FT of_others[3];
+      internal::multiply_couplings(problem, m_directions.data(), i, of_others);
+      const FT* const pi = &m_directions[8 * i];
       FT* const product = &m_products[3 * i];
       internal::multiply_block(m_blocks[i], pi, product);
       for (std::size_t c = 0; c < 3; ++c)
       {
         curvatures.diagonal += double(pi[c]) * double(product[c]);
-        product[c] -= weighted_sum[Eigen::Index(c)] + sum[Eigen::Index(4 + c)] + s * ni[c];
+        product[c] -= of_others[c];
         curvatures.full += double(pi[c]) * double(product[c]);
       }
     }

@@ -119,6 +119,10 @@ struct Quadratic_problem
   /// be null.
   internal::Memory_counter* memory = nullptr;
 
+  /// \f$ \alpha \f$ of this iteration, which the pair weights hold already: with the penalty it
+  /// tells how strongly the samples are coupled.
+  double regularization_weight = 0;
+
   /// m
   std::size_t number_of_samples() const { return self_neighbors.size; }
 };

@@ -9,6 +9,7 @@
 #include <CGAL/L0_resampling/Report.h>
 #include <CGAL/L0_resampling/internal/Any_solver.h>
 #include <CGAL/L0_resampling/internal/Cpu_points.h>
+#include <CGAL/L0_resampling/internal/Facts_of_cloud.h>
 #include <CGAL/L0_resampling/internal/Minimization_step.h>
 #include <CGAL/L0_resampling/internal/Plan.h>
 #include <CGAL/L0_resampling/internal/choose_samples.h>
@@ -59,6 +60,7 @@ template <typename ConcurrencyTag, typename FT>
 class Cpu_backend : public Cpu_points<ConcurrencyTag>
 {
   using Base = Cpu_points<ConcurrencyTag>;
+  using Base::m_facts;
   using Base::m_frame;
   using Base::m_input;
   using Base::m_progress;
@@ -92,10 +94,11 @@ public:
   /// \param hints unit or zero vectors on the side that normals shall point to, or to the
   /// viewpoints of the points, one a point, or none at all; used up
   /// \param parameters that tell of the sides of the normals
+  /// \param given what is known of the cloud that the points are a part of
   Cpu_backend(Buffer<Vector>& points, Buffer<Local_vector>& given_normals,
               Buffer<Local_vector>& hints, const Parameters& parameters, Any_solver<FT>& solver,
-              Progress& progress, Report& report)
-    : Base(points, progress, report), m_parameters(parameters), m_solver(solver),
+              Progress& progress, Report& report, const Facts_of_cloud& given)
+    : Base(points, progress, report, given), m_parameters(parameters), m_solver(solver),
       m_given_normals(given_normals),
       m_hints(hints), m_areas{Buffer<std::uint64_t>(points.get_allocator()), 0},
       m_samples(points.get_allocator()), m_followers(points.get_allocator()), m_fit_rows(no_rows()),
@@ -126,7 +129,7 @@ public:
   void drop_outliers(const Plan& plan)
   {
     m_report.number_of_outliers = internal::drop_outliers<ConcurrencyTag>(
-      plan.radius, m_input.points, m_input.scales, m_given_normals, m_hints, m_progress);
+      plan.radius, m_input.points, m_input.scales, m_given_normals, m_hints, m_facts, m_progress);
   }
 
   void sort_points(const Plan& plan)
@@ -177,8 +180,8 @@ public:
   {
     const Normal_filter<Local> filter{plan.filter_radius, Local(plan.squared_bandwidth),
                                       Local(plan.normal_bandwidth)};
-    internal::filter_normals<ConcurrencyTag>(m_input.grid, m_input.points, filter, m_progress,
-                                             m_input.normals);
+    internal::filter_normals<ConcurrencyTag>(m_input.grid, m_input.points, filter, m_facts,
+                                             m_progress, m_input.normals);
   }
 
   /// Given normals are not needed any further.
@@ -187,7 +190,7 @@ public:
     const bool all_normals_given = are_all_normals_given();
     release(m_given_normals);
     const std::size_t number_of_sparse_balls = compute_input_density_weights<ConcurrencyTag>(
-      m_input.grid, m_input.points, plan.filter_radius, plan.squared_bandwidth, m_progress,
+      m_input.grid, m_input.points, plan.filter_radius, plan.squared_bandwidth, m_facts, m_progress,
       m_input.density_weights);
     if (all_normals_given)
       m_report.number_of_degenerate_neighborhoods = number_of_sparse_balls;
@@ -200,12 +203,12 @@ public:
   double total_area(const Plan& plan)
   {
     m_areas = areas_of_points(plan);
-    return m_areas.total();
+    return known_or_found(m_facts.area, [&]() { return m_areas.total(); });
   }
 
   void choose_samples(const Plan& plan)
   {
-    m_followers = internal::choose_samples<ConcurrencyTag>(plan, m_input, m_areas, m_hints,
+    m_followers = internal::choose_samples<ConcurrencyTag>(plan, m_input, m_areas, m_facts, m_hints,
                                                            m_progress, m_samples);
     release(m_areas.units);
   }

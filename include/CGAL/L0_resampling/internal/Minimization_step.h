@@ -86,6 +86,9 @@ public:
     {
       Buffer<FT> density_weights(m, samples.positions.get_allocator());
       update_weights<ConcurrencyTag>(samples.positions, samples.normals, neighbors,
+                                     p.mean_number_of_neighbors > 0
+                                       ? p.mean_number_of_neighbors
+                                       : double(number_of_pairs) / double(m),
                                      p.squared_bandwidth, p.squared_radius,
                                      square(p.regularized_jump), range, p.regularization_weight,
                                      density_weights, m_pair_weights);
@@ -118,7 +121,8 @@ public:
                                         {normal_spreads.front().data(), 6, Eigen::Index(m)},
                                         m_solver.needs_explicit_rows ? &rows : nullptr,
                                         scale_so_far,
-                                        samples.positions.get_allocator().counter};
+                                        samples.positions.get_allocator().counter,
+                                        turn.regularizes ? p.regularization_weight : 0};
     const Solver_report solver_report = m_solver.solve(
       problem, Eigen::Map<Eigen::Matrix<FT, Eigen::Dynamic, 1>>(coordinates(m_displacements),
                                                                 Eigen::Index(3 * m)));

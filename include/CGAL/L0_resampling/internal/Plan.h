@@ -57,6 +57,15 @@ inline double normal_bandwidth(double angle)
   return (std::max)(square(1 - std::cos(angle * pi / 180)), 1e-12);
 }
 
+/// How many others of an even set, each of which has a square to itself, are in a disk; at
+/// least one.
+/// \param radius per spacing of the set
+inline double even_number_of_neighbors(double radius)
+{
+  const double pi = 3.141592653589793;
+  return (std::max)(pi * square(radius) - 1, 1.);
+}
+
 /// One time that lines 2 to 5 of Algorithm 1 run.
 struct Turn
 {
@@ -68,12 +77,15 @@ struct Turn
 /// The weights of Algorithm 1 in the working frame.
 struct Minimization_parameters
 {
-  double squared_radius;          ///< \f$ r_p^2 \f$
-  double squared_bandwidth;       ///< \f$ \sigma_q^2 \f$
-  double sparsity_unit;           ///< length in which \f$ \sqrt{\lambda/\beta} \f$ is read
-  double largest_shrunk_jump;     ///< a length; infinite in LOR and ALOR
-  double regularized_jump;        ///< J of `pair_weight()`, a length; infinite in LOR and ALOR
-  double range_of_pairs;          ///< of the self neighbors; infinite in LOR and ALOR
+  double squared_radius;      ///< \f$ r_p^2 \f$
+  double squared_bandwidth;   ///< \f$ \sigma_q^2 \f$
+  double sparsity_unit;       ///< length in which \f$ \sqrt{\lambda/\beta} \f$ is read
+  double largest_shrunk_jump; ///< a length; infinite in LOR and ALOR
+  double regularized_jump;    ///< J of `pair_weight()`, a length; infinite in LOR and ALOR
+  double range_of_pairs;      ///< of the self neighbors; infinite in LOR and ALOR
+  /// \f$ \eta_S \f$ of Eq. (5): of an even set, so that no sample depends on all others; in LOR and
+  /// ALOR 0, for the mean of all samples
+  double mean_number_of_neighbors;
   double half_width_of_shrinkage; ///< see `Shrunk_jumps`; 0 in LOR and ALOR
   double normal_weight;           ///< \f$ \lambda \f$
   double regularization_weight;   ///< \f$ \alpha \f$
@@ -142,6 +154,8 @@ struct Plan
       // terms move.
       self_neighbor_radius = (std::min)(spreading_radius(), largest_radius);
       minimization.range_of_pairs = self_neighbor_radius;
+      minimization.mean_number_of_neighbors = even_number_of_neighbors(self_neighbor_radius
+                                                                       / sample_spacing);
     }
   }
 
@@ -223,6 +237,7 @@ inline Plan make_plan(const Parameters& parameters, const Facts& facts)
     rules.limits_jumps ? largest_shrunk_jump_per_sheet_height * plan.sheet_height : infinity,
     rules.limits_jumps ? regularized_jump_per_sheet_height * plan.sheet_height : infinity,
     infinity,
+    0,
     rules.limits_jumps ? half_width_of_firm_shrinkage : 0,
     parameters.normal_weight,
     parameters.regularization_weight,

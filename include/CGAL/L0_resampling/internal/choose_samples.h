@@ -6,6 +6,7 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_CHOOSE_SAMPLES_H
 #define CGAL_L0_RESAMPLING_INTERNAL_CHOOSE_SAMPLES_H
 
+#include <CGAL/L0_resampling/internal/Facts_of_cloud.h>
 #include <CGAL/L0_resampling/internal/Followers.h>
 #include <CGAL/L0_resampling/internal/Plan.h>
 #include <CGAL/L0_resampling/internal/Samples.h>
@@ -81,30 +82,33 @@ struct Placed_samples
 
 /// Where samples start.
 /// \param areas that the points stand for, if the plan uses them
+/// \param facts the area that samples start on: given, or found here
 template <typename ConcurrencyTag>
 Placed_samples place_samples(const Plan& plan, const Prepared_points& input, const Areas& areas,
-                             Progress& progress)
+                             Facts_of_cloud& facts, Progress& progress)
 {
   const Buffer<std::uint64_t> no_areas(input.points.get_allocator());
   Initial_samples start = initialize_samples<ConcurrencyTag>(
     input.grid, input.points, input.normals, plan.starts_evenly ? areas.units : no_areas,
-    plan.number_of_samples, plan.radius, plan.random_seed, progress);
+    plan.number_of_samples, plan.radius, plan.random_seed, facts.units_of_starts, progress);
   Followers followers = take_followers<ConcurrencyTag>(plan, input.scales, start);
   return {std::move(start), std::move(followers)};
 }
 
 /// Section 3.2: the first S.
 /// \param areas that the points stand for, if the plan uses them
+/// \param facts the area that samples start on: given, or found here
 /// \param hints used up
 /// \param samples out: all but what the fit finds
 /// \returns the samples that follow others
 template <typename ConcurrencyTag, typename FT>
 Followers choose_samples(const Plan& plan, const Prepared_points& input, const Areas& areas,
-                         Buffer<Local_vector>& hints, Progress& progress, Samples<FT>& samples)
+                         Facts_of_cloud& facts, Buffer<Local_vector>& hints, Progress& progress,
+                         Samples<FT>& samples)
 {
   const Buffer<Vector>& points = input.points;
   const std::size_t m = plan.number_of_samples;
-  Placed_samples placed = place_samples<ConcurrencyTag>(plan, input, areas, progress);
+  Placed_samples placed = place_samples<ConcurrencyTag>(plan, input, areas, facts, progress);
   Initial_samples& start = placed.start;
   samples.positions = std::move(start.positions);
   const std::size_t size = samples.positions.size();

@@ -24,7 +24,8 @@
 #define CGAL_L0_COMPILED_TEMPLATES(declaration, Tag, FT)                                           \
   declaration Oriented_points<FT> resample<Tag, FT>(Buffer<Vector>&, Buffer<Local_vector>&,        \
                                                     Buffer<Local_vector>&, const Parameters&,      \
-                                                    Any_solver<FT>&, Progress&, Report&);          \
+                                                    Any_solver<FT>&, Progress&, Report&,           \
+                                                    Facts_of_cloud&);                              \
   declaration Buffer<std::array<FT, 3>> rounded_positions<Tag, FT>(const Buffer<Vector>&,          \
                                                                    const Input&, double, bool);    \
   declaration void nearest_input_points<Tag, FT>(                                                  \

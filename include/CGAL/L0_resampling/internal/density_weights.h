@@ -6,6 +6,7 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_DENSITY_WEIGHTS_H
 #define CGAL_L0_RESAMPLING_INTERNAL_DENSITY_WEIGHTS_H
 
+#include <CGAL/L0_resampling/internal/Facts_of_cloud.h>
 #include <CGAL/L0_resampling/internal/Parameters.h>
 #include <CGAL/L0_resampling/internal/near_pairs.h>
 #include <CGAL/L0_resampling/internal/weights.h>
@@ -97,16 +98,18 @@ void sum_weights_by_pairs(const Search_grid_3& grid, const Buffer<Vector>& point
 /// +" of Eq. (5) counts.
 /// \param points sorted for `grid`
 /// \param radius, squared_bandwidth at scale 1
+/// \param facts the mean number of neighbors, and whether blocks are plain: given, or found here
 /// \param weights out: one number a point, at least 1
 /// \returns the number of points whose balls hold fewer than `fewest_points_of_plane`
 template <typename ConcurrencyTag, typename T>
 std::size_t compute_input_density_weights(const Search_grid_3& grid, const Buffer<Vector>& points,
                                           double radius, double squared_bandwidth,
-                                          Progress& progress, Buffer<T>& weights)
+                                          Facts_of_cloud& facts, Progress& progress,
+                                          Buffer<T>& weights)
 {
   Buffer<Index> counts = filled_buffer(points.size(), Index(0), points.get_allocator());
   fill_buffer(points.size(), T(0), weights);
-  if (has_plain_blocks_only<T, ConcurrencyTag>(grid, cells_in_reach(radius, grid.cell_size())))
+  if (knows_plain_blocks<T, ConcurrencyTag>(grid, radius, facts))
     sum_weights_by_pairs<ConcurrencyTag>(grid, points, radius, T(squared_bandwidth), progress,
                                          counts, weights);
   else
@@ -120,10 +123,11 @@ std::size_t compute_input_density_weights(const Search_grid_3& grid, const Buffe
     total += count;
     number_of_sparse_balls += count + 1 < fewest_points_of_plane;
   }
-  const double mean_number_of_input_neighbors = total / double(points.size());
-  if (mean_number_of_input_neighbors > 0)
+  const double mean_number_of_neighbors =
+    known_or_found(facts.mean_number_of_neighbors, [&]() { return total / double(points.size()); });
+  if (mean_number_of_neighbors > 0)
     for_each_in_order(weights.size(), [&](std::size_t i) {
-      weights[i] = T(1 + weights[i] / mean_number_of_input_neighbors);
+      weights[i] = T(1 + weights[i] / mean_number_of_neighbors);
     });
   else
     weights.assign(weights.size(), T(1));

@@ -6,6 +6,7 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_FILTER_NORMALS_H
 #define CGAL_L0_RESAMPLING_INTERNAL_FILTER_NORMALS_H
 
+#include <CGAL/L0_resampling/internal/Facts_of_cloud.h>
 #include <CGAL/L0_resampling/internal/near_pairs.h>
 #include <CGAL/L0_resampling/internal/update_normals.h>
 #include <CGAL/L0_resampling/internal/weights.h>
@@ -121,15 +122,16 @@ void filter_normals_by_pairs(const Search_grid_3& grid, const Buffer<Vector>& po
 /// Bilateral filtering of unoriented normals, Eq. (1) and (2), once over all points.
 /// \param points sorted for `grid`
 /// \param filter at scale 1
+/// \param facts whether blocks are plain: given, or found here
 /// \param normals in and out, one unit vector a point
 template <typename ConcurrencyTag, typename T>
 void filter_normals(const Search_grid_3& grid, const Buffer<Vector>& points,
-                    const Normal_filter<T>& filter, Progress& progress,
+                    const Normal_filter<T>& filter, Facts_of_cloud& facts, Progress& progress,
                     Buffer<Eigen::Matrix<T, 3, 1>>& normals)
 {
   using Local_vector = Eigen::Matrix<T, 3, 1>;
   const int reach = cells_in_reach(filter.radius, grid.cell_size());
-  if (has_plain_blocks_only<T, ConcurrencyTag>(grid, reach))
+  if (knows_plain_blocks<T, ConcurrencyTag>(grid, filter.radius, facts))
     filter_normals_by_pairs<ConcurrencyTag>(grid, points, Tiles_of_rows(grid, reach), reach, filter,
                                             progress, normals);
   else // points that thinning leaves out of one ball are not those that it leaves out of another

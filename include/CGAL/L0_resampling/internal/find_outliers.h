@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -197,11 +198,13 @@ surface stays. If that would be all points, there are none.
 
 \param radius of the ball, \f$ r_p \f$, at scale 1
 \param scales of the points; none if all are 1
+\param known_median how many points the median ball of the whole cloud holds: given, or found here
 \returns whether each point is an outlier
 */
 template <typename T, typename ConcurrencyTag>
 Buffer<unsigned char> find_outliers(const Buffer<Vector>& unsorted_points, double radius,
-                                    const Scales_view& scales, Progress& progress)
+                                    const Scales_view& scales, std::optional<double>& known_median,
+                                    Progress& progress)
 {
   const auto allocator = unsorted_points.get_allocator();
   const std::size_t n = unsorted_points.size();
@@ -217,7 +220,9 @@ Buffer<unsigned char> find_outliers(const Buffer<Vector>& unsorted_points, doubl
       grid, sorted.points, grid, sorted.points, radius, progress);
     const Buffer<double> surroundings = means_around<ConcurrencyTag>(grid, counts.in_ball,
                                                                      progress);
-    median = median_of(copy_of(counts.in_ball));
+    if (!known_median)
+      known_median = median_of(copy_of(counts.in_ball));
+    median = *known_median;
     for_each_in_order(n, [&](std::size_t i) {
       const double count = counts.in_ball[i];
       const bool is_kept = count >= (std::max)(outlier_share_of_surroundings * surroundings[i],

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -115,18 +116,27 @@ struct Sources
 /// in each of m equal parts of the whole area, in the part of the area that is its own. The first
 /// starts on it.
 /// \param areas one number a point, positive, so that all processors add them up alike
+/// \param known_total of the areas: of a larger cloud, of which these are the first points, or
+/// found here
 inline Sources sources_by_area(const Buffer<Index>& distinct, const Buffer<std::uint64_t>& areas,
-                               std::uint64_t m, std::uint64_t seed)
+                               std::uint64_t m, std::uint64_t seed,
+                               std::optional<std::uint64_t>& known_total)
 {
   Sources sources{Buffer<Index>(distinct.get_allocator()), Buffer<Index>(distinct.get_allocator())};
-  std::uint64_t total = 0;
-  for_each_in_order(distinct.size(), [&](std::size_t d) { total += areas[distinct[d]]; });
+  const bool are_all_points = !known_total;
+  if (are_all_points)
+  {
+    known_total = 0;
+    for_each_in_order(distinct.size(), [&](std::size_t d) { *known_total += areas[distinct[d]]; });
+  }
+  const std::uint64_t total = *known_total;
   std::uint64_t sum = 0, k = 0;
   sources.on_points.reserve((std::min)(std::size_t(m), distinct.size()));
   for_each_in_order(distinct.size(), [&](std::size_t d) {
     const Index i = distinct[d];
     sum += areas[i];
-    const bool is_last = i == distinct.back(); // takes what rounding leaves
+    // takes what rounding leaves
+    const bool is_last = are_all_points && i == distinct.back();
     for (bool is_first = true; k < m && (is_last || area_threshold(k, m, seed, total) < sum);
          is_first = false, ++k)
       (is_first ? sources.on_points : sources.between_points).push_back(i);
@@ -162,6 +172,7 @@ point start between two points each.
 \param areas what each point stands for, so that the samples spread evenly over the surface; or
 none, so that they spread as the points do
 \param radius how far apart the two points of a further sample may lie, at scale 1
+\param known_total as for `sources_by_area()`
 \returns samples sorted for a grid of the same cell size
 */
 template <typename ConcurrencyTag, typename T>
@@ -169,7 +180,7 @@ Initial_samples initialize_samples(const Search_grid_3& grid, const Buffer<Vecto
                                    const Buffer<Eigen::Matrix<T, 3, 1>>& normals,
                                    const Buffer<std::uint64_t>& areas,
                                    std::size_t number_of_samples, double radius, std::uint64_t seed,
-                                   Progress& progress)
+                                   std::optional<std::uint64_t>& known_total, Progress& progress)
 {
   Buffer<Index> distinct(points.get_allocator());
   distinct.reserve(points.size());
@@ -177,8 +188,9 @@ Initial_samples initialize_samples(const Search_grid_3& grid, const Buffer<Vecto
     if (j == 0 || points[j] != points[j - 1])
       distinct.push_back(Index(j));
   });
-  Sources sources = areas.empty() ? sources_by_points(distinct, number_of_samples, seed)
-                                  : sources_by_area(distinct, areas, number_of_samples, seed);
+  Sources sources = areas.empty()
+                      ? sources_by_points(distinct, number_of_samples, seed)
+                      : sources_by_area(distinct, areas, number_of_samples, seed, known_total);
 
   Initial_samples samples{Buffer<Vector>(points.get_allocator()),
                           std::move(sources.between_points)};

@@ -115,6 +115,15 @@ struct Lanes
 template <typename T>
 using Aligned_vector = std::vector<T, Eigen::aligned_allocator<T>>;
 
+/// The size of arrays of `size` numbers of which vector instructions compute all. Otherwise the
+/// last ones are computed one by one, with other roundings, and which ones these are depends on all
+/// the numbers before them.
+inline Eigen::Index padded_to_lanes(std::size_t size)
+{
+  constexpr std::size_t most_lanes = 16;
+  return Eigen::Index((size + most_lanes - 1) / most_lanes * most_lanes);
+}
+
 /// The values where `a < b`, 0 elsewhere.
 template <typename T>
 Lanes<T> where_less(const Lanes<T>& a, T b, const Lanes<T>& values)

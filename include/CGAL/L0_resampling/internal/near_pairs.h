@@ -6,6 +6,7 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_NEAR_PAIRS_H
 #define CGAL_L0_RESAMPLING_INTERNAL_NEAR_PAIRS_H
 
+#include <CGAL/L0_resampling/internal/Facts_of_cloud.h>
 #include <CGAL/L0_resampling/internal/Progress.h>
 #include <CGAL/L0_resampling/internal/Search_grid_3.h>
 #include <CGAL/L0_resampling/internal/ball_queries.h>
@@ -24,6 +25,15 @@ namespace internal {
 
 // Sums over the points in a ball whose summands are as good for one point of a pair as for the
 // other: looking at each pair once, from the cell that comes first, halves the work.
+
+/// Whether sums over the balls of this radius may go over pairs: given, or found here.
+template <typename T, typename ConcurrencyTag>
+bool knows_plain_blocks(const Search_grid_3& grid, double radius, Facts_of_cloud& facts)
+{
+  return known_or_found(facts.has_plain_blocks, [&]() {
+    return has_plain_blocks_only<T, ConcurrencyTag>(grid, cells_in_reach(radius, grid.cell_size()));
+  });
+}
 
 /*!
 The rows of a grid in tiles, and the tiles in four colors: cells of different tiles of one color,

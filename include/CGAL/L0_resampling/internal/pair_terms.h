@@ -8,6 +8,7 @@
 
 #include <CGAL/L0_resampling/internal/Neighborhoods.h>
 #include <CGAL/L0_resampling/internal/Samples.h>
+#include <CGAL/L0_resampling/internal/lanes.h>
 #include <CGAL/L0_resampling/internal/shrinkage.h>
 #include <CGAL/L0_resampling/internal/weights.h>
 
@@ -25,12 +26,12 @@ namespace internal {
 // same time; the pairs of one fit into the cache.
 constexpr std::size_t samples_per_block = 256;
 
-/// Line 4 of Algorithm 1: updates \f$ w_i \f$ of Eq. (5), with the mean number of neighbors of all
-/// samples as \f$ \eta_S \f$, and the weights of the pairs in Eq. (7),
+/// Line 4 of Algorithm 1: updates \f$ w_i \f$ of Eq. (5), and the weights of the pairs in Eq. (7),
 /// \f$ a_{ik} = \alpha \bar\theta_{ik} e^{-h_{ik}^2/J^2} (1/w_i + 1/w_k) \f$: the pair comes once
 /// with i and once with k. Where neighbors are looked for in every turn, both end softly at their
 /// range (`share_in_ball()`): else a rounding that decides whether two samples are neighbors moves
 /// them.
+/// \param mean_number_of_neighbors \f$ \eta_S \f$
 /// \param squared_bandwidth \f$ \sigma_q^2 \f$
 /// \param squared_radius \f$ r_p^2 \f$
 /// \param squared_jump \f$ J^2 \f$, infinite in LOR and ALOR
@@ -41,62 +42,60 @@ constexpr std::size_t samples_per_block = 256;
 /// \param scales of the samples; lengths are those at scale 1
 template <typename ConcurrencyTag, typename FT>
 void update_weights(const Buffer<Vector>& samples, const Buffer<Eigen::Matrix<FT, 3, 1>>& normals,
-                    const Neighborhoods& neighbors, double squared_bandwidth, double squared_radius,
-                    double squared_jump, const Range_of_pairs& range, double regularization_weight,
+                    const Neighborhoods& neighbors, double mean_number_of_neighbors,
+                    double squared_bandwidth, double squared_radius, double squared_jump,
+                    const Range_of_pairs& range, double regularization_weight,
                     Buffer<FT>& density_weights, Buffer<FT>& pair_weights)
 {
   using Array = Eigen::Array<FT, Eigen::Dynamic, 1>;
-  using Values = Eigen::Map<Array>;
-  const auto pairs_of = [&](std::size_t begin, std::size_t end) {
-    return Values(pair_weights.data() + neighbors.offsets[begin],
-                  Eigen::Index(neighbors.offsets[end] - neighbors.offsets[begin]));
-  };
-
   const bool has_jumps = std::isfinite(squared_jump);
-  const FT mean_number_of_sample_neighbors = FT(double(neighbors.indices.size())
-                                                / double(samples.size()));
   Buffer<FT> inverses(samples.size(), samples.get_allocator());
   for_each_block<ConcurrencyTag>(
     samples.size(), samples_per_block, [&](std::size_t begin, std::size_t end) {
-      const Values squared_distances = pairs_of(begin, end);
-      Array squared_heights = Array::Zero(squared_distances.size());
+      const std::size_t first_pair = neighbors.offsets[begin];
+      Array squared_distances = Array::Zero(padded_to_lanes(neighbors.offsets[end] - first_pair)),
+            squared_heights = squared_distances;
       for (std::size_t i = begin; i < end; ++i)
         for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
         {
           const Index k = neighbors.indices[e];
+          const Eigen::Index pair = Eigen::Index(e - first_pair);
           const Vector d = samples[i] - samples[k];
-          pair_weights[e] = FT(d.squaredNorm());
+          squared_distances[pair] = FT(d.squaredNorm());
           if (!has_jumps)
             continue;
           const Eigen::Matrix<FT, 3, 1> local = d.cast<FT>();
           const FT height_i = normals[i].dot(local), height_k = normals[k].dot(local);
-          squared_heights[Eigen::Index(e - neighbors.offsets[begin])] =
-            (std::max)(height_i * height_i, height_k * height_k);
+          squared_heights[pair] = (std::max)(height_i * height_i, height_k * height_k);
         }
-      Array share = share_in_ball(Array(squared_distances), FT(square(range.radius)));
+      Array share = share_in_ball(squared_distances, FT(square(range.radius)));
       if (range.scales.values)
         for (std::size_t i = begin; i < end; ++i)
           for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
           {
             const Index k = neighbors.indices[e];
-            const Eigen::Index pair = Eigen::Index(e - neighbors.offsets[begin]);
+            const Eigen::Index pair = Eigen::Index(e - first_pair);
             const FT stretch = FT(1 / range.scales.squared_of_pair(i, k));
-            share[pair] = share_in_ball(FT(pair_weights[e]), FT(range.squared(i, k)));
+            share[pair] = share_in_ball(squared_distances[pair], FT(range.squared(i, k)));
             squared_heights[pair] *= stretch;
-            pair_weights[e] *= stretch;
+            squared_distances[pair] *= stretch;
           }
-      const Array theta = share * gaussian_weight(Array(squared_distances), FT(squared_bandwidth));
+      const Array theta = share * gaussian_weight(squared_distances, FT(squared_bandwidth));
       for (std::size_t i = begin; i < end; ++i)
       {
-        const std::size_t first = neighbors.offsets[i] - neighbors.offsets[begin],
-                          count = neighbors.offsets[i + 1] - neighbors.offsets[i];
-        const FT sum = theta.segment(Eigen::Index(first), Eigen::Index(count)).sum();
-        density_weights[i] = count > 0 ? 1 + sum / mean_number_of_sample_neighbors : 1;
+        FT sum = 0; // one by one: in an order that depends on the place in the block it is another
+        for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
+          sum += theta[Eigen::Index(e - first_pair)];
+        density_weights[i] = neighbors.offsets[i + 1] > neighbors.offsets[i]
+                               ? 1 + sum / FT(mean_number_of_neighbors)
+                               : 1;
         inverses[i] = FT(regularization_weight) / density_weights[i];
       }
-      const Array stretch = pair_weight(Array(squared_distances), FT(squared_radius),
-                                        squared_heights, FT(squared_jump));
-      pairs_of(begin, end) = share * stretch;
+      const Array weights = share
+                            * pair_weight(squared_distances, FT(squared_radius), squared_heights,
+                                          FT(squared_jump));
+      std::copy_n(weights.data(), neighbors.offsets[end] - first_pair,
+                  pair_weights.begin() + std::ptrdiff_t(first_pair));
     });
   for_each_block<ConcurrencyTag>(
     samples.size(), samples_per_block, [&](std::size_t begin, std::size_t end) {

@@ -6,6 +6,7 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_PREPARE_POINTS_H
 #define CGAL_L0_RESAMPLING_INTERNAL_PREPARE_POINTS_H
 
+#include <CGAL/L0_resampling/internal/Facts_of_cloud.h>
 #include <CGAL/L0_resampling/internal/Progress.h>
 #include <CGAL/L0_resampling/internal/find_outliers.h>
 #include <CGAL/L0_resampling/internal/thin_crowds.h>
@@ -46,10 +47,10 @@ inline void sort_normals_of_coincident_points(const Buffer<Vector>& points,
 template <typename ConcurrencyTag>
 std::size_t drop_outliers(double radius, Buffer<Vector>& points, Buffer<float>& scales,
                           Buffer<Local_vector>& given_normals, Buffer<Local_vector>& hints,
-                          Progress& progress)
+                          Facts_of_cloud& facts, Progress& progress)
 {
-  const Buffer<unsigned char> is_outlier =
-    find_outliers<Local, ConcurrencyTag>(points, radius, view_of_scales(scales), progress);
+  const Buffer<unsigned char> is_outlier = find_outliers<Local, ConcurrencyTag>(
+    points, radius, view_of_scales(scales), facts.median_number_of_neighbors, progress);
   const auto drop_from = [&](auto& values) {
     std::size_t size = 0;
     for_each_in_order(values.size(), [&](std::size_t i) {

@@ -10,6 +10,7 @@
 #include <CGAL/L0_resampling/internal/Parameters.h>
 #include <CGAL/L0_resampling/internal/Plane_moments.h>
 #include <CGAL/L0_resampling/internal/Samples.h>
+#include <CGAL/L0_resampling/internal/lanes.h>
 #include <CGAL/L0_resampling/internal/parallel_for.h>
 #include <CGAL/L0_resampling/internal/weights.h>
 
@@ -55,11 +56,12 @@ void refit_sample_normals(const Sample_refit_kernel& kernel, const Neighborhoods
     for_each_block<ConcurrencyTag>(
       samples.positions.size(), samples_per_block, [&](std::size_t begin, std::size_t end) {
         const std::size_t first_pair = neighbors.offsets[begin];
-        const Eigen::Index number_of_pairs = Eigen::Index(neighbors.offsets[end] - first_pair);
-        Eigen::Matrix<FT, 3, Eigen::Dynamic> differences(3, number_of_pairs);
-        Array cosines(number_of_pairs), heights(number_of_pairs);
+        const Eigen::Index size = padded_to_lanes(neighbors.offsets[end] - first_pair);
+        Eigen::Matrix<FT, 3, Eigen::Dynamic> differences =
+          Eigen::Matrix<FT, 3, Eigen::Dynamic>::Zero(3, size);
+        Array cosines = Array::Zero(size), heights = cosines;
         // what shortens the range of a pair shortens the kernel
-        Array squared_stretches = Array::Ones(number_of_pairs);
+        Array squared_stretches = Array::Ones(size);
         for (std::size_t i = begin; i < end; ++i)
           for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
           {

@@ -16,14 +16,17 @@ namespace internal {
 /// Resamples on the CPU.
 /// \param points, given_normals, hints as for `Cpu_backend`
 /// \param parameters checked; radii in the unit of the input
+/// \param facts of the cloud that the points are a part of, as far as they are known; out: all
 template <typename ConcurrencyTag, typename FT>
 Oriented_points<FT> resample(Buffer<Vector>& points, Buffer<Local_vector>& given_normals,
                              Buffer<Local_vector>& hints, const Parameters& parameters,
-                             Any_solver<FT>& solver, Progress& progress, Report& report)
+                             Any_solver<FT>& solver, Progress& progress, Report& report,
+                             Facts_of_cloud& facts)
 {
   Cpu_backend<ConcurrencyTag, FT> backend(points, given_normals, hints, parameters, solver,
-                                          progress, report);
+                                          progress, report, facts);
   run(plan_call(parameters, backend), backend);
+  facts = backend.facts();
   return backend.take_result();
 }
 

@@ -109,8 +109,9 @@ void resample_on_cpu(const PointRange& range, PointMap point_map, NormalMap norm
     std::size_t n = input.points.size();
     const std::size_t m = checked.number_of_output_points;
     Any_solver<typename Solver::FT> solver(unwrapped(chosen_solver));
+    Facts_of_cloud facts; // the points are the whole cloud
     Oriented_points<typename Solver::FT> result = resample<ConcurrencyTag>(
-      input.points, input.normals, input.hints, checked, solver, progress, report);
+      input.points, input.normals, input.hints, checked, solver, progress, report, facts);
     n -= report.number_of_outliers;
     if (report.number_of_distinct_points < (std::min)(n, m))
       report.number_of_distinct_points = number_of_distinct_points(range, point_map, memory);

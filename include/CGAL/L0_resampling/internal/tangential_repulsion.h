@@ -9,6 +9,7 @@
 #include <CGAL/L0_resampling/internal/Neighborhoods.h>
 #include <CGAL/L0_resampling/internal/Parameters.h>
 #include <CGAL/L0_resampling/internal/Samples.h>
+#include <CGAL/L0_resampling/internal/lanes.h>
 #include <CGAL/L0_resampling/internal/weights.h>
 
 #include <algorithm>
@@ -53,8 +54,9 @@ void repel_tangentially(const Neighborhoods& neighbors, const Buffer<Vector>& pl
       samples.positions.size(), samples_per_block, [&](std::size_t begin, std::size_t end) {
         const std::size_t first_pair = neighbors.offsets[begin];
         const auto differences_of = [&](const Buffer<Vector>& positions) {
-          Eigen::Matrix<FT, 3, Eigen::Dynamic> differences(3, Eigen::Index(neighbors.offsets[end]
-                                                                           - first_pair));
+          Eigen::Matrix<FT, 3, Eigen::Dynamic> differences =
+            Eigen::Matrix<FT, 3, Eigen::Dynamic>::Zero(3, padded_to_lanes(neighbors.offsets[end]
+                                                                          - first_pair));
           for (std::size_t i = begin; i < end; ++i)
             for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
             {

@@ -34,6 +34,13 @@ void for_each_axis_of(const Buffer<Vector>& points, const F& f)
   });
 }
 
+/// Where the working frame lies in the coordinates of the input.
+struct Place_of_frame
+{
+  int exponent;  ///< coordinates are multiplied by 2 to the power of this
+  Vector origin; ///< after that
+};
+
 /*!
 The frame that all stages work in: its origin is a point of the cloud, its unit is the radius.
 
@@ -45,9 +52,9 @@ power of two.
 */
 class Working_frame
 {
-  Vector m_origin = Vector::Zero(); // after the scaling by the exponent
-  int m_exponent = 0; // brings the largest coordinate below 1, so that no difference overflows
-  double m_unit = 1;  // a length after that scaling
+  // the exponent brings the largest coordinate below 1, so that no difference overflows
+  Place_of_frame m_place = {0, Vector::Zero()};
+  double m_unit = 1; // a length after that scaling
 
 public:
   /// Moves `points` into a frame in which the median of each coordinate is 0 and no coordinate
@@ -60,22 +67,29 @@ public:
       largest = (std::max)(largest, points[i].cwiseAbs().maxCoeff());
     });
     if (largest > 0)
-      m_exponent = -std::ilogb(largest) - 1;
+      m_place.exponent = -std::ilogb(largest) - 1;
 
-    scale<ConcurrencyTag>(m_exponent, points);
+    scale<ConcurrencyTag>(m_place.exponent, points);
     // a median is a coordinate of the cloud: differences to it are exact nearby, and outliers do
     // not move it
     for_each_axis_of<ConcurrencyTag>(points, [&](int axis, Buffer<double>& coordinates) {
       const auto middle = coordinates.begin() + std::ptrdiff_t(coordinates.size() / 2);
       select_nth(coordinates.begin(), middle, coordinates.end());
-      m_origin[axis] = *middle;
+      m_place.origin[axis] = *middle;
     });
-    for_each_block<ConcurrencyTag>(points.size(), points_per_block,
-                                   [&](std::size_t begin, std::size_t end) {
-                                     for (std::size_t i = begin; i < end; ++i)
-                                       points[i] -= m_origin;
-                                   });
+    move_to_origin<ConcurrencyTag>(points);
   }
+
+  /// Moves `points` into the frame of a larger cloud.
+  template <typename ConcurrencyTag>
+  void enter(Buffer<Vector>& points, const Place_of_frame& place)
+  {
+    m_place = place;
+    scale<ConcurrencyTag>(m_place.exponent, points);
+    move_to_origin<ConcurrencyTag>(points);
+  }
+
+  const Place_of_frame& place() const { return m_place; }
 
   /// Makes `unit`, a length in the frame, the unit of the frame and of `points`.
   template <typename ConcurrencyTag>
@@ -90,24 +104,27 @@ public:
   Vector point_in_frame(const Vector& point) const
   {
     const double largest = 1e100; // whose square is finite
-    Vector p = (scaled(point, m_exponent) - m_origin) / m_unit;
+    Vector p = (scaled(point, m_place.exponent) - m_place.origin) / m_unit;
     for (int axis = 0; axis < 3; ++axis)
       p[axis] = (std::min)((std::max)(p[axis], -largest), largest);
     return p;
   }
 
   /// Before `set_unit()`: a length of the input times 2 to the power of this is one in the frame.
-  int exponent() const { return m_exponent; }
+  int exponent() const { return m_place.exponent; }
 
   /// A length in the frame, in the unit of the input; the largest number for longer ones.
   double length_of_input(double length) const
   {
-    return (std::min)(std::ldexp(length * m_unit, -m_exponent),
+    return (std::min)(std::ldexp(length * m_unit, -m_place.exponent),
                       (std::numeric_limits<double>::max)());
   }
 
   /// A point in the frame, in the coordinates of the input.
-  Vector leave(const Vector& point) const { return scaled(point * m_unit + m_origin, -m_exponent); }
+  Vector leave(const Vector& point) const
+  {
+    return scaled(point * m_unit + m_place.origin, -m_place.exponent);
+  }
 
   /// Divides all coordinates by `length`. Quotients are rounded correctly, so that multiples of it
   /// become whole numbers.
@@ -123,6 +140,16 @@ public:
 
 private:
   static constexpr std::size_t points_per_block = 4096;
+
+  template <typename ConcurrencyTag>
+  void move_to_origin(Buffer<Vector>& points) const
+  {
+    for_each_block<ConcurrencyTag>(points.size(), points_per_block,
+                                   [&](std::size_t begin, std::size_t end) {
+                                     for (std::size_t i = begin; i < end; ++i)
+                                       points[i] -= m_place.origin;
+                                   });
+  }
 
   template <typename ConcurrencyTag>
   static void scale(int exponent, Buffer<Vector>& points)
