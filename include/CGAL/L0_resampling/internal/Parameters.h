@@ -331,6 +331,14 @@ struct Repulsion
   CGAL_L0_HOST_DEVICE Repulsion(double spacing, double radius) : strength(0.7)
   {
     // Samples that a huge radius has made one point for it have no spacing to speak of; its square
+/// Of a sample that repels others within a radius of its own.
+/// \param area of the surface that it stands for
+CGAL_L0_HOST_DEVICE inline float spreading_radius_of(double area, double largest)
+{
+  const double radius = self_neighbor_radius_per_spacing * std::sqrt(area);
+  return float(radius < largest ? radius : largest);
+}
+
     // must not be zero.
     spacing = (std::max)(spacing, 1e-9 * radius);
     squared_bandwidth = 0.8 * spacing * spacing;

@@ -126,7 +126,7 @@ struct Plan
   bool uses_areas;     ///< the area that each point stands for tells the spacing of the samples
   bool starts_evenly;  ///< samples start evenly by area; else as the points do
   bool weighs_density; ///< by Eq. (5) of the input
-  bool keeps_spacings; ///< the repulsion follows the spacing of the input around each sample
+  bool keeps_spacings; ///< the samples have the spacing of the input around each, times one factor
   bool refines; ///< Algorithm 1 as the default method runs it, and projection to local quadrics
   bool finds_feature_confidences;
 
@@ -140,7 +140,8 @@ struct Plan
     {
       // Beyond r_p the surface may bend away, and the fit could not hold a sample that the other
       // terms move.
-      self_neighbor_radius = (std::min)(spreading_radius(), largest_radius);
+      self_neighbor_radius = keeps_spacings ? largest_radius
+                                            : (std::min)(spreading_radius(), largest_radius);
       minimization.range_of_pairs = self_neighbor_radius;
     }
   }
@@ -152,11 +153,18 @@ struct Plan
   }
 
   double area_radius() const { return area_radius_factor * longest_query(); }
-  /// Of the samples that repel each other.
-  double spreading_radius() const { return self_neighbor_radius_per_spacing * sample_spacing; }
+  /// Of the samples that repel each other; the largest, where each has its own.
+  double spreading_radius() const
+  {
+    return keeps_spacings ? double(largest_scale) * radius
+                          : self_neighbor_radius_per_spacing * sample_spacing;
+  }
   double longest_query() const { return (std::max)(radius, filter_radius); }
   /// Of the grid of the samples in which self neighbors are found.
-  double self_cell_size() const { return (std::max)(self_neighbor_radius, smallest_cell_size); }
+  double self_cell_size() const
+  {
+    return (std::max)(keeps_spacings ? radius : self_neighbor_radius, smallest_cell_size);
+  }
 };
 
 /// Chooses what the caller left open: the radius by the paper's rule, or by the spacing and the
