@@ -57,7 +57,7 @@ public:
 /// \returns the number of outliers; if it is 0, `kept` means nothing. Waits for the device
 unsigned find_outliers(const Workplace& workplace, const Positions& positions,
                        const double (&low)[3], const double (&high)[3], double radius,
-                       unsigned* kept);
+                       const Outlier_thresholds& thresholds, unsigned* kept);
 
 /// Thins points where they crowd, as `thin_crowds()` on the CPU. Waits for the device.
 /// \param positions those that `grid` was built of

@@ -122,7 +122,7 @@ struct Plan
   std::size_t random_seed;
 
   bool follows_scales; ///< the radius and what follows from it are larger or smaller by places
-  bool drops_outliers;
+  double outlier_sensitivity; ///< 0 if no points are left out as outliers
   bool uses_areas;     ///< the area that each point stands for tells the spacing of the samples
   bool starts_evenly;  ///< samples start evenly by area; else as the points do
   bool weighs_density; ///< by Eq. (5) of the input
@@ -145,6 +145,8 @@ struct Plan
       minimization.range_of_pairs = self_neighbor_radius;
     }
   }
+
+  bool drops_outliers() const { return outlier_sensitivity > 0; }
 
   /// Whether the normals are corrected by the positions before this pass of the filter.
   bool refits_before(std::size_t pass) const
@@ -216,7 +218,7 @@ inline Plan make_plan(const Parameters& parameters, const Facts& facts)
   plan.random_seed = parameters.random_seed;
 
   plan.follows_scales = rules.estimates_scales && !(parameters.neighbor_radius > 0);
-  plan.drops_outliers = parameters.drop_outliers;
+  plan.outlier_sensitivity = parameters.outlier_sensitivity;
   plan.uses_areas = rules.uses_areas;
   plan.starts_evenly = rules.uses_areas && !parameters.keep_density;
   plan.weighs_density = rules.uses_areas || !parameters.keep_density;
