@@ -298,7 +298,17 @@ without a value leaves the default.
       points around which there are far fewer others than around the points in their surroundings,
       and small clusters apart from the rest}
     \cgalParamType{`bool`}
-    \cgalParamDefault{`false` for `LOR` and `ALOR`, `true` for `DEFAULT`}
+    \cgalParamDefault{`false` for `LOR` and `ALOR`, `true` for `DEFAULT`, and for all if
+      `outlier_sensitivity` is given}
+  \cgalParamNEnd
+  \cgalParamNBegin{outlier_sensitivity}
+    \cgalParamDescription{how readily points are left out as outliers: none at 0, more the larger it
+      is. It multiplies the number of points that there have to be around a point. Beyond 1.5 points
+      at borders and corners go too.}
+    \cgalParamType{`double`}
+    \cgalParamDefault{1}
+    \cgalParamExtra{without effect if `drop_outliers` is `false`; `std::invalid_argument` if not in
+      [0, 3]}
   \cgalParamNEnd
   \cgalParamNBegin{source_index_map}
     \cgalParamDescription{out: for each point of the result, the place in the range `points` of the

@@ -122,8 +122,9 @@ void Cuda_backend::take_vectors_of_list()
 void Cuda_backend::drop_outliers(const Plan& plan)
 {
   unsigned* const kept = m_workplace.arena.take<unsigned>(m_session.size);
-  const unsigned number_of_outliers = find_outliers(m_workplace, m_input.positions, m_box.low,
-                                                    m_box.high, plan.radius, kept);
+  const unsigned number_of_outliers =
+    find_outliers(m_workplace, m_input.positions, m_box.low, m_box.high, plan.radius,
+                  Outlier_thresholds(plan.outlier_sensitivity), kept);
   m_report.number_of_outliers = number_of_outliers;
   if (number_of_outliers == 0)
     return;
@@ -229,7 +230,7 @@ double Cuda_backend::total_area(const Plan& plan)
 void Cuda_backend::choose_samples(const Plan& plan)
 {
   const Sources_of_samples sources = {m_normals, plan.uses_areas ? &m_areas : nullptr,
-                                      plan.starts_evenly, m_input.hints};
+                                      plan.starts_evenly, m_input.hints, plan.spreading_radius()};
   initialize_samples(m_workplace, m_input.positions, m_grid, sources, plan.radius,
                      plan.sample_spacing, plan.random_seed, m_samples);
   m_areas_scope.reset();
@@ -268,12 +269,14 @@ double Cuda_backend::largest_range(const Plan& plan) const
 /// Whether the cells of the points serve the search of neighbors too.
 bool Cuda_backend::is_one_grid_enough(const Plan& plan) const
 {
-  return plan.refines && !m_samples.scales && largest_range(plan) <= plan.cell_size;
+  return plan.refines && !m_samples.scales && !m_samples.spreading_radii
+         && largest_range(plan) <= plan.cell_size;
 }
 
 Cell_frame Cuda_backend::self_frame(const Plan& plan, double cell_size) const
 {
-  return Cell_frame::around(m_box.low, m_box.high, cell_size, largest_range(plan));
+  return Cell_frame::around(m_box.low, m_box.high, cell_size, largest_range(plan),
+                            m_samples.spreading_radii);
 }
 
 void Cuda_backend::sort_samples(const Plan& plan)
@@ -284,13 +287,16 @@ void Cuda_backend::sort_samples(const Plan& plan)
   points.size = m_samples.size;
   points.frame = is_one_grid_enough(plan)
                    ? m_grid.frame
-                   : self_frame(plan, (std::max)(largest_range(plan), plan.smallest_cell_size));
+                   : self_frame(plan, m_samples.spreading_radii
+                                        ? plan.self_cell_size()
+                                        : (std::max)(largest_range(plan), plan.smallest_cell_size));
   points.points = m_workplace.arena.take<int4>(points.size);
 
   m_sample_grid_scope.emplace(m_workplace.scratch);
   const Arena_scope order_scope(m_workplace.arena);
-  m_sample_grid = build_grid(sample_positions(nullptr), nullptr, points.frame, m_workplace.scratch,
-                             m_workplace.arena, m_workplace.arena, m_workplace.stream);
+  m_sample_grid = build_grid(sample_positions(m_samples.spreading_radii), nullptr, points.frame,
+                             m_workplace.scratch, m_workplace.arena, m_workplace.arena,
+                             m_workplace.stream);
   reorder(m_workplace, m_sample_grid.order, m_samples);
   m_sample_grid.forget_order();
 }
@@ -304,7 +310,8 @@ void Cuda_backend::find_self_neighbors(const Plan& plan)
                                        m_workplace.stream));
   };
   const auto find_neighbors = [&](double radius, const float* scales) {
-    return cuda::find_self_neighbors(m_workplace, grid, radius, scales);
+    return cuda::find_self_neighbors(m_workplace, grid,
+                                     {float(radius), scales, m_samples.spreading_radii});
   };
   if (plan.refines)
     result.places = m_workplace.arena.take<int4>(grid.size);

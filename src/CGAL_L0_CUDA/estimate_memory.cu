@@ -21,7 +21,7 @@ std::size_t estimate_memory(std::size_t n, std::size_t m, const Parameters& para
   const Method_rules rules = rules_of(parameters.method);
   const std::size_t of_scales = rules.estimates_scales ? 4 * n : 0;
   const std::size_t slack = (std::size_t(1) << 20) + of_scales,
-                    of_outliers = parameters.drop_outliers ? 4 * n : 0;
+                    of_outliers = parameters.outlier_sensitivity > 0 ? 4 * n : 0;
   // positions, normals, fit and confidences; what the default method adds; and what parameters ask
   // for
   const std::size_t of_samples = (60 + (rules.refines ? 11 : 0)

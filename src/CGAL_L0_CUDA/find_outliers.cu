@@ -57,7 +57,8 @@ __device__ Wide sum_around(const Cell_blocks& blocks, Wide cell, const Wide* sum
 /// the block of cells around, and of the median ball.
 /// \param sums of the counts of all points before each point
 __global__ void find_least_counts(Cell_blocks blocks, unsigned number_of_cells, const Wide* sums,
-                                  const unsigned* median, double* least_counts)
+                                  const unsigned* median, Outlier_thresholds thresholds,
+                                  double* least_counts)
 {
   const Wide cell = thread_index();
   if (cell >= number_of_cells)
@@ -69,9 +70,9 @@ __global__ void find_least_counts(Cell_blocks blocks, unsigned number_of_cells, 
     const uint2 range = ranges[row];
     count += range.y - range.x;
   }
-  least_counts[cell] = fmax(outlier_share_of_surroundings
+  least_counts[cell] = fmax(thresholds.share_of_surroundings
                               * (double(sum_around(blocks, cell, sums)) / double(count)),
-                            outlier_share_of_median * double(*median));
+                            thresholds.share_of_median * double(*median));
 }
 
 /// Which points may be kept, and which are sparse. Arrays on the device, one number a position, but
@@ -120,12 +121,12 @@ __global__ void count_others(Cell_grid sparse, const unsigned* list, const unsig
 /// \param inner_sums, outer_sums over all points before each point
 __global__ void find_filled_cells(Cell_blocks blocks, unsigned number_of_cells,
                                   const Wide* inner_sums, const Wide* outer_sums,
-                                  unsigned char* is_filled)
+                                  double least_ratio, unsigned char* is_filled)
 {
   const Wide cell = thread_index();
   if (cell < number_of_cells)
     is_filled[cell] = double(static_cast<long long>(sum_around(blocks, cell, outer_sums)))
-                      > volume_filling_ratio
+                      > least_ratio
                           * (double(static_cast<long long>(sum_around(blocks, cell, inner_sums)))
                              + count_prior);
 }
@@ -220,20 +221,20 @@ __global__ void count_points_of_parts(Cell_grid grid, unsigned* parents, unsigne
 
 /// \param grid of the points in the list
 __global__ void keep_large_parts(Cell_grid grid, unsigned* parents, const unsigned* sizes,
-                                 const unsigned* median, const unsigned* list,
-                                 unsigned char* is_kept)
+                                 const unsigned* median, double share_of_median,
+                                 const unsigned* list, unsigned char* is_kept)
 {
   const Wide i = thread_index();
   if (i < grid.size)
     is_kept[list[grid.order[i]]] = sizes[find_root(parents, unsigned(grid.points[i].w))]
-                                   >= double(*median) / 2;
+                                   >= share_of_median * double(*median);
 }
 
 /// Keeps the points with enough others around.
 /// \param result out
 void find_dense_points(const Workplace& workplace, const Positions& positions,
                        const double (&low)[3], const double (&high)[3], double radius,
-                       const Dense_points& result)
+                       const Outlier_thresholds& thresholds, const Dense_points& result)
 {
   const unsigned n = positions.size;
   const cudaStream_t stream = workplace.stream;
@@ -263,7 +264,7 @@ void find_dense_points(const Workplace& workplace, const Positions& positions,
   }
   double* const least_counts = workplace.scratch.take<double>(grid.number_of_cells);
   find_least_counts<<<blocks_for(grid.number_of_cells), threads_per_block, 0, stream>>>(
-    blocks, grid.number_of_cells, sums, result.median, least_counts);
+    blocks, grid.number_of_cells, sums, result.median, thresholds, least_counts);
   check_launch("find_least_counts");
   keep_dense<<<blocks_for(n), threads_per_block, 0, stream>>>(grid, counts, half_counts,
                                                               least_counts, result);
@@ -273,7 +274,7 @@ void find_dense_points(const Workplace& workplace, const Positions& positions,
 /// Of the sparse points, drops those that fill space, as `fill_space()` on the CPU.
 void drop_points_that_fill_space(const Workplace& workplace, const Positions& positions,
                                  const double (&low)[3], const double (&high)[3], double radius,
-                                 const Dense_points& points)
+                                 double least_ratio, const Dense_points& points)
 {
   const cudaStream_t stream = workplace.stream;
   const double large_radius = 2 * radius;
@@ -315,7 +316,7 @@ void drop_points_that_fill_space(const Workplace& workplace, const Positions& po
                                          workplace.arena, stream);
   unsigned char* const is_filled = workplace.scratch.take<unsigned char>(sparse.number_of_cells);
   find_filled_cells<<<blocks_for(sparse.number_of_cells), threads_per_block, 0, stream>>>(
-    blocks, sparse.number_of_cells, inner, outer, is_filled);
+    blocks, sparse.number_of_cells, inner, outer, least_ratio, is_filled);
   check_launch("find_filled_cells");
   drop_points_of_filled_cells<<<blocks_for(n), threads_per_block, 0, stream>>>(
     sparse, list, is_filled, points.is_kept);
@@ -323,10 +324,10 @@ void drop_points_that_fill_space(const Workplace& workplace, const Positions& po
 }
 
 /// Of the points that are kept, keeps those whose part of the cloud, where cells that touch hang
-/// together, has half as many points as the median ball.
+/// together, has a share of as many points as the median ball.
 void find_large_parts(const Workplace& workplace, const Positions& positions,
                       const double (&low)[3], const double (&high)[3], double cell_size,
-                      const unsigned* median, unsigned char* is_kept)
+                      const unsigned* median, double share_of_median, unsigned char* is_kept)
 {
   const cudaStream_t stream = workplace.stream;
   const Arena_scope arena_scope(workplace.arena), scratch_scope(workplace.scratch);
@@ -360,8 +361,8 @@ void find_large_parts(const Workplace& workplace, const Positions& positions,
   }
   count_points_of_parts<<<blocks_for_cells, threads_per_block, 0, stream>>>(grid, parents, sizes);
   check_launch("count_points_of_parts");
-  keep_large_parts<<<blocks_for(rest.size), threads_per_block, 0, stream>>>(grid, parents, sizes,
-                                                                            median, list, is_kept);
+  keep_large_parts<<<blocks_for(rest.size), threads_per_block, 0, stream>>>(
+    grid, parents, sizes, median, share_of_median, list, is_kept);
   check_launch("keep_large_parts");
 }
 
@@ -369,7 +370,7 @@ void find_large_parts(const Workplace& workplace, const Positions& positions,
 
 unsigned find_outliers(const Workplace& workplace, const Positions& positions,
                        const double (&low)[3], const double (&high)[3], double radius,
-                       unsigned* kept)
+                       const Outlier_thresholds& thresholds, unsigned* kept)
 {
   const Arena_scope scope(workplace.scratch);
   Device_arena& scratch = workplace.scratch;
@@ -378,11 +379,12 @@ unsigned find_outliers(const Workplace& workplace, const Positions& positions,
                                scratch.take<unsigned char>(positions.size),
                                scratch.take<unsigned>(positions.size), scratch.take<unsigned>(1),
                                is_any_sparse_kept.address()};
-  find_dense_points(workplace, positions, low, high, radius, points);
+  find_dense_points(workplace, positions, low, high, radius, thresholds, points);
   if (is_any_sparse_kept.read())
-    drop_points_that_fill_space(workplace, positions, low, high, radius, points);
+    drop_points_that_fill_space(workplace, positions, low, high, radius,
+                                thresholds.volume_filling_ratio, points);
   find_large_parts(workplace, positions, low, high, gap_of_parts * radius, points.median,
-                   points.is_kept);
+                   thresholds.share_of_part, points.is_kept);
   const unsigned number_of_kept = list_flagged(points.is_kept, positions.size, kept,
                                                workplace.scratch, workplace.stream);
   return number_of_kept > 0 ? positions.size - number_of_kept : 0;

@@ -234,7 +234,7 @@ struct Heritage
 {
   const float4* normals; // of the points of the grid
   const Wide* areas;     // of the cells of the grid
-  double squared_spacing_per_area;
+  double area_per_unit, points_per_sample, largest_spreading_radius;
   const unsigned* hints; // of the distinct points
 };
 
@@ -258,9 +258,11 @@ __device__ void start_on_point(const Samples& samples, Wide i, double3 position,
     samples.scales[i] = grid.scale(source);
   if (samples.are_support_points)
     samples.are_support_points[i] = is_support_point;
-  if (samples.spacings)
-    samples.spacings[i] = float(
-      sqrt(double(heritage.areas[grid.points[source].w]) * heritage.squared_spacing_per_area));
+  if (samples.spreading_radii)
+    samples.spreading_radii[i] = spreading_radius_of(double(heritage.areas[grid.points[source].w])
+                                                       * heritage.area_per_unit
+                                                       * heritage.points_per_sample,
+                                                     heritage.largest_spreading_radius);
   if (samples.hints)
   {
     const unsigned* const hint = heritage.hints + 3 * number;
@@ -370,10 +372,13 @@ void initialize_samples(const Workplace& workplace, const Positions& positions,
   const Sources sources = areas && points.spreads_evenly
                             ? sources_by_area(workplace, grid, distinct, *areas, samples.size, seed)
                             : sources_by_points(workplace, distinct.size, samples.size, seed);
-  const Heritage heritage = {
-    points.normals, areas ? areas->of_cells : nullptr,
-    areas ? areas->area_per_unit * double(grid.size) / double(samples.size) : 0,
-    samples.hints ? least_hints(workplace, points.hints, grid, distinct) : nullptr};
+  const Heritage heritage = {points.normals,
+                             areas ? areas->of_cells : nullptr,
+                             areas ? areas->area_per_unit : 0,
+                             double(grid.size) / double(samples.size),
+                             points.largest_spreading_radius,
+                             samples.hints ? least_hints(workplace, points.hints, grid, distinct)
+                                           : nullptr};
 
   const unsigned number_of_new = sources.between_points.size;
   if (number_of_new > 0)

@@ -45,14 +45,14 @@ struct Turn_in_kernel
 
   __device__ Range_of_pairs range() const
   {
-    return {float(parameters.range_of_pairs), samples.scales};
+    return {float(parameters.range_of_pairs), samples.scales, samples.spreading_radii};
   }
 };
 
-/// The scales of a pair: what its lengths are measured by.
+/// What the lengths of a pair are measured by, and where its weights end.
 struct Scales_of_pair
 {
-  float own, other;
+  float own, other, squared_range;
 
   __device__ float squared() const { return own * other; }
 };
@@ -69,22 +69,22 @@ __device__ void update_density_weights(const Turn_in_kernel& turn)
   for_each_sample_of_group(turn.samples.size, [&](unsigned i, unsigned lane, bool is_sample) {
     const uint2 row = turn.neighbors.row(turn.points, turn.samples.size, i);
     const int4 center = turn.points[i];
-    const float own_scale = range.scale(i);
+    const float own_scale = range.scale(i), own_limit = range.limit(i);
     float sum = 0;
     struct Other
     {
       int4 point;
-      float scale;
+      float scale, limit;
     };
     for_each_pair<4>(
       turn.neighbors, row, lane,
       [&](unsigned k, Wide) {
-        return Other{turn.points[k], range.scale(k)};
+        return Other{turn.points[k], range.scale(k), range.limit(k)};
       },
       [&](const Other& other, Wide) {
         const float3 d = difference(center, other.point, turn.unit);
         const float squared_scale = own_scale * other.scale;
-        sum += share_in_ball(dot(d, d), range.squared(own_scale, other.scale))
+        sum += share_in_ball(dot(d, d), range.squared(own_limit, other.limit))
                * gaussian_weight(dot(d, d) / squared_scale, squared_bandwidth);
       });
     sum = group_sum<lanes_per_sample>(sum);
@@ -159,12 +159,12 @@ struct Pair_weights
   {
     const float squared_height = fmaxf(height_i * height_i, height_k * height_k);
     const float stretch = 1 / scales.squared();
-    return regularize ? regularization_weight
-                          * share_in_ball(squared_distance, range.squared(scales.own, scales.other))
-                          * pair_weight(squared_distance * stretch, squared_radius,
-                                        squared_height * stretch, squared_jump)
-                          * inverses
-                      : 0.f;
+    return regularize
+             ? regularization_weight * share_in_ball(squared_distance, scales.squared_range)
+                 * pair_weight(squared_distance * stretch, squared_radius, squared_height * stretch,
+                               squared_jump)
+                 * inverses
+             : 0.f;
   }
 };
 
@@ -196,15 +196,15 @@ __device__ double linearize(const Turn_in_kernel& turn, Energy_sums& energy)
     float weight = 0, xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
     float regularization = 0, squared_misfit = 0;
     unsigned number_of_active_pairs = 0;
-    const float own_scale = range.scale(i);
+    const float own_scale = range.scale(i), own_limit = range.limit(i);
     struct Other
     {
       int4 point;
       float4 normal;
-      float scale;
+      float scale, limit;
     };
     const auto load_other = [&](unsigned k, Wide) {
-      return Other{turn.points[k], turn.samples.normals[k], range.scale(k)};
+      return Other{turn.points[k], turn.samples.normals[k], range.scale(k), range.limit(k)};
     };
     for_each_pair<2>(turn.neighbors, row, lane, load_other, [&](const Other& loaded, Wide) {
       const float3 d = difference(center, loaded.point, turn.unit);
@@ -212,11 +212,12 @@ __device__ double linearize(const Turn_in_kernel& turn, Energy_sums& energy)
       const float3 nk = xyz(other);
       const float squared_distance = dot(d, d);
       const float distance_i = dot(n, d), distance_k = dot(nk, d);
-      const Scales_of_pair scales = {own_scale, loaded.scale};
+      const Scales_of_pair scales = {own_scale, loaded.scale,
+                                     range.squared(own_limit, loaded.limit)};
       const float a = weight_of_pair(squared_distance, distance_i, distance_k, own.w + other.w,
                                      scales);
       const float scale = range.scales ? sqrtf(scales.squared()) : 1.f;
-      const float share = share_in_ball(squared_distance, range.squared(own_scale, loaded.scale)),
+      const float share = share_in_ball(squared_distance, scales.squared_range),
                   shrunk_i = scale * shrink(distance_i / scale, turn.jumps);
       const float misfit_i = share * (distance_i - shrunk_i),
                   misfit_k = share * (distance_k - scale * shrink(distance_k / scale, turn.jumps));
@@ -287,21 +288,23 @@ __device__ void subtract_product(const Turn_in_kernel& turn, const float4* direc
       float4 p;
       float4 normal;
       int4 point;
-      float scale;
+      float scale, limit;
     };
     const uint2 row = turn.neighbors.row(turn.points, turn.samples.size, i);
     const int4 center = turn.points[i];
     const float4 own = turn.samples.normals[i];
     const float3 n = xyz(own);
-    const float own_scale = weight_of_pair.range.scale(i);
+    const Range_of_pairs& range = weight_of_pair.range;
+    const float own_scale = range.scale(i), own_limit = range.limit(i);
     const auto load_other = [&](unsigned k, Wide) {
-      return Other{directions[k], turn.samples.normals[k], turn.points[k],
-                   weight_of_pair.range.scale(k)};
+      return Other{directions[k], turn.samples.normals[k], turn.points[k], range.scale(k),
+                   range.limit(k)};
     };
     for_each_pair<2>(turn.neighbors, row, lane, load_other, [&](const Other& other, Wide) {
       const float3 d = difference(center, other.point, turn.unit);
-      const float a = weight_of_pair(dot(d, d), dot(n, d), dot(xyz(other.normal), d),
-                                     own.w + other.normal.w, {own_scale, other.scale});
+      const float a =
+        weight_of_pair(dot(d, d), dot(n, d), dot(xyz(other.normal), d), own.w + other.normal.w,
+                       {own_scale, other.scale, range.squared(own_limit, other.limit)});
       sum += xyz(other.p);
       product += a * xyz(other.p) + other.p.w * xyz(other.normal);
     });

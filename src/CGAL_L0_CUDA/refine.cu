@@ -176,11 +176,11 @@ __global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_b
 /// `Repulsion` in `float`.
 struct Push
 {
-  float squared_range; // of the neighbors
+  Range_of_pairs range; // of the neighbors
   float squared_bandwidth, strength, maximum_step;
-  float spacing;       // of an even set
-  double wide_spacing; // the same
-  double radius;       // of the fit, at scale 1
+  float spreading_radius; // of an even set
+  double spacing;         // of that
+  double radius;          // of the fit, at scale 1
 };
 
 /// One step of `repel_tangentially()` on the CPU.
@@ -191,6 +191,8 @@ __global__ void repel(Cell_frame frame, Neighbor_lists neighbors, Push push_rule
   const unsigned i = query.index;
   const float unit = frame.unit();
   const int4 center = points[i], place = places[i];
+  const float* const radii = push_rule.range.spreading_radii;
+  const float own_limit = push_rule.range.limit(i);
   float3 push = {0, 0, 0};
   const uint2 row = neighbors.row(places, samples.size, i);
   for (Wide e = Wide(row.x) + query.lane; e < row.y; e += lanes)
@@ -199,12 +201,14 @@ __global__ void repel(Cell_frame frame, Neighbor_lists neighbors, Push push_rule
     const float3 d = difference(center, points[k], unit),
                  former_d = difference(place, places[k], unit);
     float squared_distance = dot(d, d);
-    if (samples.spacings)
+    if (radii)
     {
-      const float scale = 2 * push_rule.spacing / (samples.spacings[i] + samples.spacings[k]);
+      const float scale = 2 * push_rule.spreading_radius / (radii[i] + radii[k]);
       squared_distance *= scale * scale;
     }
-    push += (push_rule.strength * share_in_ball(dot(former_d, former_d), push_rule.squared_range)
+    push += (push_rule.strength
+             * share_in_ball(dot(former_d, former_d),
+                             Range_of_pairs::squared(own_limit, push_rule.range.limit(k)))
              * gaussian_weight(squared_distance, push_rule.squared_bandwidth))
             * d;
   }
@@ -216,8 +220,8 @@ __global__ void repel(Cell_frame frame, Neighbor_lists neighbors, Push push_rule
   push -= fmaxf(dot(outward, push), 0) * outward;
   const float length = sqrtf(dot(push, push));
   const float maximum_step =
-    samples.spacings || samples.scales
-      ? float(Repulsion(samples.spacings ? samples.spacings[i] : push_rule.wide_spacing,
+    radii || samples.scales
+      ? float(Repulsion(radii ? radii[i] / self_neighbor_radius_per_spacing : push_rule.spacing,
                         push_rule.radius * samples.scale(i))
                 .maximum_step)
       : push_rule.maximum_step;
@@ -268,11 +272,11 @@ void repel_tangentially(const Workplace& workplace, const Cell_grid& sample_grid
                         const Samples& samples)
 {
   const Repulsion repulsion(spacing, radius);
-  const Push push = {float(square(range)),
+  const Push push = {{float(range), nullptr, samples.spreading_radii},
                      float(repulsion.squared_bandwidth),
                      float(repulsion.strength),
                      float(repulsion.maximum_step),
-                     float(spacing),
+                     float(self_neighbor_radius_per_spacing * spacing),
                      spacing,
                      radius};
   const Arena_scope scope(workplace.scratch);

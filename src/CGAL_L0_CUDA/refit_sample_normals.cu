@@ -29,7 +29,7 @@ struct Kernel
 /// \param rows whose fourth numbers are where the rows of the samples begin
 /// \param normals and the variances of the fit
 __global__ void refit(Neighbor_lists neighbors, Kernel kernel, const int4* rows,
-                      const double* positions, const float* scales, unsigned size,
+                      const double* positions, Range_of_pairs range, unsigned size,
                       const float4* normals, float4* refitted)
 {
   const Query query(size);
@@ -37,8 +37,7 @@ __global__ void refit(Neighbor_lists neighbors, Kernel kernel, const int4* rows,
   const double3 center = {positions[3 * i], positions[3 * i + 1], positions[3 * i + 2]};
   const float4 own = normals[i];
   const float3 normal = xyz(own);
-  const Range_of_pairs range = {float(kernel.radius), scales};
-  const float own_scale = range.scale(query.index);
+  const float own_limit = range.limit(query.index);
   Moments moments;
   float variance = 0;
   const uint2 row = neighbors.row(rows, size, query.index);
@@ -48,8 +47,10 @@ __global__ void refit(Neighbor_lists neighbors, Kernel kernel, const int4* rows,
     const float3 d = to_float(double3{positions[3 * k], positions[3 * k + 1], positions[3 * k + 2]}
                               - center);
     const float4 other = normals[k];
-    const float squared_stretch =
-      scales ? kernel.squared_radius / range.squared(own_scale, range.scale(unsigned(k))) : 1.f;
+    const float squared_stretch = range.is_one_for_all()
+                                    ? 1.f
+                                    : kernel.squared_radius
+                                        / range.squared(own_limit, range.limit(unsigned(k)));
     const float squared_distance = dot(d, d) * squared_stretch, cosine = dot(normal, xyz(other));
     const float height = symmetric_height(dot(d, normal),
                                           with_sign_of(cosine, 1.f) * dot(d, xyz(other)))
@@ -68,8 +69,7 @@ __global__ void refit(Neighbor_lists neighbors, Kernel kernel, const int4* rows,
   Plane_moments<double> all = moments.all();
   all.add(0, 0, 0, 1); // the sample itself
   const Triple leaning = lean_to_plane(all, {normal.x, normal.y, normal.z}, variance / all.sum,
-                                       scales ? sqrtf(range.squared(own_scale, own_scale))
-                                              : kernel.radius);
+                                       range.is_one_for_all() ? kernel.radius : own_limit);
   refitted[i] = with_w(to_float(leaning), own.w);
 }
 
@@ -87,8 +87,9 @@ void refit_sample_normals(const Workplace& workplace, const Sample_refit_kernel&
   for (std::size_t pass = 0; pass < number_of_passes; ++pass)
   {
     refit<<<blocks_for_queries(samples.size), threads_per_block, 0, workplace.stream>>>(
-      neighbors, in_float, sample_grid.points, samples.positions, samples.scales, samples.size,
-      normals, refitted);
+      neighbors, in_float, sample_grid.points, samples.positions,
+      {float(kernel.radius), samples.scales, samples.spreading_radii}, samples.size, normals,
+      refitted);
     check_launch("refit");
     std::swap(normals, refitted);
   }

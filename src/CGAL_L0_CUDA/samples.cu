@@ -55,8 +55,8 @@ __global__ void reorder_samples(const unsigned* order, Samples from, Samples to)
     to.are_support_points[i] = from.are_support_points[k];
   if (to.scales)
     to.scales[i] = from.scales[k];
-  if (to.spacings)
-    to.spacings[i] = from.spacings[k];
+  if (to.spreading_radii)
+    to.spreading_radii[i] = from.spreading_radii[k];
   if (to.hints)
     to.hints[i] = from.hints[k];
   if (to.start_indices)
@@ -76,7 +76,7 @@ __device__ void for_each_self_neighbor(const Cell_grid& grid, const Cell_blocks&
   const float unit = grid.frame.unit();
   const unsigned group_shift = threadIdx.x % 32 / lanes * lanes, group_mask = ((1u << lanes) - 1)
                                                                               << group_shift;
-  const float own_scale = range_of.scale(i);
+  const float own_limit = range_of.limit(i);
   const uint2* const ranges = blocks.ranges_of(cell);
   for (int row = 0, rows = blocks.number_of_ranges(cell); row < rows; ++row)
   {
@@ -90,7 +90,7 @@ __device__ void for_each_self_neighbor(const Cell_grid& grid, const Cell_blocks&
       {
         const int4 other = grid.points[k];
         const float3 d = difference(center, other, unit);
-        is_neighbor = dot(d, d) < range_of.squared(own_scale, range_of.scale(unsigned(k)))
+        is_neighbor = dot(d, d) < range_of.squared(own_limit, range_of.limit(unsigned(k)))
                       && ((unsigned(k) - i) & (blocks.centers[other.w].stride - 1)) == 0;
       }
       const unsigned found = (__ballot_sync(group_mask, is_neighbor) & group_mask) >> group_shift;
@@ -169,7 +169,7 @@ Samples take_samples(Device_arena& arena, unsigned size, const Kinds_of_sample_d
   samples.outward = kinds.of_default_method ? arena.take<Short_vector>(size) : nullptr;
   samples.are_support_points = kinds.of_default_method ? arena.take<unsigned char>(size) : nullptr;
   samples.scales = kinds.scales ? arena.take<float>(size) : nullptr;
-  samples.spacings = kinds.spacings ? arena.take<float>(size) : nullptr;
+  samples.spreading_radii = kinds.spreading_radii ? arena.take<float>(size) : nullptr;
   samples.hints = kinds.hints ? arena.take<float4>(size) : nullptr;
   samples.side_confidences = arena.take<float>(size);
   return samples;
@@ -199,7 +199,7 @@ void keep_listed(const Workplace& workplace, const unsigned* list, unsigned size
   copy(before.fit, m);
   copy(before.are_support_points, m);
   copy(before.scales, m);
-  copy(before.spacings, m);
+  copy(before.spreading_radii, m);
   copy(before.hints, m);
   copy(before.start_indices, m);
   samples.size = size;
@@ -218,13 +218,12 @@ void collapse_fit_term(const Workplace& workplace, const Cell_grid& sample_grid,
   check_launch("collapse");
 }
 
-Neighbor_lists find_self_neighbors(const Workplace& workplace, const Cell_grid& grid, double radius,
-                                   const float* scales)
+Neighbor_lists find_self_neighbors(const Workplace& workplace, const Cell_grid& grid,
+                                   const Range_of_pairs& range_of)
 {
   const unsigned limit = 1024; // as on the CPU
   const cudaStream_t stream = workplace.stream;
   const unsigned m = grid.size, thread_blocks = blocks_for_queries(m);
-  const Range_of_pairs range_of = {float(radius), scales};
   Neighbor_lists lists;
   const Arena_scope scope(workplace.scratch);
   const Cell_blocks blocks = find_blocks(grid, grid, 1, limit, workplace.scratch, stream);

@@ -57,7 +57,7 @@ public:
 /// \returns the number of outliers; if it is 0, `kept` means nothing. Waits for the device
 unsigned find_outliers(const Workplace& workplace, const Positions& positions,
                        const double (&low)[3], const double (&high)[3], double radius,
-                       unsigned* kept);
+                       const Outlier_thresholds& thresholds, unsigned* kept);
 
 /// Thins points where they crowd, as `thin_crowds()` on the CPU. Waits for the device.
 /// \param positions those that `grid` was built of
@@ -160,7 +160,7 @@ struct Samples
   Short_vector* outward = nullptr;             // as on the CPU; default method only
   unsigned char* are_support_points = nullptr; // as on the CPU; default method only
   float* scales = nullptr;                     // as on the CPU: null if all are 1
-  float* spacings = nullptr;         // as on the CPU: null unless the density of the input is kept
+  float* spreading_radii = nullptr;  // as on the CPU: null unless the density of the input is kept
   float4* hints = nullptr;           // as on the CPU: null if the caller has none
   unsigned* start_indices = nullptr; // as on the CPU: null if no samples follow others
   float* side_confidences = nullptr; // how sure the sides are, once they are chosen
@@ -180,7 +180,7 @@ struct Followers
 };
 
 /// Leaves out the samples of crowds but for a few, which the others follow. Waits for the device.
-/// \param frame of cells of the radius of the self neighbors
+/// \param frame of cells of the radius of the self neighbors, or of levels of spreading radii
 /// \returns arrays from the scratch arena
 Followers take_followers(const Workplace& workplace, const Cell_frame& frame, Samples& samples);
 
@@ -201,7 +201,7 @@ struct Sample_counts
 /// What samples may have beside positions, normals and fit.
 struct Kinds_of_sample_data
 {
-  bool of_default_method, scales, spacings, hints;
+  bool of_default_method, scales, spreading_radii, hints;
 };
 
 Samples take_samples(Device_arena& arena, unsigned size, const Kinds_of_sample_data& kinds);
@@ -219,6 +219,7 @@ struct Sources_of_samples
   const Areas* areas;  // null for none
   bool spreads_evenly; // by area, if there are areas, and not as the points do
   const float* hints;  // in the order of the input, xyz interleaved; null for none
+  double largest_spreading_radius;
 };
 
 /// The first S, chosen as the CPU chooses it.
@@ -240,15 +241,22 @@ void collapse_fit_term(const Workplace& workplace, const Cell_grid& sample_grid,
 struct Range_of_pairs
 {
   float radius;
-  const float* scales; // null for none
+  const float *scales, *spreading_radii; // null for none
 
 #ifdef __CUDACC__
+  __device__ bool is_one_for_all() const { return !scales && !spreading_radii; }
   __device__ float scale(unsigned i) const { return Scales_view{scales}[i]; }
 
-  /// \param scale_i, scale_k of the samples of the pair
-  __device__ float squared(float scale_i, float scale_k) const
+  /// How far away a neighbor of the sample may be.
+  __device__ float limit(unsigned i) const
   {
-    const float range = scales ? fminf(radius, fminf(scale_i, scale_k)) : radius;
+    const float of_scale = scales ? fminf(radius, scales[i]) : radius;
+    return spreading_radii ? fminf(of_scale, spreading_radii[i]) : of_scale;
+  }
+  /// \param limit_i, limit_k of the samples of the pair
+  __device__ static float squared(float limit_i, float limit_k)
+  {
+    const float range = fminf(limit_i, limit_k);
     return range * range;
   }
 #endif
@@ -273,10 +281,9 @@ struct Neighbor_lists
 
 /// Waits for the device. The lists are taken from the arena; the points of the grid lose their
 /// cells.
-/// \param scales of the samples, in the order of the grid, that shorten the radius where they are
-/// smaller; null for none
-Neighbor_lists find_self_neighbors(const Workplace& workplace, const Cell_grid& grid, double radius,
-                                   const float* scales);
+/// \param range_of of the samples, in the order of the grid
+Neighbor_lists find_self_neighbors(const Workplace& workplace, const Cell_grid& grid,
+                                   const Range_of_pairs& range_of);
 
 /// What a turn of Algorithm 1 leaves on the device.
 struct Turn_result

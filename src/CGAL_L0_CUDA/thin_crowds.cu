@@ -290,7 +290,8 @@ Followers take_followers(const Workplace& workplace, const Cell_frame& frame, Sa
 {
   const cudaStream_t stream = workplace.stream;
   const unsigned m = samples.size;
-  const Positions positions = {samples.positions, m, Frame(), true};
+  const Positions positions = {samples.positions,      m, Frame(), true, nullptr,
+                               samples.spreading_radii};
   const Arena_scope arena_scope(workplace.arena);
   const Cell_grid grid = build_grid(positions, nullptr, frame, workplace.arena, workplace.scratch,
                                     stream);

@@ -47,6 +47,7 @@ class Parameters:
     random_seed: int
     drop_non_finite: bool
     drop_outliers: bool | None
+    outlier_sensitivity: float | None
     maximum_memory: int
     threads: int | None
     device: Device

@@ -131,6 +131,7 @@ def l0_resample_point_set(
     random_seed=0,
     drop_non_finite=False,
     drop_outliers=None,
+    outlier_sensitivity=None,
     maximum_memory=None,
     threads=None,
     device=None,
@@ -214,6 +215,8 @@ def l0_resample_point_set(
         counted in the report. False (default): they raise ValueError.
     drop_outliers: bool. True: isolated points and small remote clusters are left out and counted
         in the report. Default: True for method="default", else False.
+    outlier_sensitivity: float from 0 to 3, how readily they are: none at 0, more the larger it
+        is. It sets drop_outliers to True unless that is given. Default: 1.
 
     Where and how it runs
 
@@ -279,6 +282,7 @@ def l0_resample_point_set(
         "random_seed": random_seed,
         "drop_non_finite": bool(drop_non_finite),
         "drop_outliers": None if drop_outliers is None else bool(drop_outliers),
+        "outlier_sensitivity": outlier_sensitivity,
         "maximum_memory": maximum_memory,
         "threads": threads,
         "device": _device_choice(device, points),

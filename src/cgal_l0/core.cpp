@@ -171,6 +171,7 @@ PYBIND11_MODULE(_core, module)
     .def_readwrite("random_seed", &Parameters::random_seed)
     .def_readwrite("drop_non_finite", &Parameters::drop_non_finite)
     .def_readwrite("drop_outliers", &Parameters::drop_outliers)
+    .def_readwrite("outlier_sensitivity", &Parameters::outlier_sensitivity)
     .def_readwrite("maximum_memory", &Parameters::maximum_memory)
     .def_readwrite("threads", &Parameters::threads)
     .def_readwrite("device", &Parameters::device);

@@ -38,7 +38,8 @@ inline auto named_parameters_of(const Parameters& parameters,
     .number_of_orientation_neighbors(parameters.number_of_orientation_neighbors)
     .random_seed(parameters.random_seed)
     .drop_non_finite(parameters.drop_non_finite)
-    .drop_outliers(parameters.drop_outliers.value_or(*defaults.drop_outliers))
+    .drop_outliers(parameters.drop_outliers)
+    .outlier_sensitivity(parameters.outlier_sensitivity)
     .maximum_memory(parameters.maximum_memory)
     .callback(callback)
     .resampling_report(&report);

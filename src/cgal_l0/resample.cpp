@@ -158,7 +158,6 @@ Parameters default_parameters(Method method)
   parameters.number_of_orientation_neighbors = std::int64_t(
     defaults.number_of_orientation_neighbors);
   parameters.random_seed = defaults.random_seed;
-  parameters.drop_outliers = defaults.drop_outliers;
   return parameters;
 }
 

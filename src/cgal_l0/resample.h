@@ -47,6 +47,7 @@ struct Parameters
   std::uint64_t random_seed = 0;
   bool drop_non_finite = false;
   std::optional<bool> drop_outliers;
+  std::optional<double> outlier_sensitivity;
   std::uint64_t maximum_memory = (std::numeric_limits<std::uint64_t>::max)(); ///< in bytes
 
   // whether the named parameters source_index_map, feature_confidence_map, side_confidence_map and

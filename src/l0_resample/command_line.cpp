@@ -214,8 +214,16 @@ void add_options_on_input(CLI::App& app, Arguments& arguments)
     ->type_name("2,6,...");
   app.add_flag("--first-returns", options.only_first_returns,
                "only points that are no second or later return, as LAS has them");
-  app.add_flag("--keep-outliers", options.keep_outliers,
-               "keep points off the cloud, which the default method leaves out");
+  auto* keep_outliers = app.add_flag("--keep-outliers", options.keep_outliers,
+                                     "keep points off the cloud, which the default method leaves "
+                                     "out");
+  app
+    .add_option("--outlier-sensitivity", options.outlier_sensitivity,
+                "how readily these are left out, from 0 to 3; also by lor and alor")
+    ->check(number_within(0, true, 3, "a number in [0, 3]"))
+    ->type_name("S")
+    ->default_str("1")
+    ->excludes(keep_outliers);
 }
 
 void add_options_on_method(CLI::App& app, Arguments& arguments)
@@ -405,7 +413,8 @@ void add_options(CLI::App& app, Arguments& arguments)
                   "neighbor-radius", "orient-by-normals", "viewpoint", "viewpoints",
                   "view-property", "up"});
   exclude_others(app, "info",
-                 {"points", "percentage", "method", "neighbor-radius", "keep-outliers"});
+                 {"points", "percentage", "method", "neighbor-radius", "keep-outliers",
+                  "outlier-sensitivity"});
 }
 
 std::vector<std::string> choices_of(const std::string& option)

@@ -68,6 +68,7 @@ struct Options
   bool with_neighbor_radii = false;
   bool drop_non_finite = false;
   bool keep_outliers = false;
+  std::optional<double> outlier_sensitivity;
   std::vector<unsigned> classes; ///< to keep; empty for all
   bool only_first_returns = false;
 

@@ -19,6 +19,11 @@ using CGAL::L0_resampling::Iteration_report;
 using CGAL::L0_resampling::Report;
 using CGAL::L0_resampling::Stage_report;
 
+Json number_or_null(const std::optional<double>& number)
+{
+  return number ? Json(*number) : Json(nullptr);
+}
+
 Json coordinates_or_null(const std::optional<std::array<double, 3>>& coordinates)
 {
   return coordinates ? Json(*coordinates) : Json(nullptr);
@@ -36,6 +41,7 @@ Json parameters_as_json(const Options& options, const Run_record& record)
                {"keep_classes", options.classes},
                {"first_returns", options.only_first_returns},
                {"keep_outliers", options.keep_outliers},
+               {"outlier_sensitivity", number_or_null(options.outlier_sensitivity)},
                {"keep_density", options.keep_density},
                {"orient_by_normals", options.orient_by_normals},
                {"viewpoint", coordinates_or_null(viewpoint)},

@@ -214,6 +214,7 @@ Resampled_points resample(const Point_cloud& cloud, const Sides& sides, const Op
         .resampling_report(&report)
         .neighbor_radius(options.neighbor_radius)
         .keep_density(options.keep_density)
+        .outlier_sensitivity(options.outlier_sensitivity)
         .viewpoint(sides.viewpoint)
         .up_direction(options.up_direction);
     const auto on_device = [&]() {

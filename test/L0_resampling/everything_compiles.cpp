@@ -64,7 +64,8 @@ void resample()
         .feature_confidence_map(CGAL::make_property_map(confidences))
         .side_confidence_map(CGAL::make_property_map(confidences))
         .neighbor_radius_map(CGAL::make_property_map(confidences))
-        .keep_density(true));
+        .keep_density(true)
+        .outlier_sensitivity(2));
     CGAL::l0_resample_point_set<ConcurrencyTag>(
       points, std::back_inserter(result),
       parameters::viewpoint_map(CGAL::Identity_property_map<typename Kernel::Point_3>()));

@@ -366,7 +366,14 @@ int main()
                       np.select_percentage(60));
       check_agreement(kind + "kept density", graded_sphere(20000, noise, 19),
                       np.keep_density(true).select_percentage(60));
+      check_agreement(kind + "kept steep density", steeply_graded_sphere(20000, noise, 25),
+                      np.keep_density(true).drop_outliers(false).select_percentage(60));
     }
+    for (const double sensitivity : {0.3, 2.})
+      CHECK(check_agreement(name + "sensitivity " + std::to_string(sensitivity),
+                            with_outliers(noisy_cube(20000, 0.01, 12), 13),
+                            np.outlier_sensitivity(sensitivity).select_percentage(60))
+            > 300);
     // so many that each has others around it
     CHECK(check_agreement(name + "crowd of outliers",
                           with_crowd(noisy_sphere(20000, 0.08, 22), 4000, 1.3, 23),

@@ -145,6 +145,17 @@ inline Points graded_sphere(std::size_t n, double noise, unsigned seed)
   return points;
 }
 
+/// Of a sphere, 300 times as dense at one pole as at the other, as a scan near and far is.
+inline Points steeply_graded_sphere(std::size_t n, double noise, unsigned seed)
+{
+  test::Generator generator(seed);
+  Points points;
+  for (const Point& p : noisy_sphere(8 * n, noise, seed + 1))
+    if (points.size() < n && test::random_number(0, 1, generator) < std::pow(300, (p.x() - 1) / 2))
+      points.push_back(p);
+  return points;
+}
+
 /// Two sheets that are closer to each other than the radius of a ball.
 inline Points noisy_plate(std::size_t n, double thickness, double noise, unsigned seed)
 {

@@ -12,15 +12,17 @@
 using namespace test;
 
 /// Whether each point is an outlier, in the order of the points.
-std::vector<bool> outliers_of(const std::vector<Vector>& points, double radius)
+std::vector<bool> outliers_of(const std::vector<Vector>& points, double radius,
+                              double sensitivity = 1)
 {
   Unwatched unwatched;
+  const Outlier_thresholds thresholds(sensitivity);
   std::optional<double> median, same_median;
   const auto parallel = find_outliers<float, CGAL::Parallel_if_available_tag>(
-    to_buffer(points), radius, Scales_view(), median, unwatched.progress);
+    to_buffer(points), radius, thresholds, Scales_view(), median, unwatched.progress);
   CHECK((parallel
-         == find_outliers<float, CGAL::Sequential_tag>(to_buffer(points), radius, Scales_view(),
-                                                       same_median, unwatched.progress)));
+         == find_outliers<float, CGAL::Sequential_tag>(
+           to_buffer(points), radius, thresholds, Scales_view(), same_median, unwatched.progress)));
   CHECK(*median == *same_median);
   return std::vector<bool>(parallel.begin(), parallel.end());
 }
@@ -116,6 +118,37 @@ void check_crowd(Generator& generator)
   CHECK(number_lost <= 75); // at the border of the sparse sheet
 }
 
+/// Whoever is an outlier is one at every larger sensitivity: single points, clusters, borders, and
+/// a crowd beside the sparse end of a noisy sheet. There are few at a small one.
+void check_sensitivity(Generator& generator)
+{
+  const double radius = 0.45;
+  std::vector<Vector> points;
+  for (const Vector& p : sphere_points(12000, 1, generator).points)
+    if (random_number(0, 1, generator) < std::pow(20, -(p[0] + 1) / 2))
+      points.push_back(p);
+  add_gaussian_noise(points, 0.08, generator);
+  for (int n = 0; n < 1500; ++n)
+    points.emplace_back(random_number(-2, 2, generator), random_number(-2, 2, generator),
+                        random_number(-2, 2, generator));
+  for (int n = 0; n < 25; ++n)
+    points.push_back(Vector(3, 0, 0) + 0.05 * random_unit_vector(generator));
+
+  std::vector<std::size_t> numbers;
+  std::vector<bool> before(points.size(), false);
+  for (const double sensitivity : {0.01, 0.3, 0.7, 1., 1.3, 1.7, 2.2, largest_outlier_sensitivity})
+  {
+    const std::vector<bool> outliers = outliers_of(points, radius, sensitivity);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      CHECK(outliers[i] || !before[i]);
+    numbers.push_back(number_of(outliers));
+    before = outliers;
+  }
+  CHECK(numbers.front() < points.size() / 100);
+  CHECK(2 * numbers[1] < numbers[3] && numbers[5] > numbers[3] + points.size() / 100);
+  CHECK(numbers.back() < points.size());
+}
+
 /// Where nobody has neighbors, or all are one, nobody is apart from the others. A few parts of
 /// equal size are no outliers to each other.
 void check_no_cloud(Generator& generator)
@@ -138,6 +171,7 @@ int main()
   check_surfaces(generator);
   check_outliers(generator);
   check_crowd(generator);
+  check_sensitivity(generator);
   check_no_cloud(generator);
   return result();
 }

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The named parameter keep_density: a ten-fold density gradient stays one, and is evened out
-// without it.
+// The named parameter keep_density: a gradient of the density stays one, and is evened out without
+// it; samples are even relative to the spacing of the input where they are.
 
 #include "promise_support.h"
 
@@ -20,8 +20,6 @@ namespace params = CGAL::parameters;
 
 namespace {
 
-constexpr double fold = 10;
-
 /// A surface whose area is spread evenly over one coordinate, along which the density grows.
 struct Shape
 {
@@ -31,8 +29,8 @@ struct Shape
     random_point; // evenly over the surface; the coordinate lies in [-1, 1]
 };
 
-/// Ten times as dense at one end as at the other.
-std::vector<Vector> with_gradient(const Shape& shape, std::size_t n, double noise,
+/// So many times as dense at one end as at the other.
+std::vector<Vector> with_gradient(const Shape& shape, double fold, std::size_t n, double noise,
                                   test::Generator& generator)
 {
   std::vector<Vector> points;
@@ -69,7 +67,7 @@ double measured_fold(const Points& points, Eigen::Index axis)
 
 /// How much the distance to the nearest neighbor varies, as a share of its mean, where each is read
 /// relative to the spacing that its place asks for.
-double unevenness(const std::vector<Vector>& points, Eigen::Index axis)
+double unevenness(const std::vector<Vector>& points, double fold, Eigen::Index axis)
 {
   double sum = 0, sum_of_squares = 0;
   for (const Vector& p : points)
@@ -108,20 +106,37 @@ void check_within(const std::string& name, double measured, double low, double h
               << std::endl;
 }
 
+const Shape strip{"strip", 0, [](test::Generator& g) {
+                    return Vector(test::random_number(-1, 1, g), test::random_number(-0.5, 0.5, g),
+                                  0);
+                  }};
+
+/// Between the ends of a scan spacings differ by twenty. The samples of the dense end have their
+/// neighbors within few of theirs, and those of the sparse end have some at all.
+void check_steep_gradient(double noise, test::Generator& generator)
+{
+  const double steep = 400;
+  const std::vector<Vector> points = with_gradient(strip, steep, 12000, noise, generator),
+                            kept = resampled(points, params::select_percentage(50)
+                                                       | params::keep_density(true)
+                                                       | params::drop_outliers(false));
+  const std::string name = "steep strip, noise " + std::to_string(noise);
+  const double fold = measured_fold(points, strip.axis);
+  check_within(name, measured_fold(kept, strip.axis), 0.7 * fold, 1.4 * fold);
+  check_within(name + ", unevenness", unevenness(kept, steep, strip.axis), 0, 0.145);
+}
+
 } // namespace
 
 int main()
 {
+  const double fold = 10;
   test::Generator generator(1);
   const Shape sphere{"sphere", 2, test::random_unit_vector};
-  const Shape strip{"strip", 0, [](test::Generator& g) {
-                      return Vector(test::random_number(-1, 1, g),
-                                    test::random_number(-0.5, 0.5, g), 0);
-                    }};
   for (const Shape& shape : {sphere, strip})
     for (double noise : {0., 0.01})
     {
-      const std::vector<Vector> points = with_gradient(shape, 8000, noise, generator);
+      const std::vector<Vector> points = with_gradient(shape, fold, 8000, noise, generator);
       const std::string name = shape.name + ", noise " + std::to_string(noise);
       const auto check_fold = [&](const std::string& result, const auto& np, double low,
                                   double high) {
@@ -139,8 +154,10 @@ int main()
                                                             | params::keep_density(true));
       check_within(name + ", kept by fewer points", measured_fold(fewer, shape.axis), 0.7 * fold,
                    1.3 * fold);
-      check_within(name + ", unevenness", unevenness(fewer, shape.axis), 0,
+      check_within(name + ", unevenness", unevenness(fewer, fold, shape.axis), 0,
                    0.19); // 0.52 for points by chance
     }
+  for (double noise : {0., 0.002})
+    check_steep_gradient(noise, generator);
   return test::result();
 }

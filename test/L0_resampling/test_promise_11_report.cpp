@@ -202,6 +202,23 @@ void test_outliers()
                                   .report;
       if (drops == (method == Method::DEFAULT))
         CHECK(by_default.number_of_outliers == run.report.number_of_outliers);
+      // a sensitivity leaves points out unless the switch says otherwise; 1 is that of the switch
+      for (const double sensitivity : {0., 0.2, 1., 2.})
+      {
+        const auto np =
+          params::resampling_method(method).number_of_output_points(1000).outlier_sensitivity(
+            sensitivity);
+        const std::size_t number = test::resample<Kernel, Sequential_tag>(points, np)
+                                     .report.number_of_outliers,
+                          of_switch = test::resample<Kernel, Sequential_tag>(
+                                        points, np | params::drop_outliers(drops))
+                                        .report.number_of_outliers;
+        CHECK(of_switch == (drops ? number : 0) && (sensitivity == 0) == (number == 0));
+        if (drops)
+          CHECK(sensitivity < 1    ? number <= run.report.number_of_outliers
+                : sensitivity == 1 ? number == run.report.number_of_outliers
+                                   : number > run.report.number_of_outliers);
+      }
     }
 }
 

@@ -115,6 +115,10 @@ void test_lengths_and_angles()
   check_refused("viewpoint_map", "given",
                 params::viewpoint_map(viewpoints).orientation_hint_map(hints));
   check_refused("sharpness_angle", "90.5", params::sharpness_angle(90.5));
+  check_refused("outlier_sensitivity", "-0.25", params::outlier_sensitivity(-0.25));
+  check_refused("outlier_sensitivity", "3.25", params::outlier_sensitivity(3.25));
+  check_refused("outlier_sensitivity", "nan",
+                params::outlier_sensitivity(std::numeric_limits<double>::quiet_NaN()));
   check_refused("select_percentage", "100.5", params::select_percentage(100.5));
   check_refused("penalty_growth", "1", params::penalty_growth(1));
   check_refused("penalty_growth", "1.0001", params::penalty_growth(1.0001)); // 30 thousand solves
@@ -159,6 +163,9 @@ void test_extreme_values_are_not_refused()
                least = std::numeric_limits<double>::denorm_min();
   check("sharpness_angle 90", params::sharpness_angle(90));
   check("sharpness_angle least", params::sharpness_angle(least));
+  for (const double sensitivity : {0., least, 3.})
+    check("outlier_sensitivity " + std::to_string(sensitivity),
+          params::outlier_sensitivity(sensitivity));
   check("normal_weight 0", params::normal_weight(0));
   check("normal_weight least", params::normal_weight(least));
   check("normal_weight largest", params::normal_weight(largest));

@@ -131,7 +131,7 @@ void test_limit(const Points& points, Method method, std::size_t m)
   // the bound from the numbers alone refuses nothing that would do, and is worth something
   CGAL::L0_resampling::internal::Parameters p;
   p.number_of_output_points = m;
-  p.drop_outliers = method == Method::DEFAULT;
+  p.outlier_sensitivity = method == Method::DEFAULT ? 1 : 0;
   const std::size_t least = CGAL::L0_resampling::internal::least_memory<float>(points.size(), p);
   CHECK(least <= peak);
   CHECK(10 * least > peak); // many samples of few points have most of it in the lists of neighbors

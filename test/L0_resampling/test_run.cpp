@@ -229,7 +229,8 @@ void test_switches()
   {
     const Recorder without = recorded(parameters_of(method));
     Parameters parameters = parameters_of(method);
-    parameters.drop_outliers = parameters.with_feature_confidences = true;
+    parameters.outlier_sensitivity = 1;
+    parameters.with_feature_confidences = true;
     Recorder solver_with_rows;
     solver_with_rows.needs_rows = true;
     const Recorder with = recorded(parameters, solver_with_rows);

@@ -173,12 +173,11 @@ void check_step_limit(bool with_spacings, double radius, Generator& generator)
   const std::size_t n = samples.positions.size();
   samples.normals = Buffer<Vector>(n, Vector::UnitZ());
   samples.outward_directions = Buffer<Vector>(n, Vector::Zero());
-  const auto spacing_of = [&](std::size_t i) {
-    const double own_spacing = 1.5 + sorted.points[i][0] / 20;
-    return with_spacings ? own_spacing : spacing;
-  };
   for (std::size_t i = 0; with_spacings && i < n; ++i)
-    samples.spacings.push_back(spacing_of(i));
+    samples.spreading_radii.push_back(float(3 + sorted.points[i][0] / 10));
+  const auto spacing_of = [&](std::size_t i) {
+    return with_spacings ? samples.spreading_radii[i] / self_neighbor_radius_per_spacing : spacing;
+  };
   Unwatched unwatched;
   using Tag = CGAL::Sequential_tag;
   const Buffer<Vector>& places = sorted.points;

@@ -54,6 +54,11 @@ for view in 2 -1 0.5 nan; do
     "the property 'view' of point 2 is $view, but --viewpoints has 2, counted from 0" \
     misviewed.xyz old.ply --columns x,y,z,view "${by_views[@]}"
 done
+for value in -1 3.1 much; do
+  check_failure 2 "--outlier-sensitivity" cube.xyz old.ply --outlier-sensitivity "$value"
+done
+check_failure 2 "--outlier-sensitivity" \
+  cube.xyz old.ply --outlier-sensitivity 1 --keep-outliers
 for value in 0 91; do
   check_failure 2 "--sharpness-angle" cube.xyz old.ply --sharpness-angle "$value"
 done

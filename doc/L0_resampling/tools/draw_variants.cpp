@@ -141,7 +141,7 @@ Result resample(const std::vector<Point>& points, Values values)
                          double(defaults.number_of_orientation_neighbors))))
       .random_seed(std::size_t(take(values, "random_seed", 0)))
       .keep_density(take(values, "keep_density", 0) != 0)
-      .drop_outliers(take(values, "drop_outliers", double(defaults.drop_outliers)) != 0)
+      .drop_outliers(take(values, "drop_outliers", double(defaults.outlier_sensitivity > 0)) != 0)
       .viewpoint(viewpoint)
       .feature_confidence_map(CGAL::make_property_map(confidences))
       .number_of_output_points(number);

@@ -85,6 +85,7 @@ void print_constants()
   object.add("outlier_share_of_median", outlier_share_of_median);
   object.add("share_of_sparse_points", share_of_sparse_points);
   object.add("volume_filling_ratio", volume_filling_ratio);
+  object.add("largest_outlier_sensitivity", largest_outlier_sensitivity);
   object.add("gap_of_parts", gap_of_parts);
   object.add("points_per_seed", points_per_seed);
   object.add("points_of_seed", points_of_seed);

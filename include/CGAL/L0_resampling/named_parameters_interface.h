@@ -43,3 +43,6 @@ CGAL_add_named_parameter(resampling_method_t, resampling_method, resampling_meth
                                                                  viewpoint_map)
                                           CGAL_add_named_parameter(up_direction_t, up_direction,
                                                                    up_direction)
+                                            CGAL_add_named_parameter(outlier_sensitivity_t,
+                                                                     outlier_sensitivity,
+                                                                     outlier_sensitivity)

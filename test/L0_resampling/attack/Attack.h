@@ -40,6 +40,7 @@ struct Parameters
   std::optional<double> number_of_output_points, neighbor_radius, normal_filter_radius;
   std::optional<double> regularization_weight, penalty_growth; // the default depends on the method
   std::optional<bool> drop_outliers;                           // likewise
+  std::optional<double> outlier_sensitivity;
   std::optional<double> viewpoint, up_direction; // x of a point and of a vector off all axes
   bool viewpoint_by_map = false;                 // whether the viewpoint is given for each point
   double select_percentage = 50;
@@ -76,6 +77,7 @@ void for_each_parameter(const F& f)
   f("regularization_weight", &Parameters::regularization_weight);
   f("penalty_growth", &Parameters::penalty_growth);
   f("drop_outliers", &Parameters::drop_outliers);
+  f("outlier_sensitivity", &Parameters::outlier_sensitivity);
   f("viewpoint", &Parameters::viewpoint);
   f("viewpoint_by_map", &Parameters::viewpoint_by_map);
   f("up_direction", &Parameters::up_direction);

@@ -146,6 +146,7 @@ void call_with(const Attack& attack, const SolverTraits& solver, Answer& answer)
       .random_seed(p.random_seed)
       .drop_non_finite(p.drop_non_finite)
       .drop_outliers(p.drop_outliers)
+      .outlier_sensitivity(p.outlier_sensitivity)
       .keep_density(p.keep_density)
       .source_index_map(given_if(p.with_point_data, Map_to_vector<std::size_t>{&answer.sources}))
       .feature_confidence_map(

@@ -156,6 +156,14 @@ std::vector<Named_parameters> hostile_parameter_sets(std::size_t size, double di
        p.method = 1;
      })},
     {"dropping no outliers", with([](P& p) { p.drop_outliers = false; })},
+    {"the most sensitive", with([](P& p) { p.outlier_sensitivity = 3; })},
+    {"the least sensitive", with([](P& p) { p.outlier_sensitivity = Limits::denorm_min(); })},
+    {"LOR, half as sensitive", with([](P& p) {
+       p.outlier_sensitivity = 0.5;
+       p.method = 1;
+     })},
+    {"sensitivity NaN", with([](P& p) { p.outlier_sensitivity = nan; })},
+    {"sensitivity -1", with([](P& p) { p.outlier_sensitivity = -1; })},
     {"keeping the density", with([](P& p) { p.keep_density = true; })},
     {"keeping the density, LOR, more points", with([=](P& p) {
        p.keep_density = true;
@@ -277,6 +285,8 @@ Parameters random_parameters(std::size_t n, double diagonal, Generator& generato
     p.drop_non_finite = true;
   if (one_in(4))
     p.drop_outliers = one_in(2);
+  if (one_in(4))
+    p.outlier_sensitivity = random(0, 3);
   if (one_in(20))
     p.maximum_memory = std::size_t(1e3 * std::pow(1e3, random(0, 1)));
   if (one_in(40))

@@ -36,6 +36,8 @@ def same(result, other):
     (["--sharpness-angle", 40], {"sharpness_angle": 40}),
     (["--seed", 5], {"random_seed": 5}),
     (["--keep-density"], {"keep_density": True}),
+    (["--outlier-sensitivity", 3], {"outlier_sensitivity": 3}),
+    (["--method", "lor", "--outlier-sensitivity", 3], {"method": "lor", "outlier_sensitivity": 3}),
     (["--viewpoint", "0.5,0.5,0.5"], {"viewpoint": (0.5, 0.5, 0.5)}),
     (["--up", "0,0,-2"], {"up_direction": (0, 0, -2)}),
 ])
@@ -257,6 +259,10 @@ def test_drop_outliers(cube):
     assert 250 < report.number_of_outliers <= 300
     assert numpy.abs(result[0]).max() < numpy.abs(kept[0]).max() / 2
     assert same(result, l0_resample_point_set(scattered, drop_outliers=True))
+    assert same(result, l0_resample_point_set(scattered, outlier_sensitivity=1))
+    assert same(kept, l0_resample_point_set(scattered, outlier_sensitivity=0))
+    with pytest.raises(ValueError, match="outlier_sensitivity is 4"):
+        l0_resample_point_set(scattered, outlier_sensitivity=4)
     assert l0_resample_point_set(scattered, method="lor", report=True)[2].number_of_outliers == 0
 
 

@@ -257,6 +257,7 @@ void add_with_parameters(std::vector<Case>& cases)
     p.penalty_growth = 1.3;
   });
   const Case outliers = unoriented("", with_outliers(cube.points));
+  add("outlier_sensitivity", outliers, [](Parameters& p) { p.outlier_sensitivity = 1.5; });
   add("no_outliers_dropped", outliers, [](Parameters& p) { p.drop_outliers = false; });
   add("not_finite", not_finite, [](Parameters& p) { p.drop_non_finite = true; });
   add("single_precision", input, [](Parameters& p) { p.in_single_precision = true; });

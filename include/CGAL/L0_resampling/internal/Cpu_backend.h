@@ -129,7 +129,8 @@ public:
   void drop_outliers(const Plan& plan)
   {
     m_report.number_of_outliers = internal::drop_outliers<ConcurrencyTag>(
-      plan.radius, m_input.points, m_input.scales, m_given_normals, m_hints, m_facts, m_progress);
+      plan.radius, Outlier_thresholds(plan.outlier_sensitivity), m_input.points, m_input.scales,
+      m_given_normals, m_hints, m_facts, m_progress);
   }
 
   void sort_points(const Plan& plan)
@@ -241,7 +242,7 @@ public:
   {
     m_neighbors = no_neighbors();
     const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(m_samples.positions,
-                                                                            sample_cell_size(plan));
+                                                                            sample_cells(plan));
     apply_order<ConcurrencyTag>(order, m_samples);
     if (needs_explicit_rows() && !plan.refines)
       apply_order(order, m_fit_rows);
@@ -249,10 +250,10 @@ public:
 
   void find_self_neighbors(const Plan& plan)
   {
-    m_sample_grid.emplace(m_samples.positions, sample_cell_size(plan));
+    m_sample_grid.emplace(m_samples.positions, sample_cells(plan));
     m_neighbors = internal::find_self_neighbors<ConcurrencyTag>(
       *m_sample_grid, m_samples.positions,
-      {plan.self_neighbor_radius, view_of_scales(m_samples.scales)}, m_progress);
+      {plan.self_neighbor_radius, view_of_scales(m_samples.scales), spreading_radii()}, m_progress);
     m_report.number_of_self_neighbor_pairs = m_neighbors.indices.size();
     if (!spreads_wider())
       m_sample_grid.reset();
@@ -310,13 +311,15 @@ public:
   void repel_tangentially(const Plan& plan)
   {
     const auto repel = [&](const Neighborhoods& others, double radius) {
-      internal::repel_tangentially<ConcurrencyTag>(others, m_places, radius, plan.sample_spacing,
-                                                   plan.radius, number_of_repulsion_steps,
-                                                   m_samples);
+      internal::repel_tangentially<ConcurrencyTag>(others, m_places,
+                                                   {radius, {}, spreading_radii()},
+                                                   plan.sample_spacing, plan.radius,
+                                                   number_of_repulsion_steps, m_samples);
     };
     if (spreads_wider())
       repel(internal::find_self_neighbors<ConcurrencyTag>(
-              *m_sample_grid, m_places, {plan.spreading_radius(), {}}, m_progress),
+              *m_sample_grid, m_places, {plan.spreading_radius(), {}, spreading_radii()},
+              m_progress),
             plan.spreading_radius());
     else
       repel(m_neighbors, plan.self_neighbor_radius);
@@ -420,10 +423,12 @@ private:
   /// Whether other samples repel each other than those that the energy couples.
   bool spreads_wider() const { return !m_samples.scales.empty(); }
 
-  double sample_cell_size(const Plan& plan) const
+  Scales_view spreading_radii() const { return view_of_scales(m_samples.spreading_radii); }
+
+  Cell_sizes sample_cells(const Plan& plan) const
   {
-    if (!plan.refines)
-      return plan.self_cell_size();
+    if (!plan.refines || plan.keeps_spacings)
+      return {plan.self_cell_size(), m_samples.spreading_radii};
     return (std::max)(plan.cell_size,
                       spreads_wider() ? plan.spreading_radius() : plan.self_neighbor_radius);
   }

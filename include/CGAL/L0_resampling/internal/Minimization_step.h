@@ -73,7 +73,8 @@ public:
   {
     const Minimization_parameters& p = m_parameters;
     const std::size_t m = samples.positions.size(), number_of_pairs = neighbors.indices.size();
-    const Range_of_pairs range = {p.range_of_pairs, view_of_scales(samples.scales)};
+    const Range_of_pairs range = {p.range_of_pairs, view_of_scales(samples.scales),
+                                  view_of_scales(samples.spreading_radii)};
     m_right_hand_side.resize(m);
     fill_buffer(m, Local_vector(Local_vector::Zero()), m_displacements);
     resize_to_overwrite(m_solver.needs_explicit_rows ? number_of_pairs : 0, m_normal_offsets);

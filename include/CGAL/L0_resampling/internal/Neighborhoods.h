@@ -27,21 +27,28 @@ struct Neighborhoods
   Neighborhoods_view view() const { return {offsets.size() - 1, offsets.data(), indices.data()}; }
 };
 
-/// How far apart two samples may be to be neighbors: no further than one radius for all, and than
-/// r_p around either, beyond which the surface may bend away.
+/// How far apart two samples may be to be neighbors: no further than one radius for all, than r_p
+/// around either, beyond which the surface may bend away, and than the spreading radius of either,
+/// where the density of the input is kept.
 struct Range_of_pairs
 {
   double radius;
-  Scales_view scales;
+  Scales_view scales, spreading_radii;
 
-  Range_of_pairs(double largest, const Scales_view& scales_of_samples = Scales_view())
-    : radius(largest), scales(scales_of_samples)
+  Range_of_pairs(double largest, const Scales_view& scales_of_samples = Scales_view(),
+                 const Scales_view& spreading_radii_of_samples = Scales_view())
+    : radius(largest), scales(scales_of_samples), spreading_radii(spreading_radii_of_samples)
   {} // not explicit: one radius for all is usual
+
+  bool is_one_for_all() const { return !scales.values && !spreading_radii.values; }
 
   double squared(std::size_t i, std::size_t k) const
   {
-    return scales.values ? square((std::min)(radius, double(scales.smaller_of_pair(i, k))))
-                         : square(radius);
+    double range = radius;
+    for (const Scales_view* limits : {&scales, &spreading_radii})
+      if (limits->values)
+        range = (std::min)(range, double(limits->smaller_of_pair(i, k)));
+    return square(range);
   }
 };
 

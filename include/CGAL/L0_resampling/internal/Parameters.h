@@ -40,8 +40,7 @@ struct Parameters
   double maximum_penalty = 2;          ///< last \f$ \beta \f$ is at most this
   double penalty_growth = 1.5;         ///< \f$ \mu \f$; the default method has its own
 
-  bool drop_outliers =
-    false; ///< whether points off the cloud are left out; the default method has its own default
+  double outlier_sensitivity = 0; ///< how readily points off the cloud are left out; 0: never
   bool keep_density = false; ///< whether the density of the input is kept instead of evened out
   std::size_t number_of_orientation_neighbors = 12;
   bool has_viewpoint = false;
@@ -161,6 +160,26 @@ constexpr double share_of_sparse_points = 0.15;
 constexpr double volume_filling_ratio = 50;
 /// Additive smoothing of the number of points in the small balls, which may be few.
 constexpr double count_prior = 3;
+
+/// Up to this sensitivity a ball need not hold as many points as those around it do.
+constexpr double largest_outlier_sensitivity = 3;
+
+/// What points off the cloud are told by. The more sensitive, the more of them there are: whoever
+/// is one stays one.
+struct Outlier_thresholds
+{
+  double share_of_surroundings, share_of_median; ///< of the points that balls hold, at least
+  double volume_filling_ratio;                   ///< of sparse points, at most
+  double share_of_part; ///< of the points of a median ball that a part has, at least
+
+  /// \param sensitivity above 0
+  CGAL_L0_HOST_DEVICE explicit Outlier_thresholds(double sensitivity)
+    : share_of_surroundings(sensitivity * outlier_share_of_surroundings),
+      share_of_median(sensitivity * outlier_share_of_median),
+      volume_filling_ratio(internal::volume_filling_ratio / sensitivity),
+      share_of_part(sensitivity / 2)
+  {}
+};
 
 /// Parts of the cloud are apart if a layer of cells of this size, per r_p, lies empty between them.
 /// Smaller cells would tear sparse regions to pieces, larger ones join outliers to the cloud.
@@ -311,6 +330,14 @@ inline double next_penalty(double penalty, double growth)
 
 /// Radius of the self neighbors, per spacing of the samples, at least.
 constexpr double self_neighbor_radius_per_spacing = 2;
+
+/// Of a sample that repels others within a radius of its own.
+/// \param area of the surface that it stands for
+CGAL_L0_HOST_DEVICE inline float spreading_radius_of(double area, double largest)
+{
+  const double radius = self_neighbor_radius_per_spacing * std::sqrt(area);
+  return float(radius < largest ? radius : largest);
+}
 
 constexpr std::size_t number_of_repulsion_steps = 3;
 

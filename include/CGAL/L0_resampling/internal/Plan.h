@@ -134,11 +134,11 @@ struct Plan
   std::size_t random_seed;
 
   bool follows_scales; ///< the radius and what follows from it are larger or smaller by places
-  bool drops_outliers;
+  double outlier_sensitivity; ///< 0 if no points are left out as outliers
   bool uses_areas;     ///< the area that each point stands for tells the spacing of the samples
   bool starts_evenly;  ///< samples start evenly by area; else as the points do
   bool weighs_density; ///< by Eq. (5) of the input
-  bool keeps_spacings; ///< the repulsion follows the spacing of the input around each sample
+  bool keeps_spacings; ///< the samples have the spacing of the input around each, times one factor
   bool refines; ///< Algorithm 1 as the default method runs it, and projection to local quadrics
   bool finds_feature_confidences;
 
@@ -152,12 +152,15 @@ struct Plan
     {
       // Beyond r_p the surface may bend away, and the fit could not hold a sample that the other
       // terms move.
-      self_neighbor_radius = (std::min)(spreading_radius(), largest_radius);
+      self_neighbor_radius = keeps_spacings ? largest_radius
+                                            : (std::min)(spreading_radius(), largest_radius);
       minimization.range_of_pairs = self_neighbor_radius;
       minimization.mean_number_of_neighbors = even_number_of_neighbors(self_neighbor_radius
                                                                        / sample_spacing);
     }
   }
+
+  bool drops_outliers() const { return outlier_sensitivity > 0; }
 
   /// Whether the normals are corrected by the positions before this pass of the filter.
   bool refits_before(std::size_t pass) const
@@ -166,11 +169,18 @@ struct Plan
   }
 
   double area_radius() const { return area_radius_factor * longest_query(); }
-  /// Of the samples that repel each other.
-  double spreading_radius() const { return self_neighbor_radius_per_spacing * sample_spacing; }
+  /// Of the samples that repel each other; the largest, where each has its own.
+  double spreading_radius() const
+  {
+    return keeps_spacings ? double(largest_scale) * radius
+                          : self_neighbor_radius_per_spacing * sample_spacing;
+  }
   double longest_query() const { return (std::max)(radius, filter_radius); }
   /// Of the grid of the samples in which self neighbors are found.
-  double self_cell_size() const { return (std::max)(self_neighbor_radius, smallest_cell_size); }
+  double self_cell_size() const
+  {
+    return (std::max)(keeps_spacings ? radius : self_neighbor_radius, smallest_cell_size);
+  }
 };
 
 /// Chooses what the caller left open: the radius by the paper's rule, or by the spacing and the
@@ -222,7 +232,7 @@ inline Plan make_plan(const Parameters& parameters, const Facts& facts)
   plan.random_seed = parameters.random_seed;
 
   plan.follows_scales = rules.estimates_scales && !(parameters.neighbor_radius > 0);
-  plan.drops_outliers = parameters.drop_outliers;
+  plan.outlier_sensitivity = parameters.outlier_sensitivity;
   plan.uses_areas = rules.uses_areas;
   plan.starts_evenly = rules.uses_areas && !parameters.keep_density;
   plan.weighs_density = rules.uses_areas || !parameters.keep_density;

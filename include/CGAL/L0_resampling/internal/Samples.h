@@ -36,10 +36,10 @@ struct Samples
   Buffer<unsigned char>
     /// default method only: whether quadrics are fitted to the sample, which few of many are
     are_support_points;
-  Buffer<FT>
-    /// where the density of the input is kept: how far apart the samples around are to be; else
+  Buffer<float>
+    /// where the density of the input is kept: how far around each sample others repel it; else
     /// none
-    spacings;
+    spreading_radii;
   Buffer<Local_vector>
     /// unit or zero vectors on the side that the normals shall point to, or to the viewpoints, if
     /// the caller has some; else none
@@ -51,7 +51,8 @@ struct Samples
   explicit Samples(const Counting_allocator<Vector>& allocator)
     : positions(allocator), normals(allocator), fit_weights(allocator), fit_centroids(allocator),
       fit_variances(allocator), outward_directions(allocator), scales(allocator),
-      are_support_points(allocator), spacings(allocator), hints(allocator), start_indices(allocator)
+      are_support_points(allocator), spreading_radii(allocator), hints(allocator),
+      start_indices(allocator)
   {}
 };
 
@@ -71,7 +72,7 @@ void apply_order(const Buffer<Index>& order, Samples<FT>& samples)
   apply_to_what_there_is(samples.outward_directions);
   apply_to_what_there_is(samples.scales);
   apply_to_what_there_is(samples.are_support_points);
-  apply_to_what_there_is(samples.spacings);
+  apply_to_what_there_is(samples.spreading_radii);
   apply_to_what_there_is(samples.hints);
   apply_to_what_there_is(samples.start_indices);
 }

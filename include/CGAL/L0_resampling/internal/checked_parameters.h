@@ -247,8 +247,13 @@ Parameters checked_parameters(const NamedParameters& np, std::size_t n)
   check_parameter(number_of_steps <= 1e4, "penalty_growth", p.penalty_growth,
                   "a growth that reaches maximum_penalty in 10000 steps");
 
-  p.drop_outliers = rules.drops_outliers;
-  read_parameter(np, internal_np::drop_outliers, p.drop_outliers);
+  bool drops_outliers = rules.drops_outliers || is_given(np, internal_np::outlier_sensitivity);
+  read_parameter(np, internal_np::drop_outliers, drops_outliers);
+  double sensitivity = 1;
+  read_parameter(np, internal_np::outlier_sensitivity, sensitivity);
+  check_parameter(sensitivity >= 0 && sensitivity <= largest_outlier_sensitivity,
+                  "outlier_sensitivity", sensitivity, "a number in [0, 3]");
+  p.outlier_sensitivity = drops_outliers ? sensitivity : 0;
 
   read_parameter(np, internal_np::keep_density, p.keep_density);
   read_orientation(np, resampling_function, p);

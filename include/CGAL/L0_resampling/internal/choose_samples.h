@@ -27,24 +27,24 @@ namespace internal {
 /// there are points. Removes the samples of each crowd but for a few, which the others follow.
 /// \param scales of the points; none if all are 1
 /// \param samples sorted for a grid of cells of size `plan.cell_size`, before and after
+/// \param spreading_radii of the samples, where they have their own, before and after
 template <typename ConcurrencyTag>
-Followers take_followers(const Plan& plan, const Buffer<float>& scales, Initial_samples& samples)
+Followers take_followers(const Plan& plan, const Buffer<float>& scales, Initial_samples& samples,
+                         Buffer<float>& spreading_radii)
 {
   const std::size_t m = samples.positions.size();
   Followers followers(samples.positions.get_allocator());
   // a crowd in the smaller cells is one in these too
-  if (scales.empty()
+  if (scales.empty() && spreading_radii.empty()
       && !Crowded_cells(Search_grid_3(samples.positions, plan.cell_size), samples.positions,
                         most_samples_of_subcell)
             .are_there_any<ConcurrencyTag>())
     return followers;
-  const double cell_size = plan.self_cell_size();
-  const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(samples.positions,
-                                                                          cell_size);
-  Buffer<Vector> positions = copy_of(samples.positions);
-  apply_order<ConcurrencyTag>(order, positions);
-  const Representatives kept = thin_crowds<ConcurrencyTag>(Search_grid_3(positions, cell_size),
-                                                           positions, most_samples_of_subcell);
+  const Sorted_queries sorted(ConcurrencyTag(), samples.positions,
+                              Cell_sizes(plan.self_cell_size(), spreading_radii));
+  const Buffer<Index>& order = sorted.order;
+  const Representatives kept = thin_crowds<ConcurrencyTag>(sorted.grid, sorted.points,
+                                                           most_samples_of_subcell);
   if (kept.are_all_points())
     return followers;
 
@@ -70,6 +70,7 @@ Followers take_followers(const Plan& plan, const Buffer<float>& scales, Initial_
   followers.numbers_of_samples = in_old_order.numbers_of_points();
   in_old_order.keep(samples.positions);
   in_old_order.keep(samples.sources);
+  in_old_order.keep(spreading_radii);
   return followers;
 }
 
@@ -77,6 +78,7 @@ Followers take_followers(const Plan& plan, const Buffer<float>& scales, Initial_
 struct Placed_samples
 {
   Initial_samples start;
+  Buffer<float> spreading_radii; ///< where the density of the input is kept; else none
   Followers followers;
 };
 
@@ -91,8 +93,17 @@ Placed_samples place_samples(const Plan& plan, const Prepared_points& input, con
   Initial_samples start = initialize_samples<ConcurrencyTag>(
     input.grid, input.points, input.normals, plan.starts_evenly ? areas.units : no_areas,
     plan.number_of_samples, plan.radius, plan.random_seed, facts.units_of_starts, progress);
-  Followers followers = take_followers<ConcurrencyTag>(plan, input.scales, start);
-  return {std::move(start), std::move(followers)};
+  Buffer<float> spreading_radii(input.points.get_allocator());
+  if (plan.keeps_spacings)
+  {
+    const double points_per_sample = double(input.points.size()) / double(plan.number_of_samples);
+    for_each_in_order(start.sources.size(), [&](std::size_t i) {
+      const double area = areas.of_point(start.sources[i]) * points_per_sample;
+      spreading_radii.push_back(spreading_radius_of(area, plan.spreading_radius()));
+    });
+  }
+  Followers followers = take_followers<ConcurrencyTag>(plan, input.scales, start, spreading_radii);
+  return {std::move(start), std::move(spreading_radii), std::move(followers)};
 }
 
 /// Section 3.2: the first S.
@@ -121,11 +132,7 @@ Followers choose_samples(const Plan& plan, const Prepared_points& input, const A
   });
   if (!input.scales.empty())
     for_each_source([&](Index source) { samples.scales.push_back(input.scales[source]); });
-  if (plan.keeps_spacings)
-    for_each_source([&](Index source) {
-      samples.spacings.push_back(
-        FT(std::sqrt(areas.of_point(source) * double(points.size()) / double(m))));
-    });
+  samples.spreading_radii = std::move(placed.spreading_radii);
   if (plan.refines)
   {
     const auto starts_on_point = [&](std::size_t i) {

@@ -42,41 +42,48 @@ inline Counted_neighbors once_spread(const Counted_neighbors& at_start, double n
 }
 
 /// Counts the neighbors of samples where they start.
-/// \param start in the order of the grid of the points
+/// \param positions in the order of the grid of the points
 /// \param scales of the samples; none if all are 1
+/// \param spreading_radii of the samples, where they have their own
 template <typename ConcurrencyTag>
 Expected_samples count_neighbors(const Plan& plan, double cell_size_of_points,
                                  Buffer<Vector>& positions, Buffer<float>& scales,
-                                 Progress& progress)
+                                 Buffer<float>& spreading_radii, Progress& progress)
 {
   const Memory_counter& memory = *positions.get_allocator().counter;
   const bool spreads_wider = plan.refines && !scales.empty();
   const double longest_range = spreads_wider ? plan.spreading_radius() : plan.self_neighbor_radius,
-               cell_size = plan.refines ? (std::max)(cell_size_of_points, longest_range)
-                                        : plan.self_cell_size();
+               cell_size = plan.refines && !plan.keeps_spacings
+                             ? (std::max)(cell_size_of_points, longest_range)
+                             : plan.self_cell_size();
   {
-    const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(positions, cell_size);
+    const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(
+      positions, Cell_sizes(cell_size, spreading_radii));
     apply_order<ConcurrencyTag>(order, positions);
-    if (!scales.empty())
-      apply_order<ConcurrencyTag>(order, scales);
+    for (Buffer<float>* values : {&scales, &spreading_radii})
+      if (!values->empty())
+        apply_order<ConcurrencyTag>(order, *values);
   }
   const std::size_t bytes_before = memory.current(), m = positions.size();
-  const Search_grid_3 grid(positions, cell_size);
+  const Search_grid_3 grid(positions, Cell_sizes(cell_size, spreading_radii));
   Expected_samples expected{m, memory.current() - bytes_before, {}, {}};
   const auto count_within = [&](const Range_of_pairs& range) {
     return count_self_neighbors<ConcurrencyTag>(grid, positions, range, progress);
   };
-  expected.self = count_within(
-    {plan.self_neighbor_radius, plan.refines ? view_of_scales(scales) : Scales_view()});
+  const Range_of_pairs range_of(plan.self_neighbor_radius,
+                                plan.refines ? view_of_scales(scales) : Scales_view(),
+                                view_of_scales(spreading_radii));
+  expected.self = count_within(range_of);
   if (!plan.refines)
     return expected;
   if (spreads_wider)
-    expected.others = count_within(plan.spreading_radius());
+    expected.others = count_within({plan.spreading_radius(), {}, range_of.spreading_radii});
   double number_of_even_ones = 0; // in the ball around each, of the area of one sample each
   for_each_in_order(m, [&](std::size_t i) {
-    const double range = scales.empty() ? plan.self_neighbor_radius
-                                        : (std::min)(plan.self_neighbor_radius, double(scales[i]));
-    number_of_even_ones += double(EIGEN_PI) * square(range / plan.sample_spacing) - 1;
+    const double spacing = spreading_radii.empty()
+                             ? plan.sample_spacing
+                             : spreading_radii[i] / self_neighbor_radius_per_spacing;
+    number_of_even_ones += double(EIGEN_PI) * range_of.squared(i, i) / square(spacing) - 1;
   });
   expected.self = once_spread(expected.self, number_of_even_ones);
   return expected;
@@ -95,7 +102,7 @@ double bytes_at_peak(const Plan& plan, double bytes_of_input, const Expected_sam
                number = sizeof(FT), offset = sizeof(std::size_t);
   const double hint = has_hints ? 3 * number : 0,
                refined = plan.refines ? 4 * number + 1 + (plan.follows_scales ? sizeof(float) : 0)
-                                          + (plan.keeps_spacings ? number : 0)
+                                          + (plan.keeps_spacings ? sizeof(float) : 0)
                                       : 0;
   const double of_samples = (2 * place + 4 * number + hint + refined) * m
                             + double(samples.other_bytes);
@@ -170,7 +177,7 @@ void refuse_too_little_memory(Plan plan, const Buffer<Local_vector>& given_norma
     Placed_samples placed = place_samples<ConcurrencyTag>(plan, input, areas, facts, progress);
     Buffer<float> scales = listed_scales(input.grid.scales(), placed.start.sources);
     expected = count_neighbors<ConcurrencyTag>(plan, input.grid.cell_size(), placed.start.positions,
-                                               scales, progress);
+                                               scales, placed.spreading_radii, progress);
   }
   if (expected.size < m) // those that follow, and where each of the others has stood
     expected.other_bytes += (m - expected.size) * (sizeof(Index) + sizeof(Vector))

@@ -110,12 +110,13 @@ others to tell.
 \param sparse which of the points are sparse
 \param counts_in_half_balls of the sparse points
 \param radius \f$ r_p \f$, at scale 1
+\param least_ratio from where on points fill space
 */
 template <typename T, typename ConcurrencyTag>
 Buffer<unsigned char> fill_space(const Buffer<Vector>& unsorted_points, const Scales_view& scales,
                                  const Buffer<Index>& sparse,
                                  const Buffer<double>& counts_in_half_balls, double radius,
-                                 Progress& progress)
+                                 double least_ratio, Progress& progress)
 {
   const double cell_size = 2 * radius;
   Buffer<Vector> unsorted_sparse_points(unsorted_points.get_allocator());
@@ -143,8 +144,7 @@ Buffer<unsigned char> fill_space(const Buffer<Vector>& unsorted_points, const Sc
                                                unsorted_points.get_allocator());
   for_each_cell_block<Sequential_tag>(sparse_points.grid, sparse_points.grid, 1, progress, [&]() {
     return [&](Index cell, const std::vector<Search_grid_3::Range>& ranges, std::size_t) {
-      const bool fills = outer_sums(ranges)
-                         > volume_filling_ratio * (inner_sums(ranges) + count_prior);
+      const bool fills = outer_sums(ranges) > least_ratio * (inner_sums(ranges) + count_prior);
       const Search_grid_3::Range own = sparse_points.grid.points_of_cell(cell);
       for (Index i = own.first; i < own.second; ++i)
         result[sparse_points.order[i]] = fills;
@@ -194,7 +194,8 @@ Finds the points that lie off the cloud: those whose ball holds far fewer points
 around them do, or than the median ball of the cloud; sparse ones that fill space; and, among the
 others, those of connected components that have fewer points than half a median ball, such as
 clusters of outliers. The first comparison is with the surroundings so that a sparse region of a
-surface stays. If that would be all points, there are none.
+surface stays. Which points are sparse does not depend on the thresholds: the sums over them, and so
+who of them is an outlier, would change with it. If that would be all points, there are none.
 
 \param radius of the ball, \f$ r_p \f$, at scale 1
 \param scales of the points; none if all are 1
@@ -203,8 +204,8 @@ surface stays. If that would be all points, there are none.
 */
 template <typename T, typename ConcurrencyTag>
 Buffer<unsigned char> find_outliers(const Buffer<Vector>& unsorted_points, double radius,
-                                    const Scales_view& scales, std::optional<double>& known_median,
-                                    Progress& progress)
+                                    const Outlier_thresholds& thresholds, const Scales_view& scales,
+                                    std::optional<double>& known_median, Progress& progress)
 {
   const auto allocator = unsorted_points.get_allocator();
   const std::size_t n = unsorted_points.size();
@@ -225,8 +226,8 @@ Buffer<unsigned char> find_outliers(const Buffer<Vector>& unsorted_points, doubl
     median = *known_median;
     for_each_in_order(n, [&](std::size_t i) {
       const double count = counts.in_ball[i];
-      const bool is_kept = count >= (std::max)(outlier_share_of_surroundings * surroundings[i],
-                                               outlier_share_of_median * median);
+      const bool is_kept = count >= (std::max)(thresholds.share_of_surroundings * surroundings[i],
+                                               thresholds.share_of_median * median);
       is_outlier[sorted.order[i]] = !is_kept;
       if (count < share_of_sparse_points * median)
       {
@@ -238,8 +239,9 @@ Buffer<unsigned char> find_outliers(const Buffer<Vector>& unsorted_points, doubl
   }
   if (is_any_sparse_kept)
   {
-    const Buffer<unsigned char> fills = fill_space<T, ConcurrencyTag>(
-      unsorted_points, scales, sparse, counts_in_half_balls, radius, progress);
+    const Buffer<unsigned char> fills =
+      fill_space<T, ConcurrencyTag>(unsorted_points, scales, sparse, counts_in_half_balls, radius,
+                                    thresholds.volume_filling_ratio, progress);
     for_each_in_order(sparse.size(), [&](std::size_t k) {
       is_outlier[sparse[k]] = is_outlier[sparse[k]] || fills[k];
     });
@@ -258,7 +260,7 @@ Buffer<unsigned char> find_outliers(const Buffer<Vector>& unsorted_points, doubl
                                                              view_of_scales(rest_scales), progress);
   bool is_any_left = false;
   for_each_in_order(rest.size(), [&](std::size_t k) {
-    is_outlier[rest[k]] = sizes[k] < median / 2;
+    is_outlier[rest[k]] = sizes[k] < thresholds.share_of_part * median;
     is_any_left = is_any_left || !is_outlier[rest[k]];
   });
   if (!is_any_left)

@@ -33,7 +33,7 @@ std::size_t least_memory(std::size_t n, const Parameters& parameters)
     n * (2 * sizeof(Vector) + sizeof(Index)); // the points twice, and their order
   const std::size_t samples =
     m * (2 * sizeof(Vector) + sizeof(Local_vector) + sizeof(FT)); // what `Samples` always holds
-  const std::size_t kept = parameters.drop_outliers
+  const std::size_t kept = parameters.outlier_sensitivity > 0
                              ? 1
                              : n; // nobody knows yet how many outliers there are
   const std::size_t sampling =

@@ -69,7 +69,7 @@ void update_weights(const Buffer<Vector>& samples, const Buffer<Eigen::Matrix<FT
           squared_heights[pair] = (std::max)(height_i * height_i, height_k * height_k);
         }
       Array share = share_in_ball(squared_distances, FT(square(range.radius)));
-      if (range.scales.values)
+      if (!range.is_one_for_all())
         for (std::size_t i = begin; i < end; ++i)
           for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
           {

@@ -45,12 +45,13 @@ inline void sort_normals_of_coincident_points(const Buffer<Vector>& points,
 /// Removes the outliers from the points and what belongs to them.
 /// \returns their number
 template <typename ConcurrencyTag>
-std::size_t drop_outliers(double radius, Buffer<Vector>& points, Buffer<float>& scales,
+std::size_t drop_outliers(double radius, const Outlier_thresholds& thresholds,
+                          Buffer<Vector>& points, Buffer<float>& scales,
                           Buffer<Local_vector>& given_normals, Buffer<Local_vector>& hints,
                           Facts_of_cloud& facts, Progress& progress)
 {
   const Buffer<unsigned char> is_outlier = find_outliers<Local, ConcurrencyTag>(
-    points, radius, view_of_scales(scales), facts.median_number_of_neighbors, progress);
+    points, radius, thresholds, view_of_scales(scales), facts.median_number_of_neighbors, progress);
   const auto drop_from = [&](auto& values) {
     std::size_t size = 0;
     for_each_in_order(values.size(), [&](std::size_t i) {

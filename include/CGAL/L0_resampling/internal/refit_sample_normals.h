@@ -48,7 +48,8 @@ void refit_sample_normals(const Sample_refit_kernel& kernel, const Neighborhoods
            squared_bandwidth = FT(kernel.squared_bandwidth);
   const FT normal_bandwidth = FT(kernel.normal_bandwidth),
            squared_sheet_height = FT(kernel.squared_sheet_height);
-  const Range_of_pairs range = {kernel.radius, view_of_scales(samples.scales)};
+  const Range_of_pairs range = {kernel.radius, view_of_scales(samples.scales),
+                                view_of_scales(samples.spreading_radii)};
   const std::size_t samples_per_block = 1024;
   Buffer<Local_vector> refitted = copy_of(samples.normals);
   for (std::size_t pass = 0; pass < number_of_passes; ++pass)
@@ -75,7 +76,7 @@ void refit_sample_normals(const Sample_refit_kernel& kernel, const Neighborhoods
             cosines[pair] = cosine;
             heights[pair] = symmetric_height(samples.normals[i].dot(d),
                                              FT(sign * samples.normals[k].dot(d)));
-            if (range.scales.values)
+            if (!range.is_one_for_all())
               squared_stretches[pair] = squared_radius / FT(range.squared(i, k));
           }
         const Array squared_distances = differences.colwise().squaredNorm().transpose().array()

@@ -44,7 +44,7 @@ Plan plan_call(const Parameters& parameters, Backend& backend)
 template <typename Backend>
 void prepare_points(const Plan& plan, Backend& backend)
 {
-  if (plan.drops_outliers)
+  if (plan.drops_outliers())
   {
     backend.begin_stage("find outliers", 0.05, backend.number_of_points());
     backend.drop_outliers(plan);

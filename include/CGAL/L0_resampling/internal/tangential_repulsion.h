@@ -25,9 +25,9 @@ nearer they are, \f$ \Delta_i = \mu (I - n_i n_i^T) \sum_k \theta(d_{ik}) (p_i -
 even set the pushes cancel. Near an edge or a border nobody pushes back from outside, so that the
 part of a push that goes there is left out.
 
-Where the samples have spacings of their own, distances are read relative to the mean of a pair's
-two. Then the pushes cancel, to first order of the gradient, on a set whose density is the inverse
-square of those spacings.
+Where the samples have spreading radii of their own, distances are read relative to the mean of a
+pair's two. Then the pushes cancel, to first order of the gradient, on a set whose density is the
+inverse square of those radii.
 
 \param places where the samples were when their neighbors were found
 \param range of the pairs, there; pushes end softly at it (`share_in_ball()`), so that no
@@ -36,15 +36,16 @@ rounding decides whether one is felt
 \param radius of the fit, at scale 1: no sample is pushed out of its reach
 */
 template <typename ConcurrencyTag, typename FT>
-void repel_tangentially(const Neighborhoods& neighbors, const Buffer<Vector>& places, double range,
-                        double spacing, double radius, std::size_t number_of_steps,
-                        Samples<FT>& samples)
+void repel_tangentially(const Neighborhoods& neighbors, const Buffer<Vector>& places,
+                        const Range_of_pairs& range, double spacing, double radius,
+                        std::size_t number_of_steps, Samples<FT>& samples)
 {
   using Local_vector = Eigen::Matrix<FT, 3, 1>;
   using Array = Eigen::Array<FT, Eigen::Dynamic, 1>;
   const Repulsion repulsion(spacing, radius);
   const FT squared_bandwidth = FT(repulsion.squared_bandwidth), strength = FT(repulsion.strength);
-  const bool is_even = samples.spacings.empty();
+  const bool is_even = samples.spreading_radii.empty();
+  const FT spreading_radius = FT(self_neighbor_radius_per_spacing * spacing);
   const Scales_view scale_of = view_of_scales(samples.scales);
   const std::size_t samples_per_block = 1024;
   Buffer<Vector> moved = copy_of(samples.positions);
@@ -66,16 +67,20 @@ void repel_tangentially(const Neighborhoods& neighbors, const Buffer<Vector>& pl
           return differences;
         };
         // anew in each step: kept, they would be as many numbers as there are pairs
-        const Array shares = share_in_ball(
-          Array(differences_of(places).colwise().squaredNorm().transpose()), FT(square(range)));
+        Array shares = differences_of(places).colwise().squaredNorm().transpose();
+        if (is_even)
+          shares = share_in_ball(shares, FT(square(range.radius)));
         const auto differences = differences_of(samples.positions);
         Array squared_distances = differences.colwise().squaredNorm().transpose();
         for (std::size_t i = begin; i < end && !is_even; ++i)
           for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
           {
-            const FT scale = 2 * FT(spacing)
-                             / (samples.spacings[i] + samples.spacings[neighbors.indices[e]]);
-            squared_distances[Eigen::Index(e - first_pair)] *= scale * scale;
+            const Index k = neighbors.indices[e];
+            const Eigen::Index pair = Eigen::Index(e - first_pair);
+            const FT scale = 2 * spreading_radius
+                             / FT(samples.spreading_radii[i] + samples.spreading_radii[k]);
+            squared_distances[pair] *= scale * scale;
+            shares[pair] = share_in_ball(shares[pair], FT(range.squared(i, k)));
           }
         const Array strengths = strength * shares
                                 * gaussian_weight(squared_distances, squared_bandwidth);
@@ -89,7 +94,9 @@ void repel_tangentially(const Neighborhoods& neighbors, const Buffer<Vector>& pl
           const Local_vector& outward = samples.outward_directions[i];
           push -= (std::max)(outward.dot(push), FT(0)) * outward;
           const FT length = push.norm(),
-                   maximum_step = FT(Repulsion(is_even ? spacing : double(samples.spacings[i]),
+                   maximum_step = FT(Repulsion(is_even ? spacing
+                                                       : samples.spreading_radii[i]
+                                                           / self_neighbor_radius_per_spacing,
                                                radius * double(scale_of[i]))
                                        .maximum_step);
           if (length > maximum_step)
