@@ -339,8 +339,8 @@ void Cuda_backend::minimize_once(const Plan& plan, const Turn& turn)
   const Arena_scope scope(m_workplace.scratch);
   const Turn_arrays arrays = take_turn_arrays(m_workplace, m_samples.size);
   Turn_result* const result = m_turn_results + turn.number;
-  cuda::minimize_once(m_workplace, plan.minimization, turn.penalty, turn.regularizes,
-                      m_neighborhood->neighbors, m_neighborhood->points, m_samples, arrays,
+  cuda::minimize_once(m_workplace, plan.minimization, turn, m_neighborhood->neighbors,
+                      m_neighborhood->points, m_samples, arrays,
                       turn.number > 0 ? result - 1 : nullptr, result);
 }
 

@@ -439,21 +439,21 @@ Turn_arrays take_turn_arrays(const Workplace& workplace, unsigned number_of_samp
 }
 
 void minimize_once(const Workplace& workplace, const Minimization_parameters& parameters,
-                   double penalty, bool regularize, const Neighbor_lists& neighbors,
-                   const Cell_grid& grid, const Samples& samples, const Turn_arrays& arrays,
+                   const Turn& of_plan, const Neighbor_lists& neighbors, const Cell_grid& grid,
+                   const Samples& samples, const Turn_arrays& arrays,
                    const Turn_result* last_result, Turn_result* result)
 {
-  const double threshold = shrinkage_threshold(
-    parameters.normal_weight, penalty, parameters.sparsity_unit, parameters.largest_shrunk_jump);
-  const double regularization_weight = regularize ? parameters.regularization_weight : 0;
+  const double threshold = shrinkage_threshold(parameters.normal_weight, of_plan.penalty,
+                                               parameters.sparsity_unit,
+                                               parameters.largest_shrunk_jump);
+  const double low_end_of_spectrum = parameters.low_end_of_spectrum(of_plan);
   Turn_in_kernel turn = {parameters,
-                         float(penalty),
+                         float(of_plan.penalty),
                          {threshold, parameters.half_width_of_shrinkage},
-                         regularize,
-                         low_end_of_spectrum(regularization_weight, penalty),
-                         unsigned(number_of_chebyshev_steps(regularization_weight, penalty,
-                                                            default_chebyshev_tolerance,
-                                                            most_chebyshev_steps)),
+                         of_plan.regularizes,
+                         low_end_of_spectrum,
+                         unsigned(number_of_chebyshev_steps(
+                           low_end_of_spectrum, default_chebyshev_tolerance, most_chebyshev_steps)),
                          grid.frame.unit(),
                          grid.frame.units_per_length,
                          neighbors,

@@ -334,8 +334,8 @@ Turn_arrays take_turn_arrays(const Workplace& workplace, unsigned number_of_samp
 /// \param samples in the order of `grid`
 /// \param last_result of the turn before this one, on the device; null if there is none
 void minimize_once(const Workplace& workplace, const Minimization_parameters& parameters,
-                   double penalty, bool regularize, const Neighbor_lists& neighbors,
-                   const Cell_grid& grid, const Samples& samples, const Turn_arrays& arrays,
+                   const Turn& of_plan, const Neighbor_lists& neighbors, const Cell_grid& grid,
+                   const Samples& samples, const Turn_arrays& arrays,
                    const Turn_result* last_result, Turn_result* result);
 
 // The default method

@@ -18,7 +18,7 @@ namespace test {
 inline double clamped(double x) { return (std::min)((std::max)(x, 0.), 1.); }
 
 /// \f$ (1 - \cos\sigma_n)^2 \f$ of Eq. (2), for an angle in degrees.
-inline double normal_bandwidth(double sharpness_angle)
+inline double naive_normal_bandwidth(double sharpness_angle)
 {
   return std::pow(1 - std::cos(sharpness_angle * EIGEN_PI / 180), 2);
 }

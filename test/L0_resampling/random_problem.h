@@ -9,6 +9,7 @@
 #include "test_support.h"
 
 #include <CGAL/L0_resampling/Quadratic_problem.h>
+#include <CGAL/L0_resampling/internal/chebyshev_steps.h>
 
 #include <Eigen/Core>
 
@@ -204,7 +205,7 @@ public:
             &m_rows,
             0,
             nullptr,
-            m_alpha};
+            CGAL::L0_resampling::internal::low_end_of_spectrum(m_alpha, m_beta, 1)};
   }
 };
 

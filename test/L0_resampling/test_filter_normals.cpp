@@ -22,7 +22,7 @@ std::vector<Vector> filter(const Oriented_points& cloud, double radius, double s
   Buffer<Eigen::Matrix<T, 3, 1>> normals = to_local_vectors<T>(
     permuted(sorted.order, cloud.normals));
   const Normal_filter<T> settings{radius, T(radius * radius / 4),
-                                  T(normal_bandwidth(sharpness_angle))};
+                                  T(naive_normal_bandwidth(sharpness_angle))};
   Unwatched unwatched;
   Facts_of_cloud facts;
   for (std::size_t i = 0; i < number_of_iterations; ++i)
@@ -69,7 +69,7 @@ void check_equation(double tolerance, Generator& generator)
   const Oriented_points wedge = with_random_signs(noisy_wedge(generator), generator);
   for (double sharpness_angle : {15., 40.})
   {
-    const double bandwidth = normal_bandwidth(sharpness_angle);
+    const double bandwidth = naive_normal_bandwidth(sharpness_angle);
     const auto psi = [&](double cosine) { return std::exp(-std::pow(1 - cosine, 2) / bandwidth); };
     const std::vector<Vector> once = filter_normals_naively(wedge.points, wedge.normals, 0.2, 0.1,
                                                             psi);
@@ -137,7 +137,7 @@ std::vector<Vector> filter_ball_by_ball(const Oriented_points& cloud, double rad
   const Gridded_points sorted(cloud.points, radius / 2);
   Buffer<Vector> normals = to_buffer(permuted(sorted.order, cloud.normals));
   const Normal_filter<double> settings{radius, radius * radius / 4,
-                                       normal_bandwidth(sharpness_angle)};
+                                       naive_normal_bandwidth(sharpness_angle)};
   Unwatched unwatched;
   for (std::size_t round = 0; round < number_of_iterations; ++round)
     update_normals<CGAL::Sequential_tag>(

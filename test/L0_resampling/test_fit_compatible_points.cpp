@@ -47,7 +47,7 @@ Fitted fit(const Oriented_points& input, const std::vector<double>& densities,
   Unwatched unwatched;
   fit_compatible_points<CGAL::Parallel_if_available_tag>(
     Fit_input<T>{sorted.grid, sorted.points, normals, density_weights, radius, squared_sheet_height,
-                 normal_bandwidth(25)},
+                 naive_normal_bandwidth(25)},
     unwatched.progress, samples);
   CHECK(samples.positions == to_buffer(start.points));
   const auto vector = [](const Buffer<Vector>& b) {
@@ -122,7 +122,8 @@ Naive_sums sum_naively(const Oriented_points& input, const std::vector<double>& 
     const double h = 0.5 * (n + turned).dot(d);
     const double share = clamped((1 - d.squaredNorm() / (radius * radius)) / 0.1) / densities[j];
     const double near = share * std::exp(-d.squaredNorm() / (bandwidth * bandwidth));
-    const double w = near * std::exp(-std::pow(1 - std::abs(cosine), 2) / normal_bandwidth(25))
+    const double w = near
+                     * std::exp(-std::pow(1 - std::abs(cosine), 2) / naive_normal_bandwidth(25))
                      * std::exp(-h * h / squared_height);
     sums.all += share;
     sums.squared_sines += share * n.cross(turned).squaredNorm();

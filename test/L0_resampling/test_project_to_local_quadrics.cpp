@@ -36,8 +36,8 @@ template <typename T, typename ConcurrencyTag = CGAL::Parallel_if_available_tag>
 Samples<double> settled(Samples<double> samples)
 {
   Unwatched unwatched;
-  project_to_local_quadrics<ConcurrencyTag, T>({radius, normal_bandwidth(30), squared_sheet_height},
-                                               0, unwatched.progress, samples);
+  project_to_local_quadrics<ConcurrencyTag, T>(
+    {radius, naive_normal_bandwidth(30), squared_sheet_height}, 0, unwatched.progress, samples);
   return samples;
 }
 
@@ -85,7 +85,7 @@ Naively_settled settled_naively(const Samples<double>& samples, std::size_t i)
     const double h = 0.5 * (n + (cosine < 0 ? -1 : 1) * samples.normals[k]).dot(d);
     const double w = samples.are_support_points[k]
                      * clamped((1 - d.squaredNorm() / (radius * radius)) / 0.1)
-                     * std::exp(-std::pow(1 - std::abs(cosine), 2) / normal_bandwidth(30))
+                     * std::exp(-std::pow(1 - std::abs(cosine), 2) / naive_normal_bandwidth(30))
                      * std::exp(-h * h / squared_sheet_height);
     const double x = u.dot(d) / radius, y = v.dot(d) / radius, z = n.dot(d);
     const Eigen::Matrix<double, 6, 1> row =

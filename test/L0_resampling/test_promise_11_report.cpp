@@ -7,6 +7,7 @@
 
 #include "promise_support.h"
 
+#include <CGAL/L0_resampling/Block_conjugate_gradient_solver_traits.h>
 #include <CGAL/property_map.h>
 
 #include <algorithm>
@@ -122,10 +123,10 @@ void test_failed_call()
 }
 
 /// Running out of iterations is an answer, and said.
+template <typename Solver>
 void test_solver_that_does_not_converge()
 {
   const auto points = test::kernel_points<Kernel>(noisy_cube(1000));
-  using Solver = CGAL::L0_resampling::Block_conjugate_gradient_solver_traits<double>;
   for (Method method : {Method::LOR, Method::DEFAULT})
   {
     const auto result = test::resample<Kernel, Sequential_tag>(
@@ -389,7 +390,9 @@ int main()
   test_completed_call();
   test_radii_that_follow_the_spacing();
   test_failed_call();
-  test_solver_that_does_not_converge();
+  test_solver_that_does_not_converge<CGAL::L0_resampling::Block_chebyshev_solver_traits<double>>();
+  test_solver_that_does_not_converge<
+    CGAL::L0_resampling::Block_conjugate_gradient_solver_traits<double>>();
   test_turn_that_does_not_converge();
   test_outliers();
   test_exceptional_points();

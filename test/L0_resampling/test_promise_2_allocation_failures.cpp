@@ -9,6 +9,7 @@
 #include "failing_allocation.h"
 #include "promise_support.h"
 
+#include <CGAL/L0_resampling/Block_conjugate_gradient_solver_traits.h>
 #include <CGAL/L0_resampling/Eigen_least_squares_solver_traits.h>
 
 #include <cstddef>

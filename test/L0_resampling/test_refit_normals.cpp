@@ -28,7 +28,8 @@ struct Refitted
     : sorted(cloud.points, radius), before(permuted(sorted.order, cloud.normals))
   {
     auto normals = to_local_vectors<double>(before), sequential = normals;
-    const Normal_filter<double> filter{radius, bandwidth * bandwidth, normal_bandwidth(angle)};
+    const Normal_filter<double> filter{radius, bandwidth * bandwidth,
+                                       naive_normal_bandwidth(angle)};
     Unwatched unwatched;
     refit_normals<CGAL::Parallel_if_available_tag>(
       sorted.grid, sorted.points, filter, squared_sheet_height, unwatched.progress, normals);
@@ -70,7 +71,7 @@ void check_formula(Generator& generator)
       const double cosine = n.dot(refitted.before[j]);
       const double height = 0.5 * (n + (cosine < 0 ? -1 : 1) * refitted.before[j]).dot(q - p);
       const double similarity = std::exp(-std::pow(1 - std::abs(cosine), 2)
-                                           / normal_bandwidth(angle)
+                                           / naive_normal_bandwidth(angle)
                                          - height * height / squared_sheet_height);
       weights.push_back(std::exp(-(q - p).squaredNorm() / (bandwidth * bandwidth)) * similarity);
       points.push_back(q);

@@ -38,6 +38,7 @@ class Recorder
   {
     note(name);
     spacing = plan.sample_spacing;
+    low_end_of_spectrum = plan.minimization.low_end_of_spectrum({0, 1, true});
   }
 
 public:
@@ -49,6 +50,7 @@ public:
   // What it may look at
   std::vector<std::string> names; // of the members, and in brackets those of the stages
   double spacing = 0;             // of the samples in the last plan
+  double low_end_of_spectrum = 0; // for a penalty of 1, in the last plan
   std::vector<Turn> turns;
 
   std::size_t count(const std::string& name) const
@@ -259,12 +261,16 @@ void test_facts()
   CHECK(std::abs(r.report().largest_neighbor_radius - 4 * radius) < 1e-12);
   CHECK(r.place("total_area") < r.place("choose_samples"));
   CHECK(r.spacing == 0.5); // 125 for 500
+  // where scales differ, few points may hold many samples: the solver gets more to do
+  CHECK(lor.low_end_of_spectrum == low_end_of_spectrum(0.15, 1, 1));
+  CHECK(r.low_end_of_spectrum == low_end_of_spectrum(0.15, 1, coupling_of_uneven_points));
 
   Parameters parameters = parameters_of(Method::DEFAULT);
   parameters.neighbor_radius = 3;
   Recorder given = recorded(parameters);
   CHECK(given.count("estimate_scales") == 1 && given.count("estimate_scale_field") == 0);
   CHECK(given.report().neighbor_radius == 6);
+  CHECK(given.low_end_of_spectrum == low_end_of_spectrum(0.15, 1, 1));
 }
 
 } // namespace

@@ -287,27 +287,29 @@ void test_chebyshev_knows_no_sums()
 /// A tolerance asks for no more steps than it takes, nor for fewer.
 void test_number_of_chebyshev_steps()
 {
-  using CGAL::L0_resampling::internal::number_of_chebyshev_steps;
+  const auto steps = [](double alpha, double beta, double coupling, double tolerance,
+                        std::size_t most) {
+    using namespace CGAL::L0_resampling::internal;
+    return number_of_chebyshev_steps(low_end_of_spectrum(alpha, beta, coupling), tolerance, most);
+  };
   for (const double beta : {0.1, 0.4, 1.6})
   {
     Generator generator(18);
     Collapsed_problem<double> collapsed(test::random_paper_problem(300, 0.15, beta, generator));
     for (const double tolerance : {1e-2, 1e-3, 1e-6})
     {
-      const std::size_t steps = number_of_chebyshev_steps(0.15, beta, tolerance, 100);
       Eigen::VectorXd x = Eigen::VectorXd::Zero(3 * 300);
       const Solver_report report = Chebyshev(tolerance).solve(collapsed.view(), x);
-      CHECK(report.iterations == steps && report.converged);
+      CHECK(report.iterations == steps(0.15, beta, 1, tolerance, 100) && report.converged);
       CHECK(std::abs(relative_residual(collapsed.view(), x) - report.relative_residual) < 1e-12);
     }
   }
-  CHECK(number_of_chebyshev_steps(0.15, 0.1, 1e-3, 100)
-        < number_of_chebyshev_steps(0.15, 1.6, 1e-3, 100));
-  CHECK(number_of_chebyshev_steps(0.15, 1.6, 1e-3, 100)
-        < number_of_chebyshev_steps(3, 1.6, 1e-3, 100));
-  CHECK(number_of_chebyshev_steps(0, 1e-15, 1e-3, 100) >= 1);
-  CHECK(number_of_chebyshev_steps(0.15, 1e30, 1e-3, 100) == 100);
-  CHECK(number_of_chebyshev_steps(0.15, 1, 1e-9, 1) == 1);
+  CHECK(steps(0.15, 0.1, 1, 1e-3, 100) < steps(0.15, 1.6, 1, 1e-3, 100));
+  CHECK(steps(0.15, 1.6, 1, 1e-3, 100) < steps(3, 1.6, 1, 1e-3, 100));
+  CHECK(steps(0.15, 1.6, 1, 1e-3, 100) < steps(0.15, 1.6, 8, 1e-3, 100));
+  CHECK(steps(0, 1e-15, 1, 1e-3, 100) >= 1);
+  CHECK(steps(0.15, 1e30, 1, 1e-3, 100) == 100);
+  CHECK(steps(0.15, 1, 1, 1e-9, 1) == 1);
 }
 
 template <typename Solver>

@@ -7,10 +7,12 @@
 
 #include "promise_support.h"
 
+#include <CGAL/L0_resampling/Block_conjugate_gradient_solver_traits.h>
 #include <CGAL/L0_resampling/Eigen_cholesky_solver_traits.h>
 #include <CGAL/L0_resampling/Eigen_least_squares_solver_traits.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <string>
 #include <vector>
@@ -95,6 +97,13 @@ void test_models_agree(Method method)
       != Method::
         DEFAULT) // which looks for neighbors anew in every turn: that amplifies what a solve leaves
     check("default tolerance", Block_conjugate_gradient_solver_traits<double>());
+  // whose steps are counted beforehand: what is left of eigenvectors below its interval is more
+  // than the tolerance, if that is small
+  const auto by_chebyshev = resample(method,
+                                     Block_chebyshev_solver_traits<double>(tolerance, many));
+  CHECK(share_of_different(by_chebyshev.pairs, expected.pairs) <= 0.01);
+  for (const Iteration_report& iteration : by_chebyshev.report.iterations)
+    CHECK(iteration.solver.relative_residual < std::sqrt(tolerance));
   check("Cholesky", Eigen_cholesky_solver_traits<double>());
   check("least squares", Eigen_least_squares_solver_traits<double>(tolerance, many));
   check("own", Counting_solver_traits());

@@ -36,7 +36,7 @@ void check_known_values()
   CHECK(is_close(pair_weight(T(4), T(4), T(4), T(2)), 1 / e, tolerance));
   CHECK(pair_weight(T(4), T(4), T(4), infinity) == pair_weight(T(4), T(4), T(0), T(1)));
 
-  const T bandwidth = T(normal_bandwidth(15));
+  const T bandwidth = T(naive_normal_bandwidth(15));
   CHECK(bilateral_weight(T(0), T(4), T(1), bandwidth) == 1);
   CHECK(is_close(bilateral_weight(T(4), T(4), T(1), bandwidth), 1 / e, tolerance));
   const T cosine = T(std::cos(15 * EIGEN_PI / 180));
@@ -90,7 +90,7 @@ void check_lanes(Generator& generator)
       cosines[k] = k % 4 < 2 ? T(random_number(-1, 1, generator)) : k % 4 == 2 ? T(0.) : T(-0.);
     }
     const L d = L::load(squared_distances), c = L::load(cosines);
-    const T bandwidth = T(normal_bandwidth(round % 3 ? 30 : 80));
+    const T bandwidth = T(naive_normal_bandwidth(round % 3 ? 30 : 80));
     const L gaussian = gaussian_weight(d, T(2)), pair = pair_weight(d, T(2), d, T(3));
     const L bilateral = bilateral_weight(d, T(2), c, bandwidth);
     const L near = where_less(d, T(2), gaussian), turned = with_sign_of(c, bilateral);
@@ -119,7 +119,7 @@ void check_lanes(Generator& generator)
 /// where with the square they take 45 % of 22 degrees of noise.
 void check_psi(Generator& generator)
 {
-  const double bandwidth = normal_bandwidth(15);
+  const double bandwidth = naive_normal_bandwidth(15);
   const auto printed_psi = [&](double cosine) { return std::exp(-(1 - cosine) / bandwidth); };
   const auto squared_psi = [&](double cosine) {
     return bilateral_weight(0., 1., cosine, bandwidth);

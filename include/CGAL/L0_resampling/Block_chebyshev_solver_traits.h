@@ -37,7 +37,7 @@ The number of steps, and the coefficients of each, depend on the weights \f$ \al
 cloud looks like has no influence on the samples of another part, beyond the reach of the steps: not
 on a single bit. The residual is found for the report only.
 
-With weights far above the defaults, the steps do not reach the tolerance, and the report says so;
+Where few points hold many samples, the steps may not reach the tolerance, and the report says so;
 `Block_conjugate_gradient_solver_traits` does.
 
 The result is bitwise the same for `Sequential_tag` and for `Parallel_tag` with any number of
@@ -97,9 +97,8 @@ public:
       squared_residual = subtract_product(problem);
     Solver_report report;
     report.iterations = internal::number_of_chebyshev_steps(
-      problem.regularization_weight, problem.penalty, m_tolerance, m_maximum_number_of_iterations);
-    internal::Chebyshev_steps steps(
-      internal::low_end_of_spectrum(problem.regularization_weight, problem.penalty));
+      problem.low_end_of_spectrum, m_tolerance, m_maximum_number_of_iterations);
+    internal::Chebyshev_steps steps(problem.low_end_of_spectrum);
     for (std::size_t step = 0; step < report.iterations; ++step, steps.advance())
     {
       for_each_block(m, [&](std::size_t begin, std::size_t end) {

@@ -119,9 +119,10 @@ struct Quadratic_problem
   /// be null.
   internal::Memory_counter* memory = nullptr;
 
-  /// \f$ \alpha \f$ of this iteration, which the pair weights hold already: with the penalty it
-  /// tells how strongly the samples are coupled.
-  double regularization_weight = 0;
+  /// Few of the eigenvalues of \f$ D^{-1} H \f$ are smaller than this, where \f$ D \f$ is the block
+  /// diagonal of \f$ H \f$. It is in (0, 1), and follows from \f$ \alpha \f$ and \f$ \beta \f$
+  /// without a look at the samples.
+  double low_end_of_spectrum = 0.2;
 
   /// m
   std::size_t number_of_samples() const { return self_neighbors.size; }

@@ -21,7 +21,7 @@ using test::Vector;
 
 enum class Solver
 {
-  BLOCK_CONJUGATE_GRADIENT,
+  BLOCK_CHEBYSHEV,
   CHOLESKY,
   LEAST_SQUARES
 };
@@ -31,7 +31,7 @@ enum class Solver
 struct Parameters
 {
   int method = 0;
-  Solver solver = Solver::BLOCK_CONJUGATE_GRADIENT;
+  Solver solver = Solver::BLOCK_CHEBYSHEV;
   bool in_single_precision = false; // the kernel of the caller
   bool with_normals = false;
   bool with_hints = false;      // of the side of the normals; the same vectors

@@ -225,11 +225,10 @@ Answer call(const Attack& attack, bool in_parallel)
     // as a call without a solver does
     if (in_parallel)
       call_with<CGAL::Parallel_if_available_tag>(
-        attack, Block_conjugate_gradient_solver_traits<float, CGAL::Parallel_if_available_tag>(),
-        answer);
+        attack, Block_chebyshev_solver_traits<float, CGAL::Parallel_if_available_tag>(), answer);
     else
       call_with<CGAL::Sequential_tag>(
-        attack, Block_conjugate_gradient_solver_traits<float, CGAL::Sequential_tag>(), answer);
+        attack, Block_chebyshev_solver_traits<float, CGAL::Sequential_tag>(), answer);
   }
   return answer;
 }

@@ -307,7 +307,7 @@ Parameters random_parameters(std::size_t n, double diagonal, Generator& generato
     p.with_point_data = true;
   // where everybody is everybody's neighbor, a factorization takes the cube of the number of
   // samples, in each of hundreds of iterations
-  if (p.solver != Solver::BLOCK_CONJUGATE_GRADIENT)
+  if (p.solver != Solver::BLOCK_CHEBYSHEV)
     p.number_of_output_points = (std::min)(p.number_of_output_points.value_or(100), 100.);
   return p;
 }

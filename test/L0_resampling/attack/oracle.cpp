@@ -261,8 +261,7 @@ std::string broken_promises(const Attack& attack, const Answer& answer)
   const std::size_t n = finite_points(attack).size(), m = documented_size(attack);
   if (n > 0 && m > 0 && p.maximum_memory / sizeof(Vector) < (std::max)(n, m))
     faults << "; the limit of memory was passed";
-  if (ended(Ending::SOLVER_ERROR) && p.solver == Solver::BLOCK_CONJUGATE_GRADIENT
-      && !weights_are_extreme(p))
+  if (ended(Ending::SOLVER_ERROR) && p.solver == Solver::BLOCK_CHEBYSHEV && !weights_are_extreme(p))
     faults << "; the solver has no answer to sensible weights";
   if (p.throwing_write < m && !ended(Ending::EXCEPTION_OF_CALLER) && !ended(Ending::SOLVER_ERROR))
     faults << "; the exception of the output did not come through";

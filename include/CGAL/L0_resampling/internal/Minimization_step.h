@@ -123,7 +123,7 @@ public:
                                         m_solver.needs_explicit_rows ? &rows : nullptr,
                                         scale_so_far,
                                         samples.positions.get_allocator().counter,
-                                        turn.regularizes ? p.regularization_weight : 0};
+                                        p.low_end_of_spectrum(turn)};
     const Solver_report solver_report = m_solver.solve(
       problem, Eigen::Map<Eigen::Matrix<FT, Eigen::Dynamic, 1>>(coordinates(m_displacements),
                                                                 Eigen::Index(3 * m)));

@@ -8,6 +8,7 @@
 
 #include <CGAL/L0_resampling/internal/Method_rules.h>
 #include <CGAL/L0_resampling/internal/Parameters.h>
+#include <CGAL/L0_resampling/internal/chebyshev_steps.h>
 #include <CGAL/L0_resampling/internal/scale_field.h>
 #include <CGAL/L0_resampling/internal/scales_of_balls.h>
 
@@ -91,6 +92,7 @@ struct Minimization_parameters
   double regularization_weight;   ///< \f$ \alpha \f$
   double initial_penalty, maximum_penalty, penalty_growth; ///< \f$ \beta, \beta_{max}, \mu \f$
   bool interleave_regularization; ///< Section 4.2: regularize in every second iteration only
+  double coupling = 1;            ///< as for `internal::low_end_of_spectrum()`
 
   std::vector<Turn> turns() const
   {
@@ -99,6 +101,13 @@ struct Minimization_parameters
          penalty = next_penalty(penalty, penalty_growth))
       turns.push_back({turns.size(), penalty, !interleave_regularization || turns.size() % 2 == 0});
     return turns;
+  }
+
+  /// Of the matrix of a turn.
+  double low_end_of_spectrum(const Turn& turn) const
+  {
+    return internal::low_end_of_spectrum(turn.regularizes ? regularization_weight : 0, turn.penalty,
+                                         coupling);
   }
 };
 

@@ -16,21 +16,21 @@ namespace L0_resampling {
 namespace internal {
 
 /// The defaults of `Block_chebyshev_solver_traits`, which are those of the device.
-constexpr double default_chebyshev_tolerance = 1e-3;
+constexpr double default_chebyshev_tolerance = 4e-3;
 constexpr std::size_t most_chebyshev_steps = 100;
 
-/*!
-From where on Chebyshev steps lessen the eigenvectors of \f$ D^{-1} H \f$. It depends on the weights
-of the energy and not on the samples. Lower eigenvalues, which there are where few points hold a
-sample, converge more slowly.
-
-\param regularization_weight \f$ \alpha \f$
-\param penalty \f$ \beta \f$
-*/
-inline double low_end_of_spectrum(double regularization_weight, double penalty)
+/// `Quadratic_problem::low_end_of_spectrum`.
+/// \param regularization_weight \f$ \alpha \f$
+/// \param penalty \f$ \beta \f$
+/// \param coupling how much more the samples hold each other, in relation to the points that hold
+/// them, than in an even cloud
+inline double low_end_of_spectrum(double regularization_weight, double penalty, double coupling)
 {
-  return 1 / (1.1 + 2 * regularization_weight + 2.3 * penalty);
+  return 1 / (1.1 + coupling * (2 * regularization_weight + 2.3 * penalty));
 }
+
+/// Where the spacing of the points varies, many samples are held by few points.
+constexpr double coupling_of_uneven_points = 12;
 
 /*!
 The coefficients of Chebyshev steps for \f$ D^{-1} H \f$ on the interval from `low` to 2 - `low`:
@@ -67,12 +67,11 @@ public:
   }
 };
 
-/// \param regularization_weight, penalty as for `low_end_of_spectrum()`
-inline std::size_t number_of_chebyshev_steps(double regularization_weight, double penalty,
-                                             double tolerance, std::size_t most)
+/// How many steps lessen the residual to the tolerance: to a quarter of it, since a few eigenvalues
+/// are lower, and converge more slowly.
+inline std::size_t number_of_chebyshev_steps(double low, double tolerance, std::size_t most)
 {
-  const double number =
-    Chebyshev_steps::number_for(low_end_of_spectrum(regularization_weight, penalty), tolerance);
+  const double number = Chebyshev_steps::number_for(low, tolerance / 4);
   return number < double(most) ? std::size_t(number) : most;
 }
 

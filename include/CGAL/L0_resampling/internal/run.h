@@ -7,6 +7,7 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_RUN_H
 
 #include <CGAL/L0_resampling/internal/Plan.h>
+#include <CGAL/L0_resampling/internal/chebyshev_steps.h>
 
 #include <cmath>
 #include <cstddef>
@@ -35,6 +36,8 @@ Plan plan_call(const Parameters& parameters, Backend& backend)
   if (plan.follows_scales)
     range = backend.estimate_scale_field(facts.robust_diagonal, usual_scales(plan, facts));
   plan.largest_radius = range.largest;
+  if (range.least < range.largest)
+    plan.minimization.coupling = coupling_of_uneven_points;
   backend.set_unit(plan.unit);
   report_radii(plan, range, backend.frame(), backend.report());
   return plan;
