@@ -303,8 +303,8 @@ without a value leaves the default.
   \cgalParamNEnd
   \cgalParamNBegin{outlier_sensitivity}
     \cgalParamDescription{how readily points are left out as outliers: none at 0, more the larger it
-      is. It multiplies the number of points that there have to be around a point. Beyond 1.5 points
-      at borders and corners go too.}
+      is. It multiplies the number of points that there have to be around a point, so that a large
+      one takes corners and borders of open surfaces away too.}
     \cgalParamType{`double`}
     \cgalParamDefault{1}
     \cgalParamExtra{without effect if `drop_outliers` is `false`; `std::invalid_argument` if not in

@@ -219,7 +219,7 @@ void add_options_on_input(CLI::App& app, Arguments& arguments)
                                      "out");
   app
     .add_option("--outlier-sensitivity", options.outlier_sensitivity,
-                "how readily these are left out, from 0 to 3; also by lor and alor")
+                "how readily these are left out, 0 to 3; also by lor and alor")
     ->check(number_within(0, true, 3, "a number in [0, 3]"))
     ->type_name("S")
     ->default_str("1")

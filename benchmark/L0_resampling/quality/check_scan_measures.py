@@ -40,6 +40,19 @@ def check_equal_clouds():
     assert scan_measures.Comparison(scan, moved).measures()["uneven"] > 0.1
 
 
+def check_density():
+    """A result that is half as dense as the scan on one side, and three times on the other."""
+    scan = grid(60, 1.0)
+    left = scan[:, 0] < 30
+    measures = scan_measures.Comparison(scan, scan).measures()
+    assert measures["thin"] == measures["dense"] == 1, measures
+    shares = numpy.where(left, 0.2, 0.6)
+    random = numpy.random.default_rng(1)
+    result = scan[random.uniform(size=len(scan)) < shares]
+    measures = scan_measures.Comparison(scan, result).measures()
+    assert 0.2 < measures["thin"] < 0.5 and 1.5 < measures["dense"] < 2, measures
+
+
 def check_lost():
     """A quarter of the scan, far away, and sparse as it is a third of the box."""
     scan = numpy.concatenate([grid(60, 1.0), grid(20, 10.0, 500.0) + (300, 0, 0)])
@@ -119,6 +132,7 @@ if __name__ == "__main__":
     scratch = Path(sys.argv[1])
     scratch.mkdir(parents=True, exist_ok=True)
     check_equal_clouds()
+    check_density()
     check_lost()
     check_ghosts_and_adrift()
     check_normals()

@@ -13,6 +13,9 @@ distance to six neighbors, of the scan:
   adrift   share of the result that is farther than 1.5 spacings from the scan
   box      diagonal of the box of the inner 99 % of each coordinate, over the scan's
   uneven   variation of the result's spacing against that of the twelve points around
+  thin     where the result is less dense than the scan: the 5 % quantile of its density over the
+           scan's, if both had as many points
+  dense    where it is denser: the 95 % quantile
   away     share of normals that face away from the viewpoint by more than 10 degrees
   up       share of the near-vertical normals that point upwards, where they all should
   plane    mean angle of the normals on a flat part, in degrees
@@ -52,7 +55,7 @@ sys.path.append(str(Path(__file__).resolve().parents[1] / "methods"))
 from methods import ear, simple_filter, wlop
 
 BUILD = Path(__file__).resolve().parents[3] / "build"
-OURS = "default"
+OURS = {"default": [], "keep_density": ["--keep-density"]}
 RIVALS = {
     "wlop_4": wlop(4),
     "wlop_4_uniform": wlop(4, "--require-uniform-sampling"),
@@ -67,6 +70,8 @@ DIGITS = {
     "adrift": 2,
     "box": 3,
     "uneven": 3,
+    "thin": 2,
+    "dense": 2,
     "away": 2,
     "up": 1,
     "plane": 1,
@@ -120,7 +125,7 @@ def hints(tool, options):
 def resample(build, source, result, method, count, options, extra):
     """Raises CalledProcessError where the method fails."""
     result.unlink(missing_ok=True)
-    if method == OURS:
+    if method in OURS:
         tool = build / "bin/l0_resample"
         command = [
             tool,
@@ -129,6 +134,7 @@ def resample(build, source, result, method, count, options, extra):
             "--points",
             count,
             "--quiet",
+            *OURS[method],
             *hints(tool, options),
             *extra,
         ]
@@ -190,7 +196,7 @@ def parse_arguments():
         "--output", type=Path, help="writes OUTPUT.json, .md and .png; else the table is printed"
     )
     parser.add_argument("--table", type=Path, help="options of the scans, a CSV file")
-    parser.add_argument("--methods", nargs="+", choices=[OURS, *RIVALS], default=[OURS])
+    parser.add_argument("--methods", nargs="+", choices=[*OURS, *RIVALS], default=[*OURS])
     parser.add_argument("--only", default="", help="scans whose file name has this")
     parser.add_argument(
         "--percentage",

@@ -35,6 +35,7 @@ PLY_TYPES = {
 SAMPLE = 30_000  # points whose surroundings are measured, at most
 NEIGHBORS = 6
 LOST, GHOST, ADRIFT = 3, 2, 1.5  # spacings
+POINTS_OF_DENSITY = 64
 AWAY_SINE = 0.17  # a normal that faces away from the sensor by more than 10 degrees
 
 
@@ -116,6 +117,18 @@ class Comparison:
         )
         return float((own / near.mean(1)).std())
 
+    def density_ratios(self):
+        """Density of the result over that of the scan, if it had as many points: in the balls of
+        the `POINTS_OF_DENSITY` points nearest to points of the scan."""
+        places = self.scan[numpy.random.default_rng(0).permutation(len(self.scan))[:SAMPLE]]
+        count = min(POINTS_OF_DENSITY, len(self.scan))
+        radii = self.scan_tree.query(places, count)[0].reshape(len(places), -1)[:, -1]
+        in_scan, in_result = (
+            tree.query_ball_point(places, radii * (1 + 1e-9), return_length=True) / tree.n
+            for tree in (self.scan_tree, self.result_tree)
+        )
+        return in_result / in_scan
+
     def measures(self):
         """Shares are percent; `box` is the diagonal of the inner 99 %'s box, over the scan's."""
 
@@ -124,12 +137,15 @@ class Comparison:
                 numpy.subtract(*numpy.quantile(positions, [0.995, 0.005], axis=0))
             )
 
+        thin, dense = numpy.quantile(self.density_ratios(), [0.05, 0.95])
         return {
             "lost": 100 * float(self.is_lost.mean()),
             "ghosts": 100 * float(self.is_ghost.mean()),
             "adrift": 100 * float(self.is_adrift.mean()),
             "box": float(extent(self.result) / extent(self.scan)),
             "uneven": self.unevenness(),
+            "thin": float(thin),
+            "dense": float(dense),
         }
 
 
