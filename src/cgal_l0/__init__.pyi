@@ -166,6 +166,7 @@ def l0_orient_normals(
     drop_non_finite: bool = False,
     maximum_memory: int | None = None,
     threads: int | None = None,
+    device: Literal["cpu", "cuda", "auto"] = "cpu",
     callback: Callable[[float], object] | None = None,
     report: Literal[False] = False,
 ) -> NDArray[Any]: ...
@@ -183,6 +184,7 @@ def l0_orient_normals(
     drop_non_finite: bool = False,
     maximum_memory: int | None = None,
     threads: int | None = None,
+    device: Literal["cpu", "cuda", "auto"] = "cpu",
     callback: Callable[[float], object] | None = None,
     report: Literal[True],
 ) -> tuple[NDArray[Any], Report]: ...
