@@ -28,10 +28,39 @@
 #include <type_traits>
 #include <utility>
 
+#ifdef CGAL_L0_LINKED_WITH_CUDA
+#include <CGAL/L0_resampling/internal/orient_on_device.h>
+#endif
+
 namespace CGAL {
 
 namespace L0_resampling {
 namespace internal {
+
+/// Chooses where the stages run; uses up the input.
+template <typename ConcurrencyTag>
+Oriented_representatives orient_input(Input& input, const Parameters& parameters,
+                                      const std::function<bool(double)>& callback,
+                                      Progress& progress, Report& report)
+{
+  if constexpr (!std::is_same<ConcurrencyTag, CUDA_tag>::value)
+  {
+    static_cast<void>(callback); // `progress` asks it
+    return orient_point_set<ConcurrencyTag>(input.points, input.normals, input.hints, parameters,
+                                            progress, report);
+  }
+  else
+  {
+    static_cast<void>(progress);
+#ifdef CGAL_L0_LINKED_WITH_CUDA
+    return orient_on_device(input.points, input.normals, input.hints, parameters, callback, report);
+#else
+    static_assert(
+      !std::is_same<ConcurrencyTag, CUDA_tag>::value,
+      "CUDA_tag needs a compiled library: link with the CMake target CGAL::L0_CUDA_support.");
+#endif
+  }
+}
 
 /// Whether a normal is on the other side than `oriented`. Of one at right angles to it, one of the
 /// two signs is, so that the sign it came with does not matter.
@@ -83,7 +112,9 @@ void orient_range(PointRange& range, PointMap point_map, const std::optional<Nor
 {
   Report unwanted_report;
   Report& report = report_of_call(np, unwanted_report);
-  report.device_reason = "compiled for the CPU";
+  constexpr bool is_on_device = std::is_same<ConcurrencyTag, CUDA_tag>::value;
+  report.device = is_on_device ? "cuda" : "cpu";
+  report.device_reason = is_on_device ? "asked for" : "compiled for the CPU";
 
   std::function<bool(double)> callback;
   read_parameter(np, internal_np::callback, callback);
@@ -95,9 +126,10 @@ void orient_range(PointRange& range, PointMap point_map, const std::optional<Nor
   Parameters parameters = checked_orientation_parameters(np, size);
   if (!drop_non_finite && least_memory_to_orient(size) > parameters.maximum_memory)
     throw std::bad_alloc();
-  Memory_counter memory(parameters.maximum_memory);
+  Memory_counter unlimited, limited(parameters.maximum_memory);
+  Memory_counter& memory = is_on_device ? unlimited : limited; // the limit is of the device there
   Input input(&memory);
-  Progress progress(callback, report, memory);
+  Progress progress(is_on_device ? nullptr : callback, report, memory);
   Oriented_representatives representatives{Buffer<Index>(&memory), Buffer<Local_vector>(&memory)};
   try
   {
@@ -109,15 +141,15 @@ void orient_range(PointRange& range, PointMap point_map, const std::optional<Nor
       throw std::bad_alloc();
     read_normals_if_given(range, normal_map, input);
     read_hints_if_given(range, point_map, np, input);
-    representatives = orient_point_set<ConcurrencyTag>(input.points, input.normals, input.hints,
-                                                       parameters, progress, report);
+    representatives = orient_input<ConcurrencyTag>(input, parameters, callback, progress, report);
   }
   catch (const Interrupted&)
   {
     progress.rethrow_exception_of_callback();
     report.outcome = Outcome::CANCELLED;
-    return;
   }
+  if (report.outcome == Outcome::CANCELLED)
+    return;
   write_oriented_normals(range, map_to_write(), representatives, input.is_kept);
   report.number_of_output_points = representatives.of_points.size();
 }
@@ -134,9 +166,7 @@ void l0_orient_normals(PointRange& range, const std::optional<NormalMap>& normal
   using Kernel =
     typename internal_np::Lookup_named_param_def<internal_np::geom_traits_t, NamedParameters,
                                                  Default_kernel>::type;
-  constexpr bool is_on_device = std::is_same<ConcurrencyTag, CUDA_tag>::value;
-  static_assert(!is_on_device, "l0_orient_normals() runs on the CPU only, not with CUDA_tag.");
-  if constexpr (!is_on_device && input_fits<Kernel, Point_map, NormalMap, NamedParameters>())
+  if constexpr (input_fits<Kernel, Point_map, NormalMap, NamedParameters>())
     if constexpr (call_fits<NamedParameters>())
       orient_range<ConcurrencyTag>(range, point_map, normal_map, map_to_write, np);
 }
@@ -170,11 +200,11 @@ Outliers get a side too, and do not pass it on to the surface.
 
 Points at one place, and points much closer together than the others, are represented by some of
 them; the others turn to the side of what represents them. Where the standard deviation of the noise
-is larger than two thirds of the spacing, a point in every one and a half such deviations represents
-those around it.
+is larger than the spacing, a point in every such deviation represents those around it.
 
-\tparam ConcurrencyTag says how the stages run: `Sequential_tag`, `Parallel_tag` or
-`Parallel_if_available_tag`. `CUDA_tag` is refused at compile time.
+\tparam ConcurrencyTag says where and how the stages run: `Sequential_tag`, `Parallel_tag` or
+`Parallel_if_available_tag`; or `CUDA_tag`, in programs that link with `CGAL::L0_CUDA_support`. On
+the device `maximum_memory` is of the device, and `Device_error` is thrown where none can be used.
 \tparam PointRange is a model of `Range` with forward iterators.
 
 \param points any number of points, from none; only their normals are written
@@ -287,6 +317,7 @@ below, in chains as of `l0_resample_point_set()`. All but `point_map`, `normal_m
 \throws std::invalid_argument for a parameter out of its range, or a point that is not finite,
 before any work
 \throws std::bad_alloc if memory does not suffice
+\throws CGAL::L0_resampling::Device_error with `CUDA_tag`, if there is no usable device, or it fails
 
 Arguments whose types do not fit are refused at compile time, with a sentence that says what is
 wrong. What the property maps and the callback throw passes through. No normal is written unless

@@ -6,8 +6,7 @@
 #ifndef CGAL_L0_CUDA_CUDA_BACKEND_CUH
 #define CGAL_L0_CUDA_CUDA_BACKEND_CUH
 
-#include "Session.cuh"
-#include "stages.cuh"
+#include "Cuda_points.cuh"
 
 #include <CGAL/L0_resampling/internal/Plan.h>
 
@@ -19,15 +18,6 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 namespace cuda {
-
-/// The points of the session that a call works with.
-struct Input
-{
-  Positions positions;  // with their scales
-  const float* normals; // of them; null if none were given
-  bool all_normals_given;
-  const float* hints; // of them; null if none were given
-};
 
 /// What the filter of normals works on, in the scratch arena.
 struct Filter_arrays
@@ -59,15 +49,8 @@ struct Neighborhood
 /// The stages on the device, and the arrays of one call. What calls them, and in which order,
 /// stands in `run.h`; what they do, in `stages.cuh` and as on the CPU. The result is left in the
 /// session.
-class Cuda_backend
+class Cuda_backend : public Cuda_points
 {
-  Session& m_session;
-  const Parameters& m_parameters;
-  const Workplace m_workplace;
-  Stages& m_stages;
-  Call_report& m_report;
-  Framed_box m_box;
-
   std::vector<Turn> m_turns;
   std::vector<Turn_result> m_results;          // of these, on the host
   Turn_result* m_turn_results = nullptr;       // the same, on the device
@@ -78,9 +61,8 @@ class Cuda_backend
   Followers m_followers;
 
   std::optional<Arena_scope> m_points_scope; // of the arena
-  Input m_input = {};
-  std::optional<Arena_scope> m_order_scope; // of the scratch arena: the order of the points before
-  Cell_grid m_grid;                         // of the points
+  std::optional<Arena_scope> m_order_scope;  // of the scratch arena: the order of the points before
+  Cell_grid m_grid;                          // of the points
   const unsigned* m_numbers_of_points = nullptr; // that each one stands for; null if only itself
   float4* m_normals = nullptr;                   // of the points, filtered, and 1/v_j
   std::optional<Filter_arrays> m_filter;
@@ -96,27 +78,15 @@ public:
   static constexpr bool finds_feature_confidences = false, foresees_memory = false;
   static constexpr bool may_need_explicit_rows = false;
 
-  /// \param parameters that tell of the sides of the normals
-  Cuda_backend(Session& session, const Parameters& parameters, Stages& stages, Call_report& report);
-  Cuda_backend(const Cuda_backend&) = delete;
-  Cuda_backend& operator=(const Cuda_backend&) = delete;
+  using Cuda_points::Cuda_points;
 
-  void begin_stage(const char* name, double share, std::size_t) { m_stages.begin(name, share); }
   void end_turn(std::size_t number, std::size_t number_of_turns)
   {
     m_stages.ask(double(number + 1) / double(number_of_turns));
   }
 
-  Call_report& report() { return m_report; }
-  const Frame& frame() const { return m_box.frame; }
-  std::size_t number_of_points() const { return m_input.positions.size; }
   std::size_t number_of_samples() const { return m_samples.size; }
 
-  // The plan
-  Facts find_facts();
-  Scales estimate_scales(double paper_radius);
-  Range_of_scales estimate_scale_field(double robust_diagonal, const Usual_scales& usual);
-  void set_unit(double unit) { m_box.set_unit(unit); }
   void begin(const Plan& plan);
 
   // The points
@@ -156,7 +126,6 @@ public:
   void end(const Plan& plan);
 
 private:
-  Positions points_in(const Frame& frame, const float* scales) const;
   void take_vectors_of_list();
   void build_grid_of_points(const Plan& plan);
   Cell_blocks blocks_of_points(const Plan& plan, double radius) const;
@@ -165,7 +134,6 @@ private:
   double largest_range(const Plan& plan) const;
   bool is_one_grid_enough(const Plan& plan) const;
   Cell_frame self_frame(const Plan& plan, double cell_size) const;
-  Side_hints side_hints() const;
 };
 
 } // namespace cuda

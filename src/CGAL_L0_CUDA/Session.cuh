@@ -27,6 +27,14 @@ namespace cuda {
 struct Cancelled
 {};
 
+/// What stands for the points of the session once they are oriented, in the arena.
+struct Oriented_representatives
+{
+  const unsigned* of_points = nullptr; // for each point of the session, which one stands for it
+  const float* normals = nullptr;      // xyz interleaved
+  unsigned size = 0;
+};
+
 struct Session
 {
   std::mutex mutex;
@@ -53,7 +61,8 @@ struct Session
   double* positions = nullptr; // the result, at the bottom of the arena
   float* sample_normals = nullptr;
   float* side_confidences = nullptr;
-  float* sample_scales = nullptr; // null if all are 1
+  float* sample_scales = nullptr;           // null if all are 1
+  Oriented_representatives representatives; // the result of a call that only orients
   std::vector<Iteration> iterations;
   std::vector<cudaEvent_t> events;
 
@@ -76,10 +85,16 @@ struct Session
   /// Forgets the last result and what else the last call left, and makes room for the next.
   void reserve(std::size_t bytes)
   {
+    forget_result();
+    working_memory.reserve(bytes);
+  }
+
+  void forget_result()
+  {
     number_of_samples = 0;
+    representatives = Oriented_representatives();
     arena.clear();
     scratch.clear();
-    working_memory.reserve(bytes);
   }
 
   struct Input_arrays
@@ -221,6 +236,10 @@ private:
 /// All stages of a call. The result is left in the session.
 void run_stages(Session& session, const Parameters& parameters, Stages& stages,
                 Call_report& report);
+
+/// The same for a call that only orients.
+void run_orientation(Session& session, const Parameters& parameters, Stages& stages,
+                     Call_report& report);
 
 } // namespace cuda
 } // namespace internal

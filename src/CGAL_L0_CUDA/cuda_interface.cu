@@ -6,9 +6,11 @@
 #include "guarded.cuh"
 
 #include <CGAL/L0_resampling/internal/cuda_device_arrays.h>
+#include <CGAL/L0_resampling/internal/cuda_orientation.h>
 
 #include <algorithm>
 #include <atomic>
+#include <cstdint>
 #include <memory>
 
 namespace CGAL {
@@ -110,8 +112,13 @@ Answer upload(Session& session, const double* points, std::size_t size, const fl
   });
 }
 
-Answer resample(Session& session, const Parameters& parameters, Progress_callback progress,
-                Call_report& report)
+namespace {
+
+using Run = void(Session&, const Parameters&, Stages&, Call_report&);
+
+/// A call that works with the points of the session.
+Answer call(Run& run, Session& session, const Parameters& parameters, Progress_callback progress,
+            Call_report& report)
 {
   report = Call_report();
   return guarded(&session, [&]() {
@@ -124,7 +131,35 @@ Answer resample(Session& session, const Parameters& parameters, Progress_callbac
       check_launch("write_to_nowhere");
     }
     Stages stages(session, progress, report);
-    run_stages(session, parameters, stages, report);
+    run(session, parameters, stages, report);
+  });
+}
+
+} // namespace
+
+Answer resample(Session& session, const Parameters& parameters, Progress_callback progress,
+                Call_report& report)
+{
+  return call(run_stages, session, parameters, progress, report);
+}
+
+Answer orient(Session& session, const Parameters& parameters, Progress_callback progress,
+              Call_report& report, std::size_t& number_of_representatives)
+{
+  const Answer answer = call(run_orientation, session, parameters, progress, report);
+  number_of_representatives = answer.status == Status::DONE ? session.representatives.size : 0;
+  return answer;
+}
+
+Answer download_representatives(Session& session, std::uint32_t* of_points, float* normals)
+{
+  return guarded(&session, [&]() {
+    const Oriented_representatives& from = session.representatives;
+    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(of_points, from.of_points, session.size * sizeof(*of_points),
+                                       cudaMemcpyDeviceToHost, session.stream));
+    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(normals, from.normals, 3 * sizeof(float) * from.size,
+                                       cudaMemcpyDeviceToHost, session.stream));
+    CGAL_L0_CUDA_CHECK(cudaStreamSynchronize(session.stream));
   });
 }
 

@@ -20,6 +20,10 @@ namespace cuda {
 std::size_t estimate_memory(std::size_t n, std::size_t m, const Parameters& parameters,
                             bool has_hints);
 
+/// The same for a call that only orients n points.
+std::size_t estimate_memory_to_orient(std::size_t n, const Parameters& parameters, bool has_normals,
+                                      bool has_hints);
+
 } // namespace cuda
 } // namespace internal
 } // namespace L0_resampling

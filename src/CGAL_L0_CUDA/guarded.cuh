@@ -81,9 +81,7 @@ Answer guarded(Session* session, const F& f)
       cudaGetLastError();
       if (failure.status() == Status::OUT_OF_MEMORY)
       {
-        session->number_of_samples = 0;
-        session->arena.clear();
-        session->scratch.clear();
+        session->forget_result();
         session->working_memory.free_all();
       }
       throw;

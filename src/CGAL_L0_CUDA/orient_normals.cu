@@ -3,6 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "orient_noisy_normals.cuh"
 #include "orientation.cuh"
 
 #include <CGAL/L0_resampling/internal/side_confidence.h>
@@ -63,7 +64,8 @@ struct Sides
     sure_sizes; // of each sample: the size of its set once all that is sure was joined
 };
 
-constexpr double units_per_confidence = Sample_counts::units_per_confidence;
+constexpr double units_per_confidence = Sample_counts::units_per_confidence,
+                 units_per_normal = 1 << 29; // 2^32 of them do not overflow
 
 /// Sums over a tree, in fixed point: integers may be added in any order.
 struct Tree_sums
@@ -109,18 +111,22 @@ struct Tree_sums
     return votes().are_clear() ? votes().say_turn()
                                : is_turned_by_windings(is_turned_inwards(), mean_winding_number());
   }
+  __device__ double facing_share() const
+  {
+    const double x = double(normal(0)), y = double(normal(1)), z = double(normal(2));
+    return sqrt(x * x + y * y + z * z) / units_per_normal / double(size());
+  }
   __device__ double confidence() const
   {
     return votes().are_clear() ? confidence_of_hints(votes())
-                               : confidence_of_tree(fabs(mean_winding_number()));
+                               : confidence_of_tree(fabs(mean_winding_number()), facing_share());
   }
 };
 
-/// \param scale units of the fixed-point numbers per length of the frame
+/// \param units_per_length of the fixed-point numbers, in the frame
 struct Tree_scale
 {
   double units_per_length;
-  double units_per_normal;
 };
 
 /// Adds numbers of the samples to the sums of their trees. Most samples are of one tree: those of
@@ -202,11 +208,10 @@ __global__ void find_fluxes(Sides sides, Samples samples, Tree_scale scale, Side
     const double3 normal = sign * to_double(xyz(samples.normals[i]));
     values[0] = __double2ll_rn(dot(normal, from_center) * scale.units_per_length);
     values[1] = __double2ll_rn(sqrt(dot(from_center, from_center)) * scale.units_per_length);
-    values[2] = __double2ll_rn(normal.x * scale.units_per_normal);
-    values[3] = __double2ll_rn(normal.y * scale.units_per_normal);
-    values[4] = __double2ll_rn(normal.z * scale.units_per_normal);
-    values[5] = __double2ll_rn(dot(normal, hints.direction_of(samples, i))
-                               * scale.units_per_normal);
+    values[2] = __double2ll_rn(normal.x * units_per_normal);
+    values[3] = __double2ll_rn(normal.y * units_per_normal);
+    values[4] = __double2ll_rn(normal.z * units_per_normal);
+    values[5] = __double2ll_rn(dot(normal, hints.direction_of(samples, i)) * units_per_normal);
     values[6] = llabs(values[5]);
     values[7] = (link.is_turned() ? -1 : 1) * hints.certain_side_of(samples, i);
     is_oriented = tree.size() > 1 && sides.sure_sizes[i] == tree.largest_sure_size;
@@ -244,7 +249,8 @@ __global__ void find_evidence(Dipoles all, Tree_sums* trees)
 {
   __shared__ double of_warps[threads_per_block / 32][3];
   const Dipole& own = all.dipoles[blockIdx.x];
-  const double squared_core = squared_core_of_dipole(all.area);
+  const double squared_core = squared_core_of_dipole(all.area),
+               least_squared_distance = least_squared_distance_of_evidence(squared_core);
   double sums[3] = {0, 0, 0}; // winding number, agreement, its absolute values
   for (unsigned k = threadIdx.x; k < all.size; k += blockDim.x)
   {
@@ -254,9 +260,11 @@ __global__ void find_evidence(Dipoles all, Tree_sums* trees)
     const double3 d = {other.position.x - own.position.x, other.position.y - own.position.y,
                        other.position.z - own.position.z};
     const double height = dot(other.normal, d), squared_distance = dot(d, d);
+    sums[0] += winding_number_of_dipole(height, squared_distance, squared_core);
+    if (squared_distance <= least_squared_distance)
+      continue;
     const double agreement = dipole_agreement(
       dot(own.normal, other.normal), height * dot(own.normal, d), squared_distance, squared_core);
-    sums[0] += winding_number_of_dipole(height, squared_distance, squared_core);
     sums[1] += agreement;
     sums[2] += fabs(agreement);
   }
@@ -337,6 +345,15 @@ void orient_normals(const Workplace& workplace, const double (&low)[3], const do
                     unsigned number_of_neighbors, double spacing, const Side_hints& hints,
                     const Samples& samples, Sample_counts* counts)
 {
+  orient_noisy_normals(workplace, low, high, number_of_neighbors, spacing, 0, hints, samples,
+                       counts);
+}
+
+void orient_noisy_normals(const Workplace& workplace, const double (&low)[3],
+                          const double (&high)[3], unsigned number_of_neighbors, double spacing,
+                          double noise_of_heights, const Side_hints& hints, const Samples& samples,
+                          Sample_counts* counts)
+{
   const unsigned m = samples.size;
   const cudaStream_t stream = workplace.stream;
   const Arena_scope arena_scope(workplace.arena), scratch_scope(workplace.scratch);
@@ -365,7 +382,8 @@ void orient_normals(const Workplace& workplace, const double (&low)[3], const do
     unsigned* const nearest =
       find_nearest_samples(workplace, low, high, number_of_neighbors,
                            spacing * std::sqrt(double(number_of_neighbors) / 2), samples);
-    const Graph graph = {m, number_of_neighbors, nearest, samples, float(spacing * spacing)};
+    const Graph graph = {m, number_of_neighbors, nearest, samples,
+                         float(spacing * spacing + noise_of_heights * noise_of_heights)};
     const unsigned number_of_edges = grow_forest(workplace, graph, faces);
 
     // As on the CPU: the votes join faces to parts and parts to trees, unless the fields of faces
@@ -403,8 +421,7 @@ void orient_normals(const Workplace& workplace, const double (&low)[3], const do
   for (int axis = 0; axis < 3; ++axis)
     extent = (std::max)({extent, std::abs(low[axis]), std::abs(high[axis])});
   // 2^32 values below 2^30 units each do not overflow
-  const Tree_scale scale = {std::ldexp(1., 28 - std::ilogb((std::max)(extent, 1.))),
-                            std::ldexp(1., 29)};
+  const Tree_scale scale = {std::ldexp(1., 28 - std::ilogb((std::max)(extent, 1.)))};
   const Sides sides = {roots, sure_sizes};
   Tree_sums* const trees = workplace.scratch.take<Tree_sums>(m);
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(trees, 0, m * sizeof(Tree_sums), stream));

@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "Query.cuh"
-#include "stages.cuh"
+#include "representatives.cuh"
 
 #include <CGAL/L0_resampling/internal/crowded_subcells.h>
 
@@ -140,13 +140,20 @@ __global__ void number_the_kept(const unsigned* kept, unsigned size, unsigned* n
     numbers[kept[k]] = unsigned(k);
 }
 
-/// \param places of the kept points among themselves
-__global__ void count_represented(const unsigned* of_points, unsigned size, const unsigned* places,
+/// \param of_points in: for each point, the one that stands for it; out: the number of that one
+__global__ void tell_numbers(unsigned* of_points, unsigned size, const unsigned* numbers)
+{
+  const unsigned long long j = thread_index();
+  if (j < size)
+    of_points[j] = numbers[of_points[j]];
+}
+
+__global__ void count_represented(const unsigned* places, unsigned size,
                                   unsigned* numbers_of_points)
 {
   const unsigned long long j = thread_index();
   if (j < size)
-    atomicAdd(&numbers_of_points[places[of_points[j]]], 1u);
+    atomicAdd(&numbers_of_points[places[j]], 1u);
 }
 
 /// The followers in the order of the grid, behind each other.
@@ -183,12 +190,15 @@ __global__ void invert_flags(unsigned size, unsigned char* flags)
 }
 
 /// \param list what the order counts; null if that is what it lists
+/// \param kept which points of the grid; null for all
 __global__ void list_order(const unsigned* list, const unsigned* order, const unsigned* kept,
                            unsigned size, unsigned* listed)
 {
   const unsigned long long k = thread_index();
-  if (k < size)
-    listed[k] = list ? list[order[kept[k]]] : order[kept[k]];
+  if (k >= size)
+    return;
+  const unsigned before = order[kept ? kept[k] : unsigned(k)];
+  listed[k] = list ? list[before] : before;
 }
 
 __global__ void find_places(Samples samples, unsigned* places)
@@ -232,7 +242,7 @@ bool has_crowds(const Workplace& workplace, const Positions& positions, const Ce
 }
 
 /// For the points of a grid, in its order: who stands for each, and the kept ones.
-struct Representatives
+struct Representatives_of_crowds
 {
   unsigned* of_points;
   unsigned char* is_kept;
@@ -241,12 +251,12 @@ struct Representatives
 };
 
 /// From the scratch arena.
-Representatives representatives(const Workplace& workplace, const Positions& positions,
-                                const Cell_grid& grid, unsigned limit)
+Representatives_of_crowds representatives(const Workplace& workplace, const Positions& positions,
+                                          const Cell_grid& grid, unsigned limit)
 {
-  Representatives result = {workplace.scratch.take<unsigned>(grid.size),
-                            workplace.scratch.take<unsigned char>(grid.size),
-                            workplace.scratch.take<unsigned>(grid.size), 0};
+  Representatives_of_crowds result = {workplace.scratch.take<unsigned>(grid.size),
+                                      workplace.scratch.take<unsigned char>(grid.size),
+                                      workplace.scratch.take<unsigned>(grid.size), 0};
   find_representatives<<<blocks_for_cells(grid), lanes_of_warp * warps_per_block, 0,
                          workplace.stream>>>(positions, grid, limit, result.of_points,
                                              result.is_kept);
@@ -258,29 +268,49 @@ Representatives representatives(const Workplace& workplace, const Positions& pos
 
 } // namespace
 
+Representatives representatives_of_crowds(const Workplace& workplace, const Positions& positions,
+                                          const Cell_grid& grid, unsigned limit)
+{
+  if (!has_crowds(workplace, positions, grid, limit))
+    return {nullptr, nullptr, grid.size};
+  const cudaStream_t stream = workplace.stream;
+  const Representatives_of_crowds found = representatives(workplace, positions, grid, limit);
+  const Arena_scope scope(workplace.scratch);
+  unsigned* const numbers = workplace.scratch.take<unsigned>(grid.size);
+  number_the_kept<<<blocks_for(found.number_of_kept), threads_per_block, 0, stream>>>(
+    found.kept, found.number_of_kept, numbers);
+  check_launch("number_the_kept");
+  tell_numbers<<<blocks_for(grid.size), threads_per_block, 0, stream>>>(found.of_points, grid.size,
+                                                                        numbers);
+  check_launch("tell_numbers");
+  return {found.of_points, found.kept, found.number_of_kept};
+}
+
+void list_kept(const Workplace& workplace, const Positions& positions, const Cell_grid& grid,
+               const unsigned* kept, unsigned number_of_kept, unsigned* listed)
+{
+  list_order<<<blocks_for(number_of_kept), threads_per_block, 0, workplace.stream>>>(
+    positions.list, grid.order, kept, number_of_kept, listed);
+  check_launch("list_order");
+}
+
 const unsigned* thin_crowds(const Workplace& workplace, const Positions& positions,
                             const Cell_grid& grid, unsigned& size,
                             const unsigned*& numbers_of_points)
 {
-  const cudaStream_t stream = workplace.stream;
-  size = grid.size;
   numbers_of_points = nullptr;
-  if (!has_crowds(workplace, positions, grid, most_points_of_subcell))
+  const Arena_scope scope(workplace.scratch);
+  const Representatives found = representatives_of_crowds(workplace, positions, grid,
+                                                          most_points_of_subcell);
+  size = found.number_of_kept;
+  if (found.are_all_points())
     return nullptr;
   unsigned *const listed = workplace.arena.take<unsigned>(grid.size),
                   *const numbers = workplace.arena.take<unsigned>(grid.size);
-  const Arena_scope scope(workplace.scratch);
-  const Representatives found = representatives(workplace, positions, grid, most_points_of_subcell);
-  size = found.number_of_kept;
-  list_order<<<blocks_for(size), threads_per_block, 0, stream>>>(positions.list, grid.order,
-                                                                 found.kept, size, listed);
-  check_launch("list_order");
-  unsigned* const places = workplace.scratch.take<unsigned>(grid.size);
-  number_the_kept<<<blocks_for(size), threads_per_block, 0, stream>>>(found.kept, size, places);
-  check_launch("number_the_kept");
-  CGAL_L0_CUDA_CHECK(cudaMemsetAsync(numbers, 0, size * sizeof(unsigned), stream));
-  count_represented<<<blocks_for(grid.size), threads_per_block, 0, stream>>>(
-    found.of_points, grid.size, places, numbers);
+  list_kept(workplace, positions, grid, found.kept, size, listed);
+  CGAL_L0_CUDA_CHECK(cudaMemsetAsync(numbers, 0, size * sizeof(unsigned), workplace.stream));
+  count_represented<<<blocks_for(grid.size), threads_per_block, 0, workplace.stream>>>(
+    found.places, grid.size, numbers);
   check_launch("count_represented");
   numbers_of_points = numbers;
   return listed;
@@ -305,8 +335,8 @@ Followers take_followers(const Workplace& workplace, const Cell_frame& frame, Sa
   unsigned* const start_indices = workplace.scratch.take<unsigned>(m);
 
   const Arena_scope scope(workplace.scratch);
-  const Representatives found = representatives(workplace, positions, grid,
-                                                most_samples_of_subcell);
+  const Representatives_of_crowds found = representatives(workplace, positions, grid,
+                                                          most_samples_of_subcell);
   const unsigned number_of_kept = found.number_of_kept;
   followers.size = m - number_of_kept;
   unsigned *const numbers = workplace.scratch.take<unsigned>(m),
@@ -324,9 +354,7 @@ Followers take_followers(const Workplace& workplace, const Cell_frame& frame, Sa
   part_followers<<<blocks_for(followers.size), threads_per_block, 0, stream>>>(
     samples, grid.order, found.of_points, others, followers.size, numbers, followers);
   check_launch("part_followers");
-  list_order<<<blocks_for(number_of_kept), threads_per_block, 0, stream>>>(
-    nullptr, grid.order, found.kept, number_of_kept, order_of_kept);
-  check_launch("list_order");
+  list_kept(workplace, positions, grid, found.kept, number_of_kept, order_of_kept);
   keep_listed(workplace, order_of_kept, number_of_kept, samples);
   samples.start_indices = start_indices; // of those that are left, in their order
   return followers;

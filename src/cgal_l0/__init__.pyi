@@ -169,6 +169,7 @@ def l0_orient_normals(
     drop_non_finite: bool = False,
     maximum_memory: int | None = None,
     threads: int | None = None,
+    device: Literal["cpu", "cuda", "auto"] = "cpu",
     callback: Callable[[float], object] | None = None,
     report: Literal[False] = False,
 ) -> NDArray[Any]: ...
@@ -186,6 +187,7 @@ def l0_orient_normals(
     drop_non_finite: bool = False,
     maximum_memory: int | None = None,
     threads: int | None = None,
+    device: Literal["cpu", "cuda", "auto"] = "cpu",
     callback: Callable[[float], object] | None = None,
     report: Literal[True],
 ) -> tuple[NDArray[Any], Report]: ...

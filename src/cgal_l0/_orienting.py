@@ -7,7 +7,7 @@
 
 from . import _core
 from ._arrays import coordinates, cuda_device_of
-from ._resampling import call, floats_or_none, parameters_of
+from ._resampling import call, choice, floats_or_none, parameters_of
 from .reports import report_of
 
 
@@ -24,6 +24,7 @@ def l0_orient_normals(
     drop_non_finite=False,
     maximum_memory=None,
     threads=None,
+    device="cpu",
     callback=None,
     report=False,
 ):
@@ -53,8 +54,11 @@ def l0_orient_normals(
     number_of_orientation_neighbors: int, nearest points over which signs are passed on. Default: 12
     drop_non_finite: bool, whether points that are not finite are passed over, with their normals as
         they are, instead of refused. Default: False
-    maximum_memory: bytes that the call's own arrays may take. Default: no limit
+    maximum_memory: bytes that the call's own arrays may take, those on the device if it runs there.
+        Default: no limit
     threads: int, the most threads to use. Default: all
+    device: "cpu", "cuda", or "auto" for a CUDA device if there is one that can be used. The arrays
+        are of the host's memory all the same. Default: "cpu"
     callback: function of the progress in [0, 1]; once it returns False, the call raises Cancelled.
         Default: None
     report: bool, whether a Report is returned too. Default: False
@@ -66,13 +70,13 @@ def l0_orient_normals(
     number of threads.
 
     Raises ValueError for points and parameters that cannot be used, TypeError for arrays and
-    parameters of a wrong type, MemoryError, Cancelled, and any exception of the callback.
+    parameters of a wrong type, RuntimeError if device="cuda" cannot be used or fails, MemoryError,
+    Cancelled, and any exception of the callback.
     """
     cuda_device = cuda_device_of(points)
     if cuda_device is not None:
         raise ValueError(
-            f"points is on cuda:{cuda_device}, and normals are oriented on the host: copy it there "
-            "first"
+            f"points is on cuda:{cuda_device}, expected memory of the host: copy it there first"
         )
     parameters = parameters_of(
         _core.Method.default,
@@ -84,6 +88,7 @@ def l0_orient_normals(
             "drop_non_finite": bool(drop_non_finite),
             "maximum_memory": maximum_memory,
             "threads": threads,
+            "device": choice("device", device, _core.Device),
         },
     )
     arrays = coordinates(

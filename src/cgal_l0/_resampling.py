@@ -40,7 +40,7 @@ def in_python_words(message):
     return message.replace("viewpoint_map", "viewpoints").replace("2^32", "2**32")
 
 
-def _choice(name, value, enumeration):
+def choice(name, value, enumeration):
     choices = enumeration.__members__
     if value not in choices:
         raise ValueError(f"{name} is {value!r}, expected one of {', '.join(map(repr, choices))}")
@@ -56,7 +56,7 @@ def _device_choice(device, points):
     cuda_device = cuda_device_of(points)
     if device is None:
         device = "cpu" if cuda_device is None else "cuda"
-    choice = _choice("device", device, _core.Device)
+    choice = choice("device", device, _core.Device)
     if cuda_device is not None and choice == _core.Device.cpu:
         raise ValueError(
             f"points is on cuda:{cuda_device}, which device='cpu' cannot read: "
@@ -287,7 +287,7 @@ def l0_resample_point_set(
         "threads": threads,
         "device": _device_choice(device, points),
     }
-    parameters = parameters_of(_choice("method", method, _core.Method), named)
+    parameters = parameters_of(choice("method", method, _core.Method), named)
     arrays = coordinates(
         points=points, normals=normals, orientation_hints=orientation_hints, viewpoints=viewpoints
     )

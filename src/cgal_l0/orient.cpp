@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace l0_python {
@@ -37,14 +38,25 @@ Oriented_normals<FT> orient(const Array_view& points, const Vectors_of_points<Ar
   const auto viewpoints = vectors.viewpoints ? std::make_optional(Point_map{*vectors.viewpoints})
                                              : std::nullopt;
   auto range = boost::irange(std::size_t(0), points.size);
+  const auto orient_with = [&](auto tag) {
+    CGAL::l0_orient_normals<decltype(tag)>(range,
+                                           named_parameters_of(parameters, callback, result.report)
+                                             .orientation_hint_map(hints)
+                                             .viewpoint_map(viewpoints)
+                                             .point_map(Point_map{points})
+                                             .normal_map(CGAL::make_property_map(normals))
+                                             .geom_traits(Kernel()));
+  };
+  const auto on_device = [&] {
+#ifdef CGAL_L0_LINKED_WITH_CUDA
+    orient_with(CGAL::CUDA_tag());
+#endif
+  };
   in_arena(parameters, [&] {
-    CGAL::l0_orient_normals<CGAL::Parallel_if_available_tag>(
-      range, named_parameters_of(parameters, callback, result.report)
-               .orientation_hint_map(hints)
-               .viewpoint_map(viewpoints)
-               .point_map(Point_map{points})
-               .normal_map(CGAL::make_property_map(normals))
-               .geom_traits(Kernel()));
+    const std::string reason =
+      l0_common::run_on_chosen({parameters.device, "device='cuda'", ""}, on_device,
+                               [&] { orient_with(CGAL::Parallel_if_available_tag()); });
+    result.report.device_reason = reason;
   });
   result.normals.reserve(3 * normals.size());
   for (const auto& n : normals)

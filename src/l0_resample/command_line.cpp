@@ -410,7 +410,7 @@ void add_options(CLI::App& app, Arguments& arguments)
                  {"output", "output-directory", "output-format", "force", "dry-run"});
   exclude_others(app, "orient-only",
                  {"output", "output-directory", "output-format", "force", "dry-run", "json",
-                  "neighbor-radius", "orient-by-normals", "viewpoint", "viewpoints",
+                  "device", "neighbor-radius", "orient-by-normals", "viewpoint", "viewpoints",
                   "view-property", "up"});
   exclude_others(app, "info",
                  {"points", "percentage", "method", "neighbor-radius", "keep-outliers",

@@ -88,8 +88,7 @@ rounds coordinates, but for those of another LAS. It takes no option on resampli
 --orient-only writes the same, with normals. Those of INPUT change at most their sign; where one is
 zero or not finite, or INPUT has none, it is estimated. They point outwards, or as the options on
 viewpoints, --up and --orient-by-normals say. Points are neither moved nor reordered. Of the
-options on the method it takes --neighbor-radius, for estimated normals; it runs on the
-processor.)"},
+options on the method it takes --neighbor-radius, for estimated normals.)"},
    {"BATCHES",
     R"(With --output-directory all FILES, and those of folders, are resampled. Results go there,
 under the same names; those of formats that are not written are PLY. Standard output gets one line

@@ -22,6 +22,32 @@
 
 namespace l0_tool {
 
+namespace {
+
+template <typename ConcurrencyTag>
+void call(const Sides& sides, const Options& options, const std::function<bool(double)>& callback,
+          Point_cloud& cloud, CGAL::L0_resampling::Report& report)
+{
+  const auto normal_map = CGAL::make_property_map(cloud.normals);
+  const auto viewpoint_map = CGAL::make_property_map(sides.viewpoints.data());
+  auto range = boost::irange(std::size_t(0), cloud.points.size());
+  CGAL::l0_orient_normals<ConcurrencyTag>(
+    range,
+    CGAL::parameters::maximum_memory(options.max_memory)
+      .resampling_report(&report)
+      .neighbor_radius(options.neighbor_radius)
+      .viewpoint(sides.viewpoint)
+      .viewpoint_map(sides.viewpoints.empty() ? std::nullopt : std::make_optional(viewpoint_map))
+      .up_direction(options.up_direction)
+      .orientation_hint_map(options.orient_by_normals ? std::make_optional(normal_map)
+                                                      : std::nullopt)
+      .callback(callback)
+      .point_map(CGAL::make_property_map(cloud.points))
+      .normal_map(normal_map));
+}
+
+} // namespace
+
 void orient(const Sides& sides, const Options& options, const std::function<bool(double)>& callback,
             Point_cloud& cloud, CGAL::L0_resampling::Report& report)
 {
@@ -34,23 +60,21 @@ void orient(const Sides& sides, const Options& options, const std::function<bool
                   name + ": --orient-by-normals is given, but the file has no normals");
   try {
     cloud.normals.resize(cloud.points.size(), CGAL::NULL_VECTOR);
-    const auto normal_map = CGAL::make_property_map(cloud.normals);
-    const auto viewpoint_map = CGAL::make_property_map(sides.viewpoints.data());
-    auto range = boost::irange(std::size_t(0), cloud.points.size());
-    CGAL::l0_orient_normals<CGAL::Parallel_if_available_tag>(
-      range,
-      CGAL::parameters::maximum_memory(options.max_memory)
-        .resampling_report(&report)
-        .neighbor_radius(options.neighbor_radius)
-        .viewpoint(sides.viewpoint)
-        .viewpoint_map(sides.viewpoints.empty() ? std::nullopt : std::make_optional(viewpoint_map))
-        .up_direction(options.up_direction)
-        .orientation_hint_map(options.orient_by_normals ? std::make_optional(normal_map)
-                                                        : std::nullopt)
-        .callback(callback)
-        .point_map(CGAL::make_property_map(cloud.points))
-        .normal_map(normal_map));
+    const auto on_device = [&]() {
+#ifdef CGAL_L0_LINKED_WITH_CUDA
+      call<CGAL::CUDA_tag>(sides, options, callback, cloud, report);
+#endif
+    };
+    const auto on_cpu = [&]() {
+      call<CGAL::Parallel_if_available_tag>(sides, options, callback, cloud, report);
+    };
+    report.device_reason = l0_common::run_on_chosen({options.device, "--device cuda", ""},
+                                                    on_device, on_cpu);
+  } catch (const CGAL::L0_resampling::Device_error& error) {
+    throw Failure(RUN_TIME_FAILURE, error.what());
   } catch (const std::bad_alloc&) {
+    if (options.device == Device::CUDA)
+      throw Failure(RUN_TIME_FAILURE, "--device cuda: the device has too little memory");
     throw Failure(RUN_TIME_FAILURE,
                   name + ": not enough memory to orient " + std::to_string(cloud.points.size())
                     + " points"

@@ -23,7 +23,7 @@ Calls `CGAL::l0_orient_normals()` as the options ask. A cloud without normals ge
 \param report filled as far as the call came, also if it throws
 
 \throws Failure with INPUT_REFUSED if the normals cannot be oriented as asked for, with
-        RUN_TIME_FAILURE if memory does not suffice
+        RUN_TIME_FAILURE if memory or the device does not suffice
 */
 void orient(const Sides& sides, const Options& options, const std::function<bool(double)>& callback,
             Point_cloud& cloud, CGAL::L0_resampling::Report& report);

@@ -176,6 +176,7 @@ void resample_file(const Options& options, Run_record& record)
 
 void orient_file(const Options& options, Run_record& record)
 {
+  check_device(options);
   check_output(options, 0);
   if (!options.json.empty() && !is_folder_missing(options, options.json))
     check_writable(options.json, 0);

@@ -76,14 +76,11 @@ void resample()
 
   CGAL::Point_set_3<typename Kernel::Point_3> point_set, resampled;
   CGAL::l0_resample_point_set<ConcurrencyTag>(point_set, resampled);
-  if constexpr (!std::is_same_v<ConcurrencyTag, CGAL::CUDA_tag>)
-  {
-    CGAL::l0_orient_normals<ConcurrencyTag>(resampled);
-    CGAL::l0_orient_normals<ConcurrencyTag>(
-      result, parameters::point_map(CGAL::First_of_pair_property_map<Pair>())
-                  .normal_map(CGAL::Second_of_pair_property_map<Pair>())
-                | parameters::viewpoint(typename Kernel::Point_3(0, 0, 1)));
-  }
+  CGAL::l0_orient_normals<ConcurrencyTag>(resampled);
+  CGAL::l0_orient_normals<ConcurrencyTag>(
+    result, parameters::point_map(CGAL::First_of_pair_property_map<Pair>())
+                .normal_map(CGAL::Second_of_pair_property_map<Pair>())
+              | parameters::viewpoint(typename Kernel::Point_3(0, 0, 1)));
 }
 
 } // namespace

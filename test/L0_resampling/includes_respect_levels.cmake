@@ -12,7 +12,7 @@ set(level_0   # words: types, formulas and tools that know nothing of point sets
   internal/host_device.h internal/random_bits.h internal/levels_of_scales.h
   internal/exact_ball.h internal/weights.h
   internal/Border_of_ball.h internal/Orientation_hints.h internal/orientation_agreement.h
-  internal/side_confidence.h
+  internal/side_confidence.h internal/spacing_to_orient.h
   internal/shrinkage.h internal/negligible_displacement.h internal/block_factorization.h
   internal/chebyshev_steps.h internal/matrix_free_product.h
   internal/checked_count.h
@@ -25,8 +25,8 @@ set(level_1   # what several stages share, and what works on the arrays of one n
   Report.h warnings.h internal/Any_solver.h internal/Parameters.h internal/Method_rules.h
   internal/Plane_moments.h
   internal/Morton_points.h internal/scale_field.h internal/Plan.h
-  internal/cuda_interface.h internal/cuda_device_arrays.h internal/cuda_answer.h
-  internal/Device_progress.h
+  internal/cuda_interface.h internal/cuda_device_arrays.h internal/cuda_orientation.h internal/cuda_answer.h
+  internal/Device_progress.h internal/Device_session.h
   internal/Progress.h internal/solver_settings.h
   internal/Search_grid_3.h internal/working_frame.h internal/Facts_of_cloud.h
   internal/orientation_votes.h
@@ -56,7 +56,7 @@ set(level_3   # Algorithm 1, and the whole
   internal/side_hints.h internal/prepare_points.h internal/choose_samples.h
   internal/expected_memory.h
   internal/Minimization_step.h internal/Cpu_points.h internal/Cpu_backend.h internal/run.h internal/resample.h
-  internal/orient_point_set.h)
+  internal/orient_point_set.h internal/orient_on_device.h)
 set(level_4   # what users include, and how it reads what they pass
   named_parameters_interface.h named_parameters.h internal/checked_parameters.h
   internal/output_iterators.h internal/checked_types.h

@@ -228,7 +228,8 @@ void check_noise(Generator& generator)
   Pairs pairs = turned_by_chance(expected, generator);
   const Report report = orient(pairs);
   CHECK(report.estimated_noise > report.estimated_spacing);
-  CHECK(pairs == expected);
+  CHECK(double(number_on_side_of(pairs, truth)) >= 0.9999 * double(pairs.size()));
+  CHECK(report.right_side_share > 0.9);
   check_order_and_threads(turned_by_chance(expected, generator), generator);
 }
 
@@ -261,6 +262,35 @@ void check_hints(const Cloud& sphere, Generator& generator)
   const Kernel::Vector_3 down(0, 0, -2);
   CHECK(orient(pairs, maps() | parameters::up_direction(down)).hinted_share == 1);
   CHECK(number_on_side_of(pairs, plane) == 0);
+}
+
+/// Of points at one place, that one tells the side which has a hint, wherever it points to.
+void check_hints_of_coincident_points(Generator& generator)
+{
+  Pairs pairs;
+  std::vector<Kernel::Vector_3> hints;
+  for (std::size_t i = 0; i < 500; ++i)
+  {
+    const Kernel::Point_3 p(0, random_number(-1, 1, generator), random_number(-1, 1, generator));
+    for (const double hint : {-1, 0})
+    {
+      pairs.emplace_back(p, Kernel::Vector_3(1, 0, 0));
+      hints.emplace_back(hint, 0, 0);
+    }
+  }
+  std::vector<std::size_t> indices(pairs.size());
+  std::iota(indices.begin(), indices.end(), std::size_t(0));
+  const auto point_map = boost::make_function_property_map<std::size_t, Kernel::Point_3>(
+    [&](std::size_t i) { return pairs[i].first; });
+  std::vector<Kernel::Vector_3> normals(pairs.size(), {1, 0, 0});
+  Report report;
+  CGAL::l0_orient_normals<CGAL::Sequential_tag>(
+    indices, parameters::point_map(point_map).normal_map(CGAL::make_property_map(normals))
+               | parameters::resampling_report(&report)
+               | parameters::orientation_hint_map(CGAL::make_property_map(hints)));
+  CHECK(report.hinted_share == 1);
+  CHECK(std::all_of(normals.begin(), normals.end(),
+                    [](const Kernel::Vector_3& n) { return n == Kernel::Vector_3(-1, 0, 0); }));
 }
 
 void check_few_points()
@@ -417,6 +447,7 @@ int main()
                  generator);
   check_noise(generator);
   check_hints(sphere, generator);
+  check_hints_of_coincident_points(generator);
   check_few_points();
   check_refusals(sphere, generator);
   check_utm(sphere, generator);

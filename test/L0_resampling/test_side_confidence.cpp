@@ -58,6 +58,8 @@ internal::Side_evidence naive_evidence(const std::vector<CGAL::L0_resampling::In
                    m = other_sign * normals[other];
       const double r = std::sqrt(d.squaredNorm() + squared_core);
       winding += area * m.dot(d) / (4 * pi * r * r * r);
+      if (d.squaredNorm() <= 2 * squared_core)
+        continue;
       const double agreement =
         (n.dot(m) - 3 * (squared_core * n.dot(m) + n.dot(d) * m.dot(d)) / (r * r)) / (r * r * r);
       sum += agreement;
@@ -100,6 +102,30 @@ void check_evidence_by_definition()
     std::cerr << "evidence is off by " << largest_error << std::endl;
 }
 
+/// Of a flat sheet all agree, however near to each other some are.
+void check_evidence_of_flat_sheet()
+{
+  std::mt19937 generator(3);
+  std::uniform_real_distribution<double> uniform;
+  const std::size_t size = 400;
+  internal::Buffer<Vector> positions, normals(size, Vector::UnitZ());
+  internal::Signed_union_find trees(size,
+                                    internal::Counting_allocator<CGAL::L0_resampling::Index>());
+  std::vector<CGAL::L0_resampling::Index> samples;
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    const double x = uniform(generator), y = uniform(generator);
+    positions.push_back(Vector(x, y, 0));
+    samples.push_back(CGAL::L0_resampling::Index(i));
+    trees.join(0, CGAL::L0_resampling::Index(i), 1);
+  }
+  const internal::Dipoles_of_trees dipoles(samples, trees, positions, normals);
+  double least = 1;
+  for (std::size_t k = 0; k < size; ++k)
+    least = (std::min)(least, dipoles.evidence_of(k, 1 / double(size)).agreement);
+  CHECK(least > 0.999);
+}
+
 void check_winding_number_of_sphere()
 {
   const std::size_t size = 2000;
@@ -128,8 +154,11 @@ void check_winding_number_of_sphere()
 
 void check_formulas()
 {
-  CHECK(internal::confidence_of_tree(0.5) > 0.999 && internal::confidence_of_tree(0) == 0.5
-        && internal::confidence_of_tree(0.2) > 0.95);
+  CHECK(internal::confidence_of_tree(0.5, 0) > 0.999 && internal::confidence_of_tree(0, 1) == 0.5);
+  // half of a sphere, a view of a body, and a street
+  CHECK(internal::confidence_of_tree(0.2, 0.5) > 0.95
+        && internal::confidence_of_tree(0.12, 0.8) > 0.95
+        && internal::confidence_of_tree(0.12, 0.5) == 0.5);
   // as the flux says, unless the winding number contradicts it
   CHECK(!internal::is_turned_by_windings(false, 0.3)
         && internal::is_turned_by_windings(true, -0.3));
@@ -266,6 +295,7 @@ void check_radii_where_spacing_varies()
 int main()
 {
   check_evidence_by_definition();
+  check_evidence_of_flat_sheet();
   check_winding_number_of_sphere();
   check_formulas();
   check_call();

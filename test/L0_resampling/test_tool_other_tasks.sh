@@ -85,8 +85,11 @@ check_failure 3 "has no normals" --orient-only cube.xyz old.ply --orient-by-norm
 check_failure 3 "line 9601" --orient-only bad.xyz old.ply
 check_failure 1 "--max-memory" --orient-only cube.xyz old.ply --max-memory 1mb
 check_failure 4 "no/out.ply" --orient-only cube.xyz no/out.ply
+CUDA_VISIBLE_DEVICES=-1 check_failure 1 "--device cuda" --orient-only cube.xyz old.ply --device cuda
+CUDA_VISIBLE_DEVICES=-1 run --orient-only cube.xyz estimated.xyz --device auto --json orient.json
+check "an orientation falls back to the processor" grep -q '"used": "cpu"' orient.json
 for option in "--points 5" "--percentage 5" "--method lor" --use-normals --convert-only \
-    --keep-outliers "--device cpu" "--snapshot x.png"; do
+    --keep-outliers "--solver cholesky" "--snapshot x.png"; do
   # shellcheck disable=SC2086
   check_failure 2 "--orient-only" --orient-only cube.xyz old.ply $option
 done

@@ -132,7 +132,7 @@ void wrong_orientations()
   CGAL::l0_orient_normals<CGAL::Sequential_tag>(pairs, np);
   // refused: normal_map needs values of type Vector_3.
   CGAL::l0_orient_normals<CGAL::Sequential_tag>(pairs, np.neighbor_radius(1.).normal_map(First()));
-  // refused: l0_orient_normals() runs on the CPU only, not with CUDA_tag.
+  // refused: CUDA_tag needs a compiled library: link with the CMake target CGAL::L0_CUDA_support.
   CGAL::l0_orient_normals<CGAL::CUDA_tag>(pairs, np.normal_map(Second()));
   // refused: resampling_report has to be the address of a Report.
   CGAL::l0_orient_normals<CGAL::Sequential_tag>(

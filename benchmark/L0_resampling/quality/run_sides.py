@@ -77,10 +77,7 @@ def measure_scenes(bench, scenes, with_viewpoints):
         bench.run("scan_scene", scene, scan, "--scanner", scanner, "--views", views, "--columns", 300)
         options = []
         if with_viewpoints:
-            places = [line.split()[1:] for line in Path(f"{scan}_views.txt").read_text().splitlines()]
-            viewpoints = bench.scratch / "viewpoints.txt"
-            viewpoints.write_text("".join(" ".join(place) + "\n" for place in places))
-            options = ["--viewpoints", viewpoints, "--view-property", "view"]
+            options = ["--viewpoints", f"{scan}_views.txt", "--view-property", "view"]
         rows.append((f"{scene}, {scanner}, views {views}",
                      *resample_and_measure(bench, f"{scan}_truth.off", f"{scan}.ply", options)))
     return rows

@@ -39,9 +39,9 @@ MEASURES = (
 
 
 def read_viewpoints(path):
-    """Positions of the views, by their numbers."""
-    rows = [line.split() for line in path.read_text(encoding="ascii").splitlines()]
-    return {int(row[0]): [float(number) for number in row[1:]] for row in rows}
+    """Positions of the views, by their numbers, which count from 0."""
+    rows = path.read_text(encoding="ascii").splitlines()
+    return [[float(number) for number in row.split()] for row in rows]
 
 
 def ratio(experiment, measure):

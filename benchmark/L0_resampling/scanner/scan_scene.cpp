@@ -31,8 +31,8 @@ void write_truth(const std::string& path, const Triangle_mesh& mesh)
 void write_viewpoints(const std::string& path, const std::vector<Point_3>& viewpoints)
 {
   std::ofstream stream(path);
-  for (std::size_t view = 0; view < viewpoints.size(); ++view)
-    stream << view << std::fixed << std::setprecision(6) << " " << viewpoints[view] << "\n";
+  for (const Point_3& viewpoint : viewpoints)
+    stream << std::fixed << std::setprecision(6) << viewpoint << "\n";
   if (!stream.flush())
     throw std::runtime_error(path + ": cannot be written");
 }
@@ -45,8 +45,8 @@ int main(int argc, char* argv[])
     "Scans a scene with known errors.\n\n"
     "Writes OUTPUT.ply, the points as they are reported, each with the number of its view;\n"
     "OUTPUT_exact.ply, in the same order where the middle of each beam met the scene;\n"
-    "OUTPUT_truth.off, the scene; OUTPUT_views.txt, number and position of each view as "
-    "registered.\n"
+    "OUTPUT_truth.off, the scene; OUTPUT_views.txt, a line with the position of each view as "
+    "registered, which --viewpoints of l0_resample reads.\n"
     "Lengths of the scenes are meters. The same options give the same bytes.");
   std::string scene_name, output, kind;
   std::size_t columns = 0;

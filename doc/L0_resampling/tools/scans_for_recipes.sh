@@ -28,5 +28,5 @@ cd "$3"
 # The same stairs twice, once with a quarter of the points
 "$programs/sample_mesh" "$data/staircase.off" first.ply --points 16000 --noise 0.3 --seed 1
 "$programs/sample_mesh" "$data/staircase.off" second.ply --points 4000 --noise 0.3 --seed 2
-awk '{ print $2, $3, $4 }' survey_views.txt > stations.txt
+mv survey_views.txt stations.txt
 rm -- *_truth.off *_exact.ply *_views.txt

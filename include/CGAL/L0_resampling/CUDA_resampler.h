@@ -12,6 +12,7 @@
 
 #include <CGAL/L0_resampling/Report.h>
 #include <CGAL/L0_resampling/internal/Device_progress.h>
+#include <CGAL/L0_resampling/internal/Device_session.h>
 #include <CGAL/L0_resampling/internal/Point_data.h>
 #include <CGAL/L0_resampling/internal/checked_parameters.h>
 #include <CGAL/L0_resampling/internal/checked_types.h>
@@ -42,50 +43,6 @@ namespace CGAL {
 namespace L0_resampling {
 
 namespace internal {
-
-struct Destroy_session
-{
-  void operator()(cuda::Session* session) const noexcept { cuda::destroy(session); }
-};
-
-/// What the device did, as the report that users know.
-inline void fill_report(const cuda::Call_report& call, Report& report)
-{
-  report.number_of_outliers = call.number_of_outliers;
-  report.number_of_distinct_points = call.number_of_distinct_points;
-  report.number_of_degenerate_neighborhoods = call.number_of_degenerate_neighborhoods;
-  report.number_of_lonely_samples = call.number_of_lonely_samples;
-  report.number_of_self_neighbor_pairs = call.number_of_self_neighbor_pairs;
-  report.neighbor_radius = call.neighbor_radius;
-  report.least_neighbor_radius = call.least_neighbor_radius;
-  report.median_neighbor_radius = call.median_neighbor_radius;
-  report.largest_neighbor_radius = call.largest_neighbor_radius;
-  report.normal_filter_radius = call.normal_filter_radius;
-  report.estimated_spacing = call.estimated_spacing;
-  report.estimated_noise = call.estimated_noise;
-  report.oriented_share = call.oriented_share;
-  report.right_side_share = call.right_side_share;
-  report.hinted_share = call.hinted_share;
-  report.extent_share = call.extent_share;
-  report.peak_bytes = call.peak_bytes;
-  for (std::size_t i = 0; i < call.number_of_stages; ++i)
-    report.stages.push_back(
-      {call.stages[i].name, call.stages[i].seconds, call.stages[i].peak_bytes});
-  for (std::size_t i = 0; i < call.number_of_iterations; ++i)
-  {
-    const cuda::Iteration& iteration = call.iterations[i];
-    report.iterations.push_back(
-      {iteration.penalty,
-       iteration.regularized,
-       iteration.fit_energy,
-       iteration.regularization_energy,
-       iteration.normal_energy,
-       iteration.sparsity_energy,
-       iteration.active_pair_share,
-       {iteration.solver_iterations, iteration.relative_residual, iteration.converged}});
-    report.converged = report.converged && iteration.converged;
-  }
-}
 
 /// The nearest points of a range, found by all threads of the host.
 template <typename FT, typename PointRange, typename PointMap>
@@ -163,20 +120,14 @@ class CUDA_resampler
   using Point = typename Kernel::Point_3;
   using Normal = typename Kernel::Vector_3;
 
-  std::unique_ptr<internal::cuda::Session, internal::Destroy_session> m_session;
+  internal::Device_session m_session;
   internal::Input m_box; // without points
   std::size_t m_size = 0, m_number_of_dropped_points = 0;
   bool m_has_hints = false, m_has_viewpoints = false; // of the points: one of both at most
 
 public:
   /// \throws Device_error if there is no usable device
-  CUDA_resampler()
-  {
-    internal::cuda::Session* session = nullptr;
-    const internal::cuda::Answer answer = internal::cuda::create(session);
-    m_session.reset(session);
-    internal::throw_if_failed(answer);
-  }
+  CUDA_resampler() : m_session(internal::new_device_session()) {}
 
   /// Brings points to the device, in place of those it holds.
   /// \param points as for `l0_resample_point_set()`

@@ -48,6 +48,15 @@ def test_missing_normals_are_estimated(sphere, turned):
                              numpy.delete(sphere * 3, [5, 6], 0))
 
 
+def test_device(sphere, turned):
+    normals, report = l0_orient_normals(sphere, turned, device="auto", report=True)
+    assert numpy.array_equal(normals, 3 * sphere) and report.device_reason != "asked for"
+    assert l0_orient_normals(sphere, report=True)[1].device == "cpu"
+    if report.device == "cpu":
+        with pytest.raises(RuntimeError, match="^device='cuda'"):
+            l0_orient_normals(sphere, device="cuda")
+
+
 def test_sides(sphere, turned):
     for inwards in ({"viewpoint": (0, 0, 0.1)}, {"viewpoints": 0 * sphere},
                     {"orientation_hints": -sphere}):
@@ -78,6 +87,7 @@ def test_parameters_are_passed_on(sphere):
     (ValueError, "^neighbor_radius is -1", {"neighbor_radius": -1}),
     (TypeError, "^neighbor_radius is 'x'", {"neighbor_radius": "x"}),
     (ValueError, "^threads is 0", {"threads": 0}),
+    (ValueError, "^device is 'gpu', expected one of 'cpu', 'cuda', 'auto'", {"device": "gpu"}),
     (ValueError, "no up_direction beside it", {"viewpoint": (0, 0, 0), "up_direction": (0, 0, 1)}),
     (ValueError, r"^normals is .* expected shape \(3000, 3\)", {"normals": [[0, 0, 1]]}),
 ])

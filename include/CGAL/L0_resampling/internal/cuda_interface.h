@@ -128,7 +128,7 @@ enum class Fault
 
 /// Plants a fault, in place of any other that was planted and has not come yet.
 /// \param countdown which one of the next allocations fails, from 1; for a kernel, which one of the
-/// next calls of `resample()` runs it
+/// next calls of `resample()` or `orient()` runs it
 void plant_fault(Fault fault, std::size_t countdown);
 
 /// A sparse matrix in compressed rows.

@@ -30,12 +30,13 @@ namespace internal {
 template <typename ConcurrencyTag, typename T>
 Buffer<Edge> rated_edges(const Buffer<Vector>& positions,
                          const Buffer<Eigen::Matrix<T, 3, 1>>& normals,
-                         std::size_t number_of_neighbors, double spacing, Progress& progress)
+                         std::size_t number_of_neighbors, double spacing, double noise_of_heights,
+                         Progress& progress)
 {
   const double radius_of_that_many = spacing * std::sqrt(double(number_of_neighbors) / 2);
   const Nearest_samples nearest = find_nearest_samples<ConcurrencyTag>(
     positions, number_of_neighbors, radius_of_that_many, progress);
-  const T squared_spacing = T(spacing * spacing);
+  const T squared_spacing = T(spacing * spacing + noise_of_heights * noise_of_heights);
   const auto append_edges_of = [&](Index i, Buffer<Edge>& edges) {
     for (const Index* other = nearest.begin(i); other != nearest.end(i); ++other)
     {
@@ -135,6 +136,7 @@ struct Tree
          largest_flux =
            0; // of the divergence theorem, and if all normals pointed away from the center
   Side_votes votes;
+  std::size_t size = 0;
   Index largest_sure_set = 0;
   double sum_of_winding_numbers = 0;
   Index number_of_dipoles = 0;
@@ -163,7 +165,8 @@ struct Tree
   double confidence() const
   {
     return votes.are_clear() ? confidence_of_hints(votes)
-                             : confidence_of_tree(std::abs(mean_winding_number()));
+                             : confidence_of_tree(std::abs(mean_winding_number()),
+                                                  normal_sum.norm() / double(size));
   }
 };
 
@@ -193,6 +196,7 @@ Buffer<Tree> trees_of_samples(const Signed_union_find& sets, const Buffer<Index>
     tree.flux += normal.dot(from_center);
     tree.largest_flux += from_center.norm();
     tree.normal_sum += normal;
+    ++tree.size;
     const double vote = normal.dot(hints.direction_of(i));
     tree.votes.sum += vote;
     tree.votes.total += std::abs(vote);
@@ -267,17 +271,18 @@ indices; no sample changes its place.
 \param number_of_neighbors of the graph, at least 1
 \param spacing of the samples, roughly: more than a 1000th of it, and not so much that it spans the
 cloud
+\param noise_of_heights heights within it tell nothing of a fold, as those within the spacing
 */
 template <typename ConcurrencyTag, typename T>
 Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_of_neighbors,
                            double spacing, const Side_hints& hints, Progress& progress,
-                           Buffer<Eigen::Matrix<T, 3, 1>>& normals)
+                           Buffer<Eigen::Matrix<T, 3, 1>>& normals, double noise_of_heights = 0)
 {
   const auto normal = [&](Index i) -> Vector { return normals[i].template cast<double>(); };
   const std::size_t m = positions.size();
   Voting faces = [&] {
     const Buffer<Edge> edges = rated_edges<ConcurrencyTag>(positions, normals, number_of_neighbors,
-                                                           spacing, progress);
+                                                           spacing, noise_of_heights, progress);
     Signed_union_find sets = grow_forest<ConcurrencyTag>(
       edges, sets_of_viewpoints(m, hints, normal, positions.get_allocator()));
     Buffer<Vote> votes = votes_of_edges<ConcurrencyTag>(edges, sets);

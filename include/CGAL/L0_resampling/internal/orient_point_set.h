@@ -14,10 +14,9 @@
 #include <CGAL/L0_resampling/internal/prepare_points.h>
 #include <CGAL/L0_resampling/internal/run.h>
 #include <CGAL/L0_resampling/internal/side_hints.h>
+#include <CGAL/L0_resampling/internal/spacing_to_orient.h>
 #include <CGAL/L0_resampling/internal/thin_crowds.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -31,17 +30,6 @@ inline std::size_t least_memory_to_orient(std::size_t n)
 {
   return n * (2 * sizeof(Vector) + sizeof(Local_vector) + sizeof(Index));
 }
-
-/// The spacing of points that stand for all others, where the noise is much larger than the spacing
-/// of the points: as multiple of its standard deviation. Between points that are nearer to each
-/// other, heights tell nothing of a fold.
-constexpr double spacing_of_representatives_per_noise = 1.5;
-
-/// Heights of points over each other's tangent planes tell nothing of a fold as long as they are
-/// within the noise: it counts as so much spacing, as multiple of its standard deviation. With less
-/// single points of a smooth surface turn against all around them; with six, the two sheets of thin
-/// plates mix.
-constexpr double spacing_within_noise = 4;
 
 /// The normals of the points that stand for all points of a set.
 struct Oriented_representatives
@@ -103,8 +91,8 @@ private:
   }
 };
 
-/// For points at one place the first one, with the last one's normal and hint: that is a given one,
-/// if any is.
+/// For points at one place the first one, with the largest normal and hint that are given: by x,
+/// then y, then z.
 inline Representatives representatives_of_places(Thinned_points& points)
 {
   const Buffer<Vector>& positions = points.positions;
@@ -118,7 +106,7 @@ inline Representatives representatives_of_places(Thinned_points& points)
     const Index first = is_new ? Index(i) : result.of_points.back();
     result.of_points.push_back(first);
     for (Buffer<Local_vector>* vectors : {&points.normals, &points.hints})
-      if (!is_new && !vectors->empty())
+      if (!is_new && !vectors->empty() && !(*vectors)[i].isZero(0))
         (*vectors)[first] = (*vectors)[i];
   });
   return result;
@@ -176,10 +164,10 @@ Oriented_representatives orient_point_set(Buffer<Vector>& positions,
                                           points.positions, most_points_of_subcell));
   estimate_missing_normals<ConcurrencyTag>(plan, progress, report, points);
 
-  double spacing = plan.sample_spacing;
-  if (spacing_of_representatives_per_noise * plan.noise > spacing)
+  const std::size_t number_of_points = points.positions.size();
+  const double spacing = spacing_of_representatives(plan.sample_spacing, plan.noise);
+  if (spacing > plan.sample_spacing)
   {
-    spacing = spacing_of_representatives_per_noise * plan.noise;
     const double cell_size = subcells_per_axis * spacing;
     points.sort<ConcurrencyTag>(cell_size);
     points.keep(thin_crowds<ConcurrencyTag>(
@@ -188,9 +176,9 @@ Oriented_representatives orient_point_set(Buffer<Vector>& positions,
   progress.begin_stage("orient normals", 0.5, points.positions.size());
   const Orientation orientation = orient_normals<ConcurrencyTag>(
     points.positions, parameters.number_of_orientation_neighbors,
-    std::hypot(spacing, spacing_within_noise * plan.noise),
+    spacing_on_surface(plan.sample_spacing, number_of_points, points.positions.size()),
     side_hints(parameters, all_points.frame(), points.positions, points.hints), progress,
-    points.normals);
+    points.normals, noise_of_heights(plan.noise));
   report.oriented_share = orientation.oriented_share;
   report.right_side_share = orientation.right_side_share();
   report.hinted_share = orientation.hinted_share;

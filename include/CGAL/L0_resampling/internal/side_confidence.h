@@ -26,8 +26,16 @@ and -1/2 where the surface is turned inside out.
 struct Side_evidence
 {
   double winding_number = 0;
-  double agreement = 0; ///< with the others, per the sum of the absolute values; in [-1, 1]
+  /// with the others that are not too near, per the sum of the absolute values; in [-1, 1]
+  double agreement = 0;
 };
+
+/// From which squared distance on two dipoles are evidence of each other's sides. Those of one flat
+/// sheet disagree when they are nearer than this: each is in the core of the other.
+CGAL_L0_HOST_DEVICE inline double least_squared_distance_of_evidence(double squared_core)
+{
+  return 2 * squared_core;
+}
 
 CGAL_L0_HOST_DEVICE inline double logistic(double x)
 {
@@ -49,17 +57,25 @@ CGAL_L0_HOST_DEVICE inline bool is_turned_by_windings(bool is_turned_inwards,
 constexpr double guessed_confidence = 0.5;
 
 /// How sure it is that a tree that no hints turn has its outside out. Terrain, and walls that are
-/// seen from within, have mean winding numbers of up to 0.09, and no outside to be known by.
-CGAL_L0_HOST_DEVICE inline double confidence_of_tree(double mean_winding_number)
+/// seen from within, have mean winding numbers as large as views of an object have, and no outside
+/// to be known by: the less all normals face one way, the more does the surface enclose of what is
+/// around it or within it, and the larger has the number to be.
+/// \param facing_share length of the mean of its normals
+CGAL_L0_HOST_DEVICE inline double confidence_of_tree(double mean_winding_number,
+                                                     double facing_share)
 {
-  const double middle = 0.1, slope = 100;
-  const double confidence = logistic(slope * (mean_winding_number - middle));
+  const double middle_of_view = 0.092, facing_share_of_view = 0.7, middle_per_share = 0.2,
+               slope = 150;
+  const double turning = facing_share < facing_share_of_view ? facing_share_of_view - facing_share
+                                                             : 0;
+  const double confidence = logistic(
+    slope * (mean_winding_number - middle_of_view - middle_per_share * turning));
   return confidence > 0.5 ? confidence : 0.5;
 }
 
 /// How sure it is that a dipole has the side that its tree has as a whole. A logistic regression
-/// over resampled closed meshes, views of them, and scenes, with noise of 0 to 1.2 % of the
-/// diagonal; see the page on accuracy.
+/// over resampled closed meshes, with noise of 0 to 1.2 % of the diagonal, and views of them; see
+/// the page on accuracy.
 CGAL_L0_HOST_DEVICE inline double confidence_within_tree(const Side_evidence& evidence,
                                                          double mean_winding_number)
 {
@@ -67,9 +83,9 @@ CGAL_L0_HOST_DEVICE inline double confidence_within_tree(const Side_evidence& ev
     return x < low ? low : x > high ? high : x;
   };
   const double mean = within(mean_winding_number, 0.05, 1);
-  return logistic(1.22 + 1.33 * within(evidence.winding_number / mean, -2, 1)
-                  + 2.46 * within(evidence.agreement, -1, 0.7)
-                  - 7.25 * within(evidence.winding_number - 0.55, 0, 1));
+  return logistic(-1.98 + 4.32 * within(evidence.winding_number / mean, -1, 0.7)
+                  + 4.86 * within(evidence.agreement, -1, 0.7)
+                  - 5.93 * within(evidence.winding_number - 0.55, 0, 1));
 }
 
 /// How sure the side of a sample is, from how sure that of its tree is, and it within the tree;

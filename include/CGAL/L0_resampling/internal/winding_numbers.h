@@ -77,7 +77,8 @@ public:
   Side_evidence evidence_of(std::size_t k, double area) const
   {
     using L = Lanes<double>;
-    const double squared_core = squared_core_of_dipole(area);
+    const double squared_core = squared_core_of_dipole(area),
+                 least_squared_distance = least_squared_distance_of_evidence(squared_core);
     const std::size_t place = m_place_of_dipole[k];
     const auto [begin, end] = m_trees[m_tree_of_dipole[k]];
     const auto own = [&](std::size_t c) { return m_coordinates[c][place]; };
@@ -90,17 +91,15 @@ public:
       const L height = nx * x + ny * y + nz * z, own_height = x * own(3) + y * own(4) + z * own(5),
               cosine = nx * own(3) + ny * own(4) + nz * own(5);
       const L squared_distance = x * x + y * y + z * z;
-      const L of_pair = dipole_agreement(cosine, height * own_height, squared_distance,
-                                         squared_core);
+      const L of_pair =
+        where_less(-squared_distance, -least_squared_distance,
+                   dipole_agreement(cosine, height * own_height, squared_distance, squared_core));
       winding += winding_number_of_dipole(height, squared_distance, squared_core);
       agreement += of_pair;
       total += abs(of_pair);
     }
-    const double with_itself = dipole_agreement(1., 0., 0., squared_core);
-    const double all_others = total.sum() - std::abs(with_itself);
-    const double rounding = 1e-9 * std::abs(with_itself); // of a tree of one dipole
-    return {winding.sum() * area,
-            all_others > rounding ? (agreement.sum() - with_itself) / all_others : 0};
+    const double all = total.sum();
+    return {winding.sum() * area, all > 0 ? agreement.sum() / all : 0};
   }
 
 private:
