@@ -59,6 +59,8 @@ template <typename ConcurrencyTag, typename FT>
 class Cpu_backend : public Cpu_points<ConcurrencyTag>
 {
   using Base = Cpu_points<ConcurrencyTag>;
+
+protected: // for backends that differ in a stage
   using Base::m_frame;
   using Base::m_input;
   using Base::m_progress;
@@ -325,7 +327,8 @@ public:
 
   // The end
 
-  void orient_normals(const Plan& plan)
+  /// \returns the orientation, but for the confidences if these are kept for the result
+  Orientation orient_normals(const Plan& plan)
   {
     Orientation orientation = internal::orient_normals<ConcurrencyTag>(
       m_samples.positions, plan.number_of_orientation_neighbors, plan.sample_spacing,
@@ -336,6 +339,7 @@ public:
     if (m_parameters.with_side_confidences)
       m_side_confidences = std::move(orientation.confidences);
     m_report.hinted_share = orientation.hinted_share;
+    return orientation;
   }
 
   void project_to_local_quadrics(const Plan& plan)
@@ -383,7 +387,7 @@ public:
 
   void end(const Plan&) { m_progress.end_stage(); }
 
-private:
+protected:
   Areas areas_of_points(const Plan& plan)
   {
     return internal::areas_of_points<ConcurrencyTag, Local>(

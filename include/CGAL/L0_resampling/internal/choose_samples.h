@@ -59,12 +59,14 @@ Followers take_followers(const Plan& plan, const Buffer<float>& scales, Initial_
   });
   followers.leaders.reserve(m - number_of_kept);
   followers.offsets.reserve(m - number_of_kept);
+  followers.sources.reserve(m - number_of_kept);
   for_each_in_order(m, [&](std::size_t i) {
     const Index leader = in_old_order.of_points[i];
     if (leader == i)
       return;
     followers.leaders.push_back(places[leader]);
     followers.offsets.push_back(samples.positions[i] - samples.positions[leader]);
+    followers.sources.push_back(samples.sources[i]);
   });
   followers.numbers_of_samples = in_old_order.numbers_of_points();
   in_old_order.keep(samples.positions);
@@ -93,18 +95,17 @@ Placed_samples place_samples(const Plan& plan, const Prepared_points& input, con
   return {std::move(start), std::move(followers)};
 }
 
-/// Section 3.2: the first S.
+/// Section 3.2: the first S, where they are placed.
 /// \param areas that the points stand for, if the plan uses them
 /// \param hints used up
 /// \param samples out: all but what the fit finds
 /// \returns the samples that follow others
-template <typename ConcurrencyTag, typename FT>
-Followers choose_samples(const Plan& plan, const Prepared_points& input, const Areas& areas,
-                         Buffer<Local_vector>& hints, Progress& progress, Samples<FT>& samples)
+template <typename FT>
+Followers take_samples(const Plan& plan, const Prepared_points& input, const Areas& areas,
+                       Placed_samples placed, Buffer<Local_vector>& hints, Samples<FT>& samples)
 {
   const Buffer<Vector>& points = input.points;
   const std::size_t m = plan.number_of_samples;
-  Placed_samples placed = place_samples<ConcurrencyTag>(plan, input, areas, progress);
   Initial_samples& start = placed.start;
   samples.positions = std::move(start.positions);
   const std::size_t size = samples.positions.size();
@@ -148,6 +149,15 @@ Followers choose_samples(const Plan& plan, const Prepared_points& input, const A
   fill_buffer(size, FT(0), samples.fit_weights);
   samples.fit_centroids = copy_of(samples.positions);
   return std::move(placed.followers);
+}
+
+/// Section 3.2: the first S. Parameters and result are those of `take_samples()`.
+template <typename ConcurrencyTag, typename FT>
+Followers choose_samples(const Plan& plan, const Prepared_points& input, const Areas& areas,
+                         Buffer<Local_vector>& hints, Progress& progress, Samples<FT>& samples)
+{
+  return take_samples(plan, input, areas,
+                      place_samples<ConcurrencyTag>(plan, input, areas, progress), hints, samples);
 }
 
 } // namespace internal
