@@ -90,6 +90,16 @@ l0_resample scan.ply strict.ply --json report.json --strict
 l0_resample scan.ply modest.ply --max-points 100000 --max-memory 1GB --timeout 300 --threads 1
 #! [limits]
 
+#! [large]
+# All files are parts of one cloud, which need not fit into memory: a file for each tile
+l0_resample scans/*.ply --as-one --points 3000 --memory 1GB --output-directory tiles
+#! [large]
+
+#! [resume]
+# The same after a crash: what is done already is kept
+l0_resample scans/*.ply --as-one --points 3000 --memory 1GB --output-directory tiles --resume
+#! [resume]
+
 #! [config]
 # Options that are always the same, in a file
 printf 'points = 3000\nquiet = true\n' > settings.conf

@@ -13,12 +13,25 @@
 
 namespace l0_tool {
 
+void Point_collector::refuse_memory() const
+{
+  throw Failure(RUN_TIME_FAILURE,
+                m_file.path() + ": the points alone take more than the "
+                  + std::to_string(m_options.max_memory) + " bytes that "
+                  + (m_options.on_point ? "--memory leaves for them" : "--max-memory allows"));
+}
+
 void Point_collector::check_limits(std::uint64_t number_of_points) const
 {
   if (number_of_points > m_options.max_points)
     throw Failure(INPUT_REFUSED, m_file.path() + ": more than the "
                                    + std::to_string(m_options.max_points)
                                    + " points that --max-points allows");
+  if (m_options.on_point) {
+    if (m_buffer_size > m_options.max_memory)
+      refuse_memory();
+    return;
+  }
   const std::uint64_t point_size = sizeof(Point)
                                    + (m_has_normals && m_options.with_normals ? sizeof(Vector) : 0)
                                    + m_cloud.properties.row_size();
@@ -26,9 +39,7 @@ void Point_collector::check_limits(std::uint64_t number_of_points) const
     m_buffer_size + (m_are_normals_apart ? m_cloud.normals.size() : 0) * sizeof(Vector);
   if (others > m_options.max_memory
       || number_of_points > (m_options.max_memory - others) / point_size)
-    throw Failure(RUN_TIME_FAILURE, m_file.path() + ": the points alone take more than the "
-                                      + std::to_string(m_options.max_memory)
-                                      + " bytes that --max-memory allows");
+    refuse_memory();
 }
 
 std::size_t Point_collector::add_property(const std::string& name, Number_type type)
@@ -54,6 +65,8 @@ void Point_collector::announce_buffer(std::uint64_t count, std::uint64_t buffer_
 
 void Point_collector::reserve(std::uint64_t count)
 {
+  if (m_options.on_point)
+    return;
   m_cloud.points.reserve(count);
   if (m_has_normals && m_options.with_normals)
     m_cloud.normals.reserve(count);
@@ -79,6 +92,10 @@ void Point_collector::add(const Point_row& row)
   check_limits(m_cloud.points.size() + 1);
   if (m_are_normals_unnamed)
     measure_vector(row);
+  if (m_options.on_point) {
+    m_options.on_point(Point(row[0], row[1], row[2]));
+    return;
+  }
   m_cloud.points.emplace_back(row[0], row[1], row[2]);
   if (m_has_normals && m_options.with_normals)
     m_cloud.normals.emplace_back(row[3], row[4], row[5]);

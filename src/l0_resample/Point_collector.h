@@ -40,6 +40,7 @@ class Point_collector
   std::vector<char> m_next_properties;     // of the next row
   Point_cloud m_cloud;
 
+  [[noreturn]] void refuse_memory() const;
   void check_limits(std::uint64_t number_of_points) const;
   void measure_vector(const Point_row& row);
   void drop_other_vectors();

@@ -93,6 +93,21 @@ void check_nothing_is_overwritten(const std::vector<Batch_item>& items)
 
 } // namespace
 
+std::vector<Batch_item> parts_of_cloud(const std::vector<std::string>& inputs,
+                                       std::optional<File_format> input_format)
+{
+  std::vector<Batch_item> items = items_of(inputs);
+  for (Batch_item& item : items) {
+    if (!item.refusal.empty())
+      throw Failure(INPUT_REFUSED, item.refusal);
+    const std::optional<File_format> format = input_format ? input_format : format_of(item.input);
+    if (!format)
+      throw Failure(INPUT_REFUSED, unknown_extension(item.input, "--input-format"));
+    item.input_format = *format;
+  }
+  return items;
+}
+
 std::vector<Batch_item> plan_batch(const std::vector<std::string>& inputs,
                                    const std::string& directory,
                                    std::optional<File_format> input_format,

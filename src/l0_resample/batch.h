@@ -46,6 +46,12 @@ std::vector<Batch_item> plan_batch(const std::vector<std::string>& inputs,
                                    std::optional<File_format> input_format,
                                    std::optional<File_format> output_format);
 
+/// The files, and those of folders, in the same order each time, with their formats.
+/// \param input_format of all of them; by their extensions, if not given
+/// \throws Failure with INPUT_REFUSED for the first one that cannot be read
+std::vector<Batch_item> parts_of_cloud(const std::vector<std::string>& inputs,
+                                       std::optional<File_format> input_format);
+
 } // namespace l0_tool
 
 #endif // L0_RESAMPLE_BATCH_H

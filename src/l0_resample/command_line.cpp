@@ -162,13 +162,16 @@ std::vector<unsigned> parse_classes(const std::string& option, const std::string
 void add_options_on_result(CLI::App& app, Arguments& arguments)
 {
   Options& options = arguments.options;
-  auto* output = app.add_option("-o,--output", arguments.output, "instead of OUTPUT behind INPUT")
-                   ->type_name("OUTPUT");
+  app.add_option("-o,--output", arguments.output, "instead of OUTPUT behind INPUT")
+    ->type_name("OUTPUT");
   app
     .add_option("--output-directory", arguments.output_directory,
                 "a batch: results of all FILES, and of folders, under their names")
-    ->type_name("FOLDER")
-    ->excludes(output);
+    ->type_name("FOLDER");
+  app
+    .add_flag("--as-one", arguments.tiles.is_as_one,
+              "FILES are parts of one cloud of any size, and results tiles of it")
+    ->needs(app.get_option("--output-directory"));
   add_choice(app, "--output-format", "FORMAT", written_formats(), options.output_format,
              "of OUTPUT")
     ->default_str("by extension");
@@ -339,6 +342,14 @@ void add_options_on_machine(CLI::App& app, Arguments& arguments)
                 "fail rather than take more, in bytes or as in 4GB")
     ->transform(CLI::AsSizeValue(false).description(""))
     ->type_name("SIZE");
+  auto* as_one = app.get_option("--as-one");
+  auto* memory = app
+                   .add_option("--memory", arguments.tiles.memory,
+                               "with --as-one: what it may take, which decides on the tiles")
+                   ->transform(CLI::AsSizeValue(false).description(""))
+                   ->type_name("SIZE")
+                   ->needs(as_one);
+  as_one->needs(memory);
   app.add_option("--timeout", options.timeout, "fail after so many seconds")
     ->check(number_within(0, false, 1e8, "a number of seconds above 0"))
     ->type_name("SECONDS");
@@ -346,6 +357,13 @@ void add_options_on_machine(CLI::App& app, Arguments& arguments)
 
 void add_other_tasks(CLI::App& app, Arguments& arguments)
 {
+  auto* as_one = app.get_option("--as-one");
+  app
+    .add_flag("--resume", arguments.tiles.resumes,
+              "with --as-one: go on where an earlier run has ended")
+    ->needs(as_one);
+  // for programs that run steps in an order and on machines of their own; hidden
+  app.add_option("--task", arguments.tiles.task)->needs(as_one)->group("");
   app.add_flag("--info", arguments.options.info,
                "tell what INPUT is and what the defaults would be; write nothing");
   app.add_flag("--dry-run", arguments.options.dry_run,
@@ -412,6 +430,11 @@ void add_options(CLI::App& app, Arguments& arguments)
                  {"output", "output-directory", "output-format", "force", "dry-run", "json",
                   "device", "neighbor-radius", "orient-by-normals", "viewpoint", "viewpoints",
                   "view-property", "up"});
+  exclude_others(app, "as-one",
+                 {"output-directory", "output-format", "force", "points", "percentage",
+                  "keep-density", "keep-outliers", "neighbor-radius", "normal-weight",
+                  "sharpness-angle", "seed", "viewpoint", "up", "json", "memory", "resume",
+                  "output", "task"});
   exclude_others(app, "info",
                  {"points", "percentage", "method", "neighbor-radius", "keep-outliers",
                   "outlier-sensitivity"});

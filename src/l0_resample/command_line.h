@@ -27,6 +27,7 @@ struct Arguments
   std::string output_directory;
   std::string config;
   Options options;
+  Tile_options tiles;
 };
 
 /// The table of all options: what parses the command line, and what --help, the man page and the

@@ -7,6 +7,7 @@
 #include "options.h"
 #include "report_json.h"
 #include "run.h"
+#include "run_as_one.h"
 #include "run_batch.h"
 #include "signals.h"
 
@@ -34,5 +35,7 @@ int main(int argc, char** argv)
   if (const std::optional<int> status = parse_command_line(argc, argv, command))
     return *status;
   catch_signals(command.runs.front().timeout);
+  if (command.tiles.is_as_one)
+    return run_as_one(command);
   return command.is_batch() ? run_batch(command) : run_alone(command.runs.front());
 }

@@ -22,9 +22,8 @@ namespace {
 constexpr const char* summary =
   "turns noisy points into clean, evenly spread, oriented ones that keep sharp features";
 
-constexpr std::array<const char*, 3> usages = {
-  "l0_resample [OPTIONS] INPUT OUTPUT", "l0_resample [OPTIONS] INPUT... --output-directory FOLDER",
-  "l0_resample --info INPUT"};
+constexpr std::array<const char*, 2> usages = {
+  "l0_resample [OPTIONS] INPUT OUTPUT", "l0_resample [OPTIONS] INPUT... --output-directory FOLDER"};
 
 constexpr std::array<const char*, 3> examples = {
   "l0_resample scan.ply clean.ply --percentage 50 --snapshot picture.png",
@@ -37,7 +36,7 @@ struct Section
   const char* text; ///< paragraphs, with an empty line between them
 };
 
-constexpr std::array<Section, 9> sections = {
+constexpr std::array<Section, 10> sections = {
   {{"FILES",
     R"(PLY and PCD (ASCII, binary and compressed), LAS, OFF, XYZ, NPY, CSV and OBJ are read. PLY
 and PCD (binary), LAS, OFF, XYZ and NPY are written with normals, as a whole or not at all. What
@@ -97,6 +96,15 @@ one of no known format, and their number; the others are not harmed. The exit st
 the failures if they all have the same, else 1. After SIGINT, SIGTERM or --timeout no other file
 is begun. A result never takes the place of an input, or of another result. --snapshot names a
 folder, which gets NAME.png of each result NAME.)"},
+   {"LARGE CLOUDS",
+    R"(--as-one takes all FILES as parts of one cloud, of any size. It is cut into tiles, each of
+which with the points around it takes no more than --memory. --output-directory gets a file for each
+tile, and index.json, which tells of them; --output writes all points to one file too. The number of
+points is that of --points or --percentage. Properties and normals of the input are not used.
+
+Steps are kept in the folder work of the output directory until all is done. --resume goes on with
+them after a crash, and makes again what is damaged; a run with another input or other options is
+refused. A folder that has a run is refused without --resume, or --force, which begins anew.)"},
    {"CONFIGURATION",
     R"(The file that --config names has lines such as "method = lor" or "force = true": the long
 name of an option, and its value, or true or false for one that takes none. Lines that begin with
@@ -116,10 +124,12 @@ gets it. Notes, warnings and errors are lines on standard error.)"},
 refused, 4 output not written, 5 not converged (with --strict), 130 and 143 cancelled by SIGINT
 and SIGTERM.)"}}};
 
-/// With a name, that is.
+/// With a name, that is, and with a group: those without one are not for the command line of users.
 std::vector<const CLI::Option*> options_of(const CLI::App& app)
 {
-  return app.get_options([](const CLI::Option* option) { return option->nonpositional(); });
+  return app.get_options([](const CLI::Option* option) {
+    return option->nonpositional() && !option->get_group().empty();
+  });
 }
 
 /// In the order in which they begin.

@@ -143,6 +143,38 @@ std::vector<Options> batch_of(const CLI::App& app, const std::vector<std::string
   return runs;
 }
 
+std::vector<Options> parts_of(const CLI::App& app, const std::vector<std::string>& inputs,
+                              const Options& options)
+{
+  for (const char* option : {"--max-points", "--max-memory"})
+    if (app.count(option) > 0)
+      refuse_usage(std::string(option) + " excludes --as-one");
+  std::vector<Options> parts;
+  for (const Batch_item& item : parts_of_cloud(
+         inputs, app.count("--input-format") > 0 ? std::optional<File_format>(options.input_format)
+                                                 : std::nullopt)) {
+    parts.push_back(options);
+    parts.back().input = item.input;
+    parts.back().input_format = item.input_format;
+    check_columns(parts.back());
+  }
+  return parts;
+}
+
+void check_merged_output(const std::string& path, const Options& options)
+{
+  if (path.empty())
+    return;
+  const std::optional<File_format> format = format_of(path);
+  if (!format)
+    refuse_usage(unknown_extension(path, "--output"));
+  const std::string reason = reason_against_output(path, *format);
+  if (!reason.empty())
+    refuse_usage(reason);
+  if (!options.force)
+    check_nothing_is_replaced({path});
+}
+
 /// \param command_line without what a file adds
 Command command_of(const CLI::App& app, const CLI::App& command_line, Arguments& arguments)
 {
@@ -153,14 +185,23 @@ Command command_of(const CLI::App& app, const CLI::App& command_line, Arguments&
     refuse_usage("--output-directory: the name is empty");
   if (files.empty())
     refuse_usage("INPUT is required");
-  if (app.count("--output") > 0) {
+  if (app.count("--output") > 0 && !command.output_directory.empty() && !arguments.tiles.is_as_one)
+    refuse_usage("--output excludes --output-directory");
+  if (app.count("--output") > 0 && arguments.tiles.is_as_one)
+    command.merged_output = arguments.output;
+  else if (app.count("--output") > 0) {
     if (files.size() > 1)
       refuse_usage("--output: one INPUT expected, found " + std::to_string(files.size())
                    + " files");
     files.push_back(arguments.output);
   }
   check_effects(command_line, arguments.options);
-  if (command.is_batch())
+  command.tiles = arguments.tiles;
+  if (command.tiles.is_as_one) {
+    command.runs = parts_of(app, files, arguments.options);
+    if (!command.tiles.resumes && command.tiles.task.empty())
+      check_merged_output(command.merged_output, arguments.options);
+  } else if (command.is_batch())
     command.runs = batch_of(app, files, command.output_directory, arguments.options);
   else {
     set_files(app, files, arguments.options);
@@ -190,7 +231,8 @@ std::optional<int> parse_command_line(int argc, char** argv, Command& command)
       with_config.parse(words);
       command = command_of(with_config, app, all);
     }
-    check_no_file_is_replaced(command.runs);
+    if (!command.tiles.is_as_one)
+      check_no_file_is_replaced(command.runs);
     return std::nullopt;
   } catch (const Failure& failure) {
     std::cerr << "l0_resample: " << failure.what() << std::endl;

@@ -111,11 +111,22 @@ struct Options
   std::string input_name() const { return input == standard_stream ? "standard input" : input; }
 };
 
+/// What is asked for if the inputs are parts of one cloud, which is cut into tiles.
+struct Tile_options
+{
+  bool is_as_one = false;   ///< whether they are
+  std::uint64_t memory = 0; ///< that the program may take, in bytes
+  bool resumes = false;     ///< go on where an earlier run has ended
+  std::string task;         ///< to do instead of all; empty for all
+};
+
 /// The command line, checked.
 struct Command
 {
   std::vector<Options> runs;    ///< one for each input; all options but the files are the same
-  std::string output_directory; ///< empty unless it is a batch
+  std::string output_directory; ///< empty unless it is a batch, or all are parts of one cloud
+  Tile_options tiles;
+  std::string merged_output; ///< of tiles: one file of all of them; empty for none
 
   bool is_batch() const { return !output_directory.empty(); }
 };

@@ -12,6 +12,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
@@ -36,6 +37,9 @@ struct Read_options
     classes; ///< keep the points whose property `classification` is one of these; empty for all
   bool only_first_returns = false; ///< keep the points whose property `return_number` is at most 1
   Column_names columns; ///< of XYZ and CSV, as from `parse_column_names()`; empty if unnamed
+  /// Gets each point as it is read; then the cloud stays empty, and `max_memory` is for what a
+  /// reader holds of a file
+  std::function<void(const Point&)> on_point;
 };
 
 /*!

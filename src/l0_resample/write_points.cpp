@@ -259,6 +259,12 @@ void write_points(const std::string& path, File_format format,
   write_rows(path, format, Oriented_rows(points, {}), {true, false, {}, origin}, {}, existing);
 }
 
+void write_point_rows(const std::string& path, File_format format, const Point_rows& rows,
+                      Existing_file existing)
+{
+  write_rows(path, format, rows, {true, false, {}, origin}, {}, existing);
+}
+
 std::vector<std::string> write_points(const std::string& path, File_format format,
                                       const Resampled_points& result, Existing_file existing)
 {

@@ -8,6 +8,7 @@
 
 #include "Output_file.h"
 #include "Point_cloud.h"
+#include "Point_rows.h"
 #include "file_formats.h"
 
 #include <cstdint>
@@ -33,6 +34,10 @@ void write_points(const std::string& path, File_format format,
 std::vector<std::string> write_points(const std::string& path, File_format format,
                                       const Resampled_points& result,
                                       Existing_file existing = Existing_file::REPLACE);
+
+/// The same, of points that may be anywhere.
+void write_point_rows(const std::string& path, File_format format, const Point_rows& rows,
+                      Existing_file existing = Existing_file::REPLACE);
 
 /// Writes what a file held: normals only if there are some, coordinates in the precision of that
 /// file, but for binary PCD as above, the properties that the format can hold, see

@@ -20,7 +20,8 @@ set(level_0   # words: types, formulas and tools that know nothing of point sets
   internal/symmetric_eigen.h internal/Height_moments.h internal/deviation_in_ball.h
   internal/scales_of_balls.h internal/attribute_kinds.h
   internal/Buffer.h internal/lanes.h internal/parallel_for.h internal/parallel_sort.h
-  internal/select_nth.h internal/Signed_union_find.h)
+  internal/select_nth.h internal/Signed_union_find.h
+  internal/Block_counts.h internal/Tiling.h internal/stitch_tiles.h)
 set(level_1   # what several stages share, and what works on the arrays of one neighborhood
   Report.h warnings.h internal/Any_solver.h internal/Parameters.h internal/Method_rules.h
   internal/Plane_moments.h
@@ -56,6 +57,7 @@ set(level_3   # Algorithm 1, and the whole
   internal/side_hints.h internal/prepare_points.h internal/choose_samples.h
   internal/expected_memory.h
   internal/Minimization_step.h internal/Cpu_points.h internal/Cpu_backend.h internal/run.h internal/resample.h
+  internal/Tile_backend.h internal/resample_tile.h
   internal/orient_point_set.h internal/orient_on_device.h)
 set(level_4   # what users include, and how it reads what they pass
   named_parameters_interface.h named_parameters.h internal/checked_parameters.h
@@ -63,7 +65,8 @@ set(level_4   # what users include, and how it reads what they pass
   internal/points_of_range.h internal/compiled_templates.h internal/Point_data.h
   internal/resample_on_cpu.h
   internal/carry_properties.h CUDA_resampler.h
-  ../l0_resample_point_set.h ../l0_orient_normals.h)
+  ../l0_resample_point_set.h ../l0_orient_normals.h
+  Tiled_resampling.h ../l0_resample_tiles.h)
 
 set(kernel_free_headers CGAL/tags.h CGAL/assertions.h)   # all that levels 0 to 3 may have of CGAL
 

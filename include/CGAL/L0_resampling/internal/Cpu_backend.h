@@ -60,6 +60,8 @@ template <typename ConcurrencyTag, typename FT>
 class Cpu_backend : public Cpu_points<ConcurrencyTag>
 {
   using Base = Cpu_points<ConcurrencyTag>;
+
+protected: // for backends that differ in a stage
   using Base::m_facts;
   using Base::m_frame;
   using Base::m_input;
@@ -331,7 +333,8 @@ public:
 
   // The end
 
-  void orient_normals(const Plan& plan)
+  /// \returns the orientation, but for the confidences if these are kept for the result
+  Orientation orient_normals(const Plan& plan)
   {
     Orientation orientation = internal::orient_normals<ConcurrencyTag>(
       m_samples.positions, plan.number_of_orientation_neighbors, plan.sample_spacing,
@@ -342,6 +345,7 @@ public:
     if (m_parameters.with_side_confidences)
       m_side_confidences = std::move(orientation.confidences);
     m_report.hinted_share = orientation.hinted_share;
+    return orientation;
   }
 
   void project_to_local_quadrics(const Plan& plan)
@@ -389,7 +393,7 @@ public:
 
   void end(const Plan&) { m_progress.end_stage(); }
 
-private:
+protected:
   Areas areas_of_points(const Plan& plan)
   {
     return internal::areas_of_points<ConcurrencyTag, Local>(

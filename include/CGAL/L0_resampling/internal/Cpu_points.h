@@ -56,13 +56,14 @@ public:
   Buffer<float>& scales() { return m_input.scales; } ///< of the points; none if all are 1
 
   /// Facts of the points in a frame that they enter.
-  Facts find_facts()
+  /// \param step of its origin, see `Working_frame::enter()`
+  Facts find_facts(double step = 0)
   {
     const Buffer<Vector>& points = m_input.points;
     if (m_facts.frame)
       m_frame.enter<ConcurrencyTag>(m_input.points, *m_facts.frame);
     else
-      m_frame.enter<ConcurrencyTag>(m_input.points);
+      m_frame.enter<ConcurrencyTag>(m_input.points, step);
     m_facts.frame = m_frame.place();
     return known_or_found(m_facts.extents, [&]() {
       return Facts{points.size(), box_diagonal(points), robust_diagonal<ConcurrencyTag>(points),

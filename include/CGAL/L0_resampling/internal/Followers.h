@@ -21,10 +21,11 @@ struct Followers
   Buffer<Index>
     leaders; ///< for each follower, where its leader stands in the first order of samples
   Buffer<Vector> offsets;           ///< from the leader to the follower, at the start
+  Buffer<Index> sources;            ///< the point that each follower starts from
   Buffer<Index> numbers_of_samples; ///< for each leader, itself included; none without followers
 
   explicit Followers(const Counting_allocator<Vector>& allocator)
-    : leaders(allocator), offsets(allocator), numbers_of_samples(allocator)
+    : leaders(allocator), offsets(allocator), sources(allocator), numbers_of_samples(allocator)
   {}
 
   bool is_empty() const { return leaders.empty(); }

@@ -60,12 +60,14 @@ Followers take_followers(const Plan& plan, const Buffer<float>& scales, Initial_
   });
   followers.leaders.reserve(m - number_of_kept);
   followers.offsets.reserve(m - number_of_kept);
+  followers.sources.reserve(m - number_of_kept);
   for_each_in_order(m, [&](std::size_t i) {
     const Index leader = in_old_order.of_points[i];
     if (leader == i)
       return;
     followers.leaders.push_back(places[leader]);
     followers.offsets.push_back(samples.positions[i] - samples.positions[leader]);
+    followers.sources.push_back(samples.sources[i]);
   });
   followers.numbers_of_samples = in_old_order.numbers_of_points();
   in_old_order.keep(samples.positions);
@@ -82,17 +84,12 @@ struct Placed_samples
   Followers followers;
 };
 
-/// Where samples start.
+/// Finds how far the samples spread, where that differs, and which of them follow others.
 /// \param areas that the points stand for, if the plan uses them
-/// \param facts the area that samples start on: given, or found here
 template <typename ConcurrencyTag>
-Placed_samples place_samples(const Plan& plan, const Prepared_points& input, const Areas& areas,
-                             Facts_of_cloud& facts, Progress& progress)
+Placed_samples with_followers(const Plan& plan, const Prepared_points& input, const Areas& areas,
+                              Initial_samples start)
 {
-  const Buffer<std::uint64_t> no_areas(input.points.get_allocator());
-  Initial_samples start = initialize_samples<ConcurrencyTag>(
-    input.grid, input.points, input.normals, plan.starts_evenly ? areas.units : no_areas,
-    plan.number_of_samples, plan.radius, plan.random_seed, facts.units_of_starts, progress);
   Buffer<float> spreading_radii(input.points.get_allocator());
   if (plan.keeps_spacings)
   {
@@ -106,20 +103,30 @@ Placed_samples place_samples(const Plan& plan, const Prepared_points& input, con
   return {std::move(start), std::move(spreading_radii), std::move(followers)};
 }
 
-/// Section 3.2: the first S.
+/// Where samples start.
 /// \param areas that the points stand for, if the plan uses them
 /// \param facts the area that samples start on: given, or found here
+template <typename ConcurrencyTag>
+Placed_samples place_samples(const Plan& plan, const Prepared_points& input, const Areas& areas,
+                             Facts_of_cloud& facts, Progress& progress)
+{
+  const Buffer<std::uint64_t> no_areas(input.points.get_allocator());
+  Initial_samples start = initialize_samples<ConcurrencyTag>(
+    input.grid, input.points, input.normals, plan.starts_evenly ? areas.units : no_areas,
+    plan.number_of_samples, plan.radius, plan.random_seed, facts.units_of_starts, progress);
+  return with_followers<ConcurrencyTag>(plan, input, areas, std::move(start));
+}
+
+/// Section 3.2: the first S, where they are placed.
 /// \param hints used up
 /// \param samples out: all but what the fit finds
 /// \returns the samples that follow others
-template <typename ConcurrencyTag, typename FT>
-Followers choose_samples(const Plan& plan, const Prepared_points& input, const Areas& areas,
-                         Facts_of_cloud& facts, Buffer<Local_vector>& hints, Progress& progress,
-                         Samples<FT>& samples)
+template <typename FT>
+Followers take_samples(const Plan& plan, const Prepared_points& input, Placed_samples placed,
+                       Buffer<Local_vector>& hints, Samples<FT>& samples)
 {
   const Buffer<Vector>& points = input.points;
   const std::size_t m = plan.number_of_samples;
-  Placed_samples placed = place_samples<ConcurrencyTag>(plan, input, areas, facts, progress);
   Initial_samples& start = placed.start;
   samples.positions = std::move(start.positions);
   const std::size_t size = samples.positions.size();
@@ -159,6 +166,18 @@ Followers choose_samples(const Plan& plan, const Prepared_points& input, const A
   fill_buffer(size, FT(0), samples.fit_weights);
   samples.fit_centroids = copy_of(samples.positions);
   return std::move(placed.followers);
+}
+
+/// Section 3.2: the first S. Parameters and result are those of `place_samples()` and
+/// `take_samples()`.
+template <typename ConcurrencyTag, typename FT>
+Followers choose_samples(const Plan& plan, const Prepared_points& input, const Areas& areas,
+                         Facts_of_cloud& facts, Buffer<Local_vector>& hints, Progress& progress,
+                         Samples<FT>& samples)
+{
+  return take_samples(plan, input,
+                      place_samples<ConcurrencyTag>(plan, input, areas, facts, progress), hints,
+                      samples);
 }
 
 } // namespace internal

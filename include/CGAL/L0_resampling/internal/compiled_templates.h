@@ -14,10 +14,12 @@
 #include <CGAL/L0_resampling/internal/orient_point_set.h>
 #include <CGAL/L0_resampling/internal/points_of_range.h>
 #include <CGAL/L0_resampling/internal/resample.h>
+#include <CGAL/L0_resampling/internal/resample_tile.h>
 
 #include <CGAL/tags.h>
 
 #include <array>
+#include <vector>
 
 /// The instantiations for a concurrency tag and a number type, of the solver and of the caller's
 /// kernel. `declaration` is `template`, or `extern template`.
@@ -35,7 +37,13 @@
 #define CGAL_L0_COMPILED_TEMPLATES_OF_TAG(declaration, Tag)                                        \
   declaration Oriented_representatives orient_point_set<Tag>(                                      \
     Buffer<Vector>&, Buffer<Local_vector>&, Buffer<Local_vector>&, const Parameters&, Progress&,   \
-    Report&);
+    Report&);                                                                                      \
+  declaration std::vector<Block_share> shares_of_tile<Tag, float>(                                 \
+    Buffer<Vector>&, const Cloud_facts&, const Parameters&, const Block_lattice&,                  \
+    const std::vector<Block>&, Any_solver<float>&, Progress&, Report&);                            \
+  declaration Samples_of_tile<float> resample_tile<Tag, float>(                                    \
+    Buffer<Vector>&, const Cloud_facts&, const Parameters&, const Samples_of_blocks&,              \
+    Any_solver<float>&, Progress&, Report&);
 
 #ifdef CGAL_L0_LINKED_WITH_COMPILED
 

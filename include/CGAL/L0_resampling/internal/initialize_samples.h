@@ -163,24 +163,9 @@ inline Sources sources_by_points(const Buffer<Index>& distinct, std::uint64_t m,
   return sources;
 }
 
-/*!
-Chooses where `number_of_samples` samples start. No two start on one point: the further ones of a
-point start between two points each.
-
-\param points sorted for `grid`, so that the choice does not depend on the order of the input
-\param normals unoriented, one a point
-\param areas what each point stands for, so that the samples spread evenly over the surface; or
-none, so that they spread as the points do
-\param radius how far apart the two points of a further sample may lie, at scale 1
-\param known_total as for `sources_by_area()`
-\returns samples sorted for a grid of the same cell size
-*/
-template <typename ConcurrencyTag, typename T>
-Initial_samples initialize_samples(const Search_grid_3& grid, const Buffer<Vector>& points,
-                                   const Buffer<Eigen::Matrix<T, 3, 1>>& normals,
-                                   const Buffer<std::uint64_t>& areas,
-                                   std::size_t number_of_samples, double radius, std::uint64_t seed,
-                                   std::optional<std::uint64_t>& known_total, Progress& progress)
+/// The first of the points at each place.
+/// \param points sorted, so that those at one place follow each other
+inline Buffer<Index> distinct_points(const Buffer<Vector>& points)
 {
   Buffer<Index> distinct(points.get_allocator());
   distinct.reserve(points.size());
@@ -188,10 +173,19 @@ Initial_samples initialize_samples(const Search_grid_3& grid, const Buffer<Vecto
     if (j == 0 || points[j] != points[j - 1])
       distinct.push_back(Index(j));
   });
-  Sources sources = areas.empty()
-                      ? sources_by_points(distinct, number_of_samples, seed)
-                      : sources_by_area(distinct, areas, number_of_samples, seed, known_total);
+  return distinct;
+}
 
+/// Lets samples start on their sources, or between these and other points.
+/// \param sources ascending, each of the two lists
+/// The other parameters and the result are those of `initialize_samples()`.
+template <typename ConcurrencyTag, typename T>
+Initial_samples start_samples(const Search_grid_3& grid, const Buffer<Vector>& points,
+                              const Buffer<Eigen::Matrix<T, 3, 1>>& normals,
+                              const Buffer<Index>& distinct, Sources sources, double radius,
+                              std::uint64_t seed, Progress& progress)
+{
+  const std::size_t number_of_samples = sources.on_points.size() + sources.between_points.size();
   Initial_samples samples{Buffer<Vector>(points.get_allocator()),
                           std::move(sources.between_points)};
   samples.sources.reserve(number_of_samples);
@@ -216,6 +210,33 @@ Initial_samples initialize_samples(const Search_grid_3& grid, const Buffer<Vecto
   apply_order(order, samples.positions);
   apply_order(order, samples.sources);
   return samples;
+}
+
+/*!
+Chooses where `number_of_samples` samples start. No two start on one point: the further ones of a
+point start between two points each.
+
+\param points sorted for `grid`, so that the choice does not depend on the order of the input
+\param normals unoriented, one a point
+\param areas what each point stands for, so that the samples spread evenly over the surface; or
+none, so that they spread as the points do
+\param radius how far apart the two points of a further sample may lie, at scale 1
+\param known_total as for `sources_by_area()`
+\returns samples sorted for a grid of the same cell size
+*/
+template <typename ConcurrencyTag, typename T>
+Initial_samples initialize_samples(const Search_grid_3& grid, const Buffer<Vector>& points,
+                                   const Buffer<Eigen::Matrix<T, 3, 1>>& normals,
+                                   const Buffer<std::uint64_t>& areas,
+                                   std::size_t number_of_samples, double radius, std::uint64_t seed,
+                                   std::optional<std::uint64_t>& known_total, Progress& progress)
+{
+  const Buffer<Index> distinct = distinct_points(points);
+  Sources sources = areas.empty()
+                      ? sources_by_points(distinct, number_of_samples, seed)
+                      : sources_by_area(distinct, areas, number_of_samples, seed, known_total);
+  return start_samples<ConcurrencyTag>(grid, points, normals, distinct, std::move(sources), radius,
+                                       seed, progress);
 }
 
 } // namespace internal

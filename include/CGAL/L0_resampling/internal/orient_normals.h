@@ -246,6 +246,7 @@ struct Orientation
     oriented_share;
   double hinted_share;       ///< of trees whose side is that of the hints
   Buffer<float> confidences; ///< how sure it is that a sample is on the right side, in [0, 1]
+  Signed_union_find trees;   ///< the samples of a tree have sides relative to each other
 
   double right_side_share() const
   {
@@ -315,7 +316,8 @@ Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_o
     confidences_of_dipoles<ConcurrencyTag>(dipoles, sets, positions, normals, spacing, trees);
 
   Orientation result{double(number_of_oriented) / double(m), 0,
-                     filled_buffer(m, 0.f, Counting_allocator<float>(positions.get_allocator()))};
+                     filled_buffer(m, 0.f, Counting_allocator<float>(positions.get_allocator())),
+                     Signed_union_find(0, positions.get_allocator())};
   const std::size_t samples_per_task = 4096;
   const auto number_of_hinted =
     block_sum<ConcurrencyTag>(m, samples_per_task, [&](std::size_t begin, std::size_t end) {
@@ -337,6 +339,7 @@ Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_o
       return number;
     });
   result.hinted_share = double(number_of_hinted) / double(m);
+  result.trees = std::move(all.sets);
   return result;
 }
 

@@ -59,8 +59,10 @@ class Working_frame
 public:
   /// Moves `points` into a frame in which the median of each coordinate is 0 and no coordinate
   /// exceeds 2.
+  /// \param step if it is not 0: the origin is a multiple of it, in the unit of the input, near the
+  /// medians, so that parts of a cloud have frames whose cells are the same
   template <typename ConcurrencyTag>
-  void enter(Buffer<Vector>& points)
+  void enter(Buffer<Vector>& points, double step = 0)
   {
     double largest = 0;
     for_each_in_order(points.size(), [&](std::size_t i) {
@@ -77,6 +79,12 @@ public:
       select_nth(coordinates.begin(), middle, coordinates.end());
       m_place.origin[axis] = *middle;
     });
+    if (step > 0)
+    {
+      const double length = std::ldexp(step, m_place.exponent);
+      m_place.origin = m_place.origin.unaryExpr(
+        [&](double x) { return std::round(x / length) * length; });
+    }
     move_to_origin<ConcurrencyTag>(points);
   }
 

@@ -1,0 +1,241 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_BLOCK_COUNTS_H
+#define CGAL_L0_RESAMPLING_INTERNAL_BLOCK_COUNTS_H
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/// A cube of a lattice through the origin of the input's coordinates: its place on each axis.
+using Block = std::array<std::int64_t, 3>;
+
+/// Cubes whose side is a power of two, so that eight of one lattice make one of the next.
+class Block_lattice
+{
+  int m_exponent;
+  double m_factor; // blocks per length
+
+public:
+  static constexpr int least_exponent = -1000, largest_exponent = 1000; // whose powers are normal
+
+  explicit Block_lattice(int exponent = least_exponent)
+    : m_exponent(exponent), m_factor(std::ldexp(1., -exponent))
+  {}
+
+  int exponent() const { return m_exponent; }
+  double side() const { return std::ldexp(1., m_exponent); }
+
+  /// \param coordinates of a point in the unit of the input
+  template <typename Coordinates>
+  Block block_of(const Coordinates& coordinates) const
+  {
+    Block block;
+    for (int axis = 0; axis < 3; ++axis)
+      block[std::size_t(axis)] = std::int64_t(
+        std::floor(double(coordinates[axis]) * m_factor)); // the product is exact
+    return block;
+  }
+
+  /// Whether the numbers of the blocks of coordinates of this size are far from overflow.
+  bool can_number(double largest_coordinate) const
+  {
+    return largest_coordinate * m_factor < double(std::int64_t(1) << 40);
+  }
+};
+
+/*!
+Counts the points of each block, while points come in any order and from several places. The blocks
+are as small as limits on their number allow, so that the result does not depend on the order.
+*/
+class Block_counts
+{
+  struct Hash
+  {
+    std::size_t operator()(const Block& block) const
+    {
+      std::uint64_t bits = 0;
+      for (const std::int64_t place : block)
+      {
+        bits = (bits ^ std::uint64_t(place)) * 0x9e3779b97f4a7c15u;
+        bits ^= bits >> 29;
+      }
+      return std::size_t(bits);
+    }
+  };
+
+  Block_lattice m_lattice;
+  std::unordered_map<Block, std::uint64_t, Hash> m_counts;
+  std::uint64_t m_number_of_points = 0;
+  std::array<double, 3> m_low = {}, m_high = {};
+
+  void double_side()
+  {
+    std::unordered_map<Block, std::uint64_t, Hash> counts;
+    for (const auto& [block, count] : m_counts)
+    {
+      Block parent = block;
+      for (std::int64_t& place : parent)
+        place = place >= 0 ? place / 2 : -((1 - place) / 2);
+      counts[parent] += count;
+    }
+    m_counts = std::move(counts);
+    m_lattice = Block_lattice(m_lattice.exponent() + 1);
+  }
+
+  void coarsen_to(int exponent)
+  {
+    while (m_lattice.exponent() < exponent)
+      double_side();
+  }
+
+  void keep_limit()
+  {
+    while (m_counts.size() > most_blocks)
+      double_side();
+  }
+
+public:
+  static constexpr std::size_t most_blocks = std::size_t(1) << 18;
+  /// Smaller blocks would make more of a tile's points its halo's than their number gains.
+  static constexpr std::uint64_t fewest_points_per_block = 256; // in the mean
+
+  Block_counts() = default;
+
+  /// Blocks with their counts, as `blocks()` gives them.
+  Block_counts(int exponent, const std::vector<std::pair<Block, std::uint64_t>>& blocks,
+               const std::array<double, 3>& low, const std::array<double, 3>& high)
+    : m_lattice(exponent), m_counts(blocks.begin(), blocks.end()), m_low(low), m_high(high)
+  {
+    for (const auto& [block, count] : blocks)
+      m_number_of_points += count;
+  }
+
+  /// \param point finite
+  void add(const std::array<double, 3>& point)
+  {
+    double largest = 0;
+    for (const double coordinate : point)
+      largest = (std::max)(largest, std::abs(coordinate));
+    while (!m_lattice.can_number(largest))
+      double_side();
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      m_low[axis] = m_number_of_points == 0 ? point[axis] : (std::min)(m_low[axis], point[axis]);
+      m_high[axis] = m_number_of_points == 0 ? point[axis] : (std::max)(m_high[axis], point[axis]);
+    }
+    ++m_number_of_points;
+    ++m_counts[m_lattice.block_of(point)];
+    keep_limit();
+  }
+
+  void add(Block_counts other)
+  {
+    if (other.m_number_of_points == 0)
+      return;
+    if (m_number_of_points == 0)
+    {
+      *this = std::move(other);
+      return;
+    }
+    coarsen_to(other.m_lattice.exponent());
+    other.coarsen_to(m_lattice.exponent());
+    for (const auto& [block, count] : other.m_counts)
+      m_counts[block] += count;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      m_low[axis] = (std::min)(m_low[axis], other.m_low[axis]);
+      m_high[axis] = (std::max)(m_high[axis], other.m_high[axis]);
+    }
+    m_number_of_points += other.m_number_of_points;
+    keep_limit();
+  }
+
+  /// Once all points are counted: makes the blocks so large that they hold enough points.
+  void finish()
+  {
+    while (m_counts.size() > 1 && m_number_of_points < fewest_points_per_block * m_counts.size()
+           && m_lattice.exponent() < Block_lattice::largest_exponent)
+      double_side();
+  }
+
+  const Block_lattice& lattice() const { return m_lattice; }
+  std::uint64_t number_of_points() const { return m_number_of_points; }
+  const std::array<double, 3>& low() const { return m_low; }
+  const std::array<double, 3>& high() const { return m_high; }
+
+  /// Those that hold points, in lexicographic order.
+  std::vector<std::pair<Block, std::uint64_t>> blocks() const
+  {
+    std::vector<std::pair<Block, std::uint64_t>> sorted(m_counts.begin(), m_counts.end());
+    std::sort(sorted.begin(), sorted.end());
+    return sorted;
+  }
+};
+
+/// The diagonal of the bounding box without outliers, as `robust_diagonal()` of the points, to
+/// within a block.
+/// \param counts of at least one point
+inline double robust_diagonal_of_blocks(const Block_counts& counts)
+{
+  const auto blocks = counts.blocks();
+  const double side = counts.lattice().side();
+  const std::uint64_t n = counts.number_of_points(), margin = n / 20;
+  std::array<double, 3> low, high;
+  double reach = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    std::vector<std::pair<std::int64_t, std::uint64_t>> layers;
+    for (const auto& [block, count] : blocks)
+      layers.emplace_back(block[axis], count);
+    std::sort(layers.begin(), layers.end());
+    const auto coordinate_at = [&](std::uint64_t rank) {
+      std::uint64_t sum = 0;
+      for (const auto& [place, count] : layers)
+      {
+        if (rank < sum + count)
+          return (double(place) + (double(rank - sum) + 0.5) / double(count)) * side;
+        sum += count;
+      }
+      return counts.high()[axis];
+    };
+    low[axis] = (std::max)(coordinate_at(margin), counts.low()[axis]);
+    high[axis] = (std::min)(coordinate_at(n - 1 - margin), counts.high()[axis]);
+    reach = (std::max)(reach, high[axis] - low[axis]);
+  }
+  double squared_length = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    double least = low[axis], largest = high[axis];
+    for (const auto& [block, count] : blocks)
+    {
+      const double begin = (std::max)(double(block[axis]) * side, counts.low()[axis]),
+                   end = (std::min)(double(block[axis] + 1) * side, counts.high()[axis]);
+      if (reach == 0 || (end >= low[axis] - reach && begin <= high[axis] + reach))
+      {
+        least = (std::min)(least, begin);
+        largest = (std::max)(largest, end);
+      }
+    }
+    squared_length += (largest - least) * (largest - least);
+  }
+  return std::sqrt(squared_length);
+}
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_BLOCK_COUNTS_H

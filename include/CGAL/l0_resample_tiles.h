@@ -1,0 +1,85 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLE_TILES_H
+#define CGAL_L0_RESAMPLE_TILES_H
+
+#include <CGAL/L0_resampling/Tiled_resampling.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgL0ResamplingRef
+
+resamples a cloud that does not fit into memory, tile by tile; see
+`CGAL::L0_resampling::Tiled_resampling` for programs that store what is in between.
+
+\tparam ConcurrencyTag as for `CGAL::l0_resample_point_set()`
+\param source model of `L0ResamplingTileSource`
+\param sink model of `L0ResamplingTileSink`: `sink.put(tile, result)` stores a
+`CGAL::L0_resampling::Tile_result`, `sink.get(tile)` gives it back, and `sink.finish(tile, samples)`
+takes the samples of a tile with normals on their sides
+\param maximum_memory of a tile, in bytes
+\param np see `CGAL::L0_resampling::Tiled_resampling`; `number_of_output_points` has to be given
+
+\throws std::bad_alloc if the memory does not suffice for a single tile
+*/
+template <typename ConcurrencyTag, typename Source, typename Sink,
+          typename NamedParameters = parameters::Default_named_parameters>
+void l0_resample_tiles(const Source& source, Sink& sink, std::uint64_t maximum_memory,
+                       const NamedParameters& np)
+{
+  using namespace L0_resampling;
+  using Tiles = Tiled_resampling<ConcurrencyTag>;
+  L0_resampling::Tile_counts counts;
+  const double infinity = std::numeric_limits<double>::infinity();
+  source.for_each_point(Source_box{{-infinity, -infinity, -infinity},
+                                   {infinity, infinity, infinity}},
+                        [&](const std::array<double, 3>& point) { counts.add(point); });
+  if (counts.number_of_points() == 0)
+    return;
+  Tiles tiles(std::move(counts), np);
+  tiles.estimate_scales(source, maximum_memory);
+  tiles.make_tiles(maximum_memory);
+  const std::size_t number_of_tiles = tiles.tiles().size();
+  std::vector<std::vector<L0_resampling::internal::Block_share>> shares;
+  for (std::size_t tile = 0; tile < number_of_tiles; ++tile)
+    shares.push_back(tiles.shares_of_tile(tile, source));
+  tiles.set_shares(shares);
+  std::vector<std::vector<double>> evidence;
+  for (std::size_t tile = 0; tile < number_of_tiles; ++tile)
+  {
+    Tile_result result = tiles.resample_tile(tile, source);
+    evidence.push_back(result.evidence);
+    sink.put(tile, std::move(result));
+  }
+  L0_resampling::internal::Stitching stitching = tiles.stitching(evidence);
+  for (std::size_t a = 0; a < number_of_tiles && !tiles.are_sides_given(); ++a)
+    for (std::size_t b = 0; b < number_of_tiles; ++b)
+      if (tiles.are_neighbors(a, b))
+        stitching.add_overlap(a, sink.get(a).near_border, b,
+                              tiles.samples_of_owner(sink.get(b).beyond_border, a));
+  const std::vector<std::vector<signed char>> signs = stitching.signs();
+  for (std::size_t tile = 0; tile < number_of_tiles; ++tile)
+  {
+    std::vector<Tile_sample> samples = sink.get(tile).samples;
+    for (Tile_sample& sample : samples)
+      for (float& coordinate : sample.normal)
+        coordinate = tiles.are_sides_given() || signs[tile][sample.tree] > 0 ? coordinate
+                                                                             : -coordinate;
+    sink.finish(tile, samples);
+  }
+}
+
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLE_TILES_H

@@ -1,0 +1,128 @@
+# Copyright (c) 2026  The CGAL::L0_resampling authors.
+# All rights reserved.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""Clouds that are resampled tile by tile: executors, workers that fail, and refusals."""
+
+import concurrent.futures
+import json
+import os
+import pathlib
+import subprocess
+import sys
+
+import numpy
+import pytest
+
+from cgal_l0 import tiles
+
+# what the program takes anyway, and what some 12000 points do
+MEMORY = (96 << 20) + 12000 * 495
+
+
+@pytest.fixture(scope="module")
+def files(tmp_path_factory):
+    """A wavy ribbon in two files."""
+    folder = tmp_path_factory.mktemp("ribbon")
+    random = numpy.random.default_rng(2)
+    x, y = numpy.mgrid[0:1200, 0:20].reshape(2, -1) + random.uniform(-0.5, 0.5, (2, 24000))
+    points = numpy.stack([x, y, 2 * numpy.sin(x / 40) + random.uniform(-0.05, 0.05, 24000)], 1)
+    names = [folder / "a.npy", folder / "b.npy"]
+    numpy.save(names[0], points[:9000])
+    numpy.save(names[1], points[9000:])
+    return names
+
+
+@pytest.fixture(scope="module")
+def whole(files):
+    """What the program gives by itself."""
+    folder = files[0].parent / "whole"
+    command = [os.environ["L0_RESAMPLE"], *files, "--as-one", "--points", "12000"]
+    command += ["--memory", str(MEMORY), "--output-directory", folder, "--quiet"]
+    subprocess.run([str(word) for word in command], check=True)
+    return folder
+
+
+def results(folder):
+    return {path.name: path.read_bytes() for path in pathlib.Path(folder).glob("tile_*.ply")}
+
+
+def resample(files, folder, workers=1, **arguments):
+    return tiles.resample_files(
+        files, folder, memory=workers * MEMORY, workers=workers, options=["--points", "12000"],
+        **arguments,
+    )
+
+
+@pytest.mark.parametrize("workers", [1, 2])
+def test_workers_give_what_the_program_gives(files, whole, tmp_path, workers):
+    steps = []
+    phases = resample(
+        files, tmp_path / "out", workers, on_progress=lambda *step: steps.append(step)
+    )
+    assert results(tmp_path / "out") == results(whole) != {}
+    assert phases[-1]["name"] == "finish" and sum(phase["retries"] for phase in phases) == 0
+    assert ("solve", len(results(whole)), len(results(whole))) in steps
+
+
+def test_an_executor_of_the_caller(files, whole, tmp_path):
+    with concurrent.futures.ProcessPoolExecutor(2) as executor:
+        resample(files, tmp_path / "out", executor=executor)
+        assert executor.submit(abs, -1).result() == 1  # it is still the caller's
+    assert results(tmp_path / "out") == results(whole)
+
+
+def test_a_program_that_dies_is_run_again(files, whole, tmp_path):
+    program = tmp_path / "dies_once"
+    program.write_text(
+        "#!/bin/sh\n"
+        f'case "$*" in *solve:1*) mkdir "{tmp_path}/died" 2> /dev/null && kill -KILL $$;; esac\n'
+        f'exec "{os.environ["L0_RESAMPLE"]}" "$@"\n'
+    )
+    program.chmod(0o755)
+    phases = resample(files, tmp_path / "out", program=program)
+    assert results(tmp_path / "out") == results(whole)
+    assert {p["name"]: p["retries"] for p in phases if p["retries"]} == {"solve": 1}
+
+
+def test_a_run_goes_on(files, whole, tmp_path):
+    program = tmp_path / "always_dies"
+    program.write_text(
+        "#!/bin/sh\n"
+        'case "$*" in *solve:2*) kill -KILL $$;; esac\n'
+        f'exec "{os.environ["L0_RESAMPLE"]}" "$@"\n'
+    )
+    program.chmod(0o755)
+    with pytest.raises(tiles.TileError, match="solve:2"):
+        resample(files, tmp_path / "out", program=program)
+    with pytest.raises(tiles.TileError, match="earlier run"):
+        resample(files, tmp_path / "out")
+    resample(files, tmp_path / "out", resume=True)
+    assert results(tmp_path / "out") == results(whole)
+
+
+def test_the_command_line(files, whole, tmp_path):
+    command = [sys.executable, "-m", "cgal_l0.tiles", *files, "--points", "12000"]
+    command += ["--memory", str(2 * MEMORY), "--workers", "2", "--output-directory"]
+    command += [tmp_path / "out", "--output", tmp_path / "all.npy"]
+    result = subprocess.run([str(word) for word in command], capture_output=True, text=True)
+    assert result.returncode == 0, result.stderr
+    assert result.stdout.count("\n") == 1 and result.stderr == ""
+    assert results(tmp_path / "out") == results(whole)
+    assert numpy.load(tmp_path / "all.npy").shape == (12000, 6)
+    index = json.loads((tmp_path / "out/index.json").read_text())
+    assert sum(tile["output_points"] for tile in index["tiles"]) == 12000
+
+
+def test_refusals(files, tmp_path):
+    with pytest.raises(tiles.TileError, match="missing"):
+        resample([tmp_path / "missing.npy"], tmp_path / "out")
+    with pytest.raises(ValueError, match="not a size"):
+        tiles.resample_files(files, tmp_path / "out", memory="much")
+    assert not (tmp_path / "out").exists()
+
+
+def test_sizes():
+    assert tiles.bytes_of("16G") == tiles.bytes_of("16GiB") == tiles.bytes_of("16 gb") == 16 << 30
+    assert tiles.bytes_of(12345) == 12345

@@ -1,0 +1,254 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// A cloud that is resampled tile by tile.
+
+#include "test_support.h"
+
+#include <CGAL/l0_resample_tiles.h>
+#include <CGAL/tags.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <new>
+#include <numeric>
+#include <random>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+using namespace test;
+using namespace CGAL::L0_resampling::internal;
+using CGAL::L0_resampling::Source_box;
+using CGAL::L0_resampling::Tile_counts;
+using CGAL::L0_resampling::Tile_result;
+using Place = std::array<double, 3>;
+
+/// A wavy ribbon along the x-axis, about one point per unit of area.
+std::vector<Place> ribbon(std::size_t length, std::size_t width)
+{
+  std::mt19937 generator(3);
+  std::uniform_real_distribution<double> shift(-0.5, 0.5);
+  std::vector<Place> points;
+  for (std::size_t i = 0; i < length; ++i)
+    for (std::size_t j = 0; j < width; ++j)
+    {
+      const double x = double(i) + shift(generator), y = double(j) + shift(generator);
+      points.push_back({x, y, 2 * std::sin(x / 40) + 0.1 * shift(generator)});
+    }
+  return points;
+}
+
+/// A model of `L0ResamplingTileSource`.
+struct Points_in_memory
+{
+  std::vector<Place> points;
+
+  template <typename F>
+  void for_each_point(const Source_box& box, const F& f) const
+  {
+    for (const Place& p : points)
+    {
+      bool is_inside = true;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        is_inside = is_inside && p[axis] >= box.low[axis] && p[axis] < box.high[axis];
+      if (is_inside)
+        f(p);
+    }
+  }
+};
+
+/// A model of `L0ResamplingTileSink`.
+struct Results_in_memory
+{
+  std::map<std::size_t, Tile_result> results;
+  std::map<std::size_t, std::vector<Tile_sample>> finished;
+
+  void put(std::size_t tile, Tile_result result) { results[tile] = std::move(result); }
+  const Tile_result& get(std::size_t tile) const { return results.at(tile); }
+  void finish(std::size_t tile, const std::vector<Tile_sample>& samples)
+  {
+    finished[tile] = samples;
+  }
+};
+
+Tile_counts counts_of(const std::vector<Place>& points)
+{
+  Tile_counts counts;
+  for (const Place& p : points)
+    counts.add(p);
+  return counts;
+}
+
+/// Blocks depend neither on the order of the points nor on who has counted them.
+void test_counts()
+{
+  std::vector<Place> points = ribbon(20000, 20);
+  points.push_back({1e7, -1e7, 0});
+  Tile_counts whole = counts_of(points);
+  std::shuffle(points.begin(), points.end(), std::mt19937(1));
+  const auto middle = points.begin() + 7;
+  Tile_counts parts = counts_of({points.begin(), middle});
+  parts.add(counts_of({middle, points.end()}));
+  CHECK(whole.blocks() == parts.blocks());
+  CHECK(whole.blocks().size() <= Tile_counts::most_blocks);
+  whole.finish();
+  parts.finish();
+  CHECK(whole.blocks() == parts.blocks());
+  CHECK(whole.lattice().exponent() == parts.lattice().exponent());
+  CHECK(whole.low() == parts.low() && whole.high() == parts.high());
+  CHECK(whole.number_of_points() == points.size());
+  CHECK(whole.blocks().size() * Tile_counts::fewest_points_per_block <= points.size());
+  std::uint64_t sum = 0;
+  for (const auto& [block, count] : whole.blocks())
+    sum += count;
+  CHECK(sum == points.size());
+}
+
+/// Blocks below zero are as large as those above.
+void test_negative_blocks()
+{
+  Tile_counts counts;
+  for (int i = -4096; i < 4096; ++i)
+    for (int k = 0; k < 64; ++k)
+      counts.add({double(i) + 0.5, 0, 0});
+  counts.finish();
+  for (const auto& [block, count] : counts.blocks())
+    CHECK(count == counts.blocks().front().second);
+}
+
+/// Each block is in one tile, no tile is larger than the limit, and none is split without need.
+void test_tiling()
+{
+  Tile_counts counts = counts_of(ribbon(4000, 40));
+  counts.finish();
+  const auto blocks = counts.blocks();
+  for (const std::uint64_t limit : {200000u, 60000u, 20000u})
+  {
+    const Tiling tiling(blocks, 2, limit);
+    std::uint64_t sum = 0;
+    for (const Tile& tile : tiling.tiles())
+    {
+      CHECK(tile.number_of_points_with_halo <= limit);
+      sum += tile.number_of_points;
+    }
+    CHECK(sum == counts.number_of_points());
+    for (const auto& [block, count] : blocks)
+    {
+      std::size_t number_of_owners = 0;
+      for (const Tile& tile : tiling.tiles())
+        number_of_owners += tile.box.contains(block);
+      CHECK(number_of_owners == 1);
+    }
+    CHECK((tiling.tiles().size() == 1) == (limit >= counts.number_of_points()));
+  }
+  CHECK(Tiling(blocks, 2, 10).most_points_of_tile() > 10);
+}
+
+/// The numbers of samples add up, and are those of the weights to within one.
+void test_samples_of_blocks()
+{
+  std::mt19937_64 generator(5);
+  std::vector<std::uint64_t> weights(1000);
+  for (std::uint64_t& weight : weights)
+    weight = generator() % 4 == 0 ? 0 : generator() >> 24;
+  const double total = double(std::accumulate(weights.begin(), weights.end(), std::uint64_t(0)));
+  for (const std::uint64_t m : {1u, 7u, 999u, 123457u})
+  {
+    const std::vector<std::uint64_t> numbers = samples_of_blocks(weights, m);
+    CHECK(std::accumulate(numbers.begin(), numbers.end(), std::uint64_t(0)) == m);
+    for (std::size_t b = 0; b < weights.size(); ++b)
+      CHECK(std::abs(double(numbers[b]) - double(weights[b]) / total * double(m)) < 1.001);
+  }
+}
+
+Tile_sample sample_at(double x, double y, float sign, std::uint32_t tree)
+{
+  return {{x, y, 0}, {0, 0, sign}, tree};
+}
+
+/// Three tiles, the one in the middle with two trees; one tile is turned against the others, and
+/// most of the evidence says that it is right.
+void test_stitching()
+{
+  const auto row = [](double x, float sign, std::uint32_t tree) {
+    std::vector<Tile_sample> samples;
+    for (int i = 0; i < 10; ++i)
+      samples.push_back(sample_at(x, i, sign, tree));
+    return samples;
+  };
+  Stitching stitching(1, {{3}, {1, 2}, {100}});
+  stitching.add_overlap(0, row(0, 1, 0), 1, row(0.1, 1, 0));
+  stitching.add_overlap(2, row(9, -1, 0), 1, row(9.1, 1, 0));
+  stitching.add_overlap(2, row(20, -1, 0), 1, row(20.6, 1, 1)); // too far off
+  const auto signs = stitching.signs();
+  CHECK(signs == (std::vector<std::vector<signed char>>{{-1}, {-1, 1}, {1}}));
+  const Seam_report report = stitching.report(signs);
+  CHECK(report.number_of_samples == 30 && report.number_of_matches == 20);
+  CHECK(report.number_of_opposed == 0);
+  CHECK(stitching.report({{1}, {1, 1}, {1}}).number_of_opposed == 10);
+}
+
+/// Exactly as many points as asked for, of one side, each where its tile is, and as even at the
+/// seams as elsewhere.
+void test_tiles(bool keep_density)
+{
+  const Points_in_memory source{ribbon(1200, 20)};
+  const std::size_t m = 10000;
+  Results_in_memory sink;
+  CGAL::l0_resample_tiles<CGAL::Sequential_tag>(
+    source, sink, 12000 * 480,
+    CGAL::parameters::keep_density(keep_density).number_of_output_points(m));
+  CHECK(sink.finished.size() >= 3);
+  std::size_t number = 0, number_upwards = 0;
+  std::vector<std::size_t> slabs(60, 0);
+  for (const auto& [tile, samples] : sink.finished)
+    for (const Tile_sample& sample : samples)
+    {
+      ++number;
+      number_upwards += sample.normal[2] > 0;
+      const double place = (std::max)(0., (std::min)(sample.position[0] / 20, 59.));
+      ++slabs[std::size_t(place)];
+    }
+  CHECK(number == m);
+  CHECK(number_upwards == 0 || number_upwards == m);
+  for (std::size_t k = 1; k + 1 < slabs.size(); ++k)
+    CHECK(std::abs(double(slabs[k]) - double(m) / 60) < 0.12 * double(m) / 60);
+}
+
+void test_refusals()
+{
+  const Points_in_memory source{ribbon(600, 10)};
+  Results_in_memory sink;
+  CHECK_THROWS(CGAL::l0_resample_tiles<CGAL::Sequential_tag>(
+                 source, sink, 1000, CGAL::parameters::number_of_output_points(100)),
+               std::bad_alloc);
+  CHECK_THROWS(CGAL::l0_resample_tiles<CGAL::Sequential_tag>(source, sink, 1 << 30,
+                                                             CGAL::parameters::resampling_method(
+                                                               CGAL::L0_resampling::Method::LOR)
+                                                               .number_of_output_points(100)),
+               std::invalid_argument);
+  CHECK(sink.results.empty());
+  CGAL::l0_resample_tiles<CGAL::Sequential_tag>(Points_in_memory{}, sink, 1 << 20,
+                                                CGAL::parameters::number_of_output_points(100));
+  CHECK(sink.finished.empty());
+}
+
+int main()
+{
+  test_counts();
+  test_negative_blocks();
+  test_tiling();
+  test_samples_of_blocks();
+  test_stitching();
+  test_tiles(false);
+  test_tiles(true);
+  test_refusals();
+  return test::result();
+}

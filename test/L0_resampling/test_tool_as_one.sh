@@ -1,0 +1,140 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026  The CGAL::L0_resampling authors.
+# All rights reserved.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# l0_resample --as-one: several tiles are as one, and a run goes on after any fault.
+# usage: test_tool_as_one.sh PROGRAM
+
+# shellcheck source-path=SCRIPTDIR
+. "$(dirname "${BASH_SOURCE[0]}")/tool_checks.sh"
+
+# A long wavy ribbon, whose tiles need less than all of it around them; in three files
+awk 'BEGIN { srand(2); for (i = 0; i < 1200; ++i) for (j = 0; j < 20; ++j) {
+  x = i + rand() - .5; y = j + rand() - .5
+  printf "%.6f %.6f %.6f\n", x, y, 2 * sin(x / 40) + .1 * (rand() - .5) } }' > ribbon.txt
+mkdir parts
+sed -n '1,9000p' ribbon.txt > parts/a.xyz
+sed -n '9001,9100p' ribbon.txt > parts/b.xyz
+sed -n '9101,$p' ribbon.txt > c.xyz
+run c.xyz parts/c.ply --convert-only
+# what the program takes anyway, and what 12000 points with half as many samples do
+memory=$(((96 << 20) + 12000 * 495))
+ribbon=(parts --as-one --points 12000 --memory "$memory")
+
+value() # of a JSON file: an expression of Python, where it is j
+{
+  python3 -c "import json, sys; j = json.load(open(sys.argv[1])); print($2)" "$1"
+}
+holds() { test "$(value "$1" "$2")" = True; }
+same_tiles() # as those of the run that nothing has disturbed
+{
+  for tile in whole/tile_*.ply; do
+    cmp "$tile" "$1/$(basename "$tile")" || return 1
+  done
+}
+number_of_tiles() { find "$1" -name 'tile_*.ply' | wc -l; }
+
+run "${ribbon[@]}" --output-directory whole --output merged.ply --json whole.json
+check "a run by tiles" test "$status" -eq 0
+check "one line of summary" test "$(wc -l < stdout)" -eq 1 -a ! -s stderr
+check "more tiles than files" test "$(number_of_tiles whole)" -ge 4
+check "nothing else is left" test "$(find whole -type f | wc -l)" -eq $(($(number_of_tiles whole) + 1))
+check "tiles have exactly as many points as asked for" holds whole/index.json \
+  "sum(t['output_points'] for t in j['tiles']) == 12000 == j['output_points']"
+check "so has the file of all" test "$(number_of_points merged.ply)" -eq 12000
+check "each tile has those that the index says" holds whole/index.json \
+  "all(('element vertex %d\n' % t['output_points']).encode() in open('whole/' + t['file'], 'rb').read(300)
+       for t in j['tiles'])"
+check "all points of the input are in one tile" holds whole/index.json \
+  "sum(t['input_points'] for t in j['tiles']) == 24000"
+check "where tiles overlap they agree" holds whole/index.json \
+  "j['overlap']['matches'] > 0.9 * j['overlap']['samples'] > 100 and j['overlap']['opposed'] == 0
+   and j['overlap']['root_mean_square_distance'] < 0.3 * j['sample_spacing']"
+check "a report of the phases" holds whole.json \
+  "[p['name'] for p in j['phases']] == 'count blocks shard scales share samples solve stitch write merge finish'.split()
+   and all(p['kept'] == 0 for p in j['phases']) and j['exit_status'] == 0"
+run merged.ply merged.xyz --convert-only
+check "normals are of one side" test "$(awk '{ print ($6 > 0) }' merged.xyz | sort -u | wc -l)" -eq 1
+# Along the ribbon, no step, gap or pile at any border
+check "no seam" awk '{ ++n[int(($1 + 20) / 20)] } END {
+  for (i = 2; i <= 59; ++i) if (n[i] < 180 || n[i] > 222) { print i, n[i]; exit 1 } }' merged.xyz
+
+run "${ribbon[@]}" --output-directory threads --threads 1
+check "one thread gives the same" same_tiles threads
+run parts --as-one --points 12000 --memory 4GB --output-directory single
+check "a single tile, if memory suffices" test "$(number_of_tiles single)" -eq 1
+check "the same radius" test "$(value whole/index.json "j['neighbor_radius']")" = \
+  "$(value single/index.json "j['neighbor_radius']")"
+
+# A folder that has a run
+check_plain_failure 4 "has an earlier run of --as-one" "${ribbon[@]}" --output-directory whole
+run_plainly "${ribbon[@]}" --output-directory whole --output merged.ply --resume
+check "nothing is left to be done" test "$status" -eq 0
+check "which is said" grep -q "all was done already" stdout
+run "${ribbon[@]}" --output-directory threads
+check "--force begins anew" test "$status" -eq 0
+
+# Killed in the middle of each phase
+for file in count_1 shard_0 share_1 solve_2; do
+  rm -rf killed
+  "$program" "${ribbon[@]}" --output-directory killed > stdout 2> stderr &
+  while ! test -e killed/work/$file && kill -0 $! 2> /dev/null; do sleep 0.005; done
+  kill -KILL $! 2> /dev/null
+  wait $! 2> /dev/null
+  run_plainly "${ribbon[@]}" --output-directory killed --resume --json killed.json
+  check "goes on after a kill past $file" test "$status" -eq 0
+  check "keeps what was there past $file" holds killed.json "sum(p['kept'] for p in j['phases']) > 0"
+  check "as if nothing had been past $file" same_tiles killed
+done
+
+# Damaged files are made again, and named
+begin_run() # up to the samples of each tile
+{
+  rm -rf "$1"
+  for task in begin count:0 count:1 count:2 blocks shard:0 shard:1 shard:2 scales; do
+    run_plainly "${ribbon[@]}" --output-directory "$1" --task $task
+    check "task $task" test "$status" -eq 0
+  done
+}
+begin_run damaged
+run_plainly "${ribbon[@]}" --output-directory damaged --task list
+check "phases with their numbers of tasks" grep -qx "solve $(number_of_tiles whole)" stdout
+truncate -s 5000 damaged/work/shard_0
+printf 'x' | dd of=damaged/work/shard_2 bs=1 seek=5000 conv=notrunc 2> /dev/null
+run_plainly "${ribbon[@]}" --output-directory damaged --resume --json damaged.json
+check "goes on with damaged files" test "$status" -eq 0
+check "a truncated one is named" grep -q "damaged/work/shard_0: is damaged" stderr
+check "one with another byte too" grep -q "damaged/work/shard_2: is damaged" stderr
+check "both are made again" holds damaged.json "[p['remade'] for p in j['phases'] if p['name'] == 'shard'] == [2]"
+check "as if nothing had been" same_tiles damaged
+check_plain_failure 2 "is no task of this run" "${ribbon[@]}" --output-directory damaged --task solve:99
+
+# No room on the disk
+begin_run full
+(ulimit -f 30; "$program" "${ribbon[@]}" --output-directory full --resume > stdout 2> stderr)
+check "a full disk" test $? -eq 4
+check "leaves nothing half" no_temporary_files
+run_plainly "${ribbon[@]}" --output-directory full --resume
+check "goes on with room" test "$status" -eq 0
+check "with the same result" same_tiles full
+
+# What a run may not go on with
+begin_run changed
+check_plain_failure 2 "--resume: the run began with --seed 0, now it is --seed 1" "${ribbon[@]}" \
+  --output-directory changed --resume --seed 1
+touch parts/b.xyz
+check_plain_failure 3 "parts/b.xyz" "${ribbon[@]}" --output-directory changed --resume
+check_failure 1 "--memory" parts --as-one --points 100 --memory 90MB --output-directory none
+check_failure 1 "do not hold a part of the cloud" parts --as-one --points 12000 \
+  --memory $(((96 << 20) + 100000)) --output-directory none
+check_failure 2 "--memory" parts --as-one --points 100 --output-directory none
+check_failure 2 "excludes" parts --as-one --points 100 --memory 1GB --output-directory none --method lor
+check_failure 3 "missing.xyz" missing.xyz --as-one --points 100 --memory 1GB --output-directory none
+check_failure 3 "reads its files twice" /dev/stdin --as-one --points 100 --memory 1GB \
+  --input-format xyz --output-directory none
+echo '1 2 x' > parts/d.xyz
+check_failure 3 "parts/d.xyz: line 1" "${ribbon[@]}" --output-directory none
+
+end_of_checks
