@@ -5,17 +5,18 @@
 
 // Imitates a scan: samples a triangle mesh with noise, outliers and uneven density.
 
+#include "command_line.h"
 #include "sample_mesh.h"
-
-#include <CLI/CLI.hpp>
 
 #include <exception>
 #include <iostream>
+#include <optional>
 #include <string>
 
 int main(int argc, char* argv[])
 {
-  CLI::App app("Samples a triangle mesh uniformly by area, as a scanner with known errors would.");
+  CLI::App& app = L0_benchmark::command_line(
+    "Samples a triangle mesh uniformly by area, as a scanner with known errors would.");
   std::string mesh_path, points_path;
   L0_benchmark::Sampling sampling;
   app.add_option("mesh", mesh_path, "Triangle mesh, OFF")->required()->check(CLI::ExistingFile);
@@ -33,7 +34,8 @@ int main(int argc, char* argv[])
                 "Ratio of densities at the ends of the longest axis")
     ->capture_default_str();
   app.add_option("--seed", sampling.seed, "Same seed, same points")->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
+  if (const std::optional<int> status = L0_benchmark::read_command_line(app, argc, argv))
+    return *status;
 
   try {
     const L0_benchmark::Triangle_mesh mesh = L0_benchmark::read_triangle_mesh(mesh_path);

@@ -19,7 +19,7 @@ int main(int argc, char** argv)
   unsigned number_of_levels = 3;
   constexpr double floor_in_spacings = 0.05; // flat enough for any surface
   constexpr std::uint64_t seed = 1;
-  CLI::App app("Continuous locally optimal projection");
+  CLI::App& app = command_line("Continuous locally optimal projection");
   arguments.add_to(app);
   app.add_option("--radius-in-spacings", radius_in_spacings, "h, the radius of the kernel")
     ->check(CLI::PositiveNumber);

@@ -54,7 +54,7 @@ int main(int argc, char** argv)
 {
   Arguments arguments;
   Parameters parameters;
-  CLI::App app("CGAL's functions joined to edge-aware resampling");
+  CLI::App& app = command_line("CGAL's functions joined to edge-aware resampling");
   arguments.add_to(app);
   app
     .add_option("--radius-in-spacings", parameters.radius_in_spacings,

@@ -79,7 +79,8 @@ int main(int argc, char** argv)
   Arguments arguments;
   std::string filter;
   unsigned number_of_neighbors = 24;
-  CLI::App app("CGAL's random and grid simplification, jet and bilateral smoothing");
+  CLI::App& app = command_line(
+    "CGAL's random and grid simplification, jet and bilateral smoothing");
   arguments.add_to(app);
   app.add_option("--filter", filter)
     ->required()

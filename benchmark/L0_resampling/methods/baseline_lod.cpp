@@ -16,7 +16,7 @@ int main(int argc, char** argv)
   Arguments arguments;
   L0_denoising_parameters parameters;
   constexpr std::uint64_t seed = 1;
-  CLI::App app("L0 denoising");
+  CLI::App& app = command_line("L0 denoising");
   arguments.add_to(app);
   app.add_option("--normal-weight", parameters.normal_weight)->check(CLI::PositiveNumber);
   app.add_option("--position-weight", parameters.position_weight, "in squared spacings")

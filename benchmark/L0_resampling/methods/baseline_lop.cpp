@@ -20,7 +20,7 @@ int main(int argc, char** argv)
   constexpr double bandwidth_in_spacings =
     0.5; // of the kernel density estimate: half a spacing fills the gaps
   constexpr std::uint64_t seed = 1;
-  CLI::App app("Locally optimal projection");
+  CLI::App& app = command_line("Locally optimal projection");
   arguments.add_to(app);
   app.add_option("--radius-in-spacings", radius_in_spacings, "h, the radius of the kernel")
     ->check(CLI::PositiveNumber);

@@ -15,7 +15,7 @@ int main(int argc, char** argv)
   Arguments arguments;
   double radius_in_spacings = default_radius;
   bool require_uniform_sampling = false;
-  CLI::App app("CGAL::wlop_simplify_and_regularize_point_set()");
+  CLI::App& app = command_line("CGAL::wlop_simplify_and_regularize_point_set()");
   arguments.add_to(app);
   app
     .add_option("--radius-in-spacings", radius_in_spacings,

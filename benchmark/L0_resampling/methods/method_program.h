@@ -6,28 +6,18 @@
 #ifndef CGAL_L0_RESAMPLING_BENCHMARK_METHOD_PROGRAM_H
 #define CGAL_L0_RESAMPLING_BENCHMARK_METHOD_PROGRAM_H
 
-#include <CGAL/IO/read_ply_points.h>
-#include <CGAL/IO/write_ply_points.h>
-#include <CGAL/Real_timer.h>
+#include "../common/command_line.h"
+
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/property_map.h>
 #include <CGAL/tags.h>
-#include <CGAL/version.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 #include <tbb/global_control.h>
 
-#include <malloc.h>
-
 #include <cstddef>
-#include <ctime>
-#include <exception>
-#include <filesystem>
-#include <fstream>
-#include <iostream>
-#include <iterator>
-#include <stdexcept>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -55,47 +45,14 @@ struct Arguments
   std::size_t number_of_output_points = 0;
   unsigned number_of_threads = 1;
 
-  void add_to(CLI::App& app)
-  {
-    app.add_option("input", input, "PLY file; only the positions are used")
-      ->required()
-      ->check(CLI::ExistingFile);
-    app.add_option("output", output, "binary PLY file of points with normals")->required();
-    app.add_option("--points", number_of_output_points, "number of output points")
-      ->required()
-      ->check(CLI::PositiveNumber);
-    app.add_option("--threads", number_of_threads, "1 runs the sequential code")
-      ->check(CLI::PositiveNumber);
-  }
+  void add_to(CLI::App& app);
 };
 
 /// \throws std::runtime_error if `path` has no readable points
-inline std::vector<Point> read_positions(const std::string& path)
-{
-  std::ifstream stream(path, std::ios::binary);
-  std::vector<Point> points;
-  if (!CGAL::IO::read_PLY(stream, std::back_inserter(points)) || points.empty())
-    throw std::runtime_error(path + ": no points could be read");
-  points.shrink_to_fit();
-  return points;
-}
+std::vector<Point> read_positions(const std::string& path);
 
 /// \throws std::runtime_error if `path` could not be written
-inline void write_oriented_points(const std::string& path, const Oriented_points& points)
-{
-  if (!CGAL::IO::write_PLY(path, points, point_and_normal_maps()))
-    throw std::runtime_error(path + ": cannot be written");
-}
-
-/// `field` is "VmRSS", what is resident now, or "VmHWM", the most that ever was.
-inline std::size_t resident_bytes(const std::string& field)
-{
-  std::ifstream status("/proc/self/status");
-  for (std::string line; std::getline(status, line);)
-    if (line.compare(0, field.size() + 1, field + ":") == 0)
-      return std::stoull(line.substr(field.size() + 1)) * 1024;
-  throw std::runtime_error("/proc/self/status has no " + field);
-}
+void write_oriented_points(const std::string& path, const Oriented_points& points);
 
 /*!
 Wall-clock time and CPU time of all threads for each phase of a program, and how far the resident
@@ -105,41 +62,9 @@ before: the peak then counts neither.
 class Measurement
 {
 public:
-  Measurement()
-  {
-    malloc_trim(0); // else what reading the file freed would serve the call unseen
-    std::ofstream clear_refs("/proc/self/clear_refs");
-    if (!(clear_refs << 5 << std::flush)) // sets VmHWM back to VmRSS, proc(5)
-      throw std::runtime_error("/proc/self/clear_refs: the peak of memory cannot be reset");
-    m_resident_before = resident_bytes("VmRSS");
-  }
-
-  template <typename Function>
-  void phase(const std::string& name, const Function& function)
-  {
-    CGAL::Real_timer wall;
-    const std::clock_t cpu = std::clock();
-    wall.start();
-    function();
-    wall.stop();
-    m_phases.push_back({{"name", name},
-                        {"wall_seconds", wall.time()},
-                        {"cpu_seconds", double(std::clock() - cpu) / CLOCKS_PER_SEC}});
-  }
-
-  Json result() const
-  {
-    double wall_seconds = 0, cpu_seconds = 0;
-    for (const Json& phase : m_phases) {
-      wall_seconds += phase["wall_seconds"].get<double>();
-      cpu_seconds += phase["cpu_seconds"].get<double>();
-    }
-    const std::size_t peak = resident_bytes("VmHWM");
-    return {{"wall_seconds", wall_seconds},
-            {"cpu_seconds", cpu_seconds},
-            {"resident_growth_bytes", peak > m_resident_before ? peak - m_resident_before : 0},
-            {"phases", m_phases}};
-  }
+  Measurement();
+  void phase(const std::string& name, const std::function<void()>& function);
+  Json result() const;
 
 private:
   std::size_t m_resident_before;
@@ -159,35 +84,13 @@ void with_concurrency_tag(unsigned number_of_threads, const Function& function)
 }
 
 /// Prints one line of JSON: what was run, on what, and its measurement.
-inline void print_result(const std::string& program, const Arguments& arguments,
-                         std::size_t number_of_input_points, std::size_t number_of_output_points,
-                         const Json& parameters, const Json& measured)
-{
-  Json line = {{"program", program},
-               {"cgal_version", CGAL_VERSION_STR},
-               {"input", std::filesystem::path(arguments.input).filename().string()},
-               {"number_of_input_points", number_of_input_points},
-               {"number_of_output_points", number_of_output_points},
-               {"threads", arguments.number_of_threads},
-               {"parameters", parameters}};
-  line.update(measured);
-  std::cout << line.dump() << std::endl;
-}
+void print_result(const std::string& program, const Arguments& arguments,
+                  std::size_t number_of_input_points, std::size_t number_of_output_points,
+                  const Json& parameters, const Json& measured);
 
 /// Reads the command line, runs `body` and turns what it throws into one line on stderr.
 /// \returns the exit status of the program
-template <typename Body>
-int run_program(CLI::App& app, int argc, char** argv, const Body& body)
-{
-  CLI11_PARSE(app, argc, argv);
-  try {
-    body();
-    return 0;
-  } catch (const std::exception& error) {
-    std::cerr << argv[0] << ": " << error.what() << std::endl;
-    return 1;
-  }
-}
+int run_program(CLI::App& app, int argc, char** argv, const std::function<void()>& body);
 
 } // namespace L0_benchmark
 

@@ -15,6 +15,7 @@
 #include <CGAL/L0_resampling/CUDA_least_squares_solver_traits.h>
 #endif
 
+#include <iterator>
 #include <map>
 
 namespace {
@@ -90,7 +91,7 @@ int main(int argc, char** argv)
   Arguments arguments;
   std::string method = "default", solver = "block";
   double normal_weight = 0.9; // the function's own default
-  CLI::App app("CGAL::l0_resample_point_set()");
+  CLI::App& app = command_line("CGAL::l0_resample_point_set()");
   arguments.add_to(app);
   app.add_option("--method", method)->check(CLI::IsMember(methods));
   app

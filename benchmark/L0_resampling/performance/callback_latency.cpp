@@ -15,6 +15,8 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
+#include <iostream>
+#include <iterator>
 #include <map>
 
 namespace {
@@ -159,7 +161,8 @@ int main(int argc, char** argv)
   std::string method = "default", input = "sphere";
   unsigned threads = 1;
   double noise_in_spacings = 0.5, radius_in_spacings = 0;
-  CLI::App app("How often CGAL::l0_resample_point_set() calls back, and how fast it is cancelled");
+  CLI::App& app = command_line(
+    "How often CGAL::l0_resample_point_set() calls back, and how fast it is cancelled");
   app.add_option("--input", input, "sphere, with noise; volume; or crowd, half of it in one place")
     ->check(CLI::IsMember({"sphere", "volume", "crowd"}));
   app.add_option("--points", n)->check(CLI::PositiveNumber);

@@ -6,12 +6,12 @@
 // Times the stages on a CUDA device: a mesh is sampled with noise, and its points are resampled
 // again and again. Prints one JSON object.
 
+#include "../common/command_line.h"
 #include "../common/sample_mesh.h"
 
 #include <CGAL/L0_resampling/internal/Method_rules.h>
 #include <CGAL/L0_resampling/internal/cuda_interface.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <cuda_profiler_api.h>
@@ -24,6 +24,7 @@
 #include <exception>
 #include <iostream>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -148,7 +149,7 @@ int main(int argc, char** argv)
   double radius_in_spacings = 0, noise_in_spacings = -1;
   std::size_t repetitions = 50;
   bool measures_bandwidth = false, is_profiled = false;
-  CLI::App app("l0_resample_point_set<CUDA_tag>(), stage by stage");
+  CLI::App& app = L0_benchmark::command_line("l0_resample_point_set<CUDA_tag>(), stage by stage");
   app.add_option("mesh", mesh_path, "triangle mesh, OFF")->required()->check(CLI::ExistingFile);
   app.add_option("--points-in", sampling.number_of_points, "points sampled from the mesh")
     ->capture_default_str();
@@ -167,7 +168,8 @@ int main(int argc, char** argv)
   app.add_flag("--profile", is_profiled,
                "one call more, after the warm-up, with profilers switched on: for `ncu "
                "--profile-from-start off`, which is slow");
-  CLI11_PARSE(app, argc, argv);
+  if (const std::optional<int> status = L0_benchmark::read_command_line(app, argc, argv))
+    return *status;
 
   try {
     const L0_benchmark::Triangle_mesh mesh = L0_benchmark::read_triangle_mesh(mesh_path);

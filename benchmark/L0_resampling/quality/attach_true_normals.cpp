@@ -15,7 +15,7 @@ int main(int argc, char** argv)
 
   std::string input, truth_path, output;
   bool moves = false;
-  CLI::App app("The normals of the nearest faces");
+  CLI::App& app = command_line("The normals of the nearest faces");
   app.add_option("input", input, "PLY file; only the positions are used")
     ->required()
     ->check(CLI::ExistingFile);

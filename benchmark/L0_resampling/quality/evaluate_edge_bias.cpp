@@ -7,16 +7,17 @@
 // prints one JSON object. Lengths are % of the diagonal of the mesh's bounding box;
 // outside is positive.
 
+#include "../common/command_line.h"
 #include "edge_bias.h"
 
 #include <CGAL/Point_set_3.h>
 #include <CGAL/Point_set_3/IO.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <exception>
 #include <iostream>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -49,13 +50,15 @@ Json to_json(const std::vector<Edge_bias>& bands)
 
 int main(int argc, char* argv[])
 {
-  CLI::App app("Measures on which side of a mesh points lie, by distance from its edges.");
+  CLI::App& app = command_line(
+    "Measures on which side of a mesh points lie, by distance from its edges.");
   std::string result_path, truth_path;
   app.add_option("result", result_path, "points: PLY, OFF, XYZ")
     ->required()
     ->check(CLI::ExistingFile);
   app.add_option("truth", truth_path, "closed mesh, OFF")->required()->check(CLI::ExistingFile);
-  CLI11_PARSE(app, argc, argv);
+  if (const std::optional<int> status = read_command_line(app, argc, argv))
+    return *status;
 
   try {
     const Triangle_mesh mesh = read_triangle_mesh(truth_path);

@@ -6,17 +6,18 @@
 // Measures a point set against the mesh that it should be a sampling of, and prints one JSON
 // object.
 
+#include "../common/command_line.h"
 #include "metrics.h"
 
 #include <CGAL/Point_set_3.h>
 #include <CGAL/Point_set_3/IO.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <exception>
 #include <fstream>
 #include <iostream>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -103,7 +104,7 @@ void write_values_of_points(const std::string& path, const std::vector<Point_3>&
 
 int main(int argc, char* argv[])
 {
-  CLI::App app(
+  CLI::App& app = L0_benchmark::command_line(
     "Measures a point set against a triangle mesh. Lengths are % of the bounding box's diagonal.");
   std::string result_path, truth_path, values_path;
   app.add_option("result", result_path, "Point set: PLY, OFF or XYZ")
@@ -112,7 +113,8 @@ int main(int argc, char* argv[])
   app.add_option("truth", truth_path, "Triangle mesh, OFF")->required()->check(CLI::ExistingFile);
   app.add_option("--values", values_path,
                  "File for distance and density of each point, two float32 a point");
-  CLI11_PARSE(app, argc, argv);
+  if (const std::optional<int> status = L0_benchmark::read_command_line(app, argc, argv))
+    return *status;
 
   try {
     const Result result = read_result(result_path);

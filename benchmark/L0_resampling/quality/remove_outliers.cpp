@@ -8,7 +8,10 @@
 
 #include "../methods/method_program.h"
 
+#include <CGAL/IO/write_ply_points.h>
 #include <CGAL/remove_outliers.h>
+
+#include <stdexcept>
 
 int main(int argc, char** argv)
 {
@@ -17,7 +20,7 @@ int main(int argc, char** argv)
   std::string input, output;
   double percent = 0;
   constexpr unsigned number_of_neighbors = 24; // as in CGAL's example
-  CLI::App app("CGAL::remove_outliers()");
+  CLI::App& app = command_line("CGAL::remove_outliers()");
   app.add_option("input", input, "PLY file; only the positions are used")
     ->required()
     ->check(CLI::ExistingFile);

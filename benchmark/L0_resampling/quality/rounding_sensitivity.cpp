@@ -16,6 +16,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iostream>
+#include <iterator>
 #include <map>
 
 namespace {
@@ -81,7 +83,7 @@ int main(int argc, char** argv)
   std::string input, method = "default";
   std::size_t number_of_output_points = 0;
   bool on_device = false;
-  CLI::App app("How far a result moves when nothing changes but roundings");
+  CLI::App& app = command_line("How far a result moves when nothing changes but roundings");
   app.add_option("input", input, "PLY file; only the positions are used")
     ->required()
     ->check(CLI::ExistingFile);

@@ -201,7 +201,7 @@ int main(int argc, char** argv)
 {
   Arguments arguments;
   Change change;
-  CLI::App app("LOR with changes to its energy, by the paper's explicit rows");
+  CLI::App& app = command_line("LOR with changes to its energy, by the paper's explicit rows");
   arguments.add_to(app);
   app.add_option("--equation", change.equation, "3, 4 or 6")->check(CLI::IsMember({3, 4, 6}));
   app

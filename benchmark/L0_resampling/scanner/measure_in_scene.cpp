@@ -5,12 +5,11 @@
 
 // Measures how far points are from the surfaces of an endless scene, and their normals from those.
 
+#include "../common/command_line.h"
 #include "scene_options.h"
 
 #include <Failure.h>
 #include <read_points.h>
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -109,7 +108,7 @@ void add_file(const std::string& path, Errors& errors)
 
 int main(int argc, char* argv[])
 {
-  CLI::App app(
+  CLI::App& app = command_line(
     "Measures points on the scene that stream_scene made a scan of with the same options: how far\n"
     "they are from the true surface, and normals from those there.");
   Streaming streaming;
@@ -117,7 +116,8 @@ int main(int argc, char* argv[])
   app.add_option("files", files, "points, of any format that l0_resample reads; one at a time")
     ->required();
   add_scene_options(app, streaming);
-  CLI11_PARSE(app, argc, argv);
+  if (const std::optional<int> status = read_command_line(app, argc, argv))
+    return *status;
 
   try {
     Errors errors(Scene_stream::scene_of(streaming));

@@ -5,16 +5,16 @@
 
 // Imitates a scanner in a scene that is known exactly: rays from where it stands, and its errors.
 
+#include "../common/command_line.h"
 #include "Scan.h"
 
 #include <CGAL/IO/OFF.h>
-
-#include <CLI/CLI.hpp>
 
 #include <exception>
 #include <fstream>
 #include <iomanip>
 #include <iostream>
+#include <optional>
 #include <string>
 
 namespace {
@@ -41,7 +41,7 @@ void write_viewpoints(const std::string& path, const std::vector<Point_3>& viewp
 
 int main(int argc, char* argv[])
 {
-  CLI::App app(
+  CLI::App& app = command_line(
     "Scans a scene with known errors.\n\n"
     "Writes OUTPUT.ply, the points as they are reported, each with the number of its view;\n"
     "OUTPUT_exact.ply, in the same order where the middle of each beam met the scene;\n"
@@ -69,7 +69,8 @@ int main(int argc, char* argv[])
                 "of the scanner's noise; 0 leaves steps of disparity alone")
     ->capture_default_str();
   app.add_option("--seed", scanning.seed, "same seed, same points")->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
+  if (const std::optional<int> status = read_command_line(app, argc, argv))
+    return *status;
 
   try {
     const Scene scene = make_scene(scene_name);

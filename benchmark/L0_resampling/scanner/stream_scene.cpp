@@ -5,14 +5,13 @@
 
 // Writes blocks of a scan of an endless scene, each without the others.
 
+#include "../common/command_line.h"
 #include "block_cloud.h"
 #include "scene_options.h"
 
 #include <file_formats.h>
 #include <parse_numbers.h>
 #include <write_points.h>
-
-#include <CLI/CLI.hpp>
 
 #include <cstdint>
 #include <exception>
@@ -72,7 +71,7 @@ void write_stations(const std::string& path, const Endless_scene& scene)
 
 int main(int argc, char* argv[])
 {
-  CLI::App app(
+  CLI::App& app = command_line(
     "Scans a scene of 10^6 to 10^12 points, block by block.\n\n"
     "A point is a function of the seed and of its number: any blocks, made in any order and by\n"
     "any number of programs, are together the same scan, point for point. Blocks follow each\n"
@@ -100,7 +99,8 @@ int main(int argc, char* argv[])
                "with the true normals, and true_dx, true_dy, true_dz to what the ray met");
   app.add_option("--stations", stations,
                  "write where the scanners stood, in lines x y z: --viewpoints of l0_resample");
-  CLI11_PARSE(app, argc, argv);
+  if (const std::optional<int> status = read_command_line(app, argc, argv))
+    return *status;
 
   try {
     const std::optional<l0_tool::File_format> format = l0_tool::format_of(output);
