@@ -186,6 +186,12 @@ void call_with(const Attack& attack, const SolverTraits& solver, Answer& answer)
                               && are_same_bits(normals, normals_before);
 }
 
+#ifdef L0_ATTACKS_ONLY_IN_PARALLEL // by ThreadSanitizer: where one thread runs there is no race
+using Tag_of_one_thread = CGAL::Parallel_tag;
+#else
+using Tag_of_one_thread = CGAL::Sequential_tag;
+#endif
+
 template <typename ConcurrencyTag, typename SolverTraits>
 void call_with(const Attack& attack, const SolverTraits& solver, Answer& answer)
 {
@@ -216,10 +222,10 @@ Answer call(const Attack& attack, bool in_parallel)
   switch (attack.parameters.solver)
   {
   case Solver::CHOLESKY:
-    call_with<CGAL::Sequential_tag>(attack, Eigen_cholesky_solver_traits<double>(), answer);
+    call_with<Tag_of_one_thread>(attack, Eigen_cholesky_solver_traits<double>(), answer);
     break;
   case Solver::LEAST_SQUARES:
-    call_with<CGAL::Sequential_tag>(attack, Eigen_least_squares_solver_traits<double>(), answer);
+    call_with<Tag_of_one_thread>(attack, Eigen_least_squares_solver_traits<double>(), answer);
     break;
   default:
     // as a call without a solver does
@@ -227,8 +233,8 @@ Answer call(const Attack& attack, bool in_parallel)
       call_with<CGAL::Parallel_if_available_tag>(
         attack, Block_chebyshev_solver_traits<float, CGAL::Parallel_if_available_tag>(), answer);
     else
-      call_with<CGAL::Sequential_tag>(
-        attack, Block_chebyshev_solver_traits<float, CGAL::Sequential_tag>(), answer);
+      call_with<Tag_of_one_thread>(
+        attack, Block_chebyshev_solver_traits<float, Tag_of_one_thread>(), answer);
   }
   return answer;
 }

@@ -18,7 +18,8 @@ function(vcpkg_cmake_configure)
   # vcpkg refuses a port with options that the project does not know.
   execute_process(
     COMMAND ${CMAKE_COMMAND} -S ${arg_SOURCE_PATH} -B ${SCRATCH}/build -G ${GENERATOR}
-            ${arg_OPTIONS} -DCMAKE_BUILD_TYPE=Debug -DCGAL_DIR=${CGAL_DIR}
+            ${arg_OPTIONS} -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0
+            -DCGAL_DIR=${CGAL_DIR}
             -DCMAKE_INSTALL_PREFIX=${CURRENT_PACKAGES_DIR} -DCMAKE_INSTALL_LIBDIR=lib
     COMMAND_ERROR_IS_FATAL ANY ERROR_VARIABLE warnings OUTPUT_QUIET)
   if(arg_UNPARSED_ARGUMENTS OR warnings MATCHES "variables were not used")
