@@ -56,13 +56,13 @@ def _device_choice(device, points):
     cuda_device = cuda_device_of(points)
     if device is None:
         device = "cpu" if cuda_device is None else "cuda"
-    choice = choice("device", device, _core.Device)
-    if cuda_device is not None and choice == _core.Device.cpu:
+    chosen = choice("device", device, _core.Device)
+    if cuda_device is not None and chosen == _core.Device.cpu:
         raise ValueError(
             f"points is on cuda:{cuda_device}, which device='cpu' cannot read: "
             "copy it to the host first, or leave device out"
         )
-    return choice
+    return chosen
 
 
 def parameters_of(method, named):
