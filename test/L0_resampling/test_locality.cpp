@@ -42,7 +42,7 @@ template <typename ConcurrencyTag>
 std::vector<Sample> near_samples(const std::vector<Vector>& points, Facts_of_cloud& facts)
 {
   Parameters parameters;
-  parameters.drop_outliers = true;
+  parameters.outlier_sensitivity = 1;
   parameters.penalty_growth = default_penalty_growth;
   parameters.number_of_output_points = 3000;
   Block_chebyshev_solver_traits<Local, ConcurrencyTag> solver;

@@ -57,7 +57,7 @@ Json measure(const F& orient, const std::vector<Point>& points, std::vector<Vect
 int main(int argc, char** argv)
 {
   std::string input, truth_path;
-  CLI::App app("The sides of normals that two functions find");
+  CLI::App& app = command_line("The sides of normals that two functions find");
   app.add_option("input", input, "PLY file; only the positions are used")
     ->required()
     ->check(CLI::ExistingFile);

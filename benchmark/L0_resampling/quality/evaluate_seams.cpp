@@ -6,6 +6,8 @@
 // Compares the points of a result by tiles near the seams with the others, and prints one JSON
 // object. Lengths are in spacings of the samples.
 
+#include "../common/command_line.h"
+
 #include <CGAL/Orthogonal_k_neighbor_search.h>
 #include <CGAL/Point_set_3.h>
 #include <CGAL/Point_set_3/IO.h>
@@ -13,7 +15,6 @@
 #include <CGAL/Search_traits_adapter.h>
 #include <CGAL/Simple_cartesian.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -22,6 +23,7 @@
 #include <exception>
 #include <fstream>
 #include <iostream>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -118,7 +120,8 @@ Json compare(const Point_set& samples, const Json& index)
 
 int main(int argc, char* argv[])
 {
-  CLI::App app("Compares samples within a radius of a seam of tiles with the others.");
+  CLI::App& app = L0_benchmark::command_line(
+    "Compares samples within a radius of a seam of tiles with the others.");
   std::string result_path, index_path;
   app.add_option("result", result_path, "all points, with normals: PLY")
     ->required()
@@ -126,7 +129,8 @@ int main(int argc, char* argv[])
   app.add_option("index", index_path, "index.json of the run")
     ->required()
     ->check(CLI::ExistingFile);
-  CLI11_PARSE(app, argc, argv);
+  if (const std::optional<int> status = L0_benchmark::read_command_line(app, argc, argv))
+    return *status;
 
   try {
     Point_set samples;
