@@ -10,7 +10,7 @@
     positions, normals = cgal_l0.l0_resample_point_set(cloud.points)
     cgal_l0.write_points("clean.ply", positions, normals)
 
-l0_resample_point_set() is the function that this package is for, and its help explains every
+The function that this package is for is l0_resample_point_set(), whose help explains every
 parameter. The others turn normals to their sides, read, write and draw points, and show progress.
 """
 

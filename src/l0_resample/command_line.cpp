@@ -29,7 +29,7 @@ using CGAL::L0_resampling::Method;
 
 const std::map<std::string, Method> methods = {
   {"default", Method::DEFAULT}, {"lor", Method::LOR}, {"alor", Method::ALOR}};
-const std::map<std::string, Solver> solvers = {{"block-chebyshev", Solver::BLOCK_CHEBYSHEV},
+const std::map<std::string, Solver> solvers = {{"chebyshev", Solver::BLOCK_CHEBYSHEV},
                                                {"block-cg", Solver::BLOCK_CG},
                                                {"cholesky", Solver::CHOLESKY},
                                                {"rows-cg", Solver::ROWS_CG}};
@@ -254,7 +254,7 @@ void add_options_on_method(CLI::App& app, Arguments& arguments)
     ->check(count_within(0, any_count))
     ->type_name("K")
     ->capture_default_str();
-  add_choice(app, "--solver", "SOLVER", solvers, options.solver, "of linear systems");
+  add_choice(app, "--solver", "SOLVER", solvers, options.solver, "how to solve");
   app
     .add_option("--solver-iterations", options.solver_iterations,
                 "most iterations of a solve, but for cholesky")

@@ -6,7 +6,7 @@
 #ifndef CGAL_L0_RESAMPLING_TILED_RESAMPLING_H
 #define CGAL_L0_RESAMPLING_TILED_RESAMPLING_H
 
-#include <CGAL/L0_resampling/Block_conjugate_gradient_solver_traits.h>
+#include <CGAL/L0_resampling/Block_chebyshev_solver_traits.h>
 #include <CGAL/L0_resampling/Report.h>
 #include <CGAL/L0_resampling/internal/Tiling.h>
 #include <CGAL/L0_resampling/internal/checked_parameters.h>
@@ -75,7 +75,7 @@ A source is a class with a function `for_each_point(box, f)`, which calls `f` wi
 template <typename ConcurrencyTag>
 class Tiled_resampling
 {
-  using Solver = Block_conjugate_gradient_solver_traits<float, ConcurrencyTag>;
+  using Solver = Block_chebyshev_solver_traits<float, ConcurrencyTag>;
   using FT = typename Solver::FT;
 
   internal::Parameters m_parameters;

@@ -62,6 +62,7 @@ bool parameters_are_good(const Attack& attack)
          && is_positive(p.penalty_growth.value_or(2) - 1) && p.select_percentage > 0
          && p.select_percentage <= 100 && p.sharpness_angle > 0 && p.sharpness_angle <= 90
          && is_count(p.number_of_normal_filter_iterations, 0, 10000)
+         && p.outlier_sensitivity.value_or(1) >= 0 && p.outlier_sensitivity.value_or(1) <= 3
          && is_not_negative(p.normal_weight) && is_positive(p.initial_penalty)
          && is_positive(p.maximum_penalty) && !(std::isfinite(steps) && steps > 10000)
          && is_count(p.number_of_orientation_neighbors, 3, 1000);

@@ -38,14 +38,14 @@ public:
   int exponent() const { return m_exponent; }
   double side() const { return std::ldexp(1., m_exponent); }
 
-  /// \param coordinates of a point in the unit of the input
-  template <typename Coordinates>
-  Block block_of(const Coordinates& coordinates) const
+  /// \param point in the unit of the input: three numbers that follow each other at `data()`
+  template <typename Point>
+  Block block_of(const Point& point) const
   {
     Block block;
-    for (int axis = 0; axis < 3; ++axis)
-      block[std::size_t(axis)] = std::int64_t(
-        std::floor(double(coordinates[axis]) * m_factor)); // the product is exact
+    for (std::size_t axis = 0; axis < block.size(); ++axis)
+      block[axis] = std::int64_t(
+        std::floor(double(point.data()[axis]) * m_factor)); // the product is exact
     return block;
   }
 

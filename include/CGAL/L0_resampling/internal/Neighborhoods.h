@@ -64,6 +64,7 @@ class Self_neighbor_search
 {
   using Ranges = std::vector<Search_grid_3::Range>;
   static constexpr std::size_t maximum_number_of_candidates = 1024;
+  static constexpr Index queries_per_look = 1024; ///< at the caller, in a cell of any number
 
   const Search_grid_3& m_grid;
   const Buffer<Vector>& m_samples;
@@ -116,8 +117,10 @@ public:
                      & std::size_t(k != i) & std::size_t(((k - i) & (m_strides[k] - 1)) == 0);
           }
         f(i, found.data(), count);
+        if ((i - queries.first + 1) % queries_per_look == 0)
+          m_progress.advance(queries_per_look);
       }
-      m_progress.advance(queries.second - queries.first);
+      m_progress.advance((queries.second - queries.first) % queries_per_look);
     };
     for (std::size_t row = begin_row; row < end_row; ++row)
       for_each_cell_of_row(m_grid, row, cursor, ranges, visit_cell);

@@ -332,11 +332,11 @@ inline double next_penalty(double penalty, double growth)
 constexpr double self_neighbor_radius_per_spacing = 2;
 
 /// Of a sample that repels others within a radius of its own.
-/// \param area of the surface that it stands for
+/// \param area of the surface that it stands for, which rounds to 0 where points are very dense
 CGAL_L0_HOST_DEVICE inline float spreading_radius_of(double area, double largest)
 {
-  const double radius = self_neighbor_radius_per_spacing * std::sqrt(area);
-  return float(radius < largest ? radius : largest);
+  const double radius = self_neighbor_radius_per_spacing * std::sqrt(area), least = largest / 1024;
+  return float(radius > largest ? largest : radius < least ? least : radius);
 }
 
 constexpr std::size_t number_of_repulsion_steps = 3;

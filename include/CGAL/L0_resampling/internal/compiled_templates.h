@@ -19,6 +19,7 @@
 #include <CGAL/tags.h>
 
 #include <array>
+#include <functional>
 #include <vector>
 
 /// The instantiations for a concurrency tag and a number type, of the solver and of the caller's
@@ -38,6 +39,8 @@
   declaration Oriented_representatives orient_point_set<Tag>(                                      \
     Buffer<Vector>&, Buffer<Local_vector>&, Buffer<Local_vector>&, const Parameters&, Progress&,   \
     Report&);                                                                                      \
+  declaration Scales scales_of_regions<Tag>(                                                       \
+    Buffer<Vector>&, const std::function<bool(const Vector&)>&, const Cloud_facts&, Progress&);    \
   declaration std::vector<Block_share> shares_of_tile<Tag, float>(                                 \
     Buffer<Vector>&, const Cloud_facts&, const Parameters&, const Block_lattice&,                  \
     const std::vector<Block>&, Any_solver<float>&, Progress&, Report&);                            \

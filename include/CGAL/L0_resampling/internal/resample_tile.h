@@ -10,6 +10,7 @@
 #include <CGAL/L0_resampling/internal/run.h>
 
 #include <cstddef>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -21,9 +22,9 @@ namespace internal {
 /// \param points of the regions, in the unit of the input; used up
 /// \param is_core called with a point in that unit: whether all that is near to it is among them
 /// \param facts all but the scales
-template <typename ConcurrencyTag, typename IsCore>
-Scales scales_of_regions(Buffer<Vector>& points, const IsCore& is_core, const Cloud_facts& facts,
-                         Progress& progress)
+template <typename ConcurrencyTag>
+Scales scales_of_regions(Buffer<Vector>& points, const std::function<bool(const Vector&)>& is_core,
+                         const Cloud_facts& facts, Progress& progress)
 {
   Working_frame frame;
   frame.enter<ConcurrencyTag>(points);
