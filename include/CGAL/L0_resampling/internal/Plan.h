@@ -153,10 +153,11 @@ struct Plan
 
   Minimization_parameters minimization;
 
-  /// Sets the spacing of the samples, and what follows from it.
+  /// Sets the spacing of the samples, and what follows from it. It is bounded so that the squares of
+  /// distances within it are finite in single precision: a filter radius may be of any length.
   void set_sample_spacing(double spacing)
   {
-    sample_spacing = spacing;
+    sample_spacing = (std::min)(spacing, 1e15 * radius);
     if (refines)
     {
       // Beyond r_p the surface may bend away, and the fit could not hold a sample that the other
