@@ -17,6 +17,7 @@ sys.path.append(str(Path(__file__).resolve().parents[1] / "common"))
 from results import load_raw, write_result  # for the drivers
 
 # In CGAL's demo data, and in ours
+OWN_DATA = Path(__file__).resolve().parents[3] / "data"
 CGAL_SHAPES = ("fandisk", "anchor_dense", "armadillo")
 OWN_SHAPES = ("dodecahedron", "staircase", "thin_plate")
 
@@ -38,8 +39,9 @@ def parse_finite(text):
 
 
 def mesh_of(shape, mesh_folder):
-    folder = mesh_folder if shape in CGAL_SHAPES else Path(__file__).resolve().parents[3] / "data"
-    return folder / f"{shape}.off"
+    """In our data if it is there, else in `mesh_folder`."""
+    own = OWN_DATA / f"{shape}.off"
+    return own if own.exists() else mesh_folder / own.name
 
 
 def describe(experiment):

@@ -12,7 +12,6 @@ outside none of the two can know, the side is taken that makes fewer wrong. OUTP
 each input.
 """
 
-import argparse
 import json
 import sys
 import tempfile
@@ -20,7 +19,7 @@ from pathlib import Path
 
 from quality_bench import Bench, command_line
 from quality_tables import table
-from run_sides import OWN_SHAPES, SCENES, SHAPES
+from run_sides import SCENES, SHAPES, meshes_of, print_or_write, read_arguments
 
 SHAPES_OF_UNEVEN_SPACING = ("bracket", "torus", "armadillo", "camel", "elephant", "fandisk", "hand", "turbine")
 DENSITY_GRADIENT = 10
@@ -35,12 +34,12 @@ def compare(bench, mesh, points, is_closed=True):
     return result
 
 
-def compare_meshes(bench, mesh_of, shapes, number_of_points, **sampling):
+def compare_meshes(bench, meshes, number_of_points, **sampling):
     rows = {}
-    for shape in shapes:
+    for mesh in meshes:
         experiment = {"input_points": number_of_points, "noise_percent": 0.3, "seed": 1} | sampling
-        rows[shape] = compare(bench, mesh_of(shape), bench.sample(mesh_of(shape), experiment))
-        print(shape, rows[shape], file=sys.stderr, flush=True)
+        rows[mesh.stem] = compare(bench, mesh, bench.sample(mesh, experiment))
+        print(mesh.stem, rows[mesh.stem], file=sys.stderr, flush=True)
     return rows
 
 
@@ -99,33 +98,19 @@ made one have no right side. Times of processor add up all threads.
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("build", type=Path, help="build folder; its bin/ has the programs")
-    parser.add_argument("meshes", type=Path, metavar="mesh_folder", help="has the meshes of libcgal-demo")
-    parser.add_argument("--output", type=Path, help="writes OUTPUT.md; else the tables are printed")
-    parser.add_argument("--small", action="store_true", help="two shapes of our own, one scene; needs no meshes")
-    arguments = parser.parse_args()
-    own = Path(__file__).resolve().parents[3] / "data"
-
-    def mesh_of(shape):
-        return (own if shape in OWN_SHAPES else arguments.meshes) / f"{shape}.off"
-
+    arguments = read_arguments(__doc__)
     shapes, uneven, scenes, number_of_points = SHAPES, SHAPES_OF_UNEVEN_SPACING, SCENES, 50000
     if arguments.small:
         shapes, uneven, scenes, number_of_points = ("torus", "bracket"), ("torus",), SCENES[3:4], 3000
     with tempfile.TemporaryDirectory() as folder:
         bench = Bench(arguments.build / "bin", Path(folder), threads=2)
         groups = {
-            "closed meshes, noise 0.3 %": compare_meshes(bench, mesh_of, shapes, number_of_points),
+            "closed meshes, noise 0.3 %": compare_meshes(bench, meshes_of(shapes, arguments), number_of_points),
             f"density gradient {DENSITY_GRADIENT}, no noise": compare_meshes(
-                bench, mesh_of, uneven, number_of_points, noise_percent=0, density_gradient=DENSITY_GRADIENT),
+                bench, meshes_of(uneven, arguments), number_of_points, noise_percent=0, density_gradient=DENSITY_GRADIENT),
             "scenes": compare_scenes(bench, scenes),
         }
-    text = markdown(command_line("run_orient_only.py", sys.argv[1:]), groups)
-    if arguments.output:
-        Path(f"{arguments.output}.md").write_text(text, encoding="utf-8")
-    else:
-        print(text)
+    print_or_write(markdown(command_line("run_orient_only.py", sys.argv[1:]), groups), arguments)
 
 
 if __name__ == "__main__":

@@ -17,11 +17,11 @@ import sys
 import tempfile
 from pathlib import Path
 
-from quality_bench import Bench, command_line
+from quality_bench import Bench, command_line, mesh_of
 from quality_tables import table
 
-OWN_SHAPES = ("bracket", "dodecahedron", "staircase", "thin_plate", "torus")
-SHAPES = OWN_SHAPES + (
+SHAPES = (
+    "bracket", "dodecahedron", "staircase", "thin_plate", "torus",
     "anchor_dense", "armadillo", "bones", "bull", "camel", "cheese", "couplingdown", "cow",
     "diplodocus", "dragknob", "eight", "elephant", "fandisk", "femur", "hand", "homer", "knot1",
     "man", "mpi_triang", "part", "pinion", "rotor", "spool", "star", "triceratops", "tripod",
@@ -48,24 +48,24 @@ def resample_and_measure(bench, mesh, points, options):
     return 100 * expected, 100 - 100 * evaluation["normals"]["share_inwards"]
 
 
-def measure_meshes(bench, mesh_of, shapes, noises):
+def measure_meshes(bench, meshes, noises):
     rows = []
-    for shape in shapes:
+    for mesh in meshes:
         for noise in noises:
-            source = bench.sample(mesh_of(shape), {"input_points": 12000, "noise_percent": noise, "seed": 1})
-            rows.append((f"{shape}, noise {noise:g} %",
-                         *resample_and_measure(bench, mesh_of(shape), source, ["--points", 8000])))
+            source = bench.sample(mesh, {"input_points": 12000, "noise_percent": noise, "seed": 1})
+            rows.append((f"{mesh.stem}, noise {noise:g} %",
+                         *resample_and_measure(bench, mesh, source, ["--points", 8000])))
     return rows
 
 
-def measure_views(bench, mesh_of, shapes):
+def measure_views(bench, meshes):
     rows = []
-    for shape in shapes:
+    for mesh in meshes:
         for views in (1, 2):
-            bench.run("scan_scene", mesh_of(shape), bench.scratch / "scan", "--scanner", "range-camera",
+            bench.run("scan_scene", mesh, bench.scratch / "scan", "--scanner", "range-camera",
                       "--views", views, "--columns", 160)
-            rows.append((f"{shape}, views {views}",
-                         *resample_and_measure(bench, mesh_of(shape), bench.scratch / "scan.ply",
+            rows.append((f"{mesh.stem}, views {views}",
+                         *resample_and_measure(bench, mesh, bench.scratch / "scan.ply",
                                                ["--percentage", 60])))
     return rows
 
@@ -113,36 +113,42 @@ their normals count as wrong (thin_plate at 1.2 %, rotor, turbine, parts of bone
     return "\n".join(parts)
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__,
+def read_arguments(description):
+    parser = argparse.ArgumentParser(description=description,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build", type=Path, help="build folder; its bin/ has the programs")
     parser.add_argument("meshes", type=Path, metavar="mesh_folder", help="has the meshes of libcgal-demo")
     parser.add_argument("--output", type=Path, help="writes OUTPUT.md; else the tables are printed")
     parser.add_argument("--small", action="store_true",
                         help="two shapes of our own, one noise, one scene; needs no meshes")
-    arguments = parser.parse_args()
-    own = Path(__file__).resolve().parents[3] / "data"
+    return parser.parse_args()
 
-    def mesh_of(shape):
-        return (own if shape in OWN_SHAPES else arguments.meshes) / f"{shape}.off"
 
+def meshes_of(shapes, arguments):
+    return [mesh_of(shape, arguments.meshes) for shape in shapes]
+
+
+def print_or_write(text, arguments):
+    if arguments.output:
+        Path(f"{arguments.output}.md").write_text(text, encoding="utf-8")
+    else:
+        print(text)
+
+
+def main():
+    arguments = read_arguments(__doc__)
     shapes, shapes_of_views, noises, scenes = SHAPES, SHAPES_OF_VIEWS, NOISE_PERCENT, SCENES
     if arguments.small:
         shapes, shapes_of_views, noises, scenes = ("torus", "bracket"), ("torus",), (0.3,), SCENES[3:4]
     with tempfile.TemporaryDirectory() as folder:
         bench = Bench(arguments.build / "bin", Path(folder), threads=2)
         groups = {
-            "closed meshes": measure_meshes(bench, mesh_of, shapes, noises),
-            "views of meshes, without a hint": measure_views(bench, mesh_of, shapes_of_views),
+            "closed meshes": measure_meshes(bench, meshes_of(shapes, arguments), noises),
+            "views of meshes, without a hint": measure_views(bench, meshes_of(shapes_of_views, arguments)),
             "scenes, with viewpoints": measure_scenes(bench, scenes, True),
             "scenes, without a hint": measure_scenes(bench, scenes, False),
         }
-    text = markdown(command_line("run_sides.py", sys.argv[1:]), groups)
-    if arguments.output:
-        Path(f"{arguments.output}.md").write_text(text, encoding="utf-8")
-    else:
-        print(text)
+    print_or_write(markdown(command_line("run_sides.py", sys.argv[1:]), groups), arguments)
 
 
 if __name__ == "__main__":
