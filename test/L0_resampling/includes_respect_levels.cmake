@@ -28,7 +28,7 @@ set(level_1   # what several stages share, and what works on the arrays of one n
   internal/Morton_points.h internal/scale_field.h internal/Plan.h
   internal/cuda_interface.h internal/cuda_device_arrays.h internal/cuda_orientation.h internal/cuda_answer.h
   internal/Device_progress.h internal/Device_session.h
-  internal/Progress.h internal/solver_settings.h
+  internal/Progress.h internal/solver_settings.h internal/Matrix_free_solver.h
   internal/Search_grid_3.h internal/working_frame.h internal/Facts_of_cloud.h
   internal/orientation_votes.h
   internal/dipoles_of_sets.h internal/winding_numbers.h internal/spanning_forest.h internal/Field_of_sets.h

@@ -8,12 +8,8 @@
 
 #include <CGAL/L0_resampling/Quadratic_problem.h>
 #include <CGAL/L0_resampling/Solver_report.h>
-#include <CGAL/L0_resampling/internal/Buffer.h>
-#include <CGAL/L0_resampling/internal/block_factorization.h>
+#include <CGAL/L0_resampling/internal/Matrix_free_solver.h>
 #include <CGAL/L0_resampling/internal/chebyshev_steps.h>
-#include <CGAL/L0_resampling/internal/matrix_free_product.h>
-#include <CGAL/L0_resampling/internal/parallel_for.h>
-#include <CGAL/L0_resampling/internal/solver_settings.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
@@ -53,7 +49,20 @@ back at its end.
 */
 template <typename FT_ = double, typename ConcurrencyTag = Sequential_tag>
 class Block_chebyshev_solver_traits
+#ifndef DOXYGEN_RUNNING
+  : private internal::Matrix_free_solver<FT_, ConcurrencyTag>
+#endif
 {
+  using Base = internal::Matrix_free_solver<FT_, ConcurrencyTag>;
+  using Base::direction;
+  using Base::for_each_block;
+  using Base::m_blocks;
+  using Base::m_directions;
+  using Base::m_maximum_number_of_iterations;
+  using Base::m_residuals;
+  using Base::m_tolerance;
+  using Base::sum_over_blocks;
+
 public:
   using FT = FT_;
   static constexpr bool needs_explicit_rows = false;
@@ -67,8 +76,7 @@ public:
   explicit Block_chebyshev_solver_traits(
     double tolerance = internal::default_chebyshev_tolerance,
     std::size_t maximum_number_of_iterations = internal::most_chebyshev_steps)
-    : m_tolerance(internal::checked_tolerance(tolerance)),
-      m_maximum_number_of_iterations(maximum_number_of_iterations)
+    : Base(tolerance, maximum_number_of_iterations)
   {}
 
   /// Solves `problem`, from the initial guess `x`, which becomes the solution. The residual of the
@@ -79,7 +87,7 @@ public:
   {
     const std::size_t m = problem.number_of_samples();
     CGAL_precondition(std::size_t(x.size()) == 3 * m);
-    const Arrays_of_one_solve arrays(*this, m, problem.memory);
+    const typename Base::Arrays_of_one_solve arrays(*this, m, false, problem.memory);
 
     const Start_sums sums = sum_over_blocks(m, [&](std::size_t begin, std::size_t end) {
       return start(problem, x.data(), begin, end);
@@ -115,35 +123,6 @@ public:
   }
 
 private:
-  /// Holds the arrays for as long as it lives.
-  struct Arrays_of_one_solve
-  {
-    Block_chebyshev_solver_traits& solver;
-
-    explicit Arrays_of_one_solve(Block_chebyshev_solver_traits& s) : solver(s) {}
-
-    // Where one of the allocations throws, the destructor runs, since the constructor called first
-    // has ended.
-    Arrays_of_one_solve(Block_chebyshev_solver_traits& s, std::size_t m,
-                        internal::Memory_counter* memory)
-      : Arrays_of_one_solve(s)
-    {
-      const internal::Counting_allocator<FT> allocator(memory);
-      solver.m_residuals = internal::Buffer<FT>(3 * m, allocator);
-      solver.m_blocks = internal::Buffer<internal::Block_factorization<FT>>(m, allocator);
-      solver.m_directions = internal::Buffer<FT>(internal::numbers_of_direction * m, allocator);
-    }
-    ~Arrays_of_one_solve()
-    {
-      internal::release(solver.m_residuals);
-      internal::release(solver.m_blocks);
-      internal::release(solver.m_directions);
-    }
-  };
-
-  // Large enough to hide the cost of a task, small enough to keep every thread busy.
-  static constexpr std::size_t block_size = 1024;
-
   struct Start_sums
   {
     double squared_rhs = 0;              // g^T g
@@ -156,20 +135,6 @@ private:
       return *this;
     }
   };
-
-  template <typename F>
-  static void for_each_block(std::size_t m, const F& f)
-  {
-    internal::for_each_block<ConcurrencyTag>(m, block_size, f);
-  }
-
-  template <typename F>
-  static auto sum_over_blocks(std::size_t m, const F& f)
-  {
-    return internal::block_sum<ConcurrencyTag>(m, block_size, f);
-  }
-
-  FT* direction(std::size_t i) { return &m_directions[internal::numbers_of_direction * i]; }
 
   /// D, r = g, and the initial guess as the first direction.
   Start_sums start(const Quadratic_problem<FT>& problem, const FT* x, std::size_t begin,
@@ -234,13 +199,6 @@ private:
       internal::complete_direction(problem, i, p);
     }
   }
-
-  double m_tolerance;
-  std::size_t m_maximum_number_of_iterations;
-
-  internal::Buffer<FT> m_residuals;                             // r, 3 m
-  internal::Buffer<internal::Block_factorization<FT>> m_blocks; // D, m
-  internal::Buffer<FT> m_directions;                            // 8 m
 };
 
 #ifdef CGAL_L0_LINKED_WITH_COMPILED

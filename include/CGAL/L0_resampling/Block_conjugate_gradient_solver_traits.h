@@ -8,11 +8,7 @@
 
 #include <CGAL/L0_resampling/Quadratic_problem.h>
 #include <CGAL/L0_resampling/Solver_report.h>
-#include <CGAL/L0_resampling/internal/Buffer.h>
-#include <CGAL/L0_resampling/internal/block_factorization.h>
-#include <CGAL/L0_resampling/internal/matrix_free_product.h>
-#include <CGAL/L0_resampling/internal/parallel_for.h>
-#include <CGAL/L0_resampling/internal/solver_settings.h>
+#include <CGAL/L0_resampling/internal/Matrix_free_solver.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
@@ -47,7 +43,21 @@ back at its end.
 */
 template <typename FT_ = double, typename ConcurrencyTag = Sequential_tag>
 class Block_conjugate_gradient_solver_traits
+#ifndef DOXYGEN_RUNNING
+  : private internal::Matrix_free_solver<FT_, ConcurrencyTag>
+#endif
 {
+  using Base = internal::Matrix_free_solver<FT_, ConcurrencyTag>;
+  using Base::direction;
+  using Base::for_each_block;
+  using Base::m_blocks;
+  using Base::m_directions;
+  using Base::m_maximum_number_of_iterations;
+  using Base::m_products;
+  using Base::m_residuals;
+  using Base::m_tolerance;
+  using Base::sum_over_blocks;
+
 public:
   using FT = FT_;
   static constexpr bool needs_explicit_rows = false;
@@ -59,8 +69,7 @@ public:
   /// \throws std::invalid_argument if `tolerance` is not in (0, 1)
   explicit Block_conjugate_gradient_solver_traits(double tolerance = 1e-5,
                                                   std::size_t maximum_number_of_iterations = 100)
-    : m_tolerance(internal::checked_tolerance(tolerance)),
-      m_maximum_number_of_iterations(maximum_number_of_iterations)
+    : Base(tolerance, maximum_number_of_iterations)
   {}
 
   /// Solves `problem`, from the initial guess `x`, which becomes the solution. The residual of the
@@ -71,7 +80,7 @@ public:
   {
     const std::size_t m = problem.number_of_samples();
     CGAL_precondition(std::size_t(x.size()) == 3 * m);
-    const Arrays_of_one_solve arrays(*this, m, problem.memory);
+    const typename Base::Arrays_of_one_solve arrays(*this, m, true, problem.memory);
 
     for_each_block(m, [&](std::size_t begin, std::size_t end) { start(problem, begin, end); });
     const bool starts_at_zero =
@@ -134,37 +143,6 @@ public:
   }
 
 private:
-  /// Holds the arrays for as long as it lives.
-  struct Arrays_of_one_solve
-  {
-    Block_conjugate_gradient_solver_traits& solver;
-
-    explicit Arrays_of_one_solve(Block_conjugate_gradient_solver_traits& s) : solver(s) {}
-
-    // Where one of the allocations throws, the destructor runs, since the constructor called first
-    // has ended.
-    Arrays_of_one_solve(Block_conjugate_gradient_solver_traits& s, std::size_t m,
-                        internal::Memory_counter* memory)
-      : Arrays_of_one_solve(s)
-    {
-      const internal::Counting_allocator<FT> allocator(memory);
-      solver.m_residuals = internal::Buffer<FT>(3 * m, allocator);
-      solver.m_products = internal::Buffer<FT>(3 * m, allocator);
-      solver.m_blocks = internal::Buffer<internal::Block_factorization<FT>>(m, allocator);
-      solver.m_directions = internal::Buffer<FT>(8 * m, allocator);
-    }
-    ~Arrays_of_one_solve()
-    {
-      internal::release(solver.m_residuals);
-      internal::release(solver.m_products);
-      internal::release(solver.m_blocks);
-      internal::release(solver.m_directions);
-    }
-  };
-
-  // Large enough to hide the cost of a task, small enough to keep every thread busy.
-  static constexpr std::size_t block_size = 1024;
-
   /// Sums over samples, in `double` whatever `FT` is.
   struct Sums
   {
@@ -194,24 +172,12 @@ private:
     }
   };
 
-  template <typename F>
-  static void for_each_block(std::size_t m, const F& f)
-  {
-    internal::for_each_block<ConcurrencyTag>(m, block_size, f);
-  }
-
-  template <typename F>
-  static auto sum_over_blocks(std::size_t m, const F& f)
-  {
-    return internal::block_sum<ConcurrencyTag>(m, block_size, f);
-  }
-
   /// D, and p = 0
   void start(const Quadratic_problem<FT>& problem, std::size_t begin, std::size_t end)
   {
     for (std::size_t i = begin; i < end; ++i)
     {
-      std::fill_n(m_directions.begin() + std::ptrdiff_t(8 * i), 8, FT(0));
+      std::fill_n(direction(i), internal::numbers_of_direction, FT(0));
       m_blocks[i] = internal::diagonal_block(problem, i);
     }
   }
@@ -253,7 +219,7 @@ private:
   {
     for (std::size_t i = begin; i < end; ++i)
     {
-      FT* const p = &m_directions[8 * i];
+      FT* const p = direction(i);
       for (std::size_t c = 0; c < 3; ++c)
         p[c] = source[3 * i + c] + ratio * p[c];
       internal::complete_direction(problem, i, p);
@@ -268,7 +234,7 @@ private:
     {
       FT of_others[3];
       internal::multiply_couplings(problem, m_directions.data(), i, of_others);
-      const FT* const pi = &m_directions[8 * i];
+      const FT* const pi = direction(i);
       FT* const product = &m_products[3 * i];
       internal::multiply_block(m_blocks[i], pi, product);
       for (std::size_t c = 0; c < 3; ++c)
@@ -289,21 +255,13 @@ private:
     {
       for (std::size_t c = 0; c < 3; ++c)
       {
-        x[3 * i + c] += step * m_directions[8 * i + c];
+        x[3 * i + c] += step * direction(i)[c];
         m_residuals[3 * i + c] -= step * m_products[3 * i + c];
       }
       precondition(i, sums);
     }
     return sums;
   }
-
-  double m_tolerance;
-  std::size_t m_maximum_number_of_iterations;
-
-  internal::Buffer<FT> m_residuals;                             // r, 3 m
-  internal::Buffer<FT> m_products;                              // H p, then z = D^{-1} r; 3 m
-  internal::Buffer<internal::Block_factorization<FT>> m_blocks; // D, m
-  internal::Buffer<FT> m_directions; // p_i, 0, beta n_i n_i^T p_i, 0; 8 m
 };
 
 #ifdef CGAL_L0_LINKED_WITH_COMPILED
