@@ -305,7 +305,9 @@ void Tile_tasks::find_scales() const
   } catch (const std::bad_alloc&) {
     throw Failure(RUN_TIME_FAILURE, "--memory: " + std::to_string(m_command.tiles.memory)
                                       + " bytes do not hold a part of the cloud and what is "
-                                        "around it, within 18 radii");
+                                        "around it, within "
+                                      + std::to_string(int(Tiled_resampling::halo_in_radii))
+                                      + " radii");
   }
   Task_file_writer file(file_of("scales", 0), m_key);
   file.write(scales);

@@ -75,6 +75,14 @@ void put_vector(const char* name, const std::optional<std::array<double, 3>>& ve
   stream << "\n";
 }
 
+/// What the index of a run says; an empty object if there is none.
+nlohmann::json read_index(const std::string& path)
+{
+  std::ifstream stream(path);
+  const nlohmann::json json = nlohmann::json::parse(stream, nullptr, false);
+  return json.is_object() ? json : nlohmann::json::object();
+}
+
 } // namespace
 
 std::string describe_run(const Command& command)
@@ -131,11 +139,9 @@ std::string read_description(const std::string& path)
 
 std::string read_finished(const std::string& index)
 {
-  std::ifstream stream(index);
-  const nlohmann::json json = nlohmann::json::parse(stream, nullptr, false);
-  return json.is_object() && json.contains("run") && json["run"].is_string()
-           ? json["run"].get<std::string>()
-           : std::string();
+  const nlohmann::json json = read_index(index);
+  return json.contains("run") && json["run"].is_string() ? json["run"].get<std::string>()
+                                                         : std::string();
 }
 
 void check_same_run(const std::string& old, const std::string& now)
@@ -156,13 +162,13 @@ void check_same_run(const std::string& old, const std::string& now)
 void remove_run(const std::string& folder)
 {
   std::error_code error;
+  const fs::path index = fs::path(folder) / "index.json";
   fs::remove_all(fs::path(folder) / "work", error);
-  std::ifstream stream(fs::path(folder) / "index.json");
-  const nlohmann::json json = nlohmann::json::parse(stream, nullptr, false);
-  if (json.is_object() && json.contains("tiles"))
+  const nlohmann::json json = read_index(index.string());
+  if (json.contains("tiles"))
     for (const nlohmann::json& tile : json["tiles"])
       fs::remove(fs::path(folder) / fs::path(tile.value("file", "")).filename(), error);
-  fs::remove(fs::path(folder) / "index.json", error);
+  fs::remove(index, error);
 }
 
 } // namespace l0_tool

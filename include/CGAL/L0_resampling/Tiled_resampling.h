@@ -157,21 +157,12 @@ class Tiled_resampling
     }
   }
 
-  bool is_near_border(const Tile_sample& sample, const Source_box& box) const
+  /// \param margin by which the box is larger on each side, or smaller if it is negative
+  static bool is_within(const Tile_sample& sample, const Source_box& box, double margin)
   {
     for (std::size_t axis = 0; axis < 3; ++axis)
-      if (sample.position[axis] < box.low[axis] + overlap_width()
-          || sample.position[axis] > box.high[axis] - overlap_width())
-        return true;
-    return false;
-  }
-
-  /// Those that are not too far from `box`.
-  bool is_near(const Tile_sample& sample, const Source_box& box) const
-  {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      if (sample.position[axis] < box.low[axis] - overlap_width()
-          || sample.position[axis] > box.high[axis] + overlap_width())
+      if (sample.position[axis] < box.low[axis] - margin
+          || sample.position[axis] > box.high[axis] + margin)
         return false;
     return true;
   }
@@ -451,7 +442,7 @@ private:
       const auto& normal = samples.points.normals[i];
       Tile_sample sample = {positions[i], {normal[0], normal[1], normal[2]}, 0};
       const bool is_kept = samples.blocks[i] < is_own.size() && is_own[samples.blocks[i]] != 0;
-      if (!is_kept && !is_near(sample, box))
+      if (!is_kept && !is_within(sample, box, overlap_width()))
         continue;
       std::uint32_t& number = numbers[samples.trees[i]];
       if (number == (std::numeric_limits<std::uint32_t>::max)())
@@ -460,14 +451,14 @@ private:
         result.evidence.push_back(0);
       }
       sample.tree = number;
-      if (is_kept)
-      {
-        result.evidence[number] += double(samples.confidences[i]) - 0.5;
-        result.samples.push_back(sample);
-      }
       if (!is_kept)
+      {
         result.beyond_border.push_back(sample);
-      else if (is_near_border(sample, box))
+        continue;
+      }
+      result.evidence[number] += double(samples.confidences[i]) - 0.5;
+      result.samples.push_back(sample);
+      if (!is_within(sample, box, -overlap_width()))
         result.near_border.push_back(sample);
     }
   }
