@@ -25,7 +25,7 @@ fi
 units=()
 for file in "${files[@]}"; do
   case $file in
-    include/*) units+=(test/L0_resampling/everything_compiles.cpp) ;;
+    include/*) units+=(test/L0_resampling/house/everything_compiles.cpp) ;;
     *.cpp) units+=("$file") ;;
   esac
 done

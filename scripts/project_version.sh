@@ -23,7 +23,7 @@ expect() {
 }
 expect CITATION.cff "$version" 's/^version: //p'
 expect packaging/vcpkg/cgal-l0-resampling/vcpkg.json "$version" 's/^  "version": "\(.*\)",$/\1/p'
-expect test/L0_resampling/consumer/CMakeLists.txt "${version%.*}" \
+expect test/L0_resampling/packages/consumer/CMakeLists.txt "${version%.*}" \
        's/^find_package(CGAL_L0_resampling \(.*\) REQUIRED)$/\1/p'
 # the first section
 expect CHANGES.md "$version" '/^## /{s/^## \([^,]*\),.*/\1/p;q}'

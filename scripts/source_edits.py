@@ -8,7 +8,7 @@ A table is a TOML file with rows such as
 
     [[bug]]
     name = "radius_rounded_down"
-    file = "include/CGAL/L0_resampling/internal/ball_queries.h"
+    file = "include/CGAL/L0_resampling/internal/search/ball_queries.h"
     find = 'std::ceil(radius / cell_size)'
     replace = 'std::floor(radius / cell_size)'
 

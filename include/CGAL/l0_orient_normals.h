@@ -7,11 +7,11 @@
 #define CGAL_L0_ORIENT_NORMALS_H
 
 #include <CGAL/L0_resampling/Report.h>
-#include <CGAL/L0_resampling/internal/checked_parameters.h>
-#include <CGAL/L0_resampling/internal/checked_types.h>
-#include <CGAL/L0_resampling/internal/compiled_templates.h>
-#include <CGAL/L0_resampling/internal/orient_point_set.h>
-#include <CGAL/L0_resampling/internal/points_of_range.h>
+#include <CGAL/L0_resampling/internal/interface/checked_parameters.h>
+#include <CGAL/L0_resampling/internal/interface/checked_types.h>
+#include <CGAL/L0_resampling/internal/interface/compiled_templates.h>
+#include <CGAL/L0_resampling/internal/driver/orient_point_set.h>
+#include <CGAL/L0_resampling/internal/interface/points_of_range.h>
 #include <CGAL/L0_resampling/named_parameters.h>
 #include <CGAL/L0_resampling/tags.h>
 
@@ -29,7 +29,7 @@
 #include <utility>
 
 #ifdef CGAL_L0_LINKED_WITH_CUDA
-#include <CGAL/L0_resampling/internal/orient_on_device.h>
+#include <CGAL/L0_resampling/internal/driver/orient_on_device.h>
 #endif
 
 namespace CGAL {

@@ -8,12 +8,12 @@
 
 #include <CGAL/L0_resampling/Block_chebyshev_solver_traits.h>
 #include <CGAL/L0_resampling/Report.h>
-#include <CGAL/L0_resampling/internal/Point_data.h>
-#include <CGAL/L0_resampling/internal/carry_properties.h>
-#include <CGAL/L0_resampling/internal/checked_types.h>
-#include <CGAL/L0_resampling/internal/output_iterators.h>
-#include <CGAL/L0_resampling/internal/points_of_range.h>
-#include <CGAL/L0_resampling/internal/resample_on_cpu.h>
+#include <CGAL/L0_resampling/internal/interface/Point_data.h>
+#include <CGAL/L0_resampling/internal/interface/carry_properties.h>
+#include <CGAL/L0_resampling/internal/interface/checked_types.h>
+#include <CGAL/L0_resampling/internal/interface/output_iterators.h>
+#include <CGAL/L0_resampling/internal/interface/points_of_range.h>
+#include <CGAL/L0_resampling/internal/interface/resample_on_cpu.h>
 #include <CGAL/L0_resampling/named_parameters.h>
 #include <CGAL/L0_resampling/tags.h>
 #include <CGAL/L0_resampling/warnings.h>

@@ -7,7 +7,7 @@
 
 #include <CGAL/L0_resampling/Block_chebyshev_solver_traits.h>
 #include <CGAL/L0_resampling/Block_conjugate_gradient_solver_traits.h>
-#include <CGAL/L0_resampling/internal/compiled_templates.h>
+#include <CGAL/L0_resampling/internal/interface/compiled_templates.h>
 
 namespace CGAL {
 namespace L0_resampling {

@@ -8,11 +8,11 @@
 #include "arrays.h"
 #include "run_beside_python.h"
 
-#include "Failure.h"
-#include "read_points.h"
-#include "render_snapshot.h"
-#include "write_png.h"
-#include "write_points.h"
+#include "basis/Failure.h"
+#include "formats/read_points.h"
+#include "pictures/render_snapshot.h"
+#include "pictures/write_png.h"
+#include "formats/write_points.h"
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>

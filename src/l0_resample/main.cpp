@@ -3,13 +3,13 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "Failure.h"
-#include "options.h"
-#include "report_json.h"
-#include "run.h"
-#include "run_as_one.h"
-#include "run_batch.h"
-#include "signals.h"
+#include "basis/Failure.h"
+#include "command_line/options.h"
+#include "tasks/report_json.h"
+#include "tasks/run.h"
+#include "tiles/run_as_one.h"
+#include "tasks/run_batch.h"
+#include "basis/signals.h"
 
 #include <optional>
 

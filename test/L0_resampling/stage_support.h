@@ -9,9 +9,9 @@
 #include "test_support.h"
 
 #include <CGAL/L0_resampling/Report.h>
-#include <CGAL/L0_resampling/internal/Buffer.h>
-#include <CGAL/L0_resampling/internal/Progress.h>
-#include <CGAL/L0_resampling/internal/Search_grid_3.h>
+#include <CGAL/L0_resampling/internal/core/Buffer.h>
+#include <CGAL/L0_resampling/internal/core/Progress.h>
+#include <CGAL/L0_resampling/internal/search/Search_grid_3.h>
 
 #include <CGAL/tags.h>
 

@@ -7,7 +7,7 @@
 // and operations a second; and how long it takes at least to launch a kernel, to wait for a number,
 // and to add up over all threads of a launch. Prints one JSON object.
 
-#include "../../../src/CGAL_L0_CUDA/Grid_sum.cuh"
+#include "core/Grid_sum.cuh"
 
 #include <cuda_runtime.h>
 

@@ -8,7 +8,7 @@
 
 #include "Scene_stream.h"
 
-#include <Point_cloud.h>
+#include <basis/Point_cloud.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -8,8 +8,8 @@
 #include "../common/command_line.h"
 #include "scene_options.h"
 
-#include <Failure.h>
-#include <read_points.h>
+#include <basis/Failure.h>
+#include <formats/read_points.h>
 
 #include <algorithm>
 #include <cmath>

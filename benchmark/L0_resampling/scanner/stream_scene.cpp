@@ -9,9 +9,9 @@
 #include "block_cloud.h"
 #include "scene_options.h"
 
-#include <file_formats.h>
-#include <parse_numbers.h>
-#include <write_points.h>
+#include <files/file_formats.h>
+#include <basis/parse_numbers.h>
+#include <formats/write_points.h>
 
 #include <cstdint>
 #include <exception>

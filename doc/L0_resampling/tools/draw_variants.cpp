@@ -14,10 +14,10 @@
 // in place of the normals, `dots=1` draws points as dots, so that one sees how they lie, and `cut=1`
 // resamples only what lies in BOX, which then has a border.
 
-#include "file_formats.h"
-#include "read_points.h"
-#include "render_snapshot.h"
-#include "write_png.h"
+#include "files/file_formats.h"
+#include "formats/read_points.h"
+#include "pictures/render_snapshot.h"
+#include "pictures/write_png.h"
 
 #include <CGAL/l0_resample_point_set.h>
 

@@ -7,13 +7,13 @@
 // generate_text.py and check_manual.py. With two numbers, spacing and noise, it prints the radius
 // that the default method takes.
 
-#include <CGAL/L0_resampling/internal/Border_of_ball.h>
-#include <CGAL/L0_resampling/internal/Orientation_hints.h>
-#include <CGAL/L0_resampling/internal/checked_parameters.h>
-#include <CGAL/L0_resampling/internal/orientation_agreement.h>
-#include <CGAL/L0_resampling/internal/scale_field.h>
-#include <CGAL/L0_resampling/internal/scales_of_balls.h>
-#include <CGAL/L0_resampling/internal/ball_queries.h>
+#include <CGAL/L0_resampling/internal/kernels/Border_of_ball.h>
+#include <CGAL/L0_resampling/internal/core/Orientation_hints.h>
+#include <CGAL/L0_resampling/internal/interface/checked_parameters.h>
+#include <CGAL/L0_resampling/internal/kernels/orientation_agreement.h>
+#include <CGAL/L0_resampling/internal/kernels/scale_field.h>
+#include <CGAL/L0_resampling/internal/kernels/scales_of_balls.h>
+#include <CGAL/L0_resampling/internal/search/ball_queries.h>
 
 #include <cstdlib>
 #include <iostream>

@@ -8,8 +8,8 @@
 
 #include <CGAL/L0_resampling/Quadratic_problem.h>
 #include <CGAL/L0_resampling/Solver_report.h>
-#include <CGAL/L0_resampling/internal/Matrix_free_solver.h>
-#include <CGAL/L0_resampling/internal/chebyshev_steps.h>
+#include <CGAL/L0_resampling/internal/energy/Matrix_free_solver.h>
+#include <CGAL/L0_resampling/internal/kernels/chebyshev_steps.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>

@@ -8,7 +8,7 @@
 
 #include <CGAL/L0_resampling/Quadratic_problem.h>
 #include <CGAL/L0_resampling/Solver_report.h>
-#include <CGAL/L0_resampling/internal/Matrix_free_solver.h>
+#include <CGAL/L0_resampling/internal/energy/Matrix_free_solver.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>

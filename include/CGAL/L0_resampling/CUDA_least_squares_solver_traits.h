@@ -12,10 +12,10 @@
 
 #include <CGAL/L0_resampling/Quadratic_problem.h>
 #include <CGAL/L0_resampling/Solver_report.h>
-#include <CGAL/L0_resampling/internal/cuda_answer.h>
-#include <CGAL/L0_resampling/internal/cuda_interface.h>
-#include <CGAL/L0_resampling/internal/least_squares_rows.h>
-#include <CGAL/L0_resampling/internal/solver_settings.h>
+#include <CGAL/L0_resampling/internal/device/cuda_answer.h>
+#include <CGAL/L0_resampling/internal/device/cuda_interface.h>
+#include <CGAL/L0_resampling/internal/energy/least_squares_rows.h>
+#include <CGAL/L0_resampling/internal/energy/solver_settings.h>
 
 #include <CGAL/assertions.h>
 

@@ -8,8 +8,8 @@
 
 #include <CGAL/L0_resampling/Quadratic_problem.h>
 #include <CGAL/L0_resampling/Solver_report.h>
-#include <CGAL/L0_resampling/internal/normal_matrix.h>
-#include <CGAL/L0_resampling/internal/solver_settings.h>
+#include <CGAL/L0_resampling/internal/energy/normal_matrix.h>
+#include <CGAL/L0_resampling/internal/energy/solver_settings.h>
 
 #include <CGAL/assertions.h>
 

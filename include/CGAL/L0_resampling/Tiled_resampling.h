@@ -8,12 +8,12 @@
 
 #include <CGAL/L0_resampling/Block_chebyshev_solver_traits.h>
 #include <CGAL/L0_resampling/Report.h>
-#include <CGAL/L0_resampling/internal/Tiling.h>
-#include <CGAL/L0_resampling/internal/checked_parameters.h>
-#include <CGAL/L0_resampling/internal/compiled_templates.h>
-#include <CGAL/L0_resampling/internal/points_of_range.h>
-#include <CGAL/L0_resampling/internal/resample_tile.h>
-#include <CGAL/L0_resampling/internal/stitch_tiles.h>
+#include <CGAL/L0_resampling/internal/tiles/Tiling.h>
+#include <CGAL/L0_resampling/internal/interface/checked_parameters.h>
+#include <CGAL/L0_resampling/internal/interface/compiled_templates.h>
+#include <CGAL/L0_resampling/internal/interface/points_of_range.h>
+#include <CGAL/L0_resampling/internal/tiles/resample_tile.h>
+#include <CGAL/L0_resampling/internal/tiles/stitch_tiles.h>
 
 #include <algorithm>
 #include <array>

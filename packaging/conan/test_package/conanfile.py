@@ -24,7 +24,7 @@ class Consumer(ConanFile):
 
     def build(self):
         cmake = CMake(self)
-        project = Path(self.recipe_folder).resolve().parents[2] / "test/L0_resampling/consumer"
+        project = Path(self.recipe_folder).resolve().parents[2] / "test/L0_resampling/packages/consumer"
         cmake.configure(build_script_folder=str(project))
         cmake.build()
 

@@ -6,8 +6,8 @@
 #ifndef L0_RESAMPLE_TEST_ATTACK_READER_H
 #define L0_RESAMPLE_TEST_ATTACK_READER_H
 
-#include "Failure.h"
-#include "read_points.h"
+#include "basis/Failure.h"
+#include "formats/read_points.h"
 
 #include <cmath>
 #include <cstddef>

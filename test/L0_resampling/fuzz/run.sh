@@ -21,11 +21,11 @@ flags=(-std=c++17 -O2 -g1 -D_GLIBCXX_SANITIZE_VECTOR
        -fno-sanitize-recover=all
        -I "$tool" -I "$here/../../../include")
 objects=()
-parts=(Gzip_decoder Input_file Las_extra_bytes Las_fields Las_header Number_type Pcd_header
-       Ply_header Point_collector Point_filter Property_table Text_columns decompress_lzf
-       file_formats signals)
+parts=(basis/{Number_type,Property_table,signals} files/{Gzip_decoder,Input_file,file_formats}
+       formats/{Las_extra_bytes,Las_fields,Las_header,Pcd_header,Ply_header,Point_collector}
+       formats/{Point_filter,Text_columns,decompress_lzf})
 parts=("${parts[@]/#/$tool/}")
-for source in "${parts[@]/%/.cpp}" "$tool"/read_*.cpp "$here/fuzz_readers.cpp"; do
+for source in "${parts[@]/%/.cpp}" "$tool"/formats/read_*.cpp "$here/fuzz_readers.cpp"; do
   object=$scratch/objects/$(basename "$source" .cpp).o
   clang++ "${flags[@]}" -fsanitize=fuzzer-no-link -c "$source" -o "$object"
   objects+=("$object")

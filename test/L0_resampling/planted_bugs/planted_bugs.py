@@ -14,7 +14,7 @@ A table has rows
     name = "radius_rounded_down"
     test = "test_density_weights"
     about = "what the bug does, if its edit does not tell"
-    file = "include/CGAL/L0_resampling/internal/ball_queries.h"
+    file = "include/CGAL/L0_resampling/internal/search/ball_queries.h"
     find = 'std::ceil(radius / cell_size)'
     replace = 'std::floor(radius / cell_size)'
 

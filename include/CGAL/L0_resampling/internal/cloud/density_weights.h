@@ -1,0 +1,141 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_DENSITY_WEIGHTS_H
+#define CGAL_L0_RESAMPLING_INTERNAL_DENSITY_WEIGHTS_H
+
+#include <CGAL/L0_resampling/internal/cloud/Facts_of_cloud.h>
+#include <CGAL/L0_resampling/internal/core/Parameters.h>
+#include <CGAL/L0_resampling/internal/cloud/near_pairs.h>
+#include <CGAL/L0_resampling/internal/core/weights.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/// What the others in the ball of each point add up to: how many they are, and the sum of their
+/// weights of Eq. (2).
+template <typename ConcurrencyTag, typename T>
+void sum_weights_in_balls(const Search_grid_3& grid, const Buffer<Vector>& points, double radius,
+                          T squared_bandwidth, Progress& progress, Buffer<Index>& counts,
+                          Buffer<T>& sums)
+{
+  using L = Lanes<T>;
+  const auto make_visitor = [&]() {
+    return
+      [&](Search_grid_3::Range queries, const Local_points<T>& candidates, const Vector& origin) {
+        for (Index i = queries.first; i < queries.second; ++i)
+        {
+          const Eigen::Matrix<T, 3, 1> center = (points[i] - origin).template cast<T>();
+          const T squared_radius = T(square(radius * grid.scale(i))),
+                  own_squared_bandwidth = squared_bandwidth * T(grid.scale(i)) * T(grid.scale(i));
+          L count, sum;
+          candidates.for_each_run_in_ball(
+            center, squared_radius, [&](std::size_t, const L& squared_distance) {
+              count += where_less(squared_distance, squared_radius, L(T(1)));
+              sum += where_less(squared_distance, squared_radius,
+                                gaussian_weight(squared_distance, own_squared_bandwidth));
+            });
+          // thinning may have left the point itself out
+          const T self = count.sum() > 0 ? T(1) : T(0);
+          counts[i] = Index(count.sum() - self) * candidates.stride;
+          sums[i] = (std::max)(T(0), sum.sum() - self) * T(candidates.stride);
+        }
+      };
+  };
+  for_each_cell<T, ConcurrencyTag>(
+    grid, points, grid, points, cells_in_reach(radius, grid.cell_size()), progress, make_visitor);
+}
+
+/// As `sum_weights_in_balls()`, each pair once.
+/// \pre `has_plain_blocks_only()`
+template <typename ConcurrencyTag, typename T>
+void sum_weights_by_pairs(const Search_grid_3& grid, const Buffer<Vector>& points, double radius,
+                          T squared_bandwidth, Progress& progress, Buffer<Index>& counts,
+                          Buffer<T>& sums)
+{
+  using L = Lanes<T>;
+  const T squared_radius = T(radius * radius);
+  const int reach = cells_in_reach(radius, grid.cell_size());
+  const auto make_visitor = [&]() {
+    return [&, local_counts = Aligned_vector<T>(), local_sums = Aligned_vector<T>()](
+             Search_grid_3::Range queries, Local_points<T>& candidates, const Vector&) mutable {
+      local_counts.assign(candidates.padded_size(), T(0));
+      local_sums.assign(candidates.padded_size(), T(0));
+      for (std::size_t i = 0; i < queries.second - queries.first; ++i)
+      {
+        L count, sum;
+        candidates.for_each_run_in_ball(
+          candidates.take(i), squared_radius, [&](std::size_t k, const L& squared_distance) {
+            const L one = where_less(squared_distance, squared_radius, L(T(1)));
+            const L weight = one * gaussian_weight(squared_distance, squared_bandwidth);
+            count += one;
+            sum += weight;
+            (L::load(&local_counts[k]) + one).store(&local_counts[k]);
+            (L::load(&local_sums[k]) + weight).store(&local_sums[k]);
+          });
+        local_counts[i] += count.sum();
+        local_sums[i] += sum.sum();
+      }
+      for (std::size_t k = 0; k < candidates.indices.size(); ++k)
+      {
+        counts[candidates.indices[k]] += Index(local_counts[k]);
+        sums[candidates.indices[k]] += local_sums[k];
+      }
+    };
+  };
+  for_each_cell_and_those_ahead<T, ConcurrencyTag>(grid, points, Tiles_of_rows(grid, reach), reach,
+                                                   progress, make_visitor);
+}
+
+/// \f$ v_j \f$ of Eq. (5) for each input point. The sum leaves out the point itself, which the "1
+/// +" of Eq. (5) counts.
+/// \param points sorted for `grid`
+/// \param radius, squared_bandwidth at scale 1
+/// \param facts the mean number of neighbors, and whether blocks are plain: given, or found here
+/// \param weights out: one number a point, at least 1
+/// \returns the number of points whose balls hold fewer than `fewest_points_of_plane`
+template <typename ConcurrencyTag, typename T>
+std::size_t compute_input_density_weights(const Search_grid_3& grid, const Buffer<Vector>& points,
+                                          double radius, double squared_bandwidth,
+                                          Facts_of_cloud& facts, Progress& progress,
+                                          Buffer<T>& weights)
+{
+  Buffer<Index> counts = filled_buffer(points.size(), Index(0), points.get_allocator());
+  fill_buffer(points.size(), T(0), weights);
+  if (knows_plain_blocks<T, ConcurrencyTag>(grid, radius, facts))
+    sum_weights_by_pairs<ConcurrencyTag>(grid, points, radius, T(squared_bandwidth), progress,
+                                         counts, weights);
+  else
+    sum_weights_in_balls<ConcurrencyTag>(grid, points, radius, T(squared_bandwidth), progress,
+                                         counts, weights);
+
+  double total = 0;
+  std::size_t number_of_sparse_balls = 0;
+  for (Index count : counts)
+  {
+    total += count;
+    number_of_sparse_balls += count + 1 < fewest_points_of_plane;
+  }
+  const double mean_number_of_neighbors =
+    known_or_found(facts.mean_number_of_neighbors, [&]() { return total / double(points.size()); });
+  if (mean_number_of_neighbors > 0)
+    for_each_in_order(weights.size(), [&](std::size_t i) {
+      weights[i] = T(1 + weights[i] / mean_number_of_neighbors);
+    });
+  else
+    weights.assign(weights.size(), T(1));
+  return number_of_sparse_balls;
+}
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_DENSITY_WEIGHTS_H

@@ -1,0 +1,56 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_ESTIMATE_PLANE_H
+#define CGAL_L0_RESAMPLING_INTERNAL_ESTIMATE_PLANE_H
+
+#include <CGAL/L0_resampling/internal/kernels/Plane_moments.h>
+#include <CGAL/L0_resampling/internal/search/ball_queries.h>
+
+#include <cstddef>
+#include <limits>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/// A plane through the points of a ball.
+template <typename T>
+struct Plane_fit
+{
+  Eigen::Matrix<T, 3, 1> normal;
+  bool spans_plane; ///< whether the points determine it, and are not too few to be trusted
+  double variance;  ///< of the points across it
+  std::size_t number_of_points;
+};
+
+/// Fits a plane to the candidates in the ball around `center`, as `Plane_moments::plane()` does.
+template <typename T>
+Plane_fit<T> fit_plane(const Eigen::Matrix<T, 3, 1>& center, const Local_points<T>& candidates,
+                       T squared_radius)
+{
+  using L = Lanes<T>;
+  Plane_moments<L> lanes;
+  candidates.for_each_run_in_ball(
+    center, squared_radius, [&](std::size_t k, const L& squared_distance) {
+      lanes.add(L::load(&candidates.x[k]) - center[0], L::load(&candidates.y[k]) - center[1],
+                L::load(&candidates.z[k]) - center[2],
+                where_less(squared_distance, squared_radius, L(T(1))));
+    });
+  const Plane_moments<double> moments = sum_of_lanes(lanes);
+
+  const Fitted_plane plane = moments.plane(double(squared_radius),
+                                           double(std::numeric_limits<T>::epsilon()));
+  return {{T(plane.normal.x), T(plane.normal.y), T(plane.normal.z)},
+          plane.spans_plane,
+          plane.variance,
+          std::size_t(moments.sum)};
+}
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_ESTIMATE_PLANE_H

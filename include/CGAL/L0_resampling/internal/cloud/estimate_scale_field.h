@@ -1,0 +1,173 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_ESTIMATE_SCALE_FIELD_H
+#define CGAL_L0_RESAMPLING_INTERNAL_ESTIMATE_SCALE_FIELD_H
+
+#include <CGAL/L0_resampling/internal/core/Progress.h>
+#include <CGAL/L0_resampling/internal/search/Search_grid_3.h>
+#include <CGAL/L0_resampling/internal/kernels/scale_field.h>
+#include <CGAL/L0_resampling/internal/core/select_nth.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/// Owns the arrays that `Morton_points` shows.
+class Morton_places
+{
+  Morton_cells m_cells;
+  Buffer<std::uint64_t> m_codes;
+  Buffer<Vector> m_places;
+
+public:
+  /// \param codes ascending, all different
+  Morton_places(const Morton_cells& cells, Buffer<std::uint64_t> codes)
+    : m_cells(cells), m_codes(std::move(codes)), m_places(m_codes.get_allocator())
+  {
+    m_places.reserve(m_codes.size());
+    for (std::uint64_t code : m_codes)
+      m_places.push_back({cells.middle(code, 0), cells.middle(code, 1), cells.middle(code, 2)});
+  }
+
+  Morton_points view() const
+  {
+    return {m_cells, m_codes.size(), m_codes.data(), coordinates(m_places)};
+  }
+
+  /// One of so many places.
+  Morton_places one_of(std::size_t stride) const
+  {
+    Buffer<std::uint64_t> codes(m_codes.get_allocator());
+    for (std::size_t i = 0; i < m_codes.size(); i += stride)
+      codes.push_back(m_codes[i]);
+    return {m_cells, std::move(codes)};
+  }
+};
+
+/// The places of points.
+template <typename ConcurrencyTag>
+Morton_places places_of(const Buffer<Vector>& points, const Morton_cells& cells)
+{
+  Buffer<std::uint64_t> codes(points.size(), points.get_allocator());
+  for_each_block<ConcurrencyTag>(points.size(), 4096, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      codes[i] = cells.code(points[i].data());
+  });
+  sort_by_key<ConcurrencyTag>(
+    codes, [](std::uint64_t code) { return code; },
+    [](std::uint64_t, std::uint64_t) { return false; });
+  codes.resize(std::size_t(std::unique(codes.begin(), codes.end()) - codes.begin()));
+  return {cells, std::move(codes)};
+}
+
+/// The seeds of the field, and the scale at each.
+struct Scale_field
+{
+  Morton_places seeds;
+  double radius;          ///< of scale 1
+  Buffer<double> scales;  ///< of the seeds; none if all are 1
+  Buffer<double> reaches; ///< of the seeds: to those next to them
+
+  /// The scale of each point; none if all are 1.
+  template <typename ConcurrencyTag>
+  Buffer<float> of_points(const Buffer<Vector>& points) const
+  {
+    Buffer<float> values(points.get_allocator());
+    if (scales.empty())
+      return values;
+    values.resize(points.size());
+    const Morton_points view = seeds.view();
+    for_each_block<ConcurrencyTag>(points.size(), 1024, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        values[i] = scale_at(One_thread(), view, reaches.data(), scales.data(), radius,
+                             points[i].data());
+    });
+    return values;
+  }
+};
+
+/// \param scales none if all are 1
+inline Range_of_scales range_of(const Buffer<float>& scales)
+{
+  Range_of_scales range;
+  if (scales.empty())
+    return range;
+  const auto [least, largest] = std::minmax_element(scales.begin(), scales.end());
+  range = {*least, median_of(copy_of(scales)), *largest};
+  return range;
+}
+
+/*!
+Estimates the field of scales.
+
+\param extent of the points, outliers left out
+\param usual of the cloud
+*/
+template <typename ConcurrencyTag>
+Scale_field estimate_scale_field(const Buffer<Vector>& points, double extent,
+                                 const Usual_scales& usual, Progress& progress)
+{
+  const std::size_t seeds_per_block = 64;
+  const double radius = usual.radius;
+  const auto allocator = points.get_allocator();
+  const Morton_places places = places_of<ConcurrencyTag>(points,
+                                                         Morton_cells::of_extent(4 * extent));
+  Scale_field field{places.one_of(points_per_seed), radius, Buffer<double>(allocator),
+                    Buffer<double>(allocator)};
+  const Morton_points view = places.view(), seeds = field.seeds.view();
+  const std::size_t size = seeds.size;
+  Buffer<Seed> known(size, allocator);
+  const auto for_each_seed = [&](const auto& f) {
+    for_each_block<ConcurrencyTag>(size, seeds_per_block, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        f(i);
+      progress.advance(0);
+    });
+  };
+  for_each_seed(
+    [&](std::size_t i) { known[i] = seed_at(One_thread(), view, i * points_per_seed); });
+  std::vector<Growth_of_deviations> growths;
+  for (std::size_t i = 0; i < size; i += stride_of_growth(size))
+    growths.push_back(growth_at(known[i]));
+  const double widening = widening_by_correlation(growths);
+  Buffer<double> wanted(size, allocator);
+  field.scales.resize(size);
+  for_each_seed([&](std::size_t i) {
+    wanted[i] = wanted_scale(One_thread(), seeds, known.data(), usual, widening, i);
+  });
+  for_each_seed([&](std::size_t i) {
+    field.scales[i] = scale_of_group(One_thread(), seeds, known.data(), wanted.data(), i);
+  });
+  std::size_t number_of_others = 0;
+  for_each_in_order(size, [&](std::size_t i) { number_of_others += field.scales[i] != 1; });
+  if (number_of_others <= most_seeds_by_chance(size))
+  {
+    release(field.scales);
+    return field;
+  }
+  for_each_in_order(size, [&](std::size_t i) { field.reaches.push_back(reach_of_seed(known[i])); });
+  Buffer<double>& limited = wanted;
+  for (int sweep = 0; sweep < sweeps_over_seeds; ++sweep)
+  {
+    for_each_seed([&](std::size_t i) {
+      limited[i] = limited_scale(One_thread(), seeds, known.data(), field.scales.data(), radius, i);
+    });
+    field.scales.swap(limited);
+  }
+  return field;
+}
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_ESTIMATE_SCALE_FIELD_H

@@ -1,0 +1,275 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_FIND_OUTLIERS_H
+#define CGAL_L0_RESAMPLING_INTERNAL_FIND_OUTLIERS_H
+
+#include <CGAL/L0_resampling/internal/core/Parameters.h>
+#include <CGAL/L0_resampling/internal/search/ball_queries.h>
+#include <CGAL/L0_resampling/internal/core/select_nth.h>
+
+#include <boost/pending/disjoint_sets.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/// The number of points in the ball of each query, itself included, and in the one of half the
+/// radius.
+struct Counts_in_balls
+{
+  Buffer<double> in_ball, in_half_ball;
+};
+
+/// \param queries sorted for `query_grid`
+/// \param points sorted for `grid`; neither has cells smaller than `radius` times the scale
+template <typename T, typename ConcurrencyTag>
+Counts_in_balls count_points_in_balls(const Search_grid_3& query_grid,
+                                      const Buffer<Vector>& queries, const Search_grid_3& grid,
+                                      const Buffer<Vector>& points, double radius,
+                                      Progress& progress)
+{
+  Counts_in_balls counts{filled_buffer(queries.size(), 0., queries.get_allocator()),
+                         filled_buffer(queries.size(), 0., queries.get_allocator())};
+  for_each_cell<T, ConcurrencyTag>(query_grid, queries, grid, points, 1, progress, [&]() {
+    return
+      [&](Search_grid_3::Range range, const Local_points<T>& candidates, const Vector& origin) {
+        using L = Lanes<T>;
+        for (Index i = range.first; i < range.second; ++i)
+        {
+          const T squared_radius = T(square(radius * query_grid.scale(i))),
+                  squared_half_radius = squared_radius / 4;
+          L in_ball, in_half_ball;
+          candidates.for_each_run_in_ball(
+            (queries[i] - origin).template cast<T>(), squared_radius,
+            [&](std::size_t, const L& squared_distance) {
+              in_ball += where_less(squared_distance, squared_radius, L(T(1)));
+              in_half_ball += where_less(squared_distance, squared_half_radius, L(T(1)));
+            });
+          counts.in_ball[i] = double(in_ball.sum()) * double(candidates.stride);
+          counts.in_half_ball[i] = double(in_half_ball.sum()) * double(candidates.stride);
+        }
+      };
+  });
+  return counts;
+}
+
+/// Sums of values of points, over ranges of the points.
+class Range_sums
+{
+  Buffer<double> m_sums; // of the values before each point
+
+public:
+  explicit Range_sums(const Buffer<double>& values) : m_sums(1, 0., values.get_allocator())
+  {
+    m_sums.reserve(values.size() + 1);
+    for_each_in_order(values.size(),
+                      [&](std::size_t i) { m_sums.push_back(m_sums.back() + values[i]); });
+  }
+
+  double operator()(const std::vector<Search_grid_3::Range>& ranges) const
+  {
+    double sum = 0;
+    for (const Search_grid_3::Range& range : ranges)
+      sum += m_sums[range.second] - m_sums[range.first];
+    return sum;
+  }
+};
+
+/// The mean of the values of the points in the block of cells around the cell of each point.
+template <typename ConcurrencyTag>
+Buffer<double> means_around(const Search_grid_3& grid, const Buffer<double>& values,
+                            Progress& progress)
+{
+  const Range_sums sums(values);
+  Buffer<double> means = filled_buffer(values.size(), 0., values.get_allocator());
+  for_each_cell_block<ConcurrencyTag>(grid, grid, 1, progress, [&]() {
+    return [&](Index cell, const std::vector<Search_grid_3::Range>& ranges, std::size_t count) {
+      const Search_grid_3::Range own = grid.points_of_cell(cell);
+      std::fill(means.begin() + own.first, means.begin() + own.second,
+                sums(ranges) / double(count));
+    };
+  });
+  return means;
+}
+
+/*!
+Whether sparse points fill space, as a crowd of outliers does, rather than lie in a sheet, as the
+sparse end of a scan: by how the numbers of points grow from their balls of r_p/2 to those of 2 r_p,
+in sum over the sparse points in the block of cells of 2 r_p around each. A point alone has too few
+others to tell.
+
+\param scales of the points; none if all are 1
+\param sparse which of the points are sparse
+\param counts_in_half_balls of the sparse points
+\param radius \f$ r_p \f$, at scale 1
+\param least_ratio from where on points fill space
+*/
+template <typename T, typename ConcurrencyTag>
+Buffer<unsigned char> fill_space(const Buffer<Vector>& unsorted_points, const Scales_view& scales,
+                                 const Buffer<Index>& sparse,
+                                 const Buffer<double>& counts_in_half_balls, double radius,
+                                 double least_ratio, Progress& progress)
+{
+  const double cell_size = 2 * radius;
+  Buffer<Vector> unsorted_sparse_points(unsorted_points.get_allocator());
+  unsorted_sparse_points.reserve(sparse.size());
+  for (Index i : sparse)
+    unsorted_sparse_points.push_back(unsorted_points[i]);
+  const Sorted_queries all(ConcurrencyTag(), unsorted_points, Cell_sizes(cell_size, scales));
+  const Sorted_queries sparse_points(ConcurrencyTag(), unsorted_sparse_points,
+                                     Cell_sizes(cell_size, listed_scales(scales, sparse)));
+
+  // the point itself is none of the others
+  const auto others = [](Buffer<double> counts) {
+    for (double& count : counts)
+      --count;
+    return counts;
+  };
+  Buffer<double> inner_counts = copy_of(counts_in_half_balls);
+  apply_order(sparse_points.order, inner_counts);
+  const Range_sums inner_sums(others(std::move(inner_counts)));
+  const Range_sums outer_sums(
+    others(count_points_in_balls<T, ConcurrencyTag>(sparse_points.grid, sparse_points.points,
+                                                    all.grid, all.points, cell_size, progress)
+             .in_ball));
+  Buffer<unsigned char> result = filled_buffer(sparse.size(), static_cast<unsigned char>(0),
+                                               unsorted_points.get_allocator());
+  for_each_cell_block<Sequential_tag>(sparse_points.grid, sparse_points.grid, 1, progress, [&]() {
+    return [&](Index cell, const std::vector<Search_grid_3::Range>& ranges, std::size_t) {
+      const bool fills = outer_sums(ranges) > least_ratio * (inner_sums(ranges) + count_prior);
+      const Search_grid_3::Range own = sparse_points.grid.points_of_cell(cell);
+      for (Index i = own.first; i < own.second; ++i)
+        result[sparse_points.order[i]] = fills;
+    };
+  });
+  return result;
+}
+
+/// The number of points of the connected part that each point is in, where cells that touch are
+/// connected.
+template <typename ConcurrencyTag>
+Buffer<Index> sizes_of_parts(const Buffer<Vector>& unsorted_points, double cell_size,
+                             const Scales_view& scales, Progress& progress)
+{
+  const Counting_allocator<Index> allocator = unsorted_points.get_allocator();
+  const std::size_t n = unsorted_points.size();
+  const Sorted_queries sorted(ConcurrencyTag(), unsorted_points, Cell_sizes(cell_size, scales));
+  const Search_grid_3& grid = sorted.grid;
+  Buffer<Index> ranks = filled_buffer(n, Index(0), allocator),
+                parents = filled_buffer(n, Index(0), allocator),
+                sizes = filled_buffer(n, Index(0), allocator),
+                sizes_of_points = filled_buffer(n, Index(0), allocator);
+  boost::disjoint_sets<Index*, Index*> parts(ranks.data(), parents.data());
+  for_each_in_order(n, [&](std::size_t i) { parts.make_set(Index(i)); });
+  for_each_cell_block<Sequential_tag>(grid, grid, 1, progress, [&]() {
+    return [&](Index cell, const std::vector<Search_grid_3::Range>& ranges, std::size_t) {
+      const Search_grid_3::Range own = grid.points_of_cell(cell);
+      for (Index i = own.first + 1; i < own.second; ++i)
+        parts.union_set(own.first, i);
+      for (const Search_grid_3::Range& range : ranges)
+      {
+        // the cells of a run, three at most, touch their neighbors in it
+        parts.union_set(own.first, range.first);
+        parts.union_set(own.first, range.second - 1);
+      }
+    };
+  });
+  for_each_in_order(n, [&](std::size_t i) { ++sizes[parts.find_set(Index(i))]; });
+  for_each_in_order(n, [&](std::size_t i) {
+    sizes_of_points[sorted.order[i]] = sizes[parts.find_set(Index(i))];
+  });
+  return sizes_of_points;
+}
+
+/*!
+Finds the points that lie off the cloud: those whose ball holds far fewer points than the balls
+around them do, or than the median ball of the cloud; sparse ones that fill space; and, among the
+others, those of connected components that have fewer points than half a median ball, such as
+clusters of outliers. The first comparison is with the surroundings so that a sparse region of a
+surface stays. Which points are sparse does not depend on the thresholds: the sums over them, and so
+who of them is an outlier, would change with it. If that would be all points, there are none.
+
+\param radius of the ball, \f$ r_p \f$, at scale 1
+\param scales of the points; none if all are 1
+\param known_median how many points the median ball of the whole cloud holds: given, or found here
+\returns whether each point is an outlier
+*/
+template <typename T, typename ConcurrencyTag>
+Buffer<unsigned char> find_outliers(const Buffer<Vector>& unsorted_points, double radius,
+                                    const Outlier_thresholds& thresholds, const Scales_view& scales,
+                                    std::optional<double>& known_median, Progress& progress)
+{
+  const auto allocator = unsorted_points.get_allocator();
+  const std::size_t n = unsorted_points.size();
+  Buffer<unsigned char> is_outlier(n, 1, allocator);
+  Buffer<Index> sparse(allocator);
+  Buffer<double> counts_in_half_balls(allocator);
+  double median;
+  bool is_any_sparse_kept = false;
+  {
+    const Sorted_queries sorted(ConcurrencyTag(), unsorted_points, Cell_sizes(radius, scales));
+    const Search_grid_3& grid = sorted.grid;
+    const Counts_in_balls counts = count_points_in_balls<T, ConcurrencyTag>(
+      grid, sorted.points, grid, sorted.points, radius, progress);
+    const Buffer<double> surroundings = means_around<ConcurrencyTag>(grid, counts.in_ball,
+                                                                     progress);
+    if (!known_median)
+      known_median = median_of(copy_of(counts.in_ball));
+    median = *known_median;
+    for_each_in_order(n, [&](std::size_t i) {
+      const double count = counts.in_ball[i];
+      const bool is_kept = count >= (std::max)(thresholds.share_of_surroundings * surroundings[i],
+                                               thresholds.share_of_median * median);
+      is_outlier[sorted.order[i]] = !is_kept;
+      if (count < share_of_sparse_points * median)
+      {
+        sparse.push_back(sorted.order[i]);
+        counts_in_half_balls.push_back(counts.in_half_ball[i]);
+        is_any_sparse_kept = is_any_sparse_kept || is_kept;
+      }
+    });
+  }
+  if (is_any_sparse_kept)
+  {
+    const Buffer<unsigned char> fills =
+      fill_space<T, ConcurrencyTag>(unsorted_points, scales, sparse, counts_in_half_balls, radius,
+                                    thresholds.volume_filling_ratio, progress);
+    for_each_in_order(sparse.size(), [&](std::size_t k) {
+      is_outlier[sparse[k]] = is_outlier[sparse[k]] || fills[k];
+    });
+  }
+
+  Buffer<Index> rest(allocator);
+  Buffer<Vector> rest_points(allocator);
+  for_each_in_order(n, [&](std::size_t i) {
+    if (is_outlier[i])
+      return;
+    rest.push_back(Index(i));
+    rest_points.push_back(unsorted_points[i]);
+  });
+  const Buffer<float> rest_scales = listed_scales(scales, rest);
+  const Buffer<Index> sizes = sizes_of_parts<ConcurrencyTag>(rest_points, gap_of_parts * radius,
+                                                             view_of_scales(rest_scales), progress);
+  bool is_any_left = false;
+  for_each_in_order(rest.size(), [&](std::size_t k) {
+    is_outlier[rest[k]] = sizes[k] < thresholds.share_of_part * median;
+    is_any_left = is_any_left || !is_outlier[rest[k]];
+  });
+  if (!is_any_left)
+    is_outlier.assign(n, 0);
+  return is_outlier;
+}
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_FIND_OUTLIERS_H

@@ -1,0 +1,163 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_PREPARE_POINTS_H
+#define CGAL_L0_RESAMPLING_INTERNAL_PREPARE_POINTS_H
+
+#include <CGAL/L0_resampling/internal/cloud/Facts_of_cloud.h>
+#include <CGAL/L0_resampling/internal/core/Progress.h>
+#include <CGAL/L0_resampling/internal/cloud/find_outliers.h>
+#include <CGAL/L0_resampling/internal/search/thin_crowds.h>
+#include <CGAL/L0_resampling/internal/cloud/working_frame.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/// The scalar type of what happens within one ball, where relative coordinates make `float` enough.
+using Local = float;
+using Local_vector = Eigen::Matrix<Local, 3, 1>;
+
+/// Coincident points are in no order but that of the input, which must not matter: puts their
+/// normals, or hints, in one.
+inline void sort_normals_of_coincident_points(const Buffer<Vector>& points,
+                                              Buffer<Local_vector>& normals)
+{
+  for_each_in_order(points.size(), [&](std::size_t begin) {
+    if (begin > 0 && points[begin] == points[begin - 1])
+      return;
+    std::size_t end = begin + 1;
+    while (end < points.size() && points[end] == points[begin])
+      ++end;
+    std::sort(normals.begin() + std::ptrdiff_t(begin), normals.begin() + std::ptrdiff_t(end),
+              [](const Local_vector& a, const Local_vector& b) {
+                return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+              });
+  });
+}
+
+/// Removes the outliers from the points and what belongs to them.
+/// \returns their number
+template <typename ConcurrencyTag>
+std::size_t drop_outliers(double radius, const Outlier_thresholds& thresholds,
+                          Buffer<Vector>& points, Buffer<float>& scales,
+                          Buffer<Local_vector>& given_normals, Buffer<Local_vector>& hints,
+                          Facts_of_cloud& facts, Progress& progress)
+{
+  const Buffer<unsigned char> is_outlier = find_outliers<Local, ConcurrencyTag>(
+    points, radius, thresholds, view_of_scales(scales), facts.median_number_of_neighbors, progress);
+  const auto drop_from = [&](auto& values) {
+    std::size_t size = 0;
+    for_each_in_order(values.size(), [&](std::size_t i) {
+      if (!is_outlier[i])
+        values[size++] = values[i];
+    });
+    values.resize(size);
+  };
+  const std::size_t n = points.size();
+  drop_from(points);
+  drop_from(scales);
+  drop_from(given_normals);
+  drop_from(hints);
+  return n - points.size();
+}
+
+/// Sorts the points, and what belongs to them, into the order of their grid.
+/// \returns the number of distinct points
+template <typename ConcurrencyTag>
+std::size_t sort_points(double cell_size, Buffer<Vector>& points, Buffer<float>& scales,
+                        Buffer<Local_vector>& given_normals, Buffer<Local_vector>& hints)
+{
+  {
+    const Buffer<Index> order =
+      Search_grid_3::sorted_order<ConcurrencyTag>(points, Cell_sizes(cell_size, scales));
+    apply_order<ConcurrencyTag>(order, points);
+    if (!scales.empty())
+      apply_order<ConcurrencyTag>(order, scales);
+    for (Buffer<Local_vector>* vectors : {&given_normals, &hints})
+      if (!vectors->empty())
+      {
+        apply_order(order, *vectors);
+        sort_normals_of_coincident_points(points, *vectors);
+      }
+  }
+  std::size_t number_of_distinct_points = 0;
+  for_each_in_order(points.size(), [&](std::size_t i) {
+    number_of_distinct_points += i == 0 || points[i] != points[i - 1];
+  });
+  return number_of_distinct_points;
+}
+
+/// Whether there is a normal for each point.
+inline bool are_all_given(const Buffer<Local_vector>& given_normals)
+{
+  return !given_normals.empty()
+         && std::none_of(given_normals.begin(), given_normals.end(),
+                         [](const Local_vector& n) { return n.isZero(0); });
+}
+
+/// The input points in the order of their grid, with what the stages find out about them.
+struct Prepared_points
+{
+  Buffer<Vector>& points;
+  Buffer<float> scales; ///< of the points; none if all are 1
+  Search_grid_3 grid;
+  /// How many points of the input each one stands for; empty if only for itself.
+  Buffer<Index> numbers_of_points;
+  Buffer<Local_vector> normals;  ///< filtered
+  Buffer<Local> density_weights; ///< \f$ v_j \f$
+
+  /// \param p the points, which are in no order yet: the grid has none of them
+  explicit Prepared_points(Buffer<Vector>& p)
+    : points(p), scales(p.get_allocator()), grid(Buffer<Vector>(p.get_allocator()), 1.),
+      numbers_of_points(p.get_allocator()), normals(p.get_allocator()),
+      density_weights(p.get_allocator())
+  {}
+
+  /// Frees the memory, once the samples are fitted.
+  void release_all()
+  {
+    release(points);
+    release(scales);
+    release(numbers_of_points);
+    release(normals);
+    release(density_weights);
+    grid = Search_grid_3(points, grid.cell_size()); // of no points
+  }
+};
+
+/// Sorts the points, and what belongs to them, into the order of their grid, and leaves out those
+/// of crowds but for a few, which stand for the others.
+/// \returns the number of distinct points
+template <typename ConcurrencyTag>
+std::size_t sort_and_thin_points(double cell_size, Prepared_points& input,
+                                 Buffer<Local_vector>& given_normals, Buffer<Local_vector>& hints)
+{
+  const std::size_t number_of_distinct_points =
+    sort_points<ConcurrencyTag>(cell_size, input.points, input.scales, given_normals, hints);
+  input.grid = Search_grid_3(input.points, Cell_sizes(cell_size, input.scales));
+  const Representatives kept = thin_crowds<ConcurrencyTag>(input.grid, input.points,
+                                                           most_points_of_subcell);
+  if (!kept.are_all_points())
+  {
+    input.numbers_of_points = kept.numbers_of_points();
+    kept.keep(input.points);
+    kept.keep(input.scales);
+    kept.keep(given_normals);
+    kept.keep(hints);
+    input.grid = Search_grid_3(input.points, Cell_sizes(cell_size, input.scales));
+  }
+  return number_of_distinct_points;
+}
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_PREPARE_POINTS_H

@@ -1,0 +1,372 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_PARAMETERS_H
+#define CGAL_L0_RESAMPLING_INTERNAL_PARAMETERS_H
+
+#include <CGAL/L0_resampling/internal/core/Orientation_hints.h>
+#include <CGAL/L0_resampling/internal/core/host_device.h>
+#include <CGAL/L0_resampling/internal/core/random_bits.h>
+#include <CGAL/L0_resampling/internal/core/weights.h>
+#include <CGAL/L0_resampling/tags.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/// The named parameters of a call, with their defaults.
+struct Parameters
+{
+  Method method = Method::DEFAULT;
+
+  std::size_t number_of_output_points = 0; ///< \f$ |P| \f$
+
+  double neighbor_radius = 0;      ///< \f$ r_p \f$, a length; 0 asks for the method's rule
+  double normal_filter_radius = 0; ///< \f$ r_q \f$, a length; 0 asks for the method's rule
+  double sharpness_angle = 15;     ///< \f$ \sigma_n \f$, in degrees
+  std::size_t number_of_normal_filter_iterations = 5;
+
+  double normal_weight = 0.9;          ///< \f$ \lambda \f$
+  double regularization_weight = 0.15; ///< \f$ \alpha \f$
+  double initial_penalty = 0.1;        ///< first \f$ \beta \f$
+  double maximum_penalty = 2;          ///< last \f$ \beta \f$ is at most this
+  double penalty_growth = 1.5;         ///< \f$ \mu \f$; the default method has its own
+
+  double outlier_sensitivity = 0; ///< how readily points off the cloud are left out; 0: never
+  bool keep_density = false; ///< whether the density of the input is kept instead of evened out
+  std::size_t number_of_orientation_neighbors = 12;
+  bool has_viewpoint = false;
+  Viewpoint viewpoint;               ///< that all normals shall face, if there is one
+  bool hints_are_viewpoints = false; ///< whether the hints of the points lead to their viewpoints
+  // whether they are asked for, of each point of the result
+  bool with_feature_confidences = false, with_side_confidences = false, with_neighbor_radii = false;
+  std::size_t random_seed = 0;
+  std::size_t maximum_memory = (std::numeric_limits<std::size_t>::max)(); ///< in bytes
+};
+
+// What the paper leaves open, as multiples of a radius. All are lengths.
+
+/// The self neighbors of a sample lie within r_p/2 (Section 3.2).
+constexpr double self_neighbor_radius_factor = 0.5;
+
+/// PCA looks at a smaller ball than the filter: near an edge fewer points of the other side spoil
+/// the first normal, and noise is the filter's job.
+constexpr double pca_radius_factor = 0.7;
+
+/// A ball of fewer points determines no normal: through three noisy points a plane goes anywhere.
+constexpr unsigned fewest_points_of_plane = 6;
+
+/// How many of n points are left out at either end of an axis where the extent of the cloud is
+/// measured: 0.5 %.
+inline std::size_t margin_of_extent(std::size_t n) { return n / 200; }
+
+/// \f$ \sigma_q \f$ is "a scaling of r_q" (Section 3.1).
+constexpr double spatial_bandwidth_factor = 0.5;
+
+/// The unit of length in which Eq. (9) reads its threshold \f$ \sqrt{\lambda/\beta} \f$, per r_p.
+/// Printed without one, the threshold would mean another thing for every unit of the input. With
+/// r_p/4 and the default weights no jump within r_p/2 survives the first iterations, and jumps
+/// above 0.18 r_p survive the last.
+constexpr double sparsity_unit_factor = 0.25;
+
+// The default method
+
+/// r_p covers this many spacings of clean points, and this many standard deviations of the noise of
+/// dense ones; in between their powers of 3/2 add up: with a little noise already, more points than
+/// three and a half spacings hold gain more than detail loses. Smaller radii follow finer detail,
+/// larger ones average more noise away.
+constexpr double radius_per_spacing = 3.5;
+constexpr double radius_per_noise = 3.8;
+
+/// The radius that the default method wants where points have this spacing and this noise.
+CGAL_L0_HOST_DEVICE inline double wanted_radius(double spacing, double noise)
+{
+  const double of_spacing = radius_per_spacing * spacing, of_noise = radius_per_noise * noise;
+  return std::cbrt(square(std::sqrt(of_spacing) * of_spacing + std::sqrt(of_noise) * of_noise));
+}
+
+/// The radius of the default method, in units of the paper's. It is rounded in steps of 0.2 to 0.4
+/// % of itself, which is less than the error of spacing and noise: processors that round
+/// differently, and clouds that are scaled by any factor, have the same radius, and with it the
+/// same cells and the same first samples.
+/// \param spacing, noise divided by the paper's radius, so that the steps scale with the cloud
+inline double default_radius(double spacing, double noise)
+{
+  int exponent = 0;
+  const double mantissa = std::frexp(wanted_radius(spacing, noise), &exponent);
+  return std::ldexp(std::floor(512 * mantissa + 0.5), exponent - 9);
+}
+
+/// r_q per r_p: beside an edge, the filter has to reach points whose first normal the edge did not
+/// spoil.
+constexpr double default_filter_radius_factor = 1.2;
+/// No filter radius is smaller than this part of r_p: its square, in units of r_p, is a `float`.
+constexpr double least_filter_radius_factor = 0x1p-40;
+
+/// The fit is blind to points whose normal differs by much more than this many times
+/// \f$ \sigma_n \f$. More than once, since the normals of a curved surface differ more over the
+/// ball of the fit than filtered normals of one face do.
+constexpr double fit_angle_factor = 2;
+
+/// \f$ \sigma \f$ of the fit per r_p. A wider one averages more noise away and rounds corners more.
+constexpr double fit_bandwidth_factor = 0.6;
+
+/// Points of the other sheet of a thin plate agree with a normal too. The default method weighs
+/// points by their height over the sheet, \f$ e^{-h^2/H^2} \f$, where H is this many standard
+/// deviations of the noise and this share of r_p; the two add up as squares. A larger share would
+/// make one of two clean sheets, a smaller one takes points of a curved sheet for another.
+constexpr double sheet_height_per_noise = 1.9;
+constexpr double sheet_height_per_radius = 0.2;
+
+inline double sheet_height(double noise, double radius)
+{
+  return std::hypot(sheet_height_per_noise * noise, sheet_height_per_radius * radius);
+}
+
+/// A jump between two samples of more than this many H is one to another sheet, or across an edge,
+/// and no noise: the default method shrinks no such jump, however small the penalty still is.
+constexpr double largest_shrunk_jump_per_sheet_height = 0.5;
+
+/// The regularization of the default method lets go of pairs with a jump of more than this many H
+/// between them. Those of two sheets would draw the sheets together. With a lower limit pairs
+/// across edges would go too, and the samples of a face would draw each other away from its edges.
+constexpr double regularized_jump_per_sheet_height = 2;
+
+/// How far from the threshold, and per threshold, the default method begins and ends to shrink
+/// jumps. A step, as in Eq. (9), would put a sample here or there by a rounding.
+constexpr double half_width_of_firm_shrinkage = 0.1;
+
+/// A point is an outlier if its ball holds fewer points than this share of the mean ball around it,
+/// or of the median ball. At a border and its corners a ball is a half or a quarter full; between
+/// the ends of a scan densities may differ by ten.
+constexpr double outlier_share_of_surroundings = 0.3;
+constexpr double outlier_share_of_median = 0.05;
+
+/// Points whose ball holds less than this share of the median ball are of the sparse end of a scan,
+/// or of a crowd of outliers that has enough of its own around each.
+constexpr double share_of_sparse_points = 0.15;
+
+/// Sparse points fill space, and are outliers, if balls of 2 r_p hold more than this many times as
+/// many of the others as those of r_p/2 do. It is 16 in a sheet, up to 40 if the sheet is noisy or
+/// becomes denser, and 64 where points fill space.
+constexpr double volume_filling_ratio = 50;
+/// Additive smoothing of the number of points in the small balls, which may be few.
+constexpr double count_prior = 3;
+
+/// Up to this sensitivity a ball need not hold as many points as those around it do.
+constexpr double largest_outlier_sensitivity = 3;
+
+/// What points off the cloud are told by. The more sensitive, the more of them there are: whoever
+/// is one stays one.
+struct Outlier_thresholds
+{
+  double share_of_surroundings, share_of_median; ///< of the points that balls hold, at least
+  double volume_filling_ratio;                   ///< of sparse points, at most
+  double share_of_part; ///< of the points of a median ball that a part has, at least
+
+  /// \param sensitivity above 0
+  CGAL_L0_HOST_DEVICE explicit Outlier_thresholds(double sensitivity)
+    : share_of_surroundings(sensitivity * outlier_share_of_surroundings),
+      share_of_median(sensitivity * outlier_share_of_median),
+      volume_filling_ratio(internal::volume_filling_ratio / sensitivity),
+      share_of_part(sensitivity / 2)
+  {}
+};
+
+/// Parts of the cloud are apart if a layer of cells of this size, per r_p, lies empty between them.
+/// Smaller cells would tear sparse regions to pieces, larger ones join outliers to the cloud.
+constexpr double gap_of_parts = 0.6;
+
+/// Points of one sheet that scatter about it by H/2, with the weights \f$ e^{-h^2/H^2} \f$, have
+/// the first of these variances, in units of \f$ H^2 \f$. Those of two sheets have more, and from
+/// the second on their sheets are as much lower as the third says: this share of H.
+constexpr double variance_of_one_sheet = 1. / 6, variance_of_two_sheets = 1. / 5,
+                 height_among_two_sheets = 0.7;
+
+/// \f$ H^2 \f$ of a sample whose points scatter.
+/// \param squared_sheet_height \f$ H^2 \f$ of all
+/// \param variance of the heights of its points, weighted with that
+CGAL_L0_HOST_DEVICE inline double squared_sheet_height_among(double squared_sheet_height,
+                                                             double variance)
+{
+  const double t = as_share((variance / squared_sheet_height - variance_of_one_sheet)
+                            / (variance_of_two_sheets - variance_of_one_sheet));
+  return squared_sheet_height * (1 - t * (1 - height_among_two_sheets * height_among_two_sheets));
+}
+
+/// A sample is unsupported if the points that agree with it weigh less than the first share of
+/// those in its ball, and begins to at the second. On a face it is a quarter, at an edge an eighth.
+constexpr double share_of_sheet_of_unsupported = 0.05, least_share_of_sheet = 0.07;
+
+/// Whether a sample is unsupported, and how it finds its points: by the normal of most of them and
+/// its own, in a sheet that is higher than that of others.
+struct Unsupported_sample
+{
+  bool is_unsupported;
+  double weight_of_own_normal = 0; ///< beside those of the points
+  double squared_sheet_height;
+
+  /// \param weight of the points that agree with it
+  /// \param all the weight of all points of its ball
+  /// \param sheet_height H, squared, as of samples that are supported
+  CGAL_L0_HOST_DEVICE Unsupported_sample(double weight, double all, double sheet_height,
+                                         double squared_radius)
+    : squared_sheet_height(sheet_height)
+  {
+    const double t = (least_share_of_sheet * all - weight)
+                     / ((least_share_of_sheet - share_of_sheet_of_unsupported) * all);
+    is_unsupported = t > 0;
+    if (t >= 1)
+      squared_sheet_height = squared_radius;
+    else if (is_unsupported)
+    {
+      weight_of_own_normal = all * (1 - t) / t;
+      squared_sheet_height *= std::pow(squared_radius / sheet_height, t);
+    }
+  }
+};
+
+/// The plane that corrects a normal counts in full if its two smaller variances differ by this
+/// share of the largest, and the less the nearer they are: points in a strip have no plane.
+constexpr double least_gap_of_plane = 0.1;
+
+/// At the end the default method looks for planes and quadrics in balls of this many r_p. In wider
+/// ones more surfaces are neither; smaller ones average less noise away.
+constexpr double quadric_radius_factor = 4;
+
+/// How far from a plane samples may be that lie in it, and from a quadric, per what noise leaves of
+/// the fit. A quadric follows what noise is left, so less remains.
+constexpr double largest_roughness_of_plane = 3, largest_roughness_of_quadric = 2.5;
+
+/// Of how few samples a plane or a quadric is not believed, and of how many it is, per unknown of
+/// it; in between the more of them, the more. Through a handful of points there always is one.
+constexpr double fewest_support_points_per_unknown = 3, enough_support_points_per_unknown = 6;
+
+/// From where on a plane or a quadric counts less, and at twice this not at all: what variance its
+/// height has at the sample, per that of the mean height of the support points. Inside of a surface
+/// it is 1 and 4 to 5, at an edge 4 and 9 to 16; where the support points are all on one side and
+/// further off it grows fast.
+constexpr double largest_leverage = 10;
+
+/// The support subset has at least this many samples in a ball, if the ball has as many.
+constexpr double least_support_points_in_ball = 128;
+
+/// Chooses the support subset among the samples that start on a point each: by that point, so
+/// that no rounding of where they are now has a part in it.
+struct Support_subset
+{
+  std::uint64_t seed;
+  std::uint64_t stride = 1; ///< one in so many is asked
+
+  /// \param spacing of an even set of samples
+  Support_subset(std::uint64_t random_seed, double radius, double spacing,
+                 std::size_t number_of_samples, std::size_t number_on_points)
+    : seed(random_seed)
+  {
+    const double pi = 3.141592653589793, reach = quadric_radius_factor * radius / spacing;
+    const double in_ball = pi * reach * reach * double(number_on_points)
+                           / double(number_of_samples);
+    // a power of two, since few numbers are so near to one that a rounding decides
+    while (double(2 * stride) * least_support_points_in_ball <= in_ball
+           && stride < (std::uint64_t(1) << 20))
+      stride *= 2;
+  }
+
+  CGAL_L0_HOST_DEVICE bool takes(std::uint64_t source) const
+  {
+    return random_bits(seed, ~source) % stride == 0;
+  }
+};
+
+/// The default method corrects its normals by the positions before each of the last filter passes,
+/// as many times.
+constexpr std::size_t number_of_normal_refits = 2;
+
+/// After each fit the default method corrects the normals of the samples by the positions of their
+/// self neighbors, in so many passes.
+constexpr std::size_t number_of_sample_refits = 2;
+
+/// The self neighbors count there that look like samples of one face: \f$ \sigma_n \f$ in sharpness
+/// angles, and \f$ \sigma \f$ and H per radius of the self neighbors. A wider angle follows details
+/// of rough surfaces more closely and rounds edges more.
+constexpr double sample_refit_angle_factor = 2.5, sample_refit_bandwidth_factor = 0.7,
+                 sample_refit_sheet_factor = 0.125;
+
+/// What decides how far a self neighbor counts there.
+struct Sample_refit_kernel
+{
+  double radius; ///< R, of the self neighbors
+  double squared_bandwidth;
+  double normal_bandwidth; ///< \f$ (1 - \cos\sigma_n)^2 \f$
+  double squared_sheet_height;
+
+  Sample_refit_kernel(double self_neighbor_radius, double bandwidth_of_normals)
+    : radius(self_neighbor_radius),
+      squared_bandwidth(square(sample_refit_bandwidth_factor * radius)),
+      normal_bandwidth(bandwidth_of_normals),
+      squared_sheet_height(square(sample_refit_sheet_factor * radius))
+  {}
+};
+
+/// \f$ \mu \f$ of the default method: fewer turns than the paper's 1.5 makes, each of which fits
+/// anew.
+constexpr double default_penalty_growth = 2;
+
+/// Line 5 of Algorithm 1. The product of a subnormal number and a growth near 1 can be that number
+/// again: then it is the next one.
+inline double next_penalty(double penalty, double growth)
+{
+  return (std::max)(penalty * growth,
+                    std::nextafter(penalty, std::numeric_limits<double>::infinity()));
+}
+
+/// Radius of the self neighbors, per spacing of the samples, at least.
+constexpr double self_neighbor_radius_per_spacing = 2;
+
+/// Of a sample that repels others within a radius of its own.
+/// \param area of the surface that it stands for, which rounds to 0 where points are very dense
+CGAL_L0_HOST_DEVICE inline float spreading_radius_of(double area, double largest)
+{
+  const double radius = self_neighbor_radius_per_spacing * std::sqrt(area), least = largest / 1024;
+  return float(radius > largest ? largest : radius < least ? least : radius);
+}
+
+constexpr std::size_t number_of_repulsion_steps = 3;
+
+/// The disk whose points share its area, per r_q: as many count in it as count in Eq. (5), whose
+/// weights fall off.
+constexpr double area_radius_factor = 0.7;
+
+/// How the samples repel each other: the push of one from a neighbor at distance d is
+/// \f$ \mathrm{strength} \cdot d \, e^{-d^2 / \mathrm{squared\_bandwidth}} \f$, and the sum of all
+/// is cut at `maximum_step`. Chosen by the evenness they reach, and so that no sample is pushed out
+/// of the reach of the fit.
+struct Repulsion
+{
+  double squared_bandwidth, strength, maximum_step;
+
+  /// \param spacing of an even set of that many samples
+  /// \param radius of the fit
+  CGAL_L0_HOST_DEVICE Repulsion(double spacing, double radius) : strength(0.7)
+  {
+    // Samples that a huge radius has made one point for it have no spacing to speak of; its square
+    // must not be zero.
+    spacing = (std::max)(spacing, 1e-9 * radius);
+    squared_bandwidth = 0.8 * spacing * spacing;
+    maximum_step = (std::min)(0.3 * spacing, 0.15 * radius);
+  }
+};
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_PARAMETERS_H

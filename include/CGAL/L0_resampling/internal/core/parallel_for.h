@@ -1,0 +1,248 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_PARALLEL_FOR_H
+#define CGAL_L0_RESAMPLING_INTERNAL_PARALLEL_FOR_H
+
+#include <CGAL/L0_resampling/internal/core/Buffer.h>
+
+#include <CGAL/tags.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/parallel_for.h>
+#endif
+
+#include <algorithm>
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/// Learns from the loops of the thread that it is set in that they are still running, and may end
+/// them by an exception.
+class Loop_watcher
+{
+public:
+  /// Called between two blocks of a loop, by any thread.
+  virtual void look() = 0;
+
+protected:
+  ~Loop_watcher() = default;
+};
+
+/// The watcher of this thread, or null. Not handed through all stages, as every loop has to be
+/// seen, those of a solver included.
+inline Loop_watcher*& loop_watcher()
+{
+  thread_local Loop_watcher* watcher = nullptr;
+  return watcher;
+}
+
+/// Has the thread watched by `watcher`, which may be null, as long as this lives.
+class Watched_loops
+{
+  Loop_watcher* const m_outer =
+    loop_watcher(); // of a call from whose callback or property map this one is made
+
+public:
+  explicit Watched_loops(Loop_watcher* watcher) { loop_watcher() = watcher; }
+  ~Watched_loops() { loop_watcher() = m_outer; }
+  Watched_loops(const Watched_loops&) = delete;
+  Watched_loops& operator=(const Watched_loops&) = delete;
+};
+
+/// For loops that are not `for_each_block()`.
+inline void poll_for_cancellation()
+{
+  if (loop_watcher())
+    loop_watcher()->look();
+}
+
+/// A view of a function `f(begin, end)`, for one body of a loop for all functions: a call through a
+/// pointer is nothing beside a block, and each instantiation of TBB's loop costs the compiler a
+/// quarter of a second.
+class Block_function
+{
+  const void* m_function;
+  void (*m_call)(const void*, std::size_t, std::size_t);
+
+public:
+  template <typename F>
+  explicit Block_function(const F& f)
+    : m_function(&f), m_call([](const void* function, std::size_t begin, std::size_t end) {
+        (*static_cast<const F*>(function))(begin, end);
+      })
+  {}
+
+  void operator()(std::size_t begin, std::size_t end) const { m_call(m_function, begin, end); }
+};
+
+#ifdef CGAL_LINKED_WITH_TBB
+/// `for_each_block()` with `Parallel_tag`.
+inline void for_each_block_in_parallel(std::size_t n, std::size_t block_size,
+                                       const Block_function& f)
+{
+  Loop_watcher* const watcher = loop_watcher();
+  const std::size_t number_of_blocks = n / block_size + std::size_t(n % block_size != 0);
+  tbb::parallel_for(std::size_t(0), number_of_blocks, [&](std::size_t k) {
+    const Watched_loops watched(watcher); // on whatever thread this is
+    const std::size_t begin = k * block_size;
+    f(begin, begin + (std::min)(block_size, n - begin));
+    poll_for_cancellation();
+  });
+}
+#endif
+
+/// `for_each_block()` with `Sequential_tag`.
+inline void for_each_block_in_order(std::size_t n, std::size_t block_size, const Block_function& f)
+{
+  for (std::size_t begin = 0; begin < n;)
+  {
+    const std::size_t end = begin + (std::min)(block_size, n - begin);
+    f(begin, end);
+    poll_for_cancellation();
+    begin = end;
+  }
+}
+
+/// Calls `f(begin, end)` for the blocks `[0, block_size)`, `[block_size, 2 * block_size)`, ... of
+/// `[0, n)`. The blocks depend on `n` and `block_size` alone, never on the number of threads: that
+/// is what makes results bitwise reproducible. `block_size` must be positive. With `Parallel_tag`
+/// the calls run at once and in any order.
+/// \throws what `f` or the watcher of the calling thread throws; with `Parallel_tag` one of the
+/// exceptions, after all running calls have ended
+template <typename ConcurrencyTag, typename F>
+void for_each_block(std::size_t n, std::size_t block_size, const F& f)
+{
+  constexpr bool is_parallel = std::is_convertible<ConcurrencyTag, Parallel_tag>::value;
+#ifdef CGAL_LINKED_WITH_TBB
+  if constexpr (is_parallel)
+    return for_each_block_in_parallel(n, block_size, Block_function(f));
+#else
+  static_assert(!is_parallel, "Parallel_tag needs TBB: link with CGAL::TBB_support.");
+#endif
+  for_each_block_in_order(n, block_size, Block_function(f));
+}
+
+/// Calls `f(i)` for each i of `[0, n)`, one after the other.
+template <typename F>
+void for_each_in_order(std::size_t n, const F& f)
+{
+  const std::size_t block_size = 65536; // a few milliseconds
+  for_each_block<Sequential_tag>(n, block_size, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      f(i);
+  });
+}
+
+/// Makes `values` `n` times `value`, as `assign()` does, but in blocks: the first touch of memory
+/// takes half a second a gigabyte.
+template <typename T>
+void fill_buffer(std::size_t n, const T& value, Buffer<T>& values)
+{
+  const std::size_t block_size = 65536;
+  values.clear();
+  values.reserve(n);
+  for_each_block<Sequential_tag>(n, block_size,
+                                 [&](std::size_t, std::size_t end) { values.resize(end, value); });
+}
+
+/// `n` times `value`, likewise.
+template <typename T, typename U>
+Buffer<T> filled_buffer(std::size_t n, const T& value, const Counting_allocator<U>& allocator)
+{
+  Buffer<T> values(allocator);
+  fill_buffer(n, value, values);
+  return values;
+}
+
+/// A copy, likewise.
+template <typename T>
+Buffer<T> copy_of(const Buffer<T>& values)
+{
+  const std::size_t block_size = 65536;
+  Buffer<T> copy(values.get_allocator());
+  copy.reserve(values.size());
+  for_each_block<Sequential_tag>(values.size(), block_size,
+                                 [&](std::size_t begin, std::size_t end) {
+                                   copy.insert(copy.end(), values.begin() + std::ptrdiff_t(begin),
+                                               values.begin() + std::ptrdiff_t(end));
+                                 });
+  return copy;
+}
+
+/// `less` for algorithms of the standard library that take long: looks at the loop at every
+/// so-maniest comparison.
+/// \param number_of_comparisons outlives what is returned, as does `less`
+template <typename Less>
+auto watched_order(const Less& less, std::size_t& number_of_comparisons)
+{
+  return [&](const auto& a, const auto& b) {
+    const std::size_t comparisons_per_look = 65536;
+    if (++number_of_comparisons % comparisons_per_look == 0)
+      poll_for_cancellation();
+    return less(a, b);
+  };
+}
+
+/// The sum of `f(begin, end)` over the blocks of `for_each_block()`, added in the order of the
+/// blocks, so bitwise the same for every number of threads. The sum may be a number or any value
+/// type with `operator+=` that is zero when value-initialized.
+template <typename ConcurrencyTag, typename F>
+auto block_sum(std::size_t n, std::size_t block_size, const F& f)
+{
+  using Sum = std::decay_t<decltype(f(n, n))>;
+  Sum sum = Sum();
+  if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value)
+  {
+    std::vector<Sum> parts(n / block_size + std::size_t(n % block_size != 0));
+    for_each_block<ConcurrencyTag>(n, block_size, [&](std::size_t begin, std::size_t end) {
+      parts[begin / block_size] = f(begin, end);
+    });
+    for (const Sum& part : parts)
+      sum += part;
+  }
+  else
+    for_each_block<ConcurrencyTag>(n, block_size, [&](std::size_t begin, std::size_t end) {
+      sum += f(begin, end);
+    });
+  return sum;
+}
+
+/// What `f(begin, end, values)` appends to `values` for the blocks of `for_each_block()`, in the
+/// order of the blocks.
+template <typename ConcurrencyTag, typename T, typename F>
+Buffer<T> append_by_blocks(std::size_t n, std::size_t block_size,
+                           const Counting_allocator<T>& allocator, const F& f)
+{
+  std::vector<Buffer<T>> parts(n / block_size + std::size_t(n % block_size != 0),
+                               Buffer<T>(allocator));
+  for_each_block<ConcurrencyTag>(n, block_size, [&](std::size_t begin, std::size_t end) {
+    Buffer<T>& part = parts[begin / block_size];
+    f(begin, end, part);
+    part.shrink_to_fit(); // else there may be room for twice as many
+  });
+  std::size_t size = 0;
+  for (const Buffer<T>& part : parts)
+    size += part.size();
+  Buffer<T> all(allocator);
+  all.reserve(size);
+  for (Buffer<T>& part : parts)
+  {
+    all.insert(all.end(), part.begin(), part.end());
+    release(part);
+    poll_for_cancellation();
+  }
+  return all;
+}
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_PARALLEL_FOR_H

@@ -1,0 +1,68 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_ORIENT_ON_DEVICE_H
+#define CGAL_L0_RESAMPLING_INTERNAL_ORIENT_ON_DEVICE_H
+
+#include <CGAL/L0_resampling/Report.h>
+#include <CGAL/L0_resampling/internal/device/Device_progress.h>
+#include <CGAL/L0_resampling/internal/device/Device_session.h>
+#include <CGAL/L0_resampling/internal/device/cuda_orientation.h>
+#include <CGAL/L0_resampling/internal/driver/orient_point_set.h>
+
+#include <cstddef>
+#include <functional>
+#include <utility>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/// Finds the sides of the normals of a point set on a CUDA device, as `orient_point_set()` does on
+/// the CPU; unlike there, nothing is used up.
+/// \param parameters checked, for as many output points as there are points; `maximum_memory` is of
+/// the device
+/// \returns nothing if the callback cancelled, which the report says
+/// \throws Device_error if no device can be used, or it fails
+/// \throws std::bad_alloc if memory of the device does not suffice
+inline Oriented_representatives orient_on_device(const Buffer<Vector>& positions,
+                                                 const Buffer<Local_vector>& given_normals,
+                                                 const Buffer<Local_vector>& hints,
+                                                 const Parameters& parameters,
+                                                 const std::function<bool(double)>& callback,
+                                                 Report& report)
+{
+  report.device = "cuda";
+  report.device_reason = "asked for";
+  const std::size_t n = positions.size();
+  const Device_session session = new_device_session();
+  throw_if_failed(cuda::upload(*session, coordinates(positions), n, coordinates(given_normals),
+                               coordinates(hints), parameters.maximum_memory));
+  Device_progress progress(callback);
+  cuda::Call_report call;
+  std::size_t number_of_representatives = 0;
+  const cuda::Answer answer = cuda::orient(*session, parameters, progress.as_callback(), call,
+                                           number_of_representatives);
+  fill_report(call, report);
+  progress.rethrow_exception_of_callback();
+  throw_if_failed(answer);
+  Oriented_representatives result;
+  if (answer.status == cuda::Status::CANCELLED)
+  {
+    report.outcome = Outcome::CANCELLED;
+    return result;
+  }
+  result.of_points.resize(n);
+  result.normals.resize(number_of_representatives);
+  throw_if_failed(
+    cuda::download_representatives(*session, result.of_points.data(), coordinates(result.normals)));
+  return result;
+}
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_ORIENT_ON_DEVICE_H

@@ -1,0 +1,81 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_POINT_DATA_H
+#define CGAL_L0_RESAMPLING_INTERNAL_POINT_DATA_H
+
+#include <CGAL/L0_resampling/internal/interface/checked_parameters.h>
+#include <CGAL/L0_resampling/internal/search/nearest_input_points.h>
+#include <CGAL/L0_resampling/named_parameters.h>
+
+#include <CGAL/property_map.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <type_traits>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/// What callers may want to know of each point of the result beside its position and its normal.
+struct Point_data
+{
+  Near_points near_points; ///< if some are asked for
+  // if they are asked for
+  Buffer<float> feature_confidences, side_confidences, neighbor_radii;
+};
+
+/// The radii of samples, from their scales.
+/// \param scales of the samples; none if all are 1
+inline Buffer<float> neighbor_radii(Buffer<float> scales, std::size_t number_of_samples,
+                                    double neighbor_radius)
+{
+  if (scales.empty())
+    scales.assign(number_of_samples, 1.f);
+  for (float& scale : scales)
+    scale = float(double(scale) * neighbor_radius);
+  return scales;
+}
+
+/// How many near points a call with these named parameters has to find, of which `others` are asked
+/// for elsewhere.
+template <typename NamedParameters>
+std::size_t number_of_near_points(const NamedParameters& np, std::size_t others)
+{
+  return (std::max)(others, std::size_t(is_given(np, internal_np::source_index_map)));
+}
+
+/// Writes the data to the maps among the named parameters.
+/// \param key_of called with the place of a point in the result
+template <typename NamedParameters, typename KeyOf>
+void write_point_data(const NamedParameters& np, const Point_data& data, std::size_t size,
+                      const KeyOf& key_of)
+{
+  using boost::put;
+  const auto write = [&](const auto& map, const auto& value_of) {
+    using Value = typename boost::property_traits<std::decay_t<decltype(map)>>::value_type;
+    for (std::size_t i = 0; i < size; ++i)
+      put(map, key_of(i), Value(value_of(i)));
+  };
+  if_given(np, internal_np::source_index_map, [&](const auto& map) {
+    write(map, [&](std::size_t i) { return data.near_points.nearest(i); });
+  });
+  if_given(np, internal_np::feature_confidence_map, [&](const auto& map) {
+    write(map, [&](std::size_t i) { return data.feature_confidences[i]; });
+  });
+  if_given(np, internal_np::side_confidence_map, [&](const auto& map) {
+    write(map, [&](std::size_t i) { return data.side_confidences[i]; });
+  });
+  if_given(np, internal_np::neighbor_radius_map, [&](const auto& map) {
+    write(map, [&](std::size_t i) { return data.neighbor_radii[i]; });
+  });
+}
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_POINT_DATA_H

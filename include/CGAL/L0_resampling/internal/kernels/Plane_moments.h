@@ -1,0 +1,181 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_PLANE_MOMENTS_H
+#define CGAL_L0_RESAMPLING_INTERNAL_PLANE_MOMENTS_H
+
+#include <CGAL/L0_resampling/internal/core/Parameters.h>
+#include <CGAL/L0_resampling/internal/core/symmetric_eigen.h>
+#include <CGAL/L0_resampling/internal/core/weights.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/// A plane through points.
+struct Fitted_plane
+{
+  Triple normal;
+  bool spans_plane; ///< whether the points determine it, and are not too few to be trusted
+  double variance;  ///< of the points across it
+};
+
+/// The weighted moments of points relative to some center, up to the second, and what a plane
+/// through the points takes from them (Hoppe et al. 1992).
+/// \tparam S a number, or lanes of numbers
+template <typename S>
+struct Plane_moments
+{
+  S sum = S(), x = S(), y = S(), z = S(), xx = S(), xy = S(), xz = S(), yy = S(), yz = S(),
+    zz = S();
+
+  CGAL_L0_HOST_DEVICE void add(const S& dx, const S& dy, const S& dz, const S& weight)
+  {
+    const S wx = weight * dx, wy = weight * dy, wz = weight * dz;
+    sum += weight;
+    x += wx;
+    y += wy;
+    z += wz;
+    xx += wx * dx;
+    xy += wx * dy;
+    xz += wx * dz;
+    yy += wy * dy;
+    yz += wy * dz;
+    zz += wz * dz;
+  }
+
+  /// Of the covariance. The plane's normal is its smallest vector, the variance across it its
+  /// smallest value.
+  /// \pre `S` is a number, and `sum` is positive
+  CGAL_L0_HOST_DEVICE Eigen_decomposition eigen_decomposition() const
+  {
+    const double n = sum, mx = x / n, my = y / n, mz = z / n;
+    return decompose({xx / n - mx * mx, xy / n - mx * my, xz / n - mx * mz, yy / n - my * my,
+                      yz / n - my * mz, zz / n - mz * mz});
+  }
+
+  /// The unit vector that most of the points lie along, as seen from the center, of any sign: the
+  /// largest eigenvector of the second moments.
+  /// \pre `S` is a number
+  CGAL_L0_HOST_DEVICE Triple main_direction() const
+  {
+    return decompose({yy + zz, -xy, -xz, xx + zz, -yz, xx + yy}).smallest_vector;
+  }
+
+  /// The plane through points of weight 1 in a ball. Points on a line give a normal across it;
+  /// coincident points give (0, 0, 1).
+  /// \param epsilon of the number type of the points' coordinates
+  CGAL_L0_HOST_DEVICE Fitted_plane plane(double squared_radius, double epsilon) const
+  {
+    Fitted_plane fit = {{0, 0, 1}, false, 0};
+    if (sum < 2)
+      return fit;
+    const Eigen_decomposition eigen = eigen_decomposition();
+    const double longest = eigen.values[2] < squared_radius * 1e-6 ? squared_radius * 1e-6
+                                                                   : eigen.values[2];
+    const double rounding = 16 * epsilon * longest; // what is left of a variance across a line
+    if (!(eigen.values[2] > rounding))
+      return fit;
+    fit.normal = eigen.smallest_vector;
+    fit.spans_plane = eigen.values[1] > rounding && sum >= fewest_points_of_plane;
+    fit.variance = eigen.values[0] < 0 ? 0 : eigen.values[0];
+    return fit;
+  }
+};
+
+/// How much a plane counts whose normal is the smallest eigenvector of this covariance. Of points
+/// in a strip or a clump the two smaller variances are equal, and a rounding would choose the
+/// normal.
+CGAL_L0_HOST_DEVICE inline double share_of_plane(const Eigen_decomposition& eigen)
+{
+  return as_share((eigen.values[1] - eigen.values[0]) / (least_gap_of_plane * eigen.values[2]));
+}
+
+/// The unit normal halfway between `own` and that of the plane through the points that agree with
+/// it, whose moments these are; `own` where hardly anybody does, and as `share_of_plane()` says.
+/// \param own of unit length but for rounding
+CGAL_L0_HOST_DEVICE inline Triple halfway_to_plane(const Plane_moments<double>& moments,
+                                                   const Triple& own)
+{
+  if (!(moments.sum > 2))
+    return own;
+  const Eigen_decomposition eigen = moments.eigen_decomposition();
+  const Triple n = eigen.smallest_vector, unit = normalized(own);
+  const double cosine = dot(n, own), least_cosine = 0.5, sign = cosine < 0 ? -1 : 1;
+  if (!(cosine * sign > least_cosine))
+    return own;
+  const double weight = sign * share_of_plane(eigen);
+  return normalized({unit.x + weight * n.x, unit.y + weight * n.y, unit.z + weight * n.z});
+}
+
+/// A unit vector near `own` across the plane of the points whose moments these are: two steps of
+/// inverse iteration from `own` towards the smallest eigenvector of their covariance. Where the
+/// points have no plane, as in a strip, it hardly moves from `own`.
+/// \param own of unit length but for rounding
+/// \pre `moments.sum` is positive
+CGAL_L0_HOST_DEVICE inline Triple normal_of_plane_near(const Plane_moments<double>& moments,
+                                                       const Triple& own)
+{
+  const Plane_moments<double>& m = moments;
+  const double n = m.sum, ridge = 0.01; // of the trace: smaller eigenvalues are rounding
+  double xx = m.xx / n - square(m.x / n), yy = m.yy / n - square(m.y / n),
+         zz = m.zz / n - square(m.z / n);
+  const double trace = xx + yy + zz;
+  if (!(trace > 0))
+    return own;
+  xx = xx / trace + ridge, yy = yy / trace + ridge, zz = zz / trace + ridge;
+  const double xy = (m.xy / n - m.x / n * (m.y / n)) / trace,
+               xz = (m.xz / n - m.x / n * (m.z / n)) / trace;
+  const double yz = (m.yz / n - m.y / n * (m.z / n)) / trace;
+  // the adjugate is the inverse but for a factor
+  const Triple row_x = {yy * zz - yz * yz, xz * yz - xy * zz, xy * yz - xz * yy};
+  const Triple row_y = {row_x.y, xx * zz - xz * xz, xy * xz - xx * yz};
+  const Triple row_z = {row_x.z, row_y.z, xx * yy - xy * xy};
+  Triple v = own;
+  for (int step = 0; step < 2; ++step)
+    v = normalized({dot(row_x, v), dot(row_y, v), dot(row_z, v)});
+  return v;
+}
+
+/// The unit normal between `own` and halfway to that of the plane through the samples that agree
+/// with it, whose moments these are. It stays where it is as far as the two differ by no more than
+/// noise explains: with \f$ \delta \f$ for the angle between them, and \f$ \tau^2 \f$ for the
+/// variance that noise leaves of a sample's height, the share is
+/// \f$ 1 - e^{-(\delta R / \tau)^4} \f$. It falls to 0 where hardly anybody agrees, and for a plane
+/// that lies across.
+/// \param own of unit length but for rounding
+/// \param variance \f$ \tau^2 \f$
+/// \param radius R, of the ball of the samples
+CGAL_L0_HOST_DEVICE inline Triple lean_to_plane(const Plane_moments<double>& moments,
+                                                const Triple& own, double variance, double radius)
+{
+  const double fewest = 2, enough = 4, least_cosine = 0.5, full_cosine = 0.6,
+               squared_rounding = 1e-12;
+  if (!(moments.sum > fewest))
+    return own;
+  const Triple unit = normalized(own), n = normal_of_plane_near(moments, unit);
+  const double cosine = dot(n, unit), squared_angle = at_least(2 * (1 - cosine), 0.);
+  const double x = squared_angle / (variance / square(radius) + squared_rounding);
+  const double weight = as_share((moments.sum - fewest) / (enough - fewest))
+                        * as_share((cosine - least_cosine) / (full_cosine - least_cosine))
+                        * (1 - decay(x * x));
+  return normalized({unit.x + weight * n.x, unit.y + weight * n.y, unit.z + weight * n.z});
+}
+
+/// The moments of all lanes.
+template <typename L>
+Plane_moments<double> sum_of_lanes(const Plane_moments<L>& m)
+{
+  return {m.sum.sum(), m.x.sum(),  m.y.sum(),  m.z.sum(),  m.xx.sum(),
+          m.xy.sum(),  m.xz.sum(), m.yy.sum(), m.yz.sum(), m.zz.sum()};
+}
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_PLANE_MOMENTS_H

@@ -1,0 +1,174 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_ORIENTATION_AGREEMENT_H
+#define CGAL_L0_RESAMPLING_INTERNAL_ORIENTATION_AGREEMENT_H
+
+#include <CGAL/L0_resampling/internal/core/weights.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/// Samples that agree as much as this are of one sheet, whatever others say.
+constexpr double beyond_doubt = 0.98;
+
+/// The votes between two sets of samples are clear if one side is ahead by this share of all.
+constexpr double clear_majority = 0.5;
+
+/// The field of sets is that of so many samples, evenly spread, and of so many sets at most.
+constexpr unsigned maximum_number_of_dipoles = 4096, maximum_number_of_sets = 682;
+
+/// The k-th of the samples that are dipoles. Samples are sorted by place: every so-maniest of them
+/// are spread evenly.
+CGAL_L0_HOST_DEVICE inline std::size_t sample_of_dipole(std::size_t k,
+                                                        std::size_t number_of_samples,
+                                                        std::size_t number_of_dipoles)
+{
+  return std::size_t((2 * std::uint64_t(k) + 1) * number_of_samples / (2 * number_of_dipoles));
+}
+
+/// The dipole that stands for a sample: the nearest one in their order.
+CGAL_L0_HOST_DEVICE inline std::size_t dipole_of_sample(std::size_t i,
+                                                        std::size_t number_of_samples,
+                                                        std::size_t number_of_dipoles)
+{
+  return std::size_t(std::uint64_t(i) * number_of_dipoles / number_of_samples);
+}
+
+/// Sets of so many dipoles are large: there are no more of them than `maximum_number_of_sets`.
+constexpr unsigned dipoles_of_large_set = 6;
+
+/// How many dipoles a set has to have to be one of the field: all sets are, if they are few and
+/// each sample is a dipole; else the large ones.
+CGAL_L0_HOST_DEVICE inline unsigned fewest_dipoles_of_a_set(std::size_t number_of_samples,
+                                                            std::size_t number_of_sets)
+{
+  return number_of_samples <= maximum_number_of_dipoles && number_of_sets <= maximum_number_of_sets
+           ? 1
+           : dipoles_of_large_set;
+}
+
+/// Whether sets are large enough for the field to tell most samples what side they are on, by the
+/// dipoles of large sets. They grow no further by single edges: a wrong one between two large sets
+/// would turn a whole face, and the field could not part the two any more.
+CGAL_L0_HOST_DEVICE inline bool are_sets_large(std::size_t dipoles_of_large_sets,
+                                               std::size_t number_of_dipoles)
+{
+  return 10 * dipoles_of_large_sets >= 9 * number_of_dipoles;
+}
+
+/// Whether the field of the larger sets is that of their tree, by its dipoles. That of the
+/// minority, single flat spots of a surface that bends within few spacings, tells nothing of the
+/// side of what lies between them.
+CGAL_L0_HOST_DEVICE inline bool stand_for_tree(std::size_t dipoles_of_sets,
+                                               std::size_t dipoles_of_tree)
+{
+  return 2 * dipoles_of_sets >= dipoles_of_tree;
+}
+
+/// Sets of the field that disagree with the others by less than this, in edges, are left as they
+/// are: that is rounding.
+constexpr double least_disagreement = 1e-6;
+
+/// Groups of sets that disagree with the others by less than this, in edges, are left as they are:
+/// the field of few samples is not known to less.
+constexpr double least_disagreement_of_groups = 5;
+
+/*!
+How far two samples agree about the side their normals point to: positive if the signs fit, negative
+if one has to turn; the absolute value, in [0, 1], is how sure that is.
+
+Where each lies near the tangent plane of the other they are of one sheet, whose normals are
+parallel: \f$ n_i^T n_k \f$ decides (Hoppe et al. 1992). Where each lies well above or below, at the
+heights \f$ h_i = n_i^T(p_k - p_i) \f$ and \f$ h_k = n_k^T(p_i - p_k) \f$, they are on two sides of
+a fold or on the two sheets of a plate or a gap. Seen from the outside of a solid, both heights are
+negative across a convex edge or a plate, and both positive across a concave edge or a gap. So there
+\f$ 2 h_i h_k / (h_i^2 + h_k^2) \f$ decides, at any angle of the fold. In between, the two rules are
+mixed. The second counts a tenth of the first: it decides where the first is silent, and on a rough
+surface, where heights mean little, it is outvoted.
+
+\param cosine \f$ n_i^T n_k \f$
+\param height, other_height \f$ h_i, h_k \f$, lengths
+\param squared_spacing of the samples: heights of a fraction of the spacing are noise
+*/
+template <typename T>
+CGAL_L0_HOST_DEVICE inline T orientation_agreement(T cosine, T height, T other_height,
+                                                   T squared_spacing)
+{
+  using std::isfinite;
+  const T squared_heights = height * height + other_height * other_height,
+          squared_noise = squared_spacing / 2;
+  if (!(squared_noise > 0 && isfinite(squared_heights / squared_noise)))
+    return cosine;
+  const T one_sheet = decay(squared_heights / squared_noise), weight_of_folds = T(0.1);
+  return one_sheet * cosine
+         + weight_of_folds * (1 - one_sheet) * 2 * height * other_height
+             / (squared_heights + squared_noise);
+}
+
+/// Of a number; lanes have their own.
+template <typename T>
+CGAL_L0_HOST_DEVICE inline T inverse_sqrt(T x)
+{
+  using std::sqrt;
+  return 1 / sqrt(x);
+}
+
+/*!
+How far two dipoles agree, as those do whose field has the least energy. On a flat or bent sheet,
+across an edge and from one side of a solid to the other, that is when both point outwards. Their
+energy is that of \f$ -n_i^T B_k \f$, where the flux density B of a dipole is spread out near it, as
+that of a disk is,
+
+\f[ B = \nabla \times \frac{n \times d}{r^3} = \frac{1}{r^3} \left( \frac{3 a^2}{r^2} n - n
++ 3 \frac{n^T d}{r^2} d \right), \qquad r^2 = d^T d + a^2 . \f]
+
+It is that of a current and has no sources: through a plane of any height over the dipole flows as
+much one way as the other. So the dipoles of a wide sheet have no field beyond it, however close,
+and one of two sheets leaves it to the rims to say on which side the other one is.
+
+\tparam T of numbers, or of lanes of them
+\param cosine \f$ n_i^T n_k \f$
+\param product_of_heights \f$ (n_i^T d)(n_k^T d) \f$
+\param squared_distance \f$ d^T d \f$
+\param squared_core \f$ a^2 \f$
+*/
+template <typename T, typename Scalar>
+CGAL_L0_HOST_DEVICE inline T dipole_agreement(T cosine, T product_of_heights, T squared_distance,
+                                              Scalar squared_core)
+{
+  const T inverse = inverse_sqrt(squared_distance + T(squared_core));
+  const T squared_inverse = inverse * inverse;
+  return (cosine - (cosine * squared_core + product_of_heights) * squared_inverse * Scalar(3))
+         * (squared_inverse * inverse);
+}
+
+/// The winding number that a dipole, which stands for an area of 1, has at another place.
+/// \param height \f$ n^T d \f$
+template <typename T, typename Scalar>
+CGAL_L0_HOST_DEVICE inline T winding_number_of_dipole(T height, T squared_distance,
+                                                      Scalar squared_core)
+{
+  const T inverse = inverse_sqrt(squared_distance + T(squared_core));
+  return height * (inverse * inverse * inverse) * Scalar(1 / (4 * 3.141592653589793));
+}
+
+/// \f$ a^2 \f$ of a dipole that stands for a disk of that area: with the radius of the disk for
+/// \f$ a \f$, the two have the same flux density at their centers.
+CGAL_L0_HOST_DEVICE inline double squared_core_of_dipole(double area)
+{
+  return area / 3.141592653589793;
+}
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_ORIENTATION_AGREEMENT_H

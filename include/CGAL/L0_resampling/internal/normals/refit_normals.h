@@ -1,0 +1,87 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_REFIT_NORMALS_H
+#define CGAL_L0_RESAMPLING_INTERNAL_REFIT_NORMALS_H
+
+#include <CGAL/L0_resampling/internal/kernels/Plane_moments.h>
+#include <CGAL/L0_resampling/internal/normals/update_normals.h>
+#include <CGAL/L0_resampling/internal/core/weights.h>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/*!
+The unit normal halfway between that of a point and that of the plane through the points of its ball
+which agree with it: the smallest eigenvector of
+
+\f[ \sum_j w_j (q_j - \bar q)(q_j - \bar q)^T, \qquad w_j
+= \theta(\|q_j - q_i\|) \, \psi(n_i, n_j) \, e^{-h_{ij}^2/H^2}, \f]
+
+with the weights of Eq. (1) and (2), and `symmetric_height()` for the points of one sheet. Returns
+the point's own where no plane is near it.
+*/
+template <typename T>
+Eigen::Matrix<T, 3, 1> refitted_normal(const Eigen::Matrix<T, 3, 1>& center,
+                                       const Eigen::Matrix<T, 3, 1>& normal,
+                                       const Local_points<T>& candidates,
+                                       const Local_normals<T>& normals,
+                                       const Normal_filter<T>& filter, T squared_sheet_height)
+{
+  using L = Lanes<T>;
+  const T squared_radius = T(filter.radius * filter.radius);
+  const T squared_bandwidth = filter.squared_bandwidth, normal_bandwidth = filter.normal_bandwidth;
+  const T own_x = normal[0], own_y = normal[1], own_z = normal[2];
+  Plane_moments<L> lanes;
+  candidates.for_each_run_in_ball(
+    center, squared_radius, [&](std::size_t k, const L& squared_distance) {
+      const L dx = L::load(&candidates.x[k]) - center[0];
+      const L dy = L::load(&candidates.y[k]) - center[1];
+      const L dz = L::load(&candidates.z[k]) - center[2];
+      const L nx = L::load(&normals.x[k]), ny = L::load(&normals.y[k]), nz = L::load(&normals.z[k]);
+      const L cosine = nx * own_x + ny * own_y + nz * own_z;
+      const L height = symmetric_height(dx * own_x + dy * own_y + dz * own_z,
+                                        with_sign_of(cosine, L(T(1)))
+                                          * (dx * nx + dy * ny + dz * nz));
+      lanes.add(dx, dy, dz,
+                where_less(squared_distance, squared_radius,
+                           sheet_weight(squared_distance, squared_bandwidth, cosine,
+                                        normal_bandwidth, height, squared_sheet_height)));
+    });
+
+  const Triple refitted = halfway_to_plane(sum_of_lanes(lanes), {normal[0], normal[1], normal[2]});
+  return {T(refitted.x), T(refitted.y), T(refitted.z)};
+}
+
+/*!
+Corrects filtered normals by the positions. Filtering is a mean: near a sharp edge it leaves normals
+that lean to the other side. A plane through the points that agree with such a normal, which are
+those of its own side, leans the other way, since it lacks their noisiest part. The mean of the two
+is nearer to the truth than either; filtering once more then spreads it.
+
+\param points sorted for `grid`
+\param squared_sheet_height \f$ H^2 \f$, at scale 1 as the filter
+\param normals in and out, one unit vector a point
+*/
+template <typename ConcurrencyTag, typename T>
+void refit_normals(const Search_grid_3& grid, const Buffer<Vector>& points,
+                   const Normal_filter<T>& filter, T squared_sheet_height, Progress& progress,
+                   Buffer<Eigen::Matrix<T, 3, 1>>& normals)
+{
+  update_normals<ConcurrencyTag>(
+    grid, points, filter.radius, progress, normals,
+    [&](const Eigen::Matrix<T, 3, 1>& center, float scale, const Eigen::Matrix<T, 3, 1>& normal,
+        const Local_points<T>& candidates, const Local_normals<T>& candidate_normals) {
+      return refitted_normal(center, normal, candidates, candidate_normals, filter.scaled(T(scale)),
+                             squared_sheet_height * T(scale) * T(scale));
+    });
+}
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_REFIT_NORMALS_H

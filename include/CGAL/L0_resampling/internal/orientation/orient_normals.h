@@ -1,0 +1,350 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_ORIENT_NORMALS_H
+#define CGAL_L0_RESAMPLING_INTERNAL_ORIENT_NORMALS_H
+
+#include <CGAL/L0_resampling/internal/core/Orientation_hints.h>
+#include <CGAL/L0_resampling/internal/search/nearest_samples.h>
+#include <CGAL/L0_resampling/internal/kernels/orientation_agreement.h>
+#include <CGAL/L0_resampling/internal/orientation/orientation_field.h>
+#include <CGAL/L0_resampling/internal/orientation/orientation_votes.h>
+#include <CGAL/L0_resampling/internal/kernels/side_confidence.h>
+#include <CGAL/L0_resampling/internal/orientation/spanning_forest.h>
+#include <CGAL/L0_resampling/internal/orientation/winding_numbers.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/// The edges of the graph of nearest neighbors, each once.
+template <typename ConcurrencyTag, typename T>
+Buffer<Edge> rated_edges(const Buffer<Vector>& positions,
+                         const Buffer<Eigen::Matrix<T, 3, 1>>& normals,
+                         std::size_t number_of_neighbors, double spacing, double noise_of_heights,
+                         Progress& progress)
+{
+  const double radius_of_that_many = spacing * std::sqrt(double(number_of_neighbors) / 2);
+  const Nearest_samples nearest = find_nearest_samples<ConcurrencyTag>(
+    positions, number_of_neighbors, radius_of_that_many, progress);
+  const T squared_spacing = T(spacing * spacing + noise_of_heights * noise_of_heights);
+  const auto append_edges_of = [&](Index i, Buffer<Edge>& edges) {
+    for (const Index* other = nearest.begin(i); other != nearest.end(i); ++other)
+    {
+      const Index k = *other;
+      if (k < i && nearest.contains(k, i))
+        continue;
+      const Eigen::Matrix<T, 3, 1> to_other = (positions[k] - positions[i]).template cast<T>();
+      const T agreement = orientation_agreement(normals[i].dot(normals[k]),
+                                                normals[i].dot(to_other), -normals[k].dot(to_other),
+                                                squared_spacing);
+      edges.push_back({float(agreement), i, k});
+    }
+  };
+  return append_by_blocks<ConcurrencyTag>(
+    positions.size(), 4096, Counting_allocator<Edge>(positions.get_allocator()),
+    [&](std::size_t begin, std::size_t end, Buffer<Edge>& edges) {
+      for (std::size_t i = begin; i < end; ++i)
+        append_edges_of(Index(i), edges);
+    });
+}
+
+/// What the caller says of the sides that normals point to.
+struct Side_hints
+{
+  /// A unit vector on the side that the normal of a sample, given by its index, shall point to; or
+  /// zero for none. Of one type, so that the stage is compiled once.
+  std::function<Vector(Index)> direction_of = [](Index) -> Vector { return Vector::Zero(); };
+  bool are_viewpoints = false; ///< whether it is the direction to what the sample was seen from
+
+  int certain_side_of(Index i, const Vector& normal) const
+  {
+    return are_viewpoints ? certain_side(normal.dot(direction_of(i))) : 0;
+  }
+};
+
+/// The samples whose viewpoints leave no doubt are one set, with the sides that face these.
+template <typename NormalOf>
+Signed_union_find sets_of_viewpoints(std::size_t number_of_samples, const Side_hints& hints,
+                                     const NormalOf& normal,
+                                     const Counting_allocator<Index>& allocator)
+{
+  Signed_union_find sets(number_of_samples, allocator);
+  Index first = 0;
+  int first_side = 0;
+  if (hints.are_viewpoints)
+    for_each_in_order(number_of_samples, [&](std::size_t place) {
+      const Index i = Index(place);
+      const int side = hints.certain_side_of(i, normal(i));
+      if (side != 0 && first_side == 0)
+      {
+        first = i;
+        first_side = side;
+      }
+      else if (side != 0)
+        sets.join(first, i, first_side * side);
+    });
+  return sets;
+}
+
+/// Whether the normals of a tree point inwards as a whole. A flat tree has no inside: its normals
+/// shall point up its steepest axis.
+inline bool is_turned_inwards(double flux, double largest_flux, const Vector& normal_sum)
+{
+  const double rounding = 1e-9;
+  if (std::abs(flux) > rounding * largest_flux)
+    return flux < 0;
+  Eigen::Index axis;
+  normal_sum.cwiseAbs().maxCoeff(&axis);
+  return normal_sum[axis] < 0;
+}
+
+/// What the dipoles say of each other's sides.
+/// \param trees of the samples
+template <typename ConcurrencyTag, typename T>
+std::vector<Side_evidence> evidence_of_dipoles(const std::vector<Index>& samples,
+                                               const Signed_union_find& trees,
+                                               const Buffer<Vector>& positions,
+                                               const Buffer<Eigen::Matrix<T, 3, 1>>& normals,
+                                               double spacing)
+{
+  const Dipoles_of_trees dipoles(samples, trees, positions, normals);
+  const double area = spacing * spacing * double(positions.size()) / double(samples.size());
+  std::vector<Side_evidence> evidence(samples.size());
+  for_each_block<ConcurrencyTag>(samples.size(), 64, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k)
+      evidence[k] = dipoles.evidence_of(k, area);
+  });
+  return evidence;
+}
+
+/// A connected component of the sets of samples, which is turned as a whole.
+struct Tree
+{
+  Vector center = Vector::Zero();
+  Vector normal_sum = Vector::Zero();
+  double flux = 0,
+         largest_flux =
+           0; // of the divergence theorem, and if all normals pointed away from the center
+  Side_votes votes;
+  std::size_t size = 0;
+  Index largest_sure_set = 0;
+  double sum_of_winding_numbers = 0;
+  Index number_of_dipoles = 0;
+  double sum_of_confidences = 0; // of the dipoles within the tree
+
+  double mean_winding_number() const
+  {
+    return number_of_dipoles > 0 ? sum_of_winding_numbers / number_of_dipoles : 0;
+  }
+  double confidence_of_dipoles() const
+  {
+    return number_of_dipoles > 0 ? sum_of_confidences / number_of_dipoles : guessed_confidence;
+  }
+
+  /// Whether its normals are on the wrong side: that of the hints, if these are clear; else
+  /// inwards, by the flux through it, unless the winding numbers say otherwise.
+  bool is_to_be_turned() const
+  {
+    if (votes.are_clear())
+      return votes.say_turn();
+    return is_turned_by_windings(is_turned_inwards(flux, largest_flux, normal_sum),
+                                 mean_winding_number());
+  }
+
+  /// As it is turned.
+  double confidence() const
+  {
+    return votes.are_clear() ? confidence_of_hints(votes)
+                             : confidence_of_tree(std::abs(mean_winding_number()),
+                                                  normal_sum.norm() / double(size));
+  }
+};
+
+/// The sums over the trees, each of which stands at its root.
+/// \param sure_set_sizes of each sample: the size of its set once all that is sure was joined
+/// \param number_of_oriented out: samples that are joined to the largest part of their tree
+template <typename T>
+Buffer<Tree> trees_of_samples(const Signed_union_find& sets, const Buffer<Index>& sure_set_sizes,
+                              const Buffer<Vector>& positions,
+                              const Buffer<Eigen::Matrix<T, 3, 1>>& normals,
+                              const Side_hints& hints, std::size_t& number_of_oriented)
+{
+  const std::size_t m = positions.size();
+  Buffer<Tree> trees = filled_buffer(m, Tree(), positions.get_allocator());
+  for_each_in_order(m, [&](std::size_t i) {
+    const Index root = sets.find(Index(i)).first;
+    trees[root].center += positions[i] / double(sets.size_of_set(root));
+    trees[root].largest_sure_set = (std::max)(trees[root].largest_sure_set, sure_set_sizes[i]);
+  });
+  number_of_oriented = 0;
+  for_each_in_order(m, [&](std::size_t place) {
+    const Index i = Index(place);
+    const auto [root, sign] = sets.find(i);
+    Tree& tree = trees[root];
+    const Vector from_center = positions[i] - tree.center,
+                 normal = sign * normals[i].template cast<double>();
+    tree.flux += normal.dot(from_center);
+    tree.largest_flux += from_center.norm();
+    tree.normal_sum += normal;
+    ++tree.size;
+    const double vote = normal.dot(hints.direction_of(i));
+    tree.votes.sum += vote;
+    tree.votes.total += std::abs(vote);
+    tree.votes.certain_sum += hints.certain_side_of(i, normal);
+    number_of_oriented += sets.size_of_set(root) > 1 && sure_set_sizes[i] == tree.largest_sure_set;
+  });
+  return trees;
+}
+
+/// How sure it is that the dipoles have the sides that their trees have, once these are turned.
+/// \param samples that are dipoles
+/// \param trees in and out: what their dipoles say of them
+template <typename ConcurrencyTag, typename T>
+std::vector<double> confidences_of_dipoles(const std::vector<Index>& samples,
+                                           const Signed_union_find& sets,
+                                           const Buffer<Vector>& positions,
+                                           const Buffer<Eigen::Matrix<T, 3, 1>>& normals,
+                                           double spacing, Buffer<Tree>& trees)
+{
+  const std::vector<Side_evidence> evidence =
+    evidence_of_dipoles<ConcurrencyTag>(samples, sets, positions, normals, spacing);
+  const auto tree_of = [&](std::size_t k) -> Tree& { return trees[sets.find(samples[k]).first]; };
+  for (std::size_t k = 0; k < samples.size(); ++k)
+  {
+    tree_of(k).sum_of_winding_numbers += evidence[k].winding_number;
+    ++tree_of(k).number_of_dipoles;
+  }
+  std::vector<double> confidences(samples.size());
+  for (std::size_t k = 0; k < samples.size(); ++k)
+  {
+    Tree& tree = tree_of(k);
+    const double sign = tree.is_to_be_turned() ? -1 : 1;
+    confidences[k] =
+      confidence_within_tree({sign * evidence[k].winding_number, evidence[k].agreement},
+                             sign * tree.mean_winding_number());
+    tree.sum_of_confidences += confidences[k];
+  }
+  return confidences;
+}
+
+/// How sure the sides are that `orient_normals()` has chosen, as shares of the samples.
+struct Orientation
+{
+  double
+    /// joined to the largest part of their tree by viewpoints, by edges beyond doubt, by the field
+    /// and by clear majorities only
+    oriented_share;
+  double hinted_share;       ///< of trees whose side is that of the hints
+  Buffer<float> confidences; ///< how sure it is that a sample is on the right side, in [0, 1]
+  Signed_union_find trees;   ///< the samples of a tree have sides relative to each other
+
+  double right_side_share() const
+  {
+    double sum = 0;
+    for (const float confidence : confidences)
+      sum += double(confidence);
+    return sum / double(confidences.size());
+  }
+};
+
+/*!
+Turns the normals of the samples to one side. Those whose viewpoints leave no doubt face them, and
+are one set from the start. Over the edges of the graph of nearest neighbors where
+`orientation_agreement()` is beyond doubt, sets of samples grow as the maximum spanning forest of
+Hoppe et al. does, until most samples are in large sets. Where these touch, within a face, across a
+sharp edge or through noise, one edge may well err, and would turn a whole face; there, all edges
+between two sets vote. Then the connected components of the sets are turned as a whole: to the side
+of the hints where these are clear, else outwards, in the sense of the divergence theorem,
+\f$ \sum n_i^T (p_i - \bar p) > 0 \f$, unless their winding numbers contradict it. Works on
+indices; no sample changes its place.
+
+\param positions, normals unit vectors of any sign in, consistent out
+\param number_of_neighbors of the graph, at least 1
+\param spacing of the samples, roughly: more than a 1000th of it, and not so much that it spans the
+cloud
+\param noise_of_heights heights within it tell nothing of a fold, as those within the spacing
+*/
+template <typename ConcurrencyTag, typename T>
+Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_of_neighbors,
+                           double spacing, const Side_hints& hints, Progress& progress,
+                           Buffer<Eigen::Matrix<T, 3, 1>>& normals, double noise_of_heights = 0)
+{
+  const auto normal = [&](Index i) -> Vector { return normals[i].template cast<double>(); };
+  const std::size_t m = positions.size();
+  Voting faces = [&] {
+    const Buffer<Edge> edges = rated_edges<ConcurrencyTag>(positions, normals, number_of_neighbors,
+                                                           spacing, noise_of_heights, progress);
+    Signed_union_find sets = grow_forest<ConcurrencyTag>(
+      edges, sets_of_viewpoints(m, hints, normal, positions.get_allocator()));
+    Buffer<Vote> votes = votes_of_edges<ConcurrencyTag>(edges, sets);
+    return Voting{std::move(sets), std::move(votes)};
+  }();
+  const auto joined_by_votes = [](double sure, const Voting& before) {
+    Voting voting{before.sets, copy_of(before.votes)};
+    join_by_votes<ConcurrencyTag>(sure, voting);
+    return voting;
+  };
+  Voting parts = joined_by_votes(clear_majority, faces), all = joined_by_votes(0, parts);
+  if (join_by_field<ConcurrencyTag>(all.sets, positions, normals, spacing, faces))
+  {
+    parts = joined_by_votes(clear_majority, faces);
+    all = joined_by_votes(0, parts);
+  }
+  Buffer<Index> sure_set_sizes = filled_buffer(m, Index(0), positions.get_allocator());
+  for_each_in_order(m, [&](std::size_t i) {
+    sure_set_sizes[i] = parts.sets.size_of_set(parts.sets.find(Index(i)).first);
+  });
+  if (join_by_field<ConcurrencyTag>(all.sets, positions, normals, spacing, parts))
+    all = joined_by_votes(0, parts);
+  const Signed_union_find& sets = all.sets;
+
+  std::size_t number_of_oriented = 0;
+  Buffer<Tree> trees = trees_of_samples(sets, sure_set_sizes, positions, normals, hints,
+                                        number_of_oriented);
+  const std::vector<Index> dipoles = samples_of_dipoles(m);
+  const std::vector<double> confidences_within_trees =
+    confidences_of_dipoles<ConcurrencyTag>(dipoles, sets, positions, normals, spacing, trees);
+
+  Orientation result{double(number_of_oriented) / double(m), 0,
+                     filled_buffer(m, 0.f, Counting_allocator<float>(positions.get_allocator())),
+                     Signed_union_find(0, positions.get_allocator())};
+  const std::size_t samples_per_task = 4096;
+  const auto number_of_hinted =
+    block_sum<ConcurrencyTag>(m, samples_per_task, [&](std::size_t begin, std::size_t end) {
+      std::size_t number = 0;
+      for (Index i = Index(begin); i < end; ++i)
+      {
+        const auto [root, sign] = sets.find(i);
+        const Tree& tree = trees[root];
+        number += tree.votes.are_clear();
+        if (tree.is_to_be_turned() != (sign < 0))
+          normals[i] = -normals[i];
+        const std::size_t k = dipole_of_sample(i, m, dipoles.size());
+        const double within_tree = sets.find(dipoles[k]).first == root
+                                     ? confidences_within_trees[k]
+                                     : tree.confidence_of_dipoles();
+        result.confidences[i] = float(
+          confidence_of_side(hints.certain_side_of(i, normal(i)), tree.confidence(), within_tree));
+      }
+      return number;
+    });
+  result.hinted_share = double(number_of_hinted) / double(m);
+  result.trees = std::move(all.sets);
+  return result;
+}
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_ORIENT_NORMALS_H

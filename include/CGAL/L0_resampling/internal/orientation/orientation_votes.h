@@ -1,0 +1,202 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_ORIENTATION_VOTES_H
+#define CGAL_L0_RESAMPLING_INTERNAL_ORIENTATION_VOTES_H
+
+#include <CGAL/L0_resampling/internal/core/Signed_union_find.h>
+#include <CGAL/L0_resampling/internal/core/parallel_for.h>
+#include <CGAL/L0_resampling/internal/core/parallel_sort.h>
+#include <CGAL/L0_resampling/internal/core/random_bits.h>
+
+#include <CGAL/tags.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/// Two samples near each other, and `orientation_agreement()` of them.
+struct Edge
+{
+  float agreement;
+  Index i, k;
+};
+constexpr std::size_t edges_per_block = 16384;
+
+/// The sum of the agreements of edges between two samples or, read for their representatives,
+/// between two sets.
+struct Vote
+{
+  Index a, b;
+  double agreement, total;
+};
+
+/// Adds up votes between the same two.
+template <typename ConcurrencyTag>
+void add_up_votes(Buffer<Vote>& votes)
+{
+  sort_by_key<ConcurrencyTag>(
+    votes, [](const Vote& v) { return (std::uint64_t(v.a) << 32) | v.b; },
+    [](const Vote& v, const Vote& w) {
+      return v.agreement != w.agreement ? v.agreement < w.agreement : v.total < w.total;
+    });
+  std::size_t size = 0;
+  for_each_in_order(votes.size(), [&](std::size_t n) {
+    const Vote& v = votes[n];
+    if (size > 0 && votes[size - 1].a == v.a && votes[size - 1].b == v.b)
+    {
+      votes[size - 1].agreement += v.agreement;
+      votes[size - 1].total += v.total;
+    }
+    else
+      votes[size++] = v;
+  });
+  votes.resize(size);
+}
+
+/// Adds up votes between the same two as they come. Where most are, looking up costs a third of
+/// sorting them.
+class Vote_sums
+{
+  Buffer<Vote>& m_sums;
+  std::vector<Index> m_slots; // at least every second one empty; the others lead to a sum
+  static constexpr Index empty = (std::numeric_limits<Index>::max)();
+
+public:
+  /// \param sums out: in the order in which each two first come
+  Vote_sums(std::size_t maximum_number_of_votes, Buffer<Vote>& sums) : m_sums(sums)
+  {
+    std::size_t size = 2;
+    while (size < 2 * maximum_number_of_votes)
+      size *= 2;
+    m_slots.assign(size, empty);
+  }
+
+  void add(const Vote& vote)
+  {
+    const std::uint64_t key = (std::uint64_t(vote.a) << 32) | vote.b;
+    for (std::size_t slot = std::size_t(random_bits(0, key));; ++slot)
+    {
+      Index& place = m_slots[slot & (m_slots.size() - 1)];
+      if (place == empty)
+      {
+        place = Index(m_sums.size());
+        m_sums.push_back(vote);
+        return;
+      }
+      Vote& sum = m_sums[place];
+      if (sum.a == vote.a && sum.b == vote.b)
+      {
+        sum.agreement += vote.agreement;
+        sum.total += vote.total;
+        return;
+      }
+    }
+  }
+};
+
+/// The vote between the sets of two samples, or of two sets before they were joined to others;
+/// nothing if they are one set.
+inline std::optional<Vote> vote_between_sets(const Signed_union_find& sets, const Vote& vote)
+{
+  const auto [root_a, sign_a] = sets.find(vote.a);
+  const auto [root_b, sign_b] = sets.find(vote.b);
+  if (root_a == root_b)
+    return std::nullopt;
+  return Vote{(std::min)(root_a, root_b), (std::max)(root_a, root_b),
+              sign_a * sign_b * vote.agreement, vote.total};
+}
+
+/// The votes of the edges between sets: one for each pair of sets that touch, in the order of the
+/// pairs.
+template <typename ConcurrencyTag>
+Buffer<Vote> votes_of_edges(const Buffer<Edge>& edges, const Signed_union_find& sets)
+{
+  Buffer<Vote> votes = append_by_blocks<ConcurrencyTag>(
+    edges.size(), edges_per_block, Counting_allocator<Vote>(edges.get_allocator()),
+    [&](std::size_t begin, std::size_t end, Buffer<Vote>& votes_of_block) {
+      Vote_sums sums(end - begin, votes_of_block);
+      for (std::size_t e = begin; e < end; ++e)
+        if (const auto vote = vote_between_sets(sets, {edges[e].i, edges[e].k, edges[e].agreement,
+                                                       std::abs(edges[e].agreement)}))
+          sums.add(*vote);
+    });
+  add_up_votes<ConcurrencyTag>(votes);
+  return votes;
+}
+
+/// Sets of samples, and the votes between them.
+struct Voting
+{
+  Signed_union_find sets;
+  Buffer<Vote> votes; // added up
+};
+
+/// Replaces the votes between sets before they were joined by those between the sets as they are
+/// now.
+template <typename ConcurrencyTag>
+void pass_votes_on(Voting& voting)
+{
+  Buffer<Vote>& votes = voting.votes;
+  voting.sets.compress();
+  std::size_t size = 0;
+  for_each_in_order(votes.size(), [&](std::size_t n) {
+    if (const auto vote = vote_between_sets(voting.sets, votes[n]))
+      votes[size++] = *vote;
+  });
+  votes.resize(size);
+  add_up_votes<ConcurrencyTag>(votes);
+}
+
+/// Joins sets that touch by majority: round by round, each set merges with the neighbor of the
+/// strongest vote.
+/// \param sure the share of the votes, in [0, 1], that the winning side has to be ahead by
+template <typename ConcurrencyTag>
+void join_by_votes(double sure, Voting& voting)
+{
+  const Buffer<Vote>& votes = voting.votes;
+  const std::size_t none = (std::numeric_limits<std::size_t>::max)();
+  Buffer<std::size_t> strongest =
+    filled_buffer(voting.sets.size(), none,
+                  votes.get_allocator()); // the vote of each set that it joins by
+  const auto is_stronger = [&](std::size_t v, std::size_t w) {
+    const double a = std::abs(votes[v].agreement), b = std::abs(votes[w].agreement);
+    return a != b ? a > b : v < w;
+  };
+  for (bool is_joined = true; is_joined;)
+  {
+    is_joined = false;
+    for_each_in_order(votes.size(),
+                      [&](std::size_t n) { strongest[votes[n].a] = strongest[votes[n].b] = none; });
+    for_each_in_order(votes.size(), [&](std::size_t n) {
+      if (std::abs(votes[n].agreement) >= sure * votes[n].total)
+        for (const Index set : {votes[n].a, votes[n].b})
+          if (strongest[set] == none || is_stronger(n, strongest[set]))
+            strongest[set] = n;
+    });
+    for_each_in_order(votes.size(), [&](std::size_t n) {
+      if (strongest[votes[n].a] == n || strongest[votes[n].b] == n)
+      {
+        voting.sets.join(votes[n].a, votes[n].b, votes[n].agreement < 0 ? -1 : 1);
+        is_joined = true;
+      }
+    });
+    pass_votes_on<ConcurrencyTag>(voting);
+  }
+}
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_ORIENTATION_VOTES_H

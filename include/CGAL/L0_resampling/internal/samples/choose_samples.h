@@ -1,0 +1,187 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_CHOOSE_SAMPLES_H
+#define CGAL_L0_RESAMPLING_INTERNAL_CHOOSE_SAMPLES_H
+
+#include <CGAL/L0_resampling/internal/cloud/Facts_of_cloud.h>
+#include <CGAL/L0_resampling/internal/samples/Followers.h>
+#include <CGAL/L0_resampling/internal/plan/Plan.h>
+#include <CGAL/L0_resampling/internal/samples/Samples.h>
+#include <CGAL/L0_resampling/internal/cloud/areas_of_points.h>
+#include <CGAL/L0_resampling/internal/samples/initialize_samples.h>
+#include <CGAL/L0_resampling/internal/cloud/prepare_points.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/// Samples can start in crowds: where points do, or where many more samples are asked for than
+/// there are points. Removes the samples of each crowd but for a few, which the others follow.
+/// \param scales of the points; none if all are 1
+/// \param samples sorted for a grid of cells of size `plan.cell_size`, before and after
+/// \param spreading_radii of the samples, where they have their own, before and after
+template <typename ConcurrencyTag>
+Followers take_followers(const Plan& plan, const Buffer<float>& scales, Initial_samples& samples,
+                         Buffer<float>& spreading_radii)
+{
+  const std::size_t m = samples.positions.size();
+  Followers followers(samples.positions.get_allocator());
+  // a crowd in the smaller cells is one in these too
+  if (scales.empty() && spreading_radii.empty()
+      && !Crowded_cells(Search_grid_3(samples.positions, plan.cell_size), samples.positions,
+                        most_samples_of_subcell)
+            .are_there_any<ConcurrencyTag>())
+    return followers;
+  const Sorted_queries sorted(ConcurrencyTag(), samples.positions,
+                              Cell_sizes(plan.self_cell_size(), spreading_radii));
+  const Buffer<Index>& order = sorted.order;
+  const Representatives kept = thin_crowds<ConcurrencyTag>(sorted.grid, sorted.points,
+                                                           most_samples_of_subcell);
+  if (kept.are_all_points())
+    return followers;
+
+  Representatives in_old_order{filled_buffer(m, Index(0), order.get_allocator())};
+  for_each_in_order(m, [&](std::size_t i) {
+    in_old_order.of_points[order[i]] = order[kept.of_points[i]];
+  });
+  Buffer<Index> places(order.get_allocator()); // of the kept ones among themselves
+  places.reserve(m);
+  Index number_of_kept = 0;
+  for_each_in_order(m, [&](std::size_t i) {
+    places.push_back(in_old_order.is_kept(i) ? number_of_kept++ : 0);
+  });
+  followers.leaders.reserve(m - number_of_kept);
+  followers.offsets.reserve(m - number_of_kept);
+  followers.sources.reserve(m - number_of_kept);
+  for_each_in_order(m, [&](std::size_t i) {
+    const Index leader = in_old_order.of_points[i];
+    if (leader == i)
+      return;
+    followers.leaders.push_back(places[leader]);
+    followers.offsets.push_back(samples.positions[i] - samples.positions[leader]);
+    followers.sources.push_back(samples.sources[i]);
+  });
+  followers.numbers_of_samples = in_old_order.numbers_of_points();
+  in_old_order.keep(samples.positions);
+  in_old_order.keep(samples.sources);
+  in_old_order.keep(spreading_radii);
+  return followers;
+}
+
+/// The samples where they start, and those that are not worked on.
+struct Placed_samples
+{
+  Initial_samples start;
+  Buffer<float> spreading_radii; ///< where the density of the input is kept; else none
+  Followers followers;
+};
+
+/// Finds how far the samples spread, where that differs, and which of them follow others.
+/// \param areas that the points stand for, if the plan uses them
+template <typename ConcurrencyTag>
+Placed_samples with_followers(const Plan& plan, const Prepared_points& input, const Areas& areas,
+                              Initial_samples start)
+{
+  Buffer<float> spreading_radii(input.points.get_allocator());
+  if (plan.keeps_spacings)
+  {
+    const double points_per_sample = double(input.points.size()) / double(plan.number_of_samples);
+    for_each_in_order(start.sources.size(), [&](std::size_t i) {
+      const double area = areas.of_point(start.sources[i]) * points_per_sample;
+      spreading_radii.push_back(spreading_radius_of(area, plan.spreading_radius()));
+    });
+  }
+  Followers followers = take_followers<ConcurrencyTag>(plan, input.scales, start, spreading_radii);
+  return {std::move(start), std::move(spreading_radii), std::move(followers)};
+}
+
+/// Where samples start.
+/// \param areas that the points stand for, if the plan uses them
+/// \param facts the area that samples start on: given, or found here
+template <typename ConcurrencyTag>
+Placed_samples place_samples(const Plan& plan, const Prepared_points& input, const Areas& areas,
+                             Facts_of_cloud& facts, Progress& progress)
+{
+  const Buffer<std::uint64_t> no_areas(input.points.get_allocator());
+  Initial_samples start = initialize_samples<ConcurrencyTag>(
+    input.grid, input.points, input.normals, plan.starts_evenly ? areas.units : no_areas,
+    plan.number_of_samples, plan.radius, plan.random_seed, facts.units_of_starts, progress);
+  return with_followers<ConcurrencyTag>(plan, input, areas, std::move(start));
+}
+
+/// Section 3.2: the first S, where they are placed.
+/// \param hints used up
+/// \param samples out: all but what the fit finds
+/// \returns the samples that follow others
+template <typename FT>
+Followers take_samples(const Plan& plan, const Prepared_points& input, Placed_samples placed,
+                       Buffer<Local_vector>& hints, Samples<FT>& samples)
+{
+  const Buffer<Vector>& points = input.points;
+  const std::size_t m = plan.number_of_samples;
+  Initial_samples& start = placed.start;
+  samples.positions = std::move(start.positions);
+  const std::size_t size = samples.positions.size();
+  samples.normals.reserve(size);
+  const auto for_each_source = [&](const auto& f) {
+    for_each_in_order(size, [&](std::size_t i) { f(start.sources[i]); });
+  };
+  for_each_source([&](Index source) {
+    samples.normals.push_back(input.normals[source].cast<FT>().normalized());
+  });
+  if (!input.scales.empty())
+    for_each_source([&](Index source) { samples.scales.push_back(input.scales[source]); });
+  samples.spreading_radii = std::move(placed.spreading_radii);
+  if (plan.refines)
+  {
+    const auto starts_on_point = [&](std::size_t i) {
+      return samples.positions[i] == points[start.sources[i]];
+    };
+    std::size_t number_on_points = 0;
+    for_each_in_order(size, [&](std::size_t i) { number_on_points += starts_on_point(i); });
+    const Support_subset choice(plan.random_seed, plan.radius, plan.sample_spacing, m,
+                                number_on_points);
+    samples.are_support_points.reserve(size);
+    for_each_in_order(size, [&](std::size_t i) {
+      samples.are_support_points.push_back(starts_on_point(i) && choice.takes(start.sources[i]));
+    });
+    fill_buffer(size, FT(0), samples.fit_variances);
+    fill_buffer(size, typename Samples<FT>::Local_vector(Samples<FT>::Local_vector::Zero()),
+                samples.outward_directions);
+  }
+  if (!hints.empty())
+    for_each_source(
+      [&](Index source) { samples.hints.push_back(hints[source].template cast<FT>()); });
+  release(hints);
+  if (!placed.followers.is_empty())
+    for_each_in_order(size, [&](std::size_t i) { samples.start_indices.push_back(Index(i)); });
+  fill_buffer(size, FT(0), samples.fit_weights);
+  samples.fit_centroids = copy_of(samples.positions);
+  return std::move(placed.followers);
+}
+
+/// Section 3.2: the first S. Parameters and result are those of `place_samples()` and
+/// `take_samples()`.
+template <typename ConcurrencyTag, typename FT>
+Followers choose_samples(const Plan& plan, const Prepared_points& input, const Areas& areas,
+                         Facts_of_cloud& facts, Buffer<Local_vector>& hints, Progress& progress,
+                         Samples<FT>& samples)
+{
+  return take_samples(plan, input,
+                      place_samples<ConcurrencyTag>(plan, input, areas, facts, progress), hints,
+                      samples);
+}
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_CHOOSE_SAMPLES_H

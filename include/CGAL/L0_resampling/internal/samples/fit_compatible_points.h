@@ -1,0 +1,255 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_FIT_COMPATIBLE_POINTS_H
+#define CGAL_L0_RESAMPLING_INTERNAL_FIT_COMPATIBLE_POINTS_H
+
+#include <CGAL/L0_resampling/internal/kernels/Border_of_ball.h>
+#include <CGAL/L0_resampling/internal/normals/Local_normals.h>
+#include <CGAL/L0_resampling/internal/core/Parameters.h>
+#include <CGAL/L0_resampling/internal/kernels/Plane_moments.h>
+#include <CGAL/L0_resampling/internal/search/ball_queries.h>
+#include <CGAL/L0_resampling/internal/samples/Samples.h>
+#include <CGAL/L0_resampling/internal/core/weights.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/// The input as the fit sees it.
+template <typename T>
+struct Fit_input
+{
+  const Search_grid_3& grid;
+  const Buffer<Vector>& points;
+  const Buffer<Eigen::Matrix<T, 3, 1>>& normals;
+  const Buffer<T>& density_weights; ///< \f$ v_j \f$
+  double radius;                    ///< \f$ r_p \f$, at scale 1
+  double squared_sheet_height;      ///< \f$ H^2 \f$, at scale 1
+  double normal_bandwidth;          ///< \f$ (1 - \cos\sigma_n)^2 \f$
+};
+
+/// What weighs the points of a ball.
+template <typename T>
+struct Fit_kernel
+{
+  T squared_radius, squared_bandwidth, normal_bandwidth, squared_sheet_height;
+
+  Fit_kernel scaled(T scale) const
+  {
+    const T s = scale * scale;
+    return {squared_radius * s, squared_bandwidth * s, normal_bandwidth, squared_sheet_height * s};
+  }
+};
+
+/// Sums over the points of a ball.
+struct Compatible_points
+{
+  double all;             ///< \f$ \sum_j 1/v_j \f$
+  double squared_sines;   ///< \f$ \sum_j (1 - (n_i^T n_j)^2) / v_j \f$
+  double weight;          ///< \f$ \sum_j w_j \f$
+  double squared_weights; ///< \f$ \sum_j w_j^2 \f$
+  double height;          ///< \f$ \sum_j w_j h_{ij} \f$
+  double squared_heights; ///< \f$ \sum_j w_j h_{ij}^2 \f$
+  Vector offset;          ///< \f$ \sum_j w_j (q_j - p_i) \f$
+  Vector normal;          ///< \f$ \sum_j w_j n_j \f$, turned to the side of \f$ n_i \f$
+};
+
+/// \param scales \f$ 1/v_j \f$ of the candidates
+template <typename T>
+Compatible_points sum_compatible_points(const Eigen::Matrix<T, 3, 1>& center,
+                                        const Eigen::Matrix<T, 3, 1>& normal,
+                                        const Local_points<T>& candidates,
+                                        const Local_normals<T>& normals,
+                                        const Aligned_vector<T>& scales,
+                                        const Fit_kernel<T>& kernel)
+{
+  using L = Lanes<T>;
+  L all, squared_sines, sum, squared_weights, height, squared_heights, x, y, z, mean_nx, mean_ny,
+    mean_nz;
+  candidates.for_each_run_in_ball(
+    center, kernel.squared_radius, [&](std::size_t k, const L& squared_distance) {
+      const L dx = L::load(&candidates.x[k]) - center[0];
+      const L dy = L::load(&candidates.y[k]) - center[1];
+      const L dz = L::load(&candidates.z[k]) - center[2];
+      const L nx = L::load(&normals.x[k]), ny = L::load(&normals.y[k]), nz = L::load(&normals.z[k]);
+      const L cosine = nx * normal[0] + ny * normal[1] + nz * normal[2];
+      const L sign = with_sign_of(cosine, L(T(1)));
+      const L h = symmetric_height(dx * normal[0] + dy * normal[1] + dz * normal[2],
+                                   sign * (dx * nx + dy * ny + dz * nz));
+      const L scale = share_in_ball(squared_distance, kernel.squared_radius) * L::load(&scales[k]);
+      const L weight = scale
+                       * sheet_weight(squared_distance, kernel.squared_bandwidth, cosine,
+                                      kernel.normal_bandwidth, h, kernel.squared_sheet_height);
+      const L signed_weight = sign * weight;
+      all += scale;
+      squared_sines += scale * (L(T(1)) - cosine * cosine);
+      sum += weight;
+      squared_weights += weight * weight;
+      height += weight * h;
+      squared_heights += weight * h * h;
+      x += weight * dx;
+      y += weight * dy;
+      z += weight * dz;
+      mean_nx += signed_weight * nx;
+      mean_ny += signed_weight * ny;
+      mean_nz += signed_weight * nz;
+    });
+  return {all.sum(),
+          squared_sines.sum(),
+          sum.sum(),
+          squared_weights.sum(),
+          height.sum(),
+          squared_heights.sum(),
+          Vector(x.sum(), y.sum(), z.sum()),
+          Vector(mean_nx.sum(), mean_ny.sum(), mean_nz.sum())};
+}
+
+/// The unit normal that most of the points of a ball agree with, of any sign, and the sample's own:
+/// the largest eigenvector of \f$ w n_i n_i^T + \sum_j \theta n_j n_j^T / v_j \f$.
+/// \param weight \f$ w \f$ of the sample's own
+template <typename T>
+Vector normal_of_most(const Eigen::Matrix<T, 3, 1>& center, const Vector& normal, double weight,
+                      const Local_points<T>& candidates, const Local_normals<T>& normals,
+                      const Aligned_vector<T>& scales, const Fit_kernel<T>& kernel)
+{
+  using L = Lanes<T>;
+  Plane_moments<L> lanes;
+  candidates.for_each_run_in_ball(
+    center, kernel.squared_radius, [&](std::size_t k, const L& squared_distance) {
+      const L scale = share_in_ball(squared_distance, kernel.squared_radius) * L::load(&scales[k]);
+      lanes.add(L::load(&normals.x[k]), L::load(&normals.y[k]), L::load(&normals.z[k]),
+                scale * gaussian_weight(squared_distance, kernel.squared_bandwidth));
+    });
+  Plane_moments<double> moments = sum_of_lanes(lanes);
+  moments.add(normal.x(), normal.y(), normal.z(), weight);
+  const Triple most = moments.main_direction();
+  return {most.x, most.y, most.z};
+}
+
+/*!
+The fit term of the default method. Where the paper draws a sample to the mean of all points of its
+ball, which cuts corners and shrinks what is curved, this one looks at points of its own side of an
+edge and its own sheet only, each weighted by \f$ w_j = \theta \psi e^{-h_{ij}^2/H^2} / v_j \f$, and
+at their `symmetric_height()` over it,
+
+\f[ h_i = \sum_j w_j h_{ij} / \sum_j w_j, \qquad h_{ij} = \tfrac12 (n_i + n_j)^T (q_j - p_i). \f]
+
+The sample is drawn to \f$ c_i = p_i + h_i n_i \f$: along its normal, so that it does not retreat
+from edges and borders. Only beyond them, where the weighted mean of the points lies further off in
+the plane than that of half a ball, is it drawn back (`Border_of_ball`). A sample that hardly any of
+its points agree with, as one that began at the noisiest of them or at an outlier, takes the normal
+of most of them before, and a sheet as high as the ball, in which it finds the others
+(`Unsupported_sample`). One whose points scatter more than those of one sheet do looks again at a
+lower sheet (`squared_sheet_height_among()`). Where there still are no compatible points, it is
+drawn to the last \f$ c_i \f$ it had. All transitions are continuous, so rounding errors are not
+amplified.
+
+The normal of the sample becomes the weighted mean of those points' normals.
+
+\param samples in: positions, normals and the last fit centroids; out: normals, fit weights and
+variances, fit centroids and outward directions
+\returns the number of samples without compatible points
+*/
+template <typename ConcurrencyTag, typename T, typename FT>
+std::size_t fit_compatible_points(const Fit_input<T>& input, Progress& progress,
+                                  Samples<FT>& samples)
+{
+  const double cell_size = input.grid.cell_size(), bandwidth = fit_bandwidth_factor * input.radius;
+  const Sorted_queries sorted_queries(ConcurrencyTag(), samples.positions,
+                                      Cell_sizes(cell_size, samples.scales));
+
+  const Fit_kernel<T> kernel_of_one = {T(input.radius * input.radius), T(bandwidth * bandwidth),
+                                       T(input.normal_bandwidth), T(input.squared_sheet_height)};
+  const Border_of_ball border(input.radius, bandwidth);
+  std::atomic<std::size_t> number_of_lonely_samples{0};
+  const auto make_visitor = [&]() {
+    return [&, normals = Local_normals<T>(), scales = Aligned_vector<T>()](
+             Search_grid_3::Range queries, const Local_points<T>& candidates,
+             const Vector& origin) mutable {
+      normals.gather(candidates, input.normals);
+      scales.assign(candidates.padded_size(), T(0));
+      for (std::size_t k = 0; k < candidates.indices.size(); ++k)
+        scales[k] = 1 / input.density_weights[candidates.indices[k]];
+
+      for (Index q = queries.first; q < queries.second; ++q)
+      {
+        const Index i = sorted_queries.order[q];
+        const Eigen::Matrix<T, 3, 1> center =
+          (sorted_queries.points[q] - origin).template cast<T>();
+        Vector old_normal = samples.normals[i].template cast<double>();
+        const double scale = sorted_queries.grid.scale(q),
+                     squared_radius = square(input.radius * scale),
+                     squared_sheet_height = input.squared_sheet_height * square(scale);
+        const Fit_kernel<T> kernel = kernel_of_one.scaled(T(scale));
+        const auto sums_with = [&](const Fit_kernel<T>& own_kernel) {
+          return sum_compatible_points<T>(center, old_normal.cast<T>(), candidates, normals, scales,
+                                          own_kernel);
+        };
+        Compatible_points sums = sums_with(kernel);
+        const Unsupported_sample support(sums.weight, sums.all, squared_sheet_height,
+                                         squared_radius);
+        double own_sheet_height = support.squared_sheet_height;
+        if (support.is_unsupported)
+          old_normal = normal_of_most(center, old_normal, support.weight_of_own_normal, candidates,
+                                      normals, scales, kernel);
+        else
+          own_sheet_height = squared_sheet_height_among(squared_sheet_height,
+                                                        weighted_variance(sums.weight, sums.height,
+                                                                          sums.squared_heights));
+        if (own_sheet_height != squared_sheet_height)
+        {
+          Fit_kernel<T> own_kernel = kernel;
+          own_kernel.squared_sheet_height = T(own_sheet_height);
+          sums = sums_with(own_kernel);
+        }
+
+        const double total = sums.weight;
+        samples.outward_directions[i].setZero();
+        if (!(total > 1e-3))
+        {
+          ++number_of_lonely_samples;
+          samples.fit_weights[i] = 1;
+          samples.fit_variances[i] = 0;
+          continue;
+        }
+        samples.fit_weights[i] = FT(total);
+        samples.fit_variances[i] = FT(
+          variance_of_mean(total, sums.squared_weights, sums.height, sums.squared_heights));
+        samples.fit_centroids[i] = samples.positions[i];
+        const Vector mean = sums.offset / total;
+        const Vector offset = mean - old_normal.dot(mean) * old_normal;
+        const double distance = offset.norm();
+        samples.fit_centroids[i] += (sums.height / total) * old_normal;
+        const double way_back = scale * border.way_back(distance / scale);
+        if (way_back > 0)
+          samples.fit_centroids[i] += (way_back / distance) * offset;
+        const double held_back = border.share_held_back(
+          distance / scale, total * total / sums.squared_weights, sums.squared_sines / sums.all);
+        if (held_back > 0)
+          samples.outward_directions[i] =
+            (-std::sqrt(held_back) / distance * offset).template cast<FT>();
+        if (sums.normal.norm() > 1e-3 * total)
+          samples.normals[i] = sums.normal.normalized().template cast<FT>();
+      }
+    };
+  };
+  for_each_cell<T, ConcurrencyTag>(sorted_queries.grid, sorted_queries.points, input.grid,
+                                   input.points, cells_in_reach(input.radius, cell_size), progress,
+                                   make_visitor);
+  return number_of_lonely_samples;
+}
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_FIT_COMPATIBLE_POINTS_H

@@ -1,0 +1,246 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_INITIALIZE_SAMPLES_H
+#define CGAL_L0_RESAMPLING_INTERNAL_INITIALIZE_SAMPLES_H
+
+#include <CGAL/L0_resampling/internal/search/ball_queries.h>
+#include <CGAL/L0_resampling/internal/kernels/exact_ball.h>
+#include <CGAL/L0_resampling/internal/core/random_bits.h>
+#include <CGAL/L0_resampling/internal/core/weights.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/// The first S: where the samples start, and the input point each takes its normal from.
+struct Initial_samples
+{
+  Buffer<Vector> positions;
+  Buffer<Index> sources;
+};
+
+/// Splits `n` things in order into `m <= n` runs of nearly equal length and takes one of each at
+/// random.
+inline void pick_one_of_each_run(std::uint64_t n, std::uint64_t m, std::uint64_t seed,
+                                 const Buffer<Index>& things, Buffer<Index>& picked)
+{
+  picked.reserve(m);
+  for_each_in_order(m, [&](std::uint64_t k) {
+    const std::uint64_t begin = k * n / m,
+                        end = (k + 1) * n / m; // below 2^64, as both factors are below 2^32
+    picked.push_back(things[begin + random_bits(seed, k) % (end - begin)]);
+  });
+}
+
+/// Moves each of the new samples, which start on their source, part of the way to another point of
+/// its ball: one of a similar normal, so that the way does not cut an edge, if there is one; else
+/// any; else the next point in the order of `distinct`.
+template <typename ConcurrencyTag, typename T>
+void move_between_points(const Search_grid_3& grid, const Buffer<Vector>& points,
+                         const Buffer<Eigen::Matrix<T, 3, 1>>& normals,
+                         const Buffer<Index>& distinct, double radius, std::uint64_t seed,
+                         Progress& progress, Initial_samples& samples)
+{
+  const Buffer<Vector> starts = copy_of(samples.positions);
+  const Buffer<float> start_scales = listed_scales(grid.scales(), samples.sources);
+  const Search_grid_3 start_grid(starts, Cell_sizes(grid.cell_size(), start_scales));
+  const T similar_cosine = T(
+    0.87); // 30 degrees, what survives bilateral filtering on one side of an edge
+
+  const auto make_visitor = [&]() {
+    return [&](Search_grid_3::Range queries, const Local_points<T>& candidates,
+               const Vector& origin) {
+      for (Index e = queries.first; e < queries.second; ++e)
+      {
+        const Index source = samples.sources[e];
+        const Eigen::Matrix<T, 3, 1> center = (starts[e] - origin).template cast<T>();
+        Index partner = source;
+        std::uint64_t best = 0;
+        const auto first = std::lower_bound(samples.sources.begin(), samples.sources.end(), source);
+        const std::uint64_t number =
+          e
+          - std::uint64_t(
+            first - samples.sources.begin()); // of the samples of this source before this one
+        for (std::size_t k = 0; k < candidates.indices.size(); ++k)
+        {
+          const Index j = candidates.indices[k];
+          const Eigen::Matrix<T, 3, 1> d =
+            Eigen::Matrix<T, 3, 1>(candidates.x[k], candidates.y[k], candidates.z[k]) - center;
+          if (d.squaredNorm() >= T(square(radius * start_grid.scale(e))) || points[j] == starts[e])
+            continue;
+          const bool is_similar = std::abs(normals[source].dot(normals[j])) > similar_cosine;
+          const std::uint64_t rank = (random_bits(seed + source, (number << 32) | j) >> 1)
+                                     | (std::uint64_t(is_similar) << 63);
+          if (rank > best)
+          {
+            best = rank;
+            partner = j;
+          }
+        }
+        if (partner == source && distinct.size() > 1)
+        {
+          const auto next = std::upper_bound(distinct.begin(), distinct.end(), source);
+          partner = next != distinct.end() ? *next : *(distinct.end() - 2);
+        }
+        // never the middle, where the way back from the partner would put another one
+        const double share =
+          0.2
+          + 0.25
+              * std::ldexp(double(random_bits(seed + source, (number << 32) | 0xffffffff) >> 11),
+                           -53);
+        samples.positions[e] = starts[e] + share * (points[partner] - starts[e]);
+      }
+    };
+  };
+  for_each_cell<T, ConcurrencyTag>(start_grid, starts, grid, points,
+                                   cells_in_reach(radius, grid.cell_size()), progress,
+                                   make_visitor);
+}
+
+/// Where samples start: on a point, or between it and another.
+struct Sources
+{
+  Buffer<Index> on_points, between_points;
+};
+
+/// Shares the samples out by area: each point gets as many as there are thresholds, one at random
+/// in each of m equal parts of the whole area, in the part of the area that is its own. The first
+/// starts on it.
+/// \param areas one number a point, positive, so that all processors add them up alike
+/// \param known_total of the areas: of a larger cloud, of which these are the first points, or
+/// found here
+inline Sources sources_by_area(const Buffer<Index>& distinct, const Buffer<std::uint64_t>& areas,
+                               std::uint64_t m, std::uint64_t seed,
+                               std::optional<std::uint64_t>& known_total)
+{
+  Sources sources{Buffer<Index>(distinct.get_allocator()), Buffer<Index>(distinct.get_allocator())};
+  const bool are_all_points = !known_total;
+  if (are_all_points)
+  {
+    known_total = 0;
+    for_each_in_order(distinct.size(), [&](std::size_t d) { *known_total += areas[distinct[d]]; });
+  }
+  const std::uint64_t total = *known_total;
+  std::uint64_t sum = 0, k = 0;
+  sources.on_points.reserve((std::min)(std::size_t(m), distinct.size()));
+  for_each_in_order(distinct.size(), [&](std::size_t d) {
+    const Index i = distinct[d];
+    sum += areas[i];
+    // takes what rounding leaves
+    const bool is_last = are_all_points && i == distinct.back();
+    for (bool is_first = true; k < m && (is_last || area_threshold(k, m, seed, total) < sum);
+         is_first = false, ++k)
+      (is_first ? sources.on_points : sources.between_points).push_back(i);
+  });
+  return sources;
+}
+
+/// Shares the samples out by points: no more than one each, or, if there are more samples than
+/// points, one at least.
+inline Sources sources_by_points(const Buffer<Index>& distinct, std::uint64_t m, std::uint64_t seed)
+{
+  Sources sources{Buffer<Index>(distinct.get_allocator()), Buffer<Index>(distinct.get_allocator())};
+  if (m <= distinct.size())
+  {
+    pick_one_of_each_run(distinct.size(), m, seed, distinct, sources.on_points);
+    return sources;
+  }
+  sources.on_points = distinct;
+  const std::uint64_t number_of_new = m - distinct.size();
+  sources.between_points.reserve(number_of_new);
+  for_each_in_order(number_of_new, [&](std::uint64_t e) {
+    sources.between_points.push_back(distinct[std::size_t(e * distinct.size() / number_of_new)]);
+  });
+  return sources;
+}
+
+/// The first of the points at each place.
+/// \param points sorted, so that those at one place follow each other
+inline Buffer<Index> distinct_points(const Buffer<Vector>& points)
+{
+  Buffer<Index> distinct(points.get_allocator());
+  distinct.reserve(points.size());
+  for_each_in_order(points.size(), [&](std::size_t j) {
+    if (j == 0 || points[j] != points[j - 1])
+      distinct.push_back(Index(j));
+  });
+  return distinct;
+}
+
+/// Lets samples start on their sources, or between these and other points.
+/// \param sources ascending, each of the two lists
+/// The other parameters and the result are those of `initialize_samples()`.
+template <typename ConcurrencyTag, typename T>
+Initial_samples start_samples(const Search_grid_3& grid, const Buffer<Vector>& points,
+                              const Buffer<Eigen::Matrix<T, 3, 1>>& normals,
+                              const Buffer<Index>& distinct, Sources sources, double radius,
+                              std::uint64_t seed, Progress& progress)
+{
+  const std::size_t number_of_samples = sources.on_points.size() + sources.between_points.size();
+  Initial_samples samples{Buffer<Vector>(points.get_allocator()),
+                          std::move(sources.between_points)};
+  samples.sources.reserve(number_of_samples);
+  samples.positions.reserve(number_of_samples);
+  const auto start_on_sources = [&]() {
+    const std::size_t first = samples.positions.size();
+    for_each_in_order(samples.sources.size() - first, [&](std::size_t i) {
+      samples.positions.push_back(points[samples.sources[first + i]]);
+    });
+  };
+  const bool is_sorted = samples.sources.empty();
+  start_on_sources();
+  if (!is_sorted)
+    move_between_points<ConcurrencyTag>(grid, points, normals, distinct, radius, seed, progress,
+                                        samples);
+  samples.sources.insert(samples.sources.end(), sources.on_points.begin(), sources.on_points.end());
+  start_on_sources();
+  if (is_sorted)
+    return samples;
+  const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(
+    samples.positions, Cell_sizes(grid.cell_size(), listed_scales(grid.scales(), samples.sources)));
+  apply_order(order, samples.positions);
+  apply_order(order, samples.sources);
+  return samples;
+}
+
+/*!
+Chooses where `number_of_samples` samples start. No two start on one point: the further ones of a
+point start between two points each.
+
+\param points sorted for `grid`, so that the choice does not depend on the order of the input
+\param normals unoriented, one a point
+\param areas what each point stands for, so that the samples spread evenly over the surface; or
+none, so that they spread as the points do
+\param radius how far apart the two points of a further sample may lie, at scale 1
+\param known_total as for `sources_by_area()`
+\returns samples sorted for a grid of the same cell size
+*/
+template <typename ConcurrencyTag, typename T>
+Initial_samples initialize_samples(const Search_grid_3& grid, const Buffer<Vector>& points,
+                                   const Buffer<Eigen::Matrix<T, 3, 1>>& normals,
+                                   const Buffer<std::uint64_t>& areas,
+                                   std::size_t number_of_samples, double radius, std::uint64_t seed,
+                                   std::optional<std::uint64_t>& known_total, Progress& progress)
+{
+  const Buffer<Index> distinct = distinct_points(points);
+  Sources sources = areas.empty()
+                      ? sources_by_points(distinct, number_of_samples, seed)
+                      : sources_by_area(distinct, areas, number_of_samples, seed, known_total);
+  return start_samples<ConcurrencyTag>(grid, points, normals, distinct, std::move(sources), radius,
+                                       seed, progress);
+}
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_INITIALIZE_SAMPLES_H

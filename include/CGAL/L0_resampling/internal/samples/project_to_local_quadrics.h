@@ -1,0 +1,196 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_PROJECT_TO_LOCAL_QUADRICS_H
+#define CGAL_L0_RESAMPLING_INTERNAL_PROJECT_TO_LOCAL_QUADRICS_H
+
+#include <CGAL/L0_resampling/internal/normals/Local_normals.h>
+#include <CGAL/L0_resampling/internal/core/Parameters.h>
+#include <CGAL/L0_resampling/internal/kernels/Quadric_moments.h>
+#include <CGAL/L0_resampling/internal/samples/Samples.h>
+#include <CGAL/L0_resampling/internal/search/ball_queries.h>
+#include <CGAL/L0_resampling/internal/kernels/project_to_local_quadric.h>
+#include <CGAL/L0_resampling/internal/core/weights.h>
+
+#include <boost/config.hpp>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/// What decides which samples of a wide ball agree with another.
+struct Quadric_kernel
+{
+  double radius;               ///< of the wide ball
+  double normal_bandwidth;     ///< \f$ (1 - \cos\sigma_n)^2 \f$
+  double squared_sheet_height; ///< \f$ H^2 \f$
+
+  Quadric_kernel scaled(double scale) const
+  {
+    return {radius * scale, normal_bandwidth, squared_sheet_height * square(scale)};
+  }
+};
+
+/// The samples that planes and quadrics are fitted to.
+template <typename T>
+struct Support_points
+{
+  Buffer<Vector> positions;
+  Buffer<Eigen::Matrix<T, 3, 1>> normals;
+  Buffer<T> variances; ///< \f$ u_k \f$, `Samples::fit_variances`
+  Buffer<float> scales;
+
+  template <typename FT>
+  explicit Support_points(const Samples<FT>& samples)
+    : positions(samples.positions.get_allocator()), normals(positions.get_allocator()),
+      variances(positions.get_allocator()), scales(positions.get_allocator())
+  {
+    for_each_in_order(samples.positions.size(), [&](std::size_t i) {
+      if (!samples.are_support_points[i])
+        return;
+      positions.push_back(samples.positions[i]);
+      normals.push_back(samples.normals[i].template cast<T>());
+      variances.push_back(T(samples.fit_variances[i]));
+      if (!samples.scales.empty())
+        scales.push_back(samples.scales[i]);
+    });
+  }
+};
+
+/// Sums over the support points of a wide ball that agree with a sample, lengths in units of its
+/// radius.
+struct Agreeing_support_points
+{
+  Quadric_moments<double> moments;
+  double variance; ///< \f$ \sum_k w_k u_k \f$
+};
+
+template <typename T>
+Agreeing_support_points sum_agreeing_support_points(const Eigen::Matrix<T, 3, 1>& center,
+                                                    const Tangent_frame& frame,
+                                                    const Local_points<T>& candidates,
+                                                    const Local_normals<T>& normals,
+                                                    const Aligned_vector<T>& variances,
+                                                    const Quadric_kernel& kernel)
+{
+  using L = Lanes<T>;
+  const T squared_radius = T(kernel.radius * kernel.radius), unit = T(1 / kernel.radius);
+  const T normal_bandwidth = T(kernel.normal_bandwidth),
+          squared_sheet_height = T(kernel.squared_sheet_height);
+  const auto dot = [](const L& x, const L& y, const L& z, const Triple& a) {
+    return x * T(a.x) + y * T(a.y) + z * T(a.z);
+  };
+  Quadric_moments<L> lanes;
+  L variance;
+  candidates.for_each_run_in_ball(
+    center, squared_radius, [&](std::size_t k, const L& squared_distance) {
+      const L dx = L::load(&candidates.x[k]) - center[0];
+      const L dy = L::load(&candidates.y[k]) - center[1];
+      const L dz = L::load(&candidates.z[k]) - center[2];
+      const L nx = L::load(&normals.x[k]), ny = L::load(&normals.y[k]), nz = L::load(&normals.z[k]);
+      const L cosine = dot(nx, ny, nz, frame.normal), own_height = dot(dx, dy, dz, frame.normal);
+      const L height = symmetric_height(own_height, with_sign_of(cosine, L(T(1)))
+                                                      * (dx * nx + dy * ny + dz * nz));
+      const L weight = share_in_ball(squared_distance, squared_radius)
+                       * sheet_weight(L(T(0)), T(1), cosine, normal_bandwidth, height,
+                                      squared_sheet_height);
+      lanes.add(dot(dx, dy, dz, frame.u) * unit, dot(dx, dy, dz, frame.v) * unit, own_height * unit,
+                weight);
+      variance += weight * L::load(&variances[k]);
+    });
+  return {Quadric_moments<double>(lanes, [](const L& sum) { return sum.sum(); }),
+          variance.sum() / square(kernel.radius)};
+}
+
+/// `project_to_local_quadric()`, compiled by itself: where it is a part of what surrounds it,
+/// compilers fuse other sums of products with it than without, and two programs of one source would
+/// differ in the last bit.
+BOOST_NOINLINE inline Settled_sample settled_sample(const Agreeing_support_points& sums,
+                                                    const Tangent_frame& frame, double radius)
+{
+  return project_to_local_quadric(sums.moments, sums.variance, frame, radius);
+}
+
+/*!
+Where the surface is flat, or bends evenly, a wider ball tells more of it than the fit's does. A
+sample looks at the samples of a ball \f$ R = 4 r_p \f$ that agree with it, weighted by
+\f$ w_k = \psi \, e^{-h_{ik}^2/H^2} \f$, and at two surfaces through them: the plane of least
+squared distances, and the quadric of least squared heights over the sample's tangent plane. Either
+has d unknowns, 3 or 6. The sample moves along its normal towards it by the share
+
+\f[ b = e^{-(s^2 / (\rho \tau)^2)^2}, \qquad s^2 = \frac{1}{W - d} \sum_k w_k r_k^2,
+\quad \tau^2 = \sum_k w_k u_k / W, \quad W = \sum_k w_k, \f]
+
+to the quadric first, \f$ \rho = 2.5 \f$, then to the plane, \f$ \rho = 3 \f$, and its normal turns
+to the surface's by as much. \f$ r_k \f$ are the residuals, so that s is how far they are from it,
+and \f$ \tau \f$ how far the noise of the points lets the fit be: the choice between a small ball
+and a large one is Lepski's (1991), who takes the largest estimate that does not contradict the
+smaller ones. Where detail stands out from the noise, both shares are zero. Clean points have no
+\f$ \tau \f$, and stay.
+
+Neighboring fits share most of their points, so few of the samples tell as much as all do: only
+`Samples::are_support_points` are asked.
+
+\param samples positions and normals, in and out
+*/
+template <typename ConcurrencyTag, typename T, typename FT>
+void project_to_local_quadrics(const Quadric_kernel& kernel, double smallest_cell_size,
+                               Progress& progress, Samples<FT>& samples)
+{
+  const double cell_size = (std::max)(kernel.radius / 2, smallest_cell_size);
+  Support_points<T> support_points(samples);
+  {
+    const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(
+      support_points.positions, Cell_sizes(cell_size, support_points.scales));
+    apply_order(order, support_points.positions);
+    apply_order(order, support_points.normals);
+    apply_order(order, support_points.variances);
+    if (!support_points.scales.empty())
+      apply_order(order, support_points.scales);
+  }
+  const Search_grid_3 support_grid(support_points.positions,
+                                   Cell_sizes(cell_size, support_points.scales));
+  const Sorted_queries sorted_queries(ConcurrencyTag(), samples.positions,
+                                      Cell_sizes(cell_size, samples.scales));
+
+  const auto make_visitor = [&]() {
+    return [&, normals = Local_normals<T>(), variances = Aligned_vector<T>()](
+             Search_grid_3::Range queries, const Local_points<T>& candidates,
+             const Vector& origin) mutable {
+      normals.gather(candidates, support_points.normals);
+      variances.assign(candidates.padded_size(), T(0));
+      for (std::size_t k = 0; k < candidates.indices.size(); ++k)
+        variances[k] = support_points.variances[candidates.indices[k]];
+      for (Index q = queries.first; q < queries.second; ++q)
+      {
+        const Index i = sorted_queries.order[q];
+        const Eigen::Matrix<T, 3, 1> center =
+          (sorted_queries.points[q] - origin).template cast<T>();
+        const Vector normal = samples.normals[i].template cast<double>();
+        const Quadric_kernel own_kernel = kernel.scaled(sorted_queries.grid.scale(q));
+        const Tangent_frame frame({normal.x(), normal.y(), normal.z()});
+        const Agreeing_support_points sums =
+          sum_agreeing_support_points<T>(center, frame, candidates, normals, variances, own_kernel);
+        const Settled_sample settled = settled_sample(sums, frame, own_kernel.radius);
+        samples.positions[i] += settled.height * normal;
+        samples.normals[i] =
+          Vector(settled.normal.x, settled.normal.y, settled.normal.z).template cast<FT>();
+      }
+    };
+  };
+  for_each_cell<T, ConcurrencyTag>(sorted_queries.grid, sorted_queries.points, support_grid,
+                                   support_points.positions,
+                                   cells_in_reach(kernel.radius, cell_size), progress,
+                                   make_visitor);
+}
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_PROJECT_TO_LOCAL_QUADRICS_H

@@ -1,0 +1,115 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_REFIT_SAMPLE_NORMALS_H
+#define CGAL_L0_RESAMPLING_INTERNAL_REFIT_SAMPLE_NORMALS_H
+
+#include <CGAL/L0_resampling/internal/search/Neighborhoods.h>
+#include <CGAL/L0_resampling/internal/core/Parameters.h>
+#include <CGAL/L0_resampling/internal/kernels/Plane_moments.h>
+#include <CGAL/L0_resampling/internal/samples/Samples.h>
+#include <CGAL/L0_resampling/internal/core/lanes.h>
+#include <CGAL/L0_resampling/internal/core/parallel_for.h>
+#include <CGAL/L0_resampling/internal/core/weights.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/*!
+Corrects the normals of the samples by their positions. A fit leaves a sample the mean normal of the
+points in a ball \f$ r_p \f$; where the surface bends within that ball, the samples themselves, a
+fraction of \f$ r_p \f$ apart, know its direction better. Each normal leans halfway to that of the
+plane through the samples around that agree with it: the smallest eigenvector of
+
+\f[ \sum_k w_k (p_k - \bar p)(p_k - \bar p)^T, \qquad w_k
+= \theta(\|p_k - p_i\|) \, \psi(n_i, n_k) \, e^{-h_{ik}^2/H^2}, \f]
+
+over the self neighbors and the sample, with `symmetric_height()`; but not where the two differ by
+no more than the noise of the fit explains, see `lean_to_plane()`: there the mean over more points
+is nearer to the truth.
+
+\param neighbors may have moved since they were found
+\param samples normals in and out
+*/
+template <typename ConcurrencyTag, typename FT>
+void refit_sample_normals(const Sample_refit_kernel& kernel, const Neighborhoods& neighbors,
+                          std::size_t number_of_passes, Samples<FT>& samples)
+{
+  using Local_vector = Eigen::Matrix<FT, 3, 1>;
+  using Array = Eigen::Array<FT, Eigen::Dynamic, 1>;
+  const FT squared_radius = FT(square(kernel.radius)),
+           squared_bandwidth = FT(kernel.squared_bandwidth);
+  const FT normal_bandwidth = FT(kernel.normal_bandwidth),
+           squared_sheet_height = FT(kernel.squared_sheet_height);
+  const Range_of_pairs range = {kernel.radius, view_of_scales(samples.scales),
+                                view_of_scales(samples.spreading_radii)};
+  const std::size_t samples_per_block = 1024;
+  Buffer<Local_vector> refitted = copy_of(samples.normals);
+  for (std::size_t pass = 0; pass < number_of_passes; ++pass)
+  {
+    for_each_block<ConcurrencyTag>(
+      samples.positions.size(), samples_per_block, [&](std::size_t begin, std::size_t end) {
+        const std::size_t first_pair = neighbors.offsets[begin];
+        const Eigen::Index size = padded_to_lanes(neighbors.offsets[end] - first_pair);
+        Eigen::Matrix<FT, 3, Eigen::Dynamic> differences =
+          Eigen::Matrix<FT, 3, Eigen::Dynamic>::Zero(3, size);
+        Array cosines = Array::Zero(size), heights = cosines;
+        // what shortens the range of a pair shortens the kernel
+        Array squared_stretches = Array::Ones(size);
+        for (std::size_t i = begin; i < end; ++i)
+          for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
+          {
+            const Index k = neighbors.indices[e];
+            const Eigen::Index pair = Eigen::Index(e - first_pair);
+            const Local_vector d =
+              (samples.positions[k] - samples.positions[i]).template cast<FT>();
+            const FT cosine = samples.normals[i].dot(samples.normals[k]),
+                     sign = with_sign_of(cosine, FT(1));
+            differences.col(pair) = d;
+            cosines[pair] = cosine;
+            heights[pair] = symmetric_height(samples.normals[i].dot(d),
+                                             FT(sign * samples.normals[k].dot(d)));
+            if (!range.is_one_for_all())
+              squared_stretches[pair] = squared_radius / FT(range.squared(i, k));
+          }
+        const Array squared_distances = differences.colwise().squaredNorm().transpose().array()
+                                        * squared_stretches;
+        heights *= squared_stretches.sqrt();
+        const Array weights = share_in_ball(squared_distances, squared_radius)
+                              * sheet_weight(squared_distances, squared_bandwidth, cosines,
+                                             normal_bandwidth, heights, squared_sheet_height);
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          Plane_moments<double> moments;
+          moments.add(0, 0, 0, 1); // the sample itself
+          double variance = samples.fit_variances[i];
+          for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
+          {
+            const Eigen::Index pair = Eigen::Index(e - first_pair);
+            const double weight = weights[pair];
+            moments.add(differences(0, pair), differences(1, pair), differences(2, pair), weight);
+            variance += weight * samples.fit_variances[neighbors.indices[e]];
+          }
+          const Local_vector& normal = samples.normals[i];
+          const Triple leaning = lean_to_plane(moments, {normal[0], normal[1], normal[2]},
+                                               variance / moments.sum,
+                                               std::sqrt(range.squared(i, i)));
+          refitted[i] = Vector(leaning.x, leaning.y, leaning.z).template cast<FT>();
+        }
+      });
+    samples.normals.swap(refitted);
+  }
+}
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_REFIT_SAMPLE_NORMALS_H

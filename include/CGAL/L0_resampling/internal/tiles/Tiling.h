@@ -1,0 +1,170 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_TILING_H
+#define CGAL_L0_RESAMPLING_INTERNAL_TILING_H
+
+#include <CGAL/L0_resampling/internal/tiles/Block_counts.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/// A box of blocks, both corners included.
+struct Block_box
+{
+  Block low, high;
+
+  bool contains(const Block& block) const
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (block[axis] < low[axis] || block[axis] > high[axis])
+        return false;
+    return true;
+  }
+
+  Block_box grown(std::int64_t margin) const
+  {
+    Block_box box = *this;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      box.low[axis] -= margin;
+      box.high[axis] += margin;
+    }
+    return box;
+  }
+};
+
+/// The blocks whose samples one task finds, and how many points it looks at for that.
+struct Tile
+{
+  Block_box box;
+  std::uint64_t number_of_points;           ///< of its own blocks
+  std::uint64_t number_of_points_with_halo; ///< and of those around
+};
+
+/// Splits the blocks that hold points into boxes, each of which with its halo has no more points
+/// than a task may hold. Boxes are halved by points across their longest axis.
+class Tiling
+{
+  using Counted_block = std::pair<Block, std::uint64_t>;
+
+  const std::vector<Counted_block>& m_blocks;
+  std::int64_t m_halo;
+  std::uint64_t m_most_points;
+  std::vector<Tile> m_tiles;
+  std::uint64_t m_least_limit = 0;
+
+  Tile tile_of(const std::vector<std::size_t>& own) const
+  {
+    Tile tile = {{m_blocks[own.front()].first, m_blocks[own.front()].first}, 0, 0};
+    for (const std::size_t i : own)
+    {
+      const auto& [block, count] = m_blocks[i];
+      tile.number_of_points += count;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        tile.box.low[axis] = (std::min)(tile.box.low[axis], block[axis]);
+        tile.box.high[axis] = (std::max)(tile.box.high[axis], block[axis]);
+      }
+    }
+    const Block_box reach = tile.box.grown(m_halo);
+    for (const auto& [block, count] : m_blocks)
+      tile.number_of_points_with_halo += reach.contains(block) ? count : 0;
+    return tile;
+  }
+
+  void split(std::vector<std::size_t> own)
+  {
+    const Tile tile = tile_of(own);
+    std::size_t axis = 0;
+    const auto length = [&](std::size_t a) { return tile.box.high[a] - tile.box.low[a]; };
+    for (std::size_t other = 1; other < 3; ++other)
+      if (length(other) > length(axis))
+        axis = other;
+    if (tile.number_of_points_with_halo <= m_most_points || length(axis) == 0)
+    {
+      m_least_limit = (std::max)(m_least_limit, tile.number_of_points_with_halo);
+      m_tiles.push_back(tile);
+      return;
+    }
+    // the first layer of the upper half
+    const auto place = [&](std::size_t i) { return m_blocks[i].first[axis]; };
+    std::sort(own.begin(), own.end(), [&](std::size_t a, std::size_t b) {
+      return place(a) != place(b) ? place(a) < place(b) : a < b;
+    });
+    std::uint64_t sum = 0;
+    std::size_t k = 0;
+    while (2 * sum < tile.number_of_points)
+      sum += m_blocks[own[k++]].second;
+    std::int64_t layer = place(own[k - 1]) + 1;
+    layer = (std::min)(layer, tile.box.high[axis]);
+    const auto middle = std::partition_point(own.begin(), own.end(),
+                                             [&](std::size_t i) { return place(i) < layer; });
+    std::vector<std::size_t> lower(own.begin(), middle), upper(middle, own.end());
+    own = {};
+    for (std::vector<std::size_t>* half : {&lower, &upper})
+    {
+      std::sort(half->begin(), half->end());
+      split(std::move(*half));
+    }
+  }
+
+public:
+  /// \param blocks sorted, at least one; outlives this object
+  /// \param halo in blocks
+  Tiling(const std::vector<Counted_block>& blocks, std::int64_t halo, std::uint64_t most_points)
+    : m_blocks(blocks), m_halo(halo), m_most_points(most_points)
+  {
+    std::vector<std::size_t> all(blocks.size());
+    std::iota(all.begin(), all.end(), std::size_t(0));
+    split(std::move(all));
+  }
+
+  const std::vector<Tile>& tiles() const { return m_tiles; }
+
+  /// The points of the largest tile with its halo: more than the limit if a single block is.
+  std::uint64_t most_points_of_tile() const { return m_least_limit; }
+};
+
+/*!
+How many samples start in each block: as many of all as the block has of the whole weight, by a
+running sum, so that the numbers add up to `number_of_samples`.
+
+\param weights of the blocks in their order; at least one is not 0
+*/
+inline std::vector<std::uint64_t> samples_of_blocks(const std::vector<std::uint64_t>& weights,
+                                                    std::uint64_t number_of_samples)
+{
+  std::uint64_t total = 0, sum = 0, taken = 0;
+  for (const std::uint64_t weight : weights)
+    total += weight;
+  std::vector<std::uint64_t> numbers;
+  numbers.reserve(weights.size());
+  for (const std::uint64_t weight : weights)
+  {
+    sum += weight;
+    // monotonic, and all of them at the end, where the quotient is 1
+    const std::uint64_t end = sum == total ? number_of_samples
+                                           : std::uint64_t(double(sum) / double(total)
+                                                           * double(number_of_samples));
+    numbers.push_back(end - taken);
+    taken = end;
+  }
+  return numbers;
+}
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_TILING_H

@@ -1,0 +1,396 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "search/Query.cuh"
+#include "driver/stages.cuh"
+
+#include <CGAL/L0_resampling/internal/core/Parameters.h>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+namespace cuda {
+
+namespace {
+
+/// Of the points in the ball of each query, itself included, and in the one of half the radius.
+/// \param wide_counts out: the same numbers
+__global__ void count_points_in_balls(Cell_grid queries, Cell_grid grid, Cell_blocks blocks,
+                                      double radius, unsigned* counts, unsigned* half_counts,
+                                      Wide* wide_counts)
+{
+  const Query query(queries.size);
+  const int4 center = queries.points[query.index];
+  const double own_radius = radius * queries.scale(query.index);
+  const float unit = grid.frame.unit(), squared_radius = float(own_radius * own_radius),
+              squared_half_radius = squared_radius / 4;
+  Counts_in_balls found;
+  for_each_candidate(grid, blocks, center, query.lane, float(own_radius),
+                     [&](unsigned, const int4& point) {
+                       const float3 d = difference(point, center, unit);
+                       const float squared_distance = dot(d, d);
+                       found.in_ball += squared_distance < squared_radius;
+                       found.in_half_ball += squared_distance < squared_half_radius;
+                     });
+  found.sum_up(query, blocks.centers[center.w].stride, counts, half_counts);
+  if (query.writes)
+    wide_counts[query.index] = found.in_ball;
+}
+
+/// The sum over the points of the block of cells around a cell.
+/// \param sums over all points before each point
+__device__ Wide sum_around(const Cell_blocks& blocks, Wide cell, const Wide* sums)
+{
+  Wide sum = 0;
+  const uint2* const ranges = blocks.ranges_of(unsigned(cell));
+  for (int row = 0, rows = blocks.number_of_ranges(unsigned(cell)); row < rows; ++row)
+  {
+    const uint2 range = ranges[row];
+    sum += sums[range.y] - sums[range.x];
+  }
+  return sum;
+}
+
+/// For each cell, how many points the balls of its points have to hold: a share of the mean ball in
+/// the block of cells around, and of the median ball.
+/// \param sums of the counts of all points before each point
+__global__ void find_least_counts(Cell_blocks blocks, unsigned number_of_cells, const Wide* sums,
+                                  const unsigned* median, Outlier_thresholds thresholds,
+                                  double* least_counts)
+{
+  const Wide cell = thread_index();
+  if (cell >= number_of_cells)
+    return;
+  Wide count = 0;
+  const uint2* const ranges = blocks.ranges_of(unsigned(cell));
+  for (int row = 0, rows = blocks.number_of_ranges(unsigned(cell)); row < rows; ++row)
+  {
+    const uint2 range = ranges[row];
+    count += range.y - range.x;
+  }
+  least_counts[cell] = fmax(thresholds.share_of_surroundings
+                              * (double(sum_around(blocks, cell, sums)) / double(count)),
+                            thresholds.share_of_median * double(*median));
+}
+
+/// Which points may be kept, and which are sparse. Arrays on the device, one number a position, but
+/// for the last two.
+struct Dense_points
+{
+  unsigned char *is_kept, *is_sparse;
+  unsigned* half_counts;
+  unsigned* median;             // of the counts of all balls
+  unsigned* is_any_sparse_kept; // 0 before
+};
+
+__global__ void keep_dense(Cell_grid grid, const unsigned* counts, const unsigned* half_counts,
+                           const double* least_counts, Dense_points result)
+{
+  const Wide i = thread_index();
+  if (i >= grid.size)
+    return;
+  const unsigned position = grid.order[i];
+  const double count = double(counts[i]);
+  const bool is_kept = count >= least_counts[grid.points[i].w];
+  const bool is_sparse = count < share_of_sparse_points * double(*result.median);
+  result.is_kept[position] = is_kept;
+  result.is_sparse[position] = is_sparse;
+  result.half_counts[position] = half_counts[i];
+  if (is_kept && is_sparse)
+    *result.is_any_sparse_kept = 1;
+}
+
+/// The others in the two balls of each sparse point: one less than nothing, where only one of so
+/// many points is looked at, and not the point itself. Sums of these numbers are right once they
+/// are read with their sign.
+/// \param list the positions that the grid of the sparse points was built of
+/// \param half_counts of the positions, in the balls of a fourth of the radius of `counts`
+/// \param inner, outer out
+__global__ void count_others(Cell_grid sparse, const unsigned* list, const unsigned* half_counts,
+                             const unsigned* counts, Wide* inner, Wide* outer)
+{
+  const Wide i = thread_index();
+  if (i >= sparse.size)
+    return;
+  inner[i] = Wide(half_counts[list[sparse.order[i]]]) - 1;
+  outer[i] = Wide(counts[i]) - 1;
+}
+
+/// \param inner_sums, outer_sums over all points before each point
+__global__ void find_filled_cells(Cell_blocks blocks, unsigned number_of_cells,
+                                  const Wide* inner_sums, const Wide* outer_sums,
+                                  double least_ratio, unsigned char* is_filled)
+{
+  const Wide cell = thread_index();
+  if (cell < number_of_cells)
+    is_filled[cell] = double(static_cast<long long>(sum_around(blocks, cell, outer_sums)))
+                      > least_ratio
+                          * (double(static_cast<long long>(sum_around(blocks, cell, inner_sums)))
+                             + count_prior);
+}
+
+__global__ void drop_points_of_filled_cells(Cell_grid sparse, const unsigned* list,
+                                            const unsigned char* is_filled, unsigned char* is_kept)
+{
+  const Wide i = thread_index();
+  if (i < sparse.size && is_filled[sparse.points[i].w])
+    is_kept[list[sparse.order[i]]] = 0;
+}
+
+__global__ void make_parts(unsigned number_of_cells, unsigned* parents)
+{
+  const Wide cell = thread_index();
+  if (cell < number_of_cells)
+    parents[cell] = unsigned(cell);
+}
+
+/// The lowest cell of the part, as far as parts are joined. Shortens the way: a parent that another
+/// thread has put there meanwhile is an ancestor too.
+__device__ unsigned find_root(unsigned* parents, unsigned cell)
+{
+  for (unsigned parent = __ldcg(parents + cell); parent != cell;)
+  {
+    const unsigned next = __ldcg(parents + parent);
+    if (next != parent)
+      __stcg(parents + cell, next);
+    cell = parent;
+    parent = next;
+  }
+  return cell;
+}
+
+/// Hooks the higher root to the lower, so that no circle closes, and the roots in the end do not
+/// depend on who was first.
+__device__ void join_parts(unsigned* parents, unsigned a, unsigned b)
+{
+  while (true)
+  {
+    a = find_root(parents, a);
+    b = find_root(parents, b);
+    if (a == b)
+      return;
+    const unsigned high = max(a, b), low = min(a, b);
+    if (atomicCAS(parents + high, high, low) == high)
+      return;
+  }
+}
+
+// Of the nine rows of cells around a cell: four whose cells all come before it, and its own.
+constexpr int number_of_rows_before = 5;
+
+/// Joins each cell with those before it that it touches.
+__global__ void join_touching_cells(Cell_grid grid, unsigned* parents)
+{
+  const Wide t = thread_index(), cell = t / number_of_rows_before;
+  if (cell >= grid.number_of_cells)
+    return;
+  const uint2 range = range_of_row(grid, grid.frame.cell_of_key(grid.keys[cell]), 1,
+                                   int(t % number_of_rows_before));
+  if (range.x == range.y)
+    return;
+  const unsigned last = unsigned(grid.points[range.y - 1].w);
+  for (unsigned other = unsigned(grid.points[range.x].w); other <= last && other < cell; ++other)
+    join_parts(parents, unsigned(cell), other);
+}
+
+/// The same where cells are of several levels, with all cells at the ends of the runs around.
+__global__ void join_touching_levels(Cell_grid grid, Cell_blocks blocks, unsigned* parents)
+{
+  const Wide cell = thread_index();
+  if (cell >= grid.number_of_cells)
+    return;
+  const uint2* const ranges = blocks.ranges_of(unsigned(cell));
+  for (int row = 0, rows = blocks.number_of_ranges(unsigned(cell)); row < rows; ++row)
+    for (const unsigned point : {ranges[row].x, ranges[row].y - 1})
+      join_parts(parents, unsigned(cell), unsigned(grid.points[point].w));
+}
+
+/// \param sizes of each root: the points of its part
+__global__ void count_points_of_parts(Cell_grid grid, unsigned* parents, unsigned* sizes)
+{
+  const Wide cell = thread_index();
+  const bool is_cell = cell < grid.number_of_cells;
+  const unsigned root = is_cell ? find_root(parents, unsigned(cell)) : grid.number_of_cells;
+  const unsigned peers = __match_any_sync(0xffffffffu, root);
+  const unsigned size = peer_sum(peers, is_cell ? grid.begins[cell + 1] - grid.begins[cell] : 0u);
+  if (is_cell && is_leader_of(peers))
+    atomicAdd(sizes + root, size);
+}
+
+/// \param grid of the points in the list
+__global__ void keep_large_parts(Cell_grid grid, unsigned* parents, const unsigned* sizes,
+                                 const unsigned* median, double share_of_median,
+                                 const unsigned* list, unsigned char* is_kept)
+{
+  const Wide i = thread_index();
+  if (i < grid.size)
+    is_kept[list[grid.order[i]]] = sizes[find_root(parents, unsigned(grid.points[i].w))]
+                                   >= share_of_median * double(*median);
+}
+
+/// Keeps the points with enough others around.
+/// \param result out
+void find_dense_points(const Workplace& workplace, const Positions& positions,
+                       const double (&low)[3], const double (&high)[3], double radius,
+                       const Outlier_thresholds& thresholds, const Dense_points& result)
+{
+  const unsigned n = positions.size;
+  const cudaStream_t stream = workplace.stream;
+  const Arena_scope arena_scope(workplace.arena), scratch_scope(workplace.scratch);
+  const Cell_grid grid = build_grid(positions, nullptr,
+                                    Cell_frame::around(low, high, radius, radius, positions.scales),
+                                    workplace.arena, workplace.scratch, stream);
+  const Cell_blocks blocks = find_blocks(grid, grid, 1, maximum_number_of_candidates,
+                                         workplace.arena, stream);
+  unsigned *const counts = workplace.arena.take<unsigned>(n), *const half_counts =
+                                                                workplace.arena.take<unsigned>(n);
+  Wide* const sums = workplace.scratch.take<Wide>(Wide(n) + 1);
+  CGAL_L0_CUDA_CHECK(cudaMemsetAsync(sums + n, 0, sizeof(Wide), stream));
+  count_points_in_balls<<<blocks_for_queries(n), threads_per_block, 0, stream>>>(
+    grid, grid, blocks, radius, counts, half_counts, sums);
+  check_launch("count_points_in_balls");
+  sum_up(sums, n, sums, workplace.scratch, stream);
+  {
+    const Arena_scope sort_scope(workplace.scratch);
+    unsigned *const values = workplace.scratch.take<unsigned>(n),
+                    *const other = workplace.scratch.take<unsigned>(n);
+    CGAL_L0_CUDA_CHECK(
+      cudaMemcpyAsync(values, counts, n * sizeof(unsigned), cudaMemcpyDeviceToDevice, stream));
+    const unsigned* const sorted = sort_values(values, other, n, workplace.scratch, stream);
+    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(result.median, sorted + n / 2, sizeof(unsigned),
+                                       cudaMemcpyDeviceToDevice, stream));
+  }
+  double* const least_counts = workplace.scratch.take<double>(grid.number_of_cells);
+  find_least_counts<<<blocks_for(grid.number_of_cells), threads_per_block, 0, stream>>>(
+    blocks, grid.number_of_cells, sums, result.median, thresholds, least_counts);
+  check_launch("find_least_counts");
+  keep_dense<<<blocks_for(n), threads_per_block, 0, stream>>>(grid, counts, half_counts,
+                                                              least_counts, result);
+  check_launch("keep_dense");
+}
+
+/// Of the sparse points, drops those that fill space, as `fill_space()` on the CPU.
+void drop_points_that_fill_space(const Workplace& workplace, const Positions& positions,
+                                 const double (&low)[3], const double (&high)[3], double radius,
+                                 double least_ratio, const Dense_points& points)
+{
+  const cudaStream_t stream = workplace.stream;
+  const double large_radius = 2 * radius;
+  const Arena_scope arena_scope(workplace.arena), scratch_scope(workplace.scratch);
+  unsigned* const list = workplace.arena.take<unsigned>(positions.size);
+  Positions sparse_positions = positions;
+  sparse_positions.size = list_flagged(points.is_sparse, positions.size, list, workplace.scratch,
+                                       stream);
+  sparse_positions.list = list;
+  const Cell_frame frame = Cell_frame::around(low, high, large_radius, large_radius,
+                                              positions.scales);
+  const Cell_grid grid = build_grid(positions, nullptr, frame, workplace.arena, workplace.scratch,
+                                    stream);
+  const Cell_grid sparse = build_grid(sparse_positions, nullptr, frame, workplace.arena,
+                                      workplace.scratch, stream);
+
+  const unsigned n = sparse.size;
+  Wide *const inner = workplace.scratch.take<Wide>(Wide(n) + 1), *const outer =
+                                                                   workplace.scratch.take<Wide>(
+                                                                     Wide(n) + 1);
+  {
+    const Cell_blocks blocks = find_blocks(sparse, grid, 1, maximum_number_of_candidates,
+                                           workplace.arena, stream);
+    unsigned *const counts = workplace.scratch.take<unsigned>(n),
+                    *const unused = workplace.scratch.take<unsigned>(n);
+    count_points_in_balls<<<blocks_for_queries(n), threads_per_block, 0, stream>>>(
+      sparse, grid, blocks, large_radius, counts, unused, outer);
+    check_launch("count_points_in_balls");
+    count_others<<<blocks_for(n), threads_per_block, 0, stream>>>(sparse, list, points.half_counts,
+                                                                  counts, inner, outer);
+    check_launch("count_others");
+  }
+  for (Wide* const sums : {inner, outer})
+  {
+    CGAL_L0_CUDA_CHECK(cudaMemsetAsync(sums + n, 0, sizeof(Wide), stream));
+    sum_up(sums, n, sums, workplace.scratch, stream);
+  }
+  const Cell_blocks blocks = find_blocks(sparse, sparse, 1, maximum_number_of_candidates,
+                                         workplace.arena, stream);
+  unsigned char* const is_filled = workplace.scratch.take<unsigned char>(sparse.number_of_cells);
+  find_filled_cells<<<blocks_for(sparse.number_of_cells), threads_per_block, 0, stream>>>(
+    blocks, sparse.number_of_cells, inner, outer, least_ratio, is_filled);
+  check_launch("find_filled_cells");
+  drop_points_of_filled_cells<<<blocks_for(n), threads_per_block, 0, stream>>>(
+    sparse, list, is_filled, points.is_kept);
+  check_launch("drop_points_of_filled_cells");
+}
+
+/// Of the points that are kept, keeps those whose part of the cloud, where cells that touch hang
+/// together, has a share of as many points as the median ball.
+void find_large_parts(const Workplace& workplace, const Positions& positions,
+                      const double (&low)[3], const double (&high)[3], double cell_size,
+                      const unsigned* median, double share_of_median, unsigned char* is_kept)
+{
+  const cudaStream_t stream = workplace.stream;
+  const Arena_scope arena_scope(workplace.arena), scratch_scope(workplace.scratch);
+  unsigned* const list = workplace.arena.take<unsigned>(positions.size);
+  Positions rest = positions;
+  rest.size = list_flagged(is_kept, positions.size, list, workplace.scratch, stream);
+  rest.list = list;
+  if (rest.size == 0)
+    return;
+  const Cell_grid grid =
+    build_grid(rest, nullptr, Cell_frame::around(low, high, cell_size, cell_size, positions.scales),
+               workplace.arena, workplace.scratch, stream);
+  const unsigned cells = grid.number_of_cells, blocks_for_cells = blocks_for(cells);
+  unsigned *const parents = workplace.scratch.take<unsigned>(cells),
+                  *const sizes = workplace.scratch.take<unsigned>(cells);
+  CGAL_L0_CUDA_CHECK(cudaMemsetAsync(sizes, 0, cells * sizeof(unsigned), stream));
+  make_parts<<<blocks_for_cells, threads_per_block, 0, stream>>>(cells, parents);
+  check_launch("make_parts");
+  if (grid.frame.has_levels)
+  {
+    const Cell_blocks blocks = find_blocks(grid, grid, 1, maximum_number_of_candidates,
+                                           workplace.scratch, stream);
+    join_touching_levels<<<blocks_for_cells, threads_per_block, 0, stream>>>(grid, blocks, parents);
+    check_launch("join_touching_levels");
+  }
+  else
+  {
+    join_touching_cells<<<blocks_for(Wide(cells) * number_of_rows_before), threads_per_block, 0,
+                          stream>>>(grid, parents);
+    check_launch("join_touching_cells");
+  }
+  count_points_of_parts<<<blocks_for_cells, threads_per_block, 0, stream>>>(grid, parents, sizes);
+  check_launch("count_points_of_parts");
+  keep_large_parts<<<blocks_for(rest.size), threads_per_block, 0, stream>>>(
+    grid, parents, sizes, median, share_of_median, list, is_kept);
+  check_launch("keep_large_parts");
+}
+
+} // namespace
+
+unsigned find_outliers(const Workplace& workplace, const Positions& positions,
+                       const double (&low)[3], const double (&high)[3], double radius,
+                       const Outlier_thresholds& thresholds, unsigned* kept)
+{
+  const Arena_scope scope(workplace.scratch);
+  Device_arena& scratch = workplace.scratch;
+  const Device_counter<unsigned> is_any_sparse_kept(workplace);
+  const Dense_points points = {scratch.take<unsigned char>(positions.size),
+                               scratch.take<unsigned char>(positions.size),
+                               scratch.take<unsigned>(positions.size), scratch.take<unsigned>(1),
+                               is_any_sparse_kept.address()};
+  find_dense_points(workplace, positions, low, high, radius, thresholds, points);
+  if (is_any_sparse_kept.read())
+    drop_points_that_fill_space(workplace, positions, low, high, radius,
+                                thresholds.volume_filling_ratio, points);
+  find_large_parts(workplace, positions, low, high, gap_of_parts * radius, points.median,
+                   thresholds.share_of_part, points.is_kept);
+  const unsigned number_of_kept = list_flagged(points.is_kept, positions.size, kept,
+                                               workplace.scratch, workplace.stream);
+  return number_of_kept > 0 ? positions.size - number_of_kept : 0;
+}
+
+} // namespace cuda
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL

@@ -1,0 +1,402 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "driver/Cuda_backend.cuh"
+
+#include <CGAL/L0_resampling/internal/kernels/share_of_extent.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+namespace cuda {
+
+namespace {
+
+Iteration iteration_report(const Minimization_parameters& p, const Turn& turn,
+                           std::size_t number_of_pairs, const Turn_result& result)
+{
+  const double unit = 1 / p.squared_radius;
+  return {turn.penalty,
+          result.fit_energy * unit,
+          result.regularization_energy * unit,
+          turn.penalty * result.squared_normal_misfit * unit,
+          p.normal_weight * square(p.sparsity_unit) * double(result.number_of_active_pairs) * unit,
+          number_of_pairs ? double(result.number_of_active_pairs) / double(number_of_pairs) : 0,
+          result.relative_residual,
+          result.solver_iterations,
+          turn.regularizes,
+          bool(result.converged)};
+}
+
+} // namespace
+
+void Cuda_backend::begin(const Plan& plan)
+{
+  m_input.positions.frame = m_box.frame;
+  m_turns = plan.minimization.turns();
+  m_results.resize(m_turns.size());
+  m_turn_results = m_session.arena.take<Turn_result>(m_results.size());
+  m_counts = m_session.arena.take<Sample_counts>(1);
+  CGAL_L0_CUDA_CHECK(cudaMemsetAsync(m_counts, 0, sizeof(Sample_counts), m_session.stream));
+  m_samples = take_samples(m_session.arena, unsigned(plan.number_of_samples),
+                           {plan.refines, m_input.positions.scales != nullptr, plan.keeps_spacings,
+                            m_session.hints != nullptr});
+  m_points_scope.emplace(m_session.arena);
+}
+
+// The points
+
+/// Takes the normals and hints of the points of the session that the positions list.
+void Cuda_backend::take_vectors_of_list()
+{
+  const Positions& positions = m_input.positions;
+  const auto taken = [&](const float* vectors) {
+    float* const listed = m_workplace.arena.take<float>(3 * std::size_t(positions.size));
+    take_listed(m_workplace, vectors, positions.list, positions.size, listed);
+    return listed;
+  };
+  if (m_session.normals)
+  {
+    m_input.normals = taken(m_session.normals);
+    m_input.all_normals_given = m_session.all_normals_given
+                                || !has_zero(m_workplace, m_input.normals, positions.size);
+  }
+  if (m_session.hints)
+    m_input.hints = taken(m_session.hints);
+}
+
+void Cuda_backend::drop_outliers(const Plan& plan)
+{
+  unsigned* const kept = m_workplace.arena.take<unsigned>(m_session.size);
+  const unsigned number_of_outliers =
+    find_outliers(m_workplace, m_input.positions, m_box.low, m_box.high, plan.radius,
+                  Outlier_thresholds(plan.outlier_sensitivity), kept);
+  m_report.number_of_outliers = number_of_outliers;
+  if (number_of_outliers == 0)
+    return;
+  m_input.positions.size -= number_of_outliers;
+  m_input.positions.list = kept;
+  take_vectors_of_list();
+}
+
+void Cuda_backend::build_grid_of_points(const Plan& plan)
+{
+  m_grid = build_grid(m_input.positions, m_input.normals,
+                      Cell_frame::around(m_box.low, m_box.high, plan.cell_size,
+                                         plan.longest_query(), m_input.positions.scales),
+                      m_workplace.arena, m_workplace.scratch, m_workplace.scratch,
+                      m_workplace.stream);
+}
+
+Cell_blocks Cuda_backend::blocks_of_points(const Plan& plan, double radius) const
+{
+  return find_blocks(m_grid, m_grid, cells_in_reach(radius, plan.cell_size),
+                     maximum_number_of_candidates, m_workplace.scratch, m_workplace.stream);
+}
+
+void Cuda_backend::sort_points(const Plan& plan)
+{
+  m_order_scope.emplace(m_workplace.scratch);
+  build_grid_of_points(plan);
+  m_report.number_of_distinct_points = m_grid.number_of_distinct;
+  unsigned number_of_kept;
+  if (const unsigned* const kept = thin_crowds(m_workplace, m_input.positions, m_grid,
+                                               number_of_kept, m_numbers_of_points))
+  {
+    m_input.positions.size = number_of_kept;
+    m_input.positions.list = kept;
+    take_vectors_of_list();
+    build_grid_of_points(plan);
+  }
+  m_normals = m_workplace.arena.take<float4>(m_grid.size);
+
+  m_filter.emplace(m_workplace, m_normals, m_grid.size);
+  m_filter->blocks = blocks_of_points(plan, plan.filter_radius);
+  // so that the last pass writes where they are to be
+  if ((plan.number_of_filter_passes + plan.number_of_refits) % 2 != 0)
+    std::swap(m_filter->normals, m_filter->filtered);
+}
+
+void Cuda_backend::estimate_pca_normals(const Plan& plan)
+{
+  const bool shares_blocks = cells_in_reach(plan.pca_radius, plan.cell_size)
+                             == cells_in_reach(plan.filter_radius, plan.cell_size);
+  m_report.number_of_degenerate_neighborhoods = cuda::estimate_pca_normals(
+    m_workplace, m_input.positions, m_grid,
+    shares_blocks ? m_filter->blocks : blocks_of_points(plan, plan.pca_radius), plan.pca_radius,
+    m_numbers_of_points, m_filter->normals);
+}
+
+void Cuda_backend::take_given_normals()
+{
+  if (m_input.normals)
+    cuda::take_given_normals(m_workplace, m_grid, m_input.normals, m_filter->normals);
+}
+
+void Cuda_backend::refit_normals(const Plan& plan)
+{
+  cuda::refit_normals(m_workplace, m_grid, m_filter->blocks, plan.filter_radius,
+                      float(plan.squared_bandwidth), float(plan.compatible_bandwidth),
+                      float(square(plan.sheet_height)), m_filter->normals, m_filter->filtered);
+  std::swap(m_filter->normals, m_filter->filtered);
+}
+
+void Cuda_backend::filter_normals(const Plan& plan, std::size_t pass)
+{
+  const bool is_last = pass + 1 == plan.number_of_filter_passes;
+  cuda::filter_normals(m_workplace, m_grid, m_filter->blocks, plan.filter_radius,
+                       float(plan.squared_bandwidth), float(plan.normal_bandwidth),
+                       m_filter->normals, m_filter->filtered,
+                       is_last ? m_filter->ball_counts.address() : nullptr);
+  std::swap(m_filter->normals, m_filter->filtered);
+}
+
+void Cuda_backend::weigh_density(const Plan& plan)
+{
+  const Device_counter<Ball_counts>& counts = m_filter->ball_counts;
+  if (plan.number_of_filter_passes == 0)
+    sum_up_input_density(m_workplace, m_grid, m_filter->blocks, plan.filter_radius,
+                         float(plan.squared_bandwidth), m_normals, counts.address());
+  invert_input_density(m_workplace, m_grid.size, plan.weighs_density ? counts.address() : nullptr,
+                       m_normals);
+  if (m_input.all_normals_given)
+    m_report.number_of_degenerate_neighborhoods = counts.read().sparse;
+  m_filter.reset();
+}
+
+// The first samples
+
+double Cuda_backend::total_area(const Plan& plan)
+{
+  m_areas_scope.emplace(m_workplace.arena);
+  m_areas = areas_of_points(m_workplace, m_grid, plan.area_radius(), m_samples.size);
+  return m_areas.total;
+}
+
+void Cuda_backend::choose_samples(const Plan& plan)
+{
+  const Sources_of_samples sources = {m_normals, plan.uses_areas ? &m_areas : nullptr,
+                                      plan.starts_evenly, m_input.hints, plan.spreading_radius()};
+  initialize_samples(m_workplace, m_input.positions, m_grid, sources, plan.radius,
+                     plan.sample_spacing, plan.random_seed, m_samples);
+  m_areas_scope.reset();
+  m_grid.forget_order();
+  m_order_scope.reset();
+  m_followers = take_followers(m_workplace, self_frame(plan, plan.self_cell_size()), m_samples);
+}
+
+/// \param scales of the samples, for cells that follow them; null for cells of one size
+Positions Cuda_backend::sample_positions(const float* scales) const
+{
+  return {m_samples.positions, m_samples.size, Frame(), true, nullptr, scales};
+}
+
+// Algorithm 1
+
+void Cuda_backend::collapse_fit_term(const Plan& plan)
+{
+  const Arena_scope scope(m_workplace.arena);
+  const Cell_grid sample_grid = build_grid(sample_positions(nullptr), nullptr, m_grid.frame,
+                                           m_workplace.arena, m_workplace.scratch,
+                                           m_workplace.stream);
+  const Cell_blocks blocks =
+    find_blocks(sample_grid, m_grid, cells_in_reach(plan.radius, plan.cell_size),
+                maximum_number_of_candidates, m_workplace.arena, m_workplace.stream);
+  cuda::collapse_fit_term(m_workplace, sample_grid, blocks, m_grid, m_normals, plan.radius,
+                          m_samples, m_followers.numbers_of_samples, m_counts);
+}
+
+/// Of the self neighbors, and of the samples that repel each other.
+double Cuda_backend::largest_range(const Plan& plan) const
+{
+  return spreads_wider(plan) ? plan.spreading_radius() : plan.self_neighbor_radius;
+}
+
+/// Whether the cells of the points serve the search of neighbors too.
+bool Cuda_backend::is_one_grid_enough(const Plan& plan) const
+{
+  return plan.refines && !m_samples.scales && !m_samples.spreading_radii
+         && largest_range(plan) <= plan.cell_size;
+}
+
+Cell_frame Cuda_backend::self_frame(const Plan& plan, double cell_size) const
+{
+  return Cell_frame::around(m_box.low, m_box.high, cell_size, largest_range(plan),
+                            m_samples.spreading_radii);
+}
+
+void Cuda_backend::sort_samples(const Plan& plan)
+{
+  m_neighborhood.reset();
+  m_neighborhood.emplace(m_workplace.arena);
+  Cell_grid& points = m_neighborhood->points;
+  points.size = m_samples.size;
+  points.frame = is_one_grid_enough(plan)
+                   ? m_grid.frame
+                   : self_frame(plan, m_samples.spreading_radii
+                                        ? plan.self_cell_size()
+                                        : (std::max)(largest_range(plan), plan.smallest_cell_size));
+  points.points = m_workplace.arena.take<int4>(points.size);
+
+  m_sample_grid_scope.emplace(m_workplace.scratch);
+  const Arena_scope order_scope(m_workplace.arena);
+  m_sample_grid = build_grid(sample_positions(m_samples.spreading_radii), nullptr, points.frame,
+                             m_workplace.scratch, m_workplace.arena, m_workplace.arena,
+                             m_workplace.stream);
+  reorder(m_workplace, m_sample_grid.order, m_samples);
+  m_sample_grid.forget_order();
+}
+
+void Cuda_backend::find_self_neighbors(const Plan& plan)
+{
+  Neighborhood& result = *m_neighborhood;
+  const Cell_grid& grid = m_sample_grid;
+  const auto copy = [&](int4* to, const int4* from) {
+    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(to, from, grid.size * sizeof(int4), cudaMemcpyDeviceToDevice,
+                                       m_workplace.stream));
+  };
+  const auto find_neighbors = [&](double radius, const float* scales) {
+    return cuda::find_self_neighbors(m_workplace, grid,
+                                     {float(radius), scales, m_samples.spreading_radii});
+  };
+  if (plan.refines)
+    result.places = m_workplace.arena.take<int4>(grid.size);
+  if (spreads_wider(plan))
+  {
+    copy(result.points.points, grid.points);
+    result.spreading = find_neighbors(plan.spreading_radius(), nullptr);
+    copy(result.places, grid.points);
+    copy(grid.points, result.points.points); // with their cells again
+  }
+  result.neighbors = find_neighbors(plan.self_neighbor_radius, m_samples.scales);
+  copy(result.points.points, grid.points);
+  if (plan.refines && !spreads_wider(plan))
+  {
+    copy(result.places, grid.points);
+    result.spreading = result.neighbors;
+  }
+  m_report.number_of_self_neighbor_pairs = result.neighbors.number_of_pairs;
+  m_sample_grid_scope.reset();
+}
+
+void Cuda_backend::minimize_once(const Plan& plan, const Turn& turn)
+{
+  m_numbers_of_pairs.push_back(m_neighborhood->neighbors.number_of_pairs);
+  const Arena_scope scope(m_workplace.scratch);
+  const Turn_arrays arrays = take_turn_arrays(m_workplace, m_samples.size);
+  Turn_result* const result = m_turn_results + turn.number;
+  cuda::minimize_once(m_workplace, plan.minimization, turn, m_neighborhood->neighbors,
+                      m_neighborhood->points, m_samples, arrays,
+                      turn.number > 0 ? result - 1 : nullptr, result);
+}
+
+// Algorithm 1 of the default method
+
+void Cuda_backend::fit_compatible_points(const Plan& plan, bool is_last)
+{
+  const Arena_scope scope(m_workplace.arena);
+  const auto fit = [&](const Cell_grid& sample_grid, bool is_in_order) {
+    const Cell_blocks blocks =
+      find_blocks(sample_grid, m_grid, cells_in_reach(plan.radius, plan.cell_size),
+                  maximum_number_of_candidates, m_workplace.arena, m_workplace.stream);
+    cuda::fit_compatible_points(m_workplace, sample_grid, is_in_order, blocks, m_grid, m_normals,
+                                plan.radius, square(plan.sheet_height), plan.compatible_bandwidth,
+                                m_samples, is_last ? &m_counts->lonely : nullptr);
+  };
+  if (m_sample_grid_scope && is_one_grid_enough(plan))
+    fit(m_sample_grid, true);
+  else
+    fit(build_grid(sample_positions(m_samples.scales), nullptr, m_grid.frame, m_workplace.arena,
+                   m_workplace.scratch, m_workplace.stream),
+        false);
+}
+
+void Cuda_backend::refit_sample_normals(const Plan& plan)
+{
+  cuda::refit_sample_normals(m_workplace,
+                             Sample_refit_kernel(plan.self_neighbor_radius, plan.refit_bandwidth),
+                             m_neighborhood->points, m_neighborhood->neighbors,
+                             number_of_sample_refits, m_samples);
+}
+
+void Cuda_backend::repel_tangentially(const Plan& plan)
+{
+  cuda::repel_tangentially(m_workplace, m_neighborhood->points, m_neighborhood->spreading,
+                           m_neighborhood->places, largest_range(plan), plan.sample_spacing,
+                           plan.radius, number_of_repulsion_steps, m_samples);
+}
+
+// The end
+
+void Cuda_backend::orient_normals(const Plan& plan)
+{
+  cuda::orient_normals(m_workplace, m_box.low, m_box.high,
+                       unsigned(plan.number_of_orientation_neighbors), plan.sample_spacing,
+                       side_hints(), m_samples, m_counts);
+}
+
+void Cuda_backend::project_to_local_quadrics(const Plan& plan)
+{
+  const double radius = quadric_radius_factor * plan.radius;
+  const Cell_frame frame = Cell_frame::around(m_box.low, m_box.high,
+                                              (std::max)(radius / 2, plan.smallest_cell_size),
+                                              radius, m_samples.scales);
+  cuda::project_to_local_quadrics(m_workplace, frame, radius, square(plan.sheet_height),
+                                  plan.compatible_bandwidth, m_samples);
+}
+
+void Cuda_backend::append_followers()
+{
+  m_number_of_leaders = m_samples.size;
+  cuda::append_followers(m_workplace, m_followers, m_samples);
+}
+
+void Cuda_backend::measure_extent(const Plan& plan)
+{
+  double result_extent[3], input_extent[3];
+  find_plain_extent(m_workplace, m_samples.positions, m_samples.size, result_extent);
+  for (int axis = 0; axis < 3; ++axis)
+    input_extent[axis] = m_session.extent.trimmed[axis] / plan.unit;
+  m_report.extent_share = share_of_extent(input_extent, plan.noise, result_extent,
+                                          plan.sample_spacing);
+}
+
+void Cuda_backend::end(const Plan& plan)
+{
+  // not before: the device would have nothing to do while the host takes them
+  const Sample_counts* const counts = m_session.scratch.fetch(m_counts, m_session.stream);
+  CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(m_results.data(), m_turn_results,
+                                     m_results.size() * sizeof(Turn_result), cudaMemcpyDeviceToHost,
+                                     m_session.stream));
+  m_stages.end();
+  m_report.number_of_lonely_samples = counts->lonely;
+  note_sides(*counts, m_number_of_leaders);
+
+  m_session.iterations.clear();
+  for (const Turn& turn : m_turns)
+  {
+    const Turn_result& result = m_results[turn.number];
+    if (!result.is_finite)
+      throw Failure(Status::NOT_FINITE,
+                    "The quadratic problem or its initial guess has values that are not finite.");
+    m_session.iterations.push_back(
+      iteration_report(plan.minimization, turn, m_numbers_of_pairs[turn.number], result));
+  }
+  m_report.iterations = m_session.iterations.data();
+  m_report.number_of_iterations = m_session.iterations.size();
+  m_session.positions = m_samples.positions;
+  m_session.sample_normals = reinterpret_cast<float*>(m_samples.fit);
+  m_session.side_confidences = m_samples.side_confidences;
+  m_session.sample_scales = m_samples.scales;
+  m_session.number_of_samples = unsigned(plan.number_of_samples);
+}
+
+} // namespace cuda
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL

@@ -1,0 +1,430 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_CUDA_STAGES_CUH
+#define CGAL_L0_CUDA_STAGES_CUH
+
+#include "search/Cell_grid.cuh"
+
+#include <CGAL/L0_resampling/internal/plan/Plan.h>
+#include <CGAL/L0_resampling/internal/device/cuda_interface.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+namespace cuda {
+
+/// Where a stage works: arrays that outlive it come from `arena`, the others from `scratch`.
+struct Workplace
+{
+  Device_arena& arena;
+  Device_arena& scratch;
+  cudaStream_t stream;
+  int number_of_multiprocessors;
+};
+
+/// A number on the device, or a struct of numbers, 0 at first, in the scratch arena.
+template <typename T>
+class Device_counter
+{
+  Device_arena& m_scratch;
+  T* m_value;
+  cudaStream_t m_stream;
+
+public:
+  explicit Device_counter(const Workplace& workplace)
+    : m_scratch(workplace.scratch), m_value(workplace.scratch.take<T>(1)),
+      m_stream(workplace.stream)
+  {
+    CGAL_L0_CUDA_CHECK(cudaMemsetAsync(m_value, 0, sizeof(T), m_stream));
+  }
+
+  T* address() const { return m_value; }
+
+  /// Waits for the device.
+  T read() const { return m_scratch.read(m_value, m_stream); }
+};
+
+/// Finds the points off the cloud, as `find_outliers()` on the CPU.
+/// \param low, high corners of the box of the points
+/// \param radius of the ball, at scale 1
+/// \param kept out, as many as there are positions: the indices of the others, ascending
+/// \returns the number of outliers; if it is 0, `kept` means nothing. Waits for the device
+unsigned find_outliers(const Workplace& workplace, const Positions& positions,
+                       const double (&low)[3], const double (&high)[3], double radius,
+                       const Outlier_thresholds& thresholds, unsigned* kept);
+
+/// Thins points where they crowd, as `thin_crowds()` on the CPU. Waits for the device.
+/// \param positions those that `grid` was built of
+/// \param size out: the number of points that are kept
+/// \param numbers_of_points out, on the device: how many points each one of these stands for
+/// \returns which points of the input are kept, in the order of the grid, from the arena; null for
+/// all
+const unsigned* thin_crowds(const Workplace& workplace, const Positions& positions,
+                            const Cell_grid& grid, unsigned& size,
+                            const unsigned*& numbers_of_points);
+
+/// The field of scales, read at the points.
+struct Scales_of_points
+{
+  const float* scales; // from the arena; null if all are 1
+  Range_of_scales range;
+};
+
+/// Estimates the field of scales, as `estimate_scale_field()` on the CPU. Waits for the device.
+/// \param extent of the points, outliers left out
+/// \param usual of the cloud
+Scales_of_points estimate_scale_field(const Workplace& workplace, const Positions& positions,
+                                      double extent, const Usual_scales& usual);
+
+// The normals of the input, Section 3.1. They are float4; the fourth number is the density weight
+// 1/v_j in the end.
+
+/// Fits planes to the points in balls of `radius`, and in larger ones where that determines none.
+/// \param positions those that `grid` was built of
+/// \param numbers_of_points how many points of the input each one stands for; null if only for
+/// itself
+/// \returns the number of points of the input whose first ball spans no plane
+std::size_t estimate_pca_normals(const Workplace& workplace, const Positions& positions,
+                                 const Cell_grid& grid, const Cell_blocks& blocks, double radius,
+                                 const unsigned* numbers_of_points, float4* normals);
+
+/// Puts given normals in the order of the grid, in place of those of `normals`, where they are not
+/// zero.
+/// \param normals in and out
+void take_given_normals(const Workplace& workplace, const Cell_grid& grid,
+                        const float* given_normals, float4* normals);
+
+/// Takes some of a list of vectors.
+/// \param list `size` indices
+void take_listed(const Workplace& workplace, const float* vectors, const unsigned* list,
+                 unsigned size, float* taken);
+
+/// Whether one of the vectors is zero; waits for the device.
+bool has_zero(const Workplace& workplace, const float* vectors, unsigned size);
+
+/// What the balls of Eq. (5) hold, counted on the device.
+struct Ball_counts
+{
+  unsigned long long neighbors; // of all points
+  unsigned long long sparse;    // balls that hold fewer than `fewest_points_of_plane` points
+};
+
+/// Eq. (1), (2) for all points, once.
+/// \param counts out, on the device, if not null: the balls are counted, and the sum of Eq. (5)
+/// goes to the fourth number of each normal
+void filter_normals(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks,
+                    double radius, float squared_bandwidth, float normal_bandwidth,
+                    const float4* normals, float4* filtered, Ball_counts* counts);
+
+/// Corrects filtered normals by the positions, as `refit_normals()` on the CPU.
+void refit_normals(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks,
+                   double radius, float squared_bandwidth, float normal_bandwidth,
+                   float squared_sheet_height, const float4* normals, float4* refitted);
+
+/// The sums of Eq. (5), as `filter_normals()`, where no pass of the filter is run.
+void sum_up_input_density(const Workplace& workplace, const Cell_grid& grid,
+                          const Cell_blocks& blocks, double radius, float squared_bandwidth,
+                          float4* normals, Ball_counts* counts);
+
+/// Eq. (5) for the input: turns the sums of Eq. (5) into 1/v_j.
+/// \param counts null where sparse points shall not count more than dense ones: all are 1 then
+void invert_input_density(const Workplace& workplace, unsigned size, const Ball_counts* counts,
+                          float4* normals);
+
+/// The areas of the surface that points stand for, as `areas_of_points()` on the CPU, to the bit.
+struct Areas
+{
+  const unsigned long long* of_cells; // units of what each point of a cell stands for
+  double area_per_unit;
+  double total; // of all points
+};
+
+/// Waits for the device. The areas are taken from the arena.
+/// \param radius of the disk that the points in a ball share
+Areas areas_of_points(const Workplace& workplace, const Cell_grid& grid, double radius,
+                      unsigned number_of_samples);
+
+/// S, and what the fit term of Eq. (6) ties it to.
+struct Samples
+{
+  unsigned size = 0;
+  double* positions = nullptr;                 // xyz interleaved, in the frame
+  float4* normals = nullptr;                   // and a number that a stage may use
+  float4* fit = nullptr;                       // from the sample to c_i, and W_i
+  Short_vector* outward = nullptr;             // as on the CPU; default method only
+  unsigned char* are_support_points = nullptr; // as on the CPU; default method only
+  float* scales = nullptr;                     // as on the CPU: null if all are 1
+  float* spreading_radii = nullptr;  // as on the CPU: null unless the density of the input is kept
+  float4* hints = nullptr;           // as on the CPU: null if the caller has none
+  unsigned* start_indices = nullptr; // as on the CPU: null if no samples follow others
+  float* side_confidences = nullptr; // how sure the sides are, once they are chosen
+
+#ifdef __CUDACC__
+  __device__ float scale(unsigned i) const { return Scales_view{scales}[i]; }
+#endif
+};
+
+/// Samples that start close to a crowd of others and are not worked on, as on the CPU.
+struct Followers
+{
+  unsigned size = 0;
+  unsigned* leaders = nullptr;            // of each follower, by the first order of the samples
+  double* offsets = nullptr;              // from there to the follower, xyz interleaved
+  unsigned* numbers_of_samples = nullptr; // of each leader, itself included; null without followers
+};
+
+/// Leaves out the samples of crowds but for a few, which the others follow. Waits for the device.
+/// \param frame of cells of the radius of the self neighbors, or of levels of spreading radii
+/// \returns arrays from the scratch arena
+Followers take_followers(const Workplace& workplace, const Cell_frame& frame, Samples& samples);
+
+/// Appends the positions of the followers, and what the result has of each point beside.
+void append_followers(const Workplace& workplace, const Followers& followers, Samples& samples);
+
+/// How many of the samples are so, counted on the device.
+struct Sample_counts
+{
+  unsigned lonely; // without an original neighbor, or without a compatible one in the last fit
+  unsigned oriented, hinted; // surely, and as hints say
+  Wide confidence;           // the sum over the samples, in `units_per_confidence`
+
+  /// Confidences, and winding numbers, are added up in fixed point.
+  static constexpr double units_per_confidence = 1 << 30;
+};
+
+/// What samples may have beside positions, normals and fit.
+struct Kinds_of_sample_data
+{
+  bool of_default_method, scales, spreading_radii, hints;
+};
+
+Samples take_samples(Device_arena& arena, unsigned size, const Kinds_of_sample_data& kinds);
+
+/// Puts sample `order[i]` in place `i`; outward directions are forgotten.
+void reorder(const Workplace& workplace, const unsigned* order, const Samples& samples);
+
+/// Keeps those samples only that are listed, in the order of the list.
+void keep_listed(const Workplace& workplace, const unsigned* list, unsigned size, Samples& samples);
+
+/// What the points hand on to the samples that start on them.
+struct Sources_of_samples
+{
+  const float4* normals;
+  const Areas* areas;  // null for none
+  bool spreads_evenly; // by area, if there are areas, and not as the points do
+  const float* hints;  // in the order of the input, xyz interleaved; null for none
+  double largest_spreading_radius;
+};
+
+/// The first S, chosen as the CPU chooses it.
+/// \param spacing of an even set of samples
+void initialize_samples(const Workplace& workplace, const Positions& positions,
+                        const Cell_grid& grid, const Sources_of_samples& points, double radius,
+                        double spacing, std::size_t seed, const Samples& samples);
+
+/// The fit term of LOR and ALOR: weight and centroid of the original neighbors.
+/// \param blocks of `grid` around the cells of `sample_grid`
+/// \param numbers_of_samples how many samples each one stands for; null if only for itself
+/// \param counts out, on the device; 0 at first
+void collapse_fit_term(const Workplace& workplace, const Cell_grid& sample_grid,
+                       const Cell_blocks& blocks, const Cell_grid& grid, const float4* normals,
+                       double radius, const Samples& samples, const unsigned* numbers_of_samples,
+                       Sample_counts* counts);
+
+/// As `Range_of_pairs` on the CPU, in `float`.
+struct Range_of_pairs
+{
+  float radius;
+  const float *scales, *spreading_radii; // null for none
+
+#ifdef __CUDACC__
+  __device__ bool is_one_for_all() const { return !scales && !spreading_radii; }
+  __device__ float scale(unsigned i) const { return Scales_view{scales}[i]; }
+
+  /// How far away a neighbor of the sample may be.
+  __device__ float limit(unsigned i) const
+  {
+    const float of_scale = scales ? fminf(radius, scales[i]) : radius;
+    return spreading_radii ? fminf(of_scale, spreading_radii[i]) : of_scale;
+  }
+  /// \param limit_i, limit_k of the samples of the pair
+  __device__ static float squared(float limit_i, float limit_k)
+  {
+    const float range = fminf(limit_i, limit_k);
+    return range * range;
+  }
+#endif
+};
+
+/// The self neighbors in compressed rows. Where the row of a sample begins stands in the fourth
+/// number of its point, in place of the cell.
+struct Neighbor_lists
+{
+  unsigned* indices = nullptr;
+  std::size_t number_of_pairs = 0;
+
+#ifdef __CUDACC__
+  /// The place of the first pair of sample i, and that behind its last.
+  __device__ uint2 row(const int4* points, unsigned size, unsigned i) const
+  {
+    return {unsigned(points[i].w),
+            i + 1 < size ? unsigned(points[i + 1].w) : unsigned(number_of_pairs)};
+  }
+#endif
+};
+
+/// Waits for the device. The lists are taken from the arena; the points of the grid lose their
+/// cells.
+/// \param range_of of the samples, in the order of the grid
+Neighbor_lists find_self_neighbors(const Workplace& workplace, const Cell_grid& grid,
+                                   const Range_of_pairs& range_of);
+
+/// What a turn of Algorithm 1 leaves on the device.
+struct Turn_result
+{
+  double fit_energy, regularization_energy, squared_normal_misfit;
+  unsigned long long number_of_active_pairs;
+  double right_hand_side_scale; // largest norm of a right-hand side, of this turn and those before
+  double relative_residual;     // to that
+  unsigned solver_iterations, converged;
+  unsigned long long is_finite; // as long, so that there is no gap in what is copied
+};
+
+/// One vector a sample, each coordinate by itself, so that neighboring threads read neighboring
+/// numbers.
+struct Vectors
+{
+  float* values;
+  unsigned size;
+
+#ifdef __CUDACC__
+  __device__ float3 get(unsigned i) const
+  {
+    return {values[i], values[std::size_t(size) + i], values[2 * std::size_t(size) + i]};
+  }
+  __device__ void set(unsigned i, float3 v) const
+  {
+    values[i] = v.x;
+    values[std::size_t(size) + i] = v.y;
+    values[2 * std::size_t(size) + i] = v.z;
+  }
+#endif
+};
+
+/// The arrays of a turn; they keep their place from turn to turn.
+struct Turn_arrays
+{
+  float4* directions[2]; // of this step and of the next
+  Vectors r;
+  float* blocks;
+  double* partial_sums;
+};
+
+/// From the scratch arena.
+Turn_arrays take_turn_arrays(const Workplace& workplace, unsigned number_of_samples);
+
+/// One turn of Algorithm 1: moves the samples, in `samples` and in the points of `grid`, to the
+/// minimum of Eq. (10).
+/// \param samples in the order of `grid`
+/// \param last_result of the turn before this one, on the device; null if there is none
+void minimize_once(const Workplace& workplace, const Minimization_parameters& parameters,
+                   const Turn& of_plan, const Neighbor_lists& neighbors, const Cell_grid& grid,
+                   const Samples& samples, const Turn_arrays& arrays,
+                   const Turn_result* last_result, Turn_result* result);
+
+// The default method
+
+/// The fit to compatible points; normals of the samples change, and have the variance of the fit as
+/// their fourth number.
+/// \param sample_grid of the same cells as `grid`
+/// \param is_in_order whether the samples are in the order of their grid
+/// \param number_of_lonely in and out, on the device, if not null: the samples without compatible
+/// points add up
+void fit_compatible_points(const Workplace& workplace, const Cell_grid& sample_grid,
+                           bool is_in_order, const Cell_blocks& blocks, const Cell_grid& grid,
+                           const float4* normals, double radius, double squared_sheet_height,
+                           double normal_bandwidth, const Samples& samples,
+                           unsigned* number_of_lonely);
+
+/// Corrects the normals of the samples by their positions, as `refit_sample_normals()` on the CPU.
+/// \param sample_grid that the neighbors were found in; its points may have moved, and be used up
+/// \param samples with the variances of the fit
+void refit_sample_normals(const Workplace& workplace, const Sample_refit_kernel& kernel,
+                          const Cell_grid& sample_grid, const Neighbor_lists& neighbors,
+                          std::size_t number_of_passes, const Samples& samples);
+
+/// Spreads the samples within the surface, by steps that the radius of the fit limits. The points
+/// of the grid are used up.
+/// \param places the points of the grid when the neighbors were found
+/// \param range of the neighbors, there
+void repel_tangentially(const Workplace& workplace, const Cell_grid& sample_grid,
+                        const Neighbor_lists& neighbors, const int4* places, double range,
+                        double spacing, double radius, std::size_t number_of_steps,
+                        const Samples& samples);
+
+/// Moves the samples to what they were fitted to.
+void take_fitted_positions(const Workplace& workplace, const Samples& samples);
+
+/// Moves the samples onto quadrics, as `project_to_local_quadrics()` on the CPU. Waits for the
+/// device.
+/// \param frame of cells half as large as the ball
+/// \param radius of the ball
+/// \param samples with the variances of the fit
+void project_to_local_quadrics(const Workplace& workplace, const Cell_frame& frame, double radius,
+                               double squared_sheet_height, double normal_bandwidth,
+                               const Samples& samples);
+
+/// What the caller says of the sides that normals point to, as on the CPU. Samples may have hints
+/// of their own besides.
+struct Side_hints
+{
+  bool has_viewpoint;  // of all samples
+  Viewpoint viewpoint; // in the frame
+  bool are_viewpoints; // whether this, or what the samples have, is what they were seen from
+
+#ifdef __CUDACC__
+  /// A unit vector, or zero.
+  __device__ double3 direction_of(const Samples& samples, std::size_t i) const
+  {
+    if (samples.hints)
+      return to_double(xyz(samples.hints[i]));
+    if (!has_viewpoint)
+      return {0, 0, 0};
+    double direction[3];
+    viewpoint.find_direction(samples.positions + 3 * i, direction);
+    return {direction[0], direction[1], direction[2]};
+  }
+
+  __device__ int certain_side_of(const Samples& samples, std::size_t i) const
+  {
+    return are_viewpoints
+             ? certain_side(dot(to_double(xyz(samples.normals[i])), direction_of(samples, i)))
+             : 0;
+  }
+#endif
+};
+
+/// Turns the normals of the samples to one side: that of viewpoints and hints where these are
+/// clear, else outwards.
+/// \param low, high corners of a box that holds the samples, but for a few
+/// \param counts out, on the device: what `orient_normals()` on the CPU returns; 0 at first
+void orient_normals(const Workplace& workplace, const double (&low)[3], const double (&high)[3],
+                    unsigned number_of_neighbors, double spacing, const Side_hints& hints,
+                    const Samples& samples, Sample_counts* counts);
+
+/// Takes the positions of the samples out of the frame, and puts their normals, xyz interleaved, in
+/// the place of the fit.
+void leave_frame(const Workplace& workplace, const Frame& frame, const Samples& samples);
+
+} // namespace cuda
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_CUDA_STAGES_CUH

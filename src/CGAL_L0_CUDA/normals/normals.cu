@@ -1,0 +1,412 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "search/Query.cuh"
+#include "kernels/Plane_fit.cuh"
+#include "cloud/plane_fits.cuh"
+#include "driver/stages.cuh"
+
+#include <CGAL/L0_resampling/internal/core/weights.h>
+
+#include <cmath>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+namespace cuda {
+
+namespace {
+
+__device__ Plane_fit fit_plane(int4 center, const Cell_grid& grid, const Cell_blocks& blocks,
+                               unsigned lane, float radius)
+{
+  const float unit = grid.frame.unit(), squared_radius = radius * radius;
+  Moments moments;
+  for_each_candidate(grid, blocks, center, lane, radius, [&](unsigned, const int4& point) {
+    const float3 d = difference(point, center, unit);
+    if (dot(d, d) < squared_radius)
+      moments.add(d);
+  });
+  moments.sum_over_group<lanes>();
+  return moments.plane(squared_radius);
+}
+
+__global__ void fit_planes(Cell_grid grid, Cell_blocks blocks, float radius, float4* normals,
+                           unsigned char* is_degenerate)
+{
+  const Query query(grid.size);
+  const int4 center = grid.points[query.index];
+  const Plane_fit fit = fit_plane(center, grid, blocks, query.lane,
+                                  radius * grid.scale(query.index));
+  if (!query.writes)
+    return;
+  normals[query.index] = with_w(fit.normal, 0);
+  is_degenerate[query.index] = !fit.spans_plane;
+}
+
+/// \param open points without a plane so far, in the order of the fine grid
+/// \param places of the points of the fine grid in the coarse one
+__global__ void refit_planes(Cell_grid coarse_grid, Cell_blocks blocks, const unsigned* places,
+                             float radius, const unsigned* open, unsigned number_of_open,
+                             float4* normals, unsigned char* is_degenerate)
+{
+  const Query query(number_of_open);
+  const unsigned i = open[query.index];
+  const int4 center = coarse_grid.points[places[i]];
+  const Plane_fit fit = fit_plane(center, coarse_grid, blocks, query.lane,
+                                  radius * coarse_grid.scale(places[i]));
+  if (!query.writes)
+    return;
+  normals[i] = with_w(fit.normal, 0);
+  is_degenerate[i] = !fit.spans_plane;
+}
+
+__global__ void invert_order(const unsigned* order, unsigned size, unsigned* places)
+{
+  const unsigned long long i = thread_index();
+  if (i < size)
+    places[order[i]] = unsigned(i);
+}
+
+/// places[i] becomes the place of the i-th point of another order
+__global__ void compose(const unsigned* places, const unsigned* order, unsigned size,
+                        unsigned* composed)
+{
+  const unsigned long long i = thread_index();
+  if (i < size)
+    composed[i] = places[order[i]];
+}
+
+__global__ void gather_given_normals(const float* given, const unsigned* order, unsigned size,
+                                     float4* normals)
+{
+  const unsigned long long i = thread_index();
+  if (i >= size)
+    return;
+  const float* const n = given + 3 * (unsigned long long)(order[i]);
+  if (n[0] != 0 || n[1] != 0 || n[2] != 0)
+    normals[i] = make_float4(n[0], n[1], n[2], 0);
+}
+
+__global__ void take_listed_vectors(const float* vectors, const unsigned* list, unsigned size,
+                                    float* taken)
+{
+  const unsigned long long i = thread_index();
+  if (i < size)
+    for (int axis = 0; axis < 3; ++axis)
+      taken[3 * i + unsigned(axis)] = vectors[3 * (unsigned long long)(list[i]) + unsigned(axis)];
+}
+
+__global__ void count_zeros(const float* vectors, unsigned size, unsigned* count)
+{
+  const unsigned long long i = thread_index();
+  if (i < size && vectors[3 * i] == 0 && vectors[3 * i + 1] == 0 && vectors[3 * i + 2] == 0)
+    atomicAdd(count, 1u);
+}
+
+/// Adds up integers over a block of threads, so that the order of the additions does not matter.
+__device__ void add_over_block(unsigned long long value, unsigned long long* total)
+{
+  __shared__ unsigned long long of_block;
+  if (threadIdx.x == 0)
+    of_block = 0;
+  __syncthreads();
+  if (value > 0)
+    atomicAdd(&of_block, value);
+  __syncthreads();
+  if (threadIdx.x == 0 && of_block > 0)
+    atomicAdd(total, of_block);
+}
+
+/// The sum of Eq. (5) over a ball, and how many points it has.
+struct Density
+{
+  float count = 0, sum = 0;
+
+  __device__ void add(bool is_inside, float squared_distance, float squared_bandwidth)
+  {
+    count += is_inside ? 1.f : 0.f;
+    sum += is_inside ? gaussian_weight(squared_distance, squared_bandwidth) : 0.f;
+  }
+
+  /// Without the point itself, for all threads of a block at once; the counts add up.
+  /// \param stride of the candidates: thinning may have left the point itself out
+  __device__ float finish(bool writes, unsigned stride, Ball_counts* counts)
+  {
+    count = group_sum<lanes>(count);
+    sum = group_sum<lanes>(sum);
+    const float self = count > 0 ? 1.f : 0.f;
+    const unsigned long long others = (unsigned long long)(count - self) * stride;
+    add_over_block(writes ? others : 0, &counts->neighbors);
+    add_over_block(writes && others + 1 < fewest_points_of_plane ? 1 : 0, &counts->sparse);
+    return fmaxf(0, sum - self) * float(stride);
+  }
+};
+
+/// Eq. (1): the mean of the normals in the ball, each turned to the side of the point's own first.
+/// With `with_density`, the sum of Eq. (5), too, goes to the fourth number of the normal.
+/// \param squared_radius, squared_bandwidth `in_squared_units()`
+template <bool with_density>
+__global__ void filter_normals_kernel(Cell_grid grid, Cell_blocks blocks, float radius,
+                                      float squared_radius, float squared_bandwidth,
+                                      float normal_bandwidth, const float4* normals,
+                                      float4* filtered, Ball_counts* counts)
+{
+  const Query query(grid.size);
+  const int4 center = grid.points[query.index];
+  const float3 normal = xyz(normals[query.index]);
+  const float scale = grid.scale(query.index), squared_scale = scale * scale;
+  radius *= scale;
+  squared_radius *= squared_scale;
+  squared_bandwidth *= squared_scale;
+  float3 sum = {0, 0, 0};
+  Density density;
+  for_each_candidate(grid, blocks, center, query.lane, radius, [&](unsigned j, const int4& point) {
+    const float3 d = difference(point, center, 1);
+    const float squared_distance = dot(d, d);
+    const bool is_inside = squared_distance < squared_radius;
+    const float3 other = xyz(normals[j]);
+    const float cosine = dot(normal, other);
+    const float weight = bilateral_weight(squared_distance, squared_bandwidth, cosine,
+                                          normal_bandwidth);
+    sum += (is_inside ? with_sign_of(cosine, weight) : 0.f) * other;
+    if constexpr (with_density)
+      density.add(is_inside, squared_distance, squared_bandwidth);
+  });
+  sum = group_sum<lanes>(sum);
+  float of_density = 0;
+  if constexpr (with_density)
+    of_density = density.finish(query.writes, blocks.centers[center.w].stride, counts);
+  if (!query.writes)
+    return;
+  const double3 mean = to_double(sum);
+  const double length = sqrt(dot(mean, mean));
+  filtered[query.index] = with_w(length > 1e-3 ? to_float((1 / length) * mean) : normal,
+                                 of_density);
+}
+
+/// As `refitted_normal()` on the CPU.
+__global__ void refit_normals_kernel(Cell_grid grid, Cell_blocks blocks, float radius,
+                                     float squared_bandwidth, float normal_bandwidth,
+                                     float squared_sheet_height, const float4* normals,
+                                     float4* refitted)
+{
+  const Query query(grid.size);
+  const int4 center = grid.points[query.index];
+  const float3 normal = xyz(normals[query.index]);
+  const float scale = grid.scale(query.index), squared_scale = scale * scale;
+  radius *= scale;
+  squared_bandwidth *= squared_scale;
+  squared_sheet_height *= squared_scale;
+  const float unit = grid.frame.unit(), squared_radius = radius * radius;
+  Moments moments;
+  for_each_candidate(grid, blocks, center, query.lane, radius, [&](unsigned j, const int4& point) {
+    const float3 d = difference(point, center, unit);
+    const float squared_distance = dot(d, d);
+    const float3 other = xyz(normals[j]);
+    const float cosine = dot(normal, other);
+    const float height = symmetric_height(dot(d, normal),
+                                          with_sign_of(cosine, 1.f) * dot(d, other));
+    const float weight = sheet_weight(squared_distance, squared_bandwidth, cosine, normal_bandwidth,
+                                      height, squared_sheet_height);
+    moments.add(d, squared_distance < squared_radius ? weight : 0);
+  });
+  moments.sum_over_group<lanes>();
+  if (!query.writes)
+    return;
+  const Triple result = halfway_to_plane(moments.all(), {normal.x, normal.y, normal.z});
+  refitted[query.index] = with_w(to_float(result), 0);
+}
+
+/// The sum of Eq. (5) without the point itself, to the fourth number of its normal; the balls are
+/// counted.
+/// \param squared_radius, squared_bandwidth `in_squared_units()`
+__global__ void sum_up_density(Cell_grid grid, Cell_blocks blocks, float radius,
+                               float squared_radius, float squared_bandwidth, float4* normals,
+                               Ball_counts* counts)
+{
+  const Query query(grid.size);
+  const int4 center = grid.points[query.index];
+  const float scale = grid.scale(query.index), squared_scale = scale * scale;
+  radius *= scale;
+  squared_radius *= squared_scale;
+  squared_bandwidth *= squared_scale;
+  Density density;
+  for_each_candidate(grid, blocks, center, query.lane, radius, [&](unsigned, const int4& point) {
+    const float3 d = difference(point, center, 1);
+    const float squared_distance = dot(d, d);
+    density.add(squared_distance < squared_radius, squared_distance, squared_bandwidth);
+  });
+  const float sum = density.finish(query.writes, blocks.centers[center.w].stride, counts);
+  if (query.writes)
+    normals[query.index].w = sum;
+}
+
+/// \param counts null where density shall not count
+__global__ void invert_density(unsigned size, const Ball_counts* counts, float4* normals)
+{
+  const unsigned long long i = thread_index();
+  const float mean_number_of_neighbors = counts ? float(double(counts->neighbors) / double(size))
+                                                : 0;
+  if (i < size)
+    normals[i].w = mean_number_of_neighbors > 0 ? 1 / (1 + normals[i].w / mean_number_of_neighbors)
+                                                : 1;
+}
+
+__global__ void sum_listed(const unsigned* numbers, const unsigned* list, unsigned size,
+                           unsigned long long* sum)
+{
+  const unsigned long long i = thread_index();
+  if (i < size)
+    atomicAdd(sum, (unsigned long long)(numbers[list[i]]));
+}
+
+/// A squared length in units of the fixed-point numbers, so that a kernel need not multiply all
+/// differences by the unit. That is a power of two: the results are the same.
+float in_squared_units(const Cell_grid& grid, float squared_length)
+{
+  return squared_length / (grid.frame.unit() * grid.frame.unit());
+}
+
+} // namespace
+
+std::size_t estimate_pca_normals(const Workplace& workplace, const Positions& positions,
+                                 const Cell_grid& grid, const Cell_blocks& blocks, double radius,
+                                 const unsigned* numbers_of_points, float4* normals)
+{
+  const int number_of_doublings = 10;
+  // For so few points, and as long as there are not too many cells to look into, a coarser grid of
+  // all points would cost more.
+  const unsigned largest_number_of_single_queries = 10000;
+  const int largest_reach = 16;
+  const unsigned n = grid.size;
+  const cudaStream_t stream = workplace.stream;
+  const Arena_scope scope(workplace.scratch);
+  unsigned char* const is_degenerate = workplace.scratch.take<unsigned char>(n);
+  fit_planes<<<blocks_for_queries(n), threads_per_block, 0, stream>>>(grid, blocks, float(radius),
+                                                                      normals, is_degenerate);
+  check_launch("fit_planes");
+
+  // Few points in a healthy cloud, which meet coarser and coarser grids.
+  unsigned* const open = workplace.scratch.take<unsigned>(n);
+  unsigned number_of_open = list_flagged(is_degenerate, n, open, workplace.scratch, stream);
+  if (number_of_open == 0)
+    return 0;
+  std::size_t number_of_degenerate = number_of_open;
+  if (numbers_of_points)
+  {
+    const Device_counter<unsigned long long> sum(workplace);
+    sum_listed<<<blocks_for(number_of_open), threads_per_block, 0, stream>>>(
+      numbers_of_points, open, number_of_open, sum.address());
+    check_launch("sum_listed");
+    number_of_degenerate = sum.read();
+  }
+
+  unsigned* const places = workplace.scratch.take<unsigned>(n);
+  unsigned* const coarse_places = workplace.scratch.take<unsigned>(n);
+  for (int doubling = 1; doubling <= number_of_doublings && number_of_open > 0;
+       ++doubling, number_of_open = list_flagged(is_degenerate, n, open, workplace.scratch, stream))
+  {
+    const double coarse_radius = std::ldexp(radius, doubling);
+    if (number_of_open <= largest_number_of_single_queries && !grid.scales
+        && cells_in_reach(coarse_radius, grid.frame.cell_size) <= largest_reach)
+    {
+      refit_planes_of(workplace, grid, open, number_of_open, coarse_radius, normals, is_degenerate);
+      continue;
+    }
+    const Arena_scope coarse_scope(workplace.arena);
+    double low[3], high[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      low[axis] = grid.frame.low[axis];
+      high[axis] = grid.frame.high[axis];
+    }
+    const Cell_grid coarse_grid =
+      build_grid(positions, nullptr,
+                 Cell_frame::around(low, high, coarse_radius, coarse_radius, grid.frame.has_levels),
+                 workplace.arena, workplace.scratch, stream);
+    const Cell_blocks coarse_blocks = find_blocks(
+      coarse_grid, coarse_grid, 1, maximum_number_of_candidates, workplace.arena, stream);
+    invert_order<<<blocks_for(n), threads_per_block, 0, stream>>>(coarse_grid.order, n, places);
+    check_launch("invert_order");
+    compose<<<blocks_for(n), threads_per_block, 0, stream>>>(places, grid.order, n, coarse_places);
+    check_launch("compose");
+    refit_planes<<<blocks_for_queries(number_of_open), threads_per_block, 0, stream>>>(
+      coarse_grid, coarse_blocks, coarse_places, float(coarse_radius), open, number_of_open,
+      normals, is_degenerate);
+    check_launch("refit_planes");
+  }
+  return number_of_degenerate;
+}
+
+void take_listed(const Workplace& workplace, const float* vectors, const unsigned* list,
+                 unsigned size, float* taken)
+{
+  take_listed_vectors<<<blocks_for(size), threads_per_block, 0, workplace.stream>>>(vectors, list,
+                                                                                    size, taken);
+  check_launch("take_listed_vectors");
+}
+
+bool has_zero(const Workplace& workplace, const float* vectors, unsigned size)
+{
+  const Arena_scope scope(workplace.scratch);
+  const Device_counter<unsigned> counter(workplace);
+  count_zeros<<<blocks_for(size), threads_per_block, 0, workplace.stream>>>(vectors, size,
+                                                                            counter.address());
+  check_launch("count_zeros");
+  return counter.read() > 0;
+}
+
+void take_given_normals(const Workplace& workplace, const Cell_grid& grid,
+                        const float* given_normals, float4* normals)
+{
+  gather_given_normals<<<blocks_for(grid.size), threads_per_block, 0, workplace.stream>>>(
+    given_normals, grid.order, grid.size, normals);
+  check_launch("gather_given_normals");
+}
+
+void filter_normals(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks,
+                    double radius, float squared_bandwidth, float normal_bandwidth,
+                    const float4* normals, float4* filtered, Ball_counts* counts)
+{
+  const auto kernel = counts ? filter_normals_kernel<true> : filter_normals_kernel<false>;
+  kernel<<<blocks_for_queries(grid.size), threads_per_block, 0, workplace.stream>>>(
+    grid, blocks, float(radius), in_squared_units(grid, float(radius) * float(radius)),
+    in_squared_units(grid, squared_bandwidth), normal_bandwidth, normals, filtered, counts);
+  check_launch("filter_normals_kernel");
+}
+
+void refit_normals(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks,
+                   double radius, float squared_bandwidth, float normal_bandwidth,
+                   float squared_sheet_height, const float4* normals, float4* refitted)
+{
+  refit_normals_kernel<<<blocks_for_queries(grid.size), threads_per_block, 0, workplace.stream>>>(
+    grid, blocks, float(radius), squared_bandwidth, normal_bandwidth, squared_sheet_height, normals,
+    refitted);
+  check_launch("refit_normals_kernel");
+}
+
+void sum_up_input_density(const Workplace& workplace, const Cell_grid& grid,
+                          const Cell_blocks& blocks, double radius, float squared_bandwidth,
+                          float4* normals, Ball_counts* counts)
+{
+  sum_up_density<<<blocks_for_queries(grid.size), threads_per_block, 0, workplace.stream>>>(
+    grid, blocks, float(radius), in_squared_units(grid, float(radius) * float(radius)),
+    in_squared_units(grid, squared_bandwidth), normals, counts);
+  check_launch("sum_up_density");
+}
+
+void invert_input_density(const Workplace& workplace, unsigned size, const Ball_counts* counts,
+                          float4* normals)
+{
+  invert_density<<<blocks_for(size), threads_per_block, 0, workplace.stream>>>(size, counts,
+                                                                               normals);
+  check_launch("invert_density");
+}
+
+} // namespace cuda
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL

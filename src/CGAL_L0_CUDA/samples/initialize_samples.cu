@@ -1,0 +1,403 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "search/Query.cuh"
+#include "driver/stages.cuh"
+
+#include <CGAL/L0_resampling/internal/kernels/exact_ball.h>
+#include <CGAL/L0_resampling/internal/core/random_bits.h>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+namespace cuda {
+
+namespace {
+
+/// Some of the numbers from 0 on, ascending; `list` is null where they are the first `size`.
+struct Some
+{
+  const unsigned* list;
+  unsigned size;
+
+  __device__ unsigned operator[](Wide k) const { return list ? list[k] : unsigned(k); }
+};
+
+/// Where samples start, by the numbers of distinct points: on a point, or between it and another.
+struct Sources
+{
+  Some on_points, between_points;
+};
+
+// Samples shared out by points
+
+/// One of each run of nearly equal length, as `pick_one_of_each_run()` on the CPU.
+__global__ void pick_one_of_each_run(unsigned number_of_distinct, unsigned number_of_samples,
+                                     Wide seed, unsigned* picked)
+{
+  const Wide k = thread_index();
+  if (k >= number_of_samples)
+    return;
+  const Wide begin = k * number_of_distinct / number_of_samples,
+             end = (k + 1) * number_of_distinct / number_of_samples;
+  picked[k] = unsigned(begin + random_bits(seed, k) % (end - begin));
+}
+
+__global__ void spread_evenly(unsigned number_of_distinct, unsigned number_of_new,
+                              unsigned* sources)
+{
+  const Wide e = thread_index();
+  if (e < number_of_new)
+    sources[e] = unsigned(e * number_of_distinct / number_of_new);
+}
+
+/// As `sources_by_points()` on the CPU.
+Sources sources_by_points(const Workplace& workplace, unsigned number_of_distinct, unsigned m,
+                          Wide seed)
+{
+  Sources sources = {{nullptr, m}, {nullptr, 0}};
+  unsigned* const list = workplace.scratch.take<unsigned>(m);
+  if (m <= number_of_distinct)
+  {
+    pick_one_of_each_run<<<blocks_for(m), threads_per_block, 0, workplace.stream>>>(
+      number_of_distinct, m, seed, list);
+    check_launch("pick_one_of_each_run");
+    sources.on_points.list = list;
+    return sources;
+  }
+  sources.on_points.size = number_of_distinct;
+  sources.between_points = {list, m - number_of_distinct};
+  spread_evenly<<<blocks_for(sources.between_points.size), threads_per_block, 0,
+                  workplace.stream>>>(number_of_distinct, sources.between_points.size, list);
+  check_launch("spread_evenly");
+  return sources;
+}
+
+// Samples shared out by area
+
+__global__ void take_areas(Cell_grid grid, Some distinct, Areas areas, Wide* units)
+{
+  const Wide k = thread_index();
+  if (k < distinct.size)
+    units[k] = areas.of_cells[grid.points[distinct[k]].w];
+}
+
+/// The point in whose area the threshold of each sample lies; the last takes what rounding leaves.
+/// \param sums of the areas before each point, and of all
+__global__ void find_thresholds(const Wide* sums, unsigned number_of_distinct,
+                                unsigned number_of_samples, Wide seed, unsigned* sources)
+{
+  const Wide k = thread_index();
+  if (k >= number_of_samples)
+    return;
+  const Wide threshold = area_threshold(k, number_of_samples, seed, sums[number_of_distinct]);
+  unsigned first = 0, size = number_of_distinct - 1;
+  while (size > 0)
+  {
+    const unsigned half = size / 2;
+    if (sums[first + half + 1] <= threshold)
+    {
+      first += half + 1;
+      size -= half + 1;
+    }
+    else
+      size = half;
+  }
+  sources[k] = first;
+}
+
+__global__ void mark_first_of_points(const unsigned* sources, unsigned number_of_samples,
+                                     unsigned* is_first)
+{
+  const Wide k = thread_index();
+  if (k < number_of_samples)
+    is_first[k] = k == 0 || sources[k] != sources[k - 1];
+}
+
+/// \param places how many samples before each are the first of their points
+__global__ void part_first_from_others(const unsigned* sources, const unsigned* places,
+                                       unsigned number_of_samples, unsigned* first,
+                                       unsigned* others)
+{
+  const Wide k = thread_index();
+  if (k >= number_of_samples)
+    return;
+  const unsigned place = places[k];
+  if (places[k + 1] > place)
+    first[place] = sources[k];
+  else
+    others[k - place] = sources[k];
+}
+
+/// As `sources_by_area()` on the CPU.
+Sources sources_by_area(const Workplace& workplace, const Cell_grid& grid, const Some& distinct,
+                        const Areas& areas, unsigned m, Wide seed)
+{
+  const cudaStream_t stream = workplace.stream;
+  unsigned *const first = workplace.scratch.take<unsigned>(m), *const others =
+                                                                 workplace.scratch.take<unsigned>(
+                                                                   m);
+  const Arena_scope scope(workplace.scratch);
+  unsigned *const sources = workplace.scratch.take<unsigned>(m), *const places =
+                                                                   workplace.scratch.take<unsigned>(
+                                                                     Wide(m) + 1);
+  Wide* const sums = workplace.scratch.take<Wide>(Wide(distinct.size) + 1);
+  CGAL_L0_CUDA_CHECK(cudaMemsetAsync(sums + distinct.size, 0, sizeof(Wide), stream));
+  CGAL_L0_CUDA_CHECK(cudaMemsetAsync(places + m, 0, sizeof(unsigned), stream));
+  take_areas<<<blocks_for(distinct.size), threads_per_block, 0, stream>>>(grid, distinct, areas,
+                                                                          sums);
+  check_launch("take_areas");
+  sum_up(sums, distinct.size, sums, workplace.scratch, stream);
+  find_thresholds<<<blocks_for(m), threads_per_block, 0, stream>>>(sums, distinct.size, m, seed,
+                                                                   sources);
+  check_launch("find_thresholds");
+  mark_first_of_points<<<blocks_for(m), threads_per_block, 0, stream>>>(sources, m, places);
+  check_launch("mark_first_of_points");
+  sum_up(places, m, places, workplace.scratch, stream);
+  part_first_from_others<<<blocks_for(m), threads_per_block, 0, stream>>>(sources, places, m, first,
+                                                                          others);
+  check_launch("part_first_from_others");
+  const unsigned number_of_first = workplace.scratch.read(places + m, stream);
+  return {{first, number_of_first}, {others, m - number_of_first}};
+}
+
+// Hints, one for each distinct point
+
+/// Bits that ascend with the number.
+__device__ unsigned ascending_bits(float value)
+{
+  const unsigned bits = value == 0 ? 0 : __float_as_uint(value), sign = 1u << 31;
+  return bits & sign ? ~bits : bits | sign;
+}
+
+__device__ float number_of_ascending_bits(unsigned bits)
+{
+  const unsigned sign = 1u << 31;
+  return __uint_as_float(bits & sign ? bits & ~sign : ~bits);
+}
+
+/// One axis of the hint of each distinct point, that of the first in lexicographic order of those
+/// of its points: other than a choice by the order of the input, it is the same for any order.
+/// \param least of each distinct point, xyz interleaved; those of the axes before are known
+__global__ void find_least_hints(const float* hints, const unsigned* order, unsigned size,
+                                 Some distinct, int axis, unsigned* least)
+{
+  const Wide j = thread_index();
+  if (j >= size)
+    return;
+  Wide number = j; // of the last distinct point that is not behind this point
+  if (distinct.list)
+  {
+    unsigned first = 0;
+    for (unsigned rest = distinct.size - 1; rest > 0;)
+    {
+      const unsigned half = (rest + 1) / 2;
+      if (distinct.list[first + half] <= j)
+      {
+        first += half;
+        rest -= half;
+      }
+      else
+        rest = half - 1;
+    }
+    number = first;
+  }
+  const float* const hint = hints + 3 * Wide(order[j]);
+  for (int before = 0; before < axis; ++before)
+    if (ascending_bits(hint[before]) != least[3 * number + unsigned(before)])
+      return;
+  atomicMin(&least[3 * number + unsigned(axis)], ascending_bits(hint[axis]));
+}
+
+/// From the scratch arena.
+unsigned* least_hints(const Workplace& workplace, const float* hints, const Cell_grid& grid,
+                      const Some& distinct)
+{
+  const std::size_t count = 3 * std::size_t(distinct.size);
+  unsigned* const least = workplace.scratch.take<unsigned>(count);
+  CGAL_L0_CUDA_CHECK(cudaMemsetAsync(least, 0xff, count * sizeof(unsigned), workplace.stream));
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    find_least_hints<<<blocks_for(grid.size), threads_per_block, 0, workplace.stream>>>(
+      hints, grid.order, grid.size, distinct, axis, least);
+    check_launch("find_least_hints");
+  }
+  return least;
+}
+
+// Where they are then
+
+/// What distinct points hand on to the samples that start on them.
+struct Heritage
+{
+  const float4* normals; // of the points of the grid
+  const Wide* areas;     // of the cells of the grid
+  double area_per_unit, points_per_sample, largest_spreading_radius;
+  const unsigned* hints; // of the distinct points
+};
+
+__device__ float4 unit_normal(float4 n)
+{
+  const double3 wide = to_double(xyz(n));
+  return with_w(to_float((1 / sqrt(dot(wide, wide))) * wide), 0);
+}
+
+/// \param source the point in the grid, whose number among the distinct ones is `number`
+__device__ void start_on_point(const Samples& samples, Wide i, double3 position,
+                               const Heritage& heritage, const Cell_grid& grid, unsigned source,
+                               Wide number, bool is_support_point)
+{
+  samples.positions[3 * i] = position.x;
+  samples.positions[3 * i + 1] = position.y;
+  samples.positions[3 * i + 2] = position.z;
+  samples.normals[i] = unit_normal(heritage.normals[source]);
+  samples.fit[i] = make_float4(0, 0, 0, 1);
+  if (samples.scales)
+    samples.scales[i] = grid.scale(source);
+  if (samples.are_support_points)
+    samples.are_support_points[i] = is_support_point;
+  if (samples.spreading_radii)
+    samples.spreading_radii[i] = spreading_radius_of(double(heritage.areas[grid.points[source].w])
+                                                       * heritage.area_per_unit
+                                                       * heritage.points_per_sample,
+                                                     heritage.largest_spreading_radius);
+  if (samples.hints)
+  {
+    const unsigned* const hint = heritage.hints + 3 * number;
+    samples.hints[i] = make_float4(number_of_ascending_bits(hint[0]),
+                                   number_of_ascending_bits(hint[1]),
+                                   number_of_ascending_bits(hint[2]), 0);
+  }
+}
+
+/// The partner of each new sample, as `move_between_points()` on the CPU: of the points of its ball
+/// the one of the highest rank.
+/// \param sources numbers of distinct points
+__global__ void place_between_points(Positions positions, Cell_grid grid, Cell_blocks blocks,
+                                     Some distinct, Some sources, float radius, Wide seed,
+                                     Heritage heritage, Samples samples)
+{
+  const Query query(sources.size);
+  const Wide e = query.index;
+  const Wide number = sources[e];
+  const unsigned source = distinct[number];
+  Wide first = 0; // of the samples of this source
+  for (Wide size = e; size > 0;)
+  {
+    const Wide half = size / 2;
+    const bool is_before = sources[first + half] < number;
+    first = is_before ? first + half + 1 : first;
+    size = is_before ? size - half - 1 : half;
+  }
+  const Wide number_before = e - first;
+  const int4 center = grid.points[source];
+  const float4* const normals = heritage.normals;
+  const float3 normal = xyz(normals[source]);
+  radius *= grid.scale(source);
+  const float unit = grid.frame.unit(), squared_radius = radius * radius,
+              similar_cosine = 0.87f; // as on the CPU
+
+  Wide best = 0;
+  unsigned partner = source;
+  for_each_candidate(grid, blocks, center, query.lane, radius, [&](unsigned j, const int4& point) {
+    const float3 d = difference(point, center, unit);
+    if (dot(d, d) >= squared_radius)
+      return;
+    const Wide is_similar = fabsf(dot(normal, xyz(normals[j]))) > similar_cosine;
+    const Wide rank = (random_bits(seed + source, (number_before << 32) | j) >> 1)
+                      | (is_similar << 63);
+    if (rank <= best)
+      return;
+    const double3 p = positions(grid.order[j]), q = positions(grid.order[source]);
+    if (p.x == q.x && p.y == q.y && p.z == q.z)
+      return;
+    best = rank;
+    partner = j;
+  });
+  for (int offset = lanes / 2; offset > 0; offset /= 2)
+  {
+    const Wide other_best = __shfl_xor_sync(0xffffffffu, best, offset);
+    const unsigned other_partner = __shfl_xor_sync(0xffffffffu, partner, offset);
+    if (other_best > best || (other_best == best && other_partner < partner))
+    {
+      best = other_best;
+      partner = other_partner;
+    }
+  }
+  if (!query.writes)
+    return;
+  if (best == 0 && distinct.size > 1)
+    partner = number + 1 < distinct.size ? distinct[number + 1] : distinct[distinct.size - 2];
+  const double3 start = positions(grid.order[source]);
+  // never the middle, where the way back from the partner would put another one
+  const double share =
+    0.2
+    + 0.25
+        * scalbn(double(random_bits(seed + source, (number_before << 32) | 0xffffffff) >> 11), -53);
+  start_on_point(samples, e, start + share * (positions(grid.order[partner]) - start), heritage,
+                 grid, source, number, false);
+}
+
+/// \param first of the samples that start so
+__global__ void place_on_points(Positions positions, Cell_grid grid, Some distinct, Some sources,
+                                unsigned first, Heritage heritage, Support_subset support_points,
+                                Samples samples)
+{
+  const Wide k = thread_index();
+  if (k >= sources.size)
+    return;
+  const unsigned number = sources[k], source = distinct[number];
+  start_on_point(samples, first + k, positions(grid.order[source]), heritage, grid, source, number,
+                 support_points.takes(source));
+}
+
+} // namespace
+
+void initialize_samples(const Workplace& workplace, const Positions& positions,
+                        const Cell_grid& grid, const Sources_of_samples& points, double radius,
+                        double spacing, std::size_t seed, const Samples& samples)
+{
+  const cudaStream_t stream = workplace.stream;
+  const Arena_scope scope(workplace.scratch);
+  Some distinct = {nullptr, grid.number_of_distinct};
+  if (grid.number_of_distinct < grid.size)
+  {
+    unsigned* const list = workplace.scratch.take<unsigned>(grid.size);
+    list_flagged(grid.is_first, grid.size, list, workplace.scratch, stream);
+    distinct.list = list;
+  }
+  const Areas* const areas = points.areas;
+  const Sources sources = areas && points.spreads_evenly
+                            ? sources_by_area(workplace, grid, distinct, *areas, samples.size, seed)
+                            : sources_by_points(workplace, distinct.size, samples.size, seed);
+  const Heritage heritage = {points.normals,
+                             areas ? areas->of_cells : nullptr,
+                             areas ? areas->area_per_unit : 0,
+                             double(grid.size) / double(samples.size),
+                             points.largest_spreading_radius,
+                             samples.hints ? least_hints(workplace, points.hints, grid, distinct)
+                                           : nullptr};
+
+  const unsigned number_of_new = sources.between_points.size;
+  if (number_of_new > 0)
+  {
+    const Arena_scope blocks_scope(workplace.arena);
+    const Cell_blocks blocks = find_blocks(grid, grid, cells_in_reach(radius, grid.frame.cell_size),
+                                           maximum_number_of_candidates, workplace.arena, stream);
+    place_between_points<<<blocks_for_queries(number_of_new), threads_per_block, 0, stream>>>(
+      positions, grid, blocks, distinct, sources.between_points, float(radius), seed, heritage,
+      samples);
+    check_launch("place_between_points");
+  }
+  const Support_subset support_points(seed, radius, spacing, samples.size, sources.on_points.size);
+  place_on_points<<<blocks_for(sources.on_points.size), threads_per_block, 0, stream>>>(
+    positions, grid, distinct, sources.on_points, number_of_new, heritage, support_points, samples);
+  check_launch("place_on_points");
+}
+
+} // namespace cuda
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL

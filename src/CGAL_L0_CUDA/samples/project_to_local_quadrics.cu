@@ -1,0 +1,120 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "kernels/Plane_fit.cuh"
+#include "search/Query.cuh"
+#include "driver/stages.cuh"
+
+#include <CGAL/L0_resampling/internal/kernels/Quadric_moments.h>
+#include <CGAL/L0_resampling/internal/kernels/project_to_local_quadric.h>
+#include <CGAL/L0_resampling/internal/core/weights.h>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+namespace cuda {
+
+namespace {
+
+/// `Quadric_kernel` on the CPU.
+struct Quadric_kernel
+{
+  float radius, normal_bandwidth, squared_sheet_height;
+
+  __device__ Quadric_kernel scaled(float scale) const
+  {
+    return {radius * scale, normal_bandwidth, squared_sheet_height * scale * scale};
+  }
+};
+
+/// \param listed the support points, in the order before that of their grid
+__global__ void gather_normals_of_support_points(Cell_grid grid, const unsigned* listed,
+                                                 const float4* normals, float4* of_support_points)
+{
+  const unsigned long long k = thread_index();
+  if (k < grid.size)
+    of_support_points[k] = normals[listed[grid.order[k]]];
+}
+
+/// \param grid of the support points
+/// \param normals of the support points, and the variances of their fits
+__global__ void settle(Cell_grid sample_grid, Cell_blocks blocks, Cell_grid grid,
+                       const float4* normals, Quadric_kernel kernel_of_one, Samples samples)
+{
+  const Query query(samples.size);
+  const int4 center = sample_grid.points[query.index];
+  const unsigned long long i = sample_grid.order[query.index];
+  const Quadric_kernel kernel = kernel_of_one.scaled(samples.scale(i));
+  const float3 normal = xyz(samples.normals[i]);
+  const Tangent_frame frame({normal.x, normal.y, normal.z});
+  const float3 u = to_float(frame.u), v = to_float(frame.v), w = to_float(frame.normal);
+  const float unit = grid.frame.unit(), squared_radius = kernel.radius * kernel.radius,
+              per_radius = 1 / kernel.radius;
+  Quadric_moments<float> moments;
+  float variance = 0;
+  for_each_candidate(
+    grid, blocks, center, query.lane, kernel.radius, [&](unsigned k, const int4& point) {
+      const float3 d = difference(point, center, unit);
+      const float4 other = normals[k];
+      const float cosine = dot(w, xyz(other)), own_height = dot(d, w);
+      const float height = symmetric_height(own_height,
+                                            with_sign_of(cosine, 1.f) * dot(d, xyz(other)));
+      const float weight = share_in_ball(dot(d, d), squared_radius)
+                           * sheet_weight(0.f, 1.f, cosine, kernel.normal_bandwidth, height,
+                                          kernel.squared_sheet_height);
+      moments.add(dot(d, u) * per_radius, dot(d, v) * per_radius, own_height * per_radius, weight);
+      variance += weight * other.w;
+    });
+  const Quadric_moments<double> sums(moments,
+                                     [](float sum) { return double(group_sum<lanes>(sum)); });
+  variance = group_sum<lanes>(variance);
+  if (!query.writes)
+    return;
+  const Settled_sample settled = project_to_local_quadric(sums, variance / square(kernel.radius),
+                                                          frame, kernel.radius);
+  samples.positions[3 * i] += settled.height * normal.x;
+  samples.positions[3 * i + 1] += settled.height * normal.y;
+  samples.positions[3 * i + 2] += settled.height * normal.z;
+  samples.normals[i] = with_w(to_float(settled.normal), 0);
+}
+
+} // namespace
+
+void project_to_local_quadrics(const Workplace& workplace, const Cell_frame& frame, double radius,
+                               double squared_sheet_height, double normal_bandwidth,
+                               const Samples& samples)
+{
+  const Arena_scope scope(workplace.scratch);
+  unsigned* const listed = workplace.scratch.take<unsigned>(samples.size);
+  const unsigned number_of_support_points = list_flagged(
+    samples.are_support_points, samples.size, listed, workplace.scratch, workplace.stream);
+  if (number_of_support_points == 0)
+    return;
+  const Arena_scope arena_scope(workplace.arena);
+  const auto grid_of = [&](const unsigned* list, unsigned size) {
+    return build_grid({samples.positions, size, Frame(), true, list, samples.scales}, nullptr,
+                      frame, workplace.arena, workplace.scratch, workplace.stream);
+  };
+  const Cell_grid support_points = grid_of(listed, number_of_support_points),
+                  all = grid_of(nullptr, samples.size);
+  float4* const normals = workplace.arena.take<float4>(number_of_support_points);
+  gather_normals_of_support_points<<<blocks_for(number_of_support_points), threads_per_block, 0,
+                                     workplace.stream>>>(support_points, listed, samples.normals,
+                                                         normals);
+  check_launch("gather_normals_of_support_points");
+  const Cell_blocks blocks =
+    find_blocks(all, support_points, cells_in_reach(radius, frame.cell_size),
+                maximum_number_of_candidates, workplace.arena, workplace.stream);
+  const Quadric_kernel kernel = {float(radius), float(normal_bandwidth),
+                                 float(squared_sheet_height)};
+  settle<<<blocks_for_queries(samples.size), threads_per_block, 0, workplace.stream>>>(
+    all, blocks, support_points, normals, kernel, samples);
+  check_launch("settle");
+}
+
+} // namespace cuda
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL

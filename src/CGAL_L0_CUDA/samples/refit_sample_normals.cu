@@ -1,0 +1,104 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "kernels/Plane_fit.cuh"
+#include "search/Query.cuh"
+#include "driver/stages.cuh"
+
+#include <CGAL/L0_resampling/internal/core/weights.h>
+
+#include <utility>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+namespace cuda {
+
+namespace {
+
+/// `Sample_refit_kernel` in `float`.
+struct Kernel
+{
+  float squared_radius, squared_bandwidth, normal_bandwidth, squared_sheet_height;
+  double radius;
+};
+
+/// One pass of `refit_sample_normals()` on the CPU, which says why.
+/// \param rows whose fourth numbers are where the rows of the samples begin
+/// \param normals and the variances of the fit
+__global__ void refit(Neighbor_lists neighbors, Kernel kernel, const int4* rows,
+                      const double* positions, Range_of_pairs range, unsigned size,
+                      const float4* normals, float4* refitted)
+{
+  const Query query(size);
+  const Wide i = query.index;
+  const double3 center = {positions[3 * i], positions[3 * i + 1], positions[3 * i + 2]};
+  const float4 own = normals[i];
+  const float3 normal = xyz(own);
+  const float own_limit = range.limit(query.index);
+  Moments moments;
+  float variance = 0;
+  const uint2 row = neighbors.row(rows, size, query.index);
+  for (Wide e = Wide(row.x) + query.lane; e < row.y; e += lanes)
+  {
+    const Wide k = neighbors.indices[e];
+    const float3 d = to_float(double3{positions[3 * k], positions[3 * k + 1], positions[3 * k + 2]}
+                              - center);
+    const float4 other = normals[k];
+    const float squared_stretch = range.is_one_for_all()
+                                    ? 1.f
+                                    : kernel.squared_radius
+                                        / range.squared(own_limit, range.limit(unsigned(k)));
+    const float squared_distance = dot(d, d) * squared_stretch, cosine = dot(normal, xyz(other));
+    const float height = symmetric_height(dot(d, normal),
+                                          with_sign_of(cosine, 1.f) * dot(d, xyz(other)))
+                         * sqrtf(squared_stretch);
+    const float weight = share_in_ball(squared_distance, kernel.squared_radius)
+                         * sheet_weight(squared_distance, kernel.squared_bandwidth, cosine,
+                                        kernel.normal_bandwidth, height,
+                                        kernel.squared_sheet_height);
+    moments.add(d, weight);
+    variance += weight * other.w;
+  }
+  moments.sum_over_group<lanes>();
+  variance = group_sum<lanes>(variance) + own.w;
+  if (!query.writes)
+    return;
+  Plane_moments<double> all = moments.all();
+  all.add(0, 0, 0, 1); // the sample itself
+  const Triple leaning = lean_to_plane(all, {normal.x, normal.y, normal.z}, variance / all.sum,
+                                       range.is_one_for_all() ? kernel.radius : own_limit);
+  refitted[i] = with_w(to_float(leaning), own.w);
+}
+
+} // namespace
+
+void refit_sample_normals(const Workplace& workplace, const Sample_refit_kernel& kernel,
+                          const Cell_grid& sample_grid, const Neighbor_lists& neighbors,
+                          std::size_t number_of_passes, const Samples& samples)
+{
+  const Arena_scope scope(workplace.scratch);
+  const Kernel in_float = {float(square(kernel.radius)), float(kernel.squared_bandwidth),
+                           float(kernel.normal_bandwidth), float(kernel.squared_sheet_height),
+                           kernel.radius};
+  float4 *normals = samples.normals, *refitted = workplace.scratch.take<float4>(samples.size);
+  for (std::size_t pass = 0; pass < number_of_passes; ++pass)
+  {
+    refit<<<blocks_for_queries(samples.size), threads_per_block, 0, workplace.stream>>>(
+      neighbors, in_float, sample_grid.points, samples.positions,
+      {float(kernel.radius), samples.scales, samples.spreading_radii}, samples.size, normals,
+      refitted);
+    check_launch("refit");
+    std::swap(normals, refitted);
+  }
+  if (normals != samples.normals)
+    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(samples.normals, normals, samples.size * sizeof(float4),
+                                       cudaMemcpyDeviceToDevice, workplace.stream));
+}
+
+} // namespace cuda
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL

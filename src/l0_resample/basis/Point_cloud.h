@@ -1,0 +1,58 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef L0_RESAMPLE_POINT_CLOUD_H
+#define L0_RESAMPLE_POINT_CLOUD_H
+
+#include "basis/Las_origin.h"
+#include "basis/Number_type.h"
+#include "basis/Property_table.h"
+
+#include <CGAL/Simple_cartesian.h>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace l0_tool {
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point = Kernel::Point_3;
+using Vector = Kernel::Vector_3;
+using Oriented_point = std::pair<Point, Vector>;
+
+/// What a file held.
+struct Point_cloud
+{
+  std::vector<Point> points;     ///< all finite
+  std::vector<Vector> normals;   ///< as in the file, unchecked: one for each point, or none at all
+  bool file_has_normals = false; ///< also if they are not kept
+  Property_table properties;     ///< all others, if asked for
+  Number_type coordinate_type =
+    Number_type::FLOAT64; ///< FLOAT32 if that held all coordinates and normals
+  std::optional<std::array<double, 3>> viewpoint; ///< of PCD, if it is not the origin
+  std::size_t number_of_dropped_points = 0;       ///< those with a coordinate that is not finite
+  std::optional<Las_origin> las;                  ///< of LAS
+  std::vector<std::string> warnings;              ///< one line each, with the name of the file
+  std::vector<std::string> notes;                 ///< as `warnings`, of what is as it should be
+};
+
+/// What is written.
+struct Resampled_points
+{
+  std::vector<Oriented_point> points;
+  Property_table properties;     ///< one row for each point
+  std::optional<Las_origin> las; ///< of an input in LAS
+  std::vector<float>
+    feature_confidences; ///< for the snapshot, if asked for; they are among the properties too
+  std::optional<std::array<double, 3>> viewpoint; ///< that the call had, if all points had one
+};
+
+} // namespace l0_tool
+
+#endif // L0_RESAMPLE_POINT_CLOUD_H

@@ -1,0 +1,62 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef L0_RESAMPLE_PROPERTY_TABLE_H
+#define L0_RESAMPLE_PROPERTY_TABLE_H
+
+#include "basis/Number_type.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace l0_tool {
+
+/// A further number of each point: an intensity, a channel of a color, ...
+struct Property
+{
+  std::string name;
+  Number_type type;
+  std::size_t offset; ///< of its value in a row, in bytes
+};
+
+/// The values of all further properties, one row for each point, in the types of the file and the
+/// byte order of this machine.
+class Property_table
+{
+  std::vector<Property> m_properties;
+  std::size_t m_row_size = 0;
+  std::vector<char> m_rows;
+
+public:
+  /// Only before the first row.
+  void add_property(const std::string& name, Number_type type)
+  {
+    m_properties.push_back({name, type, m_row_size});
+    m_row_size += size_of(type);
+  }
+
+  /// Gives the properties other types, none of them wider than before, and rounds as encode() does.
+  /// \param factors of the values; empty for 1
+  void narrow(const std::vector<Number_type>& types, const std::vector<double>& factors = {});
+
+  const std::vector<Property>& properties() const { return m_properties; }
+
+  /// In bytes.
+  std::size_t row_size() const { return m_row_size; }
+
+  void reserve(std::size_t number_of_rows) { m_rows.reserve(number_of_rows * m_row_size); }
+  void append(const std::vector<char>& row) { m_rows.insert(m_rows.end(), row.begin(), row.end()); }
+  const char* row(std::size_t i) const { return m_rows.data() + i * m_row_size; }
+
+  double value(std::size_t row_index, const Property& property) const
+  {
+    return decode(row(row_index) + property.offset, property.type, false);
+  }
+};
+
+} // namespace l0_tool
+
+#endif // L0_RESAMPLE_PROPERTY_TABLE_H

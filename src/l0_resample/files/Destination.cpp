@@ -1,0 +1,118 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "files/Destination.h"
+
+#include "basis/Failure.h"
+#include "basis/parse_numbers.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <filesystem>
+#include <iterator>
+#include <system_error>
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace l0_tool {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int most_links = 40; // as for the system
+
+/// Whether `folder`, without symbolic links, has the descriptors of this process.
+bool has_own_descriptors(const fs::path& folder)
+{
+  std::error_code error;
+  return folder == fs::canonical("/proc/self/fd", error) && !error;
+}
+
+/// Of the file behind a path or a descriptor.
+bool get_status(const Destination& destination, struct stat& status)
+{
+  if (destination.descriptor)
+    return fstat(*destination.descriptor, &status) == 0;
+  return stat(destination.path.c_str(), &status) == 0;
+}
+
+/// The same for all ways to name a file, whether it exists or not.
+fs::path canonical_path(const std::string& path, const Destination& destination)
+{
+  std::error_code error;
+  fs::path canonical;
+  if (destination.descriptor)
+    canonical = fs::canonical("/proc/self/fd/" + std::to_string(*destination.descriptor), error);
+  else
+    canonical = fs::weakly_canonical(destination.path, error);
+  return error ? fs::path(path) : canonical;
+}
+
+} // namespace
+
+Destination destination_of(const std::string& path)
+{
+  if (path == standard_stream)
+    return {STDOUT_FILENO, path};
+  std::error_code error;
+  fs::path place = fs::absolute(path, error);
+  if (error)
+    throw Failure(OUTPUT_NOT_WRITTEN, path + ": cannot be written: " + error.message());
+  for (int links = 0; links <= most_links; ++links) {
+    const fs::path folder = fs::canonical(place.parent_path(), error);
+    if (error)
+      return {std::nullopt, place.string()}; // whoever opens the file learns what is wrong
+    const fs::path name = place.filename();
+    const std::optional<int> number = parse_number<int>(name.string());
+    if (number && has_own_descriptors(folder))
+      return {number, path};
+    place = folder / name;
+    const fs::path target = fs::read_symlink(place, error);
+    if (error)
+      return {std::nullopt, place.string()}; // no link
+    place = folder / target;
+  }
+  return {std::nullopt, path}; // a circle of links, which nothing can open
+}
+
+bool are_same_file(const std::string& path, const std::string& other)
+{
+  if (path.empty() || other.empty())
+    return false;
+  const Destination a = destination_of(path), b = destination_of(other);
+  if (a.descriptor && b.descriptor)
+    return *a.descriptor == *b.descriptor;
+  return canonical_path(path, a) == canonical_path(other, b);
+}
+
+bool would_replace_file(const std::string& path)
+{
+  const Destination destination = destination_of(path);
+  struct stat status;
+  return !destination.descriptor && get_status(destination, status) && S_ISREG(status.st_mode);
+}
+
+void check_nothing_is_replaced(const std::vector<std::string>& paths)
+{
+  std::vector<std::string> existing;
+  std::copy_if(paths.begin(), paths.end(), std::back_inserter(existing), would_replace_file);
+  if (existing.empty())
+    return;
+  const std::size_t others = existing.size() - 1;
+  std::string what = "the file exists; --force replaces it";
+  if (others > 0)
+    what = "the file exists, as do " + std::to_string(others) + " others; --force replaces them";
+  throw Failure(OUTPUT_NOT_WRITTEN, existing.front() + ": " + what);
+}
+
+bool is_standard_output(const std::string& path)
+{
+  struct stat file, standard_output;
+  return get_status(destination_of(path), file) && fstat(STDOUT_FILENO, &standard_output) == 0
+         && file.st_dev == standard_output.st_dev && file.st_ino == standard_output.st_ino;
+}
+
+} // namespace l0_tool

@@ -1,0 +1,237 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "files/Input_file.h"
+
+#include "basis/Failure.h"
+#include "basis/signals.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+#include <utility>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace l0_tool {
+namespace {
+
+std::string last_error() { return std::generic_category().message(errno); }
+
+int open_input(const std::string& path)
+{
+  if (path == "-")
+    return fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 0);
+  return open(path.c_str(), O_RDONLY | O_CLOEXEC);
+}
+
+} // namespace
+
+Input_file::Input_file(const std::string& path, On_progress on_progress)
+  : m_path(path == "-" ? "standard input" : path), m_on_progress(std::move(on_progress)),
+    m_descriptor(open_input(path)), m_buffer(new char[buffer_size])
+{
+  if (m_descriptor < 0) {
+    const std::string error = last_error();
+    throw_if_interrupted(); // while the other end of a pipe was waited for
+    throw Failure(INPUT_REFUSED, m_path + ": cannot be opened: " + error);
+  }
+  struct stat status;
+  if (fstat(m_descriptor, &status) != 0 || !S_ISREG(status.st_mode))
+    return;
+  const off_t begin = lseek(m_descriptor, 0, SEEK_CUR); // others may have read standard input
+  // Files under /proc say that they are empty, and are not
+  if (begin >= 0 && status.st_size > begin) {
+    m_begin_of_file = std::uint64_t(begin);
+    m_size = std::uint64_t(status.st_size - begin);
+  }
+}
+
+Input_file::~Input_file()
+{
+  if (m_descriptor >= 0)
+    close(m_descriptor);
+}
+
+// Appends to the unread part. Returns false at the end of the file.
+bool Input_file::fill()
+{
+  throw_if_interrupted();
+  if (m_size && m_on_progress && !m_is_ahead) {
+    const std::uint64_t bytes_read = m_gzip ? m_gzip->compressed_bytes() : m_position;
+    m_on_progress((std::min)(1., double(bytes_read) / double(*m_size)));
+  }
+
+  std::memmove(m_buffer.get(), m_buffer.get() + m_begin, m_end - m_begin);
+  m_end -= m_begin;
+  m_begin = 0;
+  if (!m_is_compression_known && find_compression())
+    return true;
+  char* target = m_buffer.get() + m_end;
+  const std::size_t room = buffer_size - m_end;
+  const std::size_t n = m_gzip ? m_gzip->read(target, room) : read_descriptor(target, room);
+  m_end += n;
+  return n > 0;
+}
+
+// Looks at the first bytes. Returns whether they are in the buffer now, not compressed.
+bool Input_file::find_compression()
+{
+  m_is_compression_known = true;
+  constexpr std::size_t needed = 2;
+  while (m_end < needed) {
+    const std::size_t n = read_descriptor(m_buffer.get() + m_end, needed - m_end);
+    if (n == 0)
+      break;
+    m_end += n;
+  }
+  const std::string_view begin(m_buffer.get(), m_end);
+  if (!Gzip_decoder::is_begin(begin))
+    return m_end > 0;
+  m_gzip.emplace(m_path, begin,
+                 [this](char* target, std::size_t n) { return read_descriptor(target, n); });
+  m_end = 0;
+  return false;
+}
+
+std::size_t Input_file::read_descriptor(char* target, std::size_t n)
+{
+  for (;;) {
+    const ssize_t result = read(m_descriptor, target, n);
+    if (result >= 0)
+      return std::size_t(result);
+    if (errno != EINTR)
+      throw Failure(INPUT_REFUSED, m_path + ": cannot be read: " + last_error());
+    throw_if_interrupted();
+  }
+}
+
+std::optional<std::string_view> Input_file::read_line()
+{
+  m_in_text = true;
+  ++m_line;
+  std::size_t searched = 0;
+  for (;;) {
+    const char* begin = m_buffer.get() + m_begin;
+    const std::size_t available = m_end - m_begin;
+    const void* newline = std::memchr(begin + searched, '\n', available - searched);
+    const std::size_t length = newline ? std::size_t(static_cast<const char*>(newline) - begin)
+                                       : available;
+    if (length > max_line_length)
+      refuse("the line is longer than " + std::to_string(max_line_length) + " bytes");
+
+    if (!newline) {
+      searched = available;
+      if (fill())
+        continue;
+      if (available == 0)
+        return std::nullopt;
+    }
+    begin = m_buffer.get() + m_begin;
+    const std::size_t consumed = length + (newline ? 1 : 0);
+    m_begin += consumed;
+    m_position += consumed;
+    std::string_view line(begin, length);
+    if (!line.empty() && line.back() == '\r')
+      line.remove_suffix(1);
+    return line;
+  }
+}
+
+const char* Input_file::read_bytes(std::size_t n)
+{
+  m_in_text = false;
+  while (m_end - m_begin < n)
+    if (!fill())
+      refuse("the file ends here, where " + std::to_string(n - (m_end - m_begin))
+             + " more bytes are expected");
+  const char* bytes = m_buffer.get() + m_begin;
+  m_begin += n;
+  m_position += n;
+  return bytes;
+}
+
+void Input_file::skip_bytes(std::uint64_t n)
+{
+  check_count(n, 1, "bytes");
+  while (n > 0) {
+    const std::size_t block = std::size_t((std::min)(n, std::uint64_t(max_block_length)));
+    read_bytes(block);
+    n -= block;
+  }
+}
+
+bool Input_file::look_ahead(std::uint64_t position, const std::function<void()>& read)
+{
+  if (!m_size || m_gzip)
+    return false;
+  const std::uint64_t here = m_position;
+  if (position > *m_size)
+    refuse("the file ends before byte " + std::to_string(position) + ", where it is said to go on");
+  m_is_ahead = true;
+  move_to(position);
+  read();
+  move_to(here);
+  m_is_ahead = false;
+  return true;
+}
+
+void Input_file::move_to(std::uint64_t position)
+{
+  if (lseek(m_descriptor, off_t(m_begin_of_file + position), SEEK_SET) < 0)
+    throw Failure(INPUT_REFUSED, m_path + ": cannot be read: " + last_error());
+  m_begin = m_end = 0;
+  m_position = position;
+}
+
+void Input_file::check_compression()
+{
+  if (!m_gzip)
+    return;
+  do {
+    m_position += m_end - m_begin;
+    m_begin = m_end = 0;
+  } while (fill());
+}
+
+std::optional<std::uint64_t> Input_file::bytes_left() const
+{
+  if (!m_size || m_gzip)
+    return std::nullopt;
+  return *m_size > m_position ? *m_size - m_position : 0;
+}
+
+void Input_file::check_count(std::uint64_t count, std::uint64_t row_size,
+                             const std::string& what) const
+{
+  const std::optional<std::uint64_t> left = bytes_left();
+  if (m_size && m_gzip) {
+    const std::uint64_t most = Gzip_decoder::most_bytes_of(*m_size);
+    if (count > most / row_size)
+      refuse(std::to_string(count) + " " + what
+             + " are announced, but the compressed file has room for no more than "
+             + std::to_string(most) + " bytes");
+  }
+  if (left && count > *left / row_size)
+    refuse(std::to_string(count) + " " + what + " are announced, but only " + std::to_string(*left)
+           + " bytes are left");
+}
+
+std::string Input_file::where() const
+{
+  return m_path
+         + (m_in_text ? ": line " + std::to_string(m_line)
+                      : ": byte " + std::to_string(m_position));
+}
+
+void Input_file::refuse(const std::string& what) const
+{
+  throw Failure(INPUT_REFUSED, where() + ": " + what);
+}
+
+} // namespace l0_tool

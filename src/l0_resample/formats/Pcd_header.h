@@ -1,0 +1,57 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef L0_RESAMPLE_PCD_HEADER_H
+#define L0_RESAMPLE_PCD_HEADER_H
+
+#include "files/Input_file.h"
+#include "basis/Number_type.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace l0_tool {
+
+struct Pcd_field
+{
+  std::string name;
+  std::uint64_t size = 0;          ///< of each value, in bytes
+  std::uint64_t count = 1;         ///< of values in a row
+  std::optional<Number_type> type; ///< not for integers of 64 bits
+};
+
+struct Pcd_header
+{
+  enum class Encoding
+  {
+    ASCII,
+    BINARY,
+    COMPRESSED_BINARY
+  };
+
+  std::vector<Pcd_field> fields;
+  std::uint64_t number_of_points = 0;
+  bool is_organized = false; ///< an image, which has points without a measurement too
+  Encoding encoding = Encoding::ASCII;
+  std::optional<std::array<double, 3>>
+    viewpoint; ///< unless it is the origin, as where nobody knows, or no place
+
+  /// Of values in a row.
+  std::uint64_t number_of_values() const;
+
+  /// In a binary file, in bytes.
+  std::uint64_t row_size() const;
+};
+
+/// Reads to the end of the line DATA: at most 1 MiB, 1000 fields.
+/// \throws Failure with the line that is at fault
+Pcd_header read_pcd_header(Input_file& file);
+
+} // namespace l0_tool
+
+#endif // L0_RESAMPLE_PCD_HEADER_H

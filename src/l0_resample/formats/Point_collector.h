@@ -1,0 +1,125 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef L0_RESAMPLE_POINT_COLLECTOR_H
+#define L0_RESAMPLE_POINT_COLLECTOR_H
+
+#include "files/Input_file.h"
+#include "basis/Point_cloud.h"
+#include "formats/Point_filter.h"
+#include "formats/read_points.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace l0_tool {
+
+/// x, y, z and, where the file has them, nx, ny, nz.
+using Point_row = std::array<double, 6>;
+
+/// Takes the points that a reader finds and keeps the limits of `Read_options`.
+class Point_collector
+{
+  const Input_file& m_file;
+  Read_options m_options;
+  Point_filter m_filter;
+  bool m_has_normals = false;
+  bool m_is_organized = false;
+  bool m_are_normals_unnamed = false;
+  std::uint64_t m_number_of_unit_vectors = 0;  // of those without a name
+  std::uint64_t m_number_of_other_vectors = 0; // that are not 0
+  std::uint64_t m_number_of_rows = 0;
+  std::uint64_t m_buffer_size = 0;
+  bool m_are_normals_apart = false;
+  std::uint64_t m_number_of_normals_apart = 0;
+  std::vector<std::size_t> m_dropped_rows; // if normals are apart
+  std::vector<char> m_next_properties;     // of the next row
+  Point_cloud m_cloud;
+
+  [[noreturn]] void refuse_memory() const;
+  void check_limits(std::uint64_t number_of_points) const;
+  void measure_vector(const Point_row& row);
+  void drop_other_vectors();
+  void match_normals();
+
+public:
+  Point_collector(const Input_file& file, const Read_options& options)
+    : m_file(file), m_options(options), m_filter(options)
+  {}
+
+  /// Says that from the first row on there are normals.
+  void set_has_normals() { m_has_normals = m_cloud.file_has_normals = true; }
+
+  /// Says that from the first row on there are three more numbers without names. They are normals
+  /// if at least 95 % of these vectors, not counting those that are 0, have length 1 within 1 %.
+  void set_may_have_normals() { m_has_normals = m_are_normals_unnamed = true; }
+
+  /// Says that normals do not come with points, but by `add_normal()`. They are kept if in the end
+  /// there are as many as rows.
+  void set_normals_apart() { m_are_normals_apart = true; }
+
+  /// Says that `float` holds all coordinates and normals.
+  void set_single_precision() { m_cloud.coordinate_type = Number_type::FLOAT32; }
+
+  void set_viewpoint(const std::array<double, 3>& viewpoint) { m_cloud.viewpoint = viewpoint; }
+
+  /// Says that the points are an image, for messages.
+  void set_organized() { m_is_organized = true; }
+
+  bool wants_properties() const { return m_options.with_properties; }
+
+  bool wants_wide_colors() const { return m_options.with_wide_colors; }
+
+  /// Says that each row has this one too. Only if they are wanted, and before the first row.
+  /// \returns its index
+  std::size_t add_property(const std::string& name, Number_type type);
+
+  std::size_t number_of_properties() const { return m_cloud.properties.properties().size(); }
+
+  /// Where the next row's value of a property goes, before `add()`.
+  char* property(std::size_t index)
+  {
+    return m_next_properties.data() + m_cloud.properties.properties()[index].offset;
+  }
+
+  /// Makes room for `count` points, each of at least `row_size` bytes in the file.
+  /// \throws Failure if the file cannot hold them, or the limits forbid them
+  void announce(std::uint64_t count, std::uint64_t row_size);
+
+  /// Says that the reader will hold all of `count` points in a buffer of so many bytes.
+  /// \throws Failure if the limits forbid that
+  void announce_buffer(std::uint64_t count, std::uint64_t buffer_size);
+
+  /// Makes room for `count` points, which the file is known to hold.
+  void reserve(std::uint64_t count);
+
+  void add(const Point_row& row);
+
+  void add_normal(const Vector& normal);
+
+  void warn(const std::string& what) { m_cloud.warnings.push_back(m_file.path() + ": " + what); }
+
+  void note(const std::string& what) { m_cloud.notes.push_back(m_file.path() + ": " + what); }
+
+  void set_las_origin(const Las_origin& origin) { m_cloud.las = origin; }
+
+  std::uint64_t number_of_rows() const { return m_number_of_rows; }
+
+  /// After the last row; see `Property_table::narrow()`.
+  void set_types(const std::vector<Number_type>& types, const std::vector<double>& factors = {})
+  {
+    m_cloud.properties.narrow(types, factors);
+  }
+
+  const std::vector<Property>& properties() const { return m_cloud.properties.properties(); }
+
+  Point_cloud take();
+};
+
+} // namespace l0_tool
+
+#endif // L0_RESAMPLE_POINT_COLLECTOR_H

@@ -1,0 +1,210 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "formats/readers.h"
+
+#include "formats/Las_header.h"
+#include "basis/parse_numbers.h"
+
+#include <CGAL/L0_resampling/internal/core/attribute_kinds.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace l0_tool {
+namespace {
+
+/// The names that a normal may have among the extra bytes.
+constexpr std::array<std::array<std::string_view, 3>, 2> names_of_normals = {
+  {las_normal_names, {"nx", "ny", "nz"}}};
+
+/// What is made of the bytes of a point.
+struct Point_plan
+{
+  std::vector<Las_field> properties;
+  std::vector<Las_field> normal; ///< its three coordinates, or nothing
+  Las_field flags;
+};
+
+/// Of extra bytes.
+std::vector<Las_field> find_normal(const std::vector<Las_field>& fields)
+{
+  for (const auto& names : names_of_normals) {
+    std::vector<Las_field> normal;
+    for (const std::string_view name : names) {
+      const Las_field* const field = find_las_field(fields, name);
+      if (field && field->kind == Las_field::Kind::FLOATING)
+        normal.push_back(*field);
+    }
+    if (normal.size() == names.size())
+      return normal;
+  }
+  return {};
+}
+
+/// The extra bytes that lie within a point.
+std::vector<Las_field> usable_extra_fields(const Las_header& header, Point_collector& collector)
+{
+  const std::size_t room = header.point_size - las_point_size(header.origin.point_format);
+  const auto warn = [&](const std::string& what) {
+    if (collector.wants_properties())
+      collector.warn(what);
+  };
+  if (header.extra.size > room) {
+    warn("the extra bytes are left out: " + std::to_string(header.extra.size)
+         + " of them are described, but a point has " + std::to_string(room));
+    return {};
+  }
+  for (const std::string& name : header.extra.left_out)
+    warn("the extra bytes " + printable(name) + " are left out: integers of 64 bits");
+  if (header.extra.size < room)
+    warn(std::to_string(room - header.extra.size)
+         + " bytes of each point are left out, of which nothing says what they are");
+  return header.extra.fields;
+}
+
+Point_plan plan_points(const Las_header& header, Point_collector& collector)
+{
+  Point_plan plan;
+  const std::vector<Las_field> fields = las_fields(header.origin.point_format);
+  plan.flags = *find_las_field(fields, "classification_flags");
+  const std::vector<Las_field> extra = usable_extra_fields(header, collector);
+  plan.normal = find_normal(extra);
+  if (!plan.normal.empty())
+    collector.set_has_normals();
+  if (!collector.wants_properties())
+    return plan;
+  // Where both have a name, the format's field held less than what was to be written
+  for (const Las_field& field : fields)
+    if (!find_las_field(extra, field.name))
+      plan.properties.push_back(field);
+  for (const Las_field& field : extra)
+    if (!find_las_field(plan.normal, field.name))
+      plan.properties.push_back(field);
+  for (const Las_field& field : plan.properties)
+    collector.add_property(field.name, field.type);
+  return plan;
+}
+
+/// The channels of a color in 16 bits, which become bytes.
+class Color_range
+{
+  std::vector<std::size_t> m_channels; // among the properties
+  double m_highest = 0;
+
+public:
+  explicit Color_range(const std::vector<Las_field>& fields)
+  {
+    for (std::size_t k = 0; k < fields.size(); ++k)
+      if (fields[k].type == Number_type::UINT16
+          && CGAL::L0_resampling::internal::is_color_channel(fields[k].name))
+        m_channels.push_back(k);
+  }
+
+  void add(const std::vector<Las_field>& fields, const char* point)
+  {
+    for (const std::size_t k : m_channels)
+      m_highest = (std::max)(m_highest, fields[k].value(point));
+  }
+
+  /// After the last point. Many programs write bytes as they are, without scaling them.
+  void narrow(Point_collector& collector) const
+  {
+    if (m_channels.empty())
+      return;
+    constexpr double highest_byte = 255, bytes_per_byte = 257;
+    std::vector<Number_type> types;
+    for (const Property& property : collector.properties())
+      types.push_back(property.type);
+    std::vector<double> factors(types.size(), 1);
+    for (const std::size_t k : m_channels) {
+      types[k] = Number_type::UINT8;
+      factors[k] = m_highest > highest_byte ? 1 / bytes_per_byte : 1;
+    }
+    collector.set_types(types, factors);
+  }
+};
+
+Point_row row_of(const char* point, const Las_origin& origin, const std::vector<Las_field>& normal)
+{
+  Point_row row = {};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    row[axis] = decode(point + 4 * axis, Number_type::INT32, !is_little_endian_machine())
+                  * origin.scale[axis]
+                + origin.offset[axis];
+  for (std::size_t axis = 0; axis < normal.size(); ++axis)
+    row[3 + axis] = normal[axis].value(point);
+  return row;
+}
+
+void read_rows(Input_file& file, const Las_header& header, Point_collector& collector)
+{
+  const Point_plan plan = plan_points(header, collector);
+  collector.announce(header.number_of_points, header.point_size);
+  Color_range colors(plan.properties);
+  std::uint64_t number_withheld = 0;
+  for (std::uint64_t i = 0; i < header.number_of_points; ++i) {
+    const char* const point = file.read_bytes(header.point_size);
+    if ((unsigned(plan.flags.value(point)) & las_withheld) != 0) {
+      ++number_withheld;
+      continue;
+    }
+    for (std::size_t k = 0; k < plan.properties.size(); ++k)
+      encode(plan.properties[k].value(point), plan.properties[k].type, collector.property(k));
+    colors.add(plan.properties, point);
+    collector.add(row_of(point, header.origin, plan.normal));
+  }
+  if (!collector.wants_wide_colors())
+    colors.narrow(collector);
+  if (number_withheld > 0)
+    collector.note(std::to_string(number_withheld)
+                   + " points are left out, which the file has flagged as withheld");
+}
+
+/// Behind the points, where the file is a pipe or compressed.
+void read_late_records(Input_file& file, Las_header& header, Point_collector& collector)
+{
+  const std::size_t number_of_fields = header.extra.fields.size();
+  file.skip_bytes(header.first_extended_record - file.position());
+  read_las_extended_records(file, header);
+  if (header.extra.fields.size() > number_of_fields && collector.wants_properties())
+    collector.warn("what the extra bytes are stands behind the points, where it comes too late: "
+                   "a file that is no pipe and not compressed is read with them");
+}
+
+} // namespace
+
+void read_las(Input_file& file, Point_collector& collector)
+{
+  Las_header header = read_las_header(file);
+  const auto read_records = [&]() { read_las_extended_records(file, header); };
+  const bool has_records = header.number_of_extended_records > 0;
+  const bool is_complete = !has_records
+                           || file.look_ahead(header.first_extended_record, read_records);
+  file.skip_bytes(header.offset_to_points - file.position());
+  read_rows(file, header, collector);
+  if (!is_complete)
+    read_late_records(file, header, collector);
+  collector.set_las_origin(header.origin);
+
+  if (!collector.wants_properties())
+    return;
+  const bool has_waveforms = has_las_waveforms(header.origin.point_format);
+  if (has_waveforms)
+    collector.note("the waveforms of the points are left out");
+  if (header.number_of_long_records > 0)
+    collector.warn("a record of the coordinate system is left out, as it is longer than "
+                   + std::to_string(Las_record::max_data_size) + " bytes");
+  if (!has_records && !has_waveforms && file.bytes_left() > std::uint64_t(0))
+    collector.warn(std::to_string(*file.bytes_left())
+                   + " bytes after the last point are not looked at");
+}
+
+} // namespace l0_tool

@@ -1,0 +1,136 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "basis/parse_numbers.h"
+#include "formats/readers.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace l0_tool {
+namespace {
+
+// The next line that holds something, without its comment.
+std::string_view read_content(Input_file& file, const char* expected)
+{
+  while (const std::optional<std::string_view> line = file.read_line()) {
+    const std::string_view content = line->substr(0, line->find('#'));
+    std::string_view rest = content;
+    if (!next_word(rest).empty())
+      return content;
+  }
+  file.refuse(std::string("the file ends here, where ") + expected + " expected");
+}
+
+bool remove_prefix(std::string_view& word, std::string_view prefix)
+{
+  if (word.substr(0, prefix.size()) != prefix)
+    return false;
+  word.remove_prefix(prefix.size());
+  return true;
+}
+
+/// The colors of the vertices, in OFF files that say that they have some.
+class Colors
+{
+  Input_file& m_file;
+  Point_collector& m_collector;
+  std::vector<Number_type> m_types; // of the channels
+  bool m_is_first_row = true;
+
+public:
+  Colors(Input_file& file, Point_collector& collector) : m_file(file), m_collector(collector) {}
+
+  /// \param rest of the row, behind the normal
+  void read(std::string_view rest, bool has_texture_coordinates)
+  {
+    if (m_is_first_row)
+      find_channels(rest, has_texture_coordinates);
+    m_is_first_row = false;
+    for (std::size_t k = 0; k < m_types.size(); ++k) {
+      const std::string_view word = next_word(rest);
+      if (!parse_number_of(m_types[k], word, m_collector.property(k)))
+        m_file.refuse(printable(word) + " is not a channel of a color as in the first row");
+    }
+  }
+
+private:
+  void find_channels(std::string_view rest, bool has_texture_coordinates)
+  {
+    static constexpr std::array<const char*, 4> names = {"red", "green", "blue", "alpha"};
+    std::vector<std::string_view> words;
+    for (std::string_view word = next_word(rest); !word.empty(); word = next_word(rest))
+      words.push_back(word);
+    if (has_texture_coordinates) {
+      m_collector.warn("the texture coordinates are left out");
+      words.resize(words.size() - (std::min)(words.size(), std::size_t(2)));
+    }
+    if (words.size() != 3 && words.size() != 4) {
+      m_collector.warn("the colors are left out, as they have " + std::to_string(words.size())
+                       + " channels");
+      return;
+    }
+    // From 0 to 255, or else from 0 to 1
+    const auto is_byte = [](std::string_view word) {
+      return parse_number<std::uint8_t>(word).has_value();
+    };
+    const bool are_bytes = std::all_of(words.begin(), words.end(), is_byte);
+    for (std::size_t k = 0; k < words.size(); ++k) {
+      m_types.push_back(are_bytes ? Number_type::UINT8 : Number_type::FLOAT32);
+      m_collector.add_property(names[k], m_types.back());
+    }
+  }
+};
+
+} // namespace
+
+void read_off(Input_file& file, Point_collector& collector)
+{
+  std::string_view line = read_content(file, "the word OFF is");
+  std::string_view keyword = next_word(line);
+  // texture coordinates come after colors in a row, and colors after the normal
+  const bool has_texture_coordinates = remove_prefix(keyword, "ST");
+  const bool has_colors = remove_prefix(keyword, "C");
+  const bool has_normals = remove_prefix(keyword, "N");
+  if (keyword != "OFF")
+    file.refuse("the file does not begin with OFF, with no prefix but ST, C or N");
+  if (has_normals)
+    collector.set_has_normals();
+
+  std::string_view word = next_word(line);
+  if (word == "BINARY")
+    file.refuse("binary OFF is not supported");
+  if (word.empty()) {
+    line = read_content(file, "the number of vertices is");
+    word = next_word(line);
+  }
+  const std::optional<std::uint64_t> number_of_vertices = parse_number<std::uint64_t>(word);
+  if (!number_of_vertices)
+    file.refuse(printable(word) + " is not a number of vertices");
+
+  const std::uint64_t least_row_size = has_normals
+                                         ? 11
+                                         : 5; // digits and blanks; the last line may lack its end
+  collector.announce(*number_of_vertices, least_row_size);
+  Colors colors(file, collector);
+  for (std::uint64_t i = 0; i < *number_of_vertices; ++i) {
+    std::string_view row = read_content(file, "another vertex is");
+    const Point_row point = parse_row(file, row, has_normals);
+    if (has_colors && collector.wants_properties()) {
+      for (int k = 0; k < (has_normals ? 6 : 3); ++k)
+        next_word(row);
+      colors.read(row, has_texture_coordinates);
+    }
+    collector.add(point);
+  }
+}
+
+} // namespace l0_tool

@@ -1,0 +1,278 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "formats/Pcd_header.h"
+#include "formats/decompress_lzf.h"
+#include "basis/little_endian.h"
+#include "basis/parse_numbers.h"
+#include "formats/readers.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace l0_tool {
+namespace {
+
+// Where the values of a field go: index 0 to 5 in Point_row, `unused`, or from `first_property` on
+// the properties.
+constexpr std::size_t unused = 6, first_property = 7;
+using Targets = std::vector<std::size_t>;
+
+constexpr std::size_t max_number_of_properties = 1000;
+
+Targets find_targets(const Input_file& file, const Pcd_header& header)
+{
+  static constexpr std::array<std::string_view, 6> names = {"x",        "y",        "z",
+                                                            "normal_x", "normal_y", "normal_z"};
+  Targets targets;
+  std::array<bool, 6> found = {};
+  for (const Pcd_field& field : header.fields) {
+    const std::size_t target = std::size_t(std::find(names.begin(), names.end(), field.name)
+                                           - names.begin());
+    targets.push_back(target);
+    if (target == unused)
+      continue;
+    if (field.count != 1)
+      file.refuse("the field " + field.name + " has " + std::to_string(field.count) + " values");
+    if (!field.type)
+      file.refuse("the field " + field.name + " is an integer of 64 bits");
+    if (found[target])
+      file.refuse("two fields " + field.name);
+    found[target] = true;
+  }
+  for (std::size_t k = 0; k < 3; ++k)
+    if (!found[k])
+      file.refuse("there is no field " + std::string(names[k]));
+  if (!found[3] || !found[4] || !found[5])
+    std::replace_if(
+      targets.begin(), targets.end(), [](std::size_t target) { return target >= 3; }, unused);
+  return targets;
+}
+
+bool is_single_precision(const Pcd_header& header, const Targets& targets)
+{
+  for (std::size_t k = 0; k < targets.size(); ++k)
+    if (targets[k] < unused && !fits_single_precision(*header.fields[k].type))
+      return false;
+  return true;
+}
+
+/// PCL gives the bytes between two fields this name.
+bool is_padding(const Pcd_field& field) { return field.name == "_"; }
+
+/// PCL packs a color into the bytes of one number.
+bool is_packed_color(const Pcd_field& field)
+{
+  return (field.name == "rgb" || field.name == "rgba") && field.size == 4 && field.count == 1;
+}
+
+void keep_fields(const Pcd_header& header, Targets& targets, Point_collector& collector)
+{
+  for (std::size_t k = 0; k < targets.size(); ++k) {
+    const Pcd_field& field = header.fields[k];
+    if (targets[k] != unused || is_padding(field))
+      continue;
+    if (!field.type || field.count > max_number_of_properties - collector.number_of_properties()) {
+      collector.warn(
+        "the field " + printable(field.name) + " is left out: "
+        + (field.type ? std::to_string(field.count) + " values" : "integers of 64 bits"));
+      continue;
+    }
+    targets[k] = first_property + collector.number_of_properties();
+    if (is_packed_color(field)) {
+      for (const char* channel : {"red", "green", "blue"})
+        collector.add_property(channel, Number_type::UINT8);
+      if (field.name == "rgba")
+        collector.add_property("alpha", Number_type::UINT8);
+      continue;
+    }
+    for (std::uint64_t i = 0; i < field.count; ++i)
+      collector.add_property(field.count == 1 ? field.name : field.name + "_" + std::to_string(i),
+                             *field.type);
+  }
+}
+
+/// Value `i` of the field; its first property is the one of index `first`.
+void store(const Pcd_field& field, std::size_t i, const char* bytes, bool swap, std::size_t first,
+           Point_collector& collector)
+{
+  if (!is_packed_color(field)) {
+    copy_number(bytes, *field.type, swap, collector.property(first + i));
+    return;
+  }
+  char number[4];
+  copy_number(bytes, *field.type, swap, number);
+  std::uint32_t color; // 0xAARRGGBB
+  std::memcpy(&color, number, sizeof color);
+  for (std::size_t k = 0; k < field.name.size(); ++k)
+    *collector.property(first + k) = char(
+      static_cast<unsigned char>(color >> (k == 3 ? 24 : 16 - 8 * k)));
+}
+
+/// A value that is not `unused`.
+void take_binary_value(const Pcd_field& field, std::size_t i, const char* bytes, std::size_t target,
+                       Point_row& row, Point_collector& collector)
+{
+  const bool swap = !is_little_endian_machine();
+  if (target < unused)
+    row[target] = decode(bytes, *field.type, swap);
+  else
+    store(field, i, bytes, swap, target - first_property, collector);
+}
+
+void read_binary_row(Input_file& file, const Pcd_header& header, const Targets& targets,
+                     Point_row& row, Point_collector& collector)
+{
+  for (std::size_t k = 0; k < targets.size(); ++k) {
+    const Pcd_field& field = header.fields[k];
+    if (targets[k] == unused) {
+      file.skip_bytes(field.count * field.size);
+      continue;
+    }
+    for (std::size_t i = 0; i < std::size_t(field.count); ++i)
+      take_binary_value(field, i, file.read_bytes(std::size_t(field.size)), targets[k], row,
+                        collector);
+  }
+}
+
+std::uint64_t read_size(Input_file& file) { return little_endian_at(file.read_bytes(4), 4); }
+
+/// Of compressed data: all values of the first field come first, then those of the next one.
+/// \returns the fields that are there: PCL leaves padding out
+std::vector<std::size_t> find_columns(const Input_file& file, const Pcd_header& header,
+                                      std::uint64_t size)
+{
+  const auto is_size = [&](std::uint64_t row_size) {
+    return header.number_of_points == 0
+             ? size == 0
+             : size % header.number_of_points == 0 && size / header.number_of_points == row_size;
+  };
+  std::vector<std::size_t> all, columns;
+  std::uint64_t row_size = 0;
+  for (std::size_t k = 0; k < header.fields.size(); ++k) {
+    all.push_back(k);
+    if (is_padding(header.fields[k]))
+      continue;
+    columns.push_back(k);
+    row_size += header.fields[k].count * header.fields[k].size;
+  }
+  if (!is_size(row_size) && !is_size(header.row_size()))
+    file.refuse(std::to_string(size) + " bytes before compression are announced for "
+                + std::to_string(header.number_of_points) + " points of " + std::to_string(row_size)
+                + " bytes");
+  return is_size(row_size) ? columns : all;
+}
+
+void read_compressed_rows(Input_file& file, const Pcd_header& header, const Targets& targets,
+                          Point_collector& collector)
+{
+  const std::uint64_t compressed_size = read_size(file), size = read_size(file);
+  const std::vector<std::size_t> columns = find_columns(file, header, size);
+  collector.announce_buffer(header.number_of_points, size);
+  const std::vector<char> bytes = decompress_lzf(file, compressed_size, size);
+  collector.reserve(header.number_of_points);
+
+  Point_row row = {};
+  for (std::uint64_t point = 0; point < header.number_of_points; ++point) {
+    const char* column = bytes.data();
+    for (const std::size_t k : columns) {
+      const Pcd_field& field = header.fields[k];
+      if (targets[k] != unused)
+        for (std::size_t i = 0; i < std::size_t(field.count); ++i)
+          take_binary_value(field, i, column + (point * field.count + i) * field.size, targets[k],
+                            row, collector);
+      column += header.number_of_points * field.count * field.size;
+    }
+    collector.add(row);
+  }
+}
+
+void read_ascii_row(Input_file& file, const Pcd_header& header, const Targets& targets,
+                    Point_row& row, Point_collector& collector)
+{
+  std::string_view line;
+  for (std::string_view rest; next_word(rest).empty(); rest = line) {
+    const std::optional<std::string_view> next = file.read_line();
+    if (!next)
+      file.refuse("the file ends here, where another row is expected");
+    line = *next;
+  }
+  for (std::size_t k = 0; k < targets.size(); ++k) {
+    const Pcd_field& field = header.fields[k];
+    for (std::uint64_t i = 0; i < field.count; ++i) {
+      const std::string_view word = next_word(line);
+      if (word.empty())
+        file.refuse("the row ends before its field " + printable(field.name));
+      if (targets[k] == unused)
+        continue;
+      if (targets[k] >= first_property) {
+        char number[8];
+        if (!parse_number_of(*field.type, word, number))
+          file.refuse(printable(word) + " is not a number of the type of " + printable(field.name));
+        store(field, std::size_t(i), number, false, targets[k] - first_property, collector);
+        continue;
+      }
+      const std::optional<double> number = parse_number<double>(word);
+      if (!number)
+        file.refuse(printable(word) + " is not a number");
+      row[targets[k]] = *number;
+    }
+  }
+  if (!next_word(line).empty())
+    file.refuse("the row has more than its " + std::to_string(header.number_of_values())
+                + " values");
+}
+
+void read_rows(Input_file& file, const Pcd_header& header, const Targets& targets,
+               Point_collector& collector)
+{
+  const bool is_binary = header.encoding == Pcd_header::Encoding::BINARY;
+  // In text a digit and a blank for each value, but for the end of the last line
+  collector.announce(header.number_of_points,
+                     is_binary ? header.row_size() : 2 * header.number_of_values() - 1);
+  Point_row row = {};
+  for (std::uint64_t i = 0; i < header.number_of_points; ++i) {
+    if (is_binary)
+      read_binary_row(file, header, targets, row, collector);
+    else
+      read_ascii_row(file, header, targets, row, collector);
+    collector.add(row);
+  }
+}
+
+} // namespace
+
+void read_pcd(Input_file& file, Point_collector& collector)
+{
+  const Pcd_header header = read_pcd_header(file);
+  Targets targets = find_targets(file, header);
+  if (std::count(targets.begin(), targets.end(), std::size_t(3)) > 0)
+    collector.set_has_normals();
+  if (header.viewpoint)
+    collector.set_viewpoint(*header.viewpoint);
+  if (header.is_organized)
+    collector.set_organized();
+  if (is_single_precision(header, targets))
+    collector.set_single_precision();
+  if (collector.wants_properties())
+    keep_fields(header, targets, collector);
+
+  if (header.encoding == Pcd_header::Encoding::COMPRESSED_BINARY)
+    read_compressed_rows(file, header, targets, collector);
+  else
+    read_rows(file, header, targets, collector);
+  if (file.bytes_left() > std::uint64_t(0))
+    collector.warn(std::to_string(*file.bytes_left())
+                   + " bytes after the last point are not looked at");
+}
+
+} // namespace l0_tool

@@ -1,0 +1,159 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "pictures/render_snapshot.h"
+
+#include "pictures/Camera.h"
+#include "pictures/splat_renderer.h"
+#include "pictures/surroundings_of_points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace l0_tool {
+namespace {
+
+constexpr int panel_width = 800, panel_height = 800;
+// Of discs, in spacings: large enough to leave no gap where points lie unevenly. Those near an edge
+// are cut there, and may have to reach it.
+constexpr double radius_in_spacings = 1.25, radius_at_edges = 1.75, radius_of_dots = 0.4;
+constexpr double least_radius = 0.7, largest_radius = 0.1 * panel_width; // pixels
+
+float to_linear(float srgb) { return std::pow(srgb, 2.2f); }
+
+Color color_of_direction(const Vector& n)
+{
+  return {to_linear(float(0.5 + 0.5 * n.x())), to_linear(float(0.5 + 0.5 * n.y())),
+          to_linear(float(0.5 + 0.5 * n.z()))};
+}
+
+/// Light gray to red.
+Color color_of_confidence(float confidence)
+{
+  const float light = to_linear(0.95f);
+  return {light, light * (1 - confidence), light * (1 - confidence)};
+}
+
+/// Of what is turned away from the eye.
+const Color blue = {to_linear(0.45f), to_linear(0.6f), to_linear(0.85f)};
+
+Direction seen_by(const Camera& camera, const Vector& v)
+{
+  const Vector seen = camera.rotate(v);
+  return {float(seen.x()), float(seen.y()), float(seen.z())};
+}
+
+/// How bright a surface is that faces the eye: a lamp at the eye's upper left, whose light is soft.
+float brightness(const Direction& normal, float lamp_share)
+{
+  constexpr Direction to_lamp = {-0.36f, -0.48f, 0.8f};
+  const float cosine = normal[0] * to_lamp[0] + normal[1] * to_lamp[1] + normal[2] * to_lamp[2];
+  const float light = (1 + cosine) / 2;
+  return 1 - lamp_share + lamp_share * light * light;
+}
+
+Color lit(const Color& color, float light)
+{
+  return {light * color[0], light * color[1], light * color[2]};
+}
+
+/// What is drawn in a half of the picture.
+struct Panel
+{
+  const std::vector<Point>& points;
+  const std::vector<Vector>& normals;    ///< one for each point, or none at all
+  const std::vector<float>& confidences; ///< likewise
+  Snapshot_colors colors;
+  bool as_dots;
+
+  /// Of a disc, lit.
+  /// \param normal of the surface at that point
+  Color color_of(std::size_t i, const Vector& normal, const Direction& seen) const
+  {
+    // Along the rim of a round surface, discs that are hardly turned away still stick out
+    const bool is_oriented = !normals.empty();
+    const bool is_back = seen[2] < (is_oriented ? -0.2f : 0.f);
+    const Direction lit_side = is_back ? Direction{-seen[0], -seen[1], -seen[2]}
+                                       : Direction{seen[0], seen[1], std::abs(seen[2])};
+    if (is_oriented && colors == Snapshot_colors::NORMALS)
+      return lit(color_of_direction(normal), brightness(lit_side, 0.4f)); // colors show shape too
+    return lit(
+      is_oriented && is_back ? blue : color_of_confidence(confidences.empty() ? 0 : confidences[i]),
+      brightness(lit_side, 0.9f));
+  }
+};
+
+/// Whether the disc of a point that is turned away lies behind an edge whose other side is seen:
+/// what is drawn of it could only stick out.
+bool lies_behind_edge(const Surroundings& place, const std::vector<Surroundings>& all,
+                      const Camera& camera)
+{
+  return std::any_of(place.across_edges.begin(), place.across_edges.end(),
+                     [&](const auto& j) { return j && camera.rotate(all[*j].normal).z() > 0; });
+}
+
+Image render_panel(const Panel& panel, const Camera& camera)
+{
+  const std::vector<Point>& points = panel.points;
+  const std::vector<Surroundings> surroundings = surroundings_of_points(points, panel.normals);
+  const double scale = camera.pixels_per_length();
+  std::vector<Splat> splats;
+  splats.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Surroundings& place = surroundings[i];
+    Splat splat;
+    splat.normal = place.normal == CGAL::NULL_VECTOR ? Direction{0, 0, 1}
+                                                     : seen_by(camera, place.normal);
+    if (splat.normal[2] < 0 && lies_behind_edge(place, surroundings, camera))
+      continue;
+    splat.center = camera.project(points[i]);
+    const double spacings = place.across_edges[0] ? radius_at_edges : radius_in_spacings;
+    splat.radius = float(
+      (std::clamp)(spacings * place.spacing * scale, least_radius, largest_radius));
+    if (panel.as_dots)
+      splat.colored_share = float(radius_of_dots / spacings);
+    splat.color = panel.color_of(i, place.normal, splat.normal);
+    for (std::size_t k = 0; k < place.across_edges.size(); ++k)
+      if (const std::optional<std::size_t> j = place.across_edges[k]) {
+        const Vector& normal_across = surroundings[*j].normal;
+        const double offset = (std::max)((points[*j] - points[i]) * normal_across, 0.);
+        splat.clips[k] = {seen_by(camera, normal_across), float(offset * scale)};
+      }
+    splats.push_back(splat);
+  }
+  return render_splats(splats, panel_width, panel_height);
+}
+
+} // namespace
+
+Image render_snapshot(const Point_cloud& input, const std::vector<Oriented_point>& result,
+                      const std::optional<std::array<double, 3>>& towards_eye,
+                      const std::vector<float>& feature_confidences, Snapshot_colors colors,
+                      bool as_dots)
+{
+  std::vector<Point> result_points;
+  std::vector<Vector> result_normals;
+  for (const Oriented_point& point : result) {
+    result_points.push_back(point.first);
+    result_normals.push_back(point.second);
+  }
+
+  const std::array<double, 3> eye = towards_eye.value_or(std::array<double, 3>{0.6, 0.55, 1});
+  Camera camera(Vector(eye[0], eye[1], eye[2]), panel_width, panel_height);
+  camera.fit({&input.points, &result_points});
+
+  const Image left = render_panel({input.points, input.normals, {}, colors, as_dots}, camera);
+  const Image right =
+    render_panel({result_points, result_normals, feature_confidences, colors, as_dots}, camera);
+  Image image(2 * panel_width, panel_height, {1, 1, 1});
+  for (int y = 0; y < panel_height; ++y) {
+    std::copy_n(&left.at(0, y), panel_width, &image.at(0, y));
+    std::copy_n(&right.at(0, y), panel_width, &image.at(panel_width, y));
+  }
+  return image;
+}
+
+} // namespace l0_tool

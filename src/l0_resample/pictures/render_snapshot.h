@@ -1,0 +1,38 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef L0_RESAMPLE_RENDER_SNAPSHOT_H
+#define L0_RESAMPLE_RENDER_SNAPSHOT_H
+
+#include "pictures/Image.h"
+#include "basis/Point_cloud.h"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace l0_tool {
+
+enum class Snapshot_colors
+{
+  SHADED, ///< gray, blue where the normal is turned away from the eye
+  NORMALS ///< by the direction of the normal, as in the figures of the paper
+};
+
+/// Draws the input on the left and the result on the right, seen by the same camera in the same
+/// light: as surfaces of discs that are large enough to leave no gap. An input without normals is
+/// gray, and lit as planes through its points would be.
+/// \param feature_confidences of the result, in [0, 1], or none; with some, the shaded result is
+/// the redder the higher they are
+/// \param as_dots whether a white surface has a dot for each point, which shows how they lie
+/// \param towards_eye not zero; by default from the front right, a little above, with y pointing up
+Image render_snapshot(const Point_cloud& input, const std::vector<Oriented_point>& result,
+                      const std::optional<std::array<double, 3>>& towards_eye,
+                      const std::vector<float>& feature_confidences = {},
+                      Snapshot_colors colors = Snapshot_colors::SHADED, bool as_dots = false);
+
+} // namespace l0_tool
+
+#endif // L0_RESAMPLE_RENDER_SNAPSHOT_H

@@ -1,0 +1,40 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef L0_RESAMPLE_CARRY_PROPERTIES_H
+#define L0_RESAMPLE_CARRY_PROPERTIES_H
+
+#include "basis/Property_table.h"
+
+#include <CGAL/L0_resampling/internal/search/nearest_input_points.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace l0_tool {
+
+/// What is found of each point of a result.
+struct Result_column
+{
+  std::string name;
+  std::vector<float> values;
+};
+
+/// The properties of a result: those of the input, of floating-point types and of colors the mean
+/// of near points, and of others that of the nearest, as of gps_time and scan_angle; then
+/// `source_index`, where there is one, and the columns. These go before properties of the input of
+/// the same name.
+/// \param near_points of the result, unless `properties` has none
+/// \param size of the result
+Property_table carried_properties(const Property_table& properties,
+                                  const CGAL::L0_resampling::internal::Near_points& near_points,
+                                  const std::vector<std::uint32_t>& source_indices,
+                                  const std::vector<Result_column>& columns, std::size_t size);
+
+} // namespace l0_tool
+
+#endif // L0_RESAMPLE_CARRY_PROPERTIES_H

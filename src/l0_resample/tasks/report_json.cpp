@@ -1,0 +1,158 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "tasks/report_json.h"
+
+#include <CGAL/L0_resampling/warnings.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <cstdio>
+
+namespace l0_tool {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using CGAL::L0_resampling::Iteration_report;
+using CGAL::L0_resampling::Report;
+using CGAL::L0_resampling::Stage_report;
+
+Json number_or_null(const std::optional<double>& number)
+{
+  return number ? Json(*number) : Json(nullptr);
+}
+
+Json coordinates_or_null(const std::optional<std::array<double, 3>>& coordinates)
+{
+  return coordinates ? Json(*coordinates) : Json(nullptr);
+}
+
+Json parameters_as_json(const Options& options, const Run_record& record)
+{
+  const auto& viewpoint = record.viewpoint_of_file ? record.viewpoint_of_file : options.viewpoint;
+  Json json = {{"method", name_of(options.method)},
+               {"solver", name_of(options.solver)},
+               {"normal_weight", normal_weight_of(options)},
+               {"sharpness_angle", options.sharpness_angle},
+               {"seed", options.seed},
+               {"use_normals", options.use_normals},
+               {"keep_classes", options.classes},
+               {"first_returns", options.only_first_returns},
+               {"keep_outliers", options.keep_outliers},
+               {"outlier_sensitivity", number_or_null(options.outlier_sensitivity)},
+               {"keep_density", options.keep_density},
+               {"orient_by_normals", options.orient_by_normals},
+               {"viewpoint", coordinates_or_null(viewpoint)},
+               {"viewpoints", options.viewpoints},
+               {"view_property", options.view_property},
+               {"up", coordinates_or_null(options.up_direction)}};
+  json["threads"] = options.threads ? Json(*options.threads) : Json("all");
+  return json;
+}
+
+Json iteration_as_json(const Iteration_report& iteration)
+{
+  return {{"penalty", iteration.penalty},
+          {"regularized", iteration.regularized},
+          {"fit_energy", iteration.fit_energy},
+          {"regularization_energy", iteration.regularization_energy},
+          {"normal_energy", iteration.normal_energy},
+          {"sparsity_energy", iteration.sparsity_energy},
+          {"active_pair_share", iteration.active_pair_share},
+          {"solver_iterations", iteration.solver.iterations},
+          {"relative_residual", iteration.solver.relative_residual},
+          {"converged", iteration.solver.converged}};
+}
+
+Json report_as_json(const Report& report)
+{
+  Json json = {{"neighbor_radius", report.neighbor_radius},
+               {"least_neighbor_radius", report.least_neighbor_radius},
+               {"median_neighbor_radius", report.median_neighbor_radius},
+               {"largest_neighbor_radius", report.largest_neighbor_radius},
+               {"normal_filter_radius", report.normal_filter_radius},
+               {"outliers", report.number_of_outliers},
+               {"degenerate_neighborhoods", report.number_of_degenerate_neighborhoods},
+               {"lonely_samples", report.number_of_lonely_samples},
+               {"self_neighbor_pairs", report.number_of_self_neighbor_pairs},
+               {"oriented_share", report.oriented_share},
+               {"right_side_share", report.right_side_share},
+               {"hinted_share", report.hinted_share},
+               {"extent_share", report.extent_share},
+               {"warnings", Json::array()},
+               {"converged", report.converged},
+               {"peak_bytes", report.peak_bytes},
+               {"stages", Json::array()},
+               {"iterations", Json::array()}};
+  for (const CGAL::L0_resampling::Warning warning : CGAL::L0_resampling::warnings(report))
+    json["warnings"].push_back(CGAL::L0_resampling::name_of(warning));
+  for (const Stage_report& stage : report.stages)
+    json["stages"].push_back(
+      {{"name", stage.name}, {"seconds", stage.seconds}, {"peak_bytes", stage.peak_bytes}});
+  for (const Iteration_report& iteration : report.iterations)
+    json["iterations"].push_back(iteration_as_json(iteration));
+  return json;
+}
+
+} // namespace
+
+std::string report_as_json(const Options& options, const Run_record& record)
+{
+  const Report& report = record.report;
+  Json json = {{"program", "l0_resample"},
+               {"version", L0_RESAMPLE_VERSION},
+               {"exit_status", int(record.status)}};
+  if (!record.error.empty())
+    json["error"] = record.error;
+  json["warnings"] = record.warnings;
+  json["notes"] = record.notes;
+  json["input"] = {{"file", options.input},
+                   {"points", report.number_of_input_points},
+                   {"dropped_points", report.number_of_dropped_points}};
+  json["output"] = {{"file", options.output}, {"points", report.number_of_output_points}};
+  json["parameters"] = parameters_as_json(options, record);
+  json["device"] = {{"used", report.device}, {"reason", report.device_reason}};
+  json["seconds"] = {{"read", record.seconds_to_read},
+                     {"resample", record.seconds_to_resample},
+                     {"write", record.seconds_to_write}};
+  json["resampling"] = report_as_json(report);
+  // File names are bytes, JSON is UTF-8: what is not becomes U+FFFD
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string summary_line(const Options& options, const Run_record& record)
+{
+  const Report& report = record.report;
+  char numbers[96];
+  std::snprintf(numbers, sizeof numbers,
+                "%.2f s, %.0f %% of the normals expected on the right side",
+                record.seconds_to_resample, std::floor(100 * report.right_side_share));
+  const std::string input_points = std::to_string(report.number_of_input_points);
+  std::string line = options.input_name() + ": " + input_points + " points in, ";
+  if (report.number_of_dropped_points > 0)
+    line += std::to_string(report.number_of_dropped_points) + " dropped, ";
+  if (report.number_of_outliers > 0)
+    line += std::to_string(report.number_of_outliers) + " outliers left out, ";
+  line += std::to_string(report.number_of_output_points)
+          + (options.dry_run ? " would be written to " + options.output + ", " : " out, ");
+  if (options.convert_only)
+    return line + "converted\n";
+  if (options.orient_only && options.dry_run)
+    return line + "oriented\n";
+  line += options.orient_only ? "oriented, " : "method " + name_of(options.method) + ", ";
+  if (options.dry_run) {
+    std::snprintf(numbers, sizeof numbers, "neighbor radius %.6g\n", report.neighbor_radius);
+    return line + numbers;
+  }
+  line += numbers;
+  const double well_known_share = 0.9;
+  if (report.right_side_share < well_known_share && report.hinted_share < 0.5)
+    line += " (--viewpoint, --up or --orient-by-normals would tell)";
+  if (!report.converged)
+    line += ", not converged";
+  return line + "\n";
+}
+
+} // namespace l0_tool

@@ -1,0 +1,243 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "tasks/resample.h"
+
+#include "basis/Failure.h"
+#include "tasks/carry_properties.h"
+#include "basis/signals.h"
+
+#include <CGAL/L0_resampling/Block_chebyshev_solver_traits.h>
+#include <CGAL/L0_resampling/Block_conjugate_gradient_solver_traits.h>
+#include <CGAL/L0_resampling/Eigen_cholesky_solver_traits.h>
+#include <CGAL/L0_resampling/Eigen_least_squares_solver_traits.h>
+#include <CGAL/l0_resample_point_set.h>
+#include <CGAL/property_map.h>
+
+#include <boost/range/irange.hpp>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <new>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace l0_tool {
+namespace {
+
+namespace parameters = CGAL::parameters;
+using Concurrency_tag = CGAL::Parallel_if_available_tag;
+
+template <typename Tag, typename NamedParameters>
+void call(const Point_cloud& cloud, const Sides& sides, const Options& options,
+          const NamedParameters& np, Resampled_points& result)
+{
+  namespace internal = CGAL::L0_resampling::internal;
+  using Normal_map = decltype(CGAL::make_property_map(cloud.normals.data()));
+  const Normal_map normals = CGAL::make_property_map(cloud.normals.data());
+  const auto if_asked_for = [&](bool is) {
+    return is ? std::make_optional(normals) : std::nullopt;
+  };
+  std::vector<std::uint32_t> sources(
+    options.with_source_indices ? number_of_output_points(options, cloud.points.size()) : 0);
+  // where they are asked for
+  std::vector<Result_column> columns;
+  const auto add_column = [&](bool is_wanted, const char* name) -> std::optional<std::size_t> {
+    if (!is_wanted)
+      return std::nullopt;
+    columns.push_back(
+      {name, std::vector<float>(number_of_output_points(options, cloud.points.size()))});
+    return columns.size() - 1;
+  };
+  const auto features = add_column(options.with_feature_confidences, "feature_confidence"),
+             side_confidences = add_column(options.with_side_confidences, "side_confidence"),
+             radii = add_column(options.with_neighbor_radii, "neighbor_radius");
+  const auto map_of = [&](const std::optional<std::size_t>& column) {
+    return column ? std::make_optional(CGAL::make_property_map(columns[*column].values.data()))
+                  : std::nullopt;
+  };
+  const auto source_map = CGAL::make_property_map(sources.data());
+
+  const auto viewpoint_map = CGAL::make_property_map(sides.viewpoints.data());
+  const auto whole_np =
+    np.orientation_hint_map(if_asked_for(options.orient_by_normals))
+      .viewpoint_map(sides.viewpoints.empty() ? std::nullopt : std::make_optional(viewpoint_map))
+      .source_index_map(options.with_source_indices ? std::make_optional(source_map) : std::nullopt)
+      .feature_confidence_map(map_of(features))
+      .side_confidence_map(map_of(side_confidences))
+      .neighbor_radius_map(map_of(radii));
+  const auto write = [&](std::size_t size, const auto& pair_of, const internal::Point_data& data) {
+    internal::write_point_data(whole_np, data, size, [](std::size_t i) { return i; });
+    result.points.reserve(size);
+    for (std::size_t i = 0; i < size; ++i)
+      result.points.push_back(pair_of(i));
+    result.properties = carried_properties(cloud.properties, data.near_points, sources, columns,
+                                           size);
+    if (features)
+      result.feature_confidences = columns[*features].values;
+  };
+  internal::l0_resample_point_set<Tag, Kernel>(
+    boost::irange(std::size_t(0), cloud.points.size()),
+    CGAL::make_property_map(cloud.points.data()), if_asked_for(options.use_normals),
+    cloud.properties.properties().empty() ? 0 : internal::number_of_averaged_points, write,
+    whole_np);
+}
+
+/// \param tolerance the default of the solver
+template <typename Solver_traits>
+Solver_traits iterative_solver(const Options& options, double tolerance = 1e-5)
+{
+  return options.solver_iterations
+           ? Solver_traits(tolerance, std::size_t(*options.solver_iterations))
+           : Solver_traits();
+}
+
+template <typename NamedParameters>
+void call_with_solver(const Point_cloud& cloud, const Sides& sides, const Options& options,
+                      const NamedParameters& np, Resampled_points& result)
+{
+  using namespace CGAL::L0_resampling;
+  using Block_chebyshev =
+    Block_chebyshev_solver_traits<float, Concurrency_tag>; // the function's own default
+  using Block_cg = Block_conjugate_gradient_solver_traits<float, Concurrency_tag>;
+  using Rows_cg = Eigen_least_squares_solver_traits<double>;
+  switch (options.solver) {
+  case Solver::BLOCK_CHEBYSHEV:
+    return call<Concurrency_tag>(cloud, sides, options,
+                                 np.sparse_linear_solver(iterative_solver<Block_chebyshev>(
+                                   options, internal::default_chebyshev_tolerance)),
+                                 result);
+  case Solver::BLOCK_CG:
+    return call<Concurrency_tag>(
+      cloud, sides, options, np.sparse_linear_solver(iterative_solver<Block_cg>(options)), result);
+  case Solver::CHOLESKY:
+    return call<Concurrency_tag>(cloud, sides, options,
+                                 np.sparse_linear_solver(Eigen_cholesky_solver_traits<double>()),
+                                 result);
+  case Solver::ROWS_CG:
+    return call<Concurrency_tag>(
+      cloud, sides, options, np.sparse_linear_solver(iterative_solver<Rows_cg>(options)), result);
+  }
+}
+
+l0_common::Device_request device_request(const Options& options)
+{
+  l0_common::Device_request request = {options.device, "--device cuda", ""};
+  if (options.solver != Solver::BLOCK_CHEBYSHEV || options.solver_iterations)
+    request.obstacle = "the device has a solver of its own, and --solver or --solver-iterations "
+                       "asks for another";
+  return request;
+}
+
+} // namespace
+
+void check_device(const Options& options)
+{
+  if (options.device != Device::CUDA)
+    return;
+  try {
+    std::string reason;
+    l0_common::can_use_device(device_request(options), reason);
+  } catch (const CGAL::L0_resampling::Device_error& error) {
+    throw Failure(RUN_TIME_FAILURE, error.what());
+  }
+}
+
+std::size_t number_of_output_points(const Options& options, std::size_t number_of_input_points)
+{
+  if (options.number_of_points)
+    return std::size_t(*options.number_of_points);
+  const double number = double(number_of_input_points) * options.percentage / 100;
+  if (number > double(max_number_of_output_points))
+    throw Failure(INPUT_REFUSED, options.input_name() + ": --percentage asks for more than "
+                                   + std::to_string(max_number_of_output_points) + " points");
+  return (std::max)(std::size_t(1), std::size_t(number));
+}
+
+CGAL::L0_resampling::Report estimate_scales(const Point_cloud& cloud, const Options& options)
+{
+  Options on_cpu = options;
+  on_cpu.device = Device::CPU;
+  CGAL::L0_resampling::Report report;
+  const auto callback = [&](double) { return report.neighbor_radius == 0 && !is_interrupted(); };
+  resample(cloud, Sides(), on_cpu, callback, report);
+  throw_if_interrupted();
+  return report;
+}
+
+double largest_effective_normal_weight(const CGAL::L0_resampling::Report& report)
+{
+  using namespace CGAL::L0_resampling::internal;
+  if (report.iterations.empty())
+    return std::numeric_limits<double>::infinity();
+  const double largest_jump = largest_shrunk_jump_per_sheet_height
+                              * sheet_height(report.estimated_noise, report.neighbor_radius);
+  const double jumps = largest_jump / (sparsity_unit_factor * report.neighbor_radius);
+  return report.iterations.back().penalty * jumps * jumps;
+}
+
+Resampled_points resample(const Point_cloud& cloud, const Sides& sides, const Options& options,
+                          const std::function<bool(double)>& callback,
+                          CGAL::L0_resampling::Report& report)
+{
+  std::optional<tbb::global_control> limit;
+  if (options.threads)
+    limit.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(*options.threads));
+  const char* normals_wanted_by = options.use_normals         ? "--use-normals"
+                                  : options.orient_by_normals ? "--orient-by-normals"
+                                                              : nullptr;
+  const std::string name = options.input_name();
+  if (normals_wanted_by && cloud.normals.empty() && !cloud.points.empty())
+    throw Failure(INPUT_REFUSED,
+                  name + ": " + normals_wanted_by + " is given, but the file has no normals");
+
+  Resampled_points result;
+  result.viewpoint = sides.viewpoint;
+  result.las = cloud.las;
+  try {
+    const auto np =
+      parameters::resampling_method(options.method)
+        .normal_weight(normal_weight_of(options))
+        .sharpness_angle(options.sharpness_angle)
+        .random_seed(options.seed)
+        .drop_outliers(options.keep_outliers ? std::optional<bool>(false) : std::nullopt)
+        .number_of_output_points(number_of_output_points(options, cloud.points.size()))
+        .maximum_memory(options.max_memory)
+        .callback(callback)
+        .resampling_report(&report)
+        .neighbor_radius(options.neighbor_radius)
+        .keep_density(options.keep_density)
+        .outlier_sensitivity(options.outlier_sensitivity)
+        .viewpoint(sides.viewpoint)
+        .up_direction(options.up_direction);
+    const auto on_device = [&]() {
+#ifdef CGAL_L0_LINKED_WITH_CUDA
+      call<CGAL::CUDA_tag>(cloud, sides, options, np, result);
+#endif
+    };
+    const auto on_cpu = [&]() { call_with_solver(cloud, sides, options, np, result); };
+    const l0_common::Device_request request = device_request(options);
+    report.device_reason = l0_common::run_on_chosen(request, on_device, on_cpu);
+  } catch (const CGAL::L0_resampling::Device_error& error) {
+    throw Failure(RUN_TIME_FAILURE, error.what());
+  } catch (const std::bad_alloc&) {
+    if (options.device == Device::CUDA)
+      throw Failure(RUN_TIME_FAILURE, "--device cuda: the device has too little memory");
+    throw Failure(RUN_TIME_FAILURE,
+                  name + ": not enough memory to resample " + std::to_string(cloud.points.size())
+                    + " points"
+                    + (options.max_memory < Options().max_memory ? " within --max-memory" : ""));
+  } catch (const std::invalid_argument& error) {
+    throw Failure(INPUT_REFUSED, name + ": " + error.what());
+  }
+  return result;
+}
+
+} // namespace l0_tool

@@ -1,0 +1,288 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "tasks/run.h"
+
+#include "basis/Failure.h"
+#include "files/Output_file.h"
+#include "tasks/Progress_bar.h"
+#include "tasks/check_output.h"
+#include "tasks/convert.h"
+#include "tasks/describe.h"
+#include "tasks/orient.h"
+#include "basis/parse_numbers.h"
+#include "tasks/read_input.h"
+#include "pictures/render_snapshot.h"
+#include "tasks/resample.h"
+#include "basis/signals.h"
+#include "tasks/viewpoints.h"
+#include "pictures/write_png.h"
+#include "formats/write_points.h"
+
+#include <CGAL/L0_resampling/internal/plan/Method_rules.h>
+#include <CGAL/L0_resampling/warnings.h>
+
+#include <chrono>
+#include <cstdio>
+#include <exception>
+#include <functional>
+#include <iostream>
+#include <new>
+#include <sstream>
+#include <vector>
+
+namespace l0_tool {
+namespace {
+
+class Stopwatch
+{
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point m_start = Clock::now();
+
+public:
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - m_start).count(); }
+};
+
+Point_cloud read_input(const Options& options, Progress_bar& progress, Run_record& record)
+{
+  const Stopwatch stopwatch;
+  const bool with_normals = options.use_normals || options.orient_by_normals || options.orient_only
+                            || !options.snapshot.empty();
+  Point_cloud cloud = read_input(
+    options, with_normals, [&](double share) { progress.update("read", share); }, record);
+  record.seconds_to_read = stopwatch.seconds();
+  return cloud;
+}
+
+/// Calls `work` with a callback that moves the progress bar and ends it after a signal.
+template <typename Work>
+void watch(const Point_cloud& cloud, Progress_bar& progress, Run_record& record, const Work& work)
+{
+  const Stopwatch stopwatch;
+  progress.restart();
+  work([&](double share) {
+    progress.update(record.report.stages.empty() ? "" : record.report.stages.back().name, share);
+    return !is_interrupted();
+  });
+  throw_if_interrupted();
+  record.report.number_of_dropped_points =
+    cloud.number_of_dropped_points; // the reader drops them, not the library
+  record.seconds_to_resample = stopwatch.seconds();
+}
+
+Resampled_points resample_input(const Point_cloud& cloud, const Sides& sides,
+                                const Options& options, Progress_bar& progress, Run_record& record)
+{
+  Resampled_points result;
+  watch(cloud, progress, record, [&](const std::function<bool(double)>& callback) {
+    result = resample(cloud, sides, options, callback, record.report);
+  });
+  return result;
+}
+
+/// Where the points were seen from, as the options say, or else the file.
+Sides find_sides(const Point_cloud& cloud, const std::vector<Point>& viewpoints,
+                 const Options& options, Run_record& record)
+{
+  Sides sides;
+  sides.viewpoint = options.viewpoint;
+  if (!options.viewpoints.empty())
+    sides.viewpoints = viewpoints_of_points(cloud, options.view_property, viewpoints,
+                                            options.input_name());
+  if (options.have_side())
+    return sides;
+  if (cloud.viewpoint) {
+    sides.viewpoint = record.viewpoint_of_file = cloud.viewpoint;
+    const auto& [x, y, z] = *cloud.viewpoint;
+    std::ostringstream note;
+    note << options.input << ": normals face the VIEWPOINT of the file, " << x << "," << y << ","
+         << z << ", unless --viewpoint none is given";
+    record.notes.push_back(note.str());
+  } else if (cloud.file_has_normals)
+    record.notes.push_back(
+      options.input + ": the file has normals, which --orient-by-normals lets decide the side");
+  return sides;
+}
+
+void note_weight_without_effect(const Options& options, Run_record& record)
+{
+  const double limit = largest_effective_normal_weight(record.report);
+  if (!options.normal_weight || *options.normal_weight <= limit
+      || !CGAL::L0_resampling::internal::rules_of(options.method).limits_jumps)
+    return;
+  char text[96];
+  std::snprintf(text, sizeof text,
+                ": --normal-weight %g acts as %.3g does, the largest one that the",
+                *options.normal_weight, limit);
+  record.notes.push_back(options.input + text + " default method has a use for here");
+}
+
+void warn_of_left_out(const Options& options, const std::vector<std::string>& properties,
+                      Run_record& record)
+{
+  for (const std::string& property : properties)
+    record.warnings.push_back(options.output + ": the format has no place for the property "
+                              + printable(property));
+}
+
+void resample_file(const Options& options, Run_record& record)
+{
+  const std::string name = options.input_name();
+  // What would spoil the end is found at the beginning
+  check_device(options);
+  check_output(options, 0);
+  for (const std::string& path : {options.snapshot, options.json})
+    if (!path.empty() && !is_folder_missing(options, path))
+      check_writable(path, 0);
+
+  const std::vector<Point> viewpoints = options.viewpoints.empty()
+                                          ? std::vector<Point>()
+                                          : read_viewpoints(options.viewpoints);
+
+  Progress_bar progress(options.quiet);
+  const Point_cloud cloud = read_input(options, progress, record);
+  const std::size_t number_of_points = number_of_output_points(options, cloud.points.size());
+  check_output(options, largest_file_size(options.output_format, number_of_points, cloud.properties,
+                                          cloud.las));
+
+  const Sides sides = find_sides(cloud, viewpoints, options, record);
+  if (options.dry_run) {
+    record.report = estimate_scales(cloud, options);
+    record.report.number_of_input_points = cloud.points.size();
+    record.report.number_of_dropped_points = cloud.number_of_dropped_points;
+    record.report.number_of_output_points = cloud.points.empty() ? 0 : number_of_points;
+    return;
+  }
+  const Resampled_points result = resample_input(cloud, sides, options, progress, record);
+  for (const CGAL::L0_resampling::Warning warning : CGAL::L0_resampling::warnings(record.report))
+    record.warnings.push_back(options.input + ": "
+                              + CGAL::L0_resampling::message_of(warning, record.report));
+  note_weight_without_effect(options, record);
+  if (options.strict && !record.report.converged)
+    throw Failure(NOT_CONVERGED, name + ": a solve did not converge, nothing is written");
+
+  const Stopwatch stopwatch;
+  const std::vector<std::string> left_out = write_points(options.output, options.output_format,
+                                                         result, options.existing_file());
+  record.seconds_to_write = stopwatch.seconds();
+  warn_of_left_out(options, left_out, record);
+  if (!options.snapshot.empty())
+    write_png(options.snapshot,
+              render_snapshot(cloud, result.points, options.view, result.feature_confidences,
+                              options.snapshot_colors));
+}
+
+void orient_file(const Options& options, Run_record& record)
+{
+  check_device(options);
+  check_output(options, 0);
+  if (!options.json.empty() && !is_folder_missing(options, options.json))
+    check_writable(options.json, 0);
+  const std::vector<Point> viewpoints = options.viewpoints.empty()
+                                          ? std::vector<Point>()
+                                          : read_viewpoints(options.viewpoints);
+  Progress_bar progress(options.quiet);
+  Point_cloud cloud = read_input(options, progress, record);
+  check_output(options, largest_file_size(options.output_format, cloud.points.size(),
+                                          cloud.properties, cloud.las));
+  const Sides sides = find_sides(cloud, viewpoints, options, record);
+  if (options.dry_run) {
+    record.report.number_of_input_points = cloud.points.size();
+    record.report.number_of_dropped_points = cloud.number_of_dropped_points;
+    record.report.number_of_output_points = cloud.points.size();
+    return;
+  }
+  watch(cloud, progress, record, [&](const std::function<bool(double)>& callback) {
+    orient(sides, options, callback, cloud, record.report);
+  });
+  const Stopwatch stopwatch;
+  warn_of_left_out(options,
+                   write_point_cloud(options.output, options.output_format, cloud,
+                                     options.existing_file()),
+                   record);
+  record.seconds_to_write = stopwatch.seconds();
+}
+
+void describe_file(const Options& options, Run_record& record)
+{
+  Progress_bar progress(options.quiet);
+  const Point_cloud cloud = read_input(options, progress, record);
+  progress.clear();
+  record.description = describe(cloud, options);
+}
+
+void print_summary(const Options& options, const Run_record& record)
+{
+  const bool is_taken = (!options.output.empty() && is_standard_output(options.output))
+                        || (!options.json.empty() && is_standard_output(options.json));
+  std::ostream& stream = is_taken ? std::cerr : std::cout;
+  stream << (options.info ? record.description : summary_line(options, record)) << std::flush;
+  if (!stream)
+    throw Failure(OUTPUT_NOT_WRITTEN, "standard output: the summary cannot be written");
+}
+
+} // namespace
+
+void guarded(Run_record& record, const std::function<void()>& function)
+{
+  try {
+    function();
+  } catch (const Failure& failure) {
+    record.status = failure.status();
+    record.error = failure.what();
+  } catch (const std::bad_alloc&) {
+    record.status = RUN_TIME_FAILURE;
+    record.error = "not enough memory";
+  } catch (const std::exception& error) {
+    record.status = RUN_TIME_FAILURE;
+    record.error = error.what();
+  }
+}
+
+Run_record run(const Options& options)
+{
+  Run_record record;
+  guarded(record, [&]() {
+    if (!options.refusal.empty())
+      throw Failure(INPUT_REFUSED, options.refusal);
+    if (options.info)
+      return describe_file(options, record);
+    if (options.orient_only)
+      return orient_file(options, record);
+    if (!options.convert_only)
+      return resample_file(options, record);
+    Progress_bar progress(options.quiet);
+    convert_file(
+      options, [&](double share) { progress.update("read", share); }, record);
+  });
+  return record;
+}
+
+void write_text(const std::string& path, const std::string& text)
+{
+  Output_file file(path);
+  file.write(text);
+  file.commit();
+}
+
+void print_error(const std::string& error)
+{
+  if (!error.empty())
+    std::cerr << "l0_resample: " << error << std::endl;
+}
+
+void print_outcome(const Options& options, Run_record& record)
+{
+  if (record.status == SUCCESS && (!options.quiet || options.info))
+    guarded(record, [&]() { print_summary(options, record); });
+  if (options.quiet)
+    return;
+  for (const std::string& note : record.notes)
+    std::cerr << "l0_resample: note: " << note << std::endl;
+  for (const std::string& warning : record.warnings)
+    std::cerr << "l0_resample: warning: " << warning << std::endl;
+}
+
+} // namespace l0_tool

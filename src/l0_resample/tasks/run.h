@@ -1,0 +1,33 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef L0_RESAMPLE_RUN_H
+#define L0_RESAMPLE_RUN_H
+
+#include "command_line/options.h"
+#include "tasks/report_json.h"
+
+#include <functional>
+#include <string>
+
+namespace l0_tool {
+
+/// Runs the function and keeps in the record how it ended.
+void guarded(Run_record& record, const std::function<void()>& function);
+
+/// Reads, resamples or converts, and writes, and throws nothing: how it ended is in the record.
+Run_record run(const Options& options);
+
+/// The summary of a run that went well, and warnings.
+void print_outcome(const Options& options, Run_record& record);
+
+void write_text(const std::string& path, const std::string& text);
+
+/// One line on standard error, with the name of the program.
+void print_error(const std::string& error);
+
+} // namespace l0_tool
+
+#endif // L0_RESAMPLE_RUN_H

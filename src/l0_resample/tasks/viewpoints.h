@@ -1,0 +1,31 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef L0_RESAMPLE_VIEWPOINTS_H
+#define L0_RESAMPLE_VIEWPOINTS_H
+
+#include "basis/Point_cloud.h"
+
+#include <string>
+#include <vector>
+
+namespace l0_tool {
+
+/// Reads a text with one viewpoint, three coordinates, a line. Empty lines and those that begin
+/// with # are skipped.
+/// \throws Failure with INPUT_REFUSED and the line where it is something else
+std::vector<Point> read_viewpoints(const std::string& path);
+
+/// The viewpoint of each point.
+/// \param property of the points that says which viewpoint it is, counted from 0
+/// \param name of the input, for messages
+/// \throws Failure with INPUT_REFUSED if there is no such property, or no such viewpoint
+std::vector<Point> viewpoints_of_points(const Point_cloud& cloud, const std::string& property,
+                                        const std::vector<Point>& viewpoints,
+                                        const std::string& name);
+
+} // namespace l0_tool
+
+#endif // L0_RESAMPLE_VIEWPOINTS_H

@@ -1,0 +1,115 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef L0_RESAMPLE_SHARD_H
+#define L0_RESAMPLE_SHARD_H
+
+#include "tiles/Task_file.h"
+
+#include <CGAL/L0_resampling/internal/tiles/Block_counts.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace l0_tool {
+
+using CGAL::L0_resampling::internal::Block;
+using CGAL::L0_resampling::internal::Block_lattice;
+
+/// Where points of a block stand in a shard.
+struct Block_run
+{
+  Block block;
+  std::uint64_t first, count;
+};
+
+/// Writes the points of an input sorted by blocks: in runs, each of as many points as memory holds.
+class Shard_writer
+{
+  struct Sorted_point
+  {
+    std::array<double, 3> point;
+    std::uint32_t place;    // of its block in the run
+    std::uint32_t sequence; // keeps the order of the input within a block
+  };
+
+  Task_file_writer m_file;
+  Block_lattice m_lattice;
+  std::size_t m_most_points;
+  std::vector<Sorted_point> m_run;
+  std::map<Block, std::uint32_t> m_places; // of the blocks of the run, as they came
+  std::vector<Block> m_blocks;             // likewise
+  std::vector<Block_run> m_runs;
+  std::uint64_t m_number_of_points = 0;
+
+  void write_run();
+
+public:
+  /// What a point takes while its run is sorted.
+  static constexpr std::size_t bytes_per_point = sizeof(Sorted_point);
+
+  /// \param most_points of a run
+  Shard_writer(const std::string& path, std::uint64_t key, const Block_lattice& lattice,
+               std::size_t most_points);
+
+  void add(const std::array<double, 3>& point);
+  void commit();
+};
+
+/// The points of all shards of a run: a model of `L0ResamplingTileSource`.
+class Shards
+{
+  struct Shard
+  {
+    std::unique_ptr<Task_file> file;
+    std::vector<Block_run> runs; // sorted by block
+  };
+
+  Block_lattice m_lattice;
+  mutable std::vector<Shard> m_shards;
+
+public:
+  Shards(const std::vector<std::string>& paths, std::uint64_t key, const Block_lattice& lattice);
+
+  /// \param box whose sides are sides of blocks
+  template <typename Box, typename F>
+  void for_each_point(const Box& box, const F& f) const
+  {
+    const Block low = m_lattice.block_of(box.low), end = m_lattice.block_of(box.high);
+    for (Shard& shard : m_shards)
+      for_each_run(shard, low, end, [&](const std::vector<std::array<double, 3>>& points) {
+        for (const std::array<double, 3>& point : points)
+          f(point);
+      });
+  }
+
+private:
+  template <typename F>
+  static void for_each_run(Shard& shard, const Block& low, const Block& end, const F& f)
+  {
+    std::vector<std::array<double, 3>> points;
+    for (auto run = first_run(shard.runs, low); run != shard.runs.end() && run->block[0] < end[0];
+         ++run) {
+      const Block& block = run->block;
+      if (block[1] < low[1] || block[1] >= end[1] || block[2] < low[2] || block[2] >= end[2])
+        continue;
+      read(*run, shard, points);
+      f(points);
+    }
+  }
+
+  static std::vector<Block_run>::iterator first_run(std::vector<Block_run>& runs, const Block& low);
+  static void read(const Block_run& run, Shard& shard, std::vector<std::array<double, 3>>& points);
+};
+
+} // namespace l0_tool
+
+#endif // L0_RESAMPLE_SHARD_H

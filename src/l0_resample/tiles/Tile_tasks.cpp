@@ -1,0 +1,449 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "tiles/Tile_tasks.h"
+
+#include "basis/Failure.h"
+#include "tiles/Shard.h"
+#include "tiles/Tile_rows.h"
+#include "tasks/check_output.h"
+#include "formats/read_points.h"
+#include "tasks/resample.h"
+#include "tasks/run.h"
+#include "basis/signals.h"
+#include "tiles/tile_description.h"
+#include "tiles/tile_files.h"
+#include "formats/write_points.h"
+
+#include <CGAL/l0_resample_tiles.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <new>
+#include <optional>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+namespace l0_tool {
+namespace {
+
+namespace fs = std::filesystem;
+namespace parameters = CGAL::parameters;
+namespace internal = CGAL::L0_resampling::internal;
+using CGAL::L0_resampling::Tile_counts;
+using CGAL::L0_resampling::Tile_result;
+using Tiled_resampling = CGAL::L0_resampling::Tiled_resampling<CGAL::Parallel_if_available_tag>;
+using Json = nlohmann::ordered_json;
+
+/// What the program takes beside the points: code, tables of the blocks, buffers of files.
+constexpr std::uint64_t base_memory = std::uint64_t(96) << 20;
+
+} // namespace
+
+/// The tiles of a run as far as earlier tasks have found out about them.
+class Tile_tasks::Tiles
+{
+  const Tile_tasks& m_tasks;
+
+public:
+  Tiled_resampling resampling;
+
+  Tiles(const Tile_tasks& tasks, const On_progress& on_progress)
+    : m_tasks(tasks), resampling(tiled_resampling(tasks, on_progress))
+  {}
+
+  static Tiled_resampling tiled_resampling(const Tile_tasks& tasks, const On_progress& on_progress)
+  {
+    const Options& options = tasks.m_options;
+    Tile_counts counts = read_counts(tasks.file_of("blocks", 0), tasks.m_key).counts;
+    const std::size_t number_of_samples =
+      number_of_output_points(options, std::size_t(counts.number_of_points()));
+    return Tiled_resampling(std::move(counts),
+                            parameters::resampling_method(options.method)
+                              .normal_weight(normal_weight_of(options))
+                              .number_of_output_points(number_of_samples)
+                              .neighbor_radius(options.neighbor_radius)
+                              .sharpness_angle(options.sharpness_angle)
+                              .random_seed(options.seed)
+                              .drop_outliers(options.keep_outliers ? std::optional<bool>(false)
+                                                                   : std::nullopt)
+                              .keep_density(options.keep_density)
+                              .viewpoint(options.viewpoint)
+                              .up_direction(options.up_direction)
+                              .callback(std::function<bool(double)>([on_progress](double share) {
+                                on_progress(share);
+                                return !is_interrupted();
+                              })));
+  }
+
+  Shards shards() const
+  {
+    std::vector<std::string> paths;
+    for (std::size_t k = 0; k < m_tasks.m_command.runs.size(); ++k)
+      paths.push_back(m_tasks.file_of("shard", k));
+    return Shards(paths, m_tasks.m_key, resampling.lattice());
+  }
+
+  void cut()
+  {
+    resampling.set_scales(
+      Task_file(m_tasks.file_of("scales", 0), m_tasks.m_key).read<internal::Scales>());
+    resampling.make_tiles(m_tasks.memory_of_tile());
+  }
+
+  void take_shares()
+  {
+    std::vector<std::vector<internal::Block_share>> shares;
+    Task_file file(m_tasks.file_of("samples", 0), m_tasks.m_key);
+    for (std::size_t tile = 0; tile < resampling.tiles().size(); ++tile)
+      shares.push_back(file.read_all<internal::Block_share>());
+    resampling.set_shares(shares);
+  }
+};
+
+Tile_tasks::Tile_tasks(const Command& command)
+  : m_command(command), m_options(command.runs.front()),
+    m_work((fs::path(command.output_directory) / "work").string()),
+    m_description(describe_run(command)), m_key(key_of_run(m_description))
+{}
+
+std::string Tile_tasks::file_of(const std::string& phase, std::size_t number) const
+{
+  if (phase == "write")
+    return result_of(number);
+  if (phase == "merge")
+    return m_command.merged_output;
+  if (phase == "finish")
+    return index_file();
+  return (fs::path(m_work) / (phase + "_" + std::to_string(number))).string();
+}
+
+std::string Tile_tasks::result_of(std::size_t tile) const
+{
+  return (fs::path(m_command.output_directory)
+          / ("tile_" + std::to_string(tile) + extension_of(m_options.output_format)))
+    .string();
+}
+
+std::string Tile_tasks::index_file() const
+{
+  return (fs::path(m_command.output_directory) / "index.json").string();
+}
+
+void Tile_tasks::begin() const
+{
+  const std::string note = (fs::path(m_work) / "run").string();
+  const std::string old = read_description(note), finished = read_finished(index_file());
+  if (!old.empty() || !finished.empty()) {
+    if (m_options.force && !m_command.tiles.resumes) {
+      remove_run(m_command.output_directory);
+    } else if (!m_command.tiles.resumes)
+      throw Failure(OUTPUT_NOT_WRITTEN, m_command.output_directory
+                                          + ": has an earlier run of --as-one: --resume goes "
+                                            "on with it, --force begins anew");
+    else
+      check_same_run(old.empty() ? finished : old, m_description);
+  }
+  make_folder(m_options, m_work);
+  write_text(note, m_description);
+}
+
+bool Tile_tasks::is_finished() const { return read_finished(index_file()) == m_description; }
+
+std::uint64_t Tile_tasks::memory_of_tile() const
+{
+  if (m_command.tiles.memory <= base_memory)
+    throw Failure(RUN_TIME_FAILURE, "--memory: more than " + std::to_string(base_memory >> 20)
+                                      + " MB are needed, for any input");
+  return m_command.tiles.memory - base_memory;
+}
+
+std::vector<Tile_phase> Tile_tasks::phases() const
+{
+  const std::size_t n = m_command.runs.size();
+  std::vector<Tile_phase> phases = {
+    {"count", n, 0.05}, {"blocks", 1, 0}, {"shard", n, 0.08}, {"scales", 1, 0.02}};
+  std::string reason;
+  if (!is_done("scales", 0, reason))
+    return phases;
+  Tiles tiles(*this, [](double) {});
+  tiles.cut();
+  const std::size_t number_of_tiles = tiles.resampling.tiles().size();
+  phases.push_back({"share", number_of_tiles, 0.2});
+  phases.push_back({"samples", 1, 0});
+  phases.push_back({"solve", number_of_tiles, 0.6});
+  phases.push_back({"stitch", 1, 0.01});
+  phases.push_back({"write", number_of_tiles, 0.02});
+  if (!m_command.merged_output.empty())
+    phases.push_back({"merge", 1, 0.02});
+  phases.push_back({"finish", 1, 0});
+  return phases;
+}
+
+bool Tile_tasks::is_done(const std::string& phase, std::size_t number, std::string& reason) const
+{
+  // what has the format that was asked for does not say whose it is
+  if (phase == "write" || phase == "merge" || phase == "finish")
+    return false;
+  return is_task_file(file_of(phase, number), m_key, reason);
+}
+
+void Tile_tasks::run(const std::string& phase, std::size_t number,
+                     const On_progress& on_progress) const
+{
+  try {
+    if (phase == "count")
+      count(number, on_progress);
+    else if (phase == "blocks")
+      merge_counts();
+    else if (phase == "shard")
+      shard(number, on_progress);
+    else if (phase == "scales")
+      find_scales();
+    else if (phase == "share")
+      find_shares(number, on_progress);
+    else if (phase == "samples")
+      share_samples();
+    else if (phase == "solve")
+      solve(number, on_progress);
+    else if (phase == "stitch")
+      stitch(on_progress);
+    else if (phase == "write")
+      write(number);
+    else if (phase == "merge")
+      merge();
+    else
+      finish();
+  } catch (const std::bad_alloc&) {
+    throw Failure(RUN_TIME_FAILURE, phase + " " + std::to_string(number) + ": not enough memory");
+  } catch (const std::invalid_argument& error) {
+    throw Failure(INPUT_REFUSED, error.what());
+  } catch (const Tiled_resampling::Cancelled&) {
+    throw_if_interrupted();
+  }
+}
+
+/// \returns the number of points that were dropped
+std::uint64_t Tile_tasks::read_input(std::size_t number,
+                                     const std::function<void(const std::array<double, 3>&)>& f,
+                                     std::uint64_t memory, const On_progress& on_progress) const
+{
+  const Options& options = m_command.runs[number];
+  Read_options read_options;
+  read_options.max_memory = memory;
+  read_options.drop_non_finite = options.drop_non_finite;
+  read_options.classes = options.classes;
+  read_options.only_first_returns = options.only_first_returns;
+  read_options.with_properties = !options.classes.empty() || options.only_first_returns;
+  read_options.columns = options.columns;
+  read_options.on_point = [&](const Point& p) { f({p.x(), p.y(), p.z()}); };
+  return read_points(options.input, options.input_format, read_options, on_progress)
+    .number_of_dropped_points;
+}
+
+void Tile_tasks::count(std::size_t number, const On_progress& on_progress) const
+{
+  Counted_input input;
+  input.number_of_dropped = read_input(
+    number, [&](const std::array<double, 3>& point) { input.counts.add(point); },
+    memory_of_tile() / 2, on_progress);
+  write_counts(file_of("count", number), m_key, input);
+}
+
+void Tile_tasks::merge_counts() const
+{
+  Counted_input all;
+  for (std::size_t k = 0; k < m_command.runs.size(); ++k) {
+    Counted_input input = read_counts(file_of("count", k), m_key);
+    all.counts.add(std::move(input.counts));
+    all.number_of_dropped += input.number_of_dropped;
+  }
+  if (all.counts.number_of_points() == 0)
+    throw Failure(INPUT_REFUSED, "--as-one: the files have no points");
+  all.counts.finish();
+  check_disk(all.counts.number_of_points());
+  write_counts(file_of("blocks", 0), m_key, all);
+}
+
+void Tile_tasks::check_disk(std::uint64_t number_of_points) const
+{
+  const std::uint64_t m = number_of_output_points(m_options, std::size_t(number_of_points));
+  const std::uint64_t of_results = largest_file_size(m_options.output_format, m);
+  // shards; samples with those of the overlaps, of which there are fewer; results
+  check_writable(index_file(), number_of_points * sizeof(std::array<double, 3>)
+                                 + 2 * m * sizeof(Tile_sample) + of_results);
+  if (!m_command.merged_output.empty())
+    check_writable(m_command.merged_output, of_results);
+}
+
+void Tile_tasks::shard(std::size_t number, const On_progress& on_progress) const
+{
+  const Tile_counts counts = read_counts(file_of("blocks", 0), m_key).counts;
+  const std::uint64_t memory = memory_of_tile() / 2;
+  Shard_writer shard(
+    file_of("shard", number), m_key, counts.lattice(),
+    std::size_t((std::min)(memory / Shard_writer::bytes_per_point, std::uint64_t(0xffffffff))));
+  read_input(
+    number, [&](const std::array<double, 3>& point) { shard.add(point); }, memory, on_progress);
+  shard.commit();
+}
+
+void Tile_tasks::find_scales() const
+{
+  Tiles tiles(*this, [](double) {});
+  const internal::Scales scales = tiles.resampling.estimate_scales(tiles.shards(),
+                                                                   memory_of_tile());
+  try {
+    tiles.resampling.make_tiles(memory_of_tile());
+  } catch (const std::bad_alloc&) {
+    throw Failure(RUN_TIME_FAILURE, "--memory: " + std::to_string(m_command.tiles.memory)
+                                      + " bytes do not hold a part of the cloud and what is "
+                                        "around it, within "
+                                      + std::to_string(int(Tiled_resampling::halo_in_radii))
+                                      + " radii");
+  }
+  Task_file_writer file(file_of("scales", 0), m_key);
+  file.write(scales);
+  file.commit();
+}
+
+void Tile_tasks::find_shares(std::size_t tile, const On_progress& on_progress) const
+{
+  Tiles tiles(*this, on_progress);
+  tiles.cut();
+  Task_file_writer file(file_of("share", tile), m_key);
+  file.write_all(tiles.resampling.shares_of_tile(tile, tiles.shards()));
+  file.commit();
+}
+
+void Tile_tasks::share_samples() const
+{
+  Tiles tiles(*this, [](double) {});
+  tiles.cut();
+  Task_file_writer file(file_of("samples", 0), m_key);
+  for (std::size_t tile = 0; tile < tiles.resampling.tiles().size(); ++tile)
+    file.write_all(Task_file(file_of("share", tile), m_key).read_all<internal::Block_share>());
+  file.commit();
+}
+
+void Tile_tasks::solve(std::size_t tile, const On_progress& on_progress) const
+{
+  Tiles tiles(*this, on_progress);
+  tiles.cut();
+  tiles.take_shares();
+  Tile_result result = tiles.resampling.resample_tile(tile, tiles.shards());
+  double seconds = 0;
+  for (const auto& stage : result.report.stages)
+    seconds += stage.seconds;
+  write_found(file_of("solve", tile), m_key, result.samples,
+              {std::move(result.near_border),
+               std::move(result.beyond_border),
+               std::move(result.evidence),
+               {result.samples.size(), result.report.number_of_outliers, seconds}});
+}
+
+void Tile_tasks::stitch(const On_progress& on_progress) const
+{
+  Tiles tiles(*this, on_progress);
+  tiles.cut();
+  tiles.take_shares();
+  const Tiled_resampling& resampling = tiles.resampling;
+  const std::size_t number_of_tiles = resampling.tiles().size();
+  Signs_of_tiles all;
+  std::vector<std::vector<double>> evidence;
+  for (std::size_t tile = 0; tile < number_of_tiles; ++tile) {
+    Found_in_tile found = read_found(file_of("solve", tile), m_key, false);
+    evidence.push_back(std::move(found.evidence));
+    all.summaries.push_back(found.summary);
+  }
+  internal::Stitching stitching = resampling.stitching(evidence);
+  for (std::size_t a = 0; a < number_of_tiles; ++a) {
+    throw_if_interrupted();
+    on_progress(double(a) / double(number_of_tiles));
+    const Found_in_tile owner = read_found(file_of("solve", a), m_key, true);
+    for (std::size_t b = 0; b < number_of_tiles; ++b)
+      if (resampling.are_neighbors(a, b))
+        stitching.add_overlap(a, owner.near_border, b,
+                              resampling.samples_of_owner(
+                                read_found(file_of("solve", b), m_key, true).beyond_border, a));
+  }
+  all.signs = stitching.signs();
+  if (resampling.are_sides_given())
+    for (std::vector<signed char>& of_tile : all.signs)
+      of_tile.assign(of_tile.size(), 1);
+  all.seams = stitching.report(all.signs);
+  write_signs(file_of("stitch", 0), m_key, all);
+}
+
+void Tile_tasks::write(std::size_t tile) const
+{
+  const Signs_of_tiles all = read_signs(file_of("stitch", 0), m_key);
+  Tile_rows rows(m_key);
+  rows.add(file_of("solve", tile), all.signs[tile],
+           std::size_t(all.summaries[tile].number_of_samples));
+  write_point_rows(result_of(tile), m_options.output_format, rows);
+}
+
+void Tile_tasks::merge() const
+{
+  const Signs_of_tiles all = read_signs(file_of("stitch", 0), m_key);
+  Tile_rows rows(m_key);
+  for (std::size_t tile = 0; tile < all.signs.size(); ++tile)
+    rows.add(file_of("solve", tile), all.signs[tile],
+             std::size_t(all.summaries[tile].number_of_samples));
+  write_point_rows(m_command.merged_output, *format_of(m_command.merged_output), rows,
+                   m_options.existing_file());
+}
+
+void Tile_tasks::finish() const
+{
+  Tiles tiles(*this, [](double) {});
+  tiles.cut();
+  tiles.take_shares();
+  const Tiled_resampling& resampling = tiles.resampling;
+  const Signs_of_tiles all = read_signs(file_of("stitch", 0), m_key);
+  const double length = resampling.neighbor_radius();
+  const internal::Seam_report& seams = all.seams;
+  Json json = {{"program", "l0_resample"},
+               {"version", L0_RESAMPLE_VERSION},
+               {"input_points", resampling.number_of_points()},
+               {"dropped_points", read_counts(file_of("blocks", 0), m_key).number_of_dropped},
+               {"output_points", resampling.number_of_samples()},
+               {"neighbor_radius", length},
+               {"sample_spacing", resampling.sample_spacing()},
+               {"overlap",
+                {{"samples", seams.number_of_samples},
+                 {"matches", seams.number_of_matches},
+                 {"opposed", seams.number_of_opposed},
+                 {"root_mean_square_distance",
+                  seams.number_of_matches == 0
+                    ? 0.
+                    : std::sqrt(seams.sum_of_squared_distances / double(seams.number_of_matches))
+                        * resampling.sample_spacing()}}},
+               {"tiles", Json::array()}};
+  for (std::size_t tile = 0; tile < all.summaries.size(); ++tile) {
+    const internal::Tile& of_tile = resampling.tiles()[tile];
+    const auto [low, high] = resampling.box_of_tile(tile);
+    json["tiles"].push_back({{"file", fs::path(result_of(tile)).filename().string()},
+                             {"low", low},
+                             {"high", high},
+                             {"input_points", of_tile.number_of_points},
+                             {"input_points_with_halo", of_tile.number_of_points_with_halo},
+                             {"outliers", all.summaries[tile].number_of_outliers},
+                             {"output_points", all.summaries[tile].number_of_samples},
+                             {"seconds", all.summaries[tile].seconds}});
+  }
+  json["run"] = m_description;
+  write_text(index_file(), json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  std::error_code error; // what is left is in nobody's way
+  fs::remove_all(m_work, error);
+}
+
+} // namespace l0_tool

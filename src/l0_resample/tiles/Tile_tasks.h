@@ -1,0 +1,94 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef L0_RESAMPLE_TILE_TASKS_H
+#define L0_RESAMPLE_TILE_TASKS_H
+
+#include "command_line/options.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace l0_tool {
+
+/// A step of `--as-one`, whose tasks do not need each other.
+struct Tile_phase
+{
+  std::string name;
+  std::size_t number_of_tasks;
+  double share; ///< of the time of all, roughly
+};
+
+/*!
+The tasks of `--as-one`. Each reads files that tasks of earlier phases have written, and writes one:
+what is there needs not be done again. Any program that keeps the phases in their order may run
+them, on any machine that sees the folder.
+*/
+class Tile_tasks
+{
+public:
+  using On_progress = std::function<void(double)>;
+
+  /// \param command with `--as-one`
+  explicit Tile_tasks(const Command& command);
+
+  /// Makes the folder, and notes what the run is; or, with `--resume`, sees whether it is the same.
+  /// \throws Failure with INPUT_REFUSED if an input is another one now, with WRONG_USAGE if options
+  /// are others, with OUTPUT_NOT_WRITTEN if there is a run and nothing says what to do with it
+  void begin() const;
+
+  /// Whether all was done already.
+  bool is_finished() const;
+
+  /// The phases in their order, up to the first whose number of tasks is not known yet.
+  std::vector<Tile_phase> phases() const;
+
+  /// Whether the task needs not be done, as its file is there.
+  /// \param reason out: why a file that is there does not count
+  bool is_done(const std::string& phase, std::size_t number, std::string& reason) const;
+
+  /// \param phase one of `phases()`
+  /// \param number below that of its tasks
+  void run(const std::string& phase, std::size_t number, const On_progress& on_progress) const;
+
+  std::string file_of(const std::string& phase, std::size_t number) const;
+
+private:
+  class Tiles;
+
+  const Command& m_command;
+  const Options& m_options;
+  std::string m_work;        // the folder of what is in between
+  std::string m_description; // of the run, one line for each thing
+  std::uint64_t m_key;
+
+  std::string result_of(std::size_t tile) const;
+  std::string index_file() const;
+  void check_disk(std::uint64_t number_of_points) const;
+  std::uint64_t memory_of_tile() const;
+  std::uint64_t read_input(std::size_t number,
+                           const std::function<void(const std::array<double, 3>&)>& f,
+                           std::uint64_t memory, const On_progress& on_progress) const;
+
+  void count(std::size_t number, const On_progress& on_progress) const;
+  void merge_counts() const;
+  void shard(std::size_t number, const On_progress& on_progress) const;
+  void find_scales() const;
+  void find_shares(std::size_t tile, const On_progress& on_progress) const;
+  void share_samples() const;
+  void solve(std::size_t tile, const On_progress& on_progress) const;
+  void stitch(const On_progress& on_progress) const;
+  void write(std::size_t tile) const;
+  void merge() const;
+  void finish() const;
+};
+
+} // namespace l0_tool
+
+#endif // L0_RESAMPLE_TILE_TASKS_H

@@ -1,0 +1,174 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "tiles/tile_description.h"
+
+#include "basis/Failure.h"
+#include "tiles/Task_file.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <system_error>
+#include <vector>
+
+#include <sys/stat.h>
+
+namespace l0_tool {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* begin_of_input = "input ";
+
+/// Machines with other ones round differently.
+std::string instructions()
+{
+#if defined(__AVX512F__)
+  return "AVX-512";
+#elif defined(__AVX2__)
+  return "AVX2";
+#elif defined(__AVX__)
+  return "AVX";
+#else
+  return "plain";
+#endif
+}
+
+std::string line_of_input(const Options& options)
+{
+  struct stat status;
+  if (stat(options.input.c_str(), &status) != 0)
+    throw Failure(INPUT_REFUSED,
+                  options.input + ": cannot be opened: " + std::generic_category().message(errno));
+  if (!S_ISREG(status.st_mode))
+    throw Failure(INPUT_REFUSED,
+                  options.input + ": --as-one reads its files twice, and this is no regular file");
+  std::ostringstream line;
+  line << begin_of_input << fs::absolute(options.input).string() << ": " << status.st_size
+       << " bytes of " << status.st_mtim.tv_sec << "." << status.st_mtim.tv_nsec;
+  return line.str();
+}
+
+std::vector<std::string> lines_of(const std::string& text)
+{
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);)
+    lines.push_back(line);
+  return lines;
+}
+
+void put_vector(const char* name, const std::optional<std::array<double, 3>>& vector,
+                std::ostream& stream)
+{
+  stream << name;
+  if (vector)
+    for (const double coordinate : *vector)
+      stream << " " << coordinate;
+  stream << "\n";
+}
+
+/// What the index of a run says; an empty object if there is none.
+nlohmann::json read_index(const std::string& path)
+{
+  std::ifstream stream(path);
+  const nlohmann::json json = nlohmann::json::parse(stream, nullptr, false);
+  return json.is_object() ? json : nlohmann::json::object();
+}
+
+} // namespace
+
+std::string describe_run(const Command& command)
+{
+  const Options& options = command.runs.front();
+  std::ostringstream text;
+  text.precision(17);
+  text << "program " L0_RESAMPLE_VERSION "\n"
+       << "instructions " << instructions() << "\n"
+       << "--points ";
+  if (options.number_of_points)
+    text << *options.number_of_points << "\n";
+  else
+    text << options.percentage << " %\n";
+  text << "--memory " << command.tiles.memory << "\n"
+       << "--output-format " << extension_of(options.output_format) << "\n"
+       << "--neighbor-radius " << options.neighbor_radius.value_or(0) << "\n"
+       << "--normal-weight " << normal_weight_of(options) << "\n"
+       << "--sharpness-angle " << options.sharpness_angle << "\n"
+       << "--seed " << options.seed << "\n"
+       << "--keep-density " << options.keep_density << "\n"
+       << "--keep-outliers " << options.keep_outliers << "\n"
+       << "--drop-non-finite " << options.drop_non_finite << "\n"
+       << "--first-returns " << options.only_first_returns << "\n"
+       << "--keep-classes";
+  for (const unsigned number : options.classes)
+    text << " " << number;
+  text << "\n--columns";
+  for (const std::string& column : options.columns)
+    text << " " << column;
+  text << "\n";
+  put_vector("--viewpoint", options.viewpoint, text);
+  put_vector("--up", options.up_direction, text);
+  for (const Options& input : command.runs)
+    text << line_of_input(input) << "\n";
+  return text.str();
+}
+
+std::uint64_t key_of_run(const std::string& description)
+{
+  Checksum checksum;
+  checksum.add(description);
+  return checksum.value();
+}
+
+std::string read_description(const std::string& path)
+{
+  std::ifstream stream(path, std::ios::binary);
+  std::ostringstream text;
+  if (stream)
+    text << stream.rdbuf();
+  return text.str();
+}
+
+std::string read_finished(const std::string& index)
+{
+  const nlohmann::json json = read_index(index);
+  return json.contains("run") && json["run"].is_string() ? json["run"].get<std::string>()
+                                                         : std::string();
+}
+
+void check_same_run(const std::string& old, const std::string& now)
+{
+  const std::vector<std::string> then = lines_of(old), current = lines_of(now);
+  for (std::size_t i = 0; i < (std::max)(then.size(), current.size()); ++i) {
+    const std::string a = i < then.size() ? then[i] : "", b = i < current.size() ? current[i] : "";
+    if (a == b)
+      continue;
+    if ((a.empty() ? b : a).rfind(begin_of_input, 0) == 0)
+      throw Failure(INPUT_REFUSED, "--resume: the run began with "
+                                     + (a.empty() ? "no such input" : a) + ", now it is "
+                                     + (b.empty() ? "none" : b));
+    throw Failure(WRONG_USAGE, "--resume: the run began with " + a + ", now it is " + b);
+  }
+}
+
+void remove_run(const std::string& folder)
+{
+  std::error_code error;
+  const fs::path index = fs::path(folder) / "index.json";
+  fs::remove_all(fs::path(folder) / "work", error);
+  const nlohmann::json json = read_index(index.string());
+  if (json.contains("tiles"))
+    for (const nlohmann::json& tile : json["tiles"])
+      fs::remove(fs::path(folder) / fs::path(tile.value("file", "")).filename(), error);
+  fs::remove(index, error);
+}
+
+} // namespace l0_tool

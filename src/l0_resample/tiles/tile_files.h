@@ -1,0 +1,66 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef L0_RESAMPLE_TILE_FILES_H
+#define L0_RESAMPLE_TILE_FILES_H
+
+#include <CGAL/L0_resampling/internal/tiles/Block_counts.h>
+#include <CGAL/L0_resampling/internal/tiles/stitch_tiles.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+// What tasks of `--as-one` leave to each other, in files of a run that has the number `key`.
+
+namespace l0_tool {
+
+using CGAL::L0_resampling::internal::Block_counts;
+using CGAL::L0_resampling::internal::Seam_report;
+using CGAL::L0_resampling::internal::Tile_sample;
+
+/// The points of the inputs, by blocks.
+struct Counted_input
+{
+  Block_counts counts;
+  std::uint64_t number_of_dropped = 0; ///< of those that are not finite
+};
+
+void write_counts(const std::string& path, std::uint64_t key, const Counted_input& input);
+Counted_input read_counts(const std::string& path, std::uint64_t key);
+
+struct Summary_of_tile
+{
+  std::uint64_t number_of_samples, number_of_outliers;
+  double seconds;
+};
+
+/// What a tile has found, beside the samples that it keeps, which come first in its file.
+struct Found_in_tile
+{
+  std::vector<Tile_sample> near_border, beyond_border;
+  std::vector<double> evidence;
+  Summary_of_tile summary;
+};
+
+void write_found(const std::string& path, std::uint64_t key,
+                 const std::vector<Tile_sample>& samples, const Found_in_tile& found);
+/// \param with_border whether to read the samples there
+Found_in_tile read_found(const std::string& path, std::uint64_t key, bool with_border);
+
+/// What all tiles say together.
+struct Signs_of_tiles
+{
+  std::vector<std::vector<signed char>> signs; ///< of each tile and tree
+  std::vector<Summary_of_tile> summaries;
+  Seam_report seams;
+};
+
+void write_signs(const std::string& path, std::uint64_t key, const Signs_of_tiles& signs);
+Signs_of_tiles read_signs(const std::string& path, std::uint64_t key);
+
+} // namespace l0_tool
+
+#endif // L0_RESAMPLE_TILE_FILES_H

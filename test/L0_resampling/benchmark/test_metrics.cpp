@@ -1,0 +1,487 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The measures of the benchmarks where their values are known, and the sampler that makes the
+// benchmarks' input.
+
+#include "failure_count.h"
+
+#include "../../../benchmark/L0_resampling/quality/metrics.h"
+
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <iomanip>
+#include <iostream>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+using namespace L0_benchmark;
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+void check_close(double value, double expected, double tolerance, int line = __builtin_LINE())
+{
+  std::ostringstream what;
+  what << std::setprecision(17) << value << " is not " << expected << " within " << tolerance;
+  check(std::abs(value - expected) <= tolerance, what.str(), line);
+}
+
+template <class Exception = std::invalid_argument, class Function>
+void check_throws(Function function, int line = __builtin_LINE())
+{
+  try
+  {
+    function();
+  }
+  catch (const Exception&)
+  {
+    return;
+  }
+  check(false, "nothing was thrown", line);
+}
+
+// In the plane z = 0, seen from above.
+Triangle_mesh rectangle(double width, double depth)
+{
+  return {{Point_3(0, 0, 0), Point_3(width, 0, 0), Point_3(width, depth, 0), Point_3(0, depth, 0)},
+          {{0, 1, 2}, {0, 2, 3}}};
+}
+
+// [0, 1]^3; bit i of a vertex's index is its i-th coordinate.
+Triangle_mesh cube()
+{
+  Triangle_mesh mesh;
+  for (int v = 0; v < 8; ++v)
+    mesh.vertices.emplace_back(v & 1, v >> 1 & 1, v >> 2);
+  mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                    {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  return mesh;
+}
+
+// Two unit squares with a common edge, the second turned down by an angle.
+Triangle_mesh fold(double degrees)
+{
+  const double c = std::cos(degrees * pi / 180), s = std::sin(degrees * pi / 180);
+  return {{Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(1, 1, 0), Point_3(0, 1, 0),
+           Point_3(1 + c, 0, -s), Point_3(1 + c, 1, -s)},
+          {{0, 1, 2}, {0, 2, 3}, {1, 4, 5}, {1, 5, 2}}};
+}
+
+// n x n points with distance 1 / n, the outermost half of that from the border of the unit square.
+std::vector<Point_3> grid(int n, double z)
+{
+  std::vector<Point_3> points;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j)
+      points.emplace_back((i + 0.5) / n, (j + 0.5) / n, z);
+  return points;
+}
+
+std::vector<Point_3> ring(int n, double radius, double z)
+{
+  std::vector<Point_3> points;
+  for (int i = 0; i < n; ++i)
+    points.emplace_back(radius * std::cos(2 * pi * i / n), radius * std::sin(2 * pi * i / n), z);
+  return points;
+}
+
+void test_statistics()
+{
+  std::vector<double> values;
+  for (int i = 100; i > 0; --i)
+    values.push_back(i);
+  check_close(mean(values), 50.5, 1e-12);
+  check_close(quantile(values, 0.5), 50, 0);
+  check_close(quantile(values, 0.95), 95, 0);
+  check_close(quantile({3, 1, 2}, 0.5), 2, 0);
+  check_close(quantile({7}, 0.01), 7, 0);
+  check_close(coefficient_of_variation({1, 3}), 0.5, 1e-15);
+  check_close(coefficient_of_variation({4, 4, 4}), 0, 0);
+  const Distance_statistics statistics = summarize(values, 2);
+  check_close(statistics.p95, 47.5, 0);
+  check_close(statistics.p99, 49.5, 0);
+  check_close(statistics.max, 50, 0);
+}
+
+void test_distance_to_mesh()
+{
+  const Ground_truth truth(rectangle(1, 1));
+  const double height = 0.01;
+  const double percent = std::sqrt(2.) / 100;
+
+  const Evaluation on_mesh = evaluate(grid(40, 0), {}, truth);
+  check_close(on_mesh.distance.max, 0, 0);
+  check(!on_mesh.normals && !on_mesh.features, "there are neither normals nor edges to measure");
+
+  const Evaluation above = evaluate(grid(40, height), {}, truth);
+  check_close(above.distance.mean, height / percent, 1e-12);
+  check_close(above.distance.p95, height / percent, 1e-12);
+  check_close(above.distance.max, height / percent, 1e-12);
+
+  // Beside the mesh the border is nearest, not the plane.
+  check_close(truth.distance(Point_3(2, 0.5, 0)), 1, 1e-15);
+}
+
+void test_coverage()
+{
+  const Ground_truth truth(rectangle(1, 1));
+  const double percent = std::sqrt(2.) / 100;
+
+  // The mean distance from a corner of the unit square is (sqrt(2) + log(1 + sqrt(2))) / 3.
+  const Evaluation corner = evaluate({Point_3(0, 0, 0)}, {}, truth);
+  check_close(corner.coverage.mean * percent, (std::sqrt(2.) + std::log(1 + std::sqrt(2.))) / 3,
+              0.003);
+  check(corner.coverage.max > 99 && corner.coverage.max <= 100,
+        "the opposite corner is a diagonal away");
+  check_close(corner.chamfer, corner.coverage.mean, 0);
+  check_close(corner.hausdorff, corner.coverage.max, 0);
+
+  // Cells of a grid are 1 / 40 wide: no sample is farther than half a cell's diagonal. The mean in
+  // a square of half that width, from its corner, is again the formula above.
+  const Evaluation covered = evaluate(grid(40, 0), {}, truth);
+  check_close(covered.coverage.mean * percent,
+              (std::sqrt(2.) + std::log(1 + std::sqrt(2.))) / 3 / 80, 5e-5);
+  check(covered.coverage.max * percent <= std::sqrt(0.5) / 40, "a sample lies beyond its cell");
+  check(covered.coverage.p99 <= covered.coverage.max, "quantiles rise");
+
+  // A point far from the mesh does not matter to coverage, but to the other direction.
+  std::vector<Point_3> points = grid(40, 0);
+  points.emplace_back(0.5, 0.5, 3);
+  const Evaluation with_outlier = evaluate(points, {}, truth);
+  check_close(with_outlier.coverage.mean, covered.coverage.mean, 0);
+  check_close(with_outlier.hausdorff * percent, 3, 1e-12);
+  check_close(with_outlier.chamfer - with_outlier.coverage.mean, 3 / percent / 1601, 1e-9);
+}
+
+void test_normals()
+{
+  const Ground_truth truth(rectangle(1, 1));
+  const std::vector<Point_3> points = grid(20, 0.01);
+  const auto measured = [&](double degrees, double sign) {
+    const double length = 3; // must not matter
+    const Vector_3 normal =
+      sign * length * Vector_3(std::sin(degrees * pi / 180), 0, std::cos(degrees * pi / 180));
+    return summarize(
+      normal_deviations(points, std::vector<Vector_3>(points.size(), normal), truth));
+  };
+  for (double sign : {1., -1.})
+    for (double degrees : {0., 1e-6, 14.9, 15.1, 59.9, 60.1, 80.})
+    {
+      const Normal_statistics statistics = measured(degrees, sign);
+      check_close(statistics.mean_error, degrees, 1e-9);
+      check_close(statistics.share_above_15_degrees, degrees > 15, 0);
+      check_close(statistics.share_inwards, sign < 0, 0);
+      check_close(statistics.share_turned, sign < 0 && degrees < 60, 0);
+    }
+
+  std::vector<Vector_3> mixed(points.size(), Vector_3(0, 0, 1));
+  for (std::size_t i = 0; i < 100; ++i)
+    mixed[i] = Vector_3(0, 0, -1);
+  check_close(summarize(normal_deviations(points, mixed, truth)).share_inwards, 0.25, 0);
+
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  check_close(normal_deviation(points[0], Vector_3(0, 0, 0), truth).angle, 90, 0);
+  check_close(normal_deviation(points[0], Vector_3(nan, 0, 1), truth).angle, 90, 0);
+}
+
+// Where the foot point is on an edge or a vertex, each of the faces there is right.
+void test_normals_at_edges()
+{
+  const Ground_truth truth(cube());
+  const Point_3 edge(0.5, 1.01, 1.01), vertex(1.01, 1.01, 1.01), face(0.5, 0.9, 1.01);
+  const Vector_3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+  check_close(normal_deviation(edge, y, truth).angle, 0, 1e-12);
+  check_close(normal_deviation(edge, z, truth).angle, 0, 1e-12);
+  check_close(normal_deviation(edge, x, truth).angle, 90, 1e-12);
+  check_close(normal_deviation(edge, y + z, truth).angle, 45, 1e-12);
+  check(normal_deviation(edge, -y, truth).inwards, "the opposite of a normal points inwards");
+  for (const Vector_3& normal : {x, y, z})
+    check_close(normal_deviation(vertex, normal, truth).angle, 0, 1e-12);
+  check_close(normal_deviation(vertex, x + y + z, truth).angle,
+              std::acos(1 / std::sqrt(3.)) * 180 / pi, 1e-12);
+  check_close(normal_deviation(face, y, truth).angle, 90, 1e-12);
+  // Stored as float, a point on an edge is next to it.
+  check_close(normal_deviation(Point_3(0.5, 1 - 1e-7, 1), y, truth).angle, 0, 1e-12);
+}
+
+void test_uniformity()
+{
+  // All points of a ring are alike.
+  std::vector<Point_3> points = ring(100, 1, 0);
+  const Search_tree one_ring(points.begin(), points.end());
+  const Uniformity even = measure_uniformity(points, one_ring, 1);
+  check_close(even.median_spacing, 2 * std::sin(pi / 100), 1e-12);
+  check_close(even.spacing_variation, 0, 1e-12);
+  check_close(even.density_variation, 0, 1e-12);
+
+  // Values m and 2 m, equally often: mean 1.5 m, standard deviation 0.5 m.
+  const std::vector<Point_3> wide = ring(100, 2, 50);
+  points.insert(points.end(), wide.begin(), wide.end());
+  const Search_tree two_rings(points.begin(), points.end());
+  check_close(measure_uniformity(points, two_rings, 1).spacing_variation, 1. / 3, 1e-12);
+  check(measure_uniformity(points, two_rings, 1).density_variation > 0.01,
+        "the rings differ in density");
+
+  // In a square lattice the 6 nearest are 4 at 1 and 2 at sqrt(2) spacings; at the border there are
+  // fewer.
+  const std::vector<Point_3> lattice = grid(20, 0);
+  const Search_tree lattice_tree(lattice.begin(), lattice.end());
+  const std::vector<double> means = mean_neighbor_distances(lattice, lattice_tree, 6);
+  for (int i = 1; i < 19; ++i)
+    for (int j = 1; j < 19; ++j)
+      check_close(means[20 * i + j], (4 + 2 * std::sqrt(2.)) / 6 / 20, 1e-12);
+  check(means[0] > means[21], "a corner's neighbors are farther");
+
+  const std::vector<Point_3> alone = {Point_3(0, 0, 0)};
+  const Search_tree alone_tree(alone.begin(), alone.end());
+  check_close(mean_neighbor_distances(alone, alone_tree, 6)[0], 0, 0);
+  check_close(local_densities(alone, alone_tree, 1)[0], 1, 0);
+}
+
+// Eq. (5) by hand: neighbor counts 1, 2 and 1 have the mean 4 / 3; the fourth point is out of reach
+// of all.
+void test_local_density()
+{
+  const std::vector<Point_3> points = {Point_3(0, 0, 0), Point_3(0.6, 0, 0), Point_3(1.2, 0, 0),
+                                       Point_3(9, 0, 0)};
+  const Search_tree tree(points.begin(), points.end());
+  const std::vector<double> densities = local_densities(points, tree, 1);
+  const double theta = std::exp(-4 * 0.36);
+  check_close(densities[0], 1 + theta, 1e-12);
+  check_close(densities[1], 1 + 2 * theta, 1e-12);
+  check_close(densities[2], 1 + theta, 1e-12);
+  check_close(densities[3], 1, 1e-12);
+}
+
+void test_features()
+{
+  check(feature_edges(cube(), 30).size() == 12,
+        "a cube has 12 edges; the diagonals of its faces are none");
+  check(feature_edges(fold(29.9), 30).empty(), "a fold of 29.9 degrees is no feature");
+  check(feature_edges(fold(30.1), 30).size() == 1,
+        "a fold of 30.1 degrees is one, borders are none");
+
+  // Points along one of the 12 edges, 0.001 apart: it is met, and the 4 edges at its ends up to 2
+  // spacings.
+  const Ground_truth truth(cube());
+  std::vector<Point_3> points;
+  for (int i = 0; i <= 1000; ++i)
+    points.emplace_back(i / 1000., 0, 0);
+  const Feature_statistics met = *evaluate(points, {}, truth).features;
+  check_close(met.edge_recall, (1 + 4 * 0.002) / 12, 1e-4);
+  check(met.number_of_points == 1001, "all points are near an edge");
+  check(!met.mean_normal_error, "there are no normals");
+
+  // 1.5 % of the diagonal are 0.02598. Only points nearer than that to an edge count.
+  points = {Point_3(0.5, 0.025, -0.001), Point_3(0.5, 0.027, 0), Point_3(0.5, 0.5, 1.2)};
+  const std::vector<Vector_3> normals = {Vector_3(0, 1, -1), Vector_3(1, 0, 0), Vector_3(1, 0, 0)};
+  const Feature_statistics near = *evaluate(points, normals, truth).features;
+  check(near.number_of_points == 1, "one point is near an edge");
+  check_close(near.mean_distance, 0.1 / std::sqrt(3.), 1e-9);
+  check_close(near.mean_normal_error.value_or(-1), 45, 1e-9);
+  check_close(evaluate({Point_3(0.5, 0.5, 0)}, {}, truth).features->mean_distance, 0, 0);
+}
+
+void test_refusals()
+{
+  const Ground_truth truth(rectangle(1, 1));
+  const double infinity = std::numeric_limits<double>::infinity();
+  check_throws([&] { evaluate({}, {}, truth); });
+  check_throws([&] { evaluate({Point_3(0, 0, 0), Point_3(0, infinity, 0)}, {}, truth); });
+  check_throws([&] { evaluate(grid(2, 0), {Vector_3(0, 0, 1)}, truth); });
+
+  const auto refused = [](double noise, double outliers, double density_gradient) {
+    check_throws([&] { sample_mesh(rectangle(1, 1), {10, noise, outliers, density_gradient, 1}); });
+  };
+  refused(-1, 0, 1);
+  refused(infinity, 0, 1);
+  refused(0, 101, 1);
+  refused(0, -1, 1);
+  refused(0, 0, 0.5);
+  refused(0, 0, std::nan(""));
+  check_throws([] { sample_mesh(rectangle(1, 0), {}); });
+  check_throws([] { const Ground_truth flat(rectangle(1, 0)); });
+}
+
+void test_mesh_files()
+{
+  const std::string path =
+    (std::filesystem::temp_directory_path() / "test_metrics_cube.off").string();
+  {
+    // Every triangle with vertices of its own, as some exporters write them.
+    const Triangle_mesh mesh = cube();
+    std::ofstream file(path);
+    file << "OFF\n36 12 0\n";
+    for (std::size_t t = 0; t < 12; ++t)
+      for (int i = 0; i < 3; ++i)
+        file << mesh.triangle(t)[i] << "\n";
+    for (int t = 0; t < 12; ++t)
+      file << "3 " << 3 * t << " " << 3 * t + 1 << " " << 3 * t + 2 << "\n";
+  }
+  const Triangle_mesh mesh = read_triangle_mesh(path);
+  check(mesh.vertices.size() == 8 && mesh.triangles.size() == 12, "equal vertices become one");
+  check(feature_edges(mesh, 30).size() == 12, "edges are found in a soup");
+
+  std::ofstream(path) << "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n";
+  check_throws<std::runtime_error>([&] { read_triangle_mesh(path); });
+  std::ofstream(path) << "OFF\n1 0 0\n0 0 0\n";
+  check_throws<std::runtime_error>([&] { read_triangle_mesh(path); });
+  std::filesystem::remove(path);
+  check_throws<std::runtime_error>([&] { read_triangle_mesh(path); });
+}
+
+// The standard fixes the 10000th number of std::mt19937_64 seeded with 5489.
+void test_portable_random()
+{
+  Portable_random random(5489);
+  for (int i = 1; i < 10000; ++i)
+    random.uniform();
+  check_close(random.uniform(), double(9981545732273789042u >> 11) / 9007199254740992., 0);
+
+  const int n = 200000;
+  double sum = 0, squares = 0, fourth_powers = 0;
+  for (int i = 0; i < n; ++i)
+  {
+    const double x = random.normal();
+    sum += x;
+    squares += x * x;
+    fourth_powers += x * x * x * x;
+  }
+  check_close(sum / n, 0, 0.01);
+  check_close(squares / n, 1, 0.015);
+  check_close(fourth_powers / n, 3, 0.15);
+}
+
+void test_area_uniform_sampling()
+{
+  // Every point is on the surface, a sixth of them on each side.
+  const Ground_truth truth(cube());
+  const std::vector<Point_3> points = sample_mesh(cube(), {60000, 0, 0, 1, 3});
+  check(points.size() == 60000, "the count is exact");
+  double sums[3] = {0, 0, 0};
+  std::size_t number_on_top = 0;
+  for (const Point_3& p : points)
+  {
+    check_close(truth.distance(p), 0, 1e-15);
+    number_on_top += p.z() > 1 - 1e-12;
+    for (int i = 0; i < 3; ++i)
+      sums[i] += p[i];
+  }
+  check_close(double(number_on_top) / 10000, 1, 0.04);
+  for (double sum : sums)
+    check_close(sum / 60000, 0.5, 0.008);
+
+  // A large and a small triangle: 9 to 1. Within the triangle the mean is the centroid.
+  const Triangle_mesh two = {{Point_3(0, 0, 0), Point_3(3, 0, 0), Point_3(0, 3, 0),
+                              Point_3(-1, 0, 0), Point_3(0, -1, 0)},
+                             {{0, 1, 2}, {0, 3, 4}}};
+  std::size_t number_in_large = 0;
+  double sum = 0;
+  for (const Point_3& p : sample_mesh(two, {50000, 0, 0, 1, 4}))
+    if (p.x() >= 0)
+    {
+      ++number_in_large;
+      sum += p.x();
+    }
+  check_close(double(number_in_large) / 50000, 0.9, 0.006);
+  check_close(sum / double(number_in_large), 1, 0.015);
+
+  check(sample_mesh(two, {100, 1, 10, 2, 5}) == sample_mesh(two, {100, 1, 10, 2, 5}),
+        "same seed, same points");
+  check(sample_mesh(two, {100, 1, 10, 2, 5}) != sample_mesh(two, {100, 1, 10, 2, 6}),
+        "another seed, other points");
+}
+
+// Noise ten times the diagonal: the square itself adds less than 0.1 % to the spread of x and y.
+void test_noise()
+{
+  const double expected = 10 * std::sqrt(2.);
+  const std::vector<Point_3> points = sample_mesh(rectangle(1, 1), {20000, 1000, 0, 1, 7});
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    double sum = 0, squares = 0;
+    for (const Point_3& p : points)
+    {
+      sum += p[axis];
+      squares += p[axis] * p[axis];
+    }
+    const double average = sum / double(points.size());
+    check_close(average, axis < 2 ? 0.5 : 0, 0.03 * expected);
+    check_close(std::sqrt(squares / double(points.size()) - average * average) / expected, 1, 0.03);
+  }
+}
+
+void test_outliers()
+{
+  // The box of the 4 x 3 rectangle has the diagonal 5; grown by 0.5 it is 4.5 x 3.5 x 0.5.
+  const std::vector<Point_3> points = sample_mesh(rectangle(4, 3), {100000, 0, 30, 1, 8});
+  check(points.size() == 100000, "the count includes the outliers");
+  const std::vector<Point_3> outliers(points.begin() + 70000, points.end());
+  for (std::size_t i = 0; i < 70000; ++i)
+    check(points[i].z() == 0, "the points of the surface come first");
+  const double lower[] = {-0.25, -0.25, -0.25}, upper[] = {4.25, 3.25, 0.25};
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    std::vector<double> positions;
+    for (const Point_3& p : outliers)
+      positions.push_back((p[axis] - lower[axis]) / (upper[axis] - lower[axis]));
+    check(*std::min_element(positions.begin(), positions.end()) >= 0,
+          "an outlier is below the box");
+    check(*std::max_element(positions.begin(), positions.end()) <= 1,
+          "an outlier is above the box");
+    for (double share : {0.001, 0.25, 0.5, 0.75, 0.999})
+      check_close(quantile(positions, share), share, 0.012);
+  }
+}
+
+// Along the longest axis, here y, the density is proportional to 8^height: a share of (8^h - 1) / 7
+// lies below h.
+void test_density_gradient()
+{
+  const double ratio = 8;
+  std::vector<double> heights, widths;
+  for (const Point_3& p : sample_mesh(rectangle(2, 5), {100000, 0, 0, ratio, 9}))
+  {
+    heights.push_back(p.y() / 5);
+    widths.push_back(p.x() / 2);
+  }
+  const auto share_below = [](const std::vector<double>& values, double bound) {
+    const auto is_below = [bound](double value) { return value < bound; };
+    return double(std::count_if(values.begin(), values.end(), is_below)) / double(values.size());
+  };
+  for (double h : {0.1, 0.25, 0.5, 0.75})
+    check_close(share_below(heights, h), (std::pow(ratio, h) - 1) / (ratio - 1), 0.006);
+  check_close((1 - share_below(heights, 0.9)) / share_below(heights, 0.1) / std::pow(ratio, 0.9), 1,
+              0.06);
+  check_close(share_below(widths, 0.5), 0.5, 0.006);
+}
+
+} // namespace
+
+int main()
+{
+  test_statistics();
+  test_distance_to_mesh();
+  test_coverage();
+  test_normals();
+  test_normals_at_edges();
+  test_uniformity();
+  test_local_density();
+  test_features();
+  test_refusals();
+  test_mesh_files();
+  test_portable_random();
+  test_area_uniform_sampling();
+  test_noise();
+  test_outliers();
+  test_density_gradient();
+  return number_of_failures == 0 ? 0 : 1;
+}

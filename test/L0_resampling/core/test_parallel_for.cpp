@@ -1,0 +1,274 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Blocks that do not depend on the number of threads, and sums that no thread can reorder.
+
+#include "test_support.h"
+
+#include <CGAL/L0_resampling/internal/core/parallel_for.h>
+#include <CGAL/L0_resampling/internal/core/select_nth.h>
+
+#include <CGAL/tags.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+using CGAL::L0_resampling::internal::block_sum;
+using CGAL::L0_resampling::internal::for_each_block;
+
+template <typename ConcurrencyTag>
+void test_every_index_once_in_fixed_blocks()
+{
+  for (const std::size_t n : {0, 1, 7, 8, 9, 1000})
+    for (const std::size_t block_size : {1, 8, 2000})
+    {
+      std::vector<int> visits(n, 0);
+      std::atomic<bool> blocks_are_right(true);
+      for_each_block<ConcurrencyTag>(n, block_size, [&](std::size_t begin, std::size_t end) {
+        const std::size_t size = end - begin;
+        if (begin % block_size != 0 || size == 0 || size > block_size
+            || (size != block_size && end != n))
+          blocks_are_right = false;
+        for (std::size_t i = begin; i < end; ++i)
+          ++visits[i];
+      });
+      CHECK(blocks_are_right);
+      CHECK(visits == std::vector<int>(n, 1));
+    }
+}
+
+/// Addition of doubles does depend on the order, by this much: the sum by blocks is not the plain
+/// sum.
+template <typename ConcurrencyTag>
+void test_sum_is_in_the_order_of_the_blocks()
+{
+  const std::size_t n = 100000, block_size = 64;
+  const auto term = [](std::size_t i) { return std::sin(double(i)) * std::exp2(double(i % 50)); };
+  const auto sum_of = [&](std::size_t begin, std::size_t end) {
+    double sum = 0;
+    for (std::size_t i = begin; i < end; ++i)
+      sum += term(i);
+    return sum;
+  };
+  double expected = 0;
+  for (std::size_t begin = 0; begin < n; begin += block_size)
+    expected += sum_of(begin, (std::min)(begin + block_size, n));
+  CHECK(expected != sum_of(0, n));
+  for (int run = 0; run < 20; ++run)
+    CHECK(block_sum<ConcurrencyTag>(n, block_size, sum_of) == expected);
+}
+
+/// Letters do not commute at all.
+struct Text
+{
+  std::string letters;
+  Text& operator+=(const Text& other)
+  {
+    letters += other.letters;
+    return *this;
+  }
+};
+
+template <typename ConcurrencyTag>
+void test_sum_of_a_type_of_ones_own()
+{
+  const std::string alphabet = "abcdefghijklmnopqrstuvwxyz";
+  const auto letters = [&](std::size_t begin, std::size_t end) {
+    return Text{alphabet.substr(begin, end - begin)};
+  };
+  CHECK(block_sum<ConcurrencyTag>(26, 3, letters).letters == alphabet);
+  CHECK(block_sum<ConcurrencyTag>(0, 3, letters).letters.empty());
+}
+
+template <typename ConcurrencyTag>
+void test_exceptions_pass()
+{
+  const auto fails = [](std::size_t begin, std::size_t) {
+    if (begin == 50)
+      throw std::runtime_error("planted");
+    return 1;
+  };
+  CHECK_THROWS(for_each_block<ConcurrencyTag>(100, 10, fails), std::runtime_error);
+  CHECK_THROWS(block_sum<ConcurrencyTag>(100, 10, fails), std::runtime_error);
+}
+
+/// Counts the looks, and ends the loop at one of them.
+struct Counting_watcher final : CGAL::L0_resampling::internal::Loop_watcher
+{
+  std::atomic<std::size_t> looks{0};
+  std::size_t last_look = (std::numeric_limits<std::size_t>::max)();
+
+  void look() override
+  {
+    if (++looks >= last_look)
+      throw std::runtime_error("enough");
+  }
+};
+
+/// A look a block, on whatever thread, also from a loop within a loop; none once the scope has
+/// ended.
+template <typename ConcurrencyTag>
+void test_loops_are_watched()
+{
+  using namespace CGAL::L0_resampling::internal;
+  const auto nothing = [](std::size_t, std::size_t) {};
+  Counting_watcher watcher, inner_watcher, impatient;
+  {
+    const Watched_loops watched(&watcher);
+    for_each_block<ConcurrencyTag>(95, 10, nothing);
+    CHECK(watcher.looks == 10);
+    for_each_block<ConcurrencyTag>(7, 1, [&](std::size_t, std::size_t) {
+      for_each_block<CGAL::Sequential_tag>(30, 10, nothing);
+    });
+    CHECK(watcher.looks == 10 + 7 * 4);
+    {
+      const Watched_loops other(&inner_watcher);
+      for_each_block<ConcurrencyTag>(50, 10, nothing);
+    }
+    CHECK(inner_watcher.looks == 5 && watcher.looks == 10 + 7 * 4);
+    for_each_in_order(200000, [](std::size_t) {});
+    CHECK(watcher.looks == 10 + 7 * 4 + 4);
+  }
+  for_each_block<ConcurrencyTag>(50, 10, nothing);
+  CHECK(watcher.looks == 10 + 7 * 4 + 4);
+
+  impatient.last_look = 3;
+  const Watched_loops watched(&impatient);
+  std::atomic<std::size_t> blocks{0};
+  CHECK_THROWS(for_each_block<ConcurrencyTag>(1000000, 1,
+                                              [&](std::size_t, std::size_t) { ++blocks; }),
+               std::runtime_error);
+  CHECK(blocks < 1000000);
+}
+
+/// What touches much memory, or compares often, is seen to run as loops are.
+void test_buffers_and_sorts_are_watched()
+{
+  using namespace CGAL::L0_resampling::internal;
+  const std::size_t size = 200000, blocks = 4;
+  Memory_counter memory;
+  const Counting_allocator<int> allocator(&memory);
+  Counting_watcher filling, filling_again, copying, sorting, impatient;
+  Buffer<int> numbers(allocator);
+  {
+    const Watched_loops watched(&filling);
+    numbers = filled_buffer(size, 3, allocator);
+  }
+  CHECK(filling.looks == blocks && memory.peak() == size * sizeof(int));
+  {
+    const Watched_loops watched(&filling_again);
+    CHECK(numbers == Buffer<int>(size, 3, allocator));
+    memory.take_peak();
+    fill_buffer(size / 2, 4, numbers);
+  }
+  CHECK(filling_again.looks == blocks / 2
+        && memory.peak() == size * sizeof(int)); // the room of before
+  CHECK(numbers == Buffer<int>(size / 2, 4, allocator));
+
+  test::Generator generator(2);
+  numbers.resize(size);
+  for (int& number : numbers)
+    number = int(generator() % 1000000);
+  {
+    const Watched_loops watched(&copying);
+    const Buffer<int> copy = copy_of(numbers);
+    CHECK(copy == numbers && copy.get_allocator() == allocator);
+  }
+  CHECK(copying.looks == blocks);
+
+  const auto less = [](int a, int b) { return a < b; };
+  std::size_t number_of_comparisons = 0;
+  {
+    const Watched_loops watched(&sorting);
+    std::sort(numbers.begin(), numbers.end(), watched_order(less, number_of_comparisons));
+  }
+  CHECK(std::is_sorted(numbers.begin(), numbers.end()));
+  CHECK(number_of_comparisons > size && sorting.looks == number_of_comparisons / 65536);
+
+  impatient.last_look = 2;
+  const Watched_loops watched(&impatient);
+  CHECK_THROWS(filled_buffer(size, 3, allocator), std::runtime_error);
+  CHECK_THROWS(copy_of(numbers), std::runtime_error);
+  CHECK_THROWS(std::sort(numbers.begin(), numbers.end(),
+                         watched_order(less, number_of_comparisons)),
+               std::runtime_error);
+  memory.take_peak();
+  resize_to_overwrite(size + 1, numbers);
+  CHECK(numbers.size() == size + 1
+        && memory.take_peak() == (size + 1) * sizeof(int)); // not beside what was there
+  resize_to_overwrite(size, numbers);
+  CHECK(numbers.size() == size && memory.peak() == (size + 1) * sizeof(int)); // the room of before
+  release(numbers);
+  CHECK(memory.take_peak() > 0 && memory.peak() == 0); // what was begun is given back
+}
+
+template <typename Number>
+void test_selection(std::vector<Number> numbers, std::size_t n)
+{
+  std::vector<Number> expected = numbers;
+  std::nth_element(expected.begin(), expected.begin() + std::ptrdiff_t(n), expected.end());
+  const auto nth = numbers.begin() + std::ptrdiff_t(n);
+  CGAL::L0_resampling::internal::select_nth(numbers.begin(), nth, numbers.end());
+  CHECK(*nth == expected[n]);
+  CHECK(std::all_of(numbers.begin(), nth, [&](Number x) { return !(*nth < x); }));
+  CHECK(std::all_of(nth, numbers.end(), [&](Number x) { return !(x < *nth); }));
+}
+
+/// More numbers than are handed to the standard library at once: all different, sorted, few
+/// different ones, all alike
+void test_selections()
+{
+  const std::size_t size = 1500000;
+  test::Generator generator(1);
+  std::vector<double> numbers(size), sorted(size), few(size);
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    numbers[i] = test::random_number(-1, 1, generator);
+    sorted[i] = double(i);
+    few[i] = double(generator() % 3);
+  }
+  for (const std::vector<double>& values : {numbers, sorted, few, std::vector<double>(size, 1.)})
+    for (std::size_t n : {std::size_t(0), size / 20, size / 2, size - 1})
+      test_selection(values, n);
+}
+
+template <typename ConcurrencyTag>
+void test_all()
+{
+  test_loops_are_watched<ConcurrencyTag>();
+  test_every_index_once_in_fixed_blocks<ConcurrencyTag>();
+  test_sum_is_in_the_order_of_the_blocks<ConcurrencyTag>();
+  test_sum_of_a_type_of_ones_own<ConcurrencyTag>();
+  test_exceptions_pass<ConcurrencyTag>();
+}
+
+} // namespace
+
+int main()
+{
+  test_selections();
+  test_buffers_and_sorts_are_watched();
+  test_all<CGAL::Sequential_tag>();
+#ifdef CGAL_LINKED_WITH_TBB
+  for (const std::size_t threads : {1, 2, 5})
+  {
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    test_all<CGAL::Parallel_tag>();
+  }
+#endif
+  return test::result();
+}

@@ -1,0 +1,188 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "normals/naive_normal_filter.h"
+#include "stage_support.h"
+
+#include <CGAL/L0_resampling/internal/normals/refit_normals.h>
+
+#include <Eigen/SVD>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+using namespace test;
+
+const double radius = 0.3, bandwidth = radius / 2, angle = 30, squared_sheet_height = 0.05 * 0.05;
+
+/// The stage, for points in any order; the result in the order of the grid.
+struct Refitted
+{
+  Gridded_points sorted;
+  std::vector<Vector> before, after;
+
+  Refitted(const Oriented_points& cloud)
+    : sorted(cloud.points, radius), before(permuted(sorted.order, cloud.normals))
+  {
+    auto normals = to_local_vectors<double>(before), sequential = normals;
+    const Normal_filter<double> filter{radius, bandwidth * bandwidth,
+                                       naive_normal_bandwidth(angle)};
+    Unwatched unwatched;
+    refit_normals<CGAL::Parallel_if_available_tag>(
+      sorted.grid, sorted.points, filter, squared_sheet_height, unwatched.progress, normals);
+    refit_normals<CGAL::Sequential_tag>(sorted.grid, sorted.points, filter, squared_sheet_height,
+                                        unwatched.progress, sequential);
+    CHECK(normals == sequential);
+    after.assign(normals.begin(), normals.end());
+  }
+};
+
+/// The formula of the docstring, with another decomposition: the direction in which the weighted
+/// points spread least.
+void check_formula(Generator& generator)
+{
+  Oriented_points cloud = wedge_points(1200, generator);
+  add_gaussian_noise(cloud.points, 0.02, generator);
+  for (int i = 0; i < 100; ++i) // a strip
+  {
+    cloud.points.emplace_back(5 + 0.02 * i, random_number(-0.04, 0.04, generator),
+                              random_number(-0.005, 0.005, generator));
+    cloud.normals.push_back(Vector::UnitZ());
+  }
+  cloud.normals = noisy_normals(cloud.normals, 0.15, generator);
+  const Refitted refitted(cloud);
+  double worst = 0;
+  std::size_t number_of_strips = 0;
+  for (std::size_t i = 0; i < refitted.before.size(); ++i)
+  {
+    const Vector p = refitted.sorted.vector[i], n = refitted.before[i];
+    std::vector<double> weights;
+    std::vector<Vector> points;
+    Vector mean = Vector::Zero();
+    double total = 0;
+    for (std::size_t j = 0; j < refitted.before.size(); ++j)
+    {
+      const Vector q = refitted.sorted.vector[j];
+      if ((q - p).norm() >= radius)
+        continue;
+      const double cosine = n.dot(refitted.before[j]);
+      const double height = 0.5 * (n + (cosine < 0 ? -1 : 1) * refitted.before[j]).dot(q - p);
+      const double similarity = std::exp(-std::pow(1 - std::abs(cosine), 2)
+                                           / naive_normal_bandwidth(angle)
+                                         - height * height / squared_sheet_height);
+      weights.push_back(std::exp(-(q - p).squaredNorm() / (bandwidth * bandwidth)) * similarity);
+      points.push_back(q);
+      mean += weights.back() * q;
+      total += weights.back();
+    }
+    if (total < 2.001)
+      continue;
+    Eigen::MatrixXd rows(points.size(), 3);
+    for (std::size_t k = 0; k < points.size(); ++k)
+      rows.row(Eigen::Index(k)) = std::sqrt(weights[k]) * (points[k] - mean / total).transpose();
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(rows, Eigen::ComputeThinU | Eigen::ComputeThinV);
+    const Vector plane = svd.matrixV().col(2), variances = svd.singularValues().cwiseAbs2();
+    const double trust = (std::min)((variances[1] - variances[2]) / (0.1 * variances[0]), 1.);
+    number_of_strips += trust < 0.9;
+    if (std::abs(std::abs(plane.dot(n)) - 0.5) < 1e-6)
+      continue;
+    const Vector expected = std::abs(plane.dot(n)) > 0.5 ? Vector(
+                              (n + (plane.dot(n) < 0 ? -trust : trust) * plane).normalized())
+                                                         : n;
+    worst = (std::max)(worst, (refitted.after[i] - expected).norm());
+  }
+  CHECK(worst < 1e-7);
+  CHECK(number_of_strips > 0);
+}
+
+/// Normals that lean over the edge, as a mean leaves them, are righted.
+void check_leaning_normals(Generator& generator)
+{
+  Oriented_points wedge = wedge_points(4000, generator);
+  const std::vector<Vector> truth = wedge.normals;
+  Vector bisector = Vector::Zero();
+  for (const Vector& n : truth)
+    bisector += n;
+  bisector.normalize();
+  for (Vector& n : wedge.normals)
+    n = (n + 0.2 * bisector).normalized();
+  const Refitted refitted(wedge);
+  const std::vector<Vector> sorted_truth = permuted(refitted.sorted.order, truth);
+  double before = 0, after = 0;
+  for (std::size_t i = 0; i < truth.size(); ++i)
+  {
+    before += angle_of_lines(refitted.before[i], sorted_truth[i]);
+    after += angle_of_lines(refitted.after[i], sorted_truth[i]);
+  }
+  CHECK(after < 0.6 * before); // 0.51: half, and a little for points of the other side
+}
+
+/// Points on a line determine no plane, and a lonely point even less: their normals stay, up to
+/// what rounding makes of a line.
+void check_no_plane()
+{
+  Oriented_points cloud;
+  for (int i = 0; i < 50; ++i)
+  {
+    cloud.points.push_back(Vector(0.05 * i, 0, 0));
+    cloud.normals.push_back(Vector::UnitX());
+  }
+  cloud.points.push_back(Vector(0, 7, 0));
+  cloud.normals.push_back(Vector(0.6, 0, 0.8));
+  const Refitted refitted(cloud);
+  CHECK(refitted.after == refitted.before);
+}
+
+/// On a line, two variances are equal up to rounding, and which normal across it has the smaller
+/// one says nothing: normals across it stay as they are.
+void check_line()
+{
+  const Vector along = Vector(1, 2, -3).normalized(), across = along.unitOrthogonal();
+  double worst = 0;
+  for (int k = 0; k < 12; ++k)
+  {
+    Oriented_points cloud;
+    for (int i = 0; i < 50; ++i)
+    {
+      cloud.points.push_back(0.05 * i * along);
+      cloud.normals.push_back(Eigen::AngleAxisd(0.5 * k, along) * across);
+    }
+    const Refitted refitted(cloud);
+    for (std::size_t i = 0; i < refitted.after.size(); ++i)
+      worst = (std::max)(worst, (refitted.after[i] - refitted.before[i]).norm());
+  }
+  CHECK(worst < 1e-6); // the decomposition is exact to 1e-8 of the largest variance
+}
+
+/// The sign that a normal comes with does not matter to others, and stays.
+void check_signs(Generator& generator)
+{
+  Oriented_points cloud = wedge_points(800, generator);
+  cloud.normals = noisy_normals(cloud.normals, 0.1, generator);
+  const Refitted one(cloud);
+  std::vector<double> signs;
+  for (Vector& n : cloud.normals)
+  {
+    signs.push_back(std::bernoulli_distribution()(generator) ? 1 : -1);
+    n *= signs.back();
+  }
+  const Refitted other(cloud);
+  bool are_equal = true;
+  for (std::size_t i = 0; i < signs.size(); ++i)
+    are_equal = are_equal && other.after[i] == signs[other.sorted.order[i]] * one.after[i];
+  CHECK(are_equal);
+}
+
+int main()
+{
+  Generator generator(16);
+  check_formula(generator);
+  check_leaning_normals(generator);
+  check_no_plane();
+  check_line();
+  check_signs(generator);
+  return result();
+}

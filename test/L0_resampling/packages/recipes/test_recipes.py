@@ -1,0 +1,137 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026  The CGAL::L0_resampling authors.
+# All rights reserved.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The recipes of packaging/ and CITATION.cff, as far as no package manager is needed:
+
+  test_recipes.py SOURCE_DIRECTORY SCRATCH GENERATOR CGAL_DIR
+
+The port of vcpkg is carried out with CMake, and a program built with what it installs. The recipe
+of Conan is read, its sources are exported, and CMake configures these with the options it sets.
+"""
+
+import importlib.util
+import json
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import conan_stand_in
+
+try:
+    import yaml
+except ImportError:
+    print("PyYAML is not installed (Debian: python3-yaml)")
+    sys.exit(77)
+
+source, scratch = Path(sys.argv[1]), Path(sys.argv[2])
+generator, cgal = sys.argv[3:]
+version = subprocess.run([source / "scripts/project_version.sh"], check=True, capture_output=True,
+                         text=True).stdout.strip()
+
+
+def run(*command):
+    done = subprocess.run([str(word) for word in command], stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, text=True)
+    assert done.returncode == 0, f"{command}:\n{done.stdout}"
+    return done.stdout
+
+
+def check_citation():
+    """The fields of the Citation File Format 1.2.0 that this file has."""
+    citation = yaml.safe_load((source / "CITATION.cff").read_text(encoding="utf-8"))
+    assert citation["cff-version"] == "1.2.0" and citation["type"] == "software"
+    assert citation["version"] == version and citation["license"] == "GPL-3.0-or-later"
+    assert citation["message"] and citation["title"]
+    required = {"cff-version", "message", "title", "type", "version", "license", "authors"}
+    optional = {"abstract", "date-released", "keywords", "references", "repository-code"}
+    assert set(citation) - optional == required
+    for author in citation["authors"]:
+        assert author.get("name") or author.get("family-names"), author
+    for reference in citation["references"]:
+        assert {"type", "title", "authors"} <= set(reference), reference
+
+
+def check_manifest(port):
+    """By the rules of vcpkg's vcpkg.schema.json for the fields that this one has."""
+    manifest = json.loads((port / "vcpkg.json").read_text(encoding="utf-8"))
+    fields = {"name", "version", "description", "license", "supports", "dependencies"}
+    assert set(manifest) == fields
+    assert manifest["name"] == port.name and re.fullmatch(r"[a-z0-9]+(-[a-z0-9]+)*", port.name)
+    assert manifest["version"] == version and re.fullmatch(r"\d+(\.\d+)*", version)
+    assert manifest["license"] == "GPL-3.0-or-later" and manifest["supports"] == "linux"
+    names = set()
+    for dependency in manifest["dependencies"]:
+        named = {"name": dependency} if isinstance(dependency, str) else dependency
+        names.add(named["name"])
+        assert named.get("host", False) == named["name"].startswith("vcpkg-"), dependency
+    assert names == {"cgal", "eigen3", "tbb", "vcpkg-cmake", "vcpkg-cmake-config"}
+
+
+def check_port(port):
+    run("cmake", f"-DPORT_DIRECTORY={port}", f"-DSCRATCH={scratch}/vcpkg",
+        f"-DGENERATOR={generator}", f"-DCGAL_DIR={cgal}", "-P",
+        Path(__file__).with_name("vcpkg_stand_in.cmake"))
+    build = scratch / "vcpkg" / "consumer"
+    # moved, as vcpkg moves it: no path of the build may be left in it
+    prefix = (scratch / "vcpkg" / "installed").rename(scratch / "vcpkg" / "moved")
+    run("cmake", "-S", source / "test/L0_resampling/packages/consumer", "-B", build, "-G", generator,
+        f"-DCMAKE_PREFIX_PATH={prefix}", f"-DCGAL_DIR={cgal}", "-DCMAKE_BUILD_TYPE=Debug")
+    run("cmake", "--build", build, "--target", "consumer_of_compiled")
+    run(build / "consumer_of_compiled")
+
+
+def options_of_the_port(port):
+    text = (port / "portfile.cmake").read_text(encoding="utf-8")
+    return dict(re.findall(r"^ *-D(\w+)=(\w+)$", text, re.MULTILINE))
+
+
+def check_conan(folder, options):
+    spec = importlib.util.spec_from_file_location("recipe", folder / "conanfile.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    recipe = module.CgalL0ResamplingRecipe(folder, scratch / "conan")
+    recipe.set_version()
+    assert recipe.name == "cgal-l0-resampling" and recipe.version == version
+    assert recipe.license == "GPL-3.0-or-later"
+    for step in ("export_sources", "requirements", "validate", "layout", "generate", "build",
+                 "package", "package_info"):
+        getattr(recipe, step)()
+
+    assert recipe.standard == 17 and set(recipe.generated) == {"CMakeDeps", "CMakeToolchain"}
+    names = [reference.split("/")[0] for reference, _ in recipe.required]
+    assert names == ["cgal", "eigen", "onetbb"]
+    assert all(traits["transitive_headers"] for _, traits in recipe.required)
+    assert recipe.calls == ["configure", "build", "install"]
+    assert recipe.options_of_cmake == options, "Conan and vcpkg build with other options"
+    assert Path(recipe.package_folder, "licenses", "LICENSE").exists()
+
+    # The sources suffice, and the package is where the recipe says.
+    build = scratch / "conan" / "build"
+    run("cmake", "-S", recipe.source_folder, "-B", build, "-G", generator, f"-DCGAL_DIR={cgal}",
+        "-DCMAKE_INSTALL_LIBDIR=lib", *(f"-D{name}={value}" for name, value in options.items()))
+    scripts = "".join(path.read_text(encoding="utf-8")
+                      for path in build.rglob("cmake_install.cmake"))
+    assert recipe.cpp_info.properties["cmake_find_mode"] == "none"
+    for builddir in recipe.cpp_info.builddirs:
+        assert f'"${{CMAKE_INSTALL_PREFIX}}/{builddir}"' in scripts, builddir
+    for library in recipe.cpp_info.libs:
+        assert f"lib{library}.a" in scripts, library
+    assert (Path(recipe.source_folder) / "include/CGAL/l0_resample_point_set.h").exists()
+
+
+def main():
+    shutil.rmtree(scratch, ignore_errors=True)
+    conan_stand_in.register()
+    check_citation()
+    port = source / "packaging/vcpkg/cgal-l0-resampling"
+    check_manifest(port)
+    check_conan(source / "packaging/conan", options_of_the_port(port))
+    check_port(port)
+
+
+if __name__ == "__main__":
+    main()

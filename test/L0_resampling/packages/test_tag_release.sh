@@ -1,0 +1,79 @@
+#!/usr/bin/env bash
+# scripts/tag_release.sh in a repository of its own: test_tag_release.sh SOURCE_DIRECTORY SCRATCH
+set -euo pipefail
+source_directory=$1
+scratch=$2
+
+rm -rf "$scratch"
+mkdir -p "$scratch"
+cd "$source_directory"
+manifest=packaging/vcpkg/cgal-l0-resampling/vcpkg.json
+consumer=test/L0_resampling/packages/consumer/CMakeLists.txt
+cp --parents CMakeLists.txt CHANGES.md CITATION.cff scripts/project_version.sh \
+   scripts/tag_release.sh "$manifest" "$consumer" "$scratch"
+version=$(scripts/project_version.sh)   # which fails if they do not agree
+
+cd "$scratch"
+export GIT_CONFIG_GLOBAL=/dev/null GIT_CONFIG_SYSTEM=/dev/null
+export GIT_AUTHOR_NAME=test GIT_AUTHOR_EMAIL=test@example.org
+export GIT_COMMITTER_NAME=test GIT_COMMITTER_EMAIL=test@example.org
+git init -q .
+
+failures=0
+fail() {
+  echo "$*" >&2
+  failures=$((failures + 1))
+}
+commit() {
+  git add --all
+  git commit -q --allow-empty --message "$1"
+}
+# A sentence of the refusal, then a command that makes it necessary and is taken back afterwards.
+refuses() {
+  local sentence=$1 output
+  shift
+  "$@"
+  if output=$(scripts/tag_release.sh 2>&1); then
+    fail "tags although: $sentence"
+  elif [[ $output != *"$sentence"* ]]; then
+    fail "does not say '$sentence' but: $output"
+  fi
+  git tag --list | xargs -r git tag --delete > /dev/null
+  git reset -q --hard good
+}
+edit() {
+  sed -i "$2" "$1"
+  commit "$1"
+}
+
+# As a release has it
+sed -i "s/^## $version,.*/## $version, 2030-12-31/" CHANGES.md
+sed -i '/^date-released:/d; /^repository-code:/d' CITATION.cff
+printf 'date-released: "2030-12-31"\nrepository-code: "https://example.org/l0"\n' >> CITATION.cff
+commit good
+git branch good
+
+refuses "not committed" touch new_file
+rm -f new_file
+refuses "not committed" sed -i 's/^# Changes/# News/' CHANGES.md
+refuses "no section \"## $version, YYYY-MM-DD\"" \
+        edit CHANGES.md "s/, 2030-12-31/, not released yet/"
+refuses "has no entry" edit CHANGES.md 's/^- /  /'
+refuses "date-released" edit CITATION.cff 's/2030-12-31/2030-12-30/'
+refuses "repository-code" edit CITATION.cff '/^repository-code/d'
+refuses "CITATION.cff has the version '0.0.7'" edit CITATION.cff 's/^version: .*/version: 0.0.7/'
+refuses "vcpkg.json has the version" edit "$manifest" 's/"version": "/&9/'
+refuses "consumer/CMakeLists.txt has the version" edit "$consumer" 's/_resampling [0-9]/&7/'
+refuses "CHANGES.md has the version '77.0.0'" edit CHANGES.md '3i ## 77.0.0, 2031-01-01\n'
+refuses "no version of three numbers" edit CMakeLists.txt 's/VERSION [0-9]*\./VERSION /'
+refuses "a tag v$version already" git tag "v$version"
+
+scripts/tag_release.sh --nonsense 2> /dev/null && fail "takes any argument"
+[ "$(scripts/tag_release.sh --dry-run)" = "would tag $(git rev-parse --short HEAD) as v$version" ] \
+  || fail "the dry run says something else"
+[ -z "$(git tag --list)" ] || fail "the dry run has made a tag"
+scripts/tag_release.sh > /dev/null
+[ "$(git cat-file -t "v$version")" = tag ] || fail "the tag is not annotated"
+[ "$(git rev-parse "v$version^{commit}")" = "$(git rev-parse HEAD)" ] \
+  || fail "another commit is tagged"
+[ "$failures" -eq 0 ]
