@@ -10,6 +10,7 @@
 #include <CGAL/L0_resampling/internal/kernels/Border_of_ball.h>
 #include <CGAL/L0_resampling/internal/core/Orientation_hints.h>
 #include <CGAL/L0_resampling/internal/interface/checked_parameters.h>
+#include <CGAL/L0_resampling/internal/kernels/crowded_subcells.h>
 #include <CGAL/L0_resampling/internal/kernels/orientation_agreement.h>
 #include <CGAL/L0_resampling/internal/kernels/scale_field.h>
 #include <CGAL/L0_resampling/internal/kernels/scales_of_balls.h>
@@ -84,6 +85,7 @@ void print_constants()
   object.add("outlier_share_of_surroundings", outlier_share_of_surroundings);
   object.add("outlier_share_of_median", outlier_share_of_median);
   object.add("share_of_sparse_points", share_of_sparse_points);
+  object.add("most_points_of_subcell", most_points_of_subcell);
   object.add("volume_filling_ratio", volume_filling_ratio);
   object.add("largest_outlier_sensitivity", largest_outlier_sensitivity);
   object.add("gap_of_parts", gap_of_parts);

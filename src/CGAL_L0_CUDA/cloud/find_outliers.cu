@@ -3,10 +3,14 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "search/Query.cuh"
 #include "driver/stages.cuh"
+#include "search/Query.cuh"
+#include "search/representatives.cuh"
 
 #include <CGAL/L0_resampling/internal/core/Parameters.h>
+#include <CGAL/L0_resampling/internal/kernels/crowded_subcells.h>
+
+#include <optional>
 
 namespace CGAL {
 namespace L0_resampling {
@@ -73,6 +77,24 @@ __global__ void find_least_counts(Cell_blocks blocks, unsigned number_of_cells, 
   least_counts[cell] = fmax(thresholds.share_of_surroundings
                               * (double(sum_around(blocks, cell, sums)) / double(count)),
                             thresholds.share_of_median * double(*median));
+}
+
+/// \param numbers which entries of the list
+__global__ void follow_list(const unsigned* list, const unsigned* numbers, unsigned size,
+                            unsigned* entries)
+{
+  const Wide i = thread_index();
+  if (i < size)
+    entries[i] = list[numbers[i]];
+}
+
+/// \param representatives which of the judged points stands for each
+__global__ void share_lot(const unsigned char* is_judged_kept, const unsigned* representatives,
+                          unsigned size, unsigned char* is_kept)
+{
+  const Wide i = thread_index();
+  if (i < size)
+    is_kept[i] = is_judged_kept[representatives[i]];
 }
 
 /// Which points may be kept, and which are sparse. Arrays on the device, one number a position, but
@@ -230,18 +252,34 @@ __global__ void keep_large_parts(Cell_grid grid, unsigned* parents, const unsign
                                    >= share_of_median * double(*median);
 }
 
+/// Some of the positions.
+/// \param list which of them; which of the points they are in the end
+Positions listed(const Workplace& workplace, const Positions& positions, const unsigned* list,
+                 unsigned size)
+{
+  Positions result = positions;
+  result.size = size;
+  result.list = list;
+  if (positions.list)
+  {
+    unsigned* const points = workplace.scratch.take<unsigned>(size);
+    follow_list<<<blocks_for(size), threads_per_block, 0, workplace.stream>>>(positions.list, list,
+                                                                              size, points);
+    check_launch("follow_list");
+    result.list = points;
+  }
+  return result;
+}
+
 /// Keeps the points with enough others around.
+/// \param grid of the points
 /// \param result out
-void find_dense_points(const Workplace& workplace, const Positions& positions,
-                       const double (&low)[3], const double (&high)[3], double radius,
+void find_dense_points(const Workplace& workplace, const Cell_grid& grid, double radius,
                        const Outlier_thresholds& thresholds, const Dense_points& result)
 {
-  const unsigned n = positions.size;
+  const unsigned n = grid.size;
   const cudaStream_t stream = workplace.stream;
   const Arena_scope arena_scope(workplace.arena), scratch_scope(workplace.scratch);
-  const Cell_grid grid = build_grid(positions, nullptr,
-                                    Cell_frame::around(low, high, radius, radius, positions.scales),
-                                    workplace.arena, workplace.scratch, stream);
   const Cell_blocks blocks = find_blocks(grid, grid, 1, maximum_number_of_candidates,
                                          workplace.arena, stream);
   unsigned *const counts = workplace.arena.take<unsigned>(n), *const half_counts =
@@ -280,10 +318,9 @@ void drop_points_that_fill_space(const Workplace& workplace, const Positions& po
   const double large_radius = 2 * radius;
   const Arena_scope arena_scope(workplace.arena), scratch_scope(workplace.scratch);
   unsigned* const list = workplace.arena.take<unsigned>(positions.size);
-  Positions sparse_positions = positions;
-  sparse_positions.size = list_flagged(points.is_sparse, positions.size, list, workplace.scratch,
-                                       stream);
-  sparse_positions.list = list;
+  const unsigned number_of_sparse = list_flagged(points.is_sparse, positions.size, list,
+                                                 workplace.scratch, stream);
+  const Positions sparse_positions = listed(workplace, positions, list, number_of_sparse);
   const Cell_frame frame = Cell_frame::around(low, high, large_radius, large_radius,
                                               positions.scales);
   const Cell_grid grid = build_grid(positions, nullptr, frame, workplace.arena, workplace.scratch,
@@ -332,11 +369,11 @@ void find_large_parts(const Workplace& workplace, const Positions& positions,
   const cudaStream_t stream = workplace.stream;
   const Arena_scope arena_scope(workplace.arena), scratch_scope(workplace.scratch);
   unsigned* const list = workplace.arena.take<unsigned>(positions.size);
-  Positions rest = positions;
-  rest.size = list_flagged(is_kept, positions.size, list, workplace.scratch, stream);
-  rest.list = list;
-  if (rest.size == 0)
+  const unsigned number_of_kept = list_flagged(is_kept, positions.size, list, workplace.scratch,
+                                               stream);
+  if (number_of_kept == 0)
     return;
+  const Positions rest = listed(workplace, positions, list, number_of_kept);
   const Cell_grid grid =
     build_grid(rest, nullptr, Cell_frame::around(low, high, cell_size, cell_size, positions.scales),
                workplace.arena, workplace.scratch, stream);
@@ -372,22 +409,53 @@ unsigned find_outliers(const Workplace& workplace, const Positions& positions,
                        const double (&low)[3], const double (&high)[3], double radius,
                        const Outlier_thresholds& thresholds, unsigned* kept)
 {
+  const unsigned n = positions.size;
   const Arena_scope scope(workplace.scratch);
   Device_arena& scratch = workplace.scratch;
+  std::optional<Arena_scope> grid_scope(std::in_place, workplace.arena);
+  const Cell_frame frame = Cell_frame::around(low, high, radius, radius, positions.scales);
+  Cell_grid grid = build_grid(positions, nullptr, frame, workplace.arena, scratch,
+                              workplace.stream);
+  // those that stand for a crowd are judged, and the others share their lot
+  Positions judged = positions;
+  unsigned* representatives = nullptr;
+  const Representatives found = representatives_of_crowds(workplace, positions, grid,
+                                                          most_points_of_subcell);
+  if (!found.are_all_points())
+  {
+    unsigned* const list = scratch.take<unsigned>(found.number_of_kept);
+    representatives = scratch.take<unsigned>(n);
+    list_kept(workplace, positions, grid, found.kept, found.number_of_kept, list);
+    find_places_of_points(workplace, grid, found, representatives);
+    judged.list = list;
+    judged.size = found.number_of_kept;
+    grid_scope.reset();
+    grid_scope.emplace(workplace.arena);
+    grid = build_grid(judged, nullptr, frame, workplace.arena, scratch, workplace.stream);
+  }
   const Device_counter<unsigned> is_any_sparse_kept(workplace);
-  const Dense_points points = {scratch.take<unsigned char>(positions.size),
-                               scratch.take<unsigned char>(positions.size),
-                               scratch.take<unsigned>(positions.size), scratch.take<unsigned>(1),
+  const Dense_points points = {scratch.take<unsigned char>(judged.size),
+                               scratch.take<unsigned char>(judged.size),
+                               scratch.take<unsigned>(judged.size), scratch.take<unsigned>(1),
                                is_any_sparse_kept.address()};
-  find_dense_points(workplace, positions, low, high, radius, thresholds, points);
+  find_dense_points(workplace, grid, radius, thresholds, points);
+  grid_scope.reset();
   if (is_any_sparse_kept.read())
-    drop_points_that_fill_space(workplace, positions, low, high, radius,
+    drop_points_that_fill_space(workplace, judged, low, high, radius,
                                 thresholds.volume_filling_ratio, points);
-  find_large_parts(workplace, positions, low, high, gap_of_parts * radius, points.median,
+  find_large_parts(workplace, judged, low, high, gap_of_parts * radius, points.median,
                    thresholds.share_of_part, points.is_kept);
-  const unsigned number_of_kept = list_flagged(points.is_kept, positions.size, kept,
-                                               workplace.scratch, workplace.stream);
-  return number_of_kept > 0 ? positions.size - number_of_kept : 0;
+  const unsigned char* is_kept = points.is_kept;
+  if (representatives)
+  {
+    unsigned char* const shared = scratch.take<unsigned char>(n);
+    share_lot<<<blocks_for(n), threads_per_block, 0, workplace.stream>>>(
+      points.is_kept, representatives, n, shared);
+    check_launch("share_lot");
+    is_kept = shared;
+  }
+  const unsigned number_of_kept = list_flagged(is_kept, n, kept, scratch, workplace.stream);
+  return number_of_kept > 0 ? n - number_of_kept : 0;
 }
 
 } // namespace cuda

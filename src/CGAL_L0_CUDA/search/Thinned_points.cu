@@ -88,16 +88,6 @@ __global__ void take_kept(const Vector* vectors, const unsigned* order, const un
     taken[k] = vectors[order[kept ? kept[k] : unsigned(k)]];
 }
 
-/// \param places of what stands for the points of the grid; null if each does for itself
-/// \param of_former out: the same for the points in their order before
-__global__ void find_new_places(const unsigned* order, const unsigned* places, unsigned size,
-                                unsigned* of_former)
-{
-  const Wide j = thread_index();
-  if (j < size)
-    of_former[order[j]] = places ? places[j] : unsigned(j);
-}
-
 __global__ void follow_places(const unsigned* of_former, unsigned size, unsigned* of_input)
 {
   const Wide i = thread_index();
@@ -222,9 +212,7 @@ void Thinned_points::move_to(const Representatives& representatives)
   m_positions.size = size;
   const Arena_scope scope(m_workplace.scratch);
   unsigned* const of_former = m_workplace.scratch.take<unsigned>(m_grid.size);
-  find_new_places<<<blocks_for(m_grid.size), threads_per_block, 0, stream>>>(
-    m_grid.order, representatives.places, m_grid.size, of_former);
-  check_launch("find_new_places");
+  find_places_of_points(m_workplace, m_grid, representatives, of_former);
   follow_places<<<blocks_for(m_size_of_input), threads_per_block, 0, stream>>>(
     of_former, m_size_of_input, m_of_input);
   check_launch("follow_places");

@@ -30,6 +30,12 @@ struct Representatives
 Representatives representatives_of_crowds(const Workplace& workplace, const Positions& positions,
                                           const Cell_grid& grid, unsigned limit);
 
+/// Finds where the points that stand for others are among the kept ones, in the order of the points
+/// that `grid` was built of.
+/// \param of_former out: a place a point
+void find_places_of_points(const Workplace& workplace, const Cell_grid& grid,
+                           const Representatives& representatives, unsigned* of_former);
+
 /// Lists which points of the input the kept points of a grid are.
 /// \param positions those that `grid` was built of
 /// \param kept null for all

@@ -266,6 +266,16 @@ Representatives_of_crowds representatives(const Workplace& workplace, const Posi
   return result;
 }
 
+/// \param places of what stands for the points of the grid; null if each does for itself
+/// \param of_former out: the same for the points in their order before
+__global__ void find_new_places(const unsigned* order, const unsigned* places, unsigned size,
+                                unsigned* of_former)
+{
+  const Wide j = thread_index();
+  if (j < size)
+    of_former[order[j]] = places ? places[j] : unsigned(j);
+}
+
 } // namespace
 
 Representatives representatives_of_crowds(const Workplace& workplace, const Positions& positions,
@@ -284,6 +294,14 @@ Representatives representatives_of_crowds(const Workplace& workplace, const Posi
                                                                         numbers);
   check_launch("tell_numbers");
   return {found.of_points, found.kept, found.number_of_kept};
+}
+
+void find_places_of_points(const Workplace& workplace, const Cell_grid& grid,
+                           const Representatives& representatives, unsigned* of_former)
+{
+  find_new_places<<<blocks_for(grid.size), threads_per_block, 0, workplace.stream>>>(
+    grid.order, representatives.places, grid.size, of_former);
+  check_launch("find_new_places");
 }
 
 void list_kept(const Workplace& workplace, const Positions& positions, const Cell_grid& grid,

@@ -118,6 +118,27 @@ void check_crowd(Generator& generator)
   CHECK(number_lost <= 75); // at the border of the sparse sheet
 }
 
+/// Most of the points in one place, or almost, are no measure for the others: these stay, outliers
+/// among them are found as before, and points of the crowd share one lot.
+void check_crowd_in_one_place(Generator& generator)
+{
+  std::vector<Vector> points = sphere_points(8000, 1, generator).points;
+  const std::size_t size = points.size();
+  const Vector place = points[0];
+  for (int n = 0; n < 16000; ++n)
+    points.push_back(place + 1e-9 * random_unit_vector(generator));
+  CHECK(number_of(outliers_of(points, 0.2)) == 0);
+
+  for (int n = 0; n < 20; ++n)
+    points.push_back(3 * random_unit_vector(generator));
+  for (int n = 0; n < 1000; ++n)
+    points.emplace_back(0, 0, 0);
+  const std::vector<bool> outliers = outliers_of(points, 0.2);
+  CHECK(number_of(outliers) == 1020);
+  CHECK(std::none_of(outliers.begin(), outliers.begin() + std::ptrdiff_t(size + 16000),
+                     [](bool is_outlier) { return is_outlier; }));
+}
+
 /// Whoever is an outlier is one at every larger sensitivity: single points, clusters, borders, and
 /// a crowd beside the sparse end of a noisy sheet. There are few at a small one.
 void check_sensitivity(Generator& generator)
@@ -171,6 +192,7 @@ int main()
   check_surfaces(generator);
   check_outliers(generator);
   check_crowd(generator);
+  check_crowd_in_one_place(generator);
   check_sensitivity(generator);
   check_no_cloud(generator);
   return result();

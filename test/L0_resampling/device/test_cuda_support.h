@@ -134,6 +134,15 @@ inline Points with_crowd(Points points, std::size_t size, double half_side, unsi
   return points;
 }
 
+/// With `size` points more that almost coincide with the first.
+inline Points with_crowd_in_one_place(Points points, std::size_t size, unsigned seed)
+{
+  const Point place = points.front();
+  for (const Point& p : with_crowd({}, size, 1e-9, seed))
+    points.push_back(place + (p - Point(0, 0, 0)));
+  return points;
+}
+
 /// Of a sphere, ten times as dense at one pole as at the other.
 inline Points graded_sphere(std::size_t n, double noise, unsigned seed)
 {

@@ -20,7 +20,6 @@ set(calls CUDA_resampler.h ../l0_resample_point_set.h ../l0_orient_normals.h Til
 
 # What a call passes, one after another; what they share stands in other headers.
 set(stages
-  search/thin_crowds
   cloud/extents cloud/estimate_scales cloud/estimate_scale_field cloud/find_outliers
   cloud/density_weights cloud/areas_of_points cloud/separate_coincident_points
   normals/estimate_pca_normals normals/filter_normals normals/refit_normals

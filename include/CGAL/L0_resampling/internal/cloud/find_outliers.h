@@ -8,6 +8,7 @@
 
 #include <CGAL/L0_resampling/internal/core/Parameters.h>
 #include <CGAL/L0_resampling/internal/search/ball_queries.h>
+#include <CGAL/L0_resampling/internal/search/thin_crowds.h>
 #include <CGAL/L0_resampling/internal/core/select_nth.h>
 
 #include <boost/pending/disjoint_sets.hpp>
@@ -197,15 +198,18 @@ clusters of outliers. The first comparison is with the surroundings so that a sp
 surface stays. Which points are sparse does not depend on the thresholds: the sums over them, and so
 who of them is an outlier, would change with it. If that would be all points, there are none.
 
+\param sorted the points, in cells of the radius; none once they have been read
 \param radius of the ball, \f$ r_p \f$, at scale 1
 \param scales of the points; none if all are 1
 \param known_median how many points the median ball of the whole cloud holds: given, or found here
 \returns whether each point is an outlier
 */
 template <typename T, typename ConcurrencyTag>
-Buffer<unsigned char> find_outliers(const Buffer<Vector>& unsorted_points, double radius,
-                                    const Outlier_thresholds& thresholds, const Scales_view& scales,
-                                    std::optional<double>& known_median, Progress& progress)
+Buffer<unsigned char> find_outliers_among(const Buffer<Vector>& unsorted_points,
+                                          std::optional<Sorted_queries>& sorted, double radius,
+                                          const Outlier_thresholds& thresholds,
+                                          const Scales_view& scales,
+                                          std::optional<double>& known_median, Progress& progress)
 {
   const auto allocator = unsorted_points.get_allocator();
   const std::size_t n = unsorted_points.size();
@@ -215,10 +219,9 @@ Buffer<unsigned char> find_outliers(const Buffer<Vector>& unsorted_points, doubl
   double median;
   bool is_any_sparse_kept = false;
   {
-    const Sorted_queries sorted(ConcurrencyTag(), unsorted_points, Cell_sizes(radius, scales));
-    const Search_grid_3& grid = sorted.grid;
+    const Search_grid_3& grid = sorted->grid;
     const Counts_in_balls counts = count_points_in_balls<T, ConcurrencyTag>(
-      grid, sorted.points, grid, sorted.points, radius, progress);
+      grid, sorted->points, grid, sorted->points, radius, progress);
     const Buffer<double> surroundings = means_around<ConcurrencyTag>(grid, counts.in_ball,
                                                                      progress);
     if (!known_median)
@@ -228,15 +231,16 @@ Buffer<unsigned char> find_outliers(const Buffer<Vector>& unsorted_points, doubl
       const double count = counts.in_ball[i];
       const bool is_kept = count >= (std::max)(thresholds.share_of_surroundings * surroundings[i],
                                                thresholds.share_of_median * median);
-      is_outlier[sorted.order[i]] = !is_kept;
+      is_outlier[sorted->order[i]] = !is_kept;
       if (count < share_of_sparse_points * median)
       {
-        sparse.push_back(sorted.order[i]);
+        sparse.push_back(sorted->order[i]);
         counts_in_half_balls.push_back(counts.in_half_ball[i]);
         is_any_sparse_kept = is_any_sparse_kept || is_kept;
       }
     });
   }
+  sorted.reset();
   if (is_any_sparse_kept)
   {
     const Buffer<unsigned char> fills =
@@ -265,6 +269,51 @@ Buffer<unsigned char> find_outliers(const Buffer<Vector>& unsorted_points, doubl
   });
   if (!is_any_left)
     is_outlier.assign(n, 0);
+  return is_outlier;
+}
+
+/// The same for points of which any number may be at one place: those that stand for a crowd, as in
+/// `thin_crowds()`, are judged, and the others share their lot. A crowd would otherwise be all that
+/// the median ball and the surroundings of a point are made of.
+template <typename T, typename ConcurrencyTag>
+Buffer<unsigned char> find_outliers(const Buffer<Vector>& unsorted_points, double radius,
+                                    const Outlier_thresholds& thresholds, const Scales_view& scales,
+                                    std::optional<double>& known_median, Progress& progress)
+{
+  const auto allocator = unsorted_points.get_allocator();
+  const std::size_t n = unsorted_points.size();
+  std::optional<Sorted_queries> sorted(std::in_place, ConcurrencyTag(), unsorted_points,
+                                       Cell_sizes(radius, scales));
+  Buffer<Index> standing(allocator);        // the points that stand for all
+  Buffer<Index> representatives(allocator); // which of them stands for each point
+  {
+    const Representatives found = thin_crowds<ConcurrencyTag>(sorted->grid, sorted->points,
+                                                              most_points_of_subcell);
+    if (found.are_all_points())
+      return find_outliers_among<T, ConcurrencyTag>(unsorted_points, sorted, radius, thresholds,
+                                                    scales, known_median, progress);
+    representatives = filled_buffer(n, Index(0), allocator);
+    for_each_in_order(n, [&](std::size_t i) {
+      if (found.is_kept(i))
+        standing.push_back(sorted->order[i]);
+      representatives[sorted->order[i]] = sorted->order[found.of_points[i]];
+    });
+  }
+  sorted.reset();
+  Buffer<Vector> standing_points(allocator);
+  standing_points.reserve(standing.size());
+  for (Index i : standing)
+    standing_points.push_back(unsorted_points[i]);
+  const Buffer<float> standing_scales = listed_scales(scales, standing);
+  sorted.emplace(ConcurrencyTag(), standing_points,
+                 Cell_sizes(radius, view_of_scales(standing_scales)));
+  const Buffer<unsigned char> is_standing_outlier =
+    find_outliers_among<T, ConcurrencyTag>(standing_points, sorted, radius, thresholds,
+                                           view_of_scales(standing_scales), known_median, progress);
+  Buffer<unsigned char> is_outlier = filled_buffer(n, static_cast<unsigned char>(0), allocator);
+  for_each_in_order(standing.size(),
+                    [&](std::size_t k) { is_outlier[standing[k]] = is_standing_outlier[k]; });
+  for_each_in_order(n, [&](std::size_t i) { is_outlier[i] = is_outlier[representatives[i]]; });
   return is_outlier;
 }
 
