@@ -20,6 +20,7 @@ import tempfile
 from pathlib import Path
 
 sys.path.append(str(Path(__file__).resolve().parents[1] / "common"))
+from machine import processor
 from results import load_raw, write_result
 
 LINEAR = ("--noise-in-spacings", "0.5")
@@ -70,12 +71,6 @@ def measure_beside(programs, mesh):
 
 def milliseconds(seconds):
     return f"{float(f'{1e3 * seconds:.3g}'):g}"   # three digits, and no exponent
-
-
-def processor():
-    with open("/proc/cpuinfo", encoding="ascii", errors="replace") as stream:
-        model = next((line.split(":", 1)[1].strip() for line in stream if line.startswith("model name")), "unknown")
-    return f"{os.cpu_count()} cores of {model}"
 
 
 def exponent(results, method):
@@ -155,7 +150,7 @@ def main():
     else:
         words = [Path(arguments.program).name, Path(arguments.mesh).name, "--output", arguments.output.name]
         recorded = {"command": "run_cuda_performance.py " + shlex.join(words), "results": measure(arguments.program, arguments.mesh),
-                    "beside": measure_beside(Path(arguments.program).resolve().parent, arguments.mesh), "beside_machine": processor()}
+                    "beside": measure_beside(Path(arguments.program).resolve().parent, arguments.mesh), "beside_machine": f"{os.cpu_count()} cores of {processor()}"}
     text = markdown(recorded["results"], recorded["beside"], recorded["beside_machine"], recorded["command"])
     write_result(arguments.output, recorded, text, figures(recorded))
 

@@ -17,7 +17,6 @@ import argparse
 import json
 import math
 import os
-import platform
 import shlex
 import struct
 import subprocess
@@ -28,6 +27,7 @@ from pathlib import Path
 import performance_tables
 
 sys.path += [str(Path(__file__).resolve().parents[1] / folder) for folder in ("common", "methods")]
+from machine import processor
 from methods import EAR_EXAMPLE
 from results import write_result
 
@@ -128,16 +128,13 @@ def compare_solvers(bench, mesh, count, noise, repetitions):
 
 def machine(build):
     """What decides speed: the processor, how many of it, how busy it is and how the programs were built."""
-    with open("/proc/cpuinfo", encoding="ascii", errors="replace") as stream:
-        model = next((line.split(":", 1)[1].strip() for line in stream if line.startswith("model name")),
-                     platform.machine())
     cache = dict(line.split("=", 1) for line in (build / "CMakeCache.txt").read_text().splitlines()
                  if "=" in line and not line.startswith(("#", "//")))
     compiler = next(value for key, value in cache.items() if key.startswith("CMAKE_CXX_COMPILER:"))
     version = subprocess.run([compiler, "--version"], stdout=subprocess.PIPE, text=True).stdout.splitlines()[0]
     build_type = cache.get("CMAKE_BUILD_TYPE:STRING", "")
     flags = f"{cache.get('CMAKE_CXX_FLAGS:STRING', '')} {cache.get(f'CMAKE_CXX_FLAGS_{build_type.upper()}:STRING', '')}"
-    return {"processor": model, "cores": os.cpu_count(), "load_average_before": os.getloadavg()[0],
+    return {"processor": processor(), "cores": os.cpu_count(), "load_average_before": os.getloadavg()[0],
             "compiler": version, "build_type": build_type, "flags": flags.strip()}
 
 
