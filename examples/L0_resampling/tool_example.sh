@@ -59,6 +59,18 @@ l0_resample orange.xyz orange.ply --columns x,y,z,red,green,blue
 l0_resample - - --input-format ply --output-format xyz < scan.ply | gzip > clean.xyz.gz
 #! [pipe]
 
+# Stands for LASzip, which need not be installed: what it compresses is text here.
+mkdir bin
+printf '#!/bin/sh\nbase64 -d "$2"\n' > bin/laszip
+chmod +x bin/laszip
+PATH=$PWD/bin:$PATH
+base64 survey.las > survey.laz
+
+#! [decompress]
+# LAZ, through the program of LASzip
+l0_resample survey.laz clean.las --decompress 'laszip -i {} -olas -stdout'
+#! [decompress]
+
 #! [survey]
 # Of a survey only the ground, which is class 2; it was seen from above
 l0_resample survey.las ground.las --keep-classes 2 --up 0,0,1

@@ -196,6 +196,7 @@ def read_points(
     *,
     format: str | None = None,
     drop_non_finite: bool = False,
+    decompress: str | None = None,
     callback: Callable[[float], object] | None = None,
 ) -> PointCloud: ...
 def write_points(

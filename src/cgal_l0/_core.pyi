@@ -150,6 +150,7 @@ def read_points(
     path: bytes,
     format: str | None,
     drop_non_finite: bool,
+    decompression: str,
     callback: Callable[[float], object] | None,
 ) -> tuple[NDArray[Any], NDArray[Any] | None, list[str], NDArray[Any], int, list[str]] | None: ...
 def write_points(

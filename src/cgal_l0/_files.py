@@ -57,7 +57,7 @@ def _distinct(names):
     return distinct
 
 
-def read_points(path, *, format=None, drop_non_finite=False, callback=None):
+def read_points(path, *, format=None, drop_non_finite=False, decompress=None, callback=None):
     """Read the points of a file.
 
     cloud = cgal_l0.read_points("scan.ply")
@@ -69,6 +69,9 @@ def read_points(path, *, format=None, drop_non_finite=False, callback=None):
         Default: None, by the extension.
     drop_non_finite: bool. True: points with a coordinate that is not finite are left out and
         counted. False (default): they raise ValueError.
+    decompress: str, a command that writes a .laz file, for which {} stands, as LAS to its standard
+        output, such as "laszip -i {} -olas -stdout". The shell starts it, with the name of the
+        file as one word. Default: None, LAZ is refused.
     callback: as of l0_resample_point_set().
 
     Returns a cgal_l0.PointCloud: points, normals or None, properties, number_of_dropped_points.
@@ -79,7 +82,8 @@ def read_points(path, *, format=None, drop_non_finite=False, callback=None):
     """
     os.stat(path)   # raises FileNotFoundError and its like
     found = _with_python_words(
-        _core.read_points, os.fsencode(path), format, bool(drop_non_finite), callback
+        _core.read_points, os.fsencode(path), format, bool(drop_non_finite), decompress or "",
+        callback
     )
     if found is None:
         raise Cancelled("the callback returned False")

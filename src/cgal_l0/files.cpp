@@ -153,11 +153,13 @@ py::array records_of(l0_tool::Property_table&& table, std::size_t size)
 /// \returns points, normals or None, the names of the properties and their records, the number of
 /// points dropped, and warnings; or None if cancelled
 py::object read_points(const std::string& path, const std::optional<std::string>& format_name,
-                       bool drop_non_finite, const py::object& callback)
+                       bool drop_non_finite, const std::string& decompression,
+                       const py::object& callback)
 {
   const l0_tool::File_format format = format_of(path, format_name);
   l0_tool::Read_options options;
   options.drop_non_finite = drop_non_finite;
+  options.decompression = decompression;
   options.with_normals = true;
   options.with_properties = true;
   Point_cloud cloud;
@@ -292,7 +294,7 @@ py::array snapshot(const py::array& points, const std::optional<py::array>& inpu
 void bind_files(py::module_& module)
 {
   module.def("read_points", &read_points, py::arg("path"), py::arg("format"),
-             py::arg("drop_non_finite"), py::arg("callback"));
+             py::arg("drop_non_finite"), py::arg("decompression"), py::arg("callback"));
   module.def("write_points", &write_points, py::arg("path"), py::arg("format"), py::arg("points"),
              py::arg("normals"), py::arg("properties"));
   module.def("snapshot", &snapshot, py::arg("points"), py::arg("input_normals"),

@@ -29,7 +29,7 @@ ATTEMPTS = 3
 _REFUSALS = (2, 3)
 
 # Those of its options that go with tiles.
-_OPTIONS = """points percentage output-format output input-format columns keep-classes
+_OPTIONS = """points percentage output-format output input-format columns keep-classes decompress
     neighbor-radius normal-weight sharpness-angle seed viewpoint up threads""".split()
 _FLAGS = "keep-density keep-outliers drop-non-finite first-returns force".split()
 

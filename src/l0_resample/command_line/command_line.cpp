@@ -5,6 +5,7 @@
 
 #include "command_line/command_line.h"
 
+#include "files/Command_output.h"
 #include "basis/Failure.h"
 #include "formats/Text_columns.h"
 #include "basis/parse_numbers.h"
@@ -217,6 +218,15 @@ void add_options_on_input(CLI::App& app, Arguments& arguments)
     ->type_name("2,6,...");
   app.add_flag("--first-returns", options.only_first_returns,
                "only points that are no second or later return, as LAS has them");
+  const auto set_decompression = [&](const std::string& command) {
+    if (command.find(Command_output::placeholder) == std::string::npos)
+      refuse_usage("--decompress: " + command + " has no {}, which stands for the file");
+    options.decompression = command;
+  };
+  app
+    .add_option_function<std::string>("--decompress", set_decompression,
+                                      "what writes a .laz file, for which {} stands, as LAS")
+    ->type_name("COMMAND");
   auto* keep_outliers = app.add_flag("--keep-outliers", options.keep_outliers,
                                      "keep points off the cloud, which the default method leaves "
                                      "out");
@@ -386,10 +396,10 @@ void add_other_tasks(CLI::App& app, Arguments& arguments)
 void exclude_others(CLI::App& app, const std::string& task,
                     const std::vector<std::string_view>& useful)
 {
-  static constexpr std::array<std::string_view, 14> always = {
-    "help",    "version",         "config",       "FILES",        "input-format",
-    "columns", "drop-non-finite", "quiet",        "max-points",   "max-memory",
-    "timeout", "threads",         "keep-classes", "first-returns"};
+  static constexpr std::array<std::string_view, 15> always = {
+    "help",    "version",         "config",       "FILES",         "input-format",
+    "columns", "drop-non-finite", "quiet",        "max-points",    "max-memory",
+    "timeout", "threads",         "keep-classes", "first-returns", "decompress"};
   const auto has = [](const auto& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };

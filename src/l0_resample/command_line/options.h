@@ -71,6 +71,7 @@ struct Options
   std::optional<double> outlier_sensitivity;
   std::vector<unsigned> classes; ///< to keep; empty for all
   bool only_first_returns = false;
+  std::string decompression;
 
   Device device = Device::AUTO;
   Solver solver = Solver::BLOCK_CHEBYSHEV;

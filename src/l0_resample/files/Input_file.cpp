@@ -32,9 +32,11 @@ int open_input(const std::string& path)
 
 } // namespace
 
-Input_file::Input_file(const std::string& path, On_progress on_progress)
+Input_file::Input_file(const std::string& path, On_progress on_progress, const std::string& command)
   : m_path(path == "-" ? "standard input" : path), m_on_progress(std::move(on_progress)),
-    m_descriptor(open_input(path)), m_buffer(new char[buffer_size])
+    m_command(command.empty() ? nullptr : std::make_unique<Command_output>(command, path)),
+    m_descriptor(m_command ? m_command->descriptor() : open_input(path)),
+    m_buffer(new char[buffer_size])
 {
   if (m_descriptor < 0) {
     const std::string error = last_error();
@@ -54,7 +56,7 @@ Input_file::Input_file(const std::string& path, On_progress on_progress)
 
 Input_file::~Input_file()
 {
-  if (m_descriptor >= 0)
+  if (m_descriptor >= 0 && !m_command)
     close(m_descriptor);
 }
 
@@ -76,6 +78,8 @@ bool Input_file::fill()
   const std::size_t room = buffer_size - m_end;
   const std::size_t n = m_gzip ? m_gzip->read(target, room) : read_descriptor(target, room);
   m_end += n;
+  if (n == 0 && m_command)
+    m_command->wait();
   return n > 0;
 }
 
@@ -189,9 +193,9 @@ void Input_file::move_to(std::uint64_t position)
   m_position = position;
 }
 
-void Input_file::check_compression()
+void Input_file::check_end()
 {
-  if (!m_gzip)
+  if (!m_gzip && !m_command)
     return;
   do {
     m_position += m_end - m_begin;

@@ -6,6 +6,7 @@
 #ifndef L0_RESAMPLE_INPUT_FILE_H
 #define L0_RESAMPLE_INPUT_FILE_H
 
+#include "files/Command_output.h"
 #include "files/Gzip_decoder.h"
 
 #include <cstddef>
@@ -18,9 +19,9 @@
 
 namespace l0_tool {
 
-/// Reads a file or a pipe once, from begin to end, through a buffer of fixed size: no content can
-/// make it allocate more. What gzip has compressed, whatever its name is, is read as what it stands
-/// for. Every member throws Failure, with the status INPUT_REFUSED where the file
+/// Reads a file, a pipe or what a command makes of a file once, from begin to end, through a buffer
+/// of fixed size: no content can make it allocate more. What gzip has compressed, whatever its name
+/// is, is read as what it stands for. Every member throws Failure, with the status INPUT_REFUSED where the file
 /// is to blame.
 class Input_file
 {
@@ -33,7 +34,9 @@ public:
   /// \param path "-" for the rest of standard input
   /// \param on_progress called now and then with the share of the file that was read, in [0, 1];
   /// never for a pipe
-  explicit Input_file(const std::string& path, On_progress on_progress = {});
+  /// \param command whose output is read in place of the file, as of `Command_output`; empty if none
+  explicit Input_file(const std::string& path, On_progress on_progress = {},
+                      const std::string& command = {});
   ~Input_file();
   Input_file(const Input_file&) = delete;
   Input_file& operator=(const Input_file&) = delete;
@@ -54,8 +57,9 @@ public:
   /// \returns false, without a call, for a pipe and for a compressed file
   bool look_ahead(std::uint64_t position, const std::function<void()>& read);
 
-  /// Reads a compressed file to its end, as what it holds is only known to be sound then.
-  void check_compression();
+  /// Reads a compressed file, or the output of a command, to its end, as what it holds is only known
+  /// to be sound then.
+  void check_end();
 
   /// Nothing for a pipe, and for a compressed file.
   std::optional<std::uint64_t> bytes_left() const;
@@ -83,6 +87,7 @@ private:
 
   std::string m_path;
   On_progress m_on_progress;
+  std::unique_ptr<Command_output> m_command; // if its output is read
   int m_descriptor;
   std::uint64_t m_begin_of_file = 0;   // where others may have left standard input
   std::optional<std::uint64_t> m_size; // of the file on the disk, from there on

@@ -29,7 +29,7 @@ bool is_written(File_format format);
 /// Whether the name is that of a file which gzip has made.
 bool is_compressed(const std::string& path);
 
-/// Whether the name is that of compressed LAS, which is refused once the file says that it is.
+/// Whether the name is that of compressed LAS, which a command has to decompress.
 bool is_laz(const std::string& path);
 
 /// By the extension of `path`, maybe before .gz, in lower or upper case: .ply, .off, .xyz, .xyzn,

@@ -24,7 +24,9 @@ constexpr std::string_view compression_user = "laszip encoded";
 // All records of the coordinate system that are kept, in bytes.
 constexpr std::size_t max_size_of_coordinate_system = 1024 * 1024;
 
-constexpr const char* laz_refusal = "LAZ is not read: decompress it first (laszip, PDAL)";
+constexpr const char* laz_refusal =
+  "LAZ is not read: give a command with --decompress, or decompress it "
+  "first (laszip, PDAL)";
 
 /// Numbers in the block that a file begins with.
 class Header_block

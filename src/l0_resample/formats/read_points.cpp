@@ -34,7 +34,8 @@ Point_row parse_row(const Input_file& file, std::string_view line, bool has_norm
 Point_cloud read_points(const std::string& path, File_format format, const Read_options& options,
                         Input_file::On_progress on_progress)
 {
-  Input_file file(path, std::move(on_progress));
+  Input_file file(path, std::move(on_progress),
+                  is_laz(path) ? options.decompression : std::string());
   Point_collector collector(file, options);
   switch (format) {
   case File_format::PLY: read_ply(file, collector); break;
@@ -46,7 +47,7 @@ Point_cloud read_points(const std::string& path, File_format format, const Read_
   case File_format::LAS: read_las(file, collector); break;
   case File_format::CSV: read_csv(file, collector, options.columns); break;
   }
-  file.check_compression();
+  file.check_end();
   return collector.take();
 }
 

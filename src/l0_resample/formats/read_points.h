@@ -36,7 +36,9 @@ struct Read_options
   std::vector<unsigned>
     classes; ///< keep the points whose property `classification` is one of these; empty for all
   bool only_first_returns = false; ///< keep the points whose property `return_number` is at most 1
-  Column_names columns; ///< of XYZ and CSV, as from `parse_column_names()`; empty if unnamed
+  std::string decompression; ///< command whose output is read in place of a file of LAZ, as of
+                             ///< `Command_output`; empty if there is none
+  Column_names columns;      ///< of XYZ and CSV, as from `parse_column_names()`; empty if unnamed
   /// Gets each point as it is read; then the cloud stays empty, and `max_memory` is for what a
   /// reader holds of a file
   std::function<void(const Point&)> on_point;
@@ -77,7 +79,8 @@ What gzip has compressed, of any of these formats, is read as what it stands for
   properties the fields of `las_fields()` and the extra bytes that the file describes, but for
   integers of 64 bits. Extra bytes nx, ny, nz or NormalX, NormalY, NormalZ in floating-point numbers
   are normals. Colors get 8 bits a channel, unless `with_wide_colors`; a file whose channels are all
-  below 256 has them already. Points that are flagged as withheld are left out. LAZ is refused.
+  below 256 has them already. Points that are flagged as withheld are left out. LAZ is refused
+  without a command that decompresses it.
 
 The filters `classes` and `only_first_returns` need `with_properties`, and act in all formats.
 

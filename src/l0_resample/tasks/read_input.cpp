@@ -23,6 +23,7 @@ Point_cloud read_input(const Options& options, bool with_normals,
   read_options.with_wide_colors = !options.info && options.output_format == File_format::LAS;
   read_options.classes = options.classes;
   read_options.only_first_returns = options.only_first_returns;
+  read_options.decompression = options.decompression;
   read_options.columns = options.columns;
   Point_cloud cloud = read_points(options.input, options.input_format, read_options,
                                   std::move(on_progress));

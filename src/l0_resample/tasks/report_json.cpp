@@ -40,6 +40,7 @@ Json parameters_as_json(const Options& options, const Run_record& record)
                {"use_normals", options.use_normals},
                {"keep_classes", options.classes},
                {"first_returns", options.only_first_returns},
+               {"decompress", options.decompression},
                {"keep_outliers", options.keep_outliers},
                {"outlier_sensitivity", number_or_null(options.outlier_sensitivity)},
                {"keep_density", options.keep_density},

@@ -242,6 +242,7 @@ std::uint64_t Tile_tasks::read_input(std::size_t number,
   read_options.classes = options.classes;
   read_options.only_first_returns = options.only_first_returns;
   read_options.with_properties = !options.classes.empty() || options.only_first_returns;
+  read_options.decompression = options.decompression;
   read_options.columns = options.columns;
   read_options.on_point = [&](const Point& p) { f({p.x(), p.y(), p.z()}); };
   return read_points(options.input, options.input_format, read_options, on_progress)

@@ -107,6 +107,7 @@ std::string describe_run(const Command& command)
        << "--keep-outliers " << options.keep_outliers << "\n"
        << "--drop-non-finite " << options.drop_non_finite << "\n"
        << "--first-returns " << options.only_first_returns << "\n"
+       << "--decompress " << options.decompression << "\n"
        << "--keep-classes";
   for (const unsigned number : options.classes)
     text << " " << number;

@@ -5,6 +5,7 @@
 
 """Points in files of every format, and pictures: as the program reads, writes and draws them."""
 
+import base64
 import os
 import pathlib
 import subprocess
@@ -131,8 +132,14 @@ def test_las(tmp_path, cloud):
     assert found.properties["classification"].dtype == numpy.uint8
     packed = path.read_bytes()
     (tmp_path / "cloud.laz").write_bytes(packed[:104] + b"\x87" + packed[105:])
-    with pytest.raises(ValueError, match="LAZ is not read: decompress it first"):
+    with pytest.raises(ValueError, match="LAZ is not read: give a command"):
         cgal_l0.read_points(tmp_path / "cloud.laz")
+    (tmp_path / "it's.laz").write_bytes(base64.b64encode(packed))
+    with pytest.warns(UserWarning, match="as withheld"):
+        unpacked = cgal_l0.read_points(tmp_path / "it's.laz", decompress="base64 -d {}")
+    assert numpy.array_equal(unpacked.points, found.points)
+    with pytest.raises(ValueError, match="'exit 7' ended with status 7"):
+        cgal_l0.read_points(tmp_path / "it's.laz", decompress="exit 7")
 
 
 def test_the_format_may_be_said(tmp_path, cube):

@@ -120,6 +120,15 @@ run_plainly "${ribbon[@]}" --output-directory full --resume
 check "goes on with room" test "$status" -eq 0
 check "with the same result" same_tiles full
 
+# LAZ through a command, which base64 stands for
+mkdir surveys packed
+run c.xyz surveys/c.las --convert-only
+base64 surveys/c.las > packed/c.laz
+run surveys --as-one --points 2000 --memory 1GB --output-directory unpacked
+run packed --as-one --points 2000 --memory 1GB --output-directory through \
+  --decompress 'base64 -d {}'
+check "LAZ by tiles" cmp unpacked/tile_*.ply through/tile_*.ply
+
 # What a run may not go on with
 begin_run changed
 check_plain_failure 2 "--resume: the run began with --seed 0, now it is --seed 1" "${ribbon[@]}" \

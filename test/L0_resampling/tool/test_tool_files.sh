@@ -252,12 +252,30 @@ dd if=late.las bs=4 skip=1 status=none \
   | "$program" - late_too.las --input-format las --convert-only --force > stdout 2> stderr
 check "a record behind the points of a pipe" cmp late_too.las placed.las
 { head -c 104 survey.las; printf '\x87'; tail -c +106 survey.las; } > packed.laz
-check_plain_failure 3 "packed.laz: byte 375: LAZ is not read: decompress it first (laszip, PDAL)" \
+check_plain_failure 3 "packed.laz: byte 375: LAZ is not read: give a command with --decompress" \
   packed.laz none.ply
 check_plain_failure 2 "none.laz: LAZ is not written" survey.las none.laz
 mkdir surveys; cp survey.las surveys/a.laz; cp packed.laz surveys/b.laz
 run_plainly surveys --output-directory resampled -n 100 --quiet
 check "a batch of LAZ, of which some is none" test "$status" -eq 3 -a "$(ls resampled)" = a.las
+
+# LAZ through a command; base64 stands for what compresses it
+mkdir "it's \"a\"; {}"; base64 survey.las > "it's \"a\"; {}/\$1.laz"; base64 survey.las > text.laz
+run_plainly "it's \"a\"; {}/\$1.laz" unpacked.las --convert-only --decompress 'base64 -d {}'
+check "LAZ through a command" cmp unpacked.las survey.las
+run_plainly text.laz survey.las --output-directory through --convert-only \
+  --decompress 'base64 -d < {}'
+check "LAZ in a batch" cmp through/text.las through/survey.las
+check_plain_failure 3 "text.laz: byte 227: the file ends here" \
+  text.laz none.ply --decompress 'base64 -d {} | head -c 300'
+check_plain_failure 3 "'base64 -d {}; exit 7' ended with status 7" \
+  text.laz none.ply --decompress 'base64 -d {}; exit 7'
+check_plain_failure 3 "'kill -9 \$\$ {}' was ended by signal 9" \
+  text.laz none.ply --decompress 'kill -9 $$ {}'
+check_plain_failure 2 "--decompress: laszip has no {}" text.laz none.ply --decompress laszip
+run_plainly text.laz none.ply --timeout 1 --decompress 'echo $$ > process; exec sleep 1000 # {}'
+check "a command that never ends" test "$status" -eq 1 -a -s process
+check "the command is ended" test ! -e "/proc/$(cat process)"
 
 # Compressed files
 gzip -c a1.xyz > packed.xyz.gz
