@@ -53,7 +53,7 @@ def measure(programs, scratch, points, memories, in_memory):
         seconds, peak = run(programs / "l0_resample", scene, "--as-one", "--points", outputs, "--memory", memory, "--output-directory", folder,
                             "--force", "--quiet")
         index = json.loads((folder / "index.json").read_text(encoding="utf-8"))
-        written = sum(tile["points"] for tile in index["tiles"])
+        written = sum(tile["output_points"] for tile in index["tiles"])
         if written != outputs:
             raise RuntimeError(f"{written} points instead of {outputs}")
         rows.append({"points": points, "how": f"--as-one --memory {memory}", "seconds": seconds, "peak_bytes": peak, "tiles": len(index["tiles"]),
