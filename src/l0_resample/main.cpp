@@ -5,6 +5,7 @@
 
 #include "basis/Failure.h"
 #include "command_line/options.h"
+#include "basis/messages.h"
 #include "tasks/report_json.h"
 #include "tasks/run.h"
 #include "tiles/run_as_one.h"

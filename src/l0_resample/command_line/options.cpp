@@ -7,9 +7,11 @@
 
 #include "basis/Failure.h"
 #include "files/batch.h"
+#include "command_line/check_paths.h"
 #include "command_line/command_line.h"
 #include "command_line/config_file.h"
 #include "command_line/manual.h"
+#include "basis/messages.h"
 
 #include <CGAL/L0_resampling/internal/plan/Method_rules.h>
 
@@ -19,6 +21,7 @@
 #include <filesystem>
 #include <iostream>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace l0_tool {
@@ -32,21 +35,13 @@ void choose_format(const std::string& path, const std::string& option, const CLI
   if (app.count(option) > 0)
     return;
   const std::optional<File_format> by_extension = format_of(path);
+  std::error_code error;
+  if (!by_extension && std::filesystem::is_directory(path, error))
+    refuse_usage(path + ": is a folder; --output-directory resamples all files of folders");
   if (!by_extension)
     refuse_usage(path == standard_stream ? path + ": " + option + " tells what the points are"
                                          : unknown_extension(path, option));
   format = *by_extension;
-}
-
-// Input and output may be one file; nothing else may.
-void check_paths_differ(const Options& options)
-{
-  const std::string input = options.input == standard_stream ? "/dev/stdin" : options.input;
-  for (const std::string& path : {options.json, options.snapshot})
-    if (are_same_file(path, input) || are_same_file(path, options.output))
-      refuse_usage(path + ": is named twice");
-  if (are_same_file(options.json, options.snapshot))
-    refuse_usage(options.json + ": is named twice");
 }
 
 // Nothing that the command line asks for is ignored.
@@ -104,7 +99,6 @@ void set_files(const CLI::App& app, const std::vector<std::string>& files, Optio
   if (!options.snapshot.empty() && std::filesystem::path(options.snapshot).extension() != ".png")
     refuse_usage(options.snapshot + ": the extension of a snapshot is .png");
   check_columns(options);
-  check_paths_differ(options);
 }
 
 /// Of a result of a batch, whose name goes on in that of its picture: others may differ in the
@@ -138,7 +132,6 @@ std::vector<Options> batch_of(const CLI::App& app, const std::vector<std::string
     runs.back().is_in_batch = true;
     runs.back().snapshot = snapshot_of(options.snapshot, item.output);
     check_columns(runs.back());
-    check_paths_differ(runs.back());
   }
   return runs;
 }
@@ -207,6 +200,7 @@ Command command_of(const CLI::App& app, const CLI::App& command_line, Arguments&
     set_files(app, files, arguments.options);
     command.runs.push_back(arguments.options);
   }
+  check_paths(command, arguments.config);
   return command;
 }
 
@@ -235,7 +229,7 @@ std::optional<int> parse_command_line(int argc, char** argv, Command& command)
       check_no_file_is_replaced(command.runs);
     return std::nullopt;
   } catch (const Failure& failure) {
-    std::cerr << "l0_resample: " << failure.what() << std::endl;
+    print_error(failure.what());
     return failure.status();
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == int(CLI::ExitCodes::Success)) {
@@ -243,7 +237,7 @@ std::optional<int> parse_command_line(int argc, char** argv, Command& command)
                 << std::flush; // --help, --version
       return std::cout ? SUCCESS : OUTPUT_NOT_WRITTEN;
     }
-    std::cerr << "l0_resample: " << error.what() << " (see --help)" << std::endl;
+    print_error(error.what() + std::string(" (see --help)"));
     return WRONG_USAGE;
   }
 }

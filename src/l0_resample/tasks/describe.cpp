@@ -5,6 +5,7 @@
 
 #include "tasks/describe.h"
 
+#include "basis/messages.h"
 #include "basis/parse_numbers.h"
 #include "tasks/resample.h"
 
@@ -18,10 +19,10 @@
 namespace l0_tool {
 namespace {
 
-std::string in_digits(double number)
+std::string in_digits(long double number)
 {
   char digits[32];
-  std::snprintf(digits, sizeof digits, "%.6g", number);
+  std::snprintf(digits, sizeof digits, "%.6Lg", number);
   return digits;
 }
 
@@ -46,9 +47,12 @@ CGAL::Bbox_3 box_of(const std::vector<Point>& points)
   return box;
 }
 
-double diagonal_of(const CGAL::Bbox_3& box)
+/// Finite, also where `double` does not hold it.
+long double diagonal_of(const CGAL::Bbox_3& box)
 {
-  return std::hypot(box.x_span(), box.y_span(), box.z_span());
+  using Long = long double;
+  return std::hypot(Long(box.xmax()) - box.xmin(), Long(box.ymax()) - box.ymin(),
+                    Long(box.zmax()) - box.zmin());
 }
 
 std::string extent_of(const CGAL::Bbox_3& box)
@@ -62,7 +66,7 @@ std::string names_of(const Property_table& table)
 {
   std::string names;
   for (const Property& property : table.properties())
-    names += (names.empty() ? "" : ", ") + property.name;
+    names += (names.empty() ? "" : ", ") + on_one_line(property.name);
   return names.empty() ? "none" : names;
 }
 
@@ -79,7 +83,7 @@ std::string las_version(const Las_origin& las)
 std::string describe(const Point_cloud& cloud, const Options& options)
 {
   const std::size_t size = cloud.points.size();
-  std::string text = line("file", options.input_name() + ", "
+  std::string text = line("file", on_one_line(options.input_name()) + ", "
                                     + extension_of(options.input_format).substr(1));
   text += line("points", std::to_string(size)
                            + (cloud.number_of_dropped_points == 0

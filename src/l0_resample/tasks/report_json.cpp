@@ -5,6 +5,8 @@
 
 #include "tasks/report_json.h"
 
+#include "basis/messages.h"
+
 #include <CGAL/L0_resampling/warnings.h>
 #include <nlohmann/json.hpp>
 
@@ -127,17 +129,15 @@ std::string summary_line(const Options& options, const Run_record& record)
 {
   const Report& report = record.report;
   char numbers[96];
-  std::snprintf(numbers, sizeof numbers,
-                "%.2f s, %.0f %% of the normals expected on the right side",
-                record.seconds_to_resample, std::floor(100 * report.right_side_share));
   const std::string input_points = std::to_string(report.number_of_input_points);
-  std::string line = options.input_name() + ": " + input_points + " points in, ";
+  std::string line = on_one_line(options.input_name()) + ": " + input_points + " points in, ";
   if (report.number_of_dropped_points > 0)
     line += std::to_string(report.number_of_dropped_points) + " dropped, ";
   if (report.number_of_outliers > 0)
     line += std::to_string(report.number_of_outliers) + " outliers left out, ";
   line += std::to_string(report.number_of_output_points)
-          + (options.dry_run ? " would be written to " + options.output + ", " : " out, ");
+          + (options.dry_run ? " would be written to " + on_one_line(options.output) + ", "
+                             : " out, ");
   if (options.convert_only)
     return line + "converted\n";
   if (options.orient_only && options.dry_run)
@@ -147,6 +147,13 @@ std::string summary_line(const Options& options, const Run_record& record)
     std::snprintf(numbers, sizeof numbers, "neighbor radius %.6g\n", report.neighbor_radius);
     return line + numbers;
   }
+  if (report.number_of_output_points == 0) {
+    std::snprintf(numbers, sizeof numbers, "%.2f s\n", record.seconds_to_resample);
+    return line + numbers;
+  }
+  std::snprintf(numbers, sizeof numbers,
+                "%.2f s, %.0f %% of the normals expected on the right side",
+                record.seconds_to_resample, std::floor(100 * report.right_side_share));
   line += numbers;
   const double well_known_share = 0.9;
   if (report.right_side_share < well_known_share && report.hinted_share < 0.5)

@@ -11,6 +11,7 @@
 #include "tasks/check_output.h"
 #include "tasks/convert.h"
 #include "tasks/describe.h"
+#include "basis/messages.h"
 #include "tasks/orient.h"
 #include "basis/parse_numbers.h"
 #include "tasks/read_input.h"
@@ -267,22 +268,14 @@ void write_text(const std::string& path, const std::string& text)
   file.commit();
 }
 
-void print_error(const std::string& error)
-{
-  if (!error.empty())
-    std::cerr << "l0_resample: " << error << std::endl;
-}
-
 void print_outcome(const Options& options, Run_record& record)
 {
   if (record.status == SUCCESS && (!options.quiet || options.info))
     guarded(record, [&]() { print_summary(options, record); });
   if (options.quiet)
     return;
-  for (const std::string& note : record.notes)
-    std::cerr << "l0_resample: note: " << note << std::endl;
-  for (const std::string& warning : record.warnings)
-    std::cerr << "l0_resample: warning: " << warning << std::endl;
+  print_notes(record.notes);
+  print_warnings(record.warnings);
 }
 
 } // namespace l0_tool

@@ -25,9 +25,6 @@ void print_outcome(const Options& options, Run_record& record);
 
 void write_text(const std::string& path, const std::string& text);
 
-/// One line on standard error, with the name of the program.
-void print_error(const std::string& error);
-
 } // namespace l0_tool
 
 #endif // L0_RESAMPLE_RUN_H

@@ -7,6 +7,7 @@
 
 #include "files/Output_file.h"
 #include "tasks/check_output.h"
+#include "basis/messages.h"
 #include "tasks/resample.h"
 #include "tasks/run.h"
 #include "basis/signals.h"

@@ -15,6 +15,7 @@
 #include "basis/signals.h"
 #include "tiles/tile_description.h"
 #include "tiles/tile_files.h"
+#include "files/tile_folder.h"
 #include "formats/write_points.h"
 
 #include <CGAL/l0_resample_tiles.h>
@@ -27,6 +28,7 @@
 #include <filesystem>
 #include <new>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -110,7 +112,7 @@ public:
 
 Tile_tasks::Tile_tasks(const Command& command)
   : m_command(command), m_options(command.runs.front()),
-    m_work((fs::path(command.output_directory) / "work").string()),
+    m_work((fs::path(command.output_directory) / work_folder).string()),
     m_description(describe_run(command)), m_key(key_of_run(m_description))
 {}
 
@@ -128,13 +130,26 @@ std::string Tile_tasks::file_of(const std::string& phase, std::size_t number) co
 std::string Tile_tasks::result_of(std::size_t tile) const
 {
   return (fs::path(m_command.output_directory)
-          / ("tile_" + std::to_string(tile) + extension_of(m_options.output_format)))
+          / tile_name(tile, extension_of(m_options.output_format)))
     .string();
 }
 
 std::string Tile_tasks::index_file() const
 {
-  return (fs::path(m_command.output_directory) / "index.json").string();
+  return (fs::path(m_command.output_directory) / index_name).string();
+}
+
+/// Of a folder whose run makes place for another one.
+void Tile_tasks::check_inputs_stay() const
+{
+  std::error_code error;
+  std::set<fs::path> inputs;
+  for (const Options& part : m_command.runs)
+    inputs.insert(fs::weakly_canonical(part.input, error));
+  for (const std::string& tile : tiles_of_finished(m_command.output_directory))
+    if (inputs.count(fs::weakly_canonical(tile, error)) > 0)
+      throw Failure(WRONG_USAGE,
+                    tile + ": --force would remove this input, a tile of an earlier run");
 }
 
 void Tile_tasks::begin() const
@@ -143,6 +158,7 @@ void Tile_tasks::begin() const
   const std::string old = read_description(note), finished = read_finished(index_file());
   if (!old.empty() || !finished.empty()) {
     if (m_options.force && !m_command.tiles.resumes) {
+      check_inputs_stay();
       remove_run(m_command.output_directory);
     } else if (!m_command.tiles.resumes)
       throw Failure(OUTPUT_NOT_WRITTEN, m_command.output_directory
@@ -150,7 +166,9 @@ void Tile_tasks::begin() const
                                             "on with it, --force begins anew");
     else
       check_same_run(old.empty() ? finished : old, m_description);
-  }
+  } else
+    check_directory_of_new_run(m_command.output_directory, extension_of(m_options.output_format),
+                               m_options.force);
   make_folder(m_options, m_work);
   write_text(note, m_description);
 }

@@ -70,6 +70,7 @@ private:
 
   std::string result_of(std::size_t tile) const;
   std::string index_file() const;
+  void check_inputs_stay() const;
   void check_disk(std::uint64_t number_of_points) const;
   std::uint64_t memory_of_tile() const;
   std::uint64_t read_input(std::size_t number,

@@ -8,6 +8,7 @@
 #include "tasks/Progress_bar.h"
 #include "tiles/Tile_tasks.h"
 #include "tasks/check_output.h"
+#include "basis/messages.h"
 #include "basis/parse_numbers.h"
 #include "tasks/run.h"
 #include "basis/signals.h"
@@ -105,7 +106,7 @@ public:
   {
     const Clock::time_point start = Clock::now();
     if (m_command.tiles.resumes && m_tasks.is_finished())
-      return m_command.output_directory + ": all was done already\n";
+      return on_one_line(m_command.output_directory) + ": all was done already\n";
     m_tasks.begin();
     std::vector<Tile_phase> phases = m_tasks.phases();
     for (std::size_t next = 0; next < phases.size(); ++next) {
@@ -117,8 +118,8 @@ public:
     char numbers[128];
     std::snprintf(numbers, sizeof numbers, "%.2f s, peak of memory %.0f MB", seconds_since(start),
                   double(peak_of_memory()) / (1 << 20));
-    return m_command.output_directory + ": " + std::to_string(m_command.runs.size()) + " files, "
-           + std::to_string(m_number_of_tiles) + " tiles, " + numbers + "\n";
+    return on_one_line(m_command.output_directory) + ": " + std::to_string(m_command.runs.size())
+           + " files, " + std::to_string(m_number_of_tiles) + " tiles, " + numbers + "\n";
   }
 
   const std::vector<std::string>& notes() const { return m_notes; }
@@ -192,8 +193,7 @@ Exit_status run_as_one(const Command& command)
   if (!options.quiet) {
     if (record.status == SUCCESS)
       std::cout << summary << std::flush;
-    for (const std::string& note : record.notes)
-      std::cerr << "l0_resample: note: " << note << std::endl;
+    print_notes(record.notes);
   }
   print_error(record.error);
   return record.status;

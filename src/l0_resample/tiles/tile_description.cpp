@@ -7,6 +7,7 @@
 
 #include "basis/Failure.h"
 #include "tiles/Task_file.h"
+#include "files/tile_folder.h"
 
 #include <nlohmann/json.hpp>
 
@@ -160,16 +161,23 @@ void check_same_run(const std::string& old, const std::string& now)
   }
 }
 
+std::vector<std::string> tiles_of_finished(const std::string& folder)
+{
+  std::vector<std::string> tiles;
+  const nlohmann::json json = read_index((fs::path(folder) / index_name).string());
+  if (json.contains("tiles"))
+    for (const nlohmann::json& tile : json["tiles"])
+      tiles.push_back((fs::path(folder) / fs::path(tile.value("file", "")).filename()).string());
+  return tiles;
+}
+
 void remove_run(const std::string& folder)
 {
   std::error_code error;
-  const fs::path index = fs::path(folder) / "index.json";
-  fs::remove_all(fs::path(folder) / "work", error);
-  const nlohmann::json json = read_index(index.string());
-  if (json.contains("tiles"))
-    for (const nlohmann::json& tile : json["tiles"])
-      fs::remove(fs::path(folder) / fs::path(tile.value("file", "")).filename(), error);
-  fs::remove(index, error);
+  fs::remove_all(fs::path(folder) / work_folder, error);
+  for (const std::string& tile : tiles_of_finished(folder))
+    fs::remove(tile, error);
+  fs::remove(fs::path(folder) / index_name, error);
 }
 
 } // namespace l0_tool

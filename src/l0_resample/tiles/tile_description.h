@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace l0_tool {
 
@@ -30,6 +31,9 @@ std::string read_finished(const std::string& index);
 /// \throws Failure that says what differs: with INPUT_REFUSED for an input, with WRONG_USAGE for
 /// anything else
 void check_same_run(const std::string& old, const std::string& now);
+
+/// The files of the tiles that a run has written to this folder, as its index says.
+std::vector<std::string> tiles_of_finished(const std::string& folder);
 
 /// Removes what a run has left in a folder, and nothing else.
 void remove_run(const std::string& folder);

@@ -76,6 +76,42 @@ check "which is said" grep -q "all was done already" stdout
 run "${ribbon[@]}" --output-directory threads
 check "--force begins anew" test "$status" -eq 0
 
+# Files of others in the folder stay, and no result takes the place of an input
+one_tile=(c.xyz --as-one --points 100 --memory 1GB --output-format xyz)
+cp c.xyz as_it_was.xyz
+for name in index.json tile_0.xyz; do
+  rm -rf others; mkdir others; echo old > others/$name
+  check_plain_failure 4 "others/$name: the file exists; --force replaces it" "${one_tile[@]}" \
+    --output-directory others
+  check "$name of others stays" is_old others/$name
+  run "${one_tile[@]}" --output-directory others
+  check "--force replaces $name" test "$status" -eq 0 -a "$(wc -l < others/tile_0.xyz)" -eq 100
+done
+rm -rf others; mkdir -p others/work; echo old > others/work/mine
+check_failure 4 "others/work: has something that is of no run" "${one_tile[@]}" \
+  --output-directory others
+check "a folder work of others stays" is_old others/work/mine
+rm -rf others; mkdir others; echo old > others/tile_0.ply; echo old > others/tile_0.xyz.bak
+run_plainly "${one_tile[@]}" --output-directory others
+check "other names are in nobody's way" test "$status" -eq 0
+check "and stay" is_old others/tile_0.ply
+cp c.xyz others/tile_7.xyz
+check_failure 2 "others/tile_7.xyz: a result would take the place" others/tile_7.xyz \
+  "${one_tile[@]}" --output-directory others
+check_failure 2 "others/tile_0.xyz: --force would remove this input" others/tile_0.xyz \
+  "${one_tile[@]:1:5}" --output-directory others
+check_failure 2 "a result would take the place" "${one_tile[@]}" --output-directory others \
+  --output ./c.xyz
+check_failure 2 "c.xyz: is named twice" "${one_tile[@]}" --output-directory others --json c.xyz
+check_failure 2 "merged.xyz: is named twice" "${one_tile[@]}" --output-directory others \
+  --output merged.xyz --json merged.xyz
+for name in index.json tile_3.xyz work/report.json; do
+  check_failure 2 "others/$name: is the name of a tile" "${one_tile[@]}" --output-directory others \
+    --json others/$name
+done
+check "inputs are what they were" cmp c.xyz as_it_was.xyz
+check "also in the folder of a run" cmp others/tile_7.xyz as_it_was.xyz
+
 # Killed in the middle of each phase
 for file in count_1 shard_0 share_1 solve_2; do
   rm -rf killed

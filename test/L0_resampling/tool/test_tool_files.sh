@@ -35,6 +35,37 @@ run a1.xyz a1.xyz --points 60
 check "--force replaces the input" test "$status" -eq 0 -a "$(wc -l < a1.xyz)" -eq 60
 cp one.xyz a1.xyz; cp two.xyz a2.xyz
 
+# What the options name is read, and stays too
+echo 'points = 10' > options.txt; cp options.txt options_as_they_were.txt
+awk 'BEGIN { print "x,y,z,view" } { print $1 "," $2 "," $3 "," NR % 2 }' a1.xyz > seen.csv
+printf '0 0 1\n0 1 0\n' > places.txt; cp places.txt places_as_they_were.txt
+places=(--viewpoints places.txt --view-property view)
+check_failure 2 "options.txt: is named twice" a1.xyz new.ply --config options.txt --json options.txt
+check_failure 2 "options.txt: is named twice" a1.xyz options.txt --output-format ply \
+  --config options.txt
+check_failure 2 "places.txt: is named twice" seen.csv new.ply "${places[@]}" --json places.txt
+check_failure 2 "./places.txt: is named twice" seen.csv ./places.txt --output-format ply \
+  "${places[@]}"
+check_failure 2 "places.txt: is named twice" seen.csv --output-directory none "${places[@]}" \
+  --json places.txt
+check "options are what they were" cmp options.txt options_as_they_were.txt
+check "places are what they were" cmp places.txt places_as_they_were.txt
+mkdir folder
+check_plain_failure 2 "folder: is a folder; --output-directory" folder new.ply
+check_plain_failure 2 "folder: is a folder; --output-directory" a1.xyz folder
+
+# A name that would make two lines of one, or say something to a terminal
+strange=$'two\nlines\033[31m.xyz'; cp a1.xyz "$strange"
+check_plain_failure 3 "no?file.xyz: cannot be opened" $'no\nfile.xyz' strange.ply
+check_plain_failure 2 "two?lines: the extension is not" a1.xyz $'two\nlines'
+run "$strange" strange.ply --points 5 --neighbor-radius 1e-6
+check "a strange name" test "$status" -eq 0 -a "$(number_of_points strange.ply)" -eq 5
+check "its summary" test "$(wc -l < stdout)" -eq 1 \
+  -a "$(head -c 17 stdout)" = 'two?lines?[31m.xy'
+check "its warnings" test "$(grep -cv '^l0_resample: warning: two?lines?\[31m.xyz: ' stderr)" -eq 0
+run_plainly --info "$strange"
+check "what it is" grep -qxF 'file:            two?lines?[31m.xyz, xyz' stdout
+
 # A file that comes while the program works
 mkfifo slow.xyz
 timeout 60 "$program" slow.xyz late.ply > stdout 2> stderr & job=$!
