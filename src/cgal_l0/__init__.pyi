@@ -195,6 +195,7 @@ def read_points(
     path: _Path,
     *,
     format: str | None = None,
+    columns: str | Sequence[str] | None = None,
     drop_non_finite: bool = False,
     decompress: str | None = None,
     callback: Callable[[float], object] | None = None,

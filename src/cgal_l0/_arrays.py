@@ -106,6 +106,8 @@ def coordinates(**arrays):
     Raises TypeError or ValueError that name the array, with its number type, shape and device.
     """
     (first, points), *_ = arrays.items()
+    if points is None:
+        raise TypeError(f"{first} is None, expected an array of shape (n, 3)")
     device = cuda_device_of(points)
     answer, size = [], None
     for name, array in arrays.items():

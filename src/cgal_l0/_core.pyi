@@ -149,6 +149,7 @@ def resample_on_device(
 def read_points(
     path: bytes,
     format: str | None,
+    columns: str | None,
     drop_non_finite: bool,
     decompression: str,
     callback: Callable[[float], object] | None,

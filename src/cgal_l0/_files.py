@@ -8,6 +8,7 @@
 from __future__ import annotations
 
 import os
+import re
 import warnings
 from dataclasses import dataclass, field
 
@@ -57,7 +58,9 @@ def _distinct(names):
     return distinct
 
 
-def read_points(path, *, format=None, drop_non_finite=False, decompress=None, callback=None):
+def read_points(
+    path, *, format=None, columns=None, drop_non_finite=False, decompress=None, callback=None
+):
     """Read the points of a file.
 
     cloud = cgal_l0.read_points("scan.ply")
@@ -67,6 +70,10 @@ def read_points(path, *, format=None, drop_non_finite=False, decompress=None, ca
         .npy, .csv or .obj, maybe before .gz.
     format: str, one of these extensions without the dot, for a file with another one.
         Default: None, by the extension.
+    columns: str such as "x,y,z,red,green,blue", or a sequence of names: what the columns of a text
+        or of a table are. nx, ny and nz are a normal, other names those of properties, and "-" is
+        a column to leave out. Default: None; of a text the first three are coordinates, and of six
+        the others a normal if they have unit length; a table has a line of names.
     drop_non_finite: bool. True: points with a coordinate that is not finite are left out and
         counted. False (default): they raise ValueError.
     decompress: str, a command that writes a .laz file, for which {} stands, as LAS to its standard
@@ -81,15 +88,22 @@ def read_points(path, *, format=None, drop_non_finite=False, decompress=None, ca
     LAS flags as withheld.
     """
     os.stat(path)   # raises FileNotFoundError and its like
+    if columns is not None and not isinstance(columns, str):
+        columns = ",".join(columns)
     found = _with_python_words(
-        _core.read_points, os.fsencode(path), format, bool(drop_non_finite), decompress or "",
-        callback
+        _core.read_points,
+        os.fsencode(path),
+        format,
+        columns,
+        bool(drop_non_finite),
+        decompress or "",
+        callback,
     )
     if found is None:
         raise Cancelled("the callback returned False")
     points, normals, names, records, dropped, complaints = found
     for complaint in complaints:
-        warnings.warn(complaint, stacklevel=2)
+        warnings.warn(in_python_words(complaint), stacklevel=2)
     fields = records.dtype.names or ()
     return PointCloud(
         points, normals, {name: records[f] for name, f in zip(_distinct(names), fields)}, dropped
@@ -97,6 +111,8 @@ def read_points(path, *, format=None, drop_non_finite=False, decompress=None, ca
 
 
 def _property(name, values, size):
+    if re.fullmatch(r"[^\s\x00-\x1f\x7f]+", name) is None:
+        raise ValueError(f"the property {name!r} has no name that a file can hold: one word")
     array = numpy.asarray(values)
     if array.shape != (size,):
         raise ValueError(f"the property {name!r} has the shape {array.shape}, expected ({size},)")
@@ -130,8 +146,8 @@ def write_points(path, points, normals=None, properties=None, *, format=None):
         the spacing of the points.
     normals: array of shape (n, 3) or None (default), for a file without normals.
     properties: dict of further numbers of each point by their names, arrays of shape (n,), as in
-        the properties of read_points(). PLY, PCD and LAS hold all, OFF colors as uint8. A warning
-        names those that the format cannot hold. Default: None.
+        the properties of read_points(); a name is one word. PLY, PCD and LAS hold all, OFF colors
+        as uint8. A warning names those that the format cannot hold. Default: None.
     format: str, as of read_points().
 
     Raises ValueError or TypeError for arrays that are no points, OSError if the file cannot be

@@ -36,6 +36,7 @@ def in_python_words(message):
     message = re.sub(r"^point (\d+) has", r"points[\1] has", message)
     message = re.sub(r"\b(\w+)\((true|false)\)", lambda m: f"{m[1]}={m[2].capitalize()}", message)
     message = message.replace("--drop-non-finite", "drop_non_finite=True")
+    message = message.replace("--columns", "columns")
     message = message.replace("orientation_hint_map", "orientation_hints")
     return message.replace("viewpoint_map", "viewpoints").replace("2^32", "2**32")
 
@@ -189,7 +190,8 @@ def l0_resample_point_set(
     number_of_normal_filter_iterations: int from 0 to 10000, the number of times that normals are
         averaged. Default: 5.
     normal_weight: float of at least 0, the weight of sharpness against closeness to the input.
-        Larger values give sharper edges and flatter faces. It has no unit. Default: 0.9.
+        Larger values give sharper edges and flatter faces; with method="default" up to a limit that
+        grows with the noise. It has no unit. Default: 0.9.
     regularization_weight: float of at least 0. Larger values draw neighboring samples together.
         Default: 0.15.
     initial_penalty, maximum_penalty, penalty_growth: floats. The minimization solves a sequence

@@ -18,7 +18,9 @@
 #include <pybind11/stl.h>
 
 #include <array>
+#include <exception>
 #include <memory>
+#include <new>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -135,6 +137,16 @@ PYBIND11_MODULE(_core, module)
 #endif
   module.doc() = "What cgal_l0 is made of. Use cgal_l0.l0_resample_point_set().";
   module.attr("__version__") = CGAL_L0_VERSION;
+  py::register_exception_translator([](std::exception_ptr error) {
+    try
+    {
+      std::rethrow_exception(error);
+    }
+    catch (const std::bad_alloc&)
+    {
+      PyErr_SetString(PyExc_MemoryError, "not enough memory, or less than maximum_memory allows");
+    }
+  });
 
   py::enum_<Method>(module, "Method")
     .value("default", Method::DEFAULT)

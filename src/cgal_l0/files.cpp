@@ -9,6 +9,7 @@
 #include "run_beside_python.h"
 
 #include "basis/Failure.h"
+#include "formats/Text_columns.h"
 #include "formats/read_points.h"
 #include "pictures/render_snapshot.h"
 #include "pictures/write_png.h"
@@ -64,9 +65,9 @@ auto with_python_exceptions(const Function& function)
   }
   catch (const l0_tool::Failure& failure)
   {
-    raise(failure.status() == l0_tool::INPUT_REFUSED        ? PyExc_ValueError
-          : failure.status() == l0_tool::OUTPUT_NOT_WRITTEN ? PyExc_OSError
-                                                            : PyExc_RuntimeError,
+    raise(failure.status() == l0_tool::OUTPUT_NOT_WRITTEN ? PyExc_OSError
+          : failure.status() == l0_tool::RUN_TIME_FAILURE ? PyExc_RuntimeError
+                                                          : PyExc_ValueError,
           failure.what());
   }
 }
@@ -153,11 +154,16 @@ py::array records_of(l0_tool::Property_table&& table, std::size_t size)
 /// \returns points, normals or None, the names of the properties and their records, the number of
 /// points dropped, and warnings; or None if cancelled
 py::object read_points(const std::string& path, const std::optional<std::string>& format_name,
-                       bool drop_non_finite, const std::string& decompression,
-                       const py::object& callback)
+                       const std::optional<std::string>& columns, bool drop_non_finite,
+                       const std::string& decompression, const py::object& callback)
 {
   const l0_tool::File_format format = format_of(path, format_name);
   l0_tool::Read_options options;
+  if (columns && format != l0_tool::File_format::XYZ && format != l0_tool::File_format::CSV)
+    raise(PyExc_ValueError, "columns are given, but " + path + " is no text (XYZ or CSV)");
+  if (columns)
+    options.columns = with_python_exceptions(
+      [&]() { return l0_tool::parse_column_names(*columns); });
   options.drop_non_finite = drop_non_finite;
   options.decompression = decompression;
   options.with_normals = true;
@@ -293,7 +299,7 @@ py::array snapshot(const py::array& points, const std::optional<py::array>& inpu
 
 void bind_files(py::module_& module)
 {
-  module.def("read_points", &read_points, py::arg("path"), py::arg("format"),
+  module.def("read_points", &read_points, py::arg("path"), py::arg("format"), py::arg("columns"),
              py::arg("drop_non_finite"), py::arg("decompression"), py::arg("callback"));
   module.def("write_points", &write_points, py::arg("path"), py::arg("format"), py::arg("points"),
              py::arg("normals"), py::arg("properties"));

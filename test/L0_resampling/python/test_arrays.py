@@ -108,6 +108,7 @@ def test_a_dlpack_array_of_the_host_is_not_copied(cube):
             TypeError,
             r"points is a int64 array of shape \(9, 3\) on cuda:0, expected float32 or float64",
         ),
+        (None, TypeError, r"points is None, expected an array of shape \(n, 3\)"),
         (OnDevice(mask=OnDevice()), TypeError, "points is masked"),
         (OnDevice(stream=0), ValueError, "points has the stream 0"),
         (WithDlpack(numpy.zeros((9, 3)), (12, 0)), TypeError, "a device of DLPack type 12"),

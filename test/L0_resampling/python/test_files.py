@@ -175,6 +175,40 @@ def test_odd_names(tmp_path, cube):
     assert list(cgal_l0.read_points(path).properties) == ["gr\u00f6\u00dfe"]
 
 
+@pytest.mark.parametrize("format", ["ply", "pcd", "las"])
+@pytest.mark.parametrize("name", ["", " ", "two words", "a\nend_header", "tab\t", "\x1b[31m"])
+def test_a_name_of_a_property_is_one_word(tmp_path, cube, format, name):
+    path = tmp_path / f"cloud.{format}"
+    with pytest.raises(ValueError, match="has no name that a file can hold"):
+        cgal_l0.write_points(path, cube, properties={name: cube[:, 0]})
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_columns_have_names(tmp_path):
+    path = tmp_path / "cloud.xyz"
+    path.write_text("1 2 3 255 128 0\n4 5 6 1 2 3\n")
+    with pytest.warns(UserWarning, match="columns 4 to 6 are no unit vectors") as complaints:
+        assert cgal_l0.read_points(path).properties == {}
+    assert "--" not in str(complaints[0].message)   # no option of the program
+    for columns in ("x,y,z,red,-,blue", ["x", "y", "z", "red", "-", "blue"]):
+        found = cgal_l0.read_points(path, columns=columns)
+        assert found.points.tolist() == [[1, 2, 3], [4, 5, 6]]
+        assert {name: v.tolist() for name, v in found.properties.items()} == {
+            "red": [255, 1],
+            "blue": [0, 3],
+        }
+    for columns, message in [
+        ("x,y,red,a,b,c", "^columns x,y,red,a,b,c: x, y and z have to be among the names"),
+        ("x,y,z", "line 1: columns names 3, found 6"),
+        (["x", "y", "z", "a b", "c", "d"], "'a b' is not a name"),
+    ]:
+        with pytest.raises(ValueError, match=message):
+            cgal_l0.read_points(path, columns=columns)
+    cgal_l0.write_points(tmp_path / "cloud.ply", found.points)
+    with pytest.raises(ValueError, match="cloud.ply is no text"):
+        cgal_l0.read_points(tmp_path / "cloud.ply", columns="x,y,z")
+
+
 def test_bad_files(tmp_path):
     with pytest.raises(FileNotFoundError):
         cgal_l0.read_points(tmp_path / "none.ply")

@@ -296,6 +296,11 @@ def test_refusals(cube, error, message, named):
     assert_is_in_python_words(str(raised.value))
 
 
+def test_memory_that_does_not_suffice(cube):
+    with pytest.raises(MemoryError, match="maximum_memory"):
+        l0_resample_point_set(cube, maximum_memory=1000)
+
+
 def assert_is_in_python_words(message):
     for word in ("l0_resample_point_set:", "(true)", "(false)", "_map", "std::", "None", "^"):
         assert word not in message, message
