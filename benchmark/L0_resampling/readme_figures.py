@@ -47,8 +47,8 @@ def picture():
             f"{of_cgal[0]} and {of_cgal[1]} variants (radii of {radii} spacings, with and without uniform density, with and without\nsmoothing). "
             f"Middle: CGAL's Poisson mesh of these points, red where it is {result['largest_error_percent']:g} % off the true surface or more. On "
             f"average it is {best['WLOP']:.2f} % off for\nWLOP, {best['EAR']:.2f} % for EAR, {best['ours']:.2f} % for this package, and "
-            f"{best['input']:.2f} % for all points of the input with CGAL's normals. Below: a real scan of CGAL's data, of a\nhippo from one side, and "
-            "what this package makes of its points. Drawn by `draw_comparison.py` in `benchmark/L0_resampling/quality`.\n")
+            f"{best['input']:.2f} % for all points of the input with CGAL's normals. Below: a real scan of CGAL's data, of a\nhippo from one side, "
+            "drawn with the normals that it comes with, and what this package makes of its points alone. Drawn by `draw_comparison.py` in `benchmark/L0_resampling/quality`.\n")
 
 
 def quality():

@@ -188,9 +188,9 @@ without a value leaves the default.
   \cgalParamNEnd
   \cgalParamNBegin{normal_weight}
     \cgalParamDescription{\f$ \lambda \f$ of Eq. (6), the price of a jump across the tangent plane
-      of a neighbor. Larger values give sharper edges and flatter faces, smaller ones stay closer to
-      the input. Read in the unit \f$ r_p / 4 \f$, so that it does not depend on the unit of the
-      points.}
+      of a neighbor. Larger values give sharper edges and flatter faces, in the default method up to
+      a limit that grows with the noise; smaller ones stay closer to the input. Read in the unit
+      \f$ r_p / 4 \f$, so that it does not depend on the unit of the points.}
     \cgalParamType{`double`}
     \cgalParamDefault{0.9}
     \cgalParamExtra{`std::invalid_argument` if negative or not finite}

@@ -34,7 +34,7 @@ PAPER_TABLE_1 = {
 }
 TIMING_COLUMNS = ["Init", "BF", "OLHS", "L0", "total"]
 METHOD_NAMES = {"lor": "LOR", "alor": "ALOR", "default": "default"}
-SOLVERS = {"rows": "the paper's rows, CGLS", "cuda_rows": "the paper's rows, CGLS on the device", "block": "collapsed, block CG"}
+SOLVERS = {"rows": "the paper's rows, CGLS", "cuda_rows": "the paper's rows, CGLS on the device", "block": "collapsed, Chebyshev"}
 
 
 @dataclass(frozen=True)
