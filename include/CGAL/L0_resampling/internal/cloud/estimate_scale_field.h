@@ -43,7 +43,7 @@ public:
     return {m_cells, m_codes.size(), m_codes.data(), coordinates(m_places)};
   }
 
-  /// One of so many places.
+  /// Every `stride`-th place.
   Morton_places one_of(std::size_t stride) const
   {
     Buffer<std::uint64_t> codes(m_codes.get_allocator());

@@ -95,8 +95,8 @@ struct Counting_allocator
       counter->release(n * sizeof(T));
   }
 
-  /// Numbers that are given no value are left as they are: whoever makes an array of them writes
-  /// all of it before it is read, which all threads can do at the same time.
+  /// Numbers that are given no value are left as they are: all of such an array has to be
+  /// written before it is read, which all threads can do at the same time.
   template <typename U>
   void construct(U* p)
   {
@@ -132,7 +132,7 @@ void release(Buffer<T>& buffer)
 }
 
 /// Makes it an array of `n` values that are all written before they are read. `resize()` would keep
-/// those it has: take room for twice as many beside them, and copy them while nobody asks the
+/// those it has: take room for twice as many beside them, and copy them without a call of the
 /// callback.
 template <typename T>
 void resize_to_overwrite(std::size_t n, Buffer<T>& buffer)

@@ -86,7 +86,7 @@ constexpr double sparsity_unit_factor = 0.25;
 constexpr double radius_per_spacing = 3.5;
 constexpr double radius_per_noise = 3.8;
 
-/// The radius that the default method wants where points have this spacing and this noise.
+/// The radius of the default method where points have this spacing and this noise.
 CGAL_L0_HOST_DEVICE inline double wanted_radius(double spacing, double noise)
 {
   const double of_spacing = radius_per_spacing * spacing, of_noise = radius_per_noise * noise;
@@ -164,8 +164,8 @@ constexpr double count_prior = 3;
 /// Up to this sensitivity a ball need not hold as many points as those around it do.
 constexpr double largest_outlier_sensitivity = 3;
 
-/// What points off the cloud are told by. The more sensitive, the more of them there are: whoever
-/// is one stays one.
+/// Thresholds of the outlier test. The set of outliers grows with the sensitivity: an outlier at
+/// one value is one at all larger values.
 struct Outlier_thresholds
 {
   double share_of_surroundings, share_of_median; ///< of the points that balls hold, at least
@@ -247,7 +247,7 @@ constexpr double quadric_radius_factor = 4;
 constexpr double largest_roughness_of_plane = 3, largest_roughness_of_quadric = 2.5;
 
 /// Of how few samples a plane or a quadric is not believed, and of how many it is, per unknown of
-/// it; in between the more of them, the more. Through a handful of points there always is one.
+/// it; in between the more of them, the more. Through few enough points there always is one.
 constexpr double fewest_support_points_per_unknown = 3, enough_support_points_per_unknown = 6;
 
 /// From where on a plane or a quadric counts less, and at twice this not at all: what variance its
@@ -264,7 +264,7 @@ constexpr double least_support_points_in_ball = 128;
 struct Support_subset
 {
   std::uint64_t seed;
-  std::uint64_t stride = 1; ///< one in so many is asked
+  std::uint64_t stride = 1; ///< every `stride`-th sample is used
 
   /// \param spacing of an even set of samples
   Support_subset(std::uint64_t random_seed, double radius, double spacing,
@@ -291,7 +291,7 @@ struct Support_subset
 constexpr std::size_t number_of_normal_refits = 2;
 
 /// After each fit the default method corrects the normals of the samples by the positions of their
-/// self neighbors, in so many passes.
+/// self neighbors, in this number of passes.
 constexpr std::size_t number_of_sample_refits = 2;
 
 /// The self neighbors count there that look like samples of one face: \f$ \sigma_n \f$ in sharpness

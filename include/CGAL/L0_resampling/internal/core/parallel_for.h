@@ -176,8 +176,8 @@ Buffer<T> copy_of(const Buffer<T>& values)
   return copy;
 }
 
-/// `less` for algorithms of the standard library that take long: looks at the loop at every
-/// so-maniest comparison.
+/// `less` for algorithms of the standard library that take long: polls for cancellation once in
+/// many comparisons.
 /// \param number_of_comparisons outlives what is returned, as does `less`
 template <typename Less>
 auto watched_order(const Less& less, std::size_t& number_of_comparisons)

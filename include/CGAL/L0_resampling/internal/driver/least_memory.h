@@ -35,7 +35,7 @@ std::size_t least_memory(std::size_t n, const Parameters& parameters)
     m * (2 * sizeof(Vector) + sizeof(Local_vector) + sizeof(FT)); // what `Samples` always holds
   const std::size_t kept = parameters.outlier_sensitivity > 0
                              ? 1
-                             : n; // nobody knows yet how many outliers there are
+                             : n; // the number of outliers is not known yet
   const std::size_t sampling =
     samples + kept * (sizeof(Vector) + 4 * sizeof(float)); // and points, normals and weights
   return (std::max)(sorting, sampling);

@@ -43,7 +43,7 @@ private:
 
 public:
   const bool needs_explicit_rows;
-  const std::size_t bytes_per_sample; ///< that a solve books for sure; 0 if nobody knows
+  const std::size_t bytes_per_sample; ///< that a solve books for sure; 0 if unknown
 
   /// \param solver outlives this object
   template <typename SolverTraits>

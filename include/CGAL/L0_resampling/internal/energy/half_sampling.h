@@ -70,8 +70,8 @@ private:
   using Lanes = Eigen::Array<FT, int(lanes), 1>;
   using Const_lanes = Eigen::Map<const Lanes>;
 
-  /// Fills up with points at infinity, so that whole lanes can be read and nobody is ever nearest
-  /// to the filling.
+  /// Fills up with points at infinity, so that whole lanes can be read and the filling
+  /// is never nearest.
   void load(const FT* positions, std::size_t n)
   {
     const std::size_t padded_size = (n + lanes - 1) / lanes * lanes;

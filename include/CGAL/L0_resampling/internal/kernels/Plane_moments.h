@@ -145,7 +145,7 @@ CGAL_L0_HOST_DEVICE inline Triple normal_of_plane_near(const Plane_moments<doubl
 /// with it, whose moments these are. It stays where it is as far as the two differ by no more than
 /// noise explains: with \f$ \delta \f$ for the angle between them, and \f$ \tau^2 \f$ for the
 /// variance that noise leaves of a sample's height, the share is
-/// \f$ 1 - e^{-(\delta R / \tau)^4} \f$. It falls to 0 where hardly anybody agrees, and for a plane
+/// \f$ 1 - e^{-(\delta R / \tau)^4} \f$. It is 0 where few points are compatible, and for a plane
 /// that lies across.
 /// \param own of unit length but for rounding
 /// \param variance \f$ \tau^2 \f$

@@ -62,8 +62,8 @@ struct Exact_ball
 /// and so do points of other scales, as half of the area is of points of about this scale and less.
 constexpr std::uint64_t area_units_of_ball = std::uint64_t(1) << 31;
 
-/// Where radii differ, disks can hold few points: of one of fewer each stands for as much as if it
-/// had so many.
+/// Where radii differ, disks can hold few points: in one of fewer points than this, each weighs as
+/// if there were this many.
 constexpr std::uint64_t fewest_points_of_disk = 8;
 
 /// What each of `count` points stands for that share a ball. They are 1 at least, so that each

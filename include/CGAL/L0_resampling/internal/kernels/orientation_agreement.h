@@ -22,11 +22,11 @@ constexpr double beyond_doubt = 0.98;
 /// The votes between two sets of samples are clear if one side is ahead by this share of all.
 constexpr double clear_majority = 0.5;
 
-/// The field of sets is that of so many samples, evenly spread, and of so many sets at most.
+/// The most samples, evenly spread, and the most sets that the field of sets is summed over.
 constexpr unsigned maximum_number_of_dipoles = 4096, maximum_number_of_sets = 682;
 
-/// The k-th of the samples that are dipoles. Samples are sorted by place: every so-maniest of them
-/// are spread evenly.
+/// The k-th of the samples that are dipoles. Samples are sorted by place: steps of equal length
+/// through them spread the dipoles evenly.
 CGAL_L0_HOST_DEVICE inline std::size_t sample_of_dipole(std::size_t k,
                                                         std::size_t number_of_samples,
                                                         std::size_t number_of_dipoles)
@@ -42,7 +42,7 @@ CGAL_L0_HOST_DEVICE inline std::size_t dipole_of_sample(std::size_t i,
   return std::size_t(std::uint64_t(i) * number_of_dipoles / number_of_samples);
 }
 
-/// Sets of so many dipoles are large: there are no more of them than `maximum_number_of_sets`.
+/// Sets of this many dipoles are large: there are no more of them than `maximum_number_of_sets`.
 constexpr unsigned dipoles_of_large_set = 6;
 
 /// How many dipoles a set has to have to be one of the field: all sets are, if they are few and

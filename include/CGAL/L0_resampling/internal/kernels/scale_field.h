@@ -23,9 +23,9 @@ namespace L0_resampling {
 namespace internal {
 
 // The field of scales: how much larger the radius is to be around a point than r_p. It is estimated
-// at seeds, one of so many points in Morton order, and read everywhere.
+// at seeds, every `points_per_seed`-th point in Morton order, and read everywhere.
 
-/// One of so many points is a seed.
+/// The number of points for each seed.
 constexpr std::uint64_t points_per_seed = 16;
 
 /// Within how many of the nearest points the spacing and the noise at a seed are looked for.
@@ -41,15 +41,15 @@ constexpr int balls_of_noise = 2;
 constexpr double first_ball_of_seed = 1.12;
 
 /// From ball to ball the deviation grows by nothing where noise is that of each point alone, and by
-/// an octave and more where the surface bends. Where it grows by so many octaves, noise is
-/// correlated.
+/// an octave and more where the surface bends. Growth between these two, in octaves, is that of
+/// correlated noise.
 constexpr float least_growth_of_correlated_noise = 0.25f, largest_growth_of_correlated_noise = 0.7f;
 
 /// Noise that is less of the first ball, in the median, has no effect on the radius. In a ball that
 /// is not flat the deviation grows because the ball does.
 constexpr float least_deviation_of_correlated_noise = 0.06f;
 
-/// So many balls on, at least, noise has to be correlated: one alone lies between noise and a
+/// Noise counts as correlated from this number of balls on: one alone lies between noise and a
 /// surface that bends.
 constexpr int fewest_correlated_balls = 2;
 
@@ -313,7 +313,7 @@ CGAL_L0_HOST_DEVICE inline double beyond_chance(double scale)
   return beyond < least_scale ? least_scale : beyond > largest_scale ? largest_scale : beyond;
 }
 
-/// The scale that most seeds of the group of a seed want: one alone may be wrong, and the least
+/// The scale of most seeds in the group of a seed: one alone may be wrong, and the least
 /// decides for all around it.
 template <typename Team>
 CGAL_L0_HOST_DEVICE double scale_of_group(const Team& team, const Morton_points& seeds,

@@ -18,7 +18,7 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// So many nearest neighbors of a sample reach two or three spacings far: the width of a feature
+/// As many nearest neighbors of a sample lie within two or three spacings: the width of a feature
 /// line. More would widen it, fewer tear it.
 constexpr std::size_t number_of_feature_neighbors = 18;
 

@@ -48,7 +48,7 @@ public:
 
   Aligned_vector<T> x, y, z;
   std::vector<Index> indices; ///< of the points, without the padding
-  Index stride = 1;           ///< s: one of so many points was taken
+  Index stride = 1;           ///< s: every s-th point was taken
 
   /// \param count the number of points in the ranges
   void gather(const std::vector<Search_grid_3::Range>& ranges, std::size_t count,

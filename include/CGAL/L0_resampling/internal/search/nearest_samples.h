@@ -92,7 +92,7 @@ public:
   }
 
 private:
-  /// Keeps whoever is nearer than a distance that only `count` of them are, found from how many are
+  /// Keeps those nearer than a distance that only `count` of them are, found from how many are
   /// nearer than others: on a surface their number grows with the squared distance. A few counts of
   /// all take a quarter of the time of `std::nth_element()`, whose branches no processor foresees.
   /// \returns whether there is such a distance and it was found
