@@ -5,7 +5,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Interrupts a run of the report and checks that --resume measures what is missing and nothing else: check_resume.py BUILD REPORT SCRATCH
 
-REPORT is the output of a finished run of the small version; it stays as it is. Times tell what was measured again, since no two are equal.
+REPORT is the output of a finished run of the selection tiny; it stays as it is. Times tell what was measured again, since no two are equal.
 """
 
 import json
@@ -21,7 +21,7 @@ MISSING = "LOR"    # the row of Fig. 1 that the interrupted run did not come to
 def run(build, output, experiment, *options):
     """The whole report, and what it has of one experiment."""
     program = Path(__file__).resolve().parent / "make_report.py"
-    status = subprocess.run([sys.executable, "-B", program, build, output, "--selection", "small", "--only", experiment, *options]).returncode
+    status = subprocess.run([sys.executable, "-B", program, build, output, "--selection", "tiny", "--only", experiment, *options]).returncode
     if status == SKIPPED:
         sys.exit(SKIPPED)
     assert status == 0, f"make_report.py ends with {status}"

@@ -53,7 +53,8 @@ def introduction(result):
     machine = result["machine"]
     minutes = sum(result["seconds"].values()) / 60
     selection = {"full": "The numbers of points are the paper's.", "small": "The numbers of points are a twentieth of the paper's, and a quarter for the thin plate. "
-                 "The paper's radius grows as points get fewer, so that LOR and ALOR fare worse here than with the paper's numbers."}[result["selection"]]
+                 "The paper's radius grows as points get fewer, so that LOR and ALOR fare worse here than with the paper's numbers.",
+                 "tiny": "The numbers of points are a hundredth of the paper's, for a test of this report: its figures mean nothing."}[result["selection"]]
     return Section("", [f"{selection} {machine['cores']} cores of {machine['processor']} (load average before: "
                         f"{machine['load_average_before']:.1f}), {machine['compiler']}, {machine['flags']}. The experiments took {minutes:.1f} minutes.", MEASURES],
                    commands=result["commands"])
