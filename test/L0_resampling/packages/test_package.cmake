@@ -86,7 +86,8 @@ if(EXISTS ${MANUAL_PAGES})
   run(${interpreter} -B ${MANUAL}/tools/check_offline.py ${documentation}/html)
 endif()
 run(${CMAKE_COMMAND} -S ${documentation}/examples -B ${SCRATCH}/examples -G ${GENERATOR}
-    -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH=${root}/usr -DCGAL_DIR=${CGAL_DIR})
+    -DCMAKE_BUILD_TYPE=Release "-DCMAKE_CXX_FLAGS_RELEASE=-O0 -DNDEBUG"
+    -DCMAKE_PREFIX_PATH=${root}/usr -DCGAL_DIR=${CGAL_DIR})
 run(${CMAKE_COMMAND} --build ${SCRATCH}/examples --target l0_resample_example)
 run(${CMAKE_COMMAND} -E chdir ${SCRATCH}/examples ./l0_resample_example)
 if(PYTHON)
