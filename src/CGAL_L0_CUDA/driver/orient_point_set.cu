@@ -5,7 +5,7 @@
 
 #include "search/Thinned_points.cuh"
 #include "driver/estimate_memory.cuh"
-#include "orientation/orient_noisy_normals.cuh"
+#include "orientation/orient_measured_normals.cuh"
 
 #include <CGAL/L0_resampling/internal/kernels/crowded_subcells.h>
 #include <CGAL/L0_resampling/internal/driver/run.h>
@@ -72,9 +72,9 @@ public:
     const double spacing = thin_points(plan, of_points, samples);
 
     begin_stage("orient normals", 0.5, samples.size);
-    orient_noisy_normals(m_workplace, m_box.low, m_box.high,
-                         unsigned(plan.number_of_orientation_neighbors), spacing,
-                         noise_of_heights(plan.noise), side_hints(), samples, counts);
+    orient_measured_normals(m_workplace, m_box.low, m_box.high,
+                            unsigned(plan.number_of_orientation_neighbors), spacing,
+                            noise_of_heights(plan.noise), side_hints(), samples, counts);
     float3* const normals = reinterpret_cast<float3*>(samples.fit);
     pack_normals<<<blocks_for(samples.size), threads_per_block, 0, m_workplace.stream>>>(samples,
                                                                                          normals);

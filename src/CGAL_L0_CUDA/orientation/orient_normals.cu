@@ -3,13 +3,14 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "orientation/orient_noisy_normals.cuh"
+#include "orientation/orient_measured_normals.cuh"
 #include "orientation/orientation.cuh"
 
 #include <CGAL/L0_resampling/internal/kernels/side_confidence.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace CGAL {
 namespace L0_resampling {
@@ -339,20 +340,11 @@ __global__ void turn_normals(const Link* trees_of_samples, const Tree_sums* tree
     atomicAdd(&counts->confidence, Wide(sum));
 }
 
-} // namespace
-
-void orient_normals(const Workplace& workplace, const double (&low)[3], const double (&high)[3],
-                    unsigned number_of_neighbors, double spacing, const Side_hints& hints,
-                    const Samples& samples, Sample_counts* counts)
-{
-  orient_noisy_normals(workplace, low, high, number_of_neighbors, spacing, 0, hints, samples,
-                       counts);
-}
-
-void orient_noisy_normals(const Workplace& workplace, const double (&low)[3],
-                          const double (&high)[3], unsigned number_of_neighbors, double spacing,
-                          double noise_of_heights, const Side_hints& hints, const Samples& samples,
-                          Sample_counts* counts)
+/// As `orient_normals()` on the CPU.
+void orient_graph(const Workplace& workplace, const double (&low)[3], const double (&high)[3],
+                  unsigned number_of_neighbors, double spacing,
+                  const std::optional<double>& noise_of_heights, const Side_hints& hints,
+                  const Samples& samples, Sample_counts* counts)
 {
   const unsigned m = samples.size;
   const cudaStream_t stream = workplace.stream;
@@ -382,8 +374,10 @@ void orient_noisy_normals(const Workplace& workplace, const double (&low)[3],
     unsigned* const nearest =
       find_nearest_samples(workplace, low, high, number_of_neighbors,
                            spacing * std::sqrt(double(number_of_neighbors) / 2), samples);
-    const Graph graph = {m, number_of_neighbors, nearest, samples,
-                         float(spacing * spacing + noise_of_heights * noise_of_heights)};
+    const Graph graph = {m,       number_of_neighbors,      nearest,
+                         samples, float(spacing * spacing), noise_of_heights.has_value()};
+    if (noise_of_heights)
+      find_height_tolerances(workplace, graph, spacing, *noise_of_heights);
     const unsigned number_of_edges = grow_forest(workplace, graph, faces);
 
     // As on the CPU: the votes join faces to parts and parts to trees, unless the fields of faces
@@ -415,6 +409,8 @@ void orient_noisy_normals(const Workplace& workplace, const double (&low)[3],
       voting.begin(parts);
       voting.join(0, roots);
     }
+    if (noise_of_heights)
+      turn_outvoted(workplace, graph, roots, hints);
   }
 
   double extent = 0;
@@ -445,6 +441,25 @@ void orient_noisy_normals(const Workplace& workplace, const double (&low)[3],
   turn_normals<<<blocks_for(m), threads_per_block, 0, stream>>>(roots, trees, dipoles, hints,
                                                                 samples, counts);
   check_launch("turn_normals");
+}
+
+} // namespace
+
+void orient_normals(const Workplace& workplace, const double (&low)[3], const double (&high)[3],
+                    unsigned number_of_neighbors, double spacing, const Side_hints& hints,
+                    const Samples& samples, Sample_counts* counts)
+{
+  orient_graph(workplace, low, high, number_of_neighbors, spacing, std::nullopt, hints, samples,
+               counts);
+}
+
+void orient_measured_normals(const Workplace& workplace, const double (&low)[3],
+                             const double (&high)[3], unsigned number_of_neighbors, double spacing,
+                             double noise_of_heights, const Side_hints& hints,
+                             const Samples& samples, Sample_counts* counts)
+{
+  orient_graph(workplace, low, high, number_of_neighbors, spacing, noise_of_heights, hints, samples,
+               counts);
 }
 
 } // namespace cuda

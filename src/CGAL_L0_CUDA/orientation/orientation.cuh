@@ -74,6 +74,7 @@ struct Graph
   unsigned* nearest; // with the bit `is_listed_by_other` once the forest has grown
   Samples samples;
   float squared_spacing;
+  bool has_tolerances; // whether the fourth numbers of the normals are `squared_height_tolerance()`
 
   __device__ unsigned neighbor(Wide edge) const { return nearest[edge] & ~is_listed_by_other; }
 };
@@ -155,9 +156,24 @@ __device__ inline float agreement_of(const Graph& graph, Wide i, unsigned other)
   const double* const p = graph.samples.positions + 3 * i;
   const double* const q = graph.samples.positions + 3 * Wide(other);
   const float3 e = {float(q[0] - p[0]), float(q[1] - p[1]), float(q[2] - p[2])};
-  const float3 n = xyz(graph.samples.normals[i]), other_n = xyz(graph.samples.normals[other]);
-  return orientation_agreement(dot(n, other_n), dot(n, e), -dot(other_n, e), graph.squared_spacing);
+  const float4 own = graph.samples.normals[i], others = graph.samples.normals[other];
+  const float3 n = xyz(own), other_n = xyz(others);
+  return orientation_agreement(dot(n, other_n), dot(n, e), -dot(other_n, e),
+                               graph.has_tolerances ? fmaxf(own.w, others.w)
+                                                    : graph.squared_spacing);
 }
+
+/// Finds the tolerances of a graph of points as they were measured, as
+/// `squared_height_tolerances()` on the CPU.
+/// \param graph before the forest has grown
+void find_height_tolerances(const Workplace& workplace, const Graph& graph, double spacing,
+                            double noise_of_heights);
+
+/// As `turn_outvoted()` on the CPU. Takes a number for each sample from the scratch arena.
+/// \param graph once the forest has grown
+/// \param trees the root of each sample
+void turn_outvoted(const Workplace& workplace, const Graph& graph, const Link* trees,
+                   const Side_hints& hints);
 
 /// All edges between two sets, added up in fixed point: integers may be added in any order.
 struct Vote

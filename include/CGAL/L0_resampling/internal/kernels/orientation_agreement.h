@@ -22,6 +22,10 @@ constexpr double beyond_doubt = 0.98;
 /// The votes between two sets of samples are clear if one side is ahead by this share of all.
 constexpr double clear_majority = 0.5;
 
+/// How often points are turned whose neighbors outvote them. Those that turn change the votes on
+/// others; the third time hardly any does.
+constexpr int sweeps_over_outvoted = 3;
+
 /// The most samples, evenly spread, and the most sets that the field of sets is summed over.
 constexpr unsigned maximum_number_of_dipoles = 4096, maximum_number_of_sets = 682;
 

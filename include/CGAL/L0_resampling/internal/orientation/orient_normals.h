@@ -8,17 +8,20 @@
 
 #include <CGAL/L0_resampling/internal/core/Orientation_hints.h>
 #include <CGAL/L0_resampling/internal/search/nearest_samples.h>
+#include <CGAL/L0_resampling/internal/kernels/height_tolerance.h>
 #include <CGAL/L0_resampling/internal/kernels/orientation_agreement.h>
 #include <CGAL/L0_resampling/internal/orientation/orientation_field.h>
 #include <CGAL/L0_resampling/internal/orientation/orientation_votes.h>
 #include <CGAL/L0_resampling/internal/kernels/side_confidence.h>
 #include <CGAL/L0_resampling/internal/orientation/spanning_forest.h>
+#include <CGAL/L0_resampling/internal/orientation/turn_outvoted.h>
 #include <CGAL/L0_resampling/internal/orientation/winding_numbers.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -26,17 +29,56 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
+/// `squared_height_tolerance()` of each point.
+template <typename ConcurrencyTag, typename T>
+Buffer<T> squared_height_tolerances(const Buffer<Vector>& positions,
+                                    const Buffer<Eigen::Matrix<T, 3, 1>>& normals,
+                                    const Nearest_samples& nearest, double spacing,
+                                    double noise_of_heights)
+{
+  const std::size_t points_per_task = 4096;
+  Buffer<T> tolerances(positions.size(), T(0), Counting_allocator<T>(positions.get_allocator()));
+  for_each_block<ConcurrencyTag>(
+    positions.size(), points_per_task, [&](std::size_t begin, std::size_t end) {
+      std::vector<T> squared_distances, heights;
+      for (Index i = Index(begin); i < end; ++i)
+      {
+        squared_distances.clear();
+        heights.clear();
+        for (const Index* other = nearest.begin(i); other != nearest.end(i); ++other)
+        {
+          const Eigen::Matrix<T, 3, 1> d = (positions[*other] - positions[i]).template cast<T>();
+          squared_distances.push_back(d.squaredNorm());
+          heights.push_back(std::abs(normals[i].dot(d)));
+        }
+        tolerances[i] = squared_height_tolerance(
+          unsigned(heights.size()), [&](unsigned k) { return squared_distances[k]; },
+          [&](unsigned k) { return heights[k]; }, T(spacing * spacing),
+          T(noise_of_heights * noise_of_heights));
+      }
+    });
+  return tolerances;
+}
+
 /// The edges of the graph of nearest neighbors, each once.
+/// \param noise_of_heights as for `orient_normals()`
 template <typename ConcurrencyTag, typename T>
 Buffer<Edge> rated_edges(const Buffer<Vector>& positions,
                          const Buffer<Eigen::Matrix<T, 3, 1>>& normals,
-                         std::size_t number_of_neighbors, double spacing, double noise_of_heights,
-                         Progress& progress)
+                         std::size_t number_of_neighbors, double spacing,
+                         const std::optional<double>& noise_of_heights, Progress& progress)
 {
   const double radius_of_that_many = spacing * std::sqrt(double(number_of_neighbors) / 2);
   const Nearest_samples nearest = find_nearest_samples<ConcurrencyTag>(
     positions, number_of_neighbors, radius_of_that_many, progress);
-  const T squared_spacing = T(spacing * spacing + noise_of_heights * noise_of_heights);
+  Buffer<T> squared_tolerances{Counting_allocator<T>(positions.get_allocator())};
+  if (noise_of_heights)
+    squared_tolerances = squared_height_tolerances<ConcurrencyTag>(positions, normals, nearest,
+                                                                   spacing, *noise_of_heights);
+  const auto squared_tolerance_of = [&](Index i, Index k) {
+    return noise_of_heights ? (std::max)(squared_tolerances[i], squared_tolerances[k])
+                            : T(spacing * spacing);
+  };
   const auto append_edges_of = [&](Index i, Buffer<Edge>& edges) {
     for (const Index* other = nearest.begin(i); other != nearest.end(i); ++other)
     {
@@ -46,7 +88,7 @@ Buffer<Edge> rated_edges(const Buffer<Vector>& positions,
       const Eigen::Matrix<T, 3, 1> to_other = (positions[k] - positions[i]).template cast<T>();
       const T agreement = orientation_agreement(normals[i].dot(normals[k]),
                                                 normals[i].dot(to_other), -normals[k].dot(to_other),
-                                                squared_spacing);
+                                                squared_tolerance_of(i, k));
       edges.push_back({float(agreement), i, k});
     }
   };
@@ -272,23 +314,28 @@ indices; no sample changes its place.
 \param number_of_neighbors of the graph, at least 1
 \param spacing of the samples, roughly: more than a 1000th of it, and not so much that it spans the
 cloud
-\param noise_of_heights heights within it tell nothing of a fold, as those within the spacing
+\param noise_of_heights of points as they were measured, not of samples: heights within it tell
+nothing of a fold, as those within the spacing; where the points around are sparser or noisier, no
+heights within what they have. At last such points are turned where their neighbors outvote them.
 */
 template <typename ConcurrencyTag, typename T>
 Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_of_neighbors,
                            double spacing, const Side_hints& hints, Progress& progress,
-                           Buffer<Eigen::Matrix<T, 3, 1>>& normals, double noise_of_heights = 0)
+                           Buffer<Eigen::Matrix<T, 3, 1>>& normals,
+                           const std::optional<double>& noise_of_heights = std::nullopt)
 {
   const auto normal = [&](Index i) -> Vector { return normals[i].template cast<double>(); };
   const std::size_t m = positions.size();
+  Buffer<Edge> edges = rated_edges<ConcurrencyTag>(positions, normals, number_of_neighbors, spacing,
+                                                   noise_of_heights, progress);
   Voting faces = [&] {
-    const Buffer<Edge> edges = rated_edges<ConcurrencyTag>(positions, normals, number_of_neighbors,
-                                                           spacing, noise_of_heights, progress);
     Signed_union_find sets = grow_forest<ConcurrencyTag>(
       edges, sets_of_viewpoints(m, hints, normal, positions.get_allocator()));
     Buffer<Vote> votes = votes_of_edges<ConcurrencyTag>(edges, sets);
     return Voting{std::move(sets), std::move(votes)};
   }();
+  if (!noise_of_heights)
+    release(edges);
   const auto joined_by_votes = [](double sure, const Voting& before) {
     Voting voting{before.sets, copy_of(before.votes)};
     join_by_votes<ConcurrencyTag>(sure, voting);
@@ -307,6 +354,12 @@ Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_o
   if (join_by_field<ConcurrencyTag>(all.sets, positions, normals, spacing, parts))
     all = joined_by_votes(0, parts);
   const Signed_union_find& sets = all.sets;
+  if (noise_of_heights)
+  {
+    const auto is_in_doubt = [&](Index i) { return hints.certain_side_of(i, normal(i)) == 0; };
+    turn_outvoted(edges, sets, is_in_doubt, normals);
+    release(edges);
+  }
 
   std::size_t number_of_oriented = 0;
   Buffer<Tree> trees = trees_of_samples(sets, sure_set_sizes, positions, normals, hints,
