@@ -198,6 +198,9 @@ the sense of the divergence theorem, or to where the parameters say. The result 
 the order of the points, on the signs of the normals, on the number of threads or on the run.
 Outliers get a side too, and do not pass it on to the surface.
 
+Heights of neighbors over a point's tangent plane are evidence of a fold beyond what the spacing and
+the noise around the point explain. Points that their neighbors outvote are turned at last.
+
 Points at one place, and points much closer together than the others, are represented by some of
 them; the others turn to the side of what represents them. Where the standard deviation of the noise
 is larger than the spacing, a point in every such deviation represents those around it.
