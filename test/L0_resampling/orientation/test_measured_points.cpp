@@ -54,7 +54,7 @@ void check_tolerance(Generator& generator)
       count, [&](unsigned k) { return squared_distances[k]; },
       [&](unsigned k) { return heights[k]; }, squared_spacing, squared_noise);
   };
-  const float own = spacing * spacing + 9 * noise * noise;
+  const float own = spacing * spacing + 16 * noise * noise;
   CHECK(std::abs(tolerance(0, 0) - own) < 0.1f * own);
   CHECK(tolerance(1, 2) == 3);
   for (unsigned k = 0; k < count / 5; ++k)

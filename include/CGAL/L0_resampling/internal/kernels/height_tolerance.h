@@ -7,6 +7,7 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_HEIGHT_TOLERANCE_H
 
 #include <CGAL/L0_resampling/internal/core/host_device.h>
+#include <CGAL/L0_resampling/internal/kernels/spacing_to_orient.h>
 
 namespace CGAL {
 namespace L0_resampling {
@@ -52,13 +53,12 @@ CGAL_L0_HOST_DEVICE T squared_height_tolerance(unsigned count, const Distance& s
 {
   if (count == 0)
     return squared_spacing + squared_noise;
-  const T pi = T(3.141592653589793), median_per_deviation = T(0.6745),
-          deviations = 3; // of four, as of the cloud, one is the bend that heights include
+  const T pi = T(3.141592653589793), median_per_deviation = T(0.6745);
   T sum = 0;
   for (unsigned k = 0; k < count; ++k)
     sum += squared_distance_of(k);
   const T own_spacing = 2 * pi * sum / (T(count) * T(count)),
-          noise = deviations / median_per_deviation * median_of<T>(count, height_of),
+          noise = T(deviations_of_heights) / median_per_deviation * median_of<T>(count, height_of),
           own_noise = noise * noise;
   return (own_spacing > squared_spacing ? own_spacing : squared_spacing)
          + (own_noise > squared_noise ? own_noise : squared_noise);

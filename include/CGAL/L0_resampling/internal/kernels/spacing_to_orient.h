@@ -32,9 +32,11 @@ inline double spacing_on_surface(double spacing, std::size_t n, std::size_t numb
 }
 
 /// Heights of points over each other's tangent planes tell nothing of a fold as long as they are
-/// within this. With fewer standard deviations single points of a smooth surface turn against all
-/// around them; with six, the two sheets of thin plates mix.
-inline double noise_of_heights(double noise) { return 4 * noise; }
+/// within so many standard deviations of the noise. With fewer, single points of a smooth surface
+/// turn against all around them; with six, the two sheets of thin plates mix.
+constexpr double deviations_of_heights = 4;
+
+inline double noise_of_heights(double noise) { return deviations_of_heights * noise; }
 
 } // namespace internal
 } // namespace L0_resampling
