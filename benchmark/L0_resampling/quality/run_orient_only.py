@@ -83,7 +83,9 @@ Made by
 The same estimated normals with signs by chance are oriented by `l0_orient_normals()` and by
 `mst_orient_normals()`, which runs on one thread. Wrong are those that point away from the side of the
 nearest face; of a scene, which is open, those on the side of fewer. Points on two sheets that noise has
-made one have no right side. Times of processor add up all threads.
+made one have no right side. Parts of a scene that no points connect, such as the table of the room and
+the wall behind it, are on each other's side by chance, with both functions. Times of processor add up
+all threads.
 """,
              table(["inputs", "number", "wrong, mean, %", "CGAL's", "fewer wrong", "equal (none wrong)", "more wrong",
                     "times as fast", "in processor time"],
