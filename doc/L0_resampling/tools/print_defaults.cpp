@@ -105,9 +105,6 @@ void print_constants()
   object.add("share_of_sheet_of_unsupported", share_of_sheet_of_unsupported);
   object.add("held_back_from", held_back_from);
   object.add("held_back_to", held_back_to);
-  object.add("variances_of_chance", variances_of_chance);
-  object.add("squared_sine_of_face", squared_sine_of_face);
-  object.add("squared_sine_of_edge", squared_sine_of_edge);
   object.add("least_gap_of_plane", least_gap_of_plane);
   object.add("quadric_radius_factor", quadric_radius_factor);
   object.add("largest_roughness_of_plane", largest_roughness_of_plane);

@@ -40,7 +40,7 @@ struct Fit
 /// What the points of a ball that agree with a normal add up to, as on the CPU.
 struct Compatible_points
 {
-  float all, squared_sines, weight, squared_weights, height, squared_heights;
+  float all, weight, squared_weights, height, squared_heights;
   float3 offset, normal;
 };
 
@@ -71,7 +71,7 @@ struct Surroundings
   __device__ Compatible_points sum_compatible_points(const float3& normal,
                                                      float squared_sheet_height) const
   {
-    Compatible_points sums = {0, 0, 0, 0, 0, 0, {0, 0, 0}, {0, 0, 0}};
+    Compatible_points sums = {0, 0, 0, 0, 0, {0, 0, 0}, {0, 0, 0}};
     for_each([&](const float3& d, const float3& other, float scale) {
       const float cosine = dot(other, normal), sign = with_sign_of(cosine, 1.f);
       const float h = symmetric_height(dot(d, normal), sign * dot(d, other));
@@ -79,7 +79,6 @@ struct Surroundings
                            * sheet_weight(dot(d, d), fit.squared_bandwidth, cosine,
                                           fit.normal_bandwidth, h, squared_sheet_height);
       sums.all += scale;
-      sums.squared_sines += scale * (1 - cosine * cosine);
       sums.weight += weight;
       sums.squared_weights += weight * weight;
       sums.height += weight * h;
@@ -87,10 +86,13 @@ struct Surroundings
       sums.offset += weight * d;
       sums.normal += (sign * weight) * other;
     });
-    return {group_sum<lanes>(sums.all),    group_sum<lanes>(sums.squared_sines),
-            group_sum<lanes>(sums.weight), group_sum<lanes>(sums.squared_weights),
-            group_sum<lanes>(sums.height), group_sum<lanes>(sums.squared_heights),
-            group_sum<lanes>(sums.offset), group_sum<lanes>(sums.normal)};
+    return {group_sum<lanes>(sums.all),
+            group_sum<lanes>(sums.weight),
+            group_sum<lanes>(sums.squared_weights),
+            group_sum<lanes>(sums.height),
+            group_sum<lanes>(sums.squared_heights),
+            group_sum<lanes>(sums.offset),
+            group_sum<lanes>(sums.normal)};
   }
 
   __device__ float3 normal_of_most(const float3& own, double weight_of_own) const
@@ -160,8 +162,7 @@ __global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_b
   if (way_back > 0)
     to_centroid = to_centroid + (way_back / distance) * offset;
   samples.fit[i] = with_w(to_float(to_centroid), float(total));
-  const double held_back = fit.border.share_held_back(
-    distance / scale, total * total / sums.squared_weights, double(sums.squared_sines) / sums.all);
+  const double held_back = fit.border.share_held_back(distance / scale);
   if (held_back > 0)
     samples.outward[i] = Short_vector::of(to_float((-sqrt(held_back) / distance) * offset));
   const double3 mean_normal = to_double(sums.normal);

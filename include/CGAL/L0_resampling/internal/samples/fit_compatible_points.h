@@ -54,7 +54,6 @@ struct Fit_kernel
 struct Compatible_points
 {
   double all;             ///< \f$ \sum_j 1/v_j \f$
-  double squared_sines;   ///< \f$ \sum_j (1 - (n_i^T n_j)^2) / v_j \f$
   double weight;          ///< \f$ \sum_j w_j \f$
   double squared_weights; ///< \f$ \sum_j w_j^2 \f$
   double height;          ///< \f$ \sum_j w_j h_{ij} \f$
@@ -73,8 +72,7 @@ Compatible_points sum_compatible_points(const Eigen::Matrix<T, 3, 1>& center,
                                         const Fit_kernel<T>& kernel)
 {
   using L = Lanes<T>;
-  L all, squared_sines, sum, squared_weights, height, squared_heights, x, y, z, mean_nx, mean_ny,
-    mean_nz;
+  L all, sum, squared_weights, height, squared_heights, x, y, z, mean_nx, mean_ny, mean_nz;
   candidates.for_each_run_in_ball(
     center, kernel.squared_radius, [&](std::size_t k, const L& squared_distance) {
       const L dx = L::load(&candidates.x[k]) - center[0];
@@ -91,7 +89,6 @@ Compatible_points sum_compatible_points(const Eigen::Matrix<T, 3, 1>& center,
                                       kernel.normal_bandwidth, h, kernel.squared_sheet_height);
       const L signed_weight = sign * weight;
       all += scale;
-      squared_sines += scale * (L(T(1)) - cosine * cosine);
       sum += weight;
       squared_weights += weight * weight;
       height += weight * h;
@@ -104,7 +101,6 @@ Compatible_points sum_compatible_points(const Eigen::Matrix<T, 3, 1>& center,
       mean_nz += signed_weight * nz;
     });
   return {all.sum(),
-          squared_sines.sum(),
           sum.sum(),
           squared_weights.sum(),
           height.sum(),
@@ -232,8 +228,7 @@ std::size_t fit_compatible_points(const Fit_input<T>& input, Progress& progress,
         const double way_back = scale * border.way_back(distance / scale);
         if (way_back > 0)
           samples.fit_centroids[i] += (way_back / distance) * offset;
-        const double held_back = border.share_held_back(
-          distance / scale, total * total / sums.squared_weights, sums.squared_sines / sums.all);
+        const double held_back = border.share_held_back(distance / scale);
         if (held_back > 0)
           samples.outward_directions[i] =
             (-std::sqrt(held_back) / distance * offset).template cast<FT>();
