@@ -107,11 +107,8 @@ void print_constants()
   object.add("held_back_to", held_back_to);
   object.add("least_gap_of_plane", least_gap_of_plane);
   object.add("quadric_radius_factor", quadric_radius_factor);
-  object.add("largest_roughness_of_plane", largest_roughness_of_plane);
-  object.add("largest_roughness_of_quadric", largest_roughness_of_quadric);
+  object.add("largest_roughness", largest_roughness);
   object.add("largest_leverage", largest_leverage);
-  object.add("fewest_support_points_per_unknown", fewest_support_points_per_unknown);
-  object.add("enough_support_points_per_unknown", enough_support_points_per_unknown);
   object.add("least_support_points_in_ball", least_support_points_in_ball);
   object.add("half_width_of_firm_shrinkage", half_width_of_firm_shrinkage);
   object.add("number_of_repulsion_steps", number_of_repulsion_steps);

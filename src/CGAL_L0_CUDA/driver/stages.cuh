@@ -354,7 +354,6 @@ void fit_compatible_points(const Workplace& workplace, const Cell_grid& sample_g
 
 /// Corrects the normals of the samples by their positions, as `refit_sample_normals()` on the CPU.
 /// \param sample_grid that the neighbors were found in; its points may have moved, and be used up
-/// \param samples with the variances of the fit
 void refit_sample_normals(const Workplace& workplace, const Sample_refit_kernel& kernel,
                           const Cell_grid& sample_grid, const Neighbor_lists& neighbors,
                           std::size_t number_of_passes, const Samples& samples);
@@ -375,7 +374,6 @@ void take_fitted_positions(const Workplace& workplace, const Samples& samples);
 /// device.
 /// \param frame of cells half as large as the ball
 /// \param radius of the ball
-/// \param samples with the variances of the fit
 void project_to_local_quadrics(const Workplace& workplace, const Cell_frame& frame, double radius,
                                double squared_sheet_height, double normal_bandwidth,
                                const Samples& samples);

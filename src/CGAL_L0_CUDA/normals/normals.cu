@@ -216,7 +216,7 @@ __global__ void refit_normals_kernel(Cell_grid grid, Cell_blocks blocks, float r
   moments.sum_over_group<lanes>();
   if (!query.writes)
     return;
-  const Triple result = halfway_to_plane(moments.all(), {normal.x, normal.y, normal.z});
+  const Triple result = lean_to_plane(moments.all(), {normal.x, normal.y, normal.z});
   refitted[query.index] = with_w(to_float(result), 0);
 }
 

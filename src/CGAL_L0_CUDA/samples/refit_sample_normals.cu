@@ -22,7 +22,6 @@ namespace {
 struct Kernel
 {
   float squared_radius, squared_bandwidth, normal_bandwidth, squared_sheet_height;
-  double radius;
 };
 
 /// One pass of `refit_sample_normals()` on the CPU, which says why.
@@ -39,7 +38,6 @@ __global__ void refit(Neighbor_lists neighbors, Kernel kernel, const int4* rows,
   const float3 normal = xyz(own);
   const float own_limit = range.limit(query.index);
   Moments moments;
-  float variance = 0;
   const uint2 row = neighbors.row(rows, size, query.index);
   for (Wide e = Wide(row.x) + query.lane; e < row.y; e += lanes)
   {
@@ -60,16 +58,13 @@ __global__ void refit(Neighbor_lists neighbors, Kernel kernel, const int4* rows,
                                         kernel.normal_bandwidth, height,
                                         kernel.squared_sheet_height);
     moments.add(d, weight);
-    variance += weight * other.w;
   }
   moments.sum_over_group<lanes>();
-  variance = group_sum<lanes>(variance) + own.w;
   if (!query.writes)
     return;
   Plane_moments<double> all = moments.all();
   all.add(0, 0, 0, 1); // the sample itself
-  const Triple leaning = lean_to_plane(all, {normal.x, normal.y, normal.z}, variance / all.sum,
-                                       range.is_one_for_all() ? kernel.radius : own_limit);
+  const Triple leaning = lean_to_plane(all, {normal.x, normal.y, normal.z});
   refitted[i] = with_w(to_float(leaning), own.w);
 }
 
@@ -81,8 +76,7 @@ void refit_sample_normals(const Workplace& workplace, const Sample_refit_kernel&
 {
   const Arena_scope scope(workplace.scratch);
   const Kernel in_float = {float(square(kernel.radius)), float(kernel.squared_bandwidth),
-                           float(kernel.normal_bandwidth), float(kernel.squared_sheet_height),
-                           kernel.radius};
+                           float(kernel.normal_bandwidth), float(kernel.squared_sheet_height)};
   float4 *normals = samples.normals, *refitted = workplace.scratch.take<float4>(samples.size);
   for (std::size_t pass = 0; pass < number_of_passes; ++pass)
   {

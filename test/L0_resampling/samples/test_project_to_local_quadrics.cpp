@@ -62,11 +62,10 @@ struct Naively_settled
   double share_of_quadric, share_of_plane;
 };
 
-double share_of_surface(double number, int unknowns, double leverage, double variance, double noise,
-                        double roughness)
+double share_of_surface(double number, int unknowns, double leverage, double variance, double noise)
 {
-  const double ratio = variance / (roughness * roughness * noise);
-  return clamped((number - 3 * unknowns) / (3 * unknowns)) * clamped(2 - leverage / 10)
+  const double ratio = variance / (9 * noise);
+  return clamped((number - unknowns) / unknowns) * clamped(2 - leverage / 10)
          * std::exp(-ratio * ratio);
 }
 
@@ -120,13 +119,12 @@ Naively_settled settled_naively(const Samples<double>& samples, std::size_t i)
     result.share_of_quadric = determined
                               * share_of_surface(total, 6, leverage,
                                                  (squares - quadric.dot(right)) / (total - 6),
-                                                 variance / total, 2.5);
+                                                 variance / total);
   const double distance = (mean - plane.dot(mean) * plane).norm();
   if (plane.dot(n) > 0.5)
     result.share_of_plane = determined
                             * share_of_surface(total, 3, 1 + distance * distance / values[1],
-                                               values[0] * total / (total - 3), variance / total,
-                                               3);
+                                               values[0] * total / (total - 3), variance / total);
 
   const double rest = 1 - result.share_of_plane;
   const double height = rest * result.share_of_quadric * quadric[0]
@@ -203,7 +201,7 @@ void check_formulas(double tolerance, Generator& generator)
   CHECK(check_formulas<T>(wedge, tolerance, generator).planes > 0.1);
   const Occurrences on_sphere = check_formulas<T>(sphere_points(4000, 2, generator), tolerance,
                                                   generator);
-  CHECK(on_sphere.planes < 0.01 && on_sphere.quadrics > 0.3 && on_sphere.in_part > 0.05);
+  CHECK(on_sphere.planes < 0.01 && on_sphere.quadrics > 0.3 && on_sphere.in_part > 0.03);
 }
 
 double mean_height(const Samples<double>& samples)
@@ -311,7 +309,7 @@ void check_what_stays(Generator& generator)
   CHECK(settled<float>(wedge, 0).positions == to_buffer(wedge.points));
 
   Oriented_points few;
-  for (int k = 0; k < 8; ++k)
+  for (int k = 0; k < 6; ++k)
   {
     few.points.push_back(0.1 * random_unit_vector(generator));
     few.normals.push_back(Vector::UnitZ());

@@ -234,21 +234,17 @@ struct Unsupported_sample
   }
 };
 
-/// The plane that corrects a normal counts in full if its two smaller variances differ by this
-/// share of the largest, and the less the nearer they are: points in a strip have no plane.
+/// The plane or quadric through samples counts in full if the two smaller of their variances differ
+/// by this share of the largest, and the less the nearer they are: a strip has no plane.
 constexpr double least_gap_of_plane = 0.1;
 
 /// At the end the default method looks for planes and quadrics in balls of this many r_p. In wider
 /// ones more surfaces are neither; smaller ones average less noise away.
 constexpr double quadric_radius_factor = 4;
 
-/// How far from a plane samples may be that lie in it, and from a quadric, per what noise leaves of
-/// the fit. A quadric follows what noise is left, so less remains.
-constexpr double largest_roughness_of_plane = 3, largest_roughness_of_quadric = 2.5;
-
-/// Of how few samples a plane or a quadric is not believed, and of how many it is, per unknown of
-/// it; in between the more of them, the more. Through few enough points there always is one.
-constexpr double fewest_support_points_per_unknown = 3, enough_support_points_per_unknown = 6;
+/// How far from a plane or a quadric samples may be that lie in it, per what noise leaves of the
+/// fit.
+constexpr double largest_roughness = 3;
 
 /// From where on a plane or a quadric counts less, and at twice this not at all: what variance its
 /// height has at the sample, per that of the mean height of the support points. Inside of a surface

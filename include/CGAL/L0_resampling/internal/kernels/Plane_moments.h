@@ -87,29 +87,19 @@ struct Plane_moments
   }
 };
 
+/// How much what was fitted to points counts by their number: not at all if they are as many as the
+/// unknowns, through which there always is a fit, and in full if they are twice as many.
+CGAL_L0_HOST_DEVICE inline double share_of_support(double number, int number_of_unknowns)
+{
+  return as_share(number / number_of_unknowns - 1);
+}
+
 /// How much a plane counts whose normal is the smallest eigenvector of this covariance. Of points
 /// in a strip or a clump the two smaller variances are equal, and a rounding would choose the
 /// normal.
 CGAL_L0_HOST_DEVICE inline double share_of_plane(const Eigen_decomposition& eigen)
 {
   return as_share((eigen.values[1] - eigen.values[0]) / (least_gap_of_plane * eigen.values[2]));
-}
-
-/// The unit normal halfway between `own` and that of the plane through the points that agree with
-/// it, whose moments these are; `own` where hardly anybody does, and as `share_of_plane()` says.
-/// \param own of unit length but for rounding
-CGAL_L0_HOST_DEVICE inline Triple halfway_to_plane(const Plane_moments<double>& moments,
-                                                   const Triple& own)
-{
-  if (!(moments.sum > 2))
-    return own;
-  const Eigen_decomposition eigen = moments.eigen_decomposition();
-  const Triple n = eigen.smallest_vector, unit = normalized(own);
-  const double cosine = dot(n, own), least_cosine = 0.5, sign = cosine < 0 ? -1 : 1;
-  if (!(cosine * sign > least_cosine))
-    return own;
-  const double weight = sign * share_of_plane(eigen);
-  return normalized({unit.x + weight * n.x, unit.y + weight * n.y, unit.z + weight * n.z});
 }
 
 /// A unit vector near `own` across the plane of the points whose moments these are: two steps of
@@ -141,28 +131,20 @@ CGAL_L0_HOST_DEVICE inline Triple normal_of_plane_near(const Plane_moments<doubl
   return v;
 }
 
-/// The unit normal between `own` and halfway to that of the plane through the samples that agree
-/// with it, whose moments these are. It stays where it is as far as the two differ by no more than
-/// noise explains: with \f$ \delta \f$ for the angle between them, and \f$ \tau^2 \f$ for the
-/// variance that noise leaves of a sample's height, the share is
-/// \f$ 1 - e^{-(\delta R / \tau)^4} \f$. It is 0 where few points are compatible, and for a plane
-/// that lies across.
+/// The unit normal halfway between `own` and that of the plane through the points that agree with
+/// it, whose moments these are. The plane counts less where hardly anybody agrees, and not at all
+/// if it lies across.
 /// \param own of unit length but for rounding
-/// \param variance \f$ \tau^2 \f$
-/// \param radius R, of the ball of the samples
 CGAL_L0_HOST_DEVICE inline Triple lean_to_plane(const Plane_moments<double>& moments,
-                                                const Triple& own, double variance, double radius)
+                                                const Triple& own)
 {
-  const double fewest = 2, enough = 4, least_cosine = 0.5, full_cosine = 0.6,
-               squared_rounding = 1e-12;
-  if (!(moments.sum > fewest))
+  const int number_of_unknowns = 2; // of a normal
+  const double least_cosine = 0.5, full_cosine = 0.6;
+  if (!(moments.sum > number_of_unknowns))
     return own;
   const Triple unit = normalized(own), n = normal_of_plane_near(moments, unit);
-  const double cosine = dot(n, unit), squared_angle = at_least(2 * (1 - cosine), 0.);
-  const double x = squared_angle / (variance / square(radius) + squared_rounding);
-  const double weight = as_share((moments.sum - fewest) / (enough - fewest))
-                        * as_share((cosine - least_cosine) / (full_cosine - least_cosine))
-                        * (1 - decay(x * x));
+  const double weight = share_of_support(moments.sum, number_of_unknowns)
+                        * as_share((dot(n, unit) - least_cosine) / (full_cosine - least_cosine));
   return normalized({unit.x + weight * n.x, unit.y + weight * n.y, unit.z + weight * n.z});
 }
 

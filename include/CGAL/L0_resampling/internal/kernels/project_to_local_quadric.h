@@ -47,9 +47,7 @@ struct Settled_sample
 CGAL_L0_HOST_DEVICE inline double share_of_surface(double number, int number_of_unknowns,
                                                    double leverage, double excess)
 {
-  const double fewest = fewest_support_points_per_unknown * number_of_unknowns;
-  const double enough = enough_support_points_per_unknown * number_of_unknowns;
-  return as_share((number - fewest) / (enough - fewest)) * as_share(2 - leverage / largest_leverage)
+  return share_of_support(number, number_of_unknowns) * as_share(2 - leverage / largest_leverage)
          * decay(square(excess));
 }
 
@@ -65,8 +63,7 @@ CGAL_L0_HOST_DEVICE inline Settled_sample project_to_local_quadric(
   const double number = moments.products[0], least_cosine = 0.5;
   if (!(number > unknowns_of_quadric && noise > 0))
     return {0, frame.normal};
-  const double believed_of_plane = square(largest_roughness_of_plane) * noise / number;
-  const double believed_of_quadric = square(largest_roughness_of_quadric) * noise / number;
+  const double believed = square(largest_roughness) * noise / number;
   double height = 0;
   Triple normal = {0, 0, 1}; // in the frame
   const auto settle = [&](double share, double height_of_surface, const Triple& normal_of_surface) {
@@ -86,7 +83,7 @@ CGAL_L0_HOST_DEVICE inline Settled_sample project_to_local_quadric(
   if (quadric.is_determined && of_quadric.z > least_cosine)
     settle(determined
              * share_of_surface(number, unknowns_of_quadric, quadric.leverage,
-                                quadric.variance / believed_of_quadric),
+                                quadric.variance / believed),
            quadric.height, of_quadric);
 
   const Triple n = eigen.smallest_vector,
@@ -97,7 +94,7 @@ CGAL_L0_HOST_DEVICE inline Settled_sample project_to_local_quadric(
     settle(determined
              * share_of_surface(number, unknowns_of_plane,
                                 1 + (dot(mean, mean) - square(height_of_plane)) / eigen.values[1],
-                                across * number / (number - unknowns_of_plane) / believed_of_plane),
+                                across * number / (number - unknowns_of_plane) / believed),
            height_of_plane / n.z, {sign * n.x, sign * n.y, sign * n.z});
 
   return {radius * height,

@@ -16,7 +16,7 @@ namespace internal {
 
 /*!
 The unit normal halfway between that of a point and that of the plane through the points of its ball
-which agree with it: the smallest eigenvector of
+which agree with it, see `lean_to_plane()`. That is about the smallest eigenvector of
 
 \f[ \sum_j w_j (q_j - \bar q)(q_j - \bar q)^T, \qquad w_j
 = \theta(\|q_j - q_i\|) \, \psi(n_i, n_j) \, e^{-h_{ij}^2/H^2}, \f]
@@ -52,7 +52,7 @@ Eigen::Matrix<T, 3, 1> refitted_normal(const Eigen::Matrix<T, 3, 1>& center,
                                         normal_bandwidth, height, squared_sheet_height)));
     });
 
-  const Triple refitted = halfway_to_plane(sum_of_lanes(lanes), {normal[0], normal[1], normal[2]});
+  const Triple refitted = lean_to_plane(sum_of_lanes(lanes), {normal[0], normal[1], normal[2]});
   return {T(refitted.x), T(refitted.y), T(refitted.z)};
 }
 

@@ -26,14 +26,12 @@ namespace internal {
 Corrects the normals of the samples by their positions. A fit leaves a sample the mean normal of the
 points in a ball \f$ r_p \f$; where the surface bends within that ball, the samples themselves, a
 fraction of \f$ r_p \f$ apart, know its direction better. Each normal leans halfway to that of the
-plane through the samples around that agree with it: the smallest eigenvector of
+plane through the samples around that agree with it, about the smallest eigenvector of
 
 \f[ \sum_k w_k (p_k - \bar p)(p_k - \bar p)^T, \qquad w_k
 = \theta(\|p_k - p_i\|) \, \psi(n_i, n_k) \, e^{-h_{ik}^2/H^2}, \f]
 
-over the self neighbors and the sample, with `symmetric_height()`; but not where the two differ by
-no more than the noise of the fit explains, see `lean_to_plane()`: there the mean over more points
-is nearer to the truth.
+over the self neighbors and the sample, with `symmetric_height()`, see `lean_to_plane()`.
 
 \param neighbors may have moved since they were found
 \param samples normals in and out
@@ -89,18 +87,14 @@ void refit_sample_normals(const Sample_refit_kernel& kernel, const Neighborhoods
         {
           Plane_moments<double> moments;
           moments.add(0, 0, 0, 1); // the sample itself
-          double variance = samples.fit_variances[i];
           for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
           {
             const Eigen::Index pair = Eigen::Index(e - first_pair);
             const double weight = weights[pair];
             moments.add(differences(0, pair), differences(1, pair), differences(2, pair), weight);
-            variance += weight * samples.fit_variances[neighbors.indices[e]];
           }
           const Local_vector& normal = samples.normals[i];
-          const Triple leaning = lean_to_plane(moments, {normal[0], normal[1], normal[2]},
-                                               variance / moments.sum,
-                                               std::sqrt(range.squared(i, i)));
+          const Triple leaning = lean_to_plane(moments, {normal[0], normal[1], normal[2]});
           refitted[i] = Vector(leaning.x, leaning.y, leaning.z).template cast<FT>();
         }
       });
