@@ -305,7 +305,7 @@ public:
   void refit_sample_normals(const Plan& plan)
   {
     internal::refit_sample_normals<ConcurrencyTag>(Sample_refit_kernel(plan.self_neighbor_radius,
-                                                                       plan.refit_bandwidth),
+                                                                       plan.compatible_bandwidth),
                                                    m_neighbors, number_of_sample_refits, m_samples);
   }
 
