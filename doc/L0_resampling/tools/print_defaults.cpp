@@ -96,7 +96,6 @@ void print_constants()
   object.add("slope_of_scales", slope_of_scales);
   object.add("fewest_correlated_balls", fewest_correlated_balls);
   object.add("number_of_normal_refits", number_of_normal_refits);
-  object.add("number_of_sample_refits", number_of_sample_refits);
   object.add("self_neighbor_radius_per_spacing", self_neighbor_radius_per_spacing);
   object.add("least_share_of_sheet", least_share_of_sheet);
   object.add("share_of_sheet_of_unsupported", share_of_sheet_of_unsupported);

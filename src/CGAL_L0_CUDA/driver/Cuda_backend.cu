@@ -320,7 +320,7 @@ void Cuda_backend::refit_sample_normals(const Plan& plan)
 {
   cuda::refit_sample_normals(
     m_workplace, Sample_refit_kernel(plan.self_neighbor_radius, plan.compatible_bandwidth),
-    m_neighborhood->points, m_neighborhood->neighbors, number_of_sample_refits, m_samples);
+    m_neighborhood->points, m_neighborhood->neighbors, m_samples);
 }
 
 void Cuda_backend::repel_tangentially(const Plan& plan)

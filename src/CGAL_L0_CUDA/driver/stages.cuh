@@ -356,7 +356,7 @@ void fit_compatible_points(const Workplace& workplace, const Cell_grid& sample_g
 /// \param sample_grid that the neighbors were found in; its points may have moved, and be used up
 void refit_sample_normals(const Workplace& workplace, const Sample_refit_kernel& kernel,
                           const Cell_grid& sample_grid, const Neighbor_lists& neighbors,
-                          std::size_t number_of_passes, const Samples& samples);
+                          const Samples& samples);
 
 /// Spreads the samples within the surface, by steps that the radius of the fit limits. The points
 /// of the grid are used up.

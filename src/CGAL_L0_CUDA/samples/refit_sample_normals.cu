@@ -24,7 +24,7 @@ struct Kernel
   float squared_radius, squared_bandwidth, normal_bandwidth, squared_sheet_height;
 };
 
-/// One pass of `refit_sample_normals()` on the CPU, which says why.
+/// `refit_sample_normals()` on the CPU, which says why.
 /// \param rows whose fourth numbers are where the rows of the samples begin
 /// \param normals and the variances of the fit
 __global__ void refit(Neighbor_lists neighbors, Kernel kernel, const int4* rows,
@@ -72,24 +72,19 @@ __global__ void refit(Neighbor_lists neighbors, Kernel kernel, const int4* rows,
 
 void refit_sample_normals(const Workplace& workplace, const Sample_refit_kernel& kernel,
                           const Cell_grid& sample_grid, const Neighbor_lists& neighbors,
-                          std::size_t number_of_passes, const Samples& samples)
+                          const Samples& samples)
 {
   const Arena_scope scope(workplace.scratch);
   const Kernel in_float = {float(square(kernel.radius)), float(kernel.squared_bandwidth),
                            float(kernel.normal_bandwidth), float(kernel.squared_sheet_height)};
-  float4 *normals = samples.normals, *refitted = workplace.scratch.take<float4>(samples.size);
-  for (std::size_t pass = 0; pass < number_of_passes; ++pass)
-  {
-    refit<<<blocks_for_queries(samples.size), threads_per_block, 0, workplace.stream>>>(
-      neighbors, in_float, sample_grid.points, samples.positions,
-      {float(kernel.radius), samples.scales, samples.spreading_radii}, samples.size, normals,
-      refitted);
-    check_launch("refit");
-    std::swap(normals, refitted);
-  }
-  if (normals != samples.normals)
-    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(samples.normals, normals, samples.size * sizeof(float4),
-                                       cudaMemcpyDeviceToDevice, workplace.stream));
+  float4* const refitted = workplace.scratch.take<float4>(samples.size);
+  refit<<<blocks_for_queries(samples.size), threads_per_block, 0, workplace.stream>>>(
+    neighbors, in_float, sample_grid.points, samples.positions,
+    {float(kernel.radius), samples.scales, samples.spreading_radii}, samples.size, samples.normals,
+    refitted);
+  check_launch("refit");
+  CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(samples.normals, refitted, samples.size * sizeof(float4),
+                                     cudaMemcpyDeviceToDevice, workplace.stream));
 }
 
 } // namespace cuda

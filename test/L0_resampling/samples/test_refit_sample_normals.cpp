@@ -27,7 +27,7 @@ struct Refitted
   Gridded_points sorted;
   std::vector<Vector> before, after;
 
-  Refitted(const Oriented_points& cloud, std::size_t number_of_passes)
+  explicit Refitted(const Oriented_points& cloud)
     : sorted(cloud.points, radius), before(permuted(sorted.order, cloud.normals))
   {
     Samples<double> samples{Counting_allocator<Vector>()};
@@ -37,9 +37,8 @@ struct Refitted
     const Neighborhoods neighbors = find_self_neighbors<CGAL::Sequential_tag>(
       sorted.grid, sorted.points, radius, unwatched.progress);
     Samples<double> sequential = samples;
-    refit_sample_normals<CGAL::Parallel_if_available_tag>(kernel, neighbors, number_of_passes,
-                                                          samples);
-    refit_sample_normals<CGAL::Sequential_tag>(kernel, neighbors, number_of_passes, sequential);
+    refit_sample_normals<CGAL::Parallel_if_available_tag>(kernel, neighbors, samples);
+    refit_sample_normals<CGAL::Sequential_tag>(kernel, neighbors, sequential);
     CHECK(samples.normals == sequential.normals);
     after.assign(samples.normals.begin(), samples.normals.end());
   }
@@ -53,7 +52,7 @@ void check_formula(Generator& generator)
   cloud.points.emplace_back(5, 0, 0); // nobody is near this one
   cloud.normals.emplace_back(0, 0, 1);
   cloud.normals = noisy_normals(cloud.normals, 0.3, generator);
-  const Refitted refitted(cloud, 1);
+  const Refitted refitted(cloud);
   double worst = 0;
   std::size_t number_halfway = 0, number_in_between = 0;
   for (std::size_t i = 0; i < refitted.before.size(); ++i)
@@ -96,20 +95,14 @@ void check_formula(Generator& generator)
   CHECK(number_in_between > 10);
 }
 
-/// A pass halves the error of normals, on a bent surface as on two faces with
-/// an edge between them.
+/// The error of normals is halved, on a bent surface as on two faces with an edge between them.
 void check_clean_samples(const Oriented_points& truth, Generator& generator)
 {
   Oriented_points cloud = truth;
   cloud.normals = noisy_normals(cloud.normals, 0.05, generator);
-  double before = mean_angle(cloud.normals, truth.normals);
-  for (std::size_t number_of_passes : {1, 2})
-  {
-    const Refitted refitted(cloud, number_of_passes);
-    const double after = mean_angle(refitted.after, permuted(refitted.sorted.order, truth.normals));
-    CHECK(after < 0.6 * before);
-    before = after;
-  }
+  const Refitted refitted(cloud);
+  CHECK(mean_angle(refitted.after, permuted(refitted.sorted.order, truth.normals))
+        < 0.6 * mean_angle(cloud.normals, truth.normals));
 }
 
 /// Samples on a line, in one place, and alone have no plane.
@@ -126,7 +119,7 @@ void check_no_plane()
   }
   cloud.points.push_back(Vector(0, 7, 0));
   cloud.normals.push_back(Vector(0.6, 0, 0.8));
-  const Refitted refitted(cloud, 2);
+  const Refitted refitted(cloud);
   double worst = 0;
   for (std::size_t i = 0; i < refitted.before.size(); ++i)
     worst = (std::max)(worst, (refitted.after[i] - refitted.before[i]).norm());
@@ -141,7 +134,7 @@ void check_right_angles(Generator& generator)
   for (Vector& n : turned.normals)
     if (n.x() != 0)
       n = -n;
-  const Refitted refitted(cube, 1), of_turned(turned, 1);
+  const Refitted refitted(cube), of_turned(turned);
   for (std::size_t i = 0; i < refitted.before.size(); ++i)
     if (refitted.before[i] == of_turned.before[i])
       CHECK(refitted.after[i] == of_turned.after[i]);

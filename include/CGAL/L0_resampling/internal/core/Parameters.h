@@ -286,12 +286,8 @@ struct Support_subset
 /// as many times.
 constexpr std::size_t number_of_normal_refits = 2;
 
-/// After each fit the default method corrects the normals of the samples by the positions of their
-/// self neighbors, in this number of passes.
-constexpr std::size_t number_of_sample_refits = 2;
-
-/// What decides how far a self neighbor counts there: as a point does in the fit, if that were made
-/// of points without noise in a ball of that radius.
+/// What decides how far a self neighbor counts in the refit of the normals of the samples: as a
+/// point does in the fit, if that were made of points without noise in a ball of that radius.
 struct Sample_refit_kernel
 {
   double radius; ///< R, of the self neighbors

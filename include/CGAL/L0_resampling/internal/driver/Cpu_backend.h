@@ -306,7 +306,7 @@ public:
   {
     internal::refit_sample_normals<ConcurrencyTag>(Sample_refit_kernel(plan.self_neighbor_radius,
                                                                        plan.compatible_bandwidth),
-                                                   m_neighbors, number_of_sample_refits, m_samples);
+                                                   m_neighbors, m_samples);
   }
 
   /// Forgets what neighbors are found in, but not the neighbors.

@@ -38,7 +38,7 @@ over the self neighbors and the sample, with `symmetric_height()`, see `lean_to_
 */
 template <typename ConcurrencyTag, typename FT>
 void refit_sample_normals(const Sample_refit_kernel& kernel, const Neighborhoods& neighbors,
-                          std::size_t number_of_passes, Samples<FT>& samples)
+                          Samples<FT>& samples)
 {
   using Local_vector = Eigen::Matrix<FT, 3, 1>;
   using Array = Eigen::Array<FT, Eigen::Dynamic, 1>;
@@ -50,56 +50,52 @@ void refit_sample_normals(const Sample_refit_kernel& kernel, const Neighborhoods
                                 view_of_scales(samples.spreading_radii)};
   const std::size_t samples_per_block = 1024;
   Buffer<Local_vector> refitted = copy_of(samples.normals);
-  for (std::size_t pass = 0; pass < number_of_passes; ++pass)
-  {
-    for_each_block<ConcurrencyTag>(
-      samples.positions.size(), samples_per_block, [&](std::size_t begin, std::size_t end) {
-        const std::size_t first_pair = neighbors.offsets[begin];
-        const Eigen::Index size = padded_to_lanes(neighbors.offsets[end] - first_pair);
-        Eigen::Matrix<FT, 3, Eigen::Dynamic> differences =
-          Eigen::Matrix<FT, 3, Eigen::Dynamic>::Zero(3, size);
-        Array cosines = Array::Zero(size), heights = cosines;
-        // what shortens the range of a pair shortens the kernel
-        Array squared_stretches = Array::Ones(size);
-        for (std::size_t i = begin; i < end; ++i)
-          for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
-          {
-            const Index k = neighbors.indices[e];
-            const Eigen::Index pair = Eigen::Index(e - first_pair);
-            const Local_vector d =
-              (samples.positions[k] - samples.positions[i]).template cast<FT>();
-            const FT cosine = samples.normals[i].dot(samples.normals[k]),
-                     sign = with_sign_of(cosine, FT(1));
-            differences.col(pair) = d;
-            cosines[pair] = cosine;
-            heights[pair] = symmetric_height(samples.normals[i].dot(d),
-                                             FT(sign * samples.normals[k].dot(d)));
-            if (!range.is_one_for_all())
-              squared_stretches[pair] = squared_radius / FT(range.squared(i, k));
-          }
-        const Array squared_distances = differences.colwise().squaredNorm().transpose().array()
-                                        * squared_stretches;
-        heights *= squared_stretches.sqrt();
-        const Array weights = share_in_ball(squared_distances, squared_radius)
-                              * sheet_weight(squared_distances, squared_bandwidth, cosines,
-                                             normal_bandwidth, heights, squared_sheet_height);
-        for (std::size_t i = begin; i < end; ++i)
+  for_each_block<ConcurrencyTag>(
+    samples.positions.size(), samples_per_block, [&](std::size_t begin, std::size_t end) {
+      const std::size_t first_pair = neighbors.offsets[begin];
+      const Eigen::Index size = padded_to_lanes(neighbors.offsets[end] - first_pair);
+      Eigen::Matrix<FT, 3, Eigen::Dynamic> differences =
+        Eigen::Matrix<FT, 3, Eigen::Dynamic>::Zero(3, size);
+      Array cosines = Array::Zero(size), heights = cosines;
+      // what shortens the range of a pair shortens the kernel
+      Array squared_stretches = Array::Ones(size);
+      for (std::size_t i = begin; i < end; ++i)
+        for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
         {
-          Plane_moments<double> moments;
-          moments.add(0, 0, 0, 1); // the sample itself
-          for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
-          {
-            const Eigen::Index pair = Eigen::Index(e - first_pair);
-            const double weight = weights[pair];
-            moments.add(differences(0, pair), differences(1, pair), differences(2, pair), weight);
-          }
-          const Local_vector& normal = samples.normals[i];
-          const Triple leaning = lean_to_plane(moments, {normal[0], normal[1], normal[2]});
-          refitted[i] = Vector(leaning.x, leaning.y, leaning.z).template cast<FT>();
+          const Index k = neighbors.indices[e];
+          const Eigen::Index pair = Eigen::Index(e - first_pair);
+          const Local_vector d = (samples.positions[k] - samples.positions[i]).template cast<FT>();
+          const FT cosine = samples.normals[i].dot(samples.normals[k]),
+                   sign = with_sign_of(cosine, FT(1));
+          differences.col(pair) = d;
+          cosines[pair] = cosine;
+          heights[pair] = symmetric_height(samples.normals[i].dot(d),
+                                           FT(sign * samples.normals[k].dot(d)));
+          if (!range.is_one_for_all())
+            squared_stretches[pair] = squared_radius / FT(range.squared(i, k));
         }
-      });
-    samples.normals.swap(refitted);
-  }
+      const Array squared_distances = differences.colwise().squaredNorm().transpose().array()
+                                      * squared_stretches;
+      heights *= squared_stretches.sqrt();
+      const Array weights = share_in_ball(squared_distances, squared_radius)
+                            * sheet_weight(squared_distances, squared_bandwidth, cosines,
+                                           normal_bandwidth, heights, squared_sheet_height);
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        Plane_moments<double> moments;
+        moments.add(0, 0, 0, 1); // the sample itself
+        for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
+        {
+          const Eigen::Index pair = Eigen::Index(e - first_pair);
+          const double weight = weights[pair];
+          moments.add(differences(0, pair), differences(1, pair), differences(2, pair), weight);
+        }
+        const Local_vector& normal = samples.normals[i];
+        const Triple leaning = lean_to_plane(moments, {normal[0], normal[1], normal[2]});
+        refitted[i] = Vector(leaning.x, leaning.y, leaning.z).template cast<FT>();
+      }
+    });
+  samples.normals.swap(refitted);
 }
 
 } // namespace internal
