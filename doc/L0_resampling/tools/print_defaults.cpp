@@ -80,8 +80,7 @@ void print_constants()
   object.add("sheet_height_per_noise", sheet_height_per_noise);
   object.add("height_among_two_sheets", height_among_two_sheets);
   object.add("sheet_height_per_radius", sheet_height_per_radius);
-  object.add("largest_shrunk_jump_per_sheet_height", largest_shrunk_jump_per_sheet_height);
-  object.add("regularized_jump_per_sheet_height", regularized_jump_per_sheet_height);
+  object.add("largest_jump_per_sheet_height", largest_jump_per_sheet_height);
   object.add("outlier_share_of_surroundings", outlier_share_of_surroundings);
   object.add("outlier_share_of_median", outlier_share_of_median);
   object.add("share_of_sparse_points", share_of_sparse_points);

@@ -148,7 +148,7 @@ struct Pair_weights
     : regularize(turn.regularize),
       regularization_weight(float(turn.parameters.regularization_weight)),
       squared_radius(float(turn.parameters.squared_radius)),
-      squared_jump(float(square(turn.parameters.regularized_jump))), range(turn.range())
+      squared_jump(float(square(turn.parameters.largest_jump))), range(turn.range())
   {}
 
   /// \param squared_distance, height_i, height_k of \f$ d = p_i - p_k \f$: its square,
@@ -444,8 +444,7 @@ void minimize_once(const Workplace& workplace, const Minimization_parameters& pa
                    const Turn_result* last_result, Turn_result* result)
 {
   const double threshold = shrinkage_threshold(parameters.normal_weight, of_plan.penalty,
-                                               parameters.sparsity_unit,
-                                               parameters.largest_shrunk_jump);
+                                               parameters.sparsity_unit, parameters.largest_jump);
   const double low_end_of_spectrum = parameters.low_end_of_spectrum(of_plan);
   Turn_in_kernel turn = {parameters,
                          float(of_plan.penalty),

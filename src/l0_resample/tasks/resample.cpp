@@ -177,7 +177,7 @@ double largest_effective_normal_weight(const CGAL::L0_resampling::Report& report
   using namespace CGAL::L0_resampling::internal;
   if (report.iterations.empty())
     return std::numeric_limits<double>::infinity();
-  const double largest_jump = largest_shrunk_jump_per_sheet_height
+  const double largest_jump = largest_jump_per_sheet_height
                               * sheet_height(report.estimated_noise, report.neighbor_radius);
   const double jumps = largest_jump / (sparsity_unit_factor * report.neighbor_radius);
   return report.iterations.back().penalty * jumps * jumps;

@@ -29,7 +29,6 @@ struct Scene
                                      0.25 * radius,
                                      std::numeric_limits<double>::infinity(),
                                      std::numeric_limits<double>::infinity(),
-                                     std::numeric_limits<double>::infinity(),
                                      0,
                                      0,
                                      0.9,

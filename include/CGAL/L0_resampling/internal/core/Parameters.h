@@ -132,13 +132,11 @@ inline double sheet_height(double noise, double radius)
 }
 
 /// A jump between two samples of more than this many H is one to another sheet, or across an edge,
-/// and no noise: the default method shrinks no such jump, however small the penalty still is.
-constexpr double largest_shrunk_jump_per_sheet_height = 0.5;
-
-/// The regularization of the default method lets go of pairs with a jump of more than this many H
-/// between them. Those of two sheets would draw the sheets together. With a lower limit pairs
-/// across edges would go too, and the samples of a face would draw each other away from its edges.
-constexpr double regularized_jump_per_sheet_height = 2;
+/// and no noise: the default method shrinks no such jump, however small the penalty still is, and
+/// its regularization lets go of such pairs, which would draw two sheets together. A higher limit
+/// joins sheets, and with a lower one the samples of a face, which have no hold beyond its edges,
+/// draw each other away from them.
+constexpr double largest_jump_per_sheet_height = 0.7;
 
 /// How far from the threshold, and per threshold, the default method begins and ends to shrink
 /// jumps. A step, as in Eq. (9), would put a sample here or there by a rounding.

@@ -78,12 +78,11 @@ struct Turn
 /// The weights of Algorithm 1 in the working frame.
 struct Minimization_parameters
 {
-  double squared_radius;      ///< \f$ r_p^2 \f$
-  double squared_bandwidth;   ///< \f$ \sigma_q^2 \f$
-  double sparsity_unit;       ///< length in which \f$ \sqrt{\lambda/\beta} \f$ is read
-  double largest_shrunk_jump; ///< a length; infinite in LOR and ALOR
-  double regularized_jump;    ///< J of `pair_weight()`, a length; infinite in LOR and ALOR
-  double range_of_pairs;      ///< of the self neighbors; infinite in LOR and ALOR
+  double squared_radius;    ///< \f$ r_p^2 \f$
+  double squared_bandwidth; ///< \f$ \sigma_q^2 \f$
+  double sparsity_unit;     ///< length in which \f$ \sqrt{\lambda/\beta} \f$ is read
+  double largest_jump;      ///< J of `pair_weight()`, a length; infinite in LOR and ALOR
+  double range_of_pairs;    ///< of the self neighbors; infinite in LOR and ALOR
   /// \f$ \eta_S \f$ of Eq. (5): of an even set, so that no sample depends on all others; in LOR and
   /// ALOR 0, for the mean of all samples
   double mean_number_of_neighbors;
@@ -248,21 +247,20 @@ inline Plan make_plan(const Parameters& parameters, const Facts& facts)
   plan.refines = rules.refines;
   plan.finds_feature_confidences = parameters.with_feature_confidences;
 
-  plan.minimization = {
-    square(plan.radius),
-    plan.squared_bandwidth,
-    sparsity_unit_factor * plan.radius,
-    rules.limits_jumps ? largest_shrunk_jump_per_sheet_height * plan.sheet_height : infinity,
-    rules.limits_jumps ? regularized_jump_per_sheet_height * plan.sheet_height : infinity,
-    infinity,
-    0,
-    rules.limits_jumps ? half_width_of_firm_shrinkage : 0,
-    parameters.normal_weight,
-    parameters.regularization_weight,
-    parameters.initial_penalty,
-    parameters.maximum_penalty,
-    parameters.penalty_growth,
-    rules.interleaves_regularization};
+  plan.minimization = {square(plan.radius),
+                       plan.squared_bandwidth,
+                       sparsity_unit_factor * plan.radius,
+                       rules.limits_jumps ? largest_jump_per_sheet_height * plan.sheet_height
+                                          : infinity,
+                       infinity,
+                       0,
+                       rules.limits_jumps ? half_width_of_firm_shrinkage : 0,
+                       parameters.normal_weight,
+                       parameters.regularization_weight,
+                       parameters.initial_penalty,
+                       parameters.maximum_penalty,
+                       parameters.penalty_growth,
+                       rules.interleaves_regularization};
   plan.self_neighbor_radius = self_neighbor_radius_factor * plan.radius;
   // without scales: a surface through the middle of a cube of that diagonal, evenly sampled
   const double spacing = rules.estimates_scales
