@@ -72,7 +72,6 @@ void print_constants()
   object.add("radius_per_noise", radius_per_noise);
   object.add("least_share_of_points_in_ball", least_share_of_points_in_ball);
   object.add("largest_index_of_two_sheets", largest_index_of_two_sheets);
-  object.add("least_index_of_one_sheet", least_index_of_one_sheet);
   object.add("default_filter_radius_factor", default_filter_radius_factor);
   object.add("fit_angle_factor", fit_angle_factor);
   object.add("area_radius_factor", area_radius_factor);
@@ -96,10 +95,8 @@ void print_constants()
   object.add("fewest_correlated_balls", fewest_correlated_balls);
   object.add("number_of_normal_refits", number_of_normal_refits);
   object.add("self_neighbor_radius_per_spacing", self_neighbor_radius_per_spacing);
-  object.add("least_share_of_sheet", least_share_of_sheet);
-  object.add("share_of_sheet_of_unsupported", share_of_sheet_of_unsupported);
+  object.add("share_of_unsupported", share_of_unsupported);
   object.add("held_back_from", held_back_from);
-  object.add("held_back_to", held_back_to);
   object.add("least_gap_of_plane", least_gap_of_plane);
   object.add("quadric_radius_factor", quadric_radius_factor);
   object.add("largest_roughness", largest_roughness);

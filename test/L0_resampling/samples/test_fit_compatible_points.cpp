@@ -93,7 +93,7 @@ double half_disk_offset()
 /// Of a push outwards, where the mean of the points is that far away.
 double share_held_back(double distance)
 {
-  return clamped((distance / half_disk_offset() - 0.35) / 0.2);
+  return clamped((distance / half_disk_offset() - 0.3) / 0.3);
 }
 
 /// The sums of the docstring for a sample.
@@ -143,7 +143,7 @@ Fitted fit_naively(const Oriented_points& input, const std::vector<double>& dens
     Vector n = start.normals[i];
     Naive_sums sums = sum_naively(input, densities, neighbors[i], start.points[i], n,
                                   squared_sheet_height);
-    const double unsupported = sums.all > 0 ? clamped((0.07 - sums.total / sums.all) / 0.02) : 0;
+    const double unsupported = sums.all > 0 ? clamped((0.08 - sums.total / sums.all) / 0.04) : 0;
     if (unsupported > 0)
     {
       sums.normals += (1 / unsupported - 1) * sums.all * n * n.transpose();

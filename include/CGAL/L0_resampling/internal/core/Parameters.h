@@ -200,9 +200,9 @@ CGAL_L0_HOST_DEVICE inline double squared_sheet_height_among(double squared_shee
   return squared_sheet_height * (1 - t * (1 - height_among_two_sheets * height_among_two_sheets));
 }
 
-/// A sample is unsupported if the points that agree with it weigh less than the first share of
-/// those in its ball, and begins to at the second. On a face it is a quarter, at an edge an eighth.
-constexpr double share_of_sheet_of_unsupported = 0.05, least_share_of_sheet = 0.07;
+/// A sample is unsupported if the points that agree with it weigh less than this share of those in
+/// its ball, and begins to be at twice as much. On a face it is a quarter, at an edge an eighth.
+constexpr double share_of_unsupported = 0.04;
 
 /// Whether a sample is unsupported, and how it finds its points: by the normal of most of them and
 /// its own, in a sheet that is higher than that of others.
@@ -219,8 +219,7 @@ struct Unsupported_sample
                                          double squared_radius)
     : squared_sheet_height(sheet_height)
   {
-    const double t = (least_share_of_sheet * all - weight)
-                     / ((least_share_of_sheet - share_of_sheet_of_unsupported) * all);
+    const double t = 2 - weight / (share_of_unsupported * all);
     is_unsupported = t > 0;
     if (t >= 1)
       squared_sheet_height = squared_radius;

@@ -27,11 +27,9 @@ struct Shape_of_heights
 
 /// Heights are of two sheets where the median of their `single_sheet_index()` is less than this:
 /// that of sheets four standard deviations apart is 2, and outliers raise it a little; where points
-/// fill the balls it is 2.5, and on noisy shapes with edges more.
-constexpr double largest_index_of_two_sheets = 2.2;
-/// Of a ball that is not surely flat, they are of one sheet if it is more than this. Of few points
-/// in one noisy sheet it is 2.5; in between, the ball may see the next sheet already.
-constexpr double least_index_of_one_sheet = 2.4;
+/// fill the balls it is 2.5, as it is of few points in one noisy sheet, and on noisy shapes with
+/// edges more.
+constexpr double largest_index_of_two_sheets = 2.4;
 
 /// The moments of the heights of points over a plane, up to the fourth.
 /// \tparam S a number, or lanes of numbers

@@ -56,8 +56,8 @@ constexpr int fewest_correlated_balls = 2;
 /// Of how many seeds the growth is looked at, at most.
 constexpr std::uint64_t most_seeds_of_growth = 4096;
 
-/// The noise, per radius, up to which a ball is flat, and from which it is filled.
-constexpr double largest_noise_of_flat_ball = 0.18, noise_of_filled_ball = 0.32;
+/// The noise, per radius, up to which a ball is flat; from twice as much on it is filled.
+constexpr double largest_noise_of_flat_ball = 0.16;
 
 /// How fast the field may change, per way: the balls of neighbors are to agree.
 constexpr double slope_of_scales = 0.1;
@@ -292,10 +292,7 @@ CGAL_L0_HOST_DEVICE double wanted_scale(const Team& team, const Morton_points& s
   // whole cloud would fill, tells nothing of it.
   const double left = at_least((4 * square(noises[0]) - square(noises[1])) / 3, 0.),
                flat = largest_noise_of_flat_ball * first_radius,
-               full = noise_of_filled_ball * first_radius,
-               filled = full > flat
-                          ? as_share((at_least(noises[0], usual.noise) - flat) / (full - flat))
-                          : 1;
+               filled = flat > 0 ? as_share(at_least(noises[0], usual.noise) / flat - 1) : 1;
   return wanted_radius(usual.spacing * reach / usual.reach,
                        std::sqrt((1 - filled) * left + filled * square(usual.noise)))
          * widening / usual.radius;

@@ -126,7 +126,7 @@ of a cell, as a `std::vector<Ball_of_points>`, which holds one at least
 template <typename LookAtBalls>
 Scales scales_of_growing_balls(double cell_size, const LookAtBalls& look_at_balls)
 {
-  const double fewest_points = 30, flat = 0.25, surely_flat = 0.15;
+  const double fewest_points = 30, surely_flat = 0.15;
   Scales scales{cell_size, 0};
   for (const int reach : {1, 2, 3, 4, 6, 8, 12, 16, 24, largest_reach_of_balls})
   {
@@ -149,8 +149,7 @@ Scales scales_of_growing_balls(double cell_size, const LookAtBalls& look_at_ball
       }
       return scales_of_balls(balls, radius);
     }
-    if (scales.noise < largest_deviation_of_sheet(median_count(balls)) * radius
-        && (scales.noise < flat * radius || index > least_index_of_one_sheet))
+    if (scales.noise < largest_deviation_of_sheet(median_count(balls)) * radius)
     {
       const Sheet_in_ball sheet = sheet_of_deviations(scales.noise / radius);
       return {scales.spacing * std::sqrt(sheet.share_of_points), sheet.noise * radius};
