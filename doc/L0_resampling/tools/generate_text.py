@@ -6,10 +6,10 @@
 """Writes what the manual quotes: generate_text.py DEFAULTS.json SOURCE_DIRECTORY OUTPUT_DIRECTORY
 
 - figures_of_the_code: Doxygen aliases, one for each default, constant and measured figure, such as
-  \\default_normal_weight, \\constant_pca_radius_factor, \\quality_fandisk_10_default_distance
+  \\default_normal_weight, \\constant_inner_radius_factor, \\quality_fandisk_10_default_distance
   (noise of 1.0 %) or \\speed_default_seconds;
 - formula_macros.tex: the same for formulas, where their names have letters only, such as
-  \\constantPcaRadiusFactor, as TeX knows no underscores;
+  \\constantInnerRadiusFactor, as TeX knows no underscores;
 - table_*.txt: the tables of the benchmarks, for \\include{doc}.
 
 DEFAULTS.json is what the program print_defaults prints.

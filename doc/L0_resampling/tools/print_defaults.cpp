@@ -64,7 +64,7 @@ void print_constants()
   std::cout << "  \"constant\": {";
   Object object;
   object.add("self_neighbor_radius_factor", self_neighbor_radius_factor);
-  object.add("pca_radius_factor", pca_radius_factor);
+  object.add("inner_radius_factor", inner_radius_factor);
   object.add("fewest_points_of_plane", fewest_points_of_plane);
   object.add("spatial_bandwidth_factor", spatial_bandwidth_factor);
   object.add("sparsity_unit_factor", sparsity_unit_factor);
@@ -74,7 +74,6 @@ void print_constants()
   object.add("largest_index_of_two_sheets", largest_index_of_two_sheets);
   object.add("default_filter_radius_factor", default_filter_radius_factor);
   object.add("fit_angle_factor", fit_angle_factor);
-  object.add("area_radius_factor", area_radius_factor);
   object.add("fit_bandwidth_factor", fit_bandwidth_factor);
   object.add("sheet_height_per_noise", sheet_height_per_noise);
   object.add("height_among_two_sheets", height_among_two_sheets);

@@ -57,9 +57,10 @@ struct Parameters
 /// The self neighbors of a sample lie within r_p/2 (Section 3.2).
 constexpr double self_neighbor_radius_factor = 0.5;
 
-/// PCA looks at a smaller ball than the filter: near an edge fewer points of the other side spoil
-/// the first normal, and noise is the filter's job.
-constexpr double pca_radius_factor = 0.7;
+/// First normals and areas are those of a ball of half the area: of r_p for PCA, as near an edge
+/// fewer points of the other side spoil the first normal, and noise is the filter's job; and of r_q
+/// for areas, as about as many points count there as count in Eq. (5), whose weights fall off.
+constexpr double inner_radius_factor = 0.7;
 
 /// A ball of fewer points determines no normal: through three noisy points a plane goes anywhere.
 constexpr unsigned fewest_points_of_plane = 6;
@@ -322,10 +323,6 @@ CGAL_L0_HOST_DEVICE inline float spreading_radius_of(double area, double largest
 }
 
 constexpr std::size_t number_of_repulsion_steps = 3;
-
-/// The disk whose points share its area, per r_q: as many count in it as count in Eq. (5), whose
-/// weights fall off.
-constexpr double area_radius_factor = 0.7;
 
 /// How the samples repel each other: the push of one from a neighbor at distance d is
 /// \f$ \mathrm{strength} \cdot d \, e^{-d^2 / \mathrm{squared\_bandwidth}} \f$, and the sum of all

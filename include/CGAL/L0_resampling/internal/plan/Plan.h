@@ -176,7 +176,7 @@ struct Plan
     return pass + number_of_refits >= number_of_filter_passes;
   }
 
-  double area_radius() const { return area_radius_factor * longest_query(); }
+  double area_radius() const { return inner_radius_factor * longest_query(); }
   /// Of the samples that repel each other; the largest, where each has its own.
   double spreading_radius() const
   {
@@ -218,7 +218,7 @@ inline Plan make_plan(const Parameters& parameters, const Facts& facts)
                       facts.box_diagonal)
         / radius,
       least_filter_radius_factor);
-  plan.pca_radius = pca_radius_factor * plan.radius;
+  plan.pca_radius = inner_radius_factor * plan.radius;
   // A radius far below the spacing would spread the cloud over more cells than a grid can number.
   plan.smallest_cell_size = std::ldexp(facts.robust_diagonal / radius, -18);
   // The balls of the filter reach one cell far, or two if they are the larger ones: cells as large
