@@ -14,6 +14,7 @@ print_defaults
 - Formulas use only macros that are generated; every figure exists and is used; every named
   parameter is explained.
 - The tests that the page of promises names exist, and tests run the examples that pages show.
+- The page of constants has a row for each.
 """
 
 import json
@@ -141,6 +142,12 @@ def snippets_without_test(name, page, run):
         yield f"{name} shows {example}, which no test runs"
 
 
+def constants_without_row(page, constants):
+    rows = re.findall(r"^<tr><td>\\constant_(\w+)</td><td>`(\w+)`:$", page, re.MULTILINE)
+    for name in sorted(constants.keys() - {alias for alias, shown in rows if alias == shown}):
+        yield f"Constants.txt has no row of {name}"
+
+
 def unknown_tests(page, tests):
     lists = "".join(path.read_text(encoding="utf-8") for path in tests.rglob("CMakeLists.txt"))
     for name in sorted(set(re.findall(r"`(test_\w+)`", page))):
@@ -176,6 +183,8 @@ def main():
                    *snippets_without_test(name, page, run)]
     errors += [f"the user manual does not explain {name}"
                for name in parameters if name not in pages["L0_resampling.txt"]]
+
+    errors += constants_without_row(pages["Constants.txt"], values["constant"])
 
     errors += unknown_tests(pages["Promises.txt"], source / "test" / "L0_resampling")
 
