@@ -109,7 +109,7 @@ void print_constants()
   object.add("beyond_doubt", beyond_doubt);
   object.add("clear_majority", clear_majority);
   object.add("least_certain_cosine", least_certain_cosine);
-  object.add("maximum_number_of_candidates", Local_points<float>::maximum_number_of_candidates);
+  object.add("maximum_number_of_candidates", maximum_number_of_candidates);
   std::cout << "\n  }\n";
 }
 

@@ -214,7 +214,7 @@ void refit_planes_of(const Workplace& workplace, const Cell_grid& grid, const un
 Scales estimate_scales(const Workplace& workplace, const Positions& positions,
                        const double (&low)[3], const double (&high)[3], double initial_radius)
 {
-  const double cell_size = initial_radius / 4; // as on the CPU
+  const double cell_size = cell_size_of_scales * initial_radius;
   const Arena_scope arena_scope(workplace.arena), scratch_scope(workplace.scratch);
   Cell_grid grid =
     build_grid(positions, nullptr,

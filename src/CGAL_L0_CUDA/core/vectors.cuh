@@ -73,8 +73,6 @@ struct Short_vector
 {
   unsigned long long bits;
 
-  __device__ static Short_vector zero() { return {0}; }
-
   __device__ static Short_vector of(float3 v)
   {
     const auto fixed = [](float x) {

@@ -183,8 +183,8 @@ __global__ void filter_normals_kernel(Cell_grid grid, Cell_blocks blocks, float 
     return;
   const double3 mean = to_double(sum);
   const double length = sqrt(dot(mean, mean));
-  filtered[query.index] = with_w(length > 1e-3 ? to_float((1 / length) * mean) : normal,
-                                 of_density);
+  filtered[query.index] = with_w(
+    length > least_length_of_mean_normal ? to_float((1 / length) * mean) : normal, of_density);
 }
 
 /// As `refitted_normal()` on the CPU.
@@ -276,7 +276,6 @@ std::size_t estimate_pca_normals(const Workplace& workplace, const Positions& po
                                  const Cell_grid& grid, const Cell_blocks& blocks, double radius,
                                  const unsigned* numbers_of_points, float4* normals)
 {
-  const int number_of_doublings = 10;
   // For so few points, and as long as there are not too many cells to look into, a coarser grid of
   // all points would cost more.
   const unsigned largest_number_of_single_queries = 10000;
@@ -306,7 +305,7 @@ std::size_t estimate_pca_normals(const Workplace& workplace, const Positions& po
 
   unsigned* const places = workplace.scratch.take<unsigned>(n);
   unsigned* const coarse_places = workplace.scratch.take<unsigned>(n);
-  for (int doubling = 1; doubling <= number_of_doublings && number_of_open > 0;
+  for (int doubling = 1; doubling <= number_of_radius_doublings && number_of_open > 0;
        ++doubling, number_of_open = list_flagged(is_degenerate, n, open, workplace.scratch, stream))
   {
     const double coarse_radius = std::ldexp(radius, doubling);

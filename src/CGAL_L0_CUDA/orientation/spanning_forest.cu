@@ -16,9 +16,6 @@ namespace cuda {
 
 namespace {
 
-// As on the CPU
-constexpr unsigned number_of_steps = 1024; // of how sure edges are
-
 constexpr unsigned short doubtful = 0xffff;
 
 /// Trees whose signs are fixed relative to each other.
@@ -64,7 +61,7 @@ __global__ void grade_edges(Graph graph, unsigned short* grades)
     const Wide edge = i * graph.k + e;
     const unsigned other = graph.nearest[edge];
     const float a = other != nobody ? agreement_of(graph, i, other) : 0;
-    const unsigned step = unsigned((1 - fminf(fabsf(a), 1.f)) * (number_of_steps - 1));
+    const unsigned step = step_of_agreement(a);
     grades[edge] = fabsf(a) >= float(beyond_doubt)
                      ? static_cast<unsigned short>(step << 1 | unsigned(a < 0))
                      : doubtful;

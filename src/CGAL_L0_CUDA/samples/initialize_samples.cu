@@ -296,8 +296,7 @@ __global__ void place_between_points(Positions positions, Cell_grid grid, Cell_b
   const float4* const normals = heritage.normals;
   const float3 normal = xyz(normals[source]);
   radius *= grid.scale(source);
-  const float unit = grid.frame.unit(), squared_radius = radius * radius,
-              similar_cosine = 0.87f; // as on the CPU
+  const float unit = grid.frame.unit(), squared_radius = radius * radius;
 
   Wide best = 0;
   unsigned partner = source;
@@ -305,7 +304,7 @@ __global__ void place_between_points(Positions positions, Cell_grid grid, Cell_b
     const float3 d = difference(point, center, unit);
     if (dot(d, d) >= squared_radius)
       return;
-    const Wide is_similar = fabsf(dot(normal, xyz(normals[j]))) > similar_cosine;
+    const Wide is_similar = fabsf(dot(normal, xyz(normals[j]))) > float(cosine_of_similar_normals);
     const Wide rank = (random_bits(seed + source, (number_before << 32) | j) >> 1)
                       | (is_similar << 63);
     if (rank <= best)

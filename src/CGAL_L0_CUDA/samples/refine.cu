@@ -8,6 +8,7 @@
 #include "driver/stages.cuh"
 
 #include <CGAL/L0_resampling/internal/kernels/Border_of_ball.h>
+#include <CGAL/L0_resampling/internal/kernels/Compatible_points.h>
 #include <CGAL/L0_resampling/internal/core/Parameters.h>
 #include <CGAL/L0_resampling/internal/core/weights.h>
 
@@ -21,29 +22,6 @@ namespace cuda {
 
 namespace {
 
-/// What the fit needs beside the points.
-struct Fit
-{
-  float radius, squared_bandwidth, normal_bandwidth, squared_sheet_height;
-  Border_of_ball border; // at scale 1
-
-  __device__ Fit scaled(float scale) const
-  {
-    Fit fit = *this;
-    fit.radius *= scale;
-    fit.squared_bandwidth *= scale * scale;
-    fit.squared_sheet_height *= scale * scale;
-    return fit;
-  }
-};
-
-/// What the points of a ball that agree with a normal add up to, as on the CPU.
-struct Compatible_points
-{
-  float all, weight, squared_weights, height, squared_heights;
-  float3 offset, normal;
-};
-
 /// The points around a sample, for the lanes that share it.
 struct Surroundings
 {
@@ -52,54 +30,42 @@ struct Surroundings
   const Cell_grid& grid;
   const Cell_blocks& blocks;
   const float4* normals;
-  const Fit& fit;
+  const Fit_kernel<float>& kernel;
+  float radius;
 
   /// \param visit called with the place of each point relative to the sample, its normal, and its
-  /// scale in the ball
+  /// scale in the ball, and before the normal the square of the distance
   template <typename Visit>
   __device__ void for_each(const Visit& visit) const
   {
-    const float unit = grid.frame.unit(), squared_radius = fit.radius * fit.radius;
-    for_each_candidate(grid, blocks, center, query.lane, fit.radius,
+    const float unit = grid.frame.unit();
+    for_each_candidate(grid, blocks, center, query.lane, radius,
                        [&](unsigned j, const int4& point) {
                          const float3 d = difference(point, center, unit);
                          const float4 other = normals[j];
-                         visit(d, xyz(other), share_in_ball(dot(d, d), squared_radius) * other.w);
+                         const float squared_distance = dot(d, d);
+                         visit(d, squared_distance, xyz(other),
+                               share_in_ball(squared_distance, kernel.squared_radius) * other.w);
                        });
   }
 
-  __device__ Compatible_points sum_compatible_points(const float3& normal,
-                                                     float squared_sheet_height) const
+  /// \param own_kernel that of the ball, but for the height of the sheet
+  __device__ Compatible_points<double> sum_compatible_points(
+    const float3& normal, const Fit_kernel<float>& own_kernel) const
   {
-    Compatible_points sums = {0, 0, 0, 0, 0, {0, 0, 0}, {0, 0, 0}};
-    for_each([&](const float3& d, const float3& other, float scale) {
-      const float cosine = dot(other, normal), sign = with_sign_of(cosine, 1.f);
-      const float h = symmetric_height(dot(d, normal), sign * dot(d, other));
-      const float weight = scale
-                           * sheet_weight(dot(d, d), fit.squared_bandwidth, cosine,
-                                          fit.normal_bandwidth, h, squared_sheet_height);
-      sums.all += scale;
-      sums.weight += weight;
-      sums.squared_weights += weight * weight;
-      sums.height += weight * h;
-      sums.squared_heights += weight * h * h;
-      sums.offset += weight * d;
-      sums.normal += (sign * weight) * other;
+    Compatible_points<float> sums;
+    for_each([&](const float3& d, float squared_distance, const float3& other, float scale) {
+      sums.add(d.x, d.y, d.z, squared_distance, other.x, other.y, other.z, scale, normal.x,
+               normal.y, normal.z, own_kernel);
     });
-    return {group_sum<lanes>(sums.all),
-            group_sum<lanes>(sums.weight),
-            group_sum<lanes>(sums.squared_weights),
-            group_sum<lanes>(sums.height),
-            group_sum<lanes>(sums.squared_heights),
-            group_sum<lanes>(sums.offset),
-            group_sum<lanes>(sums.normal)};
+    return sums.transformed<double>([](float sum) { return group_sum<lanes>(sum); });
   }
 
   __device__ float3 normal_of_most(const float3& own, double weight_of_own) const
   {
     Moments moments;
-    for_each([&](const float3& d, const float3& other, float scale) {
-      moments.add(other, scale * gaussian_weight(dot(d, d), fit.squared_bandwidth));
+    for_each([&](const float3&, float squared_distance, const float3& other, float scale) {
+      moments.add(other, scale * gaussian_weight(squared_distance, kernel.squared_bandwidth));
     });
     moments.sum_over_group<lanes>();
     Plane_moments<double> all = moments.all();
@@ -111,24 +77,22 @@ struct Surroundings
 /// The fit of the default method, as `fit_compatible_points()` on the CPU, which says why.
 /// \param number_of_lonely in and out, if not null: the samples without compatible points add up
 __global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_blocks blocks,
-                            Cell_grid grid, const float4* normals, Fit fit_of_one, Samples samples,
+                            Cell_grid grid, const float4* normals, Fit_kernel<float> kernel_of_one,
+                            float radius, Border_of_ball border, Samples samples,
                             unsigned* number_of_lonely)
 {
   const Query query(samples.size);
   const int4 center = sample_grid.points[query.index];
   const unsigned i = order ? order[query.index] : query.index;
   const float scale = samples.scale(i);
-  const Fit fit = fit_of_one.scaled(scale);
-  const Surroundings surroundings = {query, center, grid, blocks, normals, fit};
+  const Fit_kernel<float> kernel = kernel_of_one.scaled(scale);
+  const Surroundings surroundings = {query, center, grid, blocks, normals, kernel, scale * radius};
   float3 normal = xyz(samples.normals[i]);
-  Compatible_points sums = surroundings.sum_compatible_points(normal, fit.squared_sheet_height);
-  const Unsupported_sample support(sums.weight, sums.all, fit.squared_sheet_height,
-                                   fit.radius * fit.radius);
-  const double sheet_height =
-    support.is_unsupported ? support.squared_sheet_height
-                           : squared_sheet_height_among(fit.squared_sheet_height,
-                                                        weighted_variance(sums.weight, sums.height,
-                                                                          sums.squared_heights));
+  Compatible_points<double> sums = surroundings.sum_compatible_points(normal, kernel);
+  const Unsupported_sample support(sums.weight, sums.all, kernel.squared_sheet_height,
+                                   kernel.squared_radius);
+  const double sheet_height = squared_height_of_second_look(support, sums,
+                                                            kernel.squared_sheet_height);
   // the lanes of a warp add up together
   if (__any_sync(0xffffffffu, support.is_unsupported))
   {
@@ -136,42 +100,29 @@ __global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_b
     if (support.is_unsupported)
       normal = normal_of_most;
   }
-  if (__any_sync(0xffffffffu, sheet_height != fit.squared_sheet_height))
-    sums = surroundings.sum_compatible_points(normal, float(sheet_height));
+  if (__any_sync(0xffffffffu, sheet_height != kernel.squared_sheet_height))
+  {
+    Fit_kernel<float> own_kernel = kernel;
+    own_kernel.squared_sheet_height = float(sheet_height);
+    sums = surroundings.sum_compatible_points(normal, own_kernel);
+  }
   if (!query.writes)
     return;
 
-  const double total = sums.weight;
-  samples.outward[i] = Short_vector::zero();
-  if (
-    !(total
-      // no compatible points: the sample is drawn to where it was last fitted, and keeps its normal
-      > 1e-3))
+  const Fit_of_sample fit(sums, {normal.x, normal.y, normal.z}, border, scale);
+  samples.outward[i] = Short_vector::of(to_float(fit.outward));
+  if (!fit.has_points)
   {
+    // the sample is drawn to where it was last fitted, and keeps its normal
     samples.fit[i].w = 1;
     samples.normals[i].w = 0;
     if (number_of_lonely)
       atomicAdd(number_of_lonely, 1u);
     return;
   }
-  const double3 old_normal = to_double(normal), mean = (1 / total) * to_double(sums.offset);
-  const double3 offset = mean - dot(old_normal, mean) * old_normal;
-  const double distance = sqrt(dot(offset, offset));
-  double3 to_centroid = (sums.height / total) * old_normal;
-  const double way_back = scale * fit.border.way_back(distance / scale);
-  if (way_back > 0)
-    to_centroid = to_centroid + (way_back / distance) * offset;
-  samples.fit[i] = with_w(to_float(to_centroid), float(total));
-  const double held_back = fit.border.share_held_back(distance / scale);
-  if (held_back > 0)
-    samples.outward[i] = Short_vector::of(to_float((-sqrt(held_back) / distance) * offset));
-  const double3 mean_normal = to_double(sums.normal);
-  const double length = sqrt(dot(mean_normal, mean_normal));
-  const float3 new_normal = length > 1e-3 * total ? to_float((1 / length) * mean_normal)
-                                                  : xyz(samples.normals[i]);
-  samples.normals[i] =
-    with_w(new_normal,
-           float(variance_of_mean(total, sums.squared_weights, sums.height, sums.squared_heights)));
+  samples.fit[i] = with_w(to_float(fit.to_centroid), float(sums.weight));
+  samples.normals[i] = with_w(fit.has_new_normal ? to_float(fit.normal) : xyz(samples.normals[i]),
+                              float(fit.variance));
 }
 
 /// `Repulsion` in `float`.
@@ -259,11 +210,11 @@ void fit_compatible_points(const Workplace& workplace, const Cell_grid& sample_g
                            unsigned* number_of_lonely)
 {
   const double bandwidth = fit_bandwidth_factor * radius;
-  const Fit fit = {float(radius), float(bandwidth * bandwidth), float(normal_bandwidth),
-                   float(squared_sheet_height), Border_of_ball(radius, bandwidth)};
+  const Fit_kernel<float> kernel = {float(radius * radius), float(bandwidth * bandwidth),
+                                    float(normal_bandwidth), float(squared_sheet_height)};
   fit_samples<<<blocks_for_queries(samples.size), threads_per_block, 0, workplace.stream>>>(
-    sample_grid, is_in_order ? nullptr : sample_grid.order, blocks, grid, normals, fit, samples,
-    number_of_lonely);
+    sample_grid, is_in_order ? nullptr : sample_grid.order, blocks, grid, normals, kernel,
+    float(radius), Border_of_ball(radius, bandwidth), samples, number_of_lonely);
   check_launch("fit_samples");
 }
 

@@ -221,12 +221,12 @@ void collapse_fit_term(const Workplace& workplace, const Cell_grid& sample_grid,
 Neighbor_lists find_self_neighbors(const Workplace& workplace, const Cell_grid& grid,
                                    const Range_of_pairs& range_of)
 {
-  const unsigned limit = 1024; // as on the CPU
   const cudaStream_t stream = workplace.stream;
   const unsigned m = grid.size, thread_blocks = blocks_for_queries(m);
   Neighbor_lists lists;
   const Arena_scope scope(workplace.scratch);
-  const Cell_blocks blocks = find_blocks(grid, grid, 1, limit, workplace.scratch, stream);
+  const Cell_blocks blocks = find_blocks(grid, grid, 1, maximum_number_of_self_candidates,
+                                         workplace.scratch, stream);
   unsigned* const offsets = workplace.scratch.take<unsigned>(std::size_t(m) + 1);
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(offsets + m, 0, sizeof(unsigned), stream));
   const Device_counter<Wide> total_count(workplace);

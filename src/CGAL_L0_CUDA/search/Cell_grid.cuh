@@ -248,9 +248,6 @@ constexpr int lanes = 4;
 /// Of a shorter row of cells all points are looked at, which takes less time than two searches.
 constexpr unsigned shortest_searched_row = 48;
 
-/// What `Local_points` holds at most.
-constexpr unsigned maximum_number_of_candidates = 4096;
-
 /// The first of the keys that is not below `key`.
 __device__ inline unsigned lower_bound(const Key* keys, unsigned size, Key key)
 {

@@ -68,7 +68,7 @@ void check_balls(const std::vector<Vector>& query_points, const std::vector<Vect
 /// fewer.
 void check_thinning(Generator& generator)
 {
-  const std::size_t limit = Local_points<float>::maximum_number_of_candidates;
+  const std::size_t limit = maximum_number_of_candidates;
   std::vector<Vector> crowd(20000, Vector(0.5, 0.5, 0.5));
   for (Vector& p : crowd)
     p += 0.1 * random_unit_vector(generator);

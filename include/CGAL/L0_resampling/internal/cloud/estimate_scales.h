@@ -76,7 +76,7 @@ template <typename ConcurrencyTag, typename T, typename IsCore>
 Scales estimate_scales(const Buffer<Vector>& unsorted_points, double initial_radius,
                        const IsCore& is_core, Progress& progress)
 {
-  const double cell_size = 0.25;
+  const double cell_size = cell_size_of_scales;
   Buffer<Vector> points = copy_of(unsorted_points);
   Working_frame::divide<ConcurrencyTag>(initial_radius, points);
   apply_order(Search_grid_3::sorted_order<ConcurrencyTag>(points, cell_size), points);

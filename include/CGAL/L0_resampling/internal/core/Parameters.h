@@ -201,6 +201,26 @@ CGAL_L0_HOST_DEVICE inline double squared_sheet_height_among(double squared_shee
   return squared_sheet_height * (1 - t * (1 - height_among_two_sheets * height_among_two_sheets));
 }
 
+/// Fewer points do not count as compatible: a sample with less weight of them is lonely.
+constexpr double least_weight_of_compatible_points = 1e-3;
+
+/// A weighted mean of unit normals that is shorter has no direction.
+constexpr double least_length_of_mean_normal = 1e-3;
+
+/// Cosine of the angle between similar normals: 30 degrees, what survives bilateral filtering on
+/// one side of an edge.
+constexpr double cosine_of_similar_normals = 0.87;
+
+/// A ball whose points have no plane becomes twice as large for PCA, up to so many times.
+constexpr int number_of_radius_doublings = 10;
+
+/// Where more points share a block of cells, balls are made of some of them. Well above what any
+/// sensible radius gathers: the paper's, at ten million points, gathers about 600.
+constexpr unsigned maximum_number_of_candidates = 4096;
+
+/// Where more samples share a block of cells, each looks for its self neighbors in a smaller ball.
+constexpr unsigned maximum_number_of_self_candidates = 1024;
+
 /// A sample is unsupported if the points that agree with it weigh less than this share of those in
 /// its ball, and begins to be at twice as much. On a face it is a quarter, at an edge an eighth.
 constexpr double share_of_unsupported = 0.04;

@@ -32,6 +32,16 @@ struct Eigen_decomposition
   Triple smallest_vector; // of unit length, of any sign
 };
 
+CGAL_L0_HOST_DEVICE inline Triple operator+(const Triple& a, const Triple& b)
+{
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
+CGAL_L0_HOST_DEVICE inline Triple operator*(double factor, const Triple& v)
+{
+  return {factor * v.x, factor * v.y, factor * v.z};
+}
+
 CGAL_L0_HOST_DEVICE inline double dot(const Triple& a, const Triple& b)
 {
   return a.x * b.x + a.y * b.y + a.z * b.z;
@@ -44,8 +54,7 @@ CGAL_L0_HOST_DEVICE inline Triple cross(const Triple& a, const Triple& b)
 
 CGAL_L0_HOST_DEVICE inline Triple normalized(const Triple& v)
 {
-  const double inverse = 1 / std::sqrt(dot(v, v));
-  return {inverse * v.x, inverse * v.y, inverse * v.z};
+  return 1 / std::sqrt(dot(v, v)) * v;
 }
 
 CGAL_L0_HOST_DEVICE inline Triple multiply(const Symmetric_matrix& a, const Triple& v)

@@ -22,6 +22,14 @@ constexpr double beyond_doubt = 0.98;
 /// The votes between two sets of samples are clear if one side is ahead by this share of all.
 constexpr double clear_majority = 0.5;
 
+/// How sure an edge is, 0 for the surest, in steps of 1/1024, which is all that a spanning forest
+/// of noisy normals needs.
+CGAL_L0_HOST_DEVICE inline unsigned step_of_agreement(float agreement)
+{
+  const unsigned number_of_steps = 1024;
+  return unsigned((1 - at_most(std::abs(agreement), 1.f)) * (number_of_steps - 1));
+}
+
 /// How often points are turned whose neighbors outvote them. Those that turn change the votes on
 /// others; the third time hardly any does.
 constexpr int sweeps_over_outvoted = 3;

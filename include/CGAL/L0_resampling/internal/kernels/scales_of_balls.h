@@ -105,6 +105,7 @@ inline Scales scales_of_balls(const std::vector<Ball_of_points>& balls, double r
 }
 
 constexpr std::size_t number_of_balls = 1000; // about
+constexpr double cell_size_of_scales = 0.25;  // in the radius that is guessed first
 constexpr int largest_reach_of_balls = 32;    // in cells
 
 /*!

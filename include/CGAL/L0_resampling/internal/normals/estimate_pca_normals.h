@@ -71,7 +71,6 @@ std::size_t estimate_pca_normals(const Search_grid_3& grid, const Buffer<Vector>
                                  const Buffer<Index>& numbers_of_points, double radius,
                                  Progress& progress, Buffer<Eigen::Matrix<T, 3, 1>>& normals)
 {
-  const int number_of_doublings = 10;
   Buffer<unsigned char> is_degenerate(points.size(), 0, points.get_allocator());
   std::atomic<std::size_t> number_of_degenerate{0};
   const auto make_visitor = [&]() {
@@ -106,7 +105,7 @@ std::size_t estimate_pca_normals(const Search_grid_3& grid, const Buffer<Vector>
     open.push_back(Index(i));
     number_in_input += numbers_of_points.empty() ? 1 : numbers_of_points[i];
   });
-  for (int doubling = 1; doubling <= number_of_doublings && !open.empty(); ++doubling)
+  for (int doubling = 1; doubling <= number_of_radius_doublings && !open.empty(); ++doubling)
   {
     const double larger_radius = std::ldexp(radius, doubling);
     const int farthest_reach =

@@ -37,7 +37,9 @@ Eigen::Matrix<T, 3, 1> direction_of_sum(const Eigen::Vector3d& sum,
                                         const Eigen::Matrix<T, 3, 1>& normal)
 {
   const double length = sum.norm();
-  return length > 1e-3 ? Eigen::Matrix<T, 3, 1>((sum / length).template cast<T>()) : normal;
+  return length > least_length_of_mean_normal
+           ? Eigen::Matrix<T, 3, 1>((sum / length).template cast<T>())
+           : normal;
 }
 
 /// Eq. (1) for one point: the mean of the normals in its ball by position and by similarity to its

@@ -19,14 +19,6 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// How sure an edge is, 0 for the surest, in steps of 1/1024, which is all that a spanning forest
-/// of noisy normals needs.
-inline unsigned step_of_edge(const Edge& e)
-{
-  const unsigned number_of_steps = 1024;
-  return unsigned((1 - (std::min)(std::abs(e.agreement), 1.f)) * (number_of_steps - 1));
-}
-
 /// The edges beyond doubt from one set to another, between the representatives of the sets.
 template <typename ConcurrencyTag>
 Buffer<Edge> sure_edges_between_sets(const Buffer<Edge>& edges, const Signed_union_find& sets)
@@ -82,7 +74,9 @@ Signed_union_find grow_forest(const Buffer<Edge>& edges, Signed_union_find sets)
                       [&](std::size_t e) { surest[outer[e].i] = surest[outer[e].k] = none; });
     for_each_in_order(outer.size(), [&](std::size_t e) {
       for (const Index set : {outer[e].i, outer[e].k})
-        if (surest[set] == none || step_of_edge(outer[e]) < step_of_edge(outer[surest[set]]))
+        if (surest[set] == none
+            || step_of_agreement(outer[e].agreement)
+                 < step_of_agreement(outer[surest[set]].agreement))
           surest[set] = e;
     });
     for_each_in_order(outer.size(), [&](std::size_t e) {

@@ -7,6 +7,7 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_FIT_COMPATIBLE_POINTS_H
 
 #include <CGAL/L0_resampling/internal/kernels/Border_of_ball.h>
+#include <CGAL/L0_resampling/internal/kernels/Compatible_points.h>
 #include <CGAL/L0_resampling/internal/normals/Local_normals.h>
 #include <CGAL/L0_resampling/internal/core/Parameters.h>
 #include <CGAL/L0_resampling/internal/kernels/Plane_moments.h>
@@ -37,76 +38,26 @@ struct Fit_input
   double normal_bandwidth;          ///< \f$ (1 - \cos\sigma_n)^2 \f$
 };
 
-/// What weighs the points of a ball.
-template <typename T>
-struct Fit_kernel
-{
-  T squared_radius, squared_bandwidth, normal_bandwidth, squared_sheet_height;
-
-  Fit_kernel scaled(T scale) const
-  {
-    const T s = scale * scale;
-    return {squared_radius * s, squared_bandwidth * s, normal_bandwidth, squared_sheet_height * s};
-  }
-};
-
-/// Sums over the points of a ball.
-struct Compatible_points
-{
-  double all;             ///< \f$ \sum_j 1/v_j \f$
-  double weight;          ///< \f$ \sum_j w_j \f$
-  double squared_weights; ///< \f$ \sum_j w_j^2 \f$
-  double height;          ///< \f$ \sum_j w_j h_{ij} \f$
-  double squared_heights; ///< \f$ \sum_j w_j h_{ij}^2 \f$
-  Vector offset;          ///< \f$ \sum_j w_j (q_j - p_i) \f$
-  Vector normal;          ///< \f$ \sum_j w_j n_j \f$, turned to the side of \f$ n_i \f$
-};
-
 /// \param scales \f$ 1/v_j \f$ of the candidates
 template <typename T>
-Compatible_points sum_compatible_points(const Eigen::Matrix<T, 3, 1>& center,
-                                        const Eigen::Matrix<T, 3, 1>& normal,
-                                        const Local_points<T>& candidates,
-                                        const Local_normals<T>& normals,
-                                        const Aligned_vector<T>& scales,
-                                        const Fit_kernel<T>& kernel)
+Compatible_points<double> sum_compatible_points(const Eigen::Matrix<T, 3, 1>& center,
+                                                const Eigen::Matrix<T, 3, 1>& normal,
+                                                const Local_points<T>& candidates,
+                                                const Local_normals<T>& normals,
+                                                const Aligned_vector<T>& scales,
+                                                const Fit_kernel<T>& kernel)
 {
   using L = Lanes<T>;
-  L all, sum, squared_weights, height, squared_heights, x, y, z, mean_nx, mean_ny, mean_nz;
+  Compatible_points<L> sums;
   candidates.for_each_run_in_ball(
     center, kernel.squared_radius, [&](std::size_t k, const L& squared_distance) {
-      const L dx = L::load(&candidates.x[k]) - center[0];
-      const L dy = L::load(&candidates.y[k]) - center[1];
-      const L dz = L::load(&candidates.z[k]) - center[2];
-      const L nx = L::load(&normals.x[k]), ny = L::load(&normals.y[k]), nz = L::load(&normals.z[k]);
-      const L cosine = nx * normal[0] + ny * normal[1] + nz * normal[2];
-      const L sign = with_sign_of(cosine, L(T(1)));
-      const L h = symmetric_height(dx * normal[0] + dy * normal[1] + dz * normal[2],
-                                   sign * (dx * nx + dy * ny + dz * nz));
-      const L scale = share_in_ball(squared_distance, kernel.squared_radius) * L::load(&scales[k]);
-      const L weight = scale
-                       * sheet_weight(squared_distance, kernel.squared_bandwidth, cosine,
-                                      kernel.normal_bandwidth, h, kernel.squared_sheet_height);
-      const L signed_weight = sign * weight;
-      all += scale;
-      sum += weight;
-      squared_weights += weight * weight;
-      height += weight * h;
-      squared_heights += weight * h * h;
-      x += weight * dx;
-      y += weight * dy;
-      z += weight * dz;
-      mean_nx += signed_weight * nx;
-      mean_ny += signed_weight * ny;
-      mean_nz += signed_weight * nz;
+      sums.add(L::load(&candidates.x[k]) - center[0], L::load(&candidates.y[k]) - center[1],
+               L::load(&candidates.z[k]) - center[2], squared_distance, L::load(&normals.x[k]),
+               L::load(&normals.y[k]), L::load(&normals.z[k]),
+               share_in_ball(squared_distance, kernel.squared_radius) * L::load(&scales[k]),
+               normal[0], normal[1], normal[2], kernel);
     });
-  return {all.sum(),
-          sum.sum(),
-          squared_weights.sum(),
-          height.sum(),
-          squared_heights.sum(),
-          Vector(x.sum(), y.sum(), z.sum()),
-          Vector(mean_nx.sum(), mean_ny.sum(), mean_nz.sum())};
+  return sums.template transformed<double>([](const L& lanes) { return lanes.sum(); });
 }
 
 /// The unit normal that most of the points of a ball agree with, of any sign, and the sample's own:
@@ -190,17 +141,14 @@ std::size_t fit_compatible_points(const Fit_input<T>& input, Progress& progress,
           return sum_compatible_points<T>(center, old_normal.cast<T>(), candidates, normals, scales,
                                           own_kernel);
         };
-        Compatible_points sums = sums_with(kernel);
+        Compatible_points<double> sums = sums_with(kernel);
         const Unsupported_sample support(sums.weight, sums.all, squared_sheet_height,
                                          squared_radius);
-        double own_sheet_height = support.squared_sheet_height;
+        const double own_sheet_height = squared_height_of_second_look(support, sums,
+                                                                      squared_sheet_height);
         if (support.is_unsupported)
           old_normal = normal_of_most(center, old_normal, support.weight_of_own_normal, candidates,
                                       normals, scales, kernel);
-        else
-          own_sheet_height = squared_sheet_height_among(squared_sheet_height,
-                                                        weighted_variance(sums.weight, sums.height,
-                                                                          sums.squared_heights));
         if (own_sheet_height != squared_sheet_height)
         {
           Fit_kernel<T> own_kernel = kernel;
@@ -208,32 +156,21 @@ std::size_t fit_compatible_points(const Fit_input<T>& input, Progress& progress,
           sums = sums_with(own_kernel);
         }
 
-        const double total = sums.weight;
-        samples.outward_directions[i].setZero();
-        if (!(total > 1e-3))
+        const Fit_of_sample fit(sums, {old_normal.x(), old_normal.y(), old_normal.z()}, border,
+                                scale);
+        const auto vector_of = [](const Triple& v) { return Vector(v.x, v.y, v.z); };
+        samples.outward_directions[i] = vector_of(fit.outward).template cast<FT>();
+        samples.fit_variances[i] = FT(fit.variance);
+        if (!fit.has_points)
         {
           ++number_of_lonely_samples;
           samples.fit_weights[i] = 1;
-          samples.fit_variances[i] = 0;
           continue;
         }
-        samples.fit_weights[i] = FT(total);
-        samples.fit_variances[i] = FT(
-          variance_of_mean(total, sums.squared_weights, sums.height, sums.squared_heights));
-        samples.fit_centroids[i] = samples.positions[i];
-        const Vector mean = sums.offset / total;
-        const Vector offset = mean - old_normal.dot(mean) * old_normal;
-        const double distance = offset.norm();
-        samples.fit_centroids[i] += (sums.height / total) * old_normal;
-        const double way_back = scale * border.way_back(distance / scale);
-        if (way_back > 0)
-          samples.fit_centroids[i] += (way_back / distance) * offset;
-        const double held_back = border.share_held_back(distance / scale);
-        if (held_back > 0)
-          samples.outward_directions[i] =
-            (-std::sqrt(held_back) / distance * offset).template cast<FT>();
-        if (sums.normal.norm() > 1e-3 * total)
-          samples.normals[i] = sums.normal.normalized().template cast<FT>();
+        samples.fit_weights[i] = FT(sums.weight);
+        samples.fit_centroids[i] = samples.positions[i] + vector_of(fit.to_centroid);
+        if (fit.has_new_normal)
+          samples.normals[i] = vector_of(fit.normal).template cast<FT>();
       }
     };
   };

@@ -53,8 +53,6 @@ void move_between_points(const Search_grid_3& grid, const Buffer<Vector>& points
   const Buffer<Vector> starts = copy_of(samples.positions);
   const Buffer<float> start_scales = listed_scales(grid.scales(), samples.sources);
   const Search_grid_3 start_grid(starts, Cell_sizes(grid.cell_size(), start_scales));
-  const T similar_cosine = T(
-    0.87); // 30 degrees, what survives bilateral filtering on one side of an edge
 
   const auto make_visitor = [&]() {
     return [&](Search_grid_3::Range queries, const Local_points<T>& candidates,
@@ -77,7 +75,8 @@ void move_between_points(const Search_grid_3& grid, const Buffer<Vector>& points
             Eigen::Matrix<T, 3, 1>(candidates.x[k], candidates.y[k], candidates.z[k]) - center;
           if (d.squaredNorm() >= T(square(radius * start_grid.scale(e))) || points[j] == starts[e])
             continue;
-          const bool is_similar = std::abs(normals[source].dot(normals[j])) > similar_cosine;
+          const bool is_similar = std::abs(normals[source].dot(normals[j]))
+                                  > T(cosine_of_similar_normals);
           const std::uint64_t rank = (random_bits(seed + source, (number << 32) | j) >> 1)
                                      | (std::uint64_t(is_similar) << 63);
           if (rank > best)

@@ -55,7 +55,7 @@ struct Range_of_pairs
 /*!
 Finds, for each sample, the other samples within the range of the pair, ascending and symmetric.
 
-Where more than `maximum_number_of_candidates` samples share a block of cells, a sample keeps those
+Where more than `maximum_number_of_self_candidates` samples share a block of cells, a sample keeps those
 whose index equals its own modulo a power of two, the larger one of the two samples', which keeps
 the lists symmetric and bounds their length.
 
@@ -63,7 +63,6 @@ the lists symmetric and bounds their length.
 class Self_neighbor_search
 {
   using Ranges = std::vector<Search_grid_3::Range>;
-  static constexpr std::size_t maximum_number_of_candidates = 1024;
   static constexpr Index queries_per_look = 1024; ///< at the caller, in a cell of any number
 
   const Search_grid_3& m_grid;
@@ -83,7 +82,7 @@ public:
     for_each_cell_block<ConcurrencyTag>(grid, grid, 1, progress, [&]() {
       return [&](Index cell, const Ranges&, std::size_t count) {
         Index stride = 1;
-        while (count / stride > maximum_number_of_candidates)
+        while (count / stride > maximum_number_of_self_candidates)
           stride *= 2;
         const Search_grid_3::Range queries = grid.points_of_cell(cell);
         std::fill(m_strides.begin() + queries.first, m_strides.begin() + queries.second, stride);

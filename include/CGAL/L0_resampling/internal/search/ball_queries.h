@@ -6,6 +6,7 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_BALL_QUERIES_H
 #define CGAL_L0_RESAMPLING_INTERNAL_BALL_QUERIES_H
 
+#include <CGAL/L0_resampling/internal/core/Parameters.h>
 #include <CGAL/L0_resampling/internal/core/Progress.h>
 #include <CGAL/L0_resampling/internal/search/Search_grid_3.h>
 #include <CGAL/L0_resampling/internal/core/lanes.h>
@@ -42,10 +43,6 @@ template <typename T>
 class Local_points
 {
 public:
-  /// Well above what any sensible radius gathers: the paper's, at ten million points, gathers about
-  /// 600.
-  static constexpr std::size_t maximum_number_of_candidates = 4096;
-
   Aligned_vector<T> x, y, z;
   std::vector<Index> indices; ///< of the points, without the padding
   Index stride = 1;           ///< s: every s-th point was taken
@@ -267,8 +264,7 @@ bool has_plain_blocks_only(const Search_grid_3& grid, int reach)
                     for_each_cell_of_row(
                       grid, r, cursor, ranges, [&](Index cell, const auto&, std::size_t count) {
                         number_of_others += grid.is_unbounded(cell)
-                                            || count
-                                                 > Local_points<T>::maximum_number_of_candidates;
+                                            || count > maximum_number_of_candidates;
                       });
                   return number_of_others;
                 });

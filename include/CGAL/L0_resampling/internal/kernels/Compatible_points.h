@@ -1,0 +1,156 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_COMPATIBLE_POINTS_H
+#define CGAL_L0_RESAMPLING_INTERNAL_COMPATIBLE_POINTS_H
+
+#include <CGAL/L0_resampling/internal/core/Parameters.h>
+#include <CGAL/L0_resampling/internal/core/symmetric_eigen.h>
+#include <CGAL/L0_resampling/internal/core/weights.h>
+#include <CGAL/L0_resampling/internal/kernels/Border_of_ball.h>
+
+#include <cmath>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/// What weighs the points of a ball around a sample.
+/// \tparam T a floating-point number
+template <typename T>
+struct Fit_kernel
+{
+  T squared_radius, squared_bandwidth;
+  T normal_bandwidth;     ///< \f$ (1 - \cos\sigma_n)^2 \f$
+  T squared_sheet_height; ///< \f$ H^2 \f$
+
+  CGAL_L0_HOST_DEVICE Fit_kernel scaled(T scale) const
+  {
+    const T s = scale * scale;
+    return {squared_radius * s, squared_bandwidth * s, normal_bandwidth, squared_sheet_height * s};
+  }
+};
+
+/// Sums over the points of a ball, each with the weight
+/// \f$ w_j = \theta \psi e^{-h_{ij}^2/H^2} / v_j \f$.
+/// \tparam S a number, or lanes of numbers
+template <typename S>
+struct Compatible_points
+{
+  S all = S();                    ///< \f$ \sum_j \theta / v_j \f$
+  S weight = S();                 ///< \f$ \sum_j w_j \f$
+  S squared_weights = S();        ///< \f$ \sum_j w_j^2 \f$
+  S height = S();                 ///< \f$ \sum_j w_j h_{ij} \f$
+  S squared_heights = S();        ///< \f$ \sum_j w_j h_{ij}^2 \f$
+  S x = S(), y = S(), z = S();    ///< \f$ \sum_j w_j (q_j - p_i) \f$
+  S nx = S(), ny = S(), nz = S(); ///< \f$ \sum_j w_j n_j \f$, turned to the side of \f$ n_i \f$
+
+  /// \param dx, dy, dz \f$ q_j - p_i \f$
+  /// \param squared_distance of the two
+  /// \param px, py, pz \f$ n_j \f$
+  /// \param scale \f$ \theta / v_j \f$ for the cut at the radius, 0 outside of the ball
+  /// \param normal_x, normal_y, normal_z \f$ n_i \f$
+  template <typename T>
+  CGAL_L0_HOST_DEVICE void add(const S& dx, const S& dy, const S& dz, const S& squared_distance,
+                               const S& px, const S& py, const S& pz, const S& scale, T normal_x,
+                               T normal_y, T normal_z, const Fit_kernel<T>& kernel)
+  {
+    const S cosine = px * normal_x + py * normal_y + pz * normal_z;
+    const S sign = with_sign_of(cosine, S(T(1)));
+    const S h = symmetric_height(dx * normal_x + dy * normal_y + dz * normal_z,
+                                 sign * (dx * px + dy * py + dz * pz));
+    const S w = scale
+                * sheet_weight(squared_distance, kernel.squared_bandwidth, cosine,
+                               kernel.normal_bandwidth, h, kernel.squared_sheet_height);
+    const S signed_weight = sign * w;
+    all += scale;
+    weight += w;
+    squared_weights += w * w;
+    height += w * h;
+    squared_heights += w * h * h;
+    x += w * dx;
+    y += w * dy;
+    z += w * dz;
+    nx += signed_weight * px;
+    ny += signed_weight * py;
+    nz += signed_weight * pz;
+  }
+
+  /// The same sums as other numbers, such as those of all lanes.
+  template <typename S2, typename F>
+  CGAL_L0_HOST_DEVICE Compatible_points<S2> transformed(const F& f) const
+  {
+    return {S2(f(all)),
+            S2(f(weight)),
+            S2(f(squared_weights)),
+            S2(f(height)),
+            S2(f(squared_heights)),
+            S2(f(x)),
+            S2(f(y)),
+            S2(f(z)),
+            S2(f(nx)),
+            S2(f(ny)),
+            S2(f(nz))};
+  }
+};
+
+/// The sheet in which a sample looks a second time for its points: as high as others for one that
+/// is unsupported, and lower where points scatter more than those of one sheet.
+CGAL_L0_HOST_DEVICE inline double squared_height_of_second_look(
+  const Unsupported_sample& support, const Compatible_points<double>& sums,
+  double squared_sheet_height)
+{
+  return support.is_unsupported
+           ? support.squared_sheet_height
+           : squared_sheet_height_among(squared_sheet_height,
+                                        weighted_variance(sums.weight, sums.height,
+                                                          sums.squared_heights));
+}
+
+/// What the points of its ball make of a sample.
+struct Fit_of_sample
+{
+  bool has_points;     ///< else nothing of the others holds
+  double variance;     ///< of the mean height
+  Triple to_centroid;  ///< \f$ c_i - p_i \f$
+  Triple outward;      ///< as long as the root of the share that is held back
+  bool has_new_normal; ///< whether the mean of the normals has a direction
+  Triple normal;       ///< that direction
+
+  /// \param normal \f$ n_i \f$ of the sums
+  /// \param border of balls of scale 1
+  /// \param scale of the sample
+  CGAL_L0_HOST_DEVICE Fit_of_sample(const Compatible_points<double>& sums, const Triple& own_normal,
+                                    const Border_of_ball& border, double scale)
+    : has_points(sums.weight > least_weight_of_compatible_points),
+      variance(0), to_centroid{0, 0, 0}, outward{0, 0, 0}, has_new_normal(false), normal(own_normal)
+  {
+    if (!has_points)
+      return;
+    const double total = sums.weight;
+    variance = variance_of_mean(total, sums.squared_weights, sums.height, sums.squared_heights);
+    const Triple mean = 1 / total * Triple{sums.x, sums.y, sums.z};
+    const Triple in_plane = mean + -dot(own_normal, mean) * own_normal;
+    const double distance = std::sqrt(dot(in_plane, in_plane));
+    to_centroid = sums.height / total * own_normal;
+    const double way_back = scale * border.way_back(distance / scale);
+    if (way_back > 0)
+      to_centroid = to_centroid + way_back / distance * in_plane;
+    const double held_back = border.share_held_back(distance / scale);
+    if (held_back > 0)
+      outward = -std::sqrt(held_back) / distance * in_plane;
+    const Triple mean_normal = {sums.nx, sums.ny, sums.nz};
+    const double length = std::sqrt(dot(mean_normal, mean_normal));
+    has_new_normal = length > least_length_of_mean_normal * total;
+    if (has_new_normal)
+      normal = 1 / length * mean_normal;
+  }
+};
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_COMPATIBLE_POINTS_H
