@@ -7,7 +7,7 @@
 #include "search/Query.cuh"
 #include "driver/stages.cuh"
 
-#include <CGAL/L0_resampling/internal/core/weights.h>
+#include <CGAL/L0_resampling/internal/kernels/Compatible_points.h>
 
 #include <utility>
 
@@ -18,16 +18,10 @@ namespace cuda {
 
 namespace {
 
-/// `Sample_refit_kernel` in `float`.
-struct Kernel
-{
-  float squared_radius, squared_bandwidth, normal_bandwidth, squared_sheet_height;
-};
-
 /// `refit_sample_normals()` on the CPU, which says why.
 /// \param rows whose fourth numbers are where the rows of the samples begin
 /// \param normals and the variances of the fit
-__global__ void refit(Neighbor_lists neighbors, Kernel kernel, const int4* rows,
+__global__ void refit(Neighbor_lists neighbors, Fit_kernel<float> kernel, const int4* rows,
                       const double* positions, Range_of_pairs range, unsigned size,
                       const float4* normals, float4* refitted)
 {
@@ -53,11 +47,7 @@ __global__ void refit(Neighbor_lists neighbors, Kernel kernel, const int4* rows,
     const float height = symmetric_height(dot(d, normal),
                                           with_sign_of(cosine, 1.f) * dot(d, xyz(other)))
                          * sqrtf(squared_stretch);
-    const float weight = share_in_ball(squared_distance, kernel.squared_radius)
-                         * sheet_weight(squared_distance, kernel.squared_bandwidth, cosine,
-                                        kernel.normal_bandwidth, height,
-                                        kernel.squared_sheet_height);
-    moments.add(d, weight);
+    moments.add(d, weight_in_ball(squared_distance, cosine, height, kernel));
   }
   moments.sum_over_group<lanes>();
   if (!query.writes)
@@ -75,11 +65,9 @@ void refit_sample_normals(const Workplace& workplace, const Sample_refit_kernel&
                           const Samples& samples)
 {
   const Arena_scope scope(workplace.scratch);
-  const Kernel in_float = {float(square(kernel.radius)), float(kernel.squared_bandwidth),
-                           float(kernel.normal_bandwidth), float(kernel.squared_sheet_height)};
   float4* const refitted = workplace.scratch.take<float4>(samples.size);
   refit<<<blocks_for_queries(samples.size), threads_per_block, 0, workplace.stream>>>(
-    neighbors, in_float, sample_grid.points, samples.positions,
+    neighbors, fit_kernel_of<float>(kernel), sample_grid.points, samples.positions,
     {float(kernel.radius), samples.scales, samples.spreading_radii}, samples.size, samples.normals,
     refitted);
   check_launch("refit");

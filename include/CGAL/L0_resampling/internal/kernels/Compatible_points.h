@@ -33,6 +33,25 @@ struct Fit_kernel
   }
 };
 
+/// The kernel that the normals of samples are refitted with.
+template <typename T>
+Fit_kernel<T> fit_kernel_of(const Sample_refit_kernel& refit)
+{
+  return {T(square(refit.radius)), T(refit.squared_bandwidth), T(refit.normal_bandwidth),
+          T(refit.squared_sheet_height)};
+}
+
+/// The weight \f$ \theta \psi e^{-h^2/H^2} \f$ of points around a sample.
+/// \tparam A a number, or an array of numbers
+template <typename A, typename T>
+CGAL_L0_HOST_DEVICE A weight_in_ball(const A& squared_distance, const A& cosine, const A& height,
+                                     const Fit_kernel<T>& kernel)
+{
+  return share_in_ball(squared_distance, kernel.squared_radius)
+         * sheet_weight(squared_distance, kernel.squared_bandwidth, cosine, kernel.normal_bandwidth,
+                        height, kernel.squared_sheet_height);
+}
+
 /// Sums over the points of a ball, each with the weight
 /// \f$ w_j = \theta \psi e^{-h_{ij}^2/H^2} / v_j \f$.
 /// \tparam S a number, or lanes of numbers

@@ -8,6 +8,7 @@
 
 #include <CGAL/L0_resampling/internal/search/Neighborhoods.h>
 #include <CGAL/L0_resampling/internal/core/Parameters.h>
+#include <CGAL/L0_resampling/internal/kernels/Compatible_points.h>
 #include <CGAL/L0_resampling/internal/kernels/Plane_moments.h>
 #include <CGAL/L0_resampling/internal/samples/Samples.h>
 #include <CGAL/L0_resampling/internal/core/lanes.h>
@@ -42,10 +43,7 @@ void refit_sample_normals(const Sample_refit_kernel& kernel, const Neighborhoods
 {
   using Local_vector = Eigen::Matrix<FT, 3, 1>;
   using Array = Eigen::Array<FT, Eigen::Dynamic, 1>;
-  const FT squared_radius = FT(square(kernel.radius)),
-           squared_bandwidth = FT(kernel.squared_bandwidth);
-  const FT normal_bandwidth = FT(kernel.normal_bandwidth),
-           squared_sheet_height = FT(kernel.squared_sheet_height);
+  const Fit_kernel<FT> fit_kernel = fit_kernel_of<FT>(kernel);
   const Range_of_pairs range = {kernel.radius, view_of_scales(samples.scales),
                                 view_of_scales(samples.spreading_radii)};
   const std::size_t samples_per_block = 1024;
@@ -72,14 +70,12 @@ void refit_sample_normals(const Sample_refit_kernel& kernel, const Neighborhoods
           heights[pair] = symmetric_height(samples.normals[i].dot(d),
                                            FT(sign * samples.normals[k].dot(d)));
           if (!range.is_one_for_all())
-            squared_stretches[pair] = squared_radius / FT(range.squared(i, k));
+            squared_stretches[pair] = fit_kernel.squared_radius / FT(range.squared(i, k));
         }
       const Array squared_distances = differences.colwise().squaredNorm().transpose().array()
                                       * squared_stretches;
       heights *= squared_stretches.sqrt();
-      const Array weights = share_in_ball(squared_distances, squared_radius)
-                            * sheet_weight(squared_distances, squared_bandwidth, cosines,
-                                           normal_bandwidth, heights, squared_sheet_height);
+      const Array weights = weight_in_ball(squared_distances, cosines, heights, fit_kernel);
       for (std::size_t i = begin; i < end; ++i)
       {
         Plane_moments<double> moments;
