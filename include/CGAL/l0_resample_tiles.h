@@ -48,13 +48,13 @@ void l0_resample_tiles(const Source& source, Sink& sink, std::uint64_t maximum_m
   if (counts.number_of_points() == 0)
     return;
   Tiles tiles(std::move(counts), np);
-  tiles.estimate_scales(source, maximum_memory);
+  tiles.find_facts(source, maximum_memory);
   tiles.make_tiles(maximum_memory);
   const std::size_t number_of_tiles = tiles.tiles().size();
-  std::vector<std::vector<L0_resampling::internal::Block_share>> shares;
+  std::vector<L0_resampling::internal::Share_of_tile> shares;
   for (std::size_t tile = 0; tile < number_of_tiles; ++tile)
-    shares.push_back(tiles.shares_of_tile(tile, source));
-  tiles.set_shares(shares);
+    shares.push_back(tiles.share_of_tile(tile, source));
+  tiles.set_shares(std::move(shares));
   std::vector<std::vector<double>> evidence;
   for (std::size_t tile = 0; tile < number_of_tiles; ++tile)
   {

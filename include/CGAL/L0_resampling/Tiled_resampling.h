@@ -8,7 +8,7 @@
 
 #include <CGAL/L0_resampling/Block_chebyshev_solver_traits.h>
 #include <CGAL/L0_resampling/Report.h>
-#include <CGAL/L0_resampling/internal/tiles/Tiling.h>
+#include <CGAL/L0_resampling/internal/tiles/Regions_of_blocks.h>
 #include <CGAL/L0_resampling/internal/interface/checked_parameters.h>
 #include <CGAL/L0_resampling/internal/interface/compiled_templates.h>
 #include <CGAL/L0_resampling/internal/interface/points_of_range.h>
@@ -83,11 +83,15 @@ class Tiled_resampling
   internal::Block_lattice m_lattice;
   std::vector<std::pair<internal::Block, std::uint64_t>> m_blocks;
   std::array<double, 3> m_low, m_high;
-  internal::Cloud_facts m_facts;
+  std::uint64_t m_number_of_points = 0;
+  double m_box_diagonal = 0, m_robust_diagonal = 0;     // the latter to within a block
+  internal::Vector m_middle = internal::Vector::Zero(); // of each coordinate, likewise: the median
+  internal::Facts_of_cloud m_facts;
   double m_radius = 0; // in the unit of the input
+  double m_halo_in_radii = halo_in_radii;
   std::vector<internal::Tile> m_tiles;
-  std::vector<std::uint64_t> m_numbers; // of samples, of the blocks
-  double m_sample_spacing = 0;          // in units of the radius
+  std::vector<internal::Starts_of_tile> m_starts; // of the tiles
+  double m_sample_spacing = 0;                    // in units of the radius
 
   Source_box source_box(const internal::Block_box& box) const
   {
@@ -100,13 +104,17 @@ class Tiled_resampling
     return source;
   }
 
-  /// In the outermost blocks samples do not start where those of their own tile do: these know the
-  /// areas of all points around.
   std::int64_t halo_in_blocks() const
   {
     const double most = 1e6; // no tile is as wide
     return 1
-           + std::int64_t(std::ceil((std::min)(halo_in_radii * m_radius / m_lattice.side(), most)));
+           + std::int64_t(
+             std::ceil((std::min)(m_halo_in_radii * m_radius / m_lattice.side(), most)));
+  }
+
+  internal::Room_of_tile room_of_tile(std::size_t tile) const
+  {
+    return {m_lattice, m_tiles[tile].room};
   }
 
   /// \param size the number of points
@@ -120,23 +128,25 @@ class Tiled_resampling
     });
   }
 
-  /// Of those that hold points.
-  std::vector<std::size_t> blocks_in(const internal::Block_box& box) const
+  /// What the counts tell, where the points do not fit into memory.
+  internal::Facts_of_cloud facts_of_counts() const
   {
-    std::vector<std::size_t> places;
-    for (std::size_t b = 0; b < m_blocks.size(); ++b)
-      if (box.contains(m_blocks[b].first))
-        places.push_back(b);
-    return places;
+    const double largest = (std::max)(internal::Vector(m_low.data()).cwiseAbs().maxCoeff(),
+                                      internal::Vector(m_high.data()).cwiseAbs().maxCoeff());
+    const int exponent = internal::Working_frame::exponent_of(largest);
+    const auto scaled = [&](double x) { return std::ldexp(x, exponent); };
+    internal::Facts_of_cloud facts;
+    facts.frame = internal::Place_of_frame{exponent, m_middle.unaryExpr(scaled)};
+    facts.extents = internal::Facts{std::size_t(m_number_of_points), scaled(m_box_diagonal),
+                                    scaled(m_robust_diagonal), exponent};
+    return facts;
   }
 
-  void set_radius()
+  internal::Plan plan_of(const internal::Facts_of_cloud& facts) const
   {
-    const internal::Facts facts = {std::size_t(m_facts.number_of_points), m_facts.box_diagonal,
-                                   m_facts.robust_diagonal, 0, m_facts.scales};
-    m_radius = internal::make_plan(m_parameters, facts).unit;
-    const double cells = 1024; // of the largest, whose sizes are the radius times powers of two
-    m_facts.step_of_origins = cells * m_radius;
+    internal::Facts known = *facts.extents;
+    known.scales = *facts.scales;
+    return internal::make_plan(m_parameters, known);
   }
 
   /// Calls `f(progress, memory)`.
@@ -179,6 +189,8 @@ public:
   static constexpr double halo_in_radii = 18;
   /// What a call holds for each point that it reads, at least: the input, and its stages.
   static constexpr std::uint64_t bytes_per_point = 330, bytes_per_sample = 330;
+  /// The same where all facts of a cloud are found.
+  static constexpr std::uint64_t bytes_per_point_of_facts = 200, bytes_per_sample_of_facts = 100;
 
   /// \param counts of all points
   /// \param np as those of `CGAL::l0_resample_point_set()`: `number_of_output_points`,
@@ -196,97 +208,63 @@ public:
     m_blocks = counts.blocks();
     m_low = counts.low();
     m_high = counts.high();
-    m_facts.number_of_points = counts.number_of_points();
+    m_number_of_points = counts.number_of_points();
+    const std::uint64_t many = std::uint64_t(1) << 32;
+    if (m_parameters.keep_density
+        && (m_number_of_points >= many || m_parameters.number_of_output_points >= many))
+      throw std::invalid_argument(
+        "l0_resample_tiles: keep_density takes fewer than 2^32 points, and gives fewer");
     if (m_blocks.empty())
       return;
     double sum = 0;
     for (std::size_t axis = 0; axis < 3; ++axis)
+    {
       sum += internal::square(m_high[axis] - m_low[axis]);
-    m_facts.box_diagonal = std::sqrt(sum);
-    m_facts.robust_diagonal = internal::robust_diagonal_of_blocks(counts);
+      m_middle[Eigen::Index(axis)] =
+        internal::Quantiles_of_blocks(counts, axis).coordinate_at(m_number_of_points / 2);
+    }
+    m_box_diagonal = std::sqrt(sum);
+    m_robust_diagonal = internal::robust_diagonal_of_blocks(counts);
   }
 
   const std::vector<std::pair<internal::Block, std::uint64_t>>& blocks() const { return m_blocks; }
   const internal::Block_lattice& lattice() const { return m_lattice; }
-  std::uint64_t number_of_points() const { return m_facts.number_of_points; }
+  std::uint64_t number_of_points() const { return m_number_of_points; }
   std::uint64_t number_of_samples() const { return m_parameters.number_of_output_points; }
   double neighbor_radius() const { return m_radius; }
   double sample_spacing() const { return m_sample_spacing * m_radius; }
-  const internal::Cloud_facts& facts() const { return m_facts; }
+  const internal::Facts_of_cloud& facts() const { return m_facts; }
   const std::vector<internal::Tile>& tiles() const { return m_tiles; }
   Source_box box_of_tile(std::size_t tile) const { return source_box(m_tiles[tile].box); }
 
-  /// Estimates spacing and noise from regions all over the cloud: from as many as `bytes` hold, if
-  /// that is not all of them.
+  /// Finds the facts of the whole cloud: those that a call for all of it in memory finds, if
+  /// `bytes` hold all of the points; else the scales, from as many regions all over the cloud as
+  /// they hold.
   template <typename Source>
-  internal::Scales estimate_scales(const Source& source, std::uint64_t bytes)
+  const internal::Facts_of_cloud& find_facts(const Source& source, std::uint64_t bytes)
   {
-    const std::uint64_t most_points = bytes / bytes_per_point_of_regions;
-    std::vector<std::size_t> cores;
-    std::vector<internal::Block_box> boxes;
-    std::vector<unsigned char> is_core(m_blocks.size(), 0), is_read(m_blocks.size(), 0);
-    std::uint64_t number_of_read = 0;
-    const auto read_around = [&](std::size_t core) {
-      const internal::Block_box around =
-        internal::Block_box{m_blocks[core].first, m_blocks[core].first}.grown(1);
-      std::uint64_t number_of_new = 0;
-      const std::vector<std::size_t> places = blocks_in(around);
-      for (const std::size_t b : places)
-        number_of_new += is_read[b] ? 0 : m_blocks[b].second;
-      if (!cores.empty() && number_of_read + number_of_new > most_points)
-        return;
-      number_of_read += number_of_new;
-      cores.push_back(core);
-      is_core[core] = 1;
-      for (const std::size_t b : places)
-        is_read[b] = 1;
-    };
-    // the block of one in so many points, so that places count by their points
-    const std::uint64_t stride = (std::max)(m_facts.number_of_points / number_of_regions,
-                                            std::uint64_t(1));
-    std::uint64_t sum = 0, next = 0;
-    for (std::size_t b = 0; b < m_blocks.size(); ++b)
-    {
-      sum += m_blocks[b].second;
-      if (next >= sum)
-        continue;
-      read_around(b);
-      next = (sum / stride + 1) * stride;
-    }
-    Report report;
-    watched(report, [&](internal::Progress& progress, internal::Memory_counter& memory) {
-      internal::Buffer<internal::Vector> points(&memory);
-      points.reserve(std::size_t(number_of_read));
-      for (std::size_t b = 0; b < m_blocks.size(); ++b)
-        if (is_read[b])
-          read(source, {m_blocks[b].first, m_blocks[b].first}, 0, points);
-      const auto is_in_core = [&](const internal::Vector& p) {
-        const internal::Block block = m_lattice.block_of(p);
-        const auto place = std::lower_bound(m_blocks.begin(), m_blocks.end(), block,
-                                            [](const auto& counted, const internal::Block& other) {
-                                              return counted.first < other;
-                                            });
-        return place != m_blocks.end() && place->first == block
-               && is_core[std::size_t(place - m_blocks.begin())] != 0;
-      };
-      m_facts.scales = internal::scales_of_regions<ConcurrencyTag>(points, is_in_core, m_facts,
-                                                                   progress);
-    });
-    set_radius();
-    return m_facts.scales;
+    if (double(m_number_of_points) * double(bytes_per_point_of_facts)
+          + double(number_of_samples()) * double(bytes_per_sample_of_facts)
+        <= double(bytes))
+      set_facts(facts_of_all_points(source));
+    else
+      set_facts(facts_of_regions(source, bytes));
+    return m_facts;
   }
 
-  /// Instead of `estimate_scales()`, which has given them another time.
-  void set_scales(const internal::Scales& scales)
+  /// Instead of `find_facts()`, which has found them another time.
+  void set_facts(const internal::Facts_of_cloud& facts)
   {
-    m_facts.scales = scales;
-    set_radius();
+    m_facts = facts;
+    m_radius = std::ldexp(plan_of(m_facts).unit, -m_facts.extents->exponent_of_input);
   }
 
   /// Cuts the cloud into tiles, which with their halos take no more than so many bytes.
+  /// \param halo in radii; one more block is added
   /// \throws std::bad_alloc if a single block takes more
-  void make_tiles(std::uint64_t bytes)
+  void make_tiles(std::uint64_t bytes, double halo = halo_in_radii)
   {
+    m_halo_in_radii = halo;
     const double samples_per_point = double(number_of_samples()) / double(number_of_points());
     const double bytes_of_point = double(bytes_per_point)
                                   + double(bytes_per_sample) * samples_per_point;
@@ -297,51 +275,47 @@ public:
       throw std::bad_alloc();
   }
 
-  /// What the blocks of a tile add to the sums over all blocks, in their order.
+  /// What a tile adds to the sums over all tiles.
   template <typename Source>
-  std::vector<internal::Block_share> shares_of_tile(std::size_t tile, const Source& source) const
+  internal::Share_of_tile share_of_tile(std::size_t tile, const Source& source) const
   {
     const internal::Tile& of_tile = m_tiles[tile];
-    std::vector<internal::Block> blocks;
-    for (const std::size_t b : blocks_in(of_tile.box))
-      blocks.push_back(m_blocks[b].first);
-    internal::Parameters parameters = m_parameters;
-    parameters.number_of_output_points = (std::max)(
-      std::size_t(1), std::size_t(double(of_tile.number_of_points_with_halo)
-                                  / double(number_of_points()) * double(number_of_samples())));
-    std::vector<internal::Block_share> shares;
+    internal::Share_of_tile share;
     Report report;
     watched(report, [&](internal::Progress& progress, internal::Memory_counter& memory) {
       internal::Buffer<internal::Vector> points(&memory);
       read(source, of_tile.box.grown(halo_in_blocks()), of_tile.number_of_points_with_halo, points);
       Solver solver;
       internal::Any_solver<FT> any_solver(solver);
-      shares = internal::shares_of_tile<ConcurrencyTag>(points, m_facts, parameters, m_lattice,
-                                                        blocks, any_solver, progress, report);
+      share = internal::share_of_tile<ConcurrencyTag>(
+        points, m_facts, m_parameters, room_of_tile(tile), any_solver, progress, report);
     });
-    return shares;
+    return share;
   }
 
   /// Decides how many samples start where.
-  /// \param shares what `shares_of_tile()` has given for each tile
-  void set_shares(const std::vector<std::vector<internal::Block_share>>& shares)
+  /// \param shares what `share_of_tile()` has given for each tile
+  void set_shares(std::vector<internal::Share_of_tile> shares)
   {
-    std::vector<std::uint64_t> weights(m_blocks.size(), 0);
-    std::vector<double> areas(m_blocks.size(), 0.);
-    for (std::size_t tile = 0; tile < m_tiles.size(); ++tile)
-    {
-      std::size_t k = 0;
-      for (const std::size_t b : blocks_in(m_tiles[tile].box))
-      {
-        weights[b] = shares[tile][k].weight;
-        areas[b] = shares[tile][k++].area;
-      }
-    }
-    double area = 0;
-    for (const double of_block : areas)
-      area += of_block;
-    m_numbers = internal::samples_of_blocks(weights, number_of_samples());
-    m_sample_spacing = std::sqrt(area / double(number_of_samples()));
+    const internal::Sums_of_tiles sums = internal::add_up_shares(shares);
+    set_sums(sums);
+    for (std::size_t tile = 0; tile < shares.size(); ++tile)
+      set_starts(tile, {std::move(shares[tile].runs), sums.sums});
+  }
+
+  /// Instead of `set_shares()`: what it has found another time.
+  void set_sums(const internal::Sums_of_tiles& sums)
+  {
+    m_facts.area = sums.area;
+    m_facts.number_of_points = std::size_t(sums.sums.points);
+    m_sample_spacing = std::sqrt(sums.area / double(number_of_samples()));
+  }
+
+  /// As `set_sums()`, for a tile that is to be resampled.
+  void set_starts(std::size_t tile, internal::Starts_of_tile starts)
+  {
+    m_starts.resize(m_tiles.size());
+    m_starts[tile] = std::move(starts);
   }
 
   /// The samples that start in a tile.
@@ -349,25 +323,11 @@ public:
   Tile_result resample_tile(std::size_t tile, const Source& source) const
   {
     Tile_result result;
-    const internal::Block_box box = m_tiles[tile].box, reach = box.grown(halo_in_blocks());
-    internal::Samples_of_blocks wanted{m_lattice, {}, {}, m_sample_spacing};
-    std::vector<unsigned char> is_own;
-    std::uint64_t number_of_own = 0;
-    internal::Parameters parameters = m_parameters;
-    parameters.number_of_output_points = 0;
-    for (const std::size_t b : blocks_in(reach))
-    {
-      wanted.blocks.push_back(m_blocks[b].first);
-      wanted.numbers.push_back(m_numbers[b]);
-      is_own.push_back(box.contains(m_blocks[b].first));
-      number_of_own += is_own.back() ? m_numbers[b] : 0;
-      parameters.number_of_output_points += std::size_t(m_numbers[b]);
-    }
-    if (number_of_own == 0)
-      return result;
+    const internal::Block_box box = m_tiles[tile].box;
     watched(result.report, [&](internal::Progress& progress, internal::Memory_counter& memory) {
       internal::Input input(&memory);
-      read(source, reach, m_tiles[tile].number_of_points_with_halo, input.points);
+      read(source, box.grown(halo_in_blocks()), m_tiles[tile].number_of_points_with_halo,
+           input.points);
       for (int axis = 0; axis < 3; ++axis)
       {
         input.low[axis] = m_low[std::size_t(axis)];
@@ -377,11 +337,14 @@ public:
       Solver solver;
       internal::Any_solver<FT> any_solver(solver);
       const internal::Samples_of_tile<FT> samples = internal::resample_tile<ConcurrencyTag>(
-        input.points, m_facts, parameters, wanted, any_solver, progress, result.report);
+        input.points, m_facts, m_parameters, room_of_tile(tile), m_starts[tile], any_solver,
+        progress, result.report);
+      if (samples.are_own.empty())
+        return;
       const internal::Buffer<std::array<double, 3>> positions =
         internal::rounded_positions<ConcurrencyTag, double>(samples.points.positions, input,
                                                             m_radius, true);
-      take(samples, positions, is_own, source_box(box), result);
+      take(samples, positions, source_box(box), result);
     });
     result.report.number_of_output_points = result.samples.size();
     return result;
@@ -427,12 +390,54 @@ public:
   bool are_sides_given() const { return m_parameters.has_viewpoint; }
 
 private:
-  static constexpr std::uint64_t number_of_regions = 64;
   static constexpr std::uint64_t bytes_per_point_of_regions = 100;
 
+  template <typename Source>
+  internal::Facts_of_cloud facts_of_all_points(const Source& source) const
+  {
+    internal::Facts_of_cloud facts;
+    Report report;
+    watched(report, [&](internal::Progress& progress, internal::Memory_counter& memory) {
+      internal::Buffer<internal::Vector> points(&memory);
+      points.reserve(std::size_t(m_number_of_points));
+      for (const auto& [block, count] : m_blocks)
+        read(source, {block, block}, 0, points);
+      Solver solver;
+      internal::Any_solver<FT> any_solver(solver);
+      facts = internal::facts_of_points<ConcurrencyTag>(points, m_parameters, any_solver, progress,
+                                                        report);
+    });
+    return facts;
+  }
+
+  template <typename Source>
+  internal::Facts_of_cloud facts_of_regions(const Source& source, std::uint64_t bytes) const
+  {
+    internal::Facts_of_cloud facts = facts_of_counts();
+    const internal::Regions_of_blocks regions(m_blocks, bytes / bytes_per_point_of_regions);
+    Report report;
+    watched(report, [&](internal::Progress& progress, internal::Memory_counter& memory) {
+      internal::Buffer<internal::Vector> points(&memory);
+      points.reserve(std::size_t(regions.number_of_points()));
+      for (std::size_t b = 0; b < m_blocks.size(); ++b)
+        if (regions.is_read(b))
+          read(source, {m_blocks[b].first, m_blocks[b].first}, 0, points);
+      const auto is_in_middle = [&](const internal::Vector& p) {
+        return regions.is_in_middle(m_lattice.block_of(p));
+      };
+      facts.scales = internal::scales_of_regions<ConcurrencyTag>(points, is_in_middle, facts,
+                                                                 progress);
+    });
+    // as many as a cloud of this spacing has
+    const internal::Plan plan = plan_of(facts);
+    facts.units_of_balls = std::uint64_t(internal::square(plan.sample_spacing)
+                                         * double(number_of_samples())
+                                         / internal::Areas::area_per_unit_of(plan.area_radius()));
+    return facts;
+  }
+
   void take(const internal::Samples_of_tile<FT>& samples,
-            const internal::Buffer<std::array<double, 3>>& positions,
-            const std::vector<unsigned char>& is_own, const Source_box& box,
+            const internal::Buffer<std::array<double, 3>>& positions, const Source_box& box,
             Tile_result& result) const
   {
     std::vector<std::uint32_t> numbers(positions.size(),
@@ -441,7 +446,7 @@ private:
     {
       const auto& normal = samples.points.normals[i];
       Tile_sample sample = {positions[i], {normal[0], normal[1], normal[2]}, 0};
-      const bool is_kept = samples.blocks[i] < is_own.size() && is_own[samples.blocks[i]] != 0;
+      const bool is_kept = samples.are_own[i] != 0;
       if (!is_kept && !is_within(sample, box, overlap_width()))
         continue;
       std::uint32_t& number = numbers[samples.trees[i]];

@@ -95,19 +95,11 @@ public:
 
   void cut()
   {
-    resampling.set_scales(
-      Task_file(m_tasks.file_of("scales", 0), m_tasks.m_key).read<internal::Scales>());
+    resampling.set_facts(read_facts(m_tasks.file_of("scales", 0), m_tasks.m_key));
     resampling.make_tiles(m_tasks.memory_of_tile());
   }
 
-  void take_shares()
-  {
-    std::vector<std::vector<internal::Block_share>> shares;
-    Task_file file(m_tasks.file_of("samples", 0), m_tasks.m_key);
-    for (std::size_t tile = 0; tile < resampling.tiles().size(); ++tile)
-      shares.push_back(file.read_all<internal::Block_share>());
-    resampling.set_shares(shares);
-  }
+  void take_sums() { resampling.set_sums(read_sums(m_tasks.file_of("samples", 0), m_tasks.m_key)); }
 };
 
 Tile_tasks::Tile_tasks(const Command& command)
@@ -317,8 +309,8 @@ void Tile_tasks::shard(std::size_t number, const On_progress& on_progress) const
 void Tile_tasks::find_scales() const
 {
   Tiles tiles(*this, [](double) {});
-  const internal::Scales scales = tiles.resampling.estimate_scales(tiles.shards(),
-                                                                   memory_of_tile());
+  const internal::Facts_of_cloud& facts = tiles.resampling.find_facts(tiles.shards(),
+                                                                      memory_of_tile());
   try {
     tiles.resampling.make_tiles(memory_of_tile());
   } catch (const std::bad_alloc&) {
@@ -328,35 +320,33 @@ void Tile_tasks::find_scales() const
                                       + std::to_string(int(Tiled_resampling::halo_in_radii))
                                       + " radii");
   }
-  Task_file_writer file(file_of("scales", 0), m_key);
-  file.write(scales);
-  file.commit();
+  write_facts(file_of("scales", 0), m_key, facts);
 }
 
 void Tile_tasks::find_shares(std::size_t tile, const On_progress& on_progress) const
 {
   Tiles tiles(*this, on_progress);
   tiles.cut();
-  Task_file_writer file(file_of("share", tile), m_key);
-  file.write_all(tiles.resampling.shares_of_tile(tile, tiles.shards()));
-  file.commit();
+  write_share(file_of("share", tile), m_key, tiles.resampling.share_of_tile(tile, tiles.shards()));
 }
 
 void Tile_tasks::share_samples() const
 {
   Tiles tiles(*this, [](double) {});
   tiles.cut();
-  Task_file_writer file(file_of("samples", 0), m_key);
+  std::vector<Share_of_tile> shares;
   for (std::size_t tile = 0; tile < tiles.resampling.tiles().size(); ++tile)
-    file.write_all(Task_file(file_of("share", tile), m_key).read_all<internal::Block_share>());
-  file.commit();
+    shares.push_back(read_share(file_of("share", tile), m_key));
+  const Sums_of_tiles sums = internal::add_up_shares(shares);
+  write_starts(file_of("samples", 0), m_key, sums, shares);
 }
 
 void Tile_tasks::solve(std::size_t tile, const On_progress& on_progress) const
 {
   Tiles tiles(*this, on_progress);
   tiles.cut();
-  tiles.take_shares();
+  tiles.take_sums();
+  tiles.resampling.set_starts(tile, read_starts(file_of("samples", 0), m_key, tile));
   Tile_result result = tiles.resampling.resample_tile(tile, tiles.shards());
   double seconds = 0;
   for (const auto& stage : result.report.stages)
@@ -372,7 +362,7 @@ void Tile_tasks::stitch(const On_progress& on_progress) const
 {
   Tiles tiles(*this, on_progress);
   tiles.cut();
-  tiles.take_shares();
+  tiles.take_sums();
   const Tiled_resampling& resampling = tiles.resampling;
   const std::size_t number_of_tiles = resampling.tiles().size();
   Signs_of_tiles all;
@@ -425,7 +415,7 @@ void Tile_tasks::finish() const
 {
   Tiles tiles(*this, [](double) {});
   tiles.cut();
-  tiles.take_shares();
+  tiles.take_sums();
   const Tiled_resampling& resampling = tiles.resampling;
   const Signs_of_tiles all = read_signs(file_of("stitch", 0), m_key);
   const double length = resampling.neighbor_radius();

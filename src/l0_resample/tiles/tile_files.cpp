@@ -10,9 +10,152 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
+#include <optional>
 #include <utility>
 
 namespace l0_tool {
+namespace {
+
+namespace internal = CGAL::L0_resampling::internal;
+
+template <typename T>
+void write_optional(Task_file_writer& file, const std::optional<T>& value)
+{
+  file.write(value.has_value());
+  if (value)
+    file.write(*value);
+}
+
+template <typename T>
+void read_optional(Task_file& file, std::optional<T>& value)
+{
+  if (file.read<bool>())
+    value = file.read<T>();
+}
+
+/// Calls `f` for each fact that is plain data, in one order.
+template <typename Facts, typename F>
+void for_each_plain_fact(Facts& facts, const F& f)
+{
+  f(facts.extents);
+  f(facts.scales);
+  f(facts.range_of_scales);
+  f(facts.median_number_of_neighbors);
+  f(facts.mean_number_of_neighbors);
+  f(facts.has_plain_blocks);
+  f(facts.units_of_balls);
+  f(facts.area);
+  f(facts.units_of_starts);
+  f(facts.number_of_points);
+  f(facts.numbers_of_starts);
+}
+
+template <typename T>
+std::vector<T> as_vector(const internal::Buffer<T>& values)
+{
+  return {values.begin(), values.end()};
+}
+
+template <typename T>
+internal::Buffer<T> as_buffer(const std::vector<T>& values)
+{
+  return internal::Buffer<T>(values.begin(), values.end());
+}
+
+void write_field(Task_file_writer& file, const internal::Scale_field& field)
+{
+  const internal::Morton_points seeds = field.seeds.view();
+  file.write(seeds.cells.size);
+  file.write(field.radius);
+  file.write_all(std::vector<std::uint64_t>(seeds.codes, seeds.codes + seeds.size));
+  file.write_all(as_vector(field.scales));
+  file.write_all(as_vector(field.reaches));
+}
+
+internal::Scale_field read_field(Task_file& file)
+{
+  const double size = file.read<double>(), radius = file.read<double>();
+  const std::vector<std::uint64_t> codes = file.read_all<std::uint64_t>();
+  const std::vector<double> scales = file.read_all<double>(), reaches = file.read_all<double>();
+  return {internal::Morton_places({size}, as_buffer(codes)), radius, as_buffer(scales),
+          as_buffer(reaches)};
+}
+
+} // namespace
+
+void write_facts(const std::string& path, std::uint64_t key, const Facts_of_cloud& facts)
+{
+  Task_file_writer file(path, key);
+  const internal::Vector& origin = facts.frame->origin;
+  file.write(facts.frame->exponent);
+  file.write(std::array<double, 3>{origin[0], origin[1], origin[2]});
+  for_each_plain_fact(facts, [&](const auto& fact) { write_optional(file, fact); });
+  file.write(facts.field_of_scales != nullptr);
+  if (facts.field_of_scales)
+    write_field(file, *facts.field_of_scales);
+  file.commit();
+}
+
+Facts_of_cloud read_facts(const std::string& path, std::uint64_t key)
+{
+  Task_file file(path, key);
+  Facts_of_cloud facts;
+  const int exponent = file.read<int>();
+  const auto origin = file.read<std::array<double, 3>>();
+  facts.frame = internal::Place_of_frame{exponent, internal::Vector(origin.data())};
+  for_each_plain_fact(facts, [&](auto& fact) { read_optional(file, fact); });
+  if (file.read<bool>())
+    facts.field_of_scales = std::make_shared<const internal::Scale_field>(read_field(file));
+  return facts;
+}
+
+void write_share(const std::string& path, std::uint64_t key, const Share_of_tile& share)
+{
+  Task_file_writer file(path, key);
+  file.write(share.units_of_all);
+  file.write(share.area_per_unit);
+  file.write_all(share.runs);
+  file.commit();
+}
+
+Share_of_tile read_share(const std::string& path, std::uint64_t key)
+{
+  Task_file file(path, key);
+  Share_of_tile share;
+  share.units_of_all = file.read<std::uint64_t>();
+  share.area_per_unit = file.read<double>();
+  share.runs = file.read_all<Run_of_cells>();
+  return share;
+}
+
+void write_starts(const std::string& path, std::uint64_t key, const Sums_of_tiles& sums,
+                  const std::vector<Share_of_tile>& shares)
+{
+  Task_file_writer file(path, key);
+  file.write(sums);
+  for (const Share_of_tile& share : shares)
+    file.write_all(share.runs);
+  file.commit();
+}
+
+Sums_of_tiles read_sums(const std::string& path, std::uint64_t key)
+{
+  return Task_file(path, key).read<Sums_of_tiles>();
+}
+
+Starts_of_tile read_starts(const std::string& path, std::uint64_t key, std::size_t tile)
+{
+  Task_file file(path, key);
+  Starts_of_tile starts;
+  starts.all = file.read<Sums_of_tiles>().sums;
+  for (std::size_t before = 0; before < tile; ++before) {
+    const std::uint64_t count = file.read<std::uint64_t>();
+    file.seek(file.position() + count * sizeof(Run_of_cells));
+  }
+  starts.runs = file.read_all<Run_of_cells>();
+  return starts;
+}
 
 void write_counts(const std::string& path, std::uint64_t key, const Counted_input& input)
 {

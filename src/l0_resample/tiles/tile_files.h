@@ -7,8 +7,10 @@
 #define L0_RESAMPLE_TILE_FILES_H
 
 #include <CGAL/L0_resampling/internal/tiles/Block_counts.h>
+#include <CGAL/L0_resampling/internal/tiles/Tile_backend.h>
 #include <CGAL/L0_resampling/internal/tiles/stitch_tiles.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -18,7 +20,12 @@
 namespace l0_tool {
 
 using CGAL::L0_resampling::internal::Block_counts;
+using CGAL::L0_resampling::internal::Facts_of_cloud;
+using CGAL::L0_resampling::internal::Run_of_cells;
 using CGAL::L0_resampling::internal::Seam_report;
+using CGAL::L0_resampling::internal::Share_of_tile;
+using CGAL::L0_resampling::internal::Starts_of_tile;
+using CGAL::L0_resampling::internal::Sums_of_tiles;
 using CGAL::L0_resampling::internal::Tile_sample;
 
 /// The points of the inputs, by blocks.
@@ -30,6 +37,19 @@ struct Counted_input
 
 void write_counts(const std::string& path, std::uint64_t key, const Counted_input& input);
 Counted_input read_counts(const std::string& path, std::uint64_t key);
+
+void write_facts(const std::string& path, std::uint64_t key, const Facts_of_cloud& facts);
+Facts_of_cloud read_facts(const std::string& path, std::uint64_t key);
+
+/// What a tile counts.
+void write_share(const std::string& path, std::uint64_t key, const Share_of_tile& share);
+Share_of_tile read_share(const std::string& path, std::uint64_t key);
+
+/// What all tiles have counted, and what comes before the runs of each.
+void write_starts(const std::string& path, std::uint64_t key, const Sums_of_tiles& sums,
+                  const std::vector<Share_of_tile>& shares);
+Sums_of_tiles read_sums(const std::string& path, std::uint64_t key);
+Starts_of_tile read_starts(const std::string& path, std::uint64_t key, std::size_t tile);
 
 struct Summary_of_tile
 {

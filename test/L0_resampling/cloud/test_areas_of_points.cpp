@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <map>
+#include <optional>
 
 using namespace test;
 
@@ -17,10 +18,11 @@ template <typename Input>
 Areas areas_of(const Input& input, double radius, std::size_t number_of_samples = 1)
 {
   Unwatched unwatched;
+  std::optional<std::uint64_t> units_of_balls;
   return areas_of_points<CGAL::Parallel_if_available_tag, float>(
     input.grid, input.points, radius, number_of_samples,
     units_per_length_for(input.grid.cell_size(), radius, !input.grid.has_one_scale()),
-    unwatched.progress);
+    units_of_balls, unwatched.progress);
 }
 
 /// The units of all points, from balls counted one by one.

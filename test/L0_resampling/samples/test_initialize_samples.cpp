@@ -11,8 +11,10 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <random>
 #include <set>
+#include <vector>
 
 using namespace test;
 
@@ -227,6 +229,54 @@ void check_small_clouds()
   }
 }
 
+/// Where samples start of a cloud does not depend on the parts that it comes in.
+void check_parts(Generator& generator)
+{
+  Buffer<Index> distinct;
+  Buffer<std::uint64_t> areas;
+  for (Index i = 0; i < 1000; ++i)
+  {
+    areas.push_back(std::uniform_int_distribution<std::uint64_t>(1, 1000)(generator));
+    if (i % 3 != 1)
+      distinct.push_back(i);
+  }
+  const auto sources = [&](std::uint64_t m, bool by_area, const std::vector<std::size_t>& ends) {
+    std::uint64_t total = 0;
+    for (const Index i : distinct)
+      total += areas[i];
+    Sources result;
+    std::uint64_t sum = 0;
+    std::size_t begin = 0;
+    for (const std::size_t end : ends)
+    {
+      const Buffer<Index> part(distinct.begin() + std::ptrdiff_t(begin),
+                               distinct.begin() + std::ptrdiff_t(end));
+      if (by_area)
+        add_sources_by_area(part, areas, sum, total, m, 3, result);
+      else
+        add_sources_by_points(part, begin, distinct.size(), m, 3, result);
+      for (const Index i : part)
+        sum += areas[i];
+      begin = end;
+    }
+    return result;
+  };
+  for (const std::uint64_t m : {1u, 5u, 300u, 667u, 668u, 2000u, 5001u})
+    for (const bool by_area : {false, true})
+    {
+      const Sources whole = sources(m, by_area, {distinct.size()});
+      CHECK(whole.on_points.size() + whole.between_points.size() == m);
+      for (const std::vector<std::size_t>& ends : {std::vector<std::size_t>{1, distinct.size()},
+                                                   {0, 17, 18, 400, distinct.size()},
+                                                   {distinct.size() - 1, distinct.size()}})
+      {
+        const Sources parts = sources(m, by_area, ends);
+        CHECK(parts.on_points == whole.on_points);
+        CHECK(parts.between_points == whole.between_points);
+      }
+    }
+}
+
 int main()
 {
   Generator generator(9);
@@ -242,6 +292,7 @@ int main()
   check_spread(cloud);
   check_upsampling(generator);
   check_areas(generator);
+  check_parts(generator);
   check_small_clouds();
   return result();
 }

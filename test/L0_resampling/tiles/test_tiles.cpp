@@ -17,7 +17,6 @@
 #include <cstdint>
 #include <map>
 #include <new>
-#include <numeric>
 #include <random>
 #include <stdexcept>
 #include <utility>
@@ -151,20 +150,47 @@ void test_tiling()
   CHECK(Tiling(blocks, 2, 10).most_points_of_tile() > 10);
 }
 
-/// The numbers of samples add up, and are those of the weights to within one.
-void test_samples_of_blocks()
+/// Every place is in the room of one tile, also where no block is.
+void test_rooms()
 {
-  std::mt19937_64 generator(5);
-  std::vector<std::uint64_t> weights(1000);
-  for (std::uint64_t& weight : weights)
-    weight = generator() % 4 == 0 ? 0 : generator() >> 24;
-  const double total = double(std::accumulate(weights.begin(), weights.end(), std::uint64_t(0)));
-  for (const std::uint64_t m : {1u, 7u, 999u, 123457u})
+  Tile_counts counts = counts_of(ribbon(4000, 40));
+  counts.finish();
+  const auto blocks = counts.blocks();
+  const Tiling tiling(blocks, 2, 20000);
+  CHECK(tiling.tiles().size() > 4);
+  for (std::int64_t x = -1000; x < 5000; x += 7)
+    for (const std::int64_t y : {-(std::int64_t(1) << 50), std::int64_t(0), std::int64_t(1) << 50})
+    {
+      std::size_t number_of_owners = 0;
+      for (const Tile& tile : tiling.tiles())
+        number_of_owners += tile.room.contains({x, y, -y});
+      CHECK(number_of_owners == 1);
+    }
+  for (const Tile& tile : tiling.tiles())
+    CHECK(tile.room.contains(tile.box.low) && tile.room.contains(tile.box.high));
+}
+
+/// What comes before each run is what the runs of all tiles with smaller keys hold.
+void test_shares()
+{
+  std::vector<Share_of_tile> shares(3);
+  shares[0] = {{{3, {}}, {5, {10, 2, 1}}, {9, {}}, {11, {}}}, 12, 0.5};
+  shares[1] = {{{3, {7, 3, 2}}, {5, {}}, {9, {20, 5, 5}}}, 30, 0.5};
+  const Sums_of_tiles sums = add_up_shares(shares);
+  CHECK(sums.sums.units == 37 && sums.sums.points == 10 && sums.sums.distinct == 8);
+  CHECK(sums.area == 21);
+  const auto before = [&](std::size_t tile, std::size_t run) {
+    const Run_of_cells& found = shares[tile].runs[run];
+    return std::array<std::uint64_t, 4>{found.key, found.sums.units, found.sums.points,
+                                        found.sums.distinct};
+  };
+  using Numbers = std::array<std::uint64_t, 4>;
+  CHECK(shares[0].runs.size() == 3 && shares[1].runs.size() == 3 && shares[2].runs.empty());
+  for (const std::size_t tile : {std::size_t(0), std::size_t(1)})
   {
-    const std::vector<std::uint64_t> numbers = samples_of_blocks(weights, m);
-    CHECK(std::accumulate(numbers.begin(), numbers.end(), std::uint64_t(0)) == m);
-    for (std::size_t b = 0; b < weights.size(); ++b)
-      CHECK(std::abs(double(numbers[b]) - double(weights[b]) / total * double(m)) < 1.001);
+    CHECK(before(tile, 0) == (Numbers{3, 0, 0, 0}));
+    CHECK(before(tile, 1) == (Numbers{5, 7, 3, 2}));
+    CHECK(before(tile, 2) == (Numbers{9, 17, 5, 3}));
   }
 }
 
@@ -245,7 +271,8 @@ int main()
   test_counts();
   test_negative_blocks();
   test_tiling();
-  test_samples_of_blocks();
+  test_rooms();
+  test_shares();
   test_stitching();
   test_tiles(false);
   test_tiles(true);

@@ -9,17 +9,28 @@
 #include <CGAL/L0_resampling/internal/plan/Plan.h>
 #include <CGAL/L0_resampling/internal/cloud/working_frame.h>
 
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 
 namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
+struct Scale_field;
+
+/// Of the samples of a cloud, those that start on a point, and all.
+struct Numbers_of_starts
+{
+  std::size_t on_points, all;
+};
+
 /*!
-All numbers that a call on the CPU takes from the cloud as a whole, but for the field of scales. A
-call finds those that it is not given, each in one place, and notes them here. A call that is given
-those of a larger cloud treats the points of a part of it as the call for all of it does.
+All numbers that a call on the CPU takes from the cloud as a whole. A call finds those that it is
+not given, each in one place, and notes them here, but for the field of scales, which is as long as
+the cloud. A call that is given those of a larger cloud treats the points of a part of it as the
+call for all of it does.
 
 Lengths are in the frame before its unit is set.
 */
@@ -30,13 +41,18 @@ struct Facts_of_cloud
   std::optional<Scales> scales; ///< in units of `paper_radius()`
   /// Of the radii. If none differs, no field of scales is looked for.
   std::optional<Range_of_scales> range_of_scales;
-  std::optional<double> median_number_of_neighbors; ///< in the balls of `find_outliers()`
-  std::optional<double> mean_number_of_neighbors;   ///< in the balls of the normal filter
+  std::shared_ptr<const Scale_field> field_of_scales; ///< null if it is not known
+  std::optional<double> median_number_of_neighbors;   ///< in the balls of `find_outliers()`
+  std::optional<double> mean_number_of_neighbors;     ///< in the balls of the normal filter
   /// Whether these balls are plain, see `has_plain_blocks_only()`: then sums go over pairs.
   std::optional<bool> has_plain_blocks;
+  /// In units of `Areas`, of all points, as if all were of a surface.
+  std::optional<std::uint64_t> units_of_balls;
   std::optional<double> area; ///< of the surface, in units of \f$ r_p^2 \f$
   /// In units of `Areas`, of those points that samples start on.
   std::optional<std::uint64_t> units_of_starts;
+  std::optional<std::size_t> number_of_points; ///< without outliers, and thinned
+  std::optional<Numbers_of_starts> numbers_of_starts;
 };
 
 /// The fact; if it is not known, what `find()` returns, which is noted.

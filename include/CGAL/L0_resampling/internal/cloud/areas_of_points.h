@@ -6,12 +6,14 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_AREAS_OF_POINTS_H
 #define CGAL_L0_RESAMPLING_INTERNAL_AREAS_OF_POINTS_H
 
+#include <CGAL/L0_resampling/internal/cloud/Facts_of_cloud.h>
 #include <CGAL/L0_resampling/internal/search/ball_queries.h>
 #include <CGAL/L0_resampling/internal/kernels/exact_ball.h>
 
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 namespace CGAL {
 namespace L0_resampling {
@@ -22,6 +24,12 @@ struct Areas
 {
   Buffer<std::uint64_t> units; ///< of each point, at least 1
   double area_per_unit;
+
+  /// \param radius of the disk at scale 1
+  static double area_per_unit_of(double radius)
+  {
+    return double(EIGEN_PI) * radius * radius / double(area_units_of_ball);
+  }
 
   double of_point(std::size_t i) const { return double(units[i]) * area_per_unit; }
 
@@ -42,10 +50,12 @@ of a cell share theirs evenly, as far from the surface those on it would seem to
 \param points sorted for `grid`
 \param radius at scale 1
 \param units_per_length `units_per_length_for()` the grid and its queries
+\param units_of_balls what all points stand for as if they were of a surface: given, or found here
 */
 template <typename ConcurrencyTag, typename T>
 Areas areas_of_points(const Search_grid_3& grid, const Buffer<Vector>& points, double radius,
-                      std::size_t number_of_samples, double units_per_length, Progress& progress)
+                      std::size_t number_of_samples, double units_per_length,
+                      std::optional<std::uint64_t>& units_of_balls, Progress& progress)
 {
   const int reach = cells_in_reach(radius, grid.cell_size());
   const Cell_sizes sizes(grid.cell_size(), grid.scales());
@@ -66,7 +76,7 @@ Areas areas_of_points(const Search_grid_3& grid, const Buffer<Vector>& points, d
   };
 
   Areas areas{filled_buffer(points.size(), std::uint64_t(0), points.get_allocator()),
-              double(EIGEN_PI) * radius * radius / double(area_units_of_ball)};
+              Areas::area_per_unit_of(radius)};
   Buffer<Index> counts = filled_buffer(points.size(), Index(0), points.get_allocator()),
                 half_counts = copy_of(counts);
   const auto make_visitor = [&]() {
@@ -112,6 +122,7 @@ Areas areas_of_points(const Search_grid_3& grid, const Buffer<Vector>& points, d
   for_each_in_order(points.size(), [&](std::size_t i) {
     total += areas.units[i] = area_units_of_point(counts[i], sizes.level_of(i), fewest);
   });
+  total = known_or_found(units_of_balls, [&]() { return total; });
   const double spacing = std::sqrt(double(total) * areas.area_per_unit / double(number_of_samples));
   for_each_in_order(grid.number_of_cells(), [&](std::size_t cell) {
     const Search_grid_3::Range of_cell = grid.points_of_cell(cell);

@@ -196,7 +196,8 @@ around them do, or than the median ball of the cloud; sparse ones that fill spac
 others, those of connected components that have fewer points than half a median ball, such as
 clusters of outliers. The first comparison is with the surroundings so that a sparse region of a
 surface stays. Which points are sparse does not depend on the thresholds: the sums over them, and so
-who of them is an outlier, would change with it. If that would be all points, there are none.
+who of them is an outlier, would change with it. If that would be all points of a cloud, there are
+none; of a part of a cloud, all may be.
 
 \param sorted the points, in cells of the radius; none once they have been read
 \param radius of the ball, \f$ r_p \f$, at scale 1
@@ -213,6 +214,7 @@ Buffer<unsigned char> find_outliers_among(const Buffer<Vector>& unsorted_points,
 {
   const auto allocator = unsorted_points.get_allocator();
   const std::size_t n = unsorted_points.size();
+  const bool is_part = known_median.has_value();
   Buffer<unsigned char> is_outlier(n, 1, allocator);
   Buffer<Index> sparse(allocator);
   Buffer<double> counts_in_half_balls(allocator);
@@ -267,7 +269,7 @@ Buffer<unsigned char> find_outliers_among(const Buffer<Vector>& unsorted_points,
     is_outlier[rest[k]] = sizes[k] < thresholds.share_of_part * median;
     is_any_left = is_any_left || !is_outlier[rest[k]];
   });
-  if (!is_any_left)
+  if (!is_any_left && !is_part)
     is_outlier.assign(n, 0);
   return is_outlier;
 }

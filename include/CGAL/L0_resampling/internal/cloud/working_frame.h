@@ -59,17 +59,14 @@ class Working_frame
 public:
   /// Moves `points` into a frame in which the median of each coordinate is 0 and no coordinate
   /// exceeds 2.
-  /// \param step if it is not 0: the origin is a multiple of it, in the unit of the input, near the
-  /// medians, so that parts of a cloud have frames whose cells are the same
   template <typename ConcurrencyTag>
-  void enter(Buffer<Vector>& points, double step = 0)
+  void enter(Buffer<Vector>& points)
   {
     double largest = 0;
     for_each_in_order(points.size(), [&](std::size_t i) {
       largest = (std::max)(largest, points[i].cwiseAbs().maxCoeff());
     });
-    if (largest > 0)
-      m_place.exponent = -std::ilogb(largest) - 1;
+    m_place.exponent = exponent_of(largest);
 
     scale<ConcurrencyTag>(m_place.exponent, points);
     // a median is a coordinate of the cloud: differences to it are exact nearby, and outliers do
@@ -79,12 +76,6 @@ public:
       select_nth(coordinates.begin(), middle, coordinates.end());
       m_place.origin[axis] = *middle;
     });
-    if (step > 0)
-    {
-      const double length = std::ldexp(step, m_place.exponent);
-      m_place.origin = m_place.origin.unaryExpr(
-        [&](double x) { return std::round(x / length) * length; });
-    }
     move_to_origin<ConcurrencyTag>(points);
   }
 
@@ -96,6 +87,9 @@ public:
     scale<ConcurrencyTag>(m_place.exponent, points);
     move_to_origin<ConcurrencyTag>(points);
   }
+
+  /// That of a frame for coordinates none of which is larger.
+  static int exponent_of(double largest) { return largest > 0 ? -std::ilogb(largest) - 1 : 0; }
 
   const Place_of_frame& place() const { return m_place; }
 

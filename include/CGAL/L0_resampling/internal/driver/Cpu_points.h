@@ -56,14 +56,13 @@ public:
   Buffer<float>& scales() { return m_input.scales; } ///< of the points; none if all are 1
 
   /// Facts of the points in a frame that they enter.
-  /// \param step of its origin, see `Working_frame::enter()`
-  Facts find_facts(double step = 0)
+  Facts find_facts()
   {
     const Buffer<Vector>& points = m_input.points;
     if (m_facts.frame)
       m_frame.enter<ConcurrencyTag>(m_input.points, *m_facts.frame);
     else
-      m_frame.enter<ConcurrencyTag>(m_input.points, step);
+      m_frame.enter<ConcurrencyTag>(m_input.points);
     m_facts.frame = m_frame.place();
     return known_or_found(m_facts.extents, [&]() {
       return Facts{points.size(), box_diagonal(points), robust_diagonal<ConcurrencyTag>(points),
@@ -88,11 +87,21 @@ public:
     std::optional<Range_of_scales>& known = m_facts.range_of_scales;
     if (!known || known->least != known->largest)
     {
-      const Scale_field field = internal::estimate_scale_field<ConcurrencyTag>(
-        m_input.points, robust_diagonal, usual, m_progress);
-      m_input.scales = field.of_points<ConcurrencyTag>(m_input.points);
+      const auto scales_by = [&](const Scale_field& field) {
+        m_input.scales = field.of_points<ConcurrencyTag>(m_input.points);
+      };
+      if (m_facts.field_of_scales)
+        scales_by(*m_facts.field_of_scales);
+      else
+        scales_by(find_scale_field(robust_diagonal, usual));
     }
     return known_or_found(known, [&]() { return range_of(m_input.scales); });
+  }
+
+  Scale_field find_scale_field(double robust_diagonal, const Usual_scales& usual)
+  {
+    return internal::estimate_scale_field<ConcurrencyTag>(m_input.points, robust_diagonal, usual,
+                                                          m_progress);
   }
 
   void set_unit(double unit) { m_frame.set_unit<ConcurrencyTag>(unit, m_input.points); }

@@ -40,13 +40,15 @@
     Buffer<Vector>&, Buffer<Local_vector>&, Buffer<Local_vector>&, const Parameters&, Progress&,   \
     Report&);                                                                                      \
   declaration Scales scales_of_regions<Tag>(                                                       \
-    Buffer<Vector>&, const std::function<bool(const Vector&)>&, const Cloud_facts&, Progress&);    \
-  declaration std::vector<Block_share> shares_of_tile<Tag, float>(                                 \
-    Buffer<Vector>&, const Cloud_facts&, const Parameters&, const Block_lattice&,                  \
-    const std::vector<Block>&, Any_solver<float>&, Progress&, Report&);                            \
+    Buffer<Vector>&, const std::function<bool(const Vector&)>&, const Facts_of_cloud&, Progress&); \
+  declaration Facts_of_cloud facts_of_points<Tag, float>(Buffer<Vector>&, const Parameters&,       \
+                                                         Any_solver<float>&, Progress&, Report&);  \
+  declaration Share_of_tile share_of_tile<Tag, float>(Buffer<Vector>&, const Facts_of_cloud&,      \
+                                                      const Parameters&, const Room_of_tile&,      \
+                                                      Any_solver<float>&, Progress&, Report&);     \
   declaration Samples_of_tile<float> resample_tile<Tag, float>(                                    \
-    Buffer<Vector>&, const Cloud_facts&, const Parameters&, const Samples_of_blocks&,              \
-    Any_solver<float>&, Progress&, Report&);
+    Buffer<Vector>&, const Facts_of_cloud&, const Parameters&, const Room_of_tile&,                \
+    const Starts_of_tile&, Any_solver<float>&, Progress&, Report&);
 
 #ifdef CGAL_L0_LINKED_WITH_COMPILED
 

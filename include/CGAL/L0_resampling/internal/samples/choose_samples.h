@@ -86,14 +86,17 @@ struct Placed_samples
 
 /// Finds how far the samples spread, where that differs, and which of them follow others.
 /// \param areas that the points stand for, if the plan uses them
+/// \param facts the number of points: given, or found here
 template <typename ConcurrencyTag>
 Placed_samples with_followers(const Plan& plan, const Prepared_points& input, const Areas& areas,
-                              Initial_samples start)
+                              Facts_of_cloud& facts, Initial_samples start)
 {
   Buffer<float> spreading_radii(input.points.get_allocator());
   if (plan.keeps_spacings)
   {
-    const double points_per_sample = double(input.points.size()) / double(plan.number_of_samples);
+    const std::size_t n = known_or_found(facts.number_of_points,
+                                         [&]() { return input.points.size(); });
+    const double points_per_sample = double(n) / double(plan.number_of_samples);
     for_each_in_order(start.sources.size(), [&](std::size_t i) {
       const double area = areas.of_point(start.sources[i]) * points_per_sample;
       spreading_radii.push_back(spreading_radius_of(area, plan.spreading_radius()));
@@ -114,19 +117,21 @@ Placed_samples place_samples(const Plan& plan, const Prepared_points& input, con
   Initial_samples start = initialize_samples<ConcurrencyTag>(
     input.grid, input.points, input.normals, plan.starts_evenly ? areas.units : no_areas,
     plan.number_of_samples, plan.radius, plan.random_seed, facts.units_of_starts, progress);
-  return with_followers<ConcurrencyTag>(plan, input, areas, std::move(start));
+  return with_followers<ConcurrencyTag>(plan, input, areas, facts, std::move(start));
 }
 
 /// Section 3.2: the first S, where they are placed.
+/// \param cloud_index of the points
+/// \param facts the numbers of samples that start on a point, and of all: given, or found here
 /// \param hints used up
 /// \param samples out: all but what the fit finds
 /// \returns the samples that follow others
 template <typename FT>
-Followers take_samples(const Plan& plan, const Prepared_points& input, Placed_samples placed,
-                       Buffer<Local_vector>& hints, Samples<FT>& samples)
+Followers take_samples(const Plan& plan, const Prepared_points& input,
+                       const Cloud_indices& cloud_index, Placed_samples placed,
+                       Facts_of_cloud& facts, Buffer<Local_vector>& hints, Samples<FT>& samples)
 {
   const Buffer<Vector>& points = input.points;
-  const std::size_t m = plan.number_of_samples;
   Initial_samples& start = placed.start;
   samples.positions = std::move(start.positions);
   const std::size_t size = samples.positions.size();
@@ -145,13 +150,17 @@ Followers take_samples(const Plan& plan, const Prepared_points& input, Placed_sa
     const auto starts_on_point = [&](std::size_t i) {
       return samples.positions[i] == points[start.sources[i]];
     };
-    std::size_t number_on_points = 0;
-    for_each_in_order(size, [&](std::size_t i) { number_on_points += starts_on_point(i); });
-    const Support_subset choice(plan.random_seed, plan.radius, plan.sample_spacing, m,
-                                number_on_points);
+    const Numbers_of_starts numbers = known_or_found(facts.numbers_of_starts, [&]() {
+      Numbers_of_starts found = {0, size + placed.followers.leaders.size()};
+      for_each_in_order(size, [&](std::size_t i) { found.on_points += starts_on_point(i); });
+      return found;
+    });
+    const Support_subset choice(plan.random_seed, plan.radius, plan.sample_spacing, numbers.all,
+                                numbers.on_points);
     samples.are_support_points.reserve(size);
     for_each_in_order(size, [&](std::size_t i) {
-      samples.are_support_points.push_back(starts_on_point(i) && choice.takes(start.sources[i]));
+      samples.are_support_points.push_back(starts_on_point(i)
+                                           && choice.takes(cloud_index(start.sources[i])));
     });
     fill_buffer(size, FT(0), samples.fit_variances);
     fill_buffer(size, typename Samples<FT>::Local_vector(Samples<FT>::Local_vector::Zero()),
@@ -175,9 +184,10 @@ Followers choose_samples(const Plan& plan, const Prepared_points& input, const A
                          Facts_of_cloud& facts, Buffer<Local_vector>& hints, Progress& progress,
                          Samples<FT>& samples)
 {
-  return take_samples(plan, input,
-                      place_samples<ConcurrencyTag>(plan, input, areas, facts, progress), hints,
-                      samples);
+  const Cloud_indices own_indices{Buffer<Index>(input.points.get_allocator())};
+  return take_samples(plan, input, own_indices,
+                      place_samples<ConcurrencyTag>(plan, input, areas, facts, progress), facts,
+                      hints, samples);
 }
 
 } // namespace internal

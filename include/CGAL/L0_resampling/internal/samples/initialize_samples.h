@@ -6,6 +6,7 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_INITIALIZE_SAMPLES_H
 #define CGAL_L0_RESAMPLING_INTERNAL_INITIALIZE_SAMPLES_H
 
+#include <CGAL/L0_resampling/internal/cloud/Facts_of_cloud.h>
 #include <CGAL/L0_resampling/internal/search/ball_queries.h>
 #include <CGAL/L0_resampling/internal/kernels/exact_ball.h>
 #include <CGAL/L0_resampling/internal/core/random_bits.h>
@@ -15,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -28,18 +30,13 @@ struct Initial_samples
   Buffer<Index> sources;
 };
 
-/// Splits `n` things in order into `m <= n` runs of nearly equal length and takes one of each at
-/// random.
-inline void pick_one_of_each_run(std::uint64_t n, std::uint64_t m, std::uint64_t seed,
-                                 const Buffer<Index>& things, Buffer<Index>& picked)
+/// The numbers of points in the order of the whole cloud, which random choices go by.
+struct Cloud_indices
 {
-  picked.reserve(m);
-  for_each_in_order(m, [&](std::uint64_t k) {
-    const std::uint64_t begin = k * n / m,
-                        end = (k + 1) * n / m; // below 2^64, as both factors are below 2^32
-    picked.push_back(things[begin + random_bits(seed, k) % (end - begin)]);
-  });
-}
+  Buffer<Index> of_points; ///< none if the points are the whole cloud
+
+  Index operator()(Index i) const { return of_points.empty() ? i : of_points[i]; }
+};
 
 /// Moves each of the new samples, which start on their source, part of the way to another point of
 /// its ball: one of a similar normal, so that the way does not cut an edge, if there is one; else
@@ -47,8 +44,9 @@ inline void pick_one_of_each_run(std::uint64_t n, std::uint64_t m, std::uint64_t
 template <typename ConcurrencyTag, typename T>
 void move_between_points(const Search_grid_3& grid, const Buffer<Vector>& points,
                          const Buffer<Eigen::Matrix<T, 3, 1>>& normals,
-                         const Buffer<Index>& distinct, double radius, std::uint64_t seed,
-                         Progress& progress, Initial_samples& samples)
+                         const Buffer<Index>& distinct, const Cloud_indices& cloud_index,
+                         double radius, std::uint64_t seed, Progress& progress,
+                         Initial_samples& samples)
 {
   const Buffer<Vector> starts = copy_of(samples.positions);
   const Buffer<float> start_scales = listed_scales(grid.scales(), samples.sources);
@@ -60,6 +58,7 @@ void move_between_points(const Search_grid_3& grid, const Buffer<Vector>& points
       for (Index e = queries.first; e < queries.second; ++e)
       {
         const Index source = samples.sources[e];
+        const std::uint64_t seed_of_source = seed + cloud_index(source);
         const Eigen::Matrix<T, 3, 1> center = (starts[e] - origin).template cast<T>();
         Index partner = source;
         std::uint64_t best = 0;
@@ -77,7 +76,8 @@ void move_between_points(const Search_grid_3& grid, const Buffer<Vector>& points
             continue;
           const bool is_similar = std::abs(normals[source].dot(normals[j]))
                                   > T(cosine_of_similar_normals);
-          const std::uint64_t rank = (random_bits(seed + source, (number << 32) | j) >> 1)
+          const std::uint64_t rank = (random_bits(seed_of_source, (number << 32) | cloud_index(j))
+                                      >> 1)
                                      | (std::uint64_t(is_similar) << 63);
           if (rank > best)
           {
@@ -94,7 +94,7 @@ void move_between_points(const Search_grid_3& grid, const Buffer<Vector>& points
         const double share =
           0.2
           + 0.25
-              * std::ldexp(double(random_bits(seed + source, (number << 32) | 0xffffffff) >> 11),
+              * std::ldexp(double(random_bits(seed_of_source, (number << 32) | 0xffffffff) >> 11),
                            -53);
         samples.positions[e] = starts[e] + share * (points[partner] - starts[e]);
       }
@@ -111,54 +111,115 @@ struct Sources
   Buffer<Index> on_points, between_points;
 };
 
+/// Sums over points in the order of the whole cloud.
+struct Sums_over_points
+{
+  std::uint64_t units = 0; ///< areas of the distinct points
+  std::uint64_t points = 0;
+  std::uint64_t distinct = 0; ///< points, one of each place
+
+  Sums_over_points& operator+=(const Sums_over_points& other)
+  {
+    units += other.units;
+    points += other.points;
+    distinct += other.distinct;
+    return *this;
+  }
+};
+
+/// How many of the m thresholds are below a sum of areas.
+inline std::uint64_t thresholds_below(std::uint64_t sum, std::uint64_t m, std::uint64_t seed,
+                                      std::uint64_t total)
+{
+  std::uint64_t k = 0;
+  for (std::uint64_t count = m; count > 0;)
+  {
+    const std::uint64_t half = count / 2;
+    const bool is_below = area_threshold(k + half, m, seed, total) < sum;
+    k = is_below ? k + half + 1 : k;
+    count = is_below ? count - half - 1 : half;
+  }
+  return k;
+}
+
 /// Shares the samples out by area: each point gets as many as there are thresholds, one at random
 /// in each of m equal parts of the whole area, in the part of the area that is its own. The first
 /// starts on it.
+/// \param distinct some of the points of the cloud, which follow each other in its order
 /// \param areas one number a point, positive, so that all processors add them up alike
-/// \param known_total of the areas: of a larger cloud, of which these are the first points, or
-/// found here
-inline Sources sources_by_area(const Buffer<Index>& distinct, const Buffer<std::uint64_t>& areas,
-                               std::uint64_t m, std::uint64_t seed,
-                               std::optional<std::uint64_t>& known_total)
+/// \param sum of the areas before them
+/// \param total of the areas of the cloud
+inline void add_sources_by_area(const Buffer<Index>& distinct, const Buffer<std::uint64_t>& areas,
+                                std::uint64_t sum, std::uint64_t total, std::uint64_t m,
+                                std::uint64_t seed, Sources& sources)
 {
-  Sources sources{Buffer<Index>(distinct.get_allocator()), Buffer<Index>(distinct.get_allocator())};
-  const bool are_all_points = !known_total;
-  if (are_all_points)
-  {
-    known_total = 0;
-    for_each_in_order(distinct.size(), [&](std::size_t d) { *known_total += areas[distinct[d]]; });
-  }
-  const std::uint64_t total = *known_total;
-  std::uint64_t sum = 0, k = 0;
-  sources.on_points.reserve((std::min)(std::size_t(m), distinct.size()));
+  std::uint64_t k = thresholds_below(sum, m, seed, total);
   for_each_in_order(distinct.size(), [&](std::size_t d) {
     const Index i = distinct[d];
     sum += areas[i];
-    // takes what rounding leaves
-    const bool is_last = are_all_points && i == distinct.back();
-    for (bool is_first = true; k < m && (is_last || area_threshold(k, m, seed, total) < sum);
+    // the last one takes what rounding leaves
+    for (bool is_first = true; k < m && (sum == total || area_threshold(k, m, seed, total) < sum);
          is_first = false, ++k)
       (is_first ? sources.on_points : sources.between_points).push_back(i);
   });
-  return sources;
 }
 
-/// Shares the samples out by points: no more than one each, or, if there are more samples than
-/// points, one at least.
-inline Sources sources_by_points(const Buffer<Index>& distinct, std::uint64_t m, std::uint64_t seed)
+/// Shares the samples out by points: no more than one each, one of each of m parts of nearly equal
+/// length; or, if there are more samples than points, one at least.
+/// \param distinct some of the points of the cloud, which follow each other in its order
+/// \param rank of the first of them among the distinct points of the cloud
+/// \param n how many these are
+inline void add_sources_by_points(const Buffer<Index>& distinct, std::uint64_t rank,
+                                  std::uint64_t n, std::uint64_t m, std::uint64_t seed,
+                                  Sources& sources)
+{
+  // products are below 2^64, as all factors are below 2^32
+  const std::uint64_t end = rank + distinct.size();
+  const auto ceiling = [](std::uint64_t a, std::uint64_t b) { return (a + b - 1) / b; };
+  if (m <= n)
+  {
+    const std::uint64_t first = ((rank + 1) * m - 1) / n, // the part that the first point is in
+      behind = (std::min)(ceiling(end * m, n), m);
+    for_each_in_order(behind - first, [&](std::uint64_t part) {
+      const std::uint64_t k = first + part, begin_of_part = k * n / m,
+                          end_of_part = (k + 1) * n / m,
+                          place = begin_of_part
+                                  + random_bits(seed, k) % (end_of_part - begin_of_part);
+      if (place >= rank && place < end)
+        sources.on_points.push_back(distinct[std::size_t(place - rank)]);
+    });
+    return;
+  }
+  sources.on_points.insert(sources.on_points.end(), distinct.begin(), distinct.end());
+  const std::uint64_t number_of_new = m - n, first = ceiling(rank * number_of_new, n),
+                      behind = ceiling(end * number_of_new, n);
+  for_each_in_order(behind - first, [&](std::uint64_t e) {
+    sources.between_points.push_back(distinct[std::size_t((first + e) * n / number_of_new - rank)]);
+  });
+}
+
+/// Where samples start of a cloud.
+/// \param areas none if samples spread as the points do
+/// \param known_total of the areas: of a larger cloud, of which these are the first points, or
+/// found here
+inline Sources sources_of_samples(const Buffer<Index>& distinct, const Buffer<std::uint64_t>& areas,
+                                  std::uint64_t m, std::uint64_t seed,
+                                  std::optional<std::uint64_t>& known_total)
 {
   Sources sources{Buffer<Index>(distinct.get_allocator()), Buffer<Index>(distinct.get_allocator())};
-  if (m <= distinct.size())
+  sources.on_points.reserve((std::min)(std::size_t(m), distinct.size()));
+  if (areas.empty())
   {
-    pick_one_of_each_run(distinct.size(), m, seed, distinct, sources.on_points);
+    sources.between_points.reserve(m > distinct.size() ? std::size_t(m) - distinct.size() : 0);
+    add_sources_by_points(distinct, 0, distinct.size(), m, seed, sources);
     return sources;
   }
-  sources.on_points = distinct;
-  const std::uint64_t number_of_new = m - distinct.size();
-  sources.between_points.reserve(number_of_new);
-  for_each_in_order(number_of_new, [&](std::uint64_t e) {
-    sources.between_points.push_back(distinct[std::size_t(e * distinct.size() / number_of_new)]);
+  const std::uint64_t total = known_or_found(known_total, [&]() {
+    std::uint64_t sum = 0;
+    for_each_in_order(distinct.size(), [&](std::size_t d) { sum += areas[distinct[d]]; });
+    return sum;
   });
+  add_sources_by_area(distinct, areas, 0, total, m, seed, sources);
   return sources;
 }
 
@@ -176,13 +237,15 @@ inline Buffer<Index> distinct_points(const Buffer<Vector>& points)
 }
 
 /// Lets samples start on their sources, or between these and other points.
+/// \param cloud_index of the points
 /// \param sources ascending, each of the two lists
 /// The other parameters and the result are those of `initialize_samples()`.
 template <typename ConcurrencyTag, typename T>
 Initial_samples start_samples(const Search_grid_3& grid, const Buffer<Vector>& points,
                               const Buffer<Eigen::Matrix<T, 3, 1>>& normals,
-                              const Buffer<Index>& distinct, Sources sources, double radius,
-                              std::uint64_t seed, Progress& progress)
+                              const Buffer<Index>& distinct, const Cloud_indices& cloud_index,
+                              Sources sources, double radius, std::uint64_t seed,
+                              Progress& progress)
 {
   const std::size_t number_of_samples = sources.on_points.size() + sources.between_points.size();
   Initial_samples samples{Buffer<Vector>(points.get_allocator()),
@@ -198,8 +261,8 @@ Initial_samples start_samples(const Search_grid_3& grid, const Buffer<Vector>& p
   const bool is_sorted = samples.sources.empty();
   start_on_sources();
   if (!is_sorted)
-    move_between_points<ConcurrencyTag>(grid, points, normals, distinct, radius, seed, progress,
-                                        samples);
+    move_between_points<ConcurrencyTag>(grid, points, normals, distinct, cloud_index, radius, seed,
+                                        progress, samples);
   samples.sources.insert(samples.sources.end(), sources.on_points.begin(), sources.on_points.end());
   start_on_sources();
   if (is_sorted)
@@ -220,7 +283,7 @@ point start between two points each.
 \param areas what each point stands for, so that the samples spread evenly over the surface; or
 none, so that they spread as the points do
 \param radius how far apart the two points of a further sample may lie, at scale 1
-\param known_total as for `sources_by_area()`
+\param known_total as for `sources_of_samples()`
 \returns samples sorted for a grid of the same cell size
 */
 template <typename ConcurrencyTag, typename T>
@@ -231,11 +294,10 @@ Initial_samples initialize_samples(const Search_grid_3& grid, const Buffer<Vecto
                                    std::optional<std::uint64_t>& known_total, Progress& progress)
 {
   const Buffer<Index> distinct = distinct_points(points);
-  Sources sources = areas.empty()
-                      ? sources_by_points(distinct, number_of_samples, seed)
-                      : sources_by_area(distinct, areas, number_of_samples, seed, known_total);
-  return start_samples<ConcurrencyTag>(grid, points, normals, distinct, std::move(sources), radius,
-                                       seed, progress);
+  Sources sources = sources_of_samples(distinct, areas, number_of_samples, seed, known_total);
+  const Cloud_indices own_indices{Buffer<Index>(points.get_allocator())};
+  return start_samples<ConcurrencyTag>(grid, points, normals, distinct, own_indices,
+                                       std::move(sources), radius, seed, progress);
 }
 
 } // namespace internal

@@ -268,6 +268,19 @@ public:
 
   std::uint64_t key_of_cell(std::size_t c) const { return m_keys[c]; }
 
+  /// Where a row is cut into runs of cells, whichever of them are occupied.
+  static constexpr std::int64_t cells_per_run = 4;
+  /// Of the run of a cell: ascends with the order of the points.
+  std::uint64_t key_of_run(std::size_t c) const { return m_keys[c] / std::uint64_t(cells_per_run); }
+  /// Of the run of a cell.
+  Vector middle_of_run(std::size_t c) const
+  {
+    Vector middle = cell_center(c);
+    const std::int64_t first = axis_of(m_keys[c], 0) / cells_per_run * cells_per_run - half_range;
+    middle[0] = size_of_cell(c) * double(first + cells_per_run / 2);
+    return middle;
+  }
+
   /// Whether the cell is an outermost one, which collects all that lies beyond.
   bool is_unbounded(std::size_t c) const
   {

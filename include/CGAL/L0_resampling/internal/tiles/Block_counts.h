@@ -185,6 +185,36 @@ public:
   }
 };
 
+/// A quantile of the coordinates on an axis, to within a block.
+class Quantiles_of_blocks
+{
+  const Block_counts& m_counts;
+  std::size_t m_axis;
+  std::vector<std::pair<std::int64_t, std::uint64_t>> m_layers;
+
+public:
+  /// \param counts of at least one point; outlive this object
+  Quantiles_of_blocks(const Block_counts& counts, std::size_t axis) : m_counts(counts), m_axis(axis)
+  {
+    for (const auto& [block, count] : counts.blocks())
+      m_layers.emplace_back(block[axis], count);
+    std::sort(m_layers.begin(), m_layers.end());
+  }
+
+  double coordinate_at(std::uint64_t rank) const
+  {
+    std::uint64_t sum = 0;
+    for (const auto& [place, count] : m_layers)
+    {
+      if (rank < sum + count)
+        return (double(place) + (double(rank - sum) + 0.5) / double(count))
+               * m_counts.lattice().side();
+      sum += count;
+    }
+    return m_counts.high()[m_axis];
+  }
+};
+
 /// The diagonal of the bounding box without outliers, as `robust_diagonal()` of the points, to
 /// within a block.
 /// \param counts of at least one point
@@ -197,22 +227,9 @@ inline double robust_diagonal_of_blocks(const Block_counts& counts)
   double reach = 0;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    std::vector<std::pair<std::int64_t, std::uint64_t>> layers;
-    for (const auto& [block, count] : blocks)
-      layers.emplace_back(block[axis], count);
-    std::sort(layers.begin(), layers.end());
-    const auto coordinate_at = [&](std::uint64_t rank) {
-      std::uint64_t sum = 0;
-      for (const auto& [place, count] : layers)
-      {
-        if (rank < sum + count)
-          return (double(place) + (double(rank - sum) + 0.5) / double(count)) * side;
-        sum += count;
-      }
-      return counts.high()[axis];
-    };
-    low[axis] = (std::max)(coordinate_at(margin), counts.low()[axis]);
-    high[axis] = (std::min)(coordinate_at(n - 1 - margin), counts.high()[axis]);
+    const Quantiles_of_blocks quantiles(counts, axis);
+    low[axis] = (std::max)(quantiles.coordinate_at(margin), counts.low()[axis]);
+    high[axis] = (std::min)(quantiles.coordinate_at(n - 1 - margin), counts.high()[axis]);
     reach = (std::max)(reach, high[axis] - low[axis]);
   }
   double squared_length = 0;

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -47,7 +48,8 @@ struct Block_box
 /// The blocks whose samples one task finds, and how many points it looks at for that.
 struct Tile
 {
-  Block_box box;
+  Block_box box;                            ///< of its blocks that hold points
+  Block_box room;                           ///< around them: the rooms of all tiles fill the space
   std::uint64_t number_of_points;           ///< of its own blocks
   std::uint64_t number_of_points_with_halo; ///< and of those around
 };
@@ -64,9 +66,9 @@ class Tiling
   std::vector<Tile> m_tiles;
   std::uint64_t m_least_limit = 0;
 
-  Tile tile_of(const std::vector<std::size_t>& own) const
+  Tile tile_of(const std::vector<std::size_t>& own, const Block_box& room) const
   {
-    Tile tile = {{m_blocks[own.front()].first, m_blocks[own.front()].first}, 0, 0};
+    Tile tile = {{m_blocks[own.front()].first, m_blocks[own.front()].first}, room, 0, 0};
     for (const std::size_t i : own)
     {
       const auto& [block, count] = m_blocks[i];
@@ -83,9 +85,9 @@ class Tiling
     return tile;
   }
 
-  void split(std::vector<std::size_t> own)
+  void split(std::vector<std::size_t> own, const Block_box& room)
   {
-    const Tile tile = tile_of(own);
+    const Tile tile = tile_of(own, room);
     std::size_t axis = 0;
     const auto length = [&](std::size_t a) { return tile.box.high[a] - tile.box.low[a]; };
     for (std::size_t other = 1; other < 3; ++other)
@@ -112,11 +114,13 @@ class Tiling
                                              [&](std::size_t i) { return place(i) < layer; });
     std::vector<std::size_t> lower(own.begin(), middle), upper(middle, own.end());
     own = {};
-    for (std::vector<std::size_t>* half : {&lower, &upper})
-    {
-      std::sort(half->begin(), half->end());
-      split(std::move(*half));
-    }
+    Block_box lower_room = room, upper_room = room;
+    lower_room.high[axis] = layer - 1;
+    upper_room.low[axis] = layer;
+    std::sort(lower.begin(), lower.end());
+    split(std::move(lower), lower_room);
+    std::sort(upper.begin(), upper.end());
+    split(std::move(upper), upper_room);
   }
 
 public:
@@ -127,7 +131,8 @@ public:
   {
     std::vector<std::size_t> all(blocks.size());
     std::iota(all.begin(), all.end(), std::size_t(0));
-    split(std::move(all));
+    const std::int64_t far_away = (std::numeric_limits<std::int64_t>::max)();
+    split(std::move(all), {{-far_away, -far_away, -far_away}, {far_away, far_away, far_away}});
   }
 
   const std::vector<Tile>& tiles() const { return m_tiles; }
@@ -135,33 +140,6 @@ public:
   /// The points of the largest tile with its halo: more than the limit if a single block is.
   std::uint64_t most_points_of_tile() const { return m_least_limit; }
 };
-
-/*!
-How many samples start in each block: as many of all as the block has of the whole weight, by a
-running sum, so that the numbers add up to `number_of_samples`.
-
-\param weights of the blocks in their order; at least one is not 0
-*/
-inline std::vector<std::uint64_t> samples_of_blocks(const std::vector<std::uint64_t>& weights,
-                                                    std::uint64_t number_of_samples)
-{
-  std::uint64_t total = 0, sum = 0, taken = 0;
-  for (const std::uint64_t weight : weights)
-    total += weight;
-  std::vector<std::uint64_t> numbers;
-  numbers.reserve(weights.size());
-  for (const std::uint64_t weight : weights)
-  {
-    sum += weight;
-    // monotonic, and all of them at the end, where the quotient is 1
-    const std::uint64_t end = sum == total ? number_of_samples
-                                           : std::uint64_t(double(sum) / double(total)
-                                                           * double(number_of_samples));
-    numbers.push_back(end - taken);
-    taken = end;
-  }
-  return numbers;
-}
 
 } // namespace internal
 } // namespace L0_resampling

@@ -1,0 +1,94 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_RUNS_OF_CELLS_H
+#define CGAL_L0_RESAMPLING_INTERNAL_RUNS_OF_CELLS_H
+
+#include <CGAL/L0_resampling/internal/samples/initialize_samples.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <vector>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/// A few cells of a row, whose points follow each other in the order of the whole cloud.
+struct Run_of_cells
+{
+  std::uint64_t key; ///< `Search_grid_3::key_of_run()`
+  Sums_over_points sums;
+
+  bool operator<(const Run_of_cells& other) const { return key < other.key; }
+};
+
+/// What a tile counts. Each run has one tile that it belongs to, which counts all points in it.
+struct Share_of_tile
+{
+  /// Ascending: those of the tile with what is in them, and those of its halo with nothing.
+  std::vector<Run_of_cells> runs;
+  std::uint64_t units_of_all = 0; ///< areas of all its points, also those at one place
+  double area_per_unit = 0;       ///< in units of \f$ r_p^2 \f$
+};
+
+/// What all tiles have counted.
+struct Sums_of_tiles
+{
+  Sums_over_points sums;
+  double area = 0; ///< in units of \f$ r_p^2 \f$
+};
+
+/*!
+Adds up the shares of all tiles in the order of the whole cloud, so that each tile knows which of
+the samples start in its runs, and which number each of its points has in the cloud.
+
+\param shares in: what is in the runs. Out: what comes before each; those of halos of which nothing
+is left are removed
+*/
+inline Sums_of_tiles add_up_shares(std::vector<Share_of_tile>& shares)
+{
+  Sums_of_tiles result;
+  std::vector<Run_of_cells> all;
+  std::uint64_t units_of_all = 0;
+  double area_per_unit = 0;
+  for (const Share_of_tile& share : shares)
+  {
+    std::copy_if(share.runs.begin(), share.runs.end(), std::back_inserter(all),
+                 [](const Run_of_cells& run) { return run.sums.points > 0; });
+    units_of_all += share.units_of_all;
+    area_per_unit = (std::max)(area_per_unit,
+                               share.area_per_unit); // all the same, if they are known
+  }
+  result.area = double(units_of_all) * area_per_unit;
+  std::sort(all.begin(), all.end());
+  for (Run_of_cells& run : all)
+  {
+    const Sums_over_points own = run.sums;
+    run.sums = result.sums;
+    result.sums += own;
+  }
+  for (Share_of_tile& share : shares)
+  {
+    auto place = all.begin();
+    auto end = share.runs.begin();
+    for (const Run_of_cells& run : share.runs)
+    {
+      place = std::lower_bound(place, all.end(), run);
+      if (place != all.end() && place->key == run.key)
+        *end++ = *place;
+    }
+    share.runs.erase(end, share.runs.end());
+  }
+  return result;
+}
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_RUNS_OF_CELLS_H
