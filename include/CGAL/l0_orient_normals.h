@@ -7,10 +7,10 @@
 #define CGAL_L0_ORIENT_NORMALS_H
 
 #include <CGAL/L0_resampling/Report.h>
+#include <CGAL/L0_resampling/internal/driver/orient_point_set.h>
 #include <CGAL/L0_resampling/internal/interface/checked_parameters.h>
 #include <CGAL/L0_resampling/internal/interface/checked_types.h>
 #include <CGAL/L0_resampling/internal/interface/compiled_templates.h>
-#include <CGAL/L0_resampling/internal/driver/orient_point_set.h>
 #include <CGAL/L0_resampling/internal/interface/points_of_range.h>
 #include <CGAL/L0_resampling/named_parameters.h>
 #include <CGAL/L0_resampling/tags.h>

@@ -11,9 +11,9 @@
 #include "basis/Failure.h"
 #include "formats/Text_columns.h"
 #include "formats/read_points.h"
+#include "formats/write_points.h"
 #include "pictures/render_snapshot.h"
 #include "pictures/write_png.h"
-#include "formats/write_points.h"
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>

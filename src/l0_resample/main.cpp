@@ -4,13 +4,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "basis/Failure.h"
-#include "command_line/options.h"
 #include "basis/messages.h"
+#include "basis/signals.h"
+#include "command_line/options.h"
 #include "tasks/report_json.h"
 #include "tasks/run.h"
-#include "tiles/run_as_one.h"
 #include "tasks/run_batch.h"
-#include "basis/signals.h"
+#include "tiles/run_as_one.h"
 
 #include <optional>
 

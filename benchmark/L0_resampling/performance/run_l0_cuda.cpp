@@ -9,8 +9,8 @@
 #include "../common/command_line.h"
 #include "../common/sample_mesh.h"
 
-#include <CGAL/L0_resampling/internal/plan/Method_rules.h>
 #include <CGAL/L0_resampling/internal/device/cuda_interface.h>
+#include <CGAL/L0_resampling/internal/plan/Method_rules.h>
 
 #include <nlohmann/json.hpp>
 

@@ -9,8 +9,8 @@
 
 #include "../methods/method_program.h"
 
-#include <CGAL/Search_traits_3.h>
 #include <CGAL/Orthogonal_k_neighbor_search.h>
+#include <CGAL/Search_traits_3.h>
 #include <CGAL/l0_resample_point_set.h>
 
 #include <algorithm>

@@ -10,8 +10,8 @@
 
 #include <CGAL/L0_resampling/Eigen_least_squares_solver_traits.h>
 #include <CGAL/L0_resampling/internal/core/Parameters.h>
-#include <CGAL/L0_resampling/internal/energy/half_sampling.h>
 #include <CGAL/L0_resampling/internal/core/weights.h>
+#include <CGAL/L0_resampling/internal/energy/half_sampling.h>
 #include <CGAL/l0_resample_point_set.h>
 
 #include <algorithm>

@@ -11,8 +11,8 @@
 // `input`, or `default`, or names and values such as `method=1,normal_weight=5`, with the names of
 // the named parameters and the number of a Method. A radius is read in units of its default.
 // Besides, `viewpoint_z=5` is a viewpoint on the z-axis, `features=1` draws the feature confidences
-// in place of the normals, `dots=1` draws points as dots, so that one sees how they lie, and `cut=1`
-// resamples only what lies in BOX, which then has a border.
+// in place of the normals, `dots=1` draws points as dots, so that one sees how they lie, and
+// `cut=1` resamples only what lies in BOX, which then has a border.
 
 #include "files/file_formats.h"
 #include "formats/read_points.h"

@@ -7,9 +7,9 @@
 // generate_text.py and check_manual.py. With two numbers, spacing and noise, it prints the radius
 // that the default method takes.
 
-#include <CGAL/L0_resampling/internal/kernels/Border_of_ball.h>
 #include <CGAL/L0_resampling/internal/core/Orientation_hints.h>
 #include <CGAL/L0_resampling/internal/interface/checked_parameters.h>
+#include <CGAL/L0_resampling/internal/kernels/Border_of_ball.h>
 #include <CGAL/L0_resampling/internal/kernels/crowded_subcells.h>
 #include <CGAL/L0_resampling/internal/kernels/orientation_agreement.h>
 #include <CGAL/L0_resampling/internal/kernels/scale_field.h>

@@ -13,13 +13,13 @@
 #include <CGAL/L0_resampling/Report.h>
 #include <CGAL/L0_resampling/internal/device/Device_progress.h>
 #include <CGAL/L0_resampling/internal/device/Device_session.h>
+#include <CGAL/L0_resampling/internal/device/cuda_answer.h>
+#include <CGAL/L0_resampling/internal/device/cuda_device_arrays.h>
+#include <CGAL/L0_resampling/internal/device/cuda_interface.h>
 #include <CGAL/L0_resampling/internal/interface/Point_data.h>
 #include <CGAL/L0_resampling/internal/interface/checked_parameters.h>
 #include <CGAL/L0_resampling/internal/interface/checked_types.h>
 #include <CGAL/L0_resampling/internal/interface/compiled_templates.h>
-#include <CGAL/L0_resampling/internal/device/cuda_answer.h>
-#include <CGAL/L0_resampling/internal/device/cuda_device_arrays.h>
-#include <CGAL/L0_resampling/internal/device/cuda_interface.h>
 #include <CGAL/L0_resampling/internal/interface/output_iterators.h>
 #include <CGAL/L0_resampling/internal/interface/points_of_range.h>
 #include <CGAL/L0_resampling/named_parameters.h>

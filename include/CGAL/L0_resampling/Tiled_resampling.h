@@ -8,10 +8,10 @@
 
 #include <CGAL/L0_resampling/Block_chebyshev_solver_traits.h>
 #include <CGAL/L0_resampling/Report.h>
-#include <CGAL/L0_resampling/internal/tiles/Regions_of_blocks.h>
 #include <CGAL/L0_resampling/internal/interface/checked_parameters.h>
 #include <CGAL/L0_resampling/internal/interface/compiled_templates.h>
 #include <CGAL/L0_resampling/internal/interface/points_of_range.h>
+#include <CGAL/L0_resampling/internal/tiles/Regions_of_blocks.h>
 #include <CGAL/L0_resampling/internal/tiles/resample_tile.h>
 #include <CGAL/L0_resampling/internal/tiles/stitch_tiles.h>
 

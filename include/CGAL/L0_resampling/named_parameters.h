@@ -66,8 +66,8 @@ struct Named_parameters : public CGAL::Named_function_parameters<T, Tag, Base>
     return Named_parameters<std::reference_wrapper<K>, internal_np::X, Chain>(std::ref(value),     \
                                                                               *this);              \
   }
-#include <CGAL/STL_Extension/internal/parameters_interface.h>
 #include <CGAL/L0_resampling/named_parameters_interface.h>
+#include <CGAL/STL_Extension/internal/parameters_interface.h>
 #undef CGAL_add_named_parameter
 #undef CGAL_add_named_parameter_with_compatibility
 #undef CGAL_add_extra_named_parameter_with_compatibility

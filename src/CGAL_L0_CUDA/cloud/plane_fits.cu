@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "kernels/Plane_fit.cuh"
 #include "cloud/plane_fits.cuh"
+#include "kernels/Plane_fit.cuh"
 
 #include <algorithm>
 #include <vector>

@@ -3,12 +3,12 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "search/Thinned_points.cuh"
 #include "driver/estimate_memory.cuh"
 #include "orientation/orient_measured_normals.cuh"
+#include "search/Thinned_points.cuh"
 
-#include <CGAL/L0_resampling/internal/kernels/crowded_subcells.h>
 #include <CGAL/L0_resampling/internal/driver/run.h>
+#include <CGAL/L0_resampling/internal/kernels/crowded_subcells.h>
 #include <CGAL/L0_resampling/internal/kernels/spacing_to_orient.h>
 
 namespace CGAL {

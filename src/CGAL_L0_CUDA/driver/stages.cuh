@@ -8,8 +8,8 @@
 
 #include "search/Cell_grid.cuh"
 
-#include <CGAL/L0_resampling/internal/plan/Plan.h>
 #include <CGAL/L0_resampling/internal/device/cuda_interface.h>
+#include <CGAL/L0_resampling/internal/plan/Plan.h>
 
 #include <cstddef>
 #include <vector>

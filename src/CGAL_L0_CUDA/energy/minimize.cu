@@ -4,14 +4,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/Grid_sum.cuh"
-#include "samples/loops_over_samples.cuh"
 #include "driver/stages.cuh"
+#include "samples/loops_over_samples.cuh"
 
+#include <CGAL/L0_resampling/internal/core/weights.h>
 #include <CGAL/L0_resampling/internal/kernels/block_factorization.h>
 #include <CGAL/L0_resampling/internal/kernels/chebyshev_steps.h>
 #include <CGAL/L0_resampling/internal/kernels/negligible_displacement.h>
 #include <CGAL/L0_resampling/internal/kernels/shrinkage.h>
-#include <CGAL/L0_resampling/internal/core/weights.h>
 
 namespace CGAL {
 namespace L0_resampling {

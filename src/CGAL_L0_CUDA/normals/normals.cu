@@ -3,10 +3,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "search/Query.cuh"
-#include "kernels/Plane_fit.cuh"
 #include "cloud/plane_fits.cuh"
 #include "driver/stages.cuh"
+#include "kernels/Plane_fit.cuh"
+#include "search/Query.cuh"
 
 #include <CGAL/L0_resampling/internal/core/weights.h>
 

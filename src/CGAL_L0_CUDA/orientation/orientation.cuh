@@ -6,8 +6,8 @@
 #ifndef CGAL_L0_CUDA_ORIENTATION_CUH
 #define CGAL_L0_CUDA_ORIENTATION_CUH
 
-#include "search/nearest_samples.cuh"
 #include "driver/stages.cuh"
+#include "search/nearest_samples.cuh"
 
 #include <CGAL/L0_resampling/internal/kernels/orientation_agreement.h>
 

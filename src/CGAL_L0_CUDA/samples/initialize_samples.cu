@@ -3,11 +3,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "search/Query.cuh"
 #include "driver/stages.cuh"
+#include "search/Query.cuh"
 
-#include <CGAL/L0_resampling/internal/kernels/exact_ball.h>
 #include <CGAL/L0_resampling/internal/core/random_bits.h>
+#include <CGAL/L0_resampling/internal/kernels/exact_ball.h>
 
 namespace CGAL {
 namespace L0_resampling {

@@ -3,13 +3,13 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "driver/stages.cuh"
 #include "kernels/Plane_fit.cuh"
 #include "search/Query.cuh"
-#include "driver/stages.cuh"
 
+#include <CGAL/L0_resampling/internal/core/weights.h>
 #include <CGAL/L0_resampling/internal/kernels/Quadric_moments.h>
 #include <CGAL/L0_resampling/internal/kernels/project_to_local_quadric.h>
-#include <CGAL/L0_resampling/internal/core/weights.h>
 
 namespace CGAL {
 namespace L0_resampling {

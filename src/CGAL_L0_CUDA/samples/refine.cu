@@ -3,14 +3,14 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "driver/stages.cuh"
 #include "kernels/Plane_fit.cuh"
 #include "search/Query.cuh"
-#include "driver/stages.cuh"
 
-#include <CGAL/L0_resampling/internal/kernels/Border_of_ball.h>
-#include <CGAL/L0_resampling/internal/kernels/Compatible_points.h>
 #include <CGAL/L0_resampling/internal/core/Parameters.h>
 #include <CGAL/L0_resampling/internal/core/weights.h>
+#include <CGAL/L0_resampling/internal/kernels/Border_of_ball.h>
+#include <CGAL/L0_resampling/internal/kernels/Compatible_points.h>
 
 #include <algorithm>
 #include <cmath>

@@ -3,9 +3,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "driver/stages.cuh"
 #include "kernels/Plane_fit.cuh"
 #include "search/Query.cuh"
-#include "driver/stages.cuh"
 
 #include <CGAL/L0_resampling/internal/kernels/Compatible_points.h>
 

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "search/Query.cuh"
 #include "driver/stages.cuh"
+#include "search/Query.cuh"
 
 #include <type_traits>
 

@@ -5,10 +5,10 @@
 
 #include "command_line/command_line.h"
 
-#include "files/Command_output.h"
 #include "basis/Failure.h"
-#include "formats/Text_columns.h"
 #include "basis/parse_numbers.h"
+#include "files/Command_output.h"
+#include "formats/Text_columns.h"
 
 #include <CGAL/L0_resampling/internal/core/Parameters.h>
 #include <CGAL/version.h>

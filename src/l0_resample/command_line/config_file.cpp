@@ -6,9 +6,9 @@
 #include "command_line/config_file.h"
 
 #include "basis/Failure.h"
-#include "files/Input_file.h"
-#include "command_line/command_line.h"
 #include "basis/parse_numbers.h"
+#include "command_line/command_line.h"
+#include "files/Input_file.h"
 
 #include <CLI/CLI.hpp>
 

@@ -6,12 +6,12 @@
 #include "command_line/options.h"
 
 #include "basis/Failure.h"
-#include "files/batch.h"
+#include "basis/messages.h"
 #include "command_line/check_paths.h"
 #include "command_line/command_line.h"
 #include "command_line/config_file.h"
 #include "command_line/manual.h"
-#include "basis/messages.h"
+#include "files/batch.h"
 
 #include <CGAL/L0_resampling/internal/plan/Method_rules.h>
 

@@ -21,8 +21,8 @@ namespace l0_tool {
 
 /// Reads a file, a pipe or what a command makes of a file once, from begin to end, through a buffer
 /// of fixed size: no content can make it allocate more. What gzip has compressed, whatever its name
-/// is, is read as what it stands for. Every member throws Failure, with the status INPUT_REFUSED where the file
-/// is to blame.
+/// is, is read as what it stands for. Every member throws Failure, with the status INPUT_REFUSED
+/// where the file is to blame.
 class Input_file
 {
 public:
@@ -34,7 +34,8 @@ public:
   /// \param path "-" for the rest of standard input
   /// \param on_progress called now and then with the share of the file that was read, in [0, 1];
   /// never for a pipe
-  /// \param command whose output is read in place of the file, as of `Command_output`; empty if none
+  /// \param command whose output is read in place of the file, as of `Command_output`; empty for
+  /// none
   explicit Input_file(const std::string& path, On_progress on_progress = {},
                       const std::string& command = {});
   ~Input_file();
@@ -57,8 +58,8 @@ public:
   /// \returns false, without a call, for a pipe and for a compressed file
   bool look_ahead(std::uint64_t position, const std::function<void()>& read);
 
-  /// Reads a compressed file, or the output of a command, to its end, as what it holds is only known
-  /// to be sound then.
+  /// Reads a compressed file, or the output of a command, to its end, as what it holds is only
+  /// known to be sound then.
   void check_end();
 
   /// Nothing for a pipe, and for a compressed file.

@@ -5,8 +5,8 @@
 
 #include "files/batch.h"
 
-#include "files/Destination.h"
 #include "basis/Failure.h"
+#include "files/Destination.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -5,9 +5,9 @@
 
 #include "files/tile_folder.h"
 
-#include "files/Destination.h"
 #include "basis/Failure.h"
 #include "basis/parse_numbers.h"
+#include "files/Destination.h"
 
 #include <filesystem>
 #include <iterator>

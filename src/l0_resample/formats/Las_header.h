@@ -6,9 +6,9 @@
 #ifndef L0_RESAMPLE_LAS_HEADER_H
 #define L0_RESAMPLE_LAS_HEADER_H
 
+#include "basis/Las_origin.h"
 #include "files/Input_file.h"
 #include "formats/Las_extra_bytes.h"
-#include "basis/Las_origin.h"
 
 #include <array>
 #include <cstddef>

@@ -6,8 +6,8 @@
 #ifndef L0_RESAMPLE_LAS_LAYOUT_H
 #define L0_RESAMPLE_LAS_LAYOUT_H
 
-#include "formats/Las_fields.h"
 #include "basis/Las_origin.h"
+#include "formats/Las_fields.h"
 #include "formats/Output_columns.h"
 #include "formats/Point_rows.h"
 

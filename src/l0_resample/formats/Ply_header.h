@@ -6,8 +6,8 @@
 #ifndef L0_RESAMPLE_PLY_HEADER_H
 #define L0_RESAMPLE_PLY_HEADER_H
 
-#include "files/Input_file.h"
 #include "basis/Number_type.h"
+#include "files/Input_file.h"
 
 #include <cstddef>
 #include <cstdint>

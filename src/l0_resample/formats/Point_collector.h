@@ -6,8 +6,8 @@
 #ifndef L0_RESAMPLE_POINT_COLLECTOR_H
 #define L0_RESAMPLE_POINT_COLLECTOR_H
 
-#include "files/Input_file.h"
 #include "basis/Point_cloud.h"
+#include "files/Input_file.h"
 #include "formats/Point_filter.h"
 #include "formats/read_points.h"
 

@@ -6,8 +6,8 @@
 #ifndef L0_RESAMPLE_POINT_FILTER_H
 #define L0_RESAMPLE_POINT_FILTER_H
 
-#include "files/Input_file.h"
 #include "basis/Property_table.h"
+#include "files/Input_file.h"
 #include "formats/read_points.h"
 
 #include <cstdint>

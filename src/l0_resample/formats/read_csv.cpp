@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "formats/Text_columns.h"
 #include "basis/parse_numbers.h"
+#include "formats/Text_columns.h"
 #include "formats/readers.h"
 
 #include <algorithm>

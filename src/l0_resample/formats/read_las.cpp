@@ -5,8 +5,8 @@
 
 #include "formats/readers.h"
 
-#include "formats/Las_header.h"
 #include "basis/parse_numbers.h"
+#include "formats/Las_header.h"
 
 #include <CGAL/L0_resampling/internal/core/attribute_kinds.h>
 

@@ -3,10 +3,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "formats/Pcd_header.h"
-#include "formats/decompress_lzf.h"
 #include "basis/little_endian.h"
 #include "basis/parse_numbers.h"
+#include "formats/Pcd_header.h"
+#include "formats/decompress_lzf.h"
 #include "formats/readers.h"
 
 #include <algorithm>

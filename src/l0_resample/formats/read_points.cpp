@@ -5,8 +5,8 @@
 
 #include "formats/read_points.h"
 
-#include "formats/Point_collector.h"
 #include "basis/parse_numbers.h"
+#include "formats/Point_collector.h"
 #include "formats/readers.h"
 
 #include <cstddef>

@@ -6,8 +6,8 @@
 #ifndef L0_RESAMPLE_READ_POINTS_H
 #define L0_RESAMPLE_READ_POINTS_H
 
-#include "files/Input_file.h"
 #include "basis/Point_cloud.h"
+#include "files/Input_file.h"
 #include "files/file_formats.h"
 
 #include <cstddef>

@@ -6,12 +6,12 @@
 #include "formats/write_las.h"
 
 #include "basis/Failure.h"
+#include "basis/little_endian.h"
+#include "basis/parse_numbers.h"
 #include "formats/Las_extra_bytes.h"
 #include "formats/Las_header.h"
 #include "formats/Las_lattice.h"
 #include "formats/Las_layout.h"
-#include "basis/little_endian.h"
-#include "basis/parse_numbers.h"
 
 #include <algorithm>
 #include <array>

@@ -6,9 +6,9 @@
 #include "formats/write_points.h"
 
 #include "basis/Failure.h"
+#include "basis/little_endian.h"
 #include "formats/Output_columns.h"
 #include "formats/Point_rows.h"
-#include "basis/little_endian.h"
 #include "formats/write_las.h"
 
 #include <algorithm>

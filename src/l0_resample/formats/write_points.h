@@ -6,10 +6,10 @@
 #ifndef L0_RESAMPLE_WRITE_POINTS_H
 #define L0_RESAMPLE_WRITE_POINTS_H
 
-#include "files/Output_file.h"
 #include "basis/Point_cloud.h"
-#include "formats/Point_rows.h"
+#include "files/Output_file.h"
 #include "files/file_formats.h"
+#include "formats/Point_rows.h"
 
 #include <cstdint>
 #include <optional>

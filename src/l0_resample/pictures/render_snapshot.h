@@ -6,8 +6,8 @@
 #ifndef L0_RESAMPLE_RENDER_SNAPSHOT_H
 #define L0_RESAMPLE_RENDER_SNAPSHOT_H
 
-#include "pictures/Image.h"
 #include "basis/Point_cloud.h"
+#include "pictures/Image.h"
 
 #include <array>
 #include <optional>

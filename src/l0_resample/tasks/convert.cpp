@@ -5,11 +5,11 @@
 
 #include "tasks/convert.h"
 
-#include "files/Output_file.h"
-#include "tasks/check_output.h"
 #include "basis/parse_numbers.h"
-#include "tasks/read_input.h"
+#include "files/Output_file.h"
 #include "formats/write_points.h"
+#include "tasks/check_output.h"
+#include "tasks/read_input.h"
 
 #include <string>
 #include <utility>

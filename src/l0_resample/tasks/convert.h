@@ -6,8 +6,8 @@
 #ifndef L0_RESAMPLE_CONVERT_H
 #define L0_RESAMPLE_CONVERT_H
 
-#include "files/Input_file.h"
 #include "command_line/options.h"
+#include "files/Input_file.h"
 #include "tasks/report_json.h"
 
 namespace l0_tool {

@@ -6,9 +6,9 @@
 #ifndef L0_RESAMPLE_READ_INPUT_H
 #define L0_RESAMPLE_READ_INPUT_H
 
-#include "files/Input_file.h"
 #include "basis/Point_cloud.h"
 #include "command_line/options.h"
+#include "files/Input_file.h"
 #include "tasks/report_json.h"
 
 namespace l0_tool {

@@ -6,8 +6,8 @@
 #include "tasks/resample.h"
 
 #include "basis/Failure.h"
-#include "tasks/carry_properties.h"
 #include "basis/signals.h"
+#include "tasks/carry_properties.h"
 
 #include <CGAL/L0_resampling/Block_chebyshev_solver_traits.h>
 #include <CGAL/L0_resampling/Block_conjugate_gradient_solver_traits.h>

@@ -6,21 +6,21 @@
 #include "tasks/run.h"
 
 #include "basis/Failure.h"
+#include "basis/messages.h"
+#include "basis/parse_numbers.h"
+#include "basis/signals.h"
 #include "files/Output_file.h"
+#include "formats/write_points.h"
+#include "pictures/render_snapshot.h"
+#include "pictures/write_png.h"
 #include "tasks/Progress_bar.h"
 #include "tasks/check_output.h"
 #include "tasks/convert.h"
 #include "tasks/describe.h"
-#include "basis/messages.h"
 #include "tasks/orient.h"
-#include "basis/parse_numbers.h"
 #include "tasks/read_input.h"
-#include "pictures/render_snapshot.h"
 #include "tasks/resample.h"
-#include "basis/signals.h"
 #include "tasks/viewpoints.h"
-#include "pictures/write_png.h"
-#include "formats/write_points.h"
 
 #include <CGAL/L0_resampling/internal/plan/Method_rules.h>
 #include <CGAL/L0_resampling/warnings.h>

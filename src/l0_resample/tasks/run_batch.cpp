@@ -5,12 +5,12 @@
 
 #include "tasks/run_batch.h"
 
+#include "basis/messages.h"
+#include "basis/signals.h"
 #include "files/Output_file.h"
 #include "tasks/check_output.h"
-#include "basis/messages.h"
 #include "tasks/resample.h"
 #include "tasks/run.h"
-#include "basis/signals.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -6,8 +6,8 @@
 #include "tasks/viewpoints.h"
 
 #include "basis/Failure.h"
-#include "files/Input_file.h"
 #include "basis/parse_numbers.h"
+#include "files/Input_file.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -6,17 +6,17 @@
 #include "tiles/Tile_tasks.h"
 
 #include "basis/Failure.h"
-#include "tiles/Shard.h"
-#include "tiles/Tile_rows.h"
-#include "tasks/check_output.h"
+#include "basis/signals.h"
+#include "files/tile_folder.h"
 #include "formats/read_points.h"
+#include "formats/write_points.h"
+#include "tasks/check_output.h"
 #include "tasks/resample.h"
 #include "tasks/run.h"
-#include "basis/signals.h"
+#include "tiles/Shard.h"
+#include "tiles/Tile_rows.h"
 #include "tiles/tile_description.h"
 #include "tiles/tile_files.h"
-#include "files/tile_folder.h"
-#include "formats/write_points.h"
 
 #include <CGAL/l0_resample_tiles.h>
 

@@ -5,13 +5,13 @@
 
 #include "tiles/run_as_one.h"
 
-#include "tasks/Progress_bar.h"
-#include "tiles/Tile_tasks.h"
-#include "tasks/check_output.h"
 #include "basis/messages.h"
 #include "basis/parse_numbers.h"
-#include "tasks/run.h"
 #include "basis/signals.h"
+#include "tasks/Progress_bar.h"
+#include "tasks/check_output.h"
+#include "tasks/run.h"
+#include "tiles/Tile_tasks.h"
 
 #include <nlohmann/json.hpp>
 #include <tbb/global_control.h>

@@ -6,8 +6,8 @@
 #include "tiles/tile_description.h"
 
 #include "basis/Failure.h"
-#include "tiles/Task_file.h"
 #include "files/tile_folder.h"
+#include "tiles/Task_file.h"
 
 #include <nlohmann/json.hpp>
 

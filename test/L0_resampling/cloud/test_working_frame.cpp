@@ -5,8 +5,8 @@
 
 #include "stage_support.h"
 
-#include <CGAL/L0_resampling/internal/plan/Plan.h>
 #include <CGAL/L0_resampling/internal/cloud/working_frame.h>
+#include <CGAL/L0_resampling/internal/plan/Plan.h>
 
 #include <cmath>
 

@@ -8,8 +8,8 @@
 
 #include "promise_support.h"
 
-#include <CGAL/Point_set_3.h>
 #include <CGAL/IO/Color.h>
+#include <CGAL/Point_set_3.h>
 #include <CGAL/property_map.h>
 
 #include <cmath>

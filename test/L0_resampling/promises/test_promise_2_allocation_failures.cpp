@@ -6,8 +6,8 @@
 // Promise 2 where memory runs out: whichever allocation fails, the call ends in std::bad_alloc,
 // writes nothing and keeps nothing.
 
-#include "promises/failing_allocation.h"
 #include "promise_support.h"
+#include "promises/failing_allocation.h"
 
 #include <CGAL/L0_resampling/Block_conjugate_gradient_solver_traits.h>
 #include <CGAL/L0_resampling/Eigen_least_squares_solver_traits.h>

@@ -5,8 +5,8 @@
 
 #include "stage_support.h"
 
-#include <CGAL/L0_resampling/internal/search/ball_queries.h>
 #include <CGAL/L0_resampling/internal/core/weights.h>
+#include <CGAL/L0_resampling/internal/search/ball_queries.h>
 
 #include <algorithm>
 #include <tuple>

@@ -8,8 +8,8 @@
 #include "test_support.h"
 #include "tool/test_tool_support.h"
 
-#include "pictures/Camera.h"
 #include "basis/point_spacing.h"
+#include "pictures/Camera.h"
 #include "pictures/render_snapshot.h"
 #include "pictures/write_png.h"
 

@@ -6,8 +6,8 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_FACTS_OF_CLOUD_H
 #define CGAL_L0_RESAMPLING_INTERNAL_FACTS_OF_CLOUD_H
 
-#include <CGAL/L0_resampling/internal/plan/Plan.h>
 #include <CGAL/L0_resampling/internal/cloud/working_frame.h>
+#include <CGAL/L0_resampling/internal/plan/Plan.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -7,8 +7,8 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_AREAS_OF_POINTS_H
 
 #include <CGAL/L0_resampling/internal/cloud/Facts_of_cloud.h>
-#include <CGAL/L0_resampling/internal/search/ball_queries.h>
 #include <CGAL/L0_resampling/internal/kernels/exact_ball.h>
+#include <CGAL/L0_resampling/internal/search/ball_queries.h>
 
 #include <cmath>
 #include <cstddef>

@@ -7,8 +7,8 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_DENSITY_WEIGHTS_H
 
 #include <CGAL/L0_resampling/internal/cloud/Facts_of_cloud.h>
-#include <CGAL/L0_resampling/internal/core/Parameters.h>
 #include <CGAL/L0_resampling/internal/cloud/near_pairs.h>
+#include <CGAL/L0_resampling/internal/core/Parameters.h>
 #include <CGAL/L0_resampling/internal/core/weights.h>
 
 #include <algorithm>

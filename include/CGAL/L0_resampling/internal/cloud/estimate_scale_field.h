@@ -7,9 +7,9 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_ESTIMATE_SCALE_FIELD_H
 
 #include <CGAL/L0_resampling/internal/core/Progress.h>
-#include <CGAL/L0_resampling/internal/search/Search_grid_3.h>
-#include <CGAL/L0_resampling/internal/kernels/scale_field.h>
 #include <CGAL/L0_resampling/internal/core/select_nth.h>
+#include <CGAL/L0_resampling/internal/kernels/scale_field.h>
+#include <CGAL/L0_resampling/internal/search/Search_grid_3.h>
 
 #include <algorithm>
 #include <cstddef>

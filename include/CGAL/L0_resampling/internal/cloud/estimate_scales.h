@@ -7,8 +7,8 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_ESTIMATE_SCALES_H
 
 #include <CGAL/L0_resampling/internal/cloud/estimate_plane.h>
-#include <CGAL/L0_resampling/internal/kernels/scales_of_balls.h>
 #include <CGAL/L0_resampling/internal/cloud/working_frame.h>
+#include <CGAL/L0_resampling/internal/kernels/scales_of_balls.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -6,8 +6,8 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_EXTENTS_H
 #define CGAL_L0_RESAMPLING_INTERNAL_EXTENTS_H
 
-#include <CGAL/L0_resampling/internal/core/Parameters.h>
 #include <CGAL/L0_resampling/internal/cloud/working_frame.h>
+#include <CGAL/L0_resampling/internal/core/Parameters.h>
 
 #include <Eigen/Core>
 

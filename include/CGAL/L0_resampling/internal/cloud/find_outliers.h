@@ -7,9 +7,9 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_FIND_OUTLIERS_H
 
 #include <CGAL/L0_resampling/internal/core/Parameters.h>
+#include <CGAL/L0_resampling/internal/core/select_nth.h>
 #include <CGAL/L0_resampling/internal/search/ball_queries.h>
 #include <CGAL/L0_resampling/internal/search/thin_crowds.h>
-#include <CGAL/L0_resampling/internal/core/select_nth.h>
 
 #include <boost/pending/disjoint_sets.hpp>
 

@@ -7,10 +7,10 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_PREPARE_POINTS_H
 
 #include <CGAL/L0_resampling/internal/cloud/Facts_of_cloud.h>
-#include <CGAL/L0_resampling/internal/core/Progress.h>
 #include <CGAL/L0_resampling/internal/cloud/find_outliers.h>
-#include <CGAL/L0_resampling/internal/search/thin_crowds.h>
 #include <CGAL/L0_resampling/internal/cloud/working_frame.h>
+#include <CGAL/L0_resampling/internal/core/Progress.h>
+#include <CGAL/L0_resampling/internal/search/thin_crowds.h>
 
 #include <algorithm>
 #include <cstddef>

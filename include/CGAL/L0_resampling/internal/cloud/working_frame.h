@@ -6,8 +6,8 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_WORKING_FRAME_H
 #define CGAL_L0_RESAMPLING_INTERNAL_WORKING_FRAME_H
 
-#include <CGAL/L0_resampling/internal/search/Search_grid_3.h>
 #include <CGAL/L0_resampling/internal/core/select_nth.h>
+#include <CGAL/L0_resampling/internal/search/Search_grid_3.h>
 
 #include <Eigen/Core>
 

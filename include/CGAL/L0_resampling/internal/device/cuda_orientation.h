@@ -18,8 +18,8 @@ namespace cuda {
 
 // For callers that only orient the points of a session.
 
-/// Finds the sides of the points of the session, as `orient_point_set()` on the CPU. What stands for
-/// them stays on the device until the next call.
+/// Finds the sides of the points of the session, as `orient_point_set()` on the CPU. What stands
+/// for them stays on the device until the next call.
 /// \param parameters checked, for as many output points as there are points
 /// \param number_of_representatives out: 0 unless DONE
 Answer orient(Session& session, const Parameters& parameters, Progress_callback progress,

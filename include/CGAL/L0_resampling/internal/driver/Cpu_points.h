@@ -8,12 +8,12 @@
 
 #include <CGAL/L0_resampling/Report.h>
 #include <CGAL/L0_resampling/internal/cloud/Facts_of_cloud.h>
-#include <CGAL/L0_resampling/internal/plan/Plan.h>
 #include <CGAL/L0_resampling/internal/cloud/estimate_scale_field.h>
 #include <CGAL/L0_resampling/internal/cloud/estimate_scales.h>
 #include <CGAL/L0_resampling/internal/cloud/extents.h>
 #include <CGAL/L0_resampling/internal/cloud/prepare_points.h>
 #include <CGAL/L0_resampling/internal/cloud/working_frame.h>
+#include <CGAL/L0_resampling/internal/plan/Plan.h>
 
 #include <cstddef>
 #include <optional>

@@ -6,9 +6,9 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_EXPECTED_MEMORY_H
 #define CGAL_L0_RESAMPLING_INTERNAL_EXPECTED_MEMORY_H
 
-#include <CGAL/L0_resampling/internal/search/Neighborhoods.h>
-#include <CGAL/L0_resampling/internal/samples/choose_samples.h>
 #include <CGAL/L0_resampling/internal/orientation/orientation_votes.h>
+#include <CGAL/L0_resampling/internal/samples/choose_samples.h>
+#include <CGAL/L0_resampling/internal/search/Neighborhoods.h>
 
 #include <algorithm>
 #include <cmath>

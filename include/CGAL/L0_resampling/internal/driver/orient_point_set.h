@@ -7,14 +7,14 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_ORIENT_POINT_SET_H
 
 #include <CGAL/L0_resampling/Report.h>
+#include <CGAL/L0_resampling/internal/cloud/prepare_points.h>
 #include <CGAL/L0_resampling/internal/driver/Cpu_points.h>
-#include <CGAL/L0_resampling/internal/plan/Plan.h>
+#include <CGAL/L0_resampling/internal/driver/run.h>
+#include <CGAL/L0_resampling/internal/kernels/spacing_to_orient.h>
 #include <CGAL/L0_resampling/internal/normals/estimate_pca_normals.h>
 #include <CGAL/L0_resampling/internal/orientation/orient_normals.h>
-#include <CGAL/L0_resampling/internal/cloud/prepare_points.h>
-#include <CGAL/L0_resampling/internal/driver/run.h>
 #include <CGAL/L0_resampling/internal/orientation/side_hints.h>
-#include <CGAL/L0_resampling/internal/kernels/spacing_to_orient.h>
+#include <CGAL/L0_resampling/internal/plan/Plan.h>
 #include <CGAL/L0_resampling/internal/search/thin_crowds.h>
 
 #include <cstddef>

@@ -6,8 +6,8 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_RUN_H
 #define CGAL_L0_RESAMPLING_INTERNAL_RUN_H
 
-#include <CGAL/L0_resampling/internal/plan/Plan.h>
 #include <CGAL/L0_resampling/internal/kernels/chebyshev_steps.h>
+#include <CGAL/L0_resampling/internal/plan/Plan.h>
 
 #include <cmath>
 #include <cstddef>

@@ -7,8 +7,8 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_FIT_ROWS_H
 
 #include <CGAL/L0_resampling/Quadratic_problem.h>
-#include <CGAL/L0_resampling/internal/search/ball_queries.h>
 #include <CGAL/L0_resampling/internal/energy/half_sampling.h>
+#include <CGAL/L0_resampling/internal/search/ball_queries.h>
 
 #include <algorithm>
 #include <cstddef>

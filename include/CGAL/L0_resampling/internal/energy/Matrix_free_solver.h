@@ -7,10 +7,10 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_MATRIX_FREE_SOLVER_H
 
 #include <CGAL/L0_resampling/internal/core/Buffer.h>
-#include <CGAL/L0_resampling/internal/kernels/block_factorization.h>
-#include <CGAL/L0_resampling/internal/kernels/matrix_free_product.h>
 #include <CGAL/L0_resampling/internal/core/parallel_for.h>
 #include <CGAL/L0_resampling/internal/energy/solver_settings.h>
+#include <CGAL/L0_resampling/internal/kernels/block_factorization.h>
+#include <CGAL/L0_resampling/internal/kernels/matrix_free_product.h>
 
 #include <cstddef>
 

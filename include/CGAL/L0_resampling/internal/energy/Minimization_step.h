@@ -8,10 +8,10 @@
 
 #include <CGAL/L0_resampling/Quadratic_problem.h>
 #include <CGAL/L0_resampling/internal/energy/Fit_rows.h>
-#include <CGAL/L0_resampling/internal/plan/Plan.h>
-#include <CGAL/L0_resampling/internal/kernels/negligible_displacement.h>
 #include <CGAL/L0_resampling/internal/energy/pair_terms.h>
+#include <CGAL/L0_resampling/internal/kernels/negligible_displacement.h>
 #include <CGAL/L0_resampling/internal/kernels/shrinkage.h>
+#include <CGAL/L0_resampling/internal/plan/Plan.h>
 
 #include <algorithm>
 #include <cmath>

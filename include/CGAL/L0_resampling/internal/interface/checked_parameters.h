@@ -8,8 +8,8 @@
 
 #include <CGAL/L0_resampling/Quadratic_problem.h>
 #include <CGAL/L0_resampling/Report.h>
-#include <CGAL/L0_resampling/internal/plan/Method_rules.h>
 #include <CGAL/L0_resampling/internal/core/Parameters.h>
+#include <CGAL/L0_resampling/internal/plan/Method_rules.h>
 #include <CGAL/L0_resampling/named_parameters.h>
 
 #include <algorithm>

@@ -10,10 +10,10 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_COMPILED_TEMPLATES_H
 #define CGAL_L0_RESAMPLING_INTERNAL_COMPILED_TEMPLATES_H
 
-#include <CGAL/L0_resampling/internal/search/nearest_input_points.h>
 #include <CGAL/L0_resampling/internal/driver/orient_point_set.h>
-#include <CGAL/L0_resampling/internal/interface/points_of_range.h>
 #include <CGAL/L0_resampling/internal/driver/resample.h>
+#include <CGAL/L0_resampling/internal/interface/points_of_range.h>
+#include <CGAL/L0_resampling/internal/search/nearest_input_points.h>
 #include <CGAL/L0_resampling/internal/tiles/resample_tile.h>
 
 #include <CGAL/tags.h>

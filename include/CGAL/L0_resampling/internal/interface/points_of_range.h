@@ -6,10 +6,10 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_POINTS_OF_RANGE_H
 #define CGAL_L0_RESAMPLING_INTERNAL_POINTS_OF_RANGE_H
 
+#include <CGAL/L0_resampling/internal/cloud/separate_coincident_points.h>
+#include <CGAL/L0_resampling/internal/driver/resample.h>
 #include <CGAL/L0_resampling/internal/interface/checked_parameters.h>
 #include <CGAL/L0_resampling/internal/search/nearest_input_points.h>
-#include <CGAL/L0_resampling/internal/driver/resample.h>
-#include <CGAL/L0_resampling/internal/cloud/separate_coincident_points.h>
 
 #include <CGAL/property_map.h>
 

@@ -7,12 +7,12 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_RESAMPLE_ON_CPU_H
 
 #include <CGAL/L0_resampling/Report.h>
+#include <CGAL/L0_resampling/internal/driver/least_memory.h>
+#include <CGAL/L0_resampling/internal/driver/resample.h>
 #include <CGAL/L0_resampling/internal/interface/Point_data.h>
 #include <CGAL/L0_resampling/internal/interface/checked_parameters.h>
 #include <CGAL/L0_resampling/internal/interface/compiled_templates.h>
-#include <CGAL/L0_resampling/internal/driver/least_memory.h>
 #include <CGAL/L0_resampling/internal/interface/points_of_range.h>
-#include <CGAL/L0_resampling/internal/driver/resample.h>
 #include <CGAL/L0_resampling/named_parameters.h>
 
 #include <algorithm>

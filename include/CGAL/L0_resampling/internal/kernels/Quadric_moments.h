@@ -6,8 +6,8 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_QUADRIC_MOMENTS_H
 #define CGAL_L0_RESAMPLING_INTERNAL_QUADRIC_MOMENTS_H
 
-#include <CGAL/L0_resampling/internal/kernels/Plane_moments.h>
 #include <CGAL/L0_resampling/internal/core/host_device.h>
+#include <CGAL/L0_resampling/internal/kernels/Plane_moments.h>
 
 namespace CGAL {
 namespace L0_resampling {

@@ -7,8 +7,8 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_EXACT_BALL_H
 
 #include <CGAL/L0_resampling/internal/core/host_device.h>
-#include <CGAL/L0_resampling/internal/kernels/levels_of_scales.h>
 #include <CGAL/L0_resampling/internal/core/random_bits.h>
+#include <CGAL/L0_resampling/internal/kernels/levels_of_scales.h>
 
 #include <cmath>
 #include <cstdint>

@@ -7,11 +7,11 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_PROJECT_TO_LOCAL_QUADRIC_H
 
 #include <CGAL/L0_resampling/internal/core/Parameters.h>
-#include <CGAL/L0_resampling/internal/kernels/Plane_moments.h>
-#include <CGAL/L0_resampling/internal/kernels/Quadric_moments.h>
 #include <CGAL/L0_resampling/internal/core/host_device.h>
 #include <CGAL/L0_resampling/internal/core/symmetric_eigen.h>
 #include <CGAL/L0_resampling/internal/core/weights.h>
+#include <CGAL/L0_resampling/internal/kernels/Plane_moments.h>
+#include <CGAL/L0_resampling/internal/kernels/Quadric_moments.h>
 
 namespace CGAL {
 namespace L0_resampling {

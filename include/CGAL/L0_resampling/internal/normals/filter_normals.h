@@ -8,8 +8,8 @@
 
 #include <CGAL/L0_resampling/internal/cloud/Facts_of_cloud.h>
 #include <CGAL/L0_resampling/internal/cloud/near_pairs.h>
-#include <CGAL/L0_resampling/internal/normals/update_normals.h>
 #include <CGAL/L0_resampling/internal/core/weights.h>
+#include <CGAL/L0_resampling/internal/normals/update_normals.h>
 
 #include <cstddef>
 

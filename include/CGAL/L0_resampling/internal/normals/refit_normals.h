@@ -6,9 +6,9 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_REFIT_NORMALS_H
 #define CGAL_L0_RESAMPLING_INTERNAL_REFIT_NORMALS_H
 
+#include <CGAL/L0_resampling/internal/core/weights.h>
 #include <CGAL/L0_resampling/internal/kernels/Plane_moments.h>
 #include <CGAL/L0_resampling/internal/normals/update_normals.h>
-#include <CGAL/L0_resampling/internal/core/weights.h>
 
 namespace CGAL {
 namespace L0_resampling {

@@ -7,8 +7,8 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_FIELD_OF_SETS_H
 
 #include <CGAL/L0_resampling/Quadratic_problem.h>
-#include <CGAL/L0_resampling/internal/kernels/orientation_agreement.h>
 #include <CGAL/L0_resampling/internal/core/parallel_for.h>
+#include <CGAL/L0_resampling/internal/kernels/orientation_agreement.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -7,15 +7,15 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_ORIENT_NORMALS_H
 
 #include <CGAL/L0_resampling/internal/core/Orientation_hints.h>
-#include <CGAL/L0_resampling/internal/search/nearest_samples.h>
 #include <CGAL/L0_resampling/internal/kernels/height_tolerance.h>
 #include <CGAL/L0_resampling/internal/kernels/orientation_agreement.h>
+#include <CGAL/L0_resampling/internal/kernels/side_confidence.h>
 #include <CGAL/L0_resampling/internal/orientation/orientation_field.h>
 #include <CGAL/L0_resampling/internal/orientation/orientation_votes.h>
-#include <CGAL/L0_resampling/internal/kernels/side_confidence.h>
 #include <CGAL/L0_resampling/internal/orientation/spanning_forest.h>
 #include <CGAL/L0_resampling/internal/orientation/turn_outvoted.h>
 #include <CGAL/L0_resampling/internal/orientation/winding_numbers.h>
+#include <CGAL/L0_resampling/internal/search/nearest_samples.h>
 
 #include <algorithm>
 #include <cmath>

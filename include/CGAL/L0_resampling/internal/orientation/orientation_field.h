@@ -6,12 +6,12 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_ORIENTATION_FIELD_H
 #define CGAL_L0_RESAMPLING_INTERNAL_ORIENTATION_FIELD_H
 
-#include <CGAL/L0_resampling/internal/orientation/Field_of_sets.h>
-#include <CGAL/L0_resampling/internal/search/Search_grid_3.h>
-#include <CGAL/L0_resampling/internal/orientation/dipoles_of_sets.h>
-#include <CGAL/L0_resampling/internal/kernels/orientation_agreement.h>
-#include <CGAL/L0_resampling/internal/orientation/orientation_votes.h>
 #include <CGAL/L0_resampling/internal/core/parallel_for.h>
+#include <CGAL/L0_resampling/internal/kernels/orientation_agreement.h>
+#include <CGAL/L0_resampling/internal/orientation/Field_of_sets.h>
+#include <CGAL/L0_resampling/internal/orientation/dipoles_of_sets.h>
+#include <CGAL/L0_resampling/internal/orientation/orientation_votes.h>
+#include <CGAL/L0_resampling/internal/search/Search_grid_3.h>
 
 #include <algorithm>
 #include <cmath>

@@ -6,9 +6,9 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_SIDE_HINTS_H
 #define CGAL_L0_RESAMPLING_INTERNAL_SIDE_HINTS_H
 
+#include <CGAL/L0_resampling/internal/cloud/working_frame.h>
 #include <CGAL/L0_resampling/internal/core/Parameters.h>
 #include <CGAL/L0_resampling/internal/orientation/orient_normals.h>
-#include <CGAL/L0_resampling/internal/cloud/working_frame.h>
 
 namespace CGAL {
 namespace L0_resampling {

@@ -6,12 +6,12 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_WINDING_NUMBERS_H
 #define CGAL_L0_RESAMPLING_INTERNAL_WINDING_NUMBERS_H
 
-#include <CGAL/L0_resampling/internal/search/Search_grid_3.h>
 #include <CGAL/L0_resampling/internal/core/Signed_union_find.h>
 #include <CGAL/L0_resampling/internal/core/lanes.h>
-#include <CGAL/L0_resampling/internal/kernels/orientation_agreement.h>
 #include <CGAL/L0_resampling/internal/core/parallel_for.h>
+#include <CGAL/L0_resampling/internal/kernels/orientation_agreement.h>
 #include <CGAL/L0_resampling/internal/kernels/side_confidence.h>
+#include <CGAL/L0_resampling/internal/search/Search_grid_3.h>
 
 #include <algorithm>
 #include <cmath>

@@ -6,11 +6,11 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_PLAN_H
 #define CGAL_L0_RESAMPLING_INTERNAL_PLAN_H
 
-#include <CGAL/L0_resampling/internal/plan/Method_rules.h>
 #include <CGAL/L0_resampling/internal/core/Parameters.h>
 #include <CGAL/L0_resampling/internal/kernels/chebyshev_steps.h>
 #include <CGAL/L0_resampling/internal/kernels/scale_field.h>
 #include <CGAL/L0_resampling/internal/kernels/scales_of_balls.h>
+#include <CGAL/L0_resampling/internal/plan/Method_rules.h>
 
 #include <algorithm>
 #include <cmath>
@@ -151,8 +151,8 @@ struct Plan
 
   Minimization_parameters minimization;
 
-  /// Sets the spacing of the samples, and what follows from it. It is bounded so that the squares of
-  /// distances within it are finite in single precision: a filter radius may be of any length.
+  /// Sets the spacing of the samples, and what follows from it. It is bounded so that the squares
+  /// of distances within it are finite in single precision: a filter radius may be of any length.
   void set_sample_spacing(double spacing)
   {
     sample_spacing = (std::min)(spacing, 1e15 * radius);

@@ -7,12 +7,12 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_CHOOSE_SAMPLES_H
 
 #include <CGAL/L0_resampling/internal/cloud/Facts_of_cloud.h>
-#include <CGAL/L0_resampling/internal/samples/Followers.h>
-#include <CGAL/L0_resampling/internal/plan/Plan.h>
-#include <CGAL/L0_resampling/internal/samples/Samples.h>
 #include <CGAL/L0_resampling/internal/cloud/areas_of_points.h>
-#include <CGAL/L0_resampling/internal/samples/initialize_samples.h>
 #include <CGAL/L0_resampling/internal/cloud/prepare_points.h>
+#include <CGAL/L0_resampling/internal/plan/Plan.h>
+#include <CGAL/L0_resampling/internal/samples/Followers.h>
+#include <CGAL/L0_resampling/internal/samples/Samples.h>
+#include <CGAL/L0_resampling/internal/samples/initialize_samples.h>
 
 #include <cmath>
 #include <cstddef>

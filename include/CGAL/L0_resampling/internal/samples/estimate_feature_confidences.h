@@ -6,9 +6,9 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_ESTIMATE_FEATURE_CONFIDENCES_H
 #define CGAL_L0_RESAMPLING_INTERNAL_ESTIMATE_FEATURE_CONFIDENCES_H
 
-#include <CGAL/L0_resampling/internal/search/nearest_samples.h>
 #include <CGAL/L0_resampling/internal/core/parallel_for.h>
 #include <CGAL/L0_resampling/internal/core/weights.h>
+#include <CGAL/L0_resampling/internal/search/nearest_samples.h>
 
 #include <algorithm>
 #include <cmath>

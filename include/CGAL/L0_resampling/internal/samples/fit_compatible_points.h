@@ -6,14 +6,14 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_FIT_COMPATIBLE_POINTS_H
 #define CGAL_L0_RESAMPLING_INTERNAL_FIT_COMPATIBLE_POINTS_H
 
+#include <CGAL/L0_resampling/internal/core/Parameters.h>
+#include <CGAL/L0_resampling/internal/core/weights.h>
 #include <CGAL/L0_resampling/internal/kernels/Border_of_ball.h>
 #include <CGAL/L0_resampling/internal/kernels/Compatible_points.h>
-#include <CGAL/L0_resampling/internal/normals/Local_normals.h>
-#include <CGAL/L0_resampling/internal/core/Parameters.h>
 #include <CGAL/L0_resampling/internal/kernels/Plane_moments.h>
-#include <CGAL/L0_resampling/internal/search/ball_queries.h>
+#include <CGAL/L0_resampling/internal/normals/Local_normals.h>
 #include <CGAL/L0_resampling/internal/samples/Samples.h>
-#include <CGAL/L0_resampling/internal/core/weights.h>
+#include <CGAL/L0_resampling/internal/search/ball_queries.h>
 
 #include <algorithm>
 #include <atomic>

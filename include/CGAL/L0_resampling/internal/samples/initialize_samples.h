@@ -7,10 +7,10 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_INITIALIZE_SAMPLES_H
 
 #include <CGAL/L0_resampling/internal/cloud/Facts_of_cloud.h>
-#include <CGAL/L0_resampling/internal/search/ball_queries.h>
-#include <CGAL/L0_resampling/internal/kernels/exact_ball.h>
 #include <CGAL/L0_resampling/internal/core/random_bits.h>
 #include <CGAL/L0_resampling/internal/core/weights.h>
+#include <CGAL/L0_resampling/internal/kernels/exact_ball.h>
+#include <CGAL/L0_resampling/internal/search/ball_queries.h>
 
 #include <algorithm>
 #include <cstddef>

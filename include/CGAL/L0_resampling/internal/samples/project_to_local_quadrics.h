@@ -6,13 +6,13 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_PROJECT_TO_LOCAL_QUADRICS_H
 #define CGAL_L0_RESAMPLING_INTERNAL_PROJECT_TO_LOCAL_QUADRICS_H
 
-#include <CGAL/L0_resampling/internal/normals/Local_normals.h>
 #include <CGAL/L0_resampling/internal/core/Parameters.h>
+#include <CGAL/L0_resampling/internal/core/weights.h>
 #include <CGAL/L0_resampling/internal/kernels/Quadric_moments.h>
+#include <CGAL/L0_resampling/internal/kernels/project_to_local_quadric.h>
+#include <CGAL/L0_resampling/internal/normals/Local_normals.h>
 #include <CGAL/L0_resampling/internal/samples/Samples.h>
 #include <CGAL/L0_resampling/internal/search/ball_queries.h>
-#include <CGAL/L0_resampling/internal/kernels/project_to_local_quadric.h>
-#include <CGAL/L0_resampling/internal/core/weights.h>
 
 #include <boost/config.hpp>
 

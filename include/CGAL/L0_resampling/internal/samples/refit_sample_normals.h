@@ -6,14 +6,14 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_REFIT_SAMPLE_NORMALS_H
 #define CGAL_L0_RESAMPLING_INTERNAL_REFIT_SAMPLE_NORMALS_H
 
-#include <CGAL/L0_resampling/internal/search/Neighborhoods.h>
 #include <CGAL/L0_resampling/internal/core/Parameters.h>
-#include <CGAL/L0_resampling/internal/kernels/Compatible_points.h>
-#include <CGAL/L0_resampling/internal/kernels/Plane_moments.h>
-#include <CGAL/L0_resampling/internal/samples/Samples.h>
 #include <CGAL/L0_resampling/internal/core/lanes.h>
 #include <CGAL/L0_resampling/internal/core/parallel_for.h>
 #include <CGAL/L0_resampling/internal/core/weights.h>
+#include <CGAL/L0_resampling/internal/kernels/Compatible_points.h>
+#include <CGAL/L0_resampling/internal/kernels/Plane_moments.h>
+#include <CGAL/L0_resampling/internal/samples/Samples.h>
+#include <CGAL/L0_resampling/internal/search/Neighborhoods.h>
 
 #include <Eigen/Core>
 

@@ -6,11 +6,11 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_TANGENTIAL_REPULSION_H
 #define CGAL_L0_RESAMPLING_INTERNAL_TANGENTIAL_REPULSION_H
 
-#include <CGAL/L0_resampling/internal/search/Neighborhoods.h>
 #include <CGAL/L0_resampling/internal/core/Parameters.h>
-#include <CGAL/L0_resampling/internal/samples/Samples.h>
 #include <CGAL/L0_resampling/internal/core/lanes.h>
 #include <CGAL/L0_resampling/internal/core/weights.h>
+#include <CGAL/L0_resampling/internal/samples/Samples.h>
+#include <CGAL/L0_resampling/internal/search/Neighborhoods.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -7,8 +7,8 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_NEIGHBORHOODS_H
 
 #include <CGAL/L0_resampling/Quadratic_problem.h>
-#include <CGAL/L0_resampling/internal/search/ball_queries.h>
 #include <CGAL/L0_resampling/internal/core/weights.h>
+#include <CGAL/L0_resampling/internal/search/ball_queries.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -55,10 +55,9 @@ struct Range_of_pairs
 /*!
 Finds, for each sample, the other samples within the range of the pair, ascending and symmetric.
 
-Where more than `maximum_number_of_self_candidates` samples share a block of cells, a sample keeps those
-whose index equals its own modulo a power of two, the larger one of the two samples', which keeps
-the lists symmetric and bounds their length.
-
+Where more than `maximum_number_of_self_candidates` samples share a block of cells, a sample keeps
+those whose index equals its own modulo a power of two, the larger one of the two samples', which
+keeps the lists symmetric and bounds their length.
 */
 class Self_neighbor_search
 {

@@ -9,8 +9,8 @@
 #include <CGAL/L0_resampling/Quadratic_problem.h>
 #include <CGAL/L0_resampling/internal/core/Buffer.h>
 #include <CGAL/L0_resampling/internal/core/parallel_for.h>
-#include <CGAL/L0_resampling/internal/kernels/levels_of_scales.h>
 #include <CGAL/L0_resampling/internal/core/parallel_sort.h>
+#include <CGAL/L0_resampling/internal/kernels/levels_of_scales.h>
 
 #include <CGAL/assertions.h>
 

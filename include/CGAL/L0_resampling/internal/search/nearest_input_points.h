@@ -6,10 +6,10 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_NEAREST_INPUT_POINTS_H
 #define CGAL_L0_RESAMPLING_INTERNAL_NEAREST_INPUT_POINTS_H
 
-#include <CGAL/L0_resampling/internal/search/Point_tree_3.h>
 #include <CGAL/L0_resampling/internal/core/Progress.h>
 #include <CGAL/L0_resampling/internal/core/parallel_for.h>
 #include <CGAL/L0_resampling/internal/core/weights.h>
+#include <CGAL/L0_resampling/internal/search/Point_tree_3.h>
 
 #include <algorithm>
 #include <array>

@@ -6,8 +6,8 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_THIN_CROWDS_H
 #define CGAL_L0_RESAMPLING_INTERNAL_THIN_CROWDS_H
 
-#include <CGAL/L0_resampling/internal/search/Search_grid_3.h>
 #include <CGAL/L0_resampling/internal/kernels/crowded_subcells.h>
+#include <CGAL/L0_resampling/internal/search/Search_grid_3.h>
 
 #include <array>
 #include <cstddef>

@@ -6,8 +6,8 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_RESAMPLE_TILE_H
 #define CGAL_L0_RESAMPLING_INTERNAL_RESAMPLE_TILE_H
 
-#include <CGAL/L0_resampling/internal/tiles/Tile_backend.h>
 #include <CGAL/L0_resampling/internal/driver/run.h>
+#include <CGAL/L0_resampling/internal/tiles/Tile_backend.h>
 
 #include <cstddef>
 #include <functional>
