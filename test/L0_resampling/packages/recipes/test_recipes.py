@@ -78,7 +78,8 @@ def check_port(port):
     build = scratch / "vcpkg" / "consumer"
     # moved, as vcpkg moves it: no path of the build may be left in it
     prefix = (scratch / "vcpkg" / "installed").rename(scratch / "vcpkg" / "moved")
-    run("cmake", "-S", source / "test/L0_resampling/packages/consumer", "-B", build, "-G", generator,
+    run("cmake", "-S", source / "test/L0_resampling/packages/consumer", "-B", build,
+        "-G", generator,
         f"-DCMAKE_PREFIX_PATH={prefix}", f"-DCGAL_DIR={cgal}", "-DCMAKE_BUILD_TYPE=Debug",
         "-DCMAKE_CXX_FLAGS_DEBUG=-O0")
     run("cmake", "--build", build, "--target", "consumer_of_compiled")
