@@ -10,9 +10,10 @@
 // TOWARDS_EYE is x,y,z and BOX x0,y0,z0,x1,y1,z1: only what lies in it is drawn. A variant is
 // `input`, or `default`, or names and values such as `method=1,normal_weight=5`, with the names of
 // the named parameters and the number of a Method. A radius is read in units of its default.
-// Besides, `viewpoint_z=5` is a viewpoint on the z-axis, `features=1` draws the feature confidences
-// in place of the normals, `dots=1` draws points as dots, so that one sees how they lie, and
-// `cut=1` resamples only what lies in BOX, which then has a border.
+// Besides, `viewpoint_z=5` is a viewpoint on the z-axis, `up=1` says that points were seen from
+// there, `hints=3` are hints up of which every third is wrong, `features=1` draws the feature
+// confidences in place of the normals, `dots=1` draws points as dots, so that one sees how they lie,
+// and `cut=1` resamples only what lies in BOX, which then has a border.
 
 #include "files/file_formats.h"
 #include "formats/read_points.h"
@@ -20,6 +21,7 @@
 #include "pictures/write_png.h"
 
 #include <CGAL/l0_resample_point_set.h>
+#include <CGAL/property_map.h>
 
 #include <algorithm>
 #include <array>
@@ -118,6 +120,8 @@ Result resample(const std::vector<Point>& points, Values values)
   std::optional<Point> viewpoint;
   if (const double z = take(values, "viewpoint_z", 0); z != 0)
     viewpoint = Point(0, 0, z);
+  const bool is_seen_from_above = take(values, "up", 0) != 0;
+  const std::size_t wrong_hint = std::size_t(take(values, "hints", 0));
   const bool draws_features = take(values, "features", 0) != 0;
   std::vector<float> confidences;
 
@@ -147,8 +151,22 @@ Result resample(const std::vector<Point>& points, Values values)
       .number_of_output_points(number);
   if (!values.empty())
     throw std::invalid_argument(values.begin()->first + " is not a named parameter");
-  CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(
-    points, std::back_inserter(result.points), np);
+  using Vector = CGAL::Kernel_traits<Point>::Kernel::Vector_3;
+  std::vector<std::pair<Point, Vector>> with_hints;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    with_hints.emplace_back(points[i],
+                            Vector(0, 0, wrong_hint > 0 && i % wrong_hint == 0 ? -1 : 1));
+  const auto call = [&](const auto& all) {
+    CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(
+      with_hints, std::back_inserter(result.points),
+      all.point_map(CGAL::First_of_pair_property_map<std::pair<Point, Vector>>()));
+  };
+  if (is_seen_from_above)
+    call(np.up_direction(Vector(0, 0, 1)));
+  else if (wrong_hint > 0)
+    call(np.orientation_hint_map(CGAL::Second_of_pair_property_map<std::pair<Point, Vector>>()));
+  else
+    call(np);
   if (draws_features)
     result.feature_confidences = confidences;
   return result;
