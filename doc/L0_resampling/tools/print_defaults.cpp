@@ -93,6 +93,10 @@ void print_constants()
   object.add("slope_of_scales", slope_of_scales);
   object.add("fewest_correlated_balls", fewest_correlated_balls);
   object.add("number_of_normal_refits", number_of_normal_refits);
+  object.add("number_of_sample_refits", number_of_sample_refits);
+  object.add("sample_refit_angle_factor", sample_refit_angle_factor);
+  object.add("sample_refit_bandwidth_factor", sample_refit_bandwidth_factor);
+  object.add("sample_refit_sheet_factor", sample_refit_sheet_factor);
   object.add("self_neighbor_radius_per_spacing", self_neighbor_radius_per_spacing);
   object.add("share_of_unsupported", share_of_unsupported);
   object.add("held_back_from", held_back_from);

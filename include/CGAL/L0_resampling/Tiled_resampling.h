@@ -259,7 +259,8 @@ public:
     m_radius = std::ldexp(plan_of(m_facts).unit, -m_facts.extents->exponent_of_input);
   }
 
-  /// Cuts the cloud into tiles, which with their halos take no more than so many bytes.
+  /// Cuts the cloud into tiles.
+  /// \param bytes that a tile and its halo may take
   /// \param halo in radii; one more block is added
   /// \throws std::bad_alloc if a single block takes more
   void make_tiles(std::uint64_t bytes, double halo = halo_in_radii)

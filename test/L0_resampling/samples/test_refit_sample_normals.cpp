@@ -19,7 +19,7 @@
 using namespace test;
 
 const double radius = 0.3;
-const Sample_refit_kernel kernel(radius, square(1 - std::cos(30 * EIGEN_PI / 180)));
+const Sample_refit_kernel kernel(radius, square(1 - std::cos(37.5 * EIGEN_PI / 180)));
 
 /// The stage, for samples in any order; the result in the order of the grid.
 struct Refitted
@@ -68,9 +68,9 @@ void check_formula(Generator& generator)
       const double height = 0.5 * (n + sign * refitted.before[k]).dot(d),
                    share = 10 * (1 - d.squaredNorm() / square(radius));
       const double weight = (std::min)((std::max)(share, 0.), 1.)
-                            * std::exp(-d.squaredNorm() / square(0.6 * radius)
+                            * std::exp(-d.squaredNorm() / square(0.7 * radius)
                                        - square(1 - std::abs(cosine)) / kernel.normal_bandwidth
-                                       - square(height / (radius / 5)));
+                                       - square(height / (radius / 8)));
       total += weight;
       mean += weight * d;
       squares += weight * d * d.transpose();

@@ -304,8 +304,17 @@ struct Support_subset
 /// as many times.
 constexpr std::size_t number_of_normal_refits = 2;
 
-/// What decides how far a self neighbor counts in the refit of the normals of the samples: as a
-/// point does in the fit, if that were made of points without noise in a ball of that radius.
+/// After each fit the default method corrects the normals of the samples by the positions of their
+/// self neighbors, in this number of passes.
+constexpr std::size_t number_of_sample_refits = 2;
+
+/// The self neighbors count there that look like samples of one face: \f$ \sigma_n \f$ in sharpness
+/// angles, and \f$ \sigma \f$ and H per radius of the self neighbors. A wider angle follows details
+/// of rough surfaces more closely and rounds edges more.
+constexpr double sample_refit_angle_factor = 2.5, sample_refit_bandwidth_factor = 0.7,
+                 sample_refit_sheet_factor = 0.125;
+
+/// What decides how far a self neighbor counts there.
 struct Sample_refit_kernel
 {
   double radius; ///< R, of the self neighbors
@@ -314,8 +323,10 @@ struct Sample_refit_kernel
   double squared_sheet_height;
 
   Sample_refit_kernel(double self_neighbor_radius, double bandwidth_of_normals)
-    : radius(self_neighbor_radius), squared_bandwidth(square(fit_bandwidth_factor * radius)),
-      normal_bandwidth(bandwidth_of_normals), squared_sheet_height(square(sheet_height(0, radius)))
+    : radius(self_neighbor_radius),
+      squared_bandwidth(square(sample_refit_bandwidth_factor * radius)),
+      normal_bandwidth(bandwidth_of_normals),
+      squared_sheet_height(square(sample_refit_sheet_factor * radius))
   {}
 };
 

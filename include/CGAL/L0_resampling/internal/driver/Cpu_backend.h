@@ -304,9 +304,9 @@ public:
 
   void refit_sample_normals(const Plan& plan)
   {
-    internal::refit_sample_normals<ConcurrencyTag>(Sample_refit_kernel(plan.self_neighbor_radius,
-                                                                       plan.compatible_bandwidth),
-                                                   m_neighbors, m_samples);
+    const Sample_refit_kernel kernel(plan.self_neighbor_radius, plan.refit_bandwidth);
+    for (std::size_t pass = 0; pass < number_of_sample_refits; ++pass)
+      internal::refit_sample_normals<ConcurrencyTag>(kernel, m_neighbors, m_samples);
   }
 
   /// Forgets what neighbors are found in, but not the neighbors.
