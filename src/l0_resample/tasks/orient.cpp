@@ -70,17 +70,8 @@ void orient(const Sides& sides, const Options& options, const std::function<bool
     };
     report.device_reason = l0_common::run_on_chosen({options.device, "--device cuda", ""},
                                                     on_device, on_cpu);
-  } catch (const CGAL::L0_resampling::Device_error& error) {
-    throw Failure(RUN_TIME_FAILURE, error.what());
-  } catch (const std::bad_alloc&) {
-    if (options.device == Device::CUDA)
-      throw Failure(RUN_TIME_FAILURE, "--device cuda: the device has too little memory");
-    throw Failure(RUN_TIME_FAILURE,
-                  name + ": not enough memory to orient " + std::to_string(cloud.points.size())
-                    + " points"
-                    + (options.max_memory < Options().max_memory ? " within --max-memory" : ""));
-  } catch (const std::invalid_argument& error) {
-    throw Failure(INPUT_REFUSED, name + ": " + error.what());
+  } catch (...) {
+    rethrow_as_failure("orient", name, cloud.points.size(), options);
   }
 }
 

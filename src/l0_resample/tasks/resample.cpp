@@ -138,6 +138,25 @@ l0_common::Device_request device_request(const Options& options)
 
 } // namespace
 
+void rethrow_as_failure(const std::string& task, const std::string& name,
+                        std::size_t number_of_points, const Options& options)
+{
+  try {
+    throw;
+  } catch (const CGAL::L0_resampling::Device_error& error) {
+    throw Failure(RUN_TIME_FAILURE, error.what());
+  } catch (const std::bad_alloc&) {
+    if (options.device == Device::CUDA)
+      throw Failure(RUN_TIME_FAILURE, "--device cuda: the device has too little memory");
+    throw Failure(RUN_TIME_FAILURE,
+                  name + ": not enough memory to " + task + " " + std::to_string(number_of_points)
+                    + " points"
+                    + (options.max_memory < Options().max_memory ? " within --max-memory" : ""));
+  } catch (const std::invalid_argument& error) {
+    throw Failure(INPUT_REFUSED, name + ": " + error.what());
+  }
+}
+
 void check_device(const Options& options)
 {
   if (options.device != Device::CUDA)
@@ -225,17 +244,8 @@ Resampled_points resample(const Point_cloud& cloud, const Sides& sides, const Op
     const auto on_cpu = [&]() { call_with_solver(cloud, sides, options, np, result); };
     const l0_common::Device_request request = device_request(options);
     report.device_reason = l0_common::run_on_chosen(request, on_device, on_cpu);
-  } catch (const CGAL::L0_resampling::Device_error& error) {
-    throw Failure(RUN_TIME_FAILURE, error.what());
-  } catch (const std::bad_alloc&) {
-    if (options.device == Device::CUDA)
-      throw Failure(RUN_TIME_FAILURE, "--device cuda: the device has too little memory");
-    throw Failure(RUN_TIME_FAILURE,
-                  name + ": not enough memory to resample " + std::to_string(cloud.points.size())
-                    + " points"
-                    + (options.max_memory < Options().max_memory ? " within --max-memory" : ""));
-  } catch (const std::invalid_argument& error) {
-    throw Failure(INPUT_REFUSED, name + ": " + error.what());
+  } catch (...) {
+    rethrow_as_failure("resample", name, cloud.points.size(), options);
   }
   return result;
 }

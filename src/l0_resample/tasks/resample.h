@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace l0_tool {
@@ -28,6 +29,12 @@ struct Sides
 
 /// \throws Failure with RUN_TIME_FAILURE if the device cannot be used
 void check_device(const Options& options);
+
+/// Within a `catch`: throws what the library has thrown as a Failure, anything else as it is.
+/// \param task what was to be done to the points
+/// \param name of the input
+[[noreturn]] void rethrow_as_failure(const std::string& task, const std::string& name,
+                                     std::size_t number_of_points, const Options& options);
 
 /// How many points the options ask for, given so many.
 /// \throws Failure with INPUT_REFUSED if these are more than the function can give
