@@ -5,7 +5,7 @@
 
 // A cloud that is resampled tile by tile.
 
-#include "test_support.h"
+#include "tiles/points_in_memory.h"
 
 #include <CGAL/l0_resample_tiles.h>
 #include <CGAL/tags.h>
@@ -24,10 +24,8 @@
 
 using namespace test;
 using namespace CGAL::L0_resampling::internal;
-using CGAL::L0_resampling::Source_box;
 using CGAL::L0_resampling::Tile_counts;
 using CGAL::L0_resampling::Tile_result;
-using Place = std::array<double, 3>;
 
 /// A wavy ribbon along the x-axis, about one point per unit of area.
 std::vector<Place> ribbon(std::size_t length, std::size_t width)
@@ -43,25 +41,6 @@ std::vector<Place> ribbon(std::size_t length, std::size_t width)
     }
   return points;
 }
-
-/// A model of `L0ResamplingTileSource`.
-struct Points_in_memory
-{
-  std::vector<Place> points;
-
-  template <typename F>
-  void for_each_point(const Source_box& box, const F& f) const
-  {
-    for (const Place& p : points)
-    {
-      bool is_inside = true;
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        is_inside = is_inside && p[axis] >= box.low[axis] && p[axis] < box.high[axis];
-      if (is_inside)
-        f(p);
-    }
-  }
-};
 
 /// A model of `L0ResamplingTileSink`.
 struct Results_in_memory

@@ -5,7 +5,7 @@
 
 // A cloud that is resampled tile by tile gives the bits of a call for all of it, but for the sides.
 
-#include "test_support.h"
+#include "tiles/points_in_memory.h"
 
 #include <CGAL/l0_resample_point_set.h>
 #include <CGAL/l0_resample_tiles.h>
@@ -27,12 +27,10 @@
 
 using namespace test;
 namespace internal = CGAL::L0_resampling::internal;
-using CGAL::L0_resampling::Source_box;
 using CGAL::L0_resampling::Tile_counts;
 using CGAL::L0_resampling::Tile_result;
 using CGAL::L0_resampling::Tile_sample;
 using Kernel = CGAL::Simple_cartesian<double>;
-using Place = std::array<double, 3>;
 using Oriented = std::pair<Kernel::Point_3, Kernel::Vector_3>;
 
 /// A long wavy ribbon far from the origin, about one point per unit of area.
@@ -98,25 +96,6 @@ public:
   }
 
   const std::vector<Place>& points() const { return m_points; }
-};
-
-/// A model of `L0ResamplingTileSource`.
-struct Points_in_memory
-{
-  const std::vector<Place>& points;
-
-  template <typename F>
-  void for_each_point(const Source_box& box, const F& f) const
-  {
-    for (const Place& p : points)
-    {
-      bool is_inside = true;
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        is_inside = is_inside && p[axis] >= box.low[axis] && p[axis] < box.high[axis];
-      if (is_inside)
-        f(p);
-    }
-  }
 };
 
 template <typename ConcurrencyTag>
