@@ -100,6 +100,7 @@ void print_constants()
   object.add("self_neighbor_radius_per_spacing", self_neighbor_radius_per_spacing);
   object.add("share_of_unsupported", share_of_unsupported);
   object.add("held_back_from", held_back_from);
+  object.add("held_back_to", held_back_to);
   object.add("least_gap_of_plane", least_gap_of_plane);
   object.add("quadric_radius_factor", quadric_radius_factor);
   object.add("largest_roughness", largest_roughness);

@@ -93,7 +93,7 @@ double half_disk_offset()
 /// Of a push outwards, where the mean of the points is that far away.
 double share_held_back(double distance)
 {
-  return clamped((distance / half_disk_offset() - 0.3) / 0.3);
+  return clamped((distance / half_disk_offset() - 0.35) / 0.2);
 }
 
 /// The sums of the docstring for a sample.

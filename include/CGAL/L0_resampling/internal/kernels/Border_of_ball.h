@@ -16,8 +16,8 @@ namespace L0_resampling {
 namespace internal {
 
 /// A sample is pushed less and less outwards where the mean of its points lies further away than
-/// this share of what it does in half a ball, and from twice as far on not at all.
-constexpr double held_back_from = 0.3;
+/// the first of these shares of what it does in half a ball, and from the second on not at all.
+constexpr double held_back_from = 0.35, held_back_to = 0.55;
 
 /// How the points of a ball, each weighted by \f$ e^{-d^2/\sigma^2} \f$, tell a border: by how far
 /// away their mean lies within the surface, compared with what it would if the border went through
@@ -38,7 +38,7 @@ struct Border_of_ball
   /// \param distance of the mean of the points
   CGAL_L0_HOST_DEVICE double share_held_back(double distance) const
   {
-    return as_share(distance / (held_back_from * mean_distance) - 1);
+    return as_share((distance / mean_distance - held_back_from) / (held_back_to - held_back_from));
   }
 
   /// How far back a sample beyond the border is drawn: the mean of a Gaussian cut off at x moves by
