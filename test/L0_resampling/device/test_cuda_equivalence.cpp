@@ -386,7 +386,7 @@ int main()
     const std::size_t number_of_outliers = check_agreement(
       name + "crowd in one place",
       with_crowd_in_one_place(with_outliers(noisy_sphere(10000, 0.01, 22), 25), 20000, 26),
-      np.drop_outliers(true).select_percentage(20));
+      np.drop_outliers(true).neighbor_radius(0.15).select_percentage(20));
     CHECK(number_of_outliers > 200 && number_of_outliers < 600);
     check_agreement(name + "density gradient, strong noise", graded_sphere(20000, 0.04, 24),
                     np.select_percentage(60));
