@@ -5,6 +5,9 @@
 
 #include "cloud/plane_fits.cuh"
 #include "kernels/Plane_fit.cuh"
+#include "search/representatives.cuh"
+
+#include <CGAL/L0_resampling/internal/kernels/crowded_subcells.h>
 
 #include <algorithm>
 #include <vector>
@@ -216,10 +219,23 @@ Scales estimate_scales(const Workplace& workplace, const Positions& positions,
 {
   const double cell_size = cell_size_of_scales * initial_radius;
   const Arena_scope arena_scope(workplace.arena), scratch_scope(workplace.scratch);
-  Cell_grid grid =
-    build_grid(positions, nullptr,
-               Cell_frame::around(low, high, cell_size, largest_reach_of_balls * cell_size),
-               workplace.arena, workplace.scratch, workplace.stream);
+  const Cell_frame frame = Cell_frame::around(low, high, cell_size,
+                                              largest_reach_of_balls * cell_size);
+  const auto grid_of = [&](const Positions& points) {
+    return build_grid(points, nullptr, frame, workplace.arena, workplace.scratch, workplace.stream);
+  };
+  Cell_grid grid = grid_of(positions);
+  const Representatives found = representatives_of_crowds(workplace, positions, grid,
+                                                          most_points_of_subcell);
+  if (!found.are_all_points())
+  {
+    unsigned* const list = workplace.scratch.take<unsigned>(found.number_of_kept);
+    list_kept(workplace, positions, grid, found.kept, found.number_of_kept, list);
+    Positions standing = positions;
+    standing.list = list;
+    standing.size = found.number_of_kept;
+    grid = grid_of(standing);
+  }
   keep_one_of_equal_points(workplace, grid);
   const unsigned stride = (std::max)(grid.size / unsigned(number_of_balls), 1u);
   const unsigned size = (grid.size + stride - 1) / stride;

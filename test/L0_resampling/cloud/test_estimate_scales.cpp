@@ -169,6 +169,18 @@ void check_equal_points(std::vector<Vector> points)
   CHECK(is_close(of_copies.noise, scales.noise, 0.1));
 }
 
+/// However many points all but coincide at one place.
+void check_crowd_in_one_place(std::vector<Vector> points, Generator& generator)
+{
+  const Scales scales = scales_of(points);
+  const std::size_t n = points.size();
+  for (std::size_t i = 0; i < 3 * n; ++i)
+    points.push_back(points[0] + 1e-9 * random_unit_vector(generator));
+  const Scales with_crowd = scales_of(points); // looks at other balls
+  CHECK(is_close(with_crowd.spacing, scales.spacing, 0.05));
+  CHECK(is_close(with_crowd.noise, scales.noise, 0.1));
+}
+
 /// Scales are lengths: they double with the cloud, bit by bit.
 void check_unit(std::vector<Vector> points)
 {
@@ -208,6 +220,7 @@ int main()
   std::vector<Vector> noisy = cube_points(3000, 2, generator).points;
   add_gaussian_noise(noisy, 0.03, generator);
   check_equal_points(noisy);
+  check_crowd_in_one_place(noisy, generator);
   check_unit(noisy);
 
   // no surface, and still a length

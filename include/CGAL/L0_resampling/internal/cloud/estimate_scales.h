@@ -9,6 +9,7 @@
 #include <CGAL/L0_resampling/internal/cloud/estimate_plane.h>
 #include <CGAL/L0_resampling/internal/cloud/working_frame.h>
 #include <CGAL/L0_resampling/internal/kernels/scales_of_balls.h>
+#include <CGAL/L0_resampling/internal/search/thin_crowds.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -64,8 +65,8 @@ Scales scales_around(const Buffer<Vector>& queries, const Buffer<Vector>& points
 }
 
 /*!
-The scales of a point set. Of points at one place one counts, however many there are: they tell
-nothing of a plane, and balls would shrink to a few places.
+The scales of a point set. Of points at one place one counts, and of those that all but coincide a
+few, however many there are: they tell nothing of a plane, and balls would shrink to a few places.
 
 \param initial_radius a length; the largest ball is 8 times as large. The paper's r_p is a good one
 \param is_core called with a point in the unit of `initial_radius`: whether all points that are
@@ -80,6 +81,8 @@ Scales estimate_scales(const Buffer<Vector>& unsorted_points, double initial_rad
   Buffer<Vector> points = copy_of(unsorted_points);
   Working_frame::divide<ConcurrencyTag>(initial_radius, points);
   apply_order(Search_grid_3::sorted_order<ConcurrencyTag>(points, cell_size), points);
+  thin_crowds<ConcurrencyTag>(Search_grid_3(points, cell_size), points, most_points_of_subcell)
+    .keep(points);
   points.resize(std::size_t(std::unique(points.begin(), points.end()) - points.begin()));
   std::size_t number_in_core = 0;
   for_each_in_order(points.size(), [&](std::size_t i) { number_in_core += is_core(points[i]); });

@@ -350,7 +350,7 @@ public:
 
   void project_to_local_quadrics(const Plan& plan)
   {
-    internal::project_to_local_quadrics<ConcurrencyTag, Local>(
+    internal::project_to_local_quadrics<ConcurrencyTag>(
       {quadric_radius_factor * plan.radius, plan.compatible_bandwidth, square(plan.sheet_height)},
       plan.smallest_cell_size, m_progress, m_samples);
   }

@@ -37,12 +37,11 @@ struct Quadric_kernel
 };
 
 /// The samples that planes and quadrics are fitted to.
-template <typename T>
 struct Support_points
 {
   Buffer<Vector> positions;
-  Buffer<Eigen::Matrix<T, 3, 1>> normals;
-  Buffer<T> variances; ///< \f$ u_k \f$, `Samples::fit_variances`
+  Buffer<Vector> normals;
+  Buffer<double> variances; ///< \f$ u_k \f$, `Samples::fit_variances`
   Buffer<float> scales;
 
   template <typename FT>
@@ -54,8 +53,8 @@ struct Support_points
       if (!samples.are_support_points[i])
         return;
       positions.push_back(samples.positions[i]);
-      normals.push_back(samples.normals[i].template cast<T>());
-      variances.push_back(T(samples.fit_variances[i]));
+      normals.push_back(samples.normals[i].template cast<double>());
+      variances.push_back(double(samples.fit_variances[i]));
       if (!samples.scales.empty())
         scales.push_back(samples.scales[i]);
     });
@@ -63,27 +62,25 @@ struct Support_points
 };
 
 /// Sums over the support points of a wide ball that agree with a sample, lengths in units of its
-/// radius.
+/// radius, in double precision: what the points scatter about a surface is a small difference of
+/// them.
 struct Agreeing_support_points
 {
   Quadric_moments<double> moments;
   double variance; ///< \f$ \sum_k w_k u_k \f$
 };
 
-template <typename T>
-Agreeing_support_points sum_agreeing_support_points(const Eigen::Matrix<T, 3, 1>& center,
-                                                    const Tangent_frame& frame,
-                                                    const Local_points<T>& candidates,
-                                                    const Local_normals<T>& normals,
-                                                    const Aligned_vector<T>& variances,
-                                                    const Quadric_kernel& kernel)
+inline Agreeing_support_points sum_agreeing_support_points(const Vector& center,
+                                                           const Tangent_frame& frame,
+                                                           const Local_points<double>& candidates,
+                                                           const Local_normals<double>& normals,
+                                                           const Aligned_vector<double>& variances,
+                                                           const Quadric_kernel& kernel)
 {
-  using L = Lanes<T>;
-  const T squared_radius = T(kernel.radius * kernel.radius), unit = T(1 / kernel.radius);
-  const T normal_bandwidth = T(kernel.normal_bandwidth),
-          squared_sheet_height = T(kernel.squared_sheet_height);
+  using L = Lanes<double>;
+  const double squared_radius = square(kernel.radius), unit = 1 / kernel.radius;
   const auto dot = [](const L& x, const L& y, const L& z, const Triple& a) {
-    return x * T(a.x) + y * T(a.y) + z * T(a.z);
+    return x * a.x + y * a.y + z * a.z;
   };
   Quadric_moments<L> lanes;
   L variance;
@@ -94,11 +91,11 @@ Agreeing_support_points sum_agreeing_support_points(const Eigen::Matrix<T, 3, 1>
       const L dz = L::load(&candidates.z[k]) - center[2];
       const L nx = L::load(&normals.x[k]), ny = L::load(&normals.y[k]), nz = L::load(&normals.z[k]);
       const L cosine = dot(nx, ny, nz, frame.normal), own_height = dot(dx, dy, dz, frame.normal);
-      const L height = symmetric_height(own_height, with_sign_of(cosine, L(T(1)))
+      const L height = symmetric_height(own_height, with_sign_of(cosine, L(1.))
                                                       * (dx * nx + dy * ny + dz * nz));
       const L weight = share_in_ball(squared_distance, squared_radius)
-                       * sheet_weight(L(T(0)), T(1), cosine, normal_bandwidth, height,
-                                      squared_sheet_height);
+                       * sheet_weight(L(0.), 1., cosine, kernel.normal_bandwidth, height,
+                                      kernel.squared_sheet_height);
       lanes.add(dot(dx, dy, dz, frame.u) * unit, dot(dx, dy, dz, frame.v) * unit, own_height * unit,
                 weight);
       variance += weight * L::load(&variances[k]);
@@ -138,12 +135,12 @@ Neighboring fits share most of their points, so few of the samples tell as much 
 
 \param samples positions and normals, in and out
 */
-template <typename ConcurrencyTag, typename T, typename FT>
+template <typename ConcurrencyTag, typename FT>
 void project_to_local_quadrics(const Quadric_kernel& kernel, double smallest_cell_size,
                                Progress& progress, Samples<FT>& samples)
 {
   const double cell_size = (std::max)(kernel.radius / 2, smallest_cell_size);
-  Support_points<T> support_points(samples);
+  Support_points support_points(samples);
   {
     const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(
       support_points.positions, Cell_sizes(cell_size, support_points.scales));
@@ -159,23 +156,22 @@ void project_to_local_quadrics(const Quadric_kernel& kernel, double smallest_cel
                                       Cell_sizes(cell_size, samples.scales));
 
   const auto make_visitor = [&]() {
-    return [&, normals = Local_normals<T>(), variances = Aligned_vector<T>()](
-             Search_grid_3::Range queries, const Local_points<T>& candidates,
+    return [&, normals = Local_normals<double>(), variances = Aligned_vector<double>()](
+             Search_grid_3::Range queries, const Local_points<double>& candidates,
              const Vector& origin) mutable {
       normals.gather(candidates, support_points.normals);
-      variances.assign(candidates.padded_size(), T(0));
+      variances.assign(candidates.padded_size(), 0);
       for (std::size_t k = 0; k < candidates.indices.size(); ++k)
         variances[k] = support_points.variances[candidates.indices[k]];
       for (Index q = queries.first; q < queries.second; ++q)
       {
         const Index i = sorted_queries.order[q];
-        const Eigen::Matrix<T, 3, 1> center =
-          (sorted_queries.points[q] - origin).template cast<T>();
+        const Vector center = sorted_queries.points[q] - origin;
         const Vector normal = samples.normals[i].template cast<double>();
         const Quadric_kernel own_kernel = kernel.scaled(sorted_queries.grid.scale(q));
         const Tangent_frame frame({normal.x(), normal.y(), normal.z()});
         const Agreeing_support_points sums =
-          sum_agreeing_support_points<T>(center, frame, candidates, normals, variances, own_kernel);
+          sum_agreeing_support_points(center, frame, candidates, normals, variances, own_kernel);
         const Settled_sample settled = settled_sample(sums, frame, own_kernel.radius);
         samples.positions[i] += settled.height * normal;
         samples.normals[i] =
@@ -183,10 +179,10 @@ void project_to_local_quadrics(const Quadric_kernel& kernel, double smallest_cel
       }
     };
   };
-  for_each_cell<T, ConcurrencyTag>(sorted_queries.grid, sorted_queries.points, support_grid,
-                                   support_points.positions,
-                                   cells_in_reach(kernel.radius, cell_size), progress,
-                                   make_visitor);
+  for_each_cell<double, ConcurrencyTag>(sorted_queries.grid, sorted_queries.points, support_grid,
+                                        support_points.positions,
+                                        cells_in_reach(kernel.radius, cell_size), progress,
+                                        make_visitor);
 }
 
 } // namespace internal
