@@ -74,8 +74,7 @@ void test_counts()
   const auto middle = points.begin() + 7;
   Tile_counts parts = counts_of({points.begin(), middle});
   parts.add(counts_of({middle, points.end()}));
-  CHECK(whole.blocks() == parts.blocks());
-  CHECK(whole.blocks().size() <= Tile_counts::most_blocks);
+  CHECK(whole.blocks().size() <= 2 * Tile_counts::most_blocks);
   whole.finish();
   parts.finish();
   CHECK(whole.blocks() == parts.blocks());
@@ -87,6 +86,56 @@ void test_counts()
   for (const auto& [block, count] : whole.blocks())
     sum += count;
   CHECK(sum == points.size());
+}
+
+/// A square of blocks of side 1 with so many points in each.
+Tile_counts square_of_blocks(std::int64_t side, std::uint64_t count)
+{
+  std::vector<std::pair<CGAL::L0_resampling::internal::Block, std::uint64_t>> blocks;
+  for (std::int64_t x = 0; x < side; ++x)
+    for (std::int64_t y = 0; y < side; ++y)
+      blocks.push_back({{x - 100, y - 300, 0}, count});
+  const double low = -300, high = double(side);
+  return Tile_counts(0, blocks, {low, low, 0}, {high, high, 0.5});
+}
+
+/// There are not more blocks than the limit, and they are no larger than that asks for.
+void test_limit_of_blocks()
+{
+  const std::int64_t most = 512; // on a side: their square is the limit
+  CHECK(std::uint64_t(most * most) == Tile_counts::most_blocks);
+  Tile_counts at_limit = square_of_blocks(most, Tile_counts::fewest_points_per_block);
+  at_limit.finish();
+  CHECK(at_limit.lattice().exponent() == 0);
+  for (const std::int64_t side : {most + 2, 2 * most - 2, 3 * most})
+  {
+    Tile_counts beyond = square_of_blocks(side, Tile_counts::fewest_points_per_block);
+    beyond.finish();
+    CHECK(beyond.lattice().exponent() == (side < 2 * most ? 1 : 2));
+    CHECK(beyond.blocks().size() <= Tile_counts::most_blocks);
+  }
+}
+
+/// Limits that points pass as they come do not show in the result.
+void test_order_at_limit()
+{
+  std::vector<Place> points;
+  for (double x = 0; x < 900; ++x)
+    for (double y = 0; y < 900; ++y)
+      points.push_back({x - 100.5, y - 300.5, 0.5});
+  const Tile_counts more = square_of_blocks(30, 1000 * Tile_counts::most_blocks);
+  Tile_counts in_order = counts_of(points);
+  in_order.add(more);
+  in_order.finish();
+  CHECK(in_order.lattice().exponent() == 1);
+  std::shuffle(points.begin(), points.end(), std::mt19937(2));
+  Tile_counts shuffled = more;
+  const auto middle = points.begin() + 300000;
+  shuffled.add(counts_of({middle, points.end()}));
+  shuffled.add(counts_of({points.begin(), middle}));
+  shuffled.finish();
+  CHECK(in_order.blocks() == shuffled.blocks());
+  CHECK(in_order.lattice().exponent() == shuffled.lattice().exponent());
 }
 
 /// Blocks below zero are as large as those above.
@@ -248,6 +297,8 @@ void test_refusals()
 int main()
 {
   test_counts();
+  test_limit_of_blocks();
+  test_order_at_limit();
   test_negative_blocks();
   test_tiling();
   test_rooms();

@@ -81,30 +81,81 @@ class Block_counts
   std::uint64_t m_number_of_points = 0;
   std::array<double, 3> m_low = {}, m_high = {};
 
-  void double_side()
+  /// Makes the blocks 2^`levels` times as large.
+  void coarsen_by(int levels)
   {
     std::unordered_map<Block, std::uint64_t, Hash> counts;
     for (const auto& [block, count] : m_counts)
     {
-      Block parent = block;
-      for (std::int64_t& place : parent)
-        place = place >= 0 ? place / 2 : -((1 - place) / 2);
-      counts[parent] += count;
+      Block larger = block;
+      for (std::int64_t& place : larger)
+        place >>= (std::min)(levels, 63); // rounds down
+      counts[larger] += count;
     }
     m_counts = std::move(counts);
-    m_lattice = Block_lattice(m_lattice.exponent() + 1);
+    m_lattice = Block_lattice(m_lattice.exponent() + levels);
   }
 
   void coarsen_to(int exponent)
   {
-    while (m_lattice.exponent() < exponent)
-      double_side();
+    if (m_lattice.exponent() < exponent)
+      coarsen_by(exponent - m_lattice.exponent());
   }
 
+  /// Along the Z-order curve, on which the blocks within a larger one follow each other.
+  static bool precedes(const Block& a, const Block& b)
+  {
+    std::size_t axis = 0;
+    std::uint64_t largest = 0; // difference, as its highest bit has it
+    for (std::size_t k = 0; k < a.size(); ++k)
+    {
+      const std::uint64_t difference = std::uint64_t(a[k] ^ b[k]);
+      if (largest < difference && largest < (largest ^ difference))
+      {
+        axis = k;
+        largest = difference;
+      }
+    }
+    return a[axis] < b[axis];
+  }
+
+  /// From this level on two blocks are within the same one; never, if a sign differs.
+  static std::size_t level_in_common(const Block& a, const Block& b)
+  {
+    std::uint64_t difference = 0;
+    for (std::size_t axis = 0; axis < a.size(); ++axis)
+      difference |= std::uint64_t(a[axis] ^ b[axis]);
+    std::size_t level = 0;
+    for (; difference != 0; difference >>= 1)
+      ++level;
+    return level;
+  }
+
+  /// Makes the blocks as large as it takes for no more than `most_blocks`.
   void keep_limit()
   {
-    while (m_counts.size() > most_blocks)
-      double_side();
+    if (m_counts.size() <= most_blocks)
+      return;
+    std::vector<Block> blocks;
+    blocks.reserve(m_counts.size());
+    for (const auto& [block, count] : m_counts)
+      blocks.push_back(block);
+    std::sort(blocks.begin(), blocks.end(), precedes);
+    std::array<std::size_t, 65> joined = {}; // blocks, by the level at which they are
+    for (std::size_t i = 1; i < blocks.size(); ++i)
+      ++joined[level_in_common(blocks[i - 1], blocks[i])];
+    std::size_t number = blocks.size();
+    int levels = 0;
+    while (number > most_blocks)
+      number -= joined[std::size_t(++levels)];
+    coarsen_by(levels);
+  }
+
+  /// Not at each block too many, as points go on coming.
+  void keep_working_limit()
+  {
+    if (m_counts.size() > 2 * most_blocks)
+      keep_limit();
   }
 
 public:
@@ -129,8 +180,10 @@ public:
     double largest = 0;
     for (const double coordinate : point)
       largest = (std::max)(largest, std::abs(coordinate));
-    while (!m_lattice.can_number(largest))
-      double_side();
+    int exponent = m_lattice.exponent();
+    while (!Block_lattice(exponent).can_number(largest))
+      ++exponent;
+    coarsen_to(exponent);
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       m_low[axis] = m_number_of_points == 0 ? point[axis] : (std::min)(m_low[axis], point[axis]);
@@ -138,7 +191,7 @@ public:
     }
     ++m_number_of_points;
     ++m_counts[m_lattice.block_of(point)];
-    keep_limit();
+    keep_working_limit();
   }
 
   void add(Block_counts other)
@@ -160,15 +213,17 @@ public:
       m_high[axis] = (std::max)(m_high[axis], other.m_high[axis]);
     }
     m_number_of_points += other.m_number_of_points;
-    keep_limit();
+    keep_working_limit();
   }
 
-  /// Once all points are counted: makes the blocks so large that they hold enough points.
+  /// Once all points are counted: makes the blocks so large that there are not too many, and that
+  /// they hold enough points.
   void finish()
   {
+    keep_limit();
     while (m_counts.size() > 1 && m_number_of_points < fewest_points_per_block * m_counts.size()
            && m_lattice.exponent() < Block_lattice::largest_exponent)
-      double_side();
+      coarsen_by(1);
   }
 
   const Block_lattice& lattice() const { return m_lattice; }
