@@ -195,7 +195,7 @@ public:
   /// \param counts of all points
   /// \param np as those of `CGAL::l0_resample_point_set()`: `number_of_output_points`,
   /// `neighbor_radius`, `sharpness_angle`, `normal_weight`, `random_seed`, `drop_outliers`,
-  /// `keep_density`, `viewpoint`, `up_direction`, `callback`
+  /// `outlier_sensitivity`, `keep_density`, `viewpoint`, `up_direction`, `callback`
   template <typename NamedParameters>
   Tiled_resampling(Tile_counts counts, const NamedParameters& np)
     : m_parameters(internal::checked_parameters(np, 1))

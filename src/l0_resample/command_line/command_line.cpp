@@ -442,9 +442,9 @@ void add_options(CLI::App& app, Arguments& arguments)
                   "view-property", "up"});
   exclude_others(app, "as-one",
                  {"output-directory", "output-format", "force", "points", "percentage",
-                  "keep-density", "keep-outliers", "neighbor-radius", "normal-weight",
-                  "sharpness-angle", "seed", "viewpoint", "up", "json", "memory", "resume",
-                  "output", "task"});
+                  "keep-density", "keep-outliers", "outlier-sensitivity", "neighbor-radius",
+                  "normal-weight", "sharpness-angle", "seed", "viewpoint", "up", "json", "memory",
+                  "resume", "output", "task"});
   exclude_others(app, "info",
                  {"points", "percentage", "method", "neighbor-radius", "keep-outliers",
                   "outlier-sensitivity"});

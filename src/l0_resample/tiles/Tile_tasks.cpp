@@ -76,6 +76,7 @@ public:
                               .random_seed(options.seed)
                               .drop_outliers(options.keep_outliers ? std::optional<bool>(false)
                                                                    : std::nullopt)
+                              .outlier_sensitivity(options.outlier_sensitivity)
                               .keep_density(options.keep_density)
                               .viewpoint(options.viewpoint)
                               .up_direction(options.up_direction)

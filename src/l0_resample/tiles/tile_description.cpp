@@ -106,6 +106,7 @@ std::string describe_run(const Command& command)
        << "--seed " << options.seed << "\n"
        << "--keep-density " << options.keep_density << "\n"
        << "--keep-outliers " << options.keep_outliers << "\n"
+       << "--outlier-sensitivity " << options.outlier_sensitivity.value_or(1) << "\n"
        << "--drop-non-finite " << options.drop_non_finite << "\n"
        << "--first-returns " << options.only_first_returns << "\n"
        << "--decompress " << options.decompression << "\n"

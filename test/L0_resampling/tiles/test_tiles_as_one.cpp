@@ -265,6 +265,9 @@ int main()
   check<CGAL::Parallel_if_available_tag>("crowds and outliers", crowds.points(), 0.5,
                                          {0.0001, 0.05}, m,
                                          CGAL::parameters::number_of_output_points(m));
+  check<CGAL::Parallel_if_available_tag>(
+    "more outliers", crowds.points(), 0.5, {0.0001, 0.05}, m,
+    CGAL::parameters::number_of_output_points(m).outlier_sensitivity(2));
   m = number(sheets, 0.3);
   check<CGAL::Parallel_if_available_tag>("two sheets", sheets.points(), 0.5, {0, 0.001}, m,
                                          CGAL::parameters::number_of_output_points(m));

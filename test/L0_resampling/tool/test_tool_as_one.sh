@@ -73,6 +73,15 @@ positions() { cut -d ' ' -f 1-3 "$1" | sort; }
 check "the same points, but for a few in ten thousand" test \
   "$(comm -23 <(positions merged.xyz) <(positions single.xyz) | wc -l)" -le 12
 
+# Strays over the ribbon, each alone
+awk 'BEGIN { for (i = 0; i < 60; ++i) print 20 * i, 10, 30 + 20 * (i % 3) }' > strays.xyz
+for sensitivity in 0 1; do
+  run parts strays.xyz --as-one --points 12000 --memory 4GB --outlier-sensitivity $sensitivity \
+    --output-directory "sensitivity_$sensitivity"
+  check "as sensitive as asked for" test "$status" -eq 0 -a "$(value "sensitivity_$sensitivity/index.json" \
+    "sum(t['outliers'] for t in j['tiles'])")" -eq $((60 * sensitivity))
+done
+
 # A folder that has a run
 check_plain_failure 4 "has an earlier run of --as-one" "${ribbon[@]}" --output-directory whole
 run_plainly "${ribbon[@]}" --output-directory whole --output merged.ply --resume
