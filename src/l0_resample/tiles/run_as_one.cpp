@@ -19,13 +19,12 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
-
-#include <sys/resource.h>
 
 namespace l0_tool {
 namespace {
@@ -38,11 +37,16 @@ double seconds_since(Clock::time_point start)
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Of this program so far, in bytes.
+/// Of this program so far, in bytes; 0 if the system does not tell. `getrusage()` would count what
+/// the process was before it became this program.
 std::uint64_t peak_of_memory()
 {
-  struct rusage usage;
-  return getrusage(RUSAGE_SELF, &usage) == 0 ? std::uint64_t(usage.ru_maxrss) * 1024 : 0;
+  const std::string field = "VmHWM:";
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.compare(0, field.size(), field) == 0)
+      return std::stoull(line.substr(field.size())) * 1024;
+  return 0;
 }
 
 std::uint64_t size_of_file(const std::string& path)

@@ -267,7 +267,7 @@ int main()
                                          CGAL::parameters::number_of_output_points(m));
   check<CGAL::Parallel_if_available_tag>(
     "more outliers", crowds.points(), 0.5, {0.0001, 0.05}, m,
-    CGAL::parameters::number_of_output_points(m).outlier_sensitivity(2));
+    CGAL::parameters::outlier_sensitivity(2).number_of_output_points(m));
   m = number(sheets, 0.3);
   check<CGAL::Parallel_if_available_tag>("two sheets", sheets.points(), 0.5, {0, 0.001}, m,
                                          CGAL::parameters::number_of_output_points(m));
