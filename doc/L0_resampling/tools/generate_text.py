@@ -182,7 +182,8 @@ TABLES = {"quality": {"fandisk": "quality_fandisk", "armadillo": "quality_armadi
                       "comparison": "comparison", "poisson": "poisson",
                       "ablation": "ablation",
                       "rounding": "rounding", "rounding_h200": "rounding_of_device"},
-          "performance": {"fandisk": "speed", "callback": "callback", "cuda_h200": "device"},
+          "performance": {"fandisk": "speed", "callback": "callback", "cuda_h200": "device",
+                          "large_clouds": "large_clouds"},
           "report": {"full": "claims"}}
 
 
