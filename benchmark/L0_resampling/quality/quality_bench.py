@@ -14,7 +14,7 @@ import sys
 from pathlib import Path
 
 sys.path.append(str(Path(__file__).resolve().parents[1] / "common"))
-from results import load_raw, write_result  # for the drivers
+from results import load_raw, raw_file, write_result  # for the drivers
 
 # In CGAL's demo data, and in ours
 OWN_DATA = Path(__file__).resolve().parents[3] / "data"

@@ -6,8 +6,8 @@
 """Measures the signed error of samples by their distance from the nearest sharp edge.
 
 Where noise moves points of one face across an edge, a fit that takes them for points of the other
-face is biased: to the outside at convex edges, to the inside at concave ones. OUTPUT.json keeps all
-that was measured, OUTPUT.md has a table for each method.
+face is biased: to the outside at convex edges, to the inside at concave ones. There is a table for
+each method.
 """
 
 import argparse
@@ -182,7 +182,10 @@ def main():
         "meshes", type=Path, metavar="mesh_folder", help="has fandisk.off of libcgal-demo"
     )
     parser.add_argument(
-        "--output", type=Path, help="writes OUTPUT.json and OUTPUT.md; else the tables are printed"
+        "--output",
+        type=Path,
+        metavar="FOLDER/NAME",
+        help="what to write, see common/results.py; else the tables are printed",
     )
     parser.add_argument("--shapes", nargs="+", choices=SHAPES, default=SHAPES)
     parser.add_argument(

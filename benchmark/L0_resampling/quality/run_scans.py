@@ -23,7 +23,7 @@ distance to six neighbors, of the scan:
 For lost points and ghosts the spacing is at least the median spacing of the result. An even result
 has points adrift wherever it fills the gaps between the rings of a scanner.
 
-OUTPUT.json keeps all, OUTPUT.md has a row for each scan and method, OUTPUT.png a row of pictures. A
+The table has a row for each scan and method, and with --output FOLDER/NAME.png a row of pictures. A
 table of options, by default scans.csv in FOLDER or beside this program, has the columns scan,
 viewpoint, up, plane_low, plane_high, plane_tolerance and slices. Vectors are written as 0,0,1.
 Slices are written as in 'z 1.3 0.2; x 0 0.1 4 5 2': axis, position and thickness, and optionally
@@ -193,7 +193,10 @@ def parse_arguments():
         "--build", type=Path, default=BUILD, help="build folder; its bin/ has the programs"
     )
     parser.add_argument(
-        "--output", type=Path, help="writes OUTPUT.json, .md and .png; else the table is printed"
+        "--output",
+        type=Path,
+        metavar="FOLDER/NAME",
+        help="what to write, see common/results.py; else the table is printed",
     )
     parser.add_argument("--table", type=Path, help="options of the scans, a CSV file")
     parser.add_argument("--methods", nargs="+", choices=[*OURS, *RIVALS], default=[*OURS])

@@ -7,12 +7,11 @@
 
 scan_scene makes the scans: a street, a forest, a room and single objects, as a spinning lidar, a
 terrestrial scanner, structured light and a range camera see them, from one or several registered
-views. OUTPUT.json keeps all that was measured, OUTPUT.md has a table for each measure, OUTPUT.png a
-row of pictures for each scan and `--pictures` method.
+views. There is a table for each measure, and with --output FOLDER/NAME.png has a row of pictures
+for each scan and `--pictures` method.
 """
 
 import argparse
-import json
 import subprocess
 import sys
 import tempfile
@@ -28,7 +27,7 @@ except ImportError as error:
     sys.exit(77)
 
 import scene_tables
-from quality_bench import Bench, command_line, mesh_of, write_result
+from quality_bench import Bench, command_line, load_raw, mesh_of, raw_file, write_result
 
 sys.path.append(str(Path(__file__).resolve().parents[1] / "methods"))
 from methods import ear, ours, simple_filter, wlop
@@ -170,13 +169,16 @@ def parse_arguments():
     )
     parser.add_argument("build", type=Path, help="build folder; its bin/ has the programs")
     parser.add_argument(
-        "--output", type=Path, help="writes OUTPUT.json, .md and .png; else the tables are printed"
+        "--output",
+        type=Path,
+        metavar="FOLDER/NAME",
+        help="what to write, see common/results.py; else the tables are printed",
     )
     parser.add_argument(
         "--only",
         nargs="+",
         default=[""],
-        help="scans whose name has one of these; OUTPUT.json keeps what it has of the others",
+        help="scans whose name has one of these; of the others stays what an earlier run has",
     )
     parser.add_argument("--methods", nargs="+", choices=METHODS, default=list(METHODS))
     parser.add_argument(
@@ -185,7 +187,7 @@ def parse_arguments():
     parser.add_argument(
         "--keep-baselines",
         action="store_true",
-        help="takes from OUTPUT.json what CGAL's pipelines reach on the same scans",
+        help="takes from an earlier run what CGAL's pipelines reach on the same scans",
     )
     parser.add_argument(
         "--percentage",
@@ -207,10 +209,11 @@ def parse_arguments():
     return arguments
 
 
-def earlier_run(output):
-    if output is None or not output.with_suffix(".json").exists():
+def earlier_run(arguments):
+    output = arguments.output
+    if not arguments.keep_baselines and (output is None or not raw_file(output).exists()):
         return {"commands": [], "experiments": []}
-    return json.loads(output.with_suffix(".json").read_text(encoding="utf-8"))
+    return load_raw(output)
 
 
 def known_measurements(previous, experiment, methods):
@@ -267,7 +270,7 @@ def main():
     if not scans:
         raise ValueError("no scan has a name with " + " or ".join(arguments.only))
     command = command_line("run_scenes.py", sys.argv[1:])
-    previous = earlier_run(arguments.output)
+    previous = earlier_run(arguments)
     commands, experiments = [command], {}
     if arguments.only != [""] or arguments.keep_baselines:
         commands = [old for old in previous["commands"] if old != command] + [command]
