@@ -42,7 +42,7 @@ struct Source_box
 \ingroup PkgL0ResamplingRef
 
 The number of points around each place, by which a cloud is cut into tiles. Points may come in any
-order, and counts of several parts of a cloud may be added up: the result is the same.
+order, and counts of several parts of a cloud may be added up: the tiles are the same.
 */
 using Tile_counts = internal::Block_counts;
 

@@ -78,6 +78,7 @@ void test_counts()
   whole.finish();
   parts.finish();
   CHECK(whole.blocks() == parts.blocks());
+  CHECK(whole.blocks().size() <= Tile_counts::most_blocks);
   CHECK(whole.lattice().exponent() == parts.lattice().exponent());
   CHECK(whole.low() == parts.low() && whole.high() == parts.high());
   CHECK(whole.number_of_points() == points.size());

@@ -180,10 +180,10 @@ public:
     double largest = 0;
     for (const double coordinate : point)
       largest = (std::max)(largest, std::abs(coordinate));
-    int exponent = m_lattice.exponent();
-    while (!Block_lattice(exponent).can_number(largest))
-      ++exponent;
-    coarsen_to(exponent);
+    Block_lattice lattice = m_lattice;
+    while (!lattice.can_number(largest))
+      lattice = Block_lattice(lattice.exponent() + 1);
+    coarsen_to(lattice.exponent());
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       m_low[axis] = m_number_of_points == 0 ? point[axis] : (std::min)(m_low[axis], point[axis]);
@@ -231,7 +231,8 @@ public:
   const std::array<double, 3>& low() const { return m_low; }
   const std::array<double, 3>& high() const { return m_high; }
 
-  /// Those that hold points, in lexicographic order.
+  /// Those that hold points, in lexicographic order. As long as points come, there may be twice as
+  /// many as `most_blocks`.
   std::vector<std::pair<Block, std::uint64_t>> blocks() const
   {
     std::vector<std::pair<Block, std::uint64_t>> sorted(m_counts.begin(), m_counts.end());
