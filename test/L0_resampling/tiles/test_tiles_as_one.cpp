@@ -265,7 +265,7 @@ int main()
   check<CGAL::Parallel_if_available_tag>("crowds and outliers", crowds.points(), 0.5,
                                          {0.0001, 0.05}, m,
                                          CGAL::parameters::number_of_output_points(m));
-  // one rounding in single precision, of a millionth, reaches the samples of one place
+  // samples of one place differ, by a millionth of their spacing; why is not known
   check<CGAL::Parallel_if_available_tag>(
     "more outliers", crowds.points(), 0.5, {0.003, 0.05}, m,
     CGAL::parameters::outlier_sensitivity(2).number_of_output_points(m));
