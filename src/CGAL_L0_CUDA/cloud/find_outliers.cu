@@ -9,6 +9,7 @@
 
 #include <CGAL/L0_resampling/internal/core/Parameters.h>
 #include <CGAL/L0_resampling/internal/kernels/crowded_subcells.h>
+#include <CGAL/L0_resampling/internal/kernels/outlier_tests.h>
 
 #include <optional>
 
@@ -57,8 +58,8 @@ __device__ Wide sum_around(const Cell_blocks& blocks, Wide cell, const Wide* sum
   return sum;
 }
 
-/// For each cell, how many points the balls of its points have to hold: a share of the mean ball in
-/// the block of cells around, and of the median ball.
+/// For each cell, how many points the balls of its points have to hold, by the mean ball in the
+/// block of cells around.
 /// \param sums of the counts of all points before each point
 __global__ void find_least_counts(Cell_blocks blocks, unsigned number_of_cells, const Wide* sums,
                                   const unsigned* median, Outlier_thresholds thresholds,
@@ -74,9 +75,8 @@ __global__ void find_least_counts(Cell_blocks blocks, unsigned number_of_cells, 
     const uint2 range = ranges[row];
     count += range.y - range.x;
   }
-  least_counts[cell] = fmax(thresholds.share_of_surroundings
-                              * (double(sum_around(blocks, cell, sums)) / double(count)),
-                            thresholds.share_of_median * double(*median));
+  least_counts[cell] = least_count_of_ball(
+    thresholds, double(sum_around(blocks, cell, sums)) / double(count), double(*median));
 }
 
 /// \param numbers which entries of the list
@@ -116,11 +116,11 @@ __global__ void keep_dense(Cell_grid grid, const unsigned* counts, const unsigne
   const unsigned position = grid.order[i];
   const double count = double(counts[i]);
   const bool is_kept = count >= least_counts[grid.points[i].w];
-  const bool is_sparse = count < share_of_sparse_points * double(*result.median);
+  const bool is_one_of_sparse = is_sparse(count, double(*result.median));
   result.is_kept[position] = is_kept;
-  result.is_sparse[position] = is_sparse;
+  result.is_sparse[position] = is_one_of_sparse;
   result.half_counts[position] = half_counts[i];
-  if (is_kept && is_sparse)
+  if (is_kept && is_one_of_sparse)
     *result.is_any_sparse_kept = 1;
 }
 
@@ -147,10 +147,9 @@ __global__ void find_filled_cells(Cell_blocks blocks, unsigned number_of_cells,
 {
   const Wide cell = thread_index();
   if (cell < number_of_cells)
-    is_filled[cell] = double(static_cast<long long>(sum_around(blocks, cell, outer_sums)))
-                      > least_ratio
-                          * (double(static_cast<long long>(sum_around(blocks, cell, inner_sums)))
-                             + count_prior);
+    is_filled[cell] = is_space_filled(
+      double(static_cast<long long>(sum_around(blocks, cell, outer_sums))),
+      double(static_cast<long long>(sum_around(blocks, cell, inner_sums))), least_ratio);
 }
 
 __global__ void drop_points_of_filled_cells(Cell_grid sparse, const unsigned* list,
@@ -243,13 +242,14 @@ __global__ void count_points_of_parts(Cell_grid grid, unsigned* parents, unsigne
 
 /// \param grid of the points in the list
 __global__ void keep_large_parts(Cell_grid grid, unsigned* parents, const unsigned* sizes,
-                                 const unsigned* median, double share_of_median,
-                                 const unsigned* list, unsigned char* is_kept)
+                                 const unsigned* median, double share_of_part, const unsigned* list,
+                                 unsigned char* is_kept)
 {
   const Wide i = thread_index();
   if (i < grid.size)
-    is_kept[list[grid.order[i]]] = sizes[find_root(parents, unsigned(grid.points[i].w))]
-                                   >= share_of_median * double(*median);
+    is_kept[list[grid.order[i]]] =
+      !is_part_small(double(sizes[find_root(parents, unsigned(grid.points[i].w))]), share_of_part,
+                     double(*median));
 }
 
 /// Some of the positions.
@@ -364,7 +364,7 @@ void drop_points_that_fill_space(const Workplace& workplace, const Positions& po
 /// together, has a share of as many points as the median ball.
 void find_large_parts(const Workplace& workplace, const Positions& positions,
                       const double (&low)[3], const double (&high)[3], double cell_size,
-                      const unsigned* median, double share_of_median, unsigned char* is_kept)
+                      const unsigned* median, double share_of_part, unsigned char* is_kept)
 {
   const cudaStream_t stream = workplace.stream;
   const Arena_scope arena_scope(workplace.arena), scratch_scope(workplace.scratch);
@@ -399,7 +399,7 @@ void find_large_parts(const Workplace& workplace, const Positions& positions,
   count_points_of_parts<<<blocks_for_cells, threads_per_block, 0, stream>>>(grid, parents, sizes);
   check_launch("count_points_of_parts");
   keep_large_parts<<<blocks_for(rest.size), threads_per_block, 0, stream>>>(
-    grid, parents, sizes, median, share_of_median, list, is_kept);
+    grid, parents, sizes, median, share_of_part, list, is_kept);
   check_launch("keep_large_parts");
 }
 

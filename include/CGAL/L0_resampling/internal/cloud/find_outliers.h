@@ -8,6 +8,7 @@
 
 #include <CGAL/L0_resampling/internal/core/Parameters.h>
 #include <CGAL/L0_resampling/internal/core/select_nth.h>
+#include <CGAL/L0_resampling/internal/kernels/outlier_tests.h>
 #include <CGAL/L0_resampling/internal/search/ball_queries.h>
 #include <CGAL/L0_resampling/internal/search/thin_crowds.h>
 
@@ -145,7 +146,7 @@ Buffer<unsigned char> fill_space(const Buffer<Vector>& unsorted_points, const Sc
                                                unsorted_points.get_allocator());
   for_each_cell_block<Sequential_tag>(sparse_points.grid, sparse_points.grid, 1, progress, [&]() {
     return [&](Index cell, const std::vector<Search_grid_3::Range>& ranges, std::size_t) {
-      const bool fills = outer_sums(ranges) > least_ratio * (inner_sums(ranges) + count_prior);
+      const bool fills = is_space_filled(outer_sums(ranges), inner_sums(ranges), least_ratio);
       const Search_grid_3::Range own = sparse_points.grid.points_of_cell(cell);
       for (Index i = own.first; i < own.second; ++i)
         result[sparse_points.order[i]] = fills;
@@ -231,10 +232,9 @@ Buffer<unsigned char> find_outliers_among(const Buffer<Vector>& unsorted_points,
     median = *known_median;
     for_each_in_order(n, [&](std::size_t i) {
       const double count = counts.in_ball[i];
-      const bool is_kept = count >= (std::max)(thresholds.share_of_surroundings * surroundings[i],
-                                               thresholds.share_of_median * median);
+      const bool is_kept = count >= least_count_of_ball(thresholds, surroundings[i], median);
       is_outlier[sorted->order[i]] = !is_kept;
-      if (count < share_of_sparse_points * median)
+      if (is_sparse(count, median))
       {
         sparse.push_back(sorted->order[i]);
         counts_in_half_balls.push_back(counts.in_half_ball[i]);
@@ -266,7 +266,7 @@ Buffer<unsigned char> find_outliers_among(const Buffer<Vector>& unsorted_points,
                                                              view_of_scales(rest_scales), progress);
   bool is_any_left = false;
   for_each_in_order(rest.size(), [&](std::size_t k) {
-    is_outlier[rest[k]] = sizes[k] < thresholds.share_of_part * median;
+    is_outlier[rest[k]] = is_part_small(sizes[k], thresholds.share_of_part, median);
     is_any_left = is_any_left || !is_outlier[rest[k]];
   });
   if (!is_any_left && !is_part)
