@@ -8,6 +8,7 @@
 #include "samples/loops_over_samples.cuh"
 
 #include <CGAL/L0_resampling/internal/core/weights.h>
+#include <CGAL/L0_resampling/internal/kernels/Density_in_ball.h>
 #include <CGAL/L0_resampling/internal/kernels/block_factorization.h>
 #include <CGAL/L0_resampling/internal/kernels/chebyshev_steps.h>
 #include <CGAL/L0_resampling/internal/kernels/negligible_displacement.h>
@@ -89,7 +90,7 @@ __device__ void update_density_weights(const Turn_in_kernel& turn)
       });
     sum = group_sum<lanes_per_sample>(sum);
     if (lane == 0 && is_sample)
-      turn.samples.normals[i].w = row.y > row.x ? 1 / (1 + sum / mean_number_of_neighbors) : 1;
+      turn.samples.normals[i].w = 1 / density_weight(sum, mean_number_of_neighbors);
   });
 }
 

@@ -9,6 +9,7 @@
 #include "search/Query.cuh"
 
 #include <CGAL/L0_resampling/internal/core/weights.h>
+#include <CGAL/L0_resampling/internal/kernels/Density_in_ball.h>
 
 #include <cmath>
 
@@ -120,30 +121,19 @@ __device__ void add_over_block(unsigned long long value, unsigned long long* tot
     atomicAdd(total, of_block);
 }
 
-/// The sum of Eq. (5) over a ball, and how many points it has.
-struct Density
+/// The sum of Eq. (5) over a ball, for all threads of a block at once; the counts add up.
+/// \param stride of the candidates
+__device__ float sum_of_others(const Density_in_ball<float>& of_thread, bool writes,
+                               unsigned stride, Ball_counts* counts)
 {
-  float count = 0, sum = 0;
-
-  __device__ void add(bool is_inside, float squared_distance, float squared_bandwidth)
-  {
-    count += is_inside ? 1.f : 0.f;
-    sum += is_inside ? gaussian_weight(squared_distance, squared_bandwidth) : 0.f;
-  }
-
-  /// Without the point itself, for all threads of a block at once; the counts add up.
-  /// \param stride of the candidates: thinning may have left the point itself out
-  __device__ float finish(bool writes, unsigned stride, Ball_counts* counts)
-  {
-    count = group_sum<lanes>(count);
-    sum = group_sum<lanes>(sum);
-    const float self = count > 0 ? 1.f : 0.f;
-    const unsigned long long others = (unsigned long long)(count - self) * stride;
-    add_over_block(writes ? others : 0, &counts->neighbors);
-    add_over_block(writes && others + 1 < fewest_points_of_plane ? 1 : 0, &counts->sparse);
-    return fmaxf(0, sum - self) * float(stride);
-  }
-};
+  const Density_in_ball<float> all = {group_sum<lanes>(of_thread.count),
+                                      group_sum<lanes>(of_thread.sum)},
+                               others = all.of_others();
+  const unsigned long long number = (unsigned long long)(others.count) * stride;
+  add_over_block(writes ? number : 0, &counts->neighbors);
+  add_over_block(writes && number + 1 < fewest_points_of_plane ? 1 : 0, &counts->sparse);
+  return others.sum * float(stride);
+}
 
 /// Eq. (1): the mean of the normals in the ball, each turned to the side of the point's own first.
 /// With `with_density`, the sum of Eq. (5), too, goes to the fourth number of the normal.
@@ -162,7 +152,7 @@ __global__ void filter_normals_kernel(Cell_grid grid, Cell_blocks blocks, float 
   squared_radius *= squared_scale;
   squared_bandwidth *= squared_scale;
   float3 sum = {0, 0, 0};
-  Density density;
+  Density_in_ball<float> density;
   for_each_candidate(grid, blocks, center, query.lane, radius, [&](unsigned j, const int4& point) {
     const float3 d = difference(point, center, 1);
     const float squared_distance = dot(d, d);
@@ -173,12 +163,13 @@ __global__ void filter_normals_kernel(Cell_grid grid, Cell_blocks blocks, float 
                                           normal_bandwidth);
     sum += (is_inside ? with_sign_of(cosine, weight) : 0.f) * other;
     if constexpr (with_density)
-      density.add(is_inside, squared_distance, squared_bandwidth);
+      density += Density_in_ball<float>::of_point(squared_distance, squared_radius,
+                                                  squared_bandwidth);
   });
   sum = group_sum<lanes>(sum);
   float of_density = 0;
   if constexpr (with_density)
-    of_density = density.finish(query.writes, blocks.centers[center.w].stride, counts);
+    of_density = sum_of_others(density, query.writes, blocks.centers[center.w].stride, counts);
   if (!query.writes)
     return;
   const double3 mean = to_double(sum);
@@ -233,13 +224,14 @@ __global__ void sum_up_density(Cell_grid grid, Cell_blocks blocks, float radius,
   radius *= scale;
   squared_radius *= squared_scale;
   squared_bandwidth *= squared_scale;
-  Density density;
+  Density_in_ball<float> density;
   for_each_candidate(grid, blocks, center, query.lane, radius, [&](unsigned, const int4& point) {
     const float3 d = difference(point, center, 1);
     const float squared_distance = dot(d, d);
-    density.add(squared_distance < squared_radius, squared_distance, squared_bandwidth);
+    density += Density_in_ball<float>::of_point(squared_distance, squared_radius,
+                                                squared_bandwidth);
   });
-  const float sum = density.finish(query.writes, blocks.centers[center.w].stride, counts);
+  const float sum = sum_of_others(density, query.writes, blocks.centers[center.w].stride, counts);
   if (query.writes)
     normals[query.index].w = sum;
 }
@@ -251,8 +243,7 @@ __global__ void invert_density(unsigned size, const Ball_counts* counts, float4*
   const float mean_number_of_neighbors = counts ? float(double(counts->neighbors) / double(size))
                                                 : 0;
   if (i < size)
-    normals[i].w = mean_number_of_neighbors > 0 ? 1 / (1 + normals[i].w / mean_number_of_neighbors)
-                                                : 1;
+    normals[i].w = 1 / density_weight(normals[i].w, mean_number_of_neighbors);
 }
 
 __global__ void sum_listed(const unsigned* numbers, const unsigned* list, unsigned size,

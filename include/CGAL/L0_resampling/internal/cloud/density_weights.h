@@ -10,8 +10,8 @@
 #include <CGAL/L0_resampling/internal/cloud/near_pairs.h>
 #include <CGAL/L0_resampling/internal/core/Parameters.h>
 #include <CGAL/L0_resampling/internal/core/weights.h>
+#include <CGAL/L0_resampling/internal/kernels/Density_in_ball.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -35,17 +35,16 @@ void sum_weights_in_balls(const Search_grid_3& grid, const Buffer<Vector>& point
           const Eigen::Matrix<T, 3, 1> center = (points[i] - origin).template cast<T>();
           const T squared_radius = T(square(radius * grid.scale(i))),
                   own_squared_bandwidth = squared_bandwidth * T(grid.scale(i)) * T(grid.scale(i));
-          L count, sum;
+          Density_in_ball<L> lanes;
           candidates.for_each_run_in_ball(
             center, squared_radius, [&](std::size_t, const L& squared_distance) {
-              count += where_less(squared_distance, squared_radius, L(T(1)));
-              sum += where_less(squared_distance, squared_radius,
-                                gaussian_weight(squared_distance, own_squared_bandwidth));
+              lanes += Density_in_ball<L>::of_point(squared_distance, squared_radius,
+                                                    own_squared_bandwidth);
             });
-          // thinning may have left the point itself out
-          const T self = count.sum() > 0 ? T(1) : T(0);
-          counts[i] = Index(count.sum() - self) * candidates.stride;
-          sums[i] = (std::max)(T(0), sum.sum() - self) * T(candidates.stride);
+          const Density_in_ball<T> all = {lanes.count.sum(), lanes.sum.sum()},
+                                   others = all.of_others();
+          counts[i] = Index(others.count) * candidates.stride;
+          sums[i] = others.sum * T(candidates.stride);
         }
       };
   };
@@ -70,18 +69,17 @@ void sum_weights_by_pairs(const Search_grid_3& grid, const Buffer<Vector>& point
       local_sums.assign(candidates.padded_size(), T(0));
       for (std::size_t i = 0; i < queries.second - queries.first; ++i)
       {
-        L count, sum;
+        Density_in_ball<L> lanes;
         candidates.for_each_run_in_ball(
           candidates.take(i), squared_radius, [&](std::size_t k, const L& squared_distance) {
-            const L one = where_less(squared_distance, squared_radius, L(T(1)));
-            const L weight = one * gaussian_weight(squared_distance, squared_bandwidth);
-            count += one;
-            sum += weight;
-            (L::load(&local_counts[k]) + one).store(&local_counts[k]);
-            (L::load(&local_sums[k]) + weight).store(&local_sums[k]);
+            const Density_in_ball<L> of_pair =
+              Density_in_ball<L>::of_point(squared_distance, squared_radius, squared_bandwidth);
+            lanes += of_pair;
+            (L::load(&local_counts[k]) + of_pair.count).store(&local_counts[k]);
+            (L::load(&local_sums[k]) + of_pair.sum).store(&local_sums[k]);
           });
-        local_counts[i] += count.sum();
-        local_sums[i] += sum.sum();
+        local_counts[i] += lanes.count.sum();
+        local_sums[i] += lanes.sum.sum();
       }
       for (std::size_t k = 0; k < candidates.indices.size(); ++k)
       {
@@ -125,12 +123,9 @@ std::size_t compute_input_density_weights(const Search_grid_3& grid, const Buffe
   }
   const double mean_number_of_neighbors =
     known_or_found(facts.mean_number_of_neighbors, [&]() { return total / double(points.size()); });
-  if (mean_number_of_neighbors > 0)
-    for_each_in_order(weights.size(), [&](std::size_t i) {
-      weights[i] = T(1 + weights[i] / mean_number_of_neighbors);
-    });
-  else
-    weights.assign(weights.size(), T(1));
+  for_each_in_order(weights.size(), [&](std::size_t i) {
+    weights[i] = T(density_weight(weights[i], mean_number_of_neighbors));
+  });
   return number_of_sparse_balls;
 }
 

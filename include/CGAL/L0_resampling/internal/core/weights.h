@@ -50,6 +50,14 @@ CGAL_L0_HOST_DEVICE inline T with_sign_of(const T& signs, const T& values)
     return values.with_sign_of(signs);
 }
 
+/// The values where `a < b`, 0 elsewhere.
+template <typename T>
+CGAL_L0_HOST_DEVICE inline typename std::enable_if<std::is_arithmetic<T>::value, T>::type
+where_less(T a, T b, T values)
+{
+  return a < b ? values : T(0);
+}
+
 CGAL_L0_HOST_DEVICE inline double square(double x) { return x * x; }
 
 /// The nearest number to x that is a share of 1.

@@ -8,6 +8,7 @@
 
 #include <CGAL/L0_resampling/internal/core/lanes.h>
 #include <CGAL/L0_resampling/internal/core/weights.h>
+#include <CGAL/L0_resampling/internal/kernels/Density_in_ball.h>
 #include <CGAL/L0_resampling/internal/kernels/shrinkage.h>
 #include <CGAL/L0_resampling/internal/samples/Samples.h>
 #include <CGAL/L0_resampling/internal/search/Neighborhoods.h>
@@ -86,9 +87,7 @@ void update_weights(const Buffer<Vector>& samples, const Buffer<Eigen::Matrix<FT
         FT sum = 0; // one by one: in an order that depends on the place in the block it is another
         for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
           sum += theta[Eigen::Index(e - first_pair)];
-        density_weights[i] = neighbors.offsets[i + 1] > neighbors.offsets[i]
-                               ? 1 + sum / FT(mean_number_of_neighbors)
-                               : 1;
+        density_weights[i] = density_weight(sum, FT(mean_number_of_neighbors));
         inverses[i] = FT(regularization_weight) / density_weights[i];
       }
       const Array weights = share
