@@ -106,10 +106,15 @@ public:
   /// In the first thread; the others return nothing of use.
   __device__ Plane_fit fit_plane(float radius) const
   {
-    Moments moments;
-    for_each_in_ball(radius, [&](float3 d) { moments.add(d); });
-    sum_over_block(moments.values);
-    return threadIdx.x == 0 ? moments.plane(radius * radius) : Plane_fit();
+    Plane_moments<float> m;
+    for_each_in_ball(radius, [&](float3 d) { m.add(d.x, d.y, d.z, 1); });
+    float sums[] = {m.sum, m.x, m.y, m.z, m.xx, m.xy, m.xz, m.yy, m.yz, m.zz};
+    sum_over_block(sums);
+    if (threadIdx.x != 0)
+      return Plane_fit();
+    return plane_through({sums[0], sums[1], sums[2], sums[3], sums[4], sums[5], sums[6], sums[7],
+                          sums[8], sums[9]},
+                         radius * radius);
   }
 
 private:

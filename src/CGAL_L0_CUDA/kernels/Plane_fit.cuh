@@ -27,41 +27,20 @@ struct Plane_fit
 
 __device__ inline float3 to_float(const Triple& v) { return {float(v.x), float(v.y), float(v.z)}; }
 
-/// Moments of points, relative to the center of their ball.
-struct Moments
+/// The moments of all threads of a group.
+template <int lanes>
+__device__ Plane_moments<double> sum_of_group(const Plane_moments<float>& moments)
 {
-  static constexpr int size = 10;
-  float values[size] = {}; // sum of the weights, x, y, z, xx, xy, xz, yy, yz, zz
+  return moments.transformed<double>([](float sum) { return group_sum<lanes>(sum); });
+}
 
-  __device__ void add(float3 d, float weight = 1)
-  {
-    const float3 w = weight * d;
-    const float products[size] = {weight,    w.x,       w.y,       w.z,       w.x * d.x,
-                                  w.x * d.y, w.x * d.z, w.y * d.y, w.y * d.z, w.z * d.z};
-    for (int i = 0; i < size; ++i)
-      values[i] += products[i];
-  }
-
-  template <int lanes>
-  __device__ void sum_over_group()
-  {
-    for (int i = 0; i < size; ++i)
-      values[i] = group_sum<lanes>(values[i]);
-  }
-
-  __device__ Plane_moments<double> all() const
-  {
-    return {values[0], values[1], values[2], values[3], values[4],
-            values[5], values[6], values[7], values[8], values[9]};
-  }
-
-  /// The plane of `fit_plane()` on the CPU, of points of equal weight.
-  __device__ Plane_fit plane(float squared_radius) const
-  {
-    const Fitted_plane plane = all().plane(squared_radius, FLT_EPSILON);
-    return {to_float(plane.normal), unsigned(values[0]), plane.variance, plane.spans_plane};
-  }
-};
+/// The plane of `fit_plane()` on the CPU, of points of equal weight.
+__device__ inline Plane_fit plane_through(const Plane_moments<double>& moments,
+                                          float squared_radius)
+{
+  const Fitted_plane plane = moments.plane(squared_radius, FLT_EPSILON);
+  return {to_float(plane.normal), unsigned(moments.sum), plane.variance, plane.spans_plane};
+}
 
 } // namespace cuda
 } // namespace internal

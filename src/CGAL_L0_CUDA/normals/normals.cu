@@ -24,14 +24,13 @@ __device__ Plane_fit fit_plane(int4 center, const Cell_grid& grid, const Cell_bl
                                unsigned lane, float radius)
 {
   const float unit = grid.frame.unit(), squared_radius = radius * radius;
-  Moments moments;
+  Plane_moments<float> moments;
   for_each_candidate(grid, blocks, center, lane, radius, [&](unsigned, const int4& point) {
     const float3 d = difference(point, center, unit);
     if (dot(d, d) < squared_radius)
-      moments.add(d);
+      moments.add(d.x, d.y, d.z, 1);
   });
-  moments.sum_over_group<lanes>();
-  return moments.plane(squared_radius);
+  return plane_through(sum_of_group<lanes>(moments), squared_radius);
 }
 
 __global__ void fit_planes(Cell_grid grid, Cell_blocks blocks, float radius, float4* normals,
@@ -192,7 +191,7 @@ __global__ void refit_normals_kernel(Cell_grid grid, Cell_blocks blocks, float r
   squared_bandwidth *= squared_scale;
   squared_sheet_height *= squared_scale;
   const float unit = grid.frame.unit(), squared_radius = radius * radius;
-  Moments moments;
+  Plane_moments<float> moments;
   for_each_candidate(grid, blocks, center, query.lane, radius, [&](unsigned j, const int4& point) {
     const float3 d = difference(point, center, unit);
     const float squared_distance = dot(d, d);
@@ -202,12 +201,12 @@ __global__ void refit_normals_kernel(Cell_grid grid, Cell_blocks blocks, float r
                                           with_sign_of(cosine, 1.f) * dot(d, other));
     const float weight = sheet_weight(squared_distance, squared_bandwidth, cosine, normal_bandwidth,
                                       height, squared_sheet_height);
-    moments.add(d, squared_distance < squared_radius ? weight : 0);
+    moments.add(d.x, d.y, d.z, where_less(squared_distance, squared_radius, weight));
   });
-  moments.sum_over_group<lanes>();
+  const Plane_moments<double> all = sum_of_group<lanes>(moments);
   if (!query.writes)
     return;
-  const Triple result = lean_to_plane(moments.all(), {normal.x, normal.y, normal.z});
+  const Triple result = lean_to_plane(all, {normal.x, normal.y, normal.z});
   refitted[query.index] = with_w(to_float(result), 0);
 }
 

@@ -63,12 +63,12 @@ struct Surroundings
 
   __device__ float3 normal_of_most(const float3& own, double weight_of_own) const
   {
-    Moments moments;
+    Plane_moments<float> moments;
     for_each([&](const float3&, float squared_distance, const float3& other, float scale) {
-      moments.add(other, scale * gaussian_weight(squared_distance, kernel.squared_bandwidth));
+      moments.add(other.x, other.y, other.z,
+                  scale * gaussian_weight(squared_distance, kernel.squared_bandwidth));
     });
-    moments.sum_over_group<lanes>();
-    Plane_moments<double> all = moments.all();
+    Plane_moments<double> all = sum_of_group<lanes>(moments);
     all.add(own.x, own.y, own.z, weight_of_own);
     return to_float(all.main_direction());
   }

@@ -31,7 +31,7 @@ __global__ void refit(Neighbor_lists neighbors, Fit_kernel<float> kernel, const 
   const float4 own = normals[i];
   const float3 normal = xyz(own);
   const float own_limit = range.limit(query.index);
-  Moments moments;
+  Plane_moments<float> moments;
   const uint2 row = neighbors.row(rows, size, query.index);
   for (Wide e = Wide(row.x) + query.lane; e < row.y; e += lanes)
   {
@@ -47,12 +47,11 @@ __global__ void refit(Neighbor_lists neighbors, Fit_kernel<float> kernel, const 
     const float height = symmetric_height(dot(d, normal),
                                           with_sign_of(cosine, 1.f) * dot(d, xyz(other)))
                          * sqrtf(squared_stretch);
-    moments.add(d, weight_in_ball(squared_distance, cosine, height, kernel));
+    moments.add(d.x, d.y, d.z, weight_in_ball(squared_distance, cosine, height, kernel));
   }
-  moments.sum_over_group<lanes>();
+  Plane_moments<double> all = sum_of_group<lanes>(moments);
   if (!query.writes)
     return;
-  Plane_moments<double> all = moments.all();
   all.add(0, 0, 0, 1); // the sample itself
   const Triple leaning = lean_to_plane(all, {normal.x, normal.y, normal.z});
   refitted[i] = with_w(to_float(leaning), own.w);

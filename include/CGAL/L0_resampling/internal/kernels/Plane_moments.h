@@ -48,6 +48,14 @@ struct Plane_moments
     zz += wz * dz;
   }
 
+  /// The same sums as other numbers, such as those of all lanes.
+  template <typename S2, typename F>
+  CGAL_L0_HOST_DEVICE Plane_moments<S2> transformed(const F& f) const
+  {
+    return {S2(f(sum)), S2(f(x)),  S2(f(y)),  S2(f(z)),  S2(f(xx)),
+            S2(f(xy)),  S2(f(xz)), S2(f(yy)), S2(f(yz)), S2(f(zz))};
+  }
+
   /// Of the covariance. The plane's normal is its smallest vector, the variance across it its
   /// smallest value.
   /// \pre `S` is a number, and `sum` is positive
@@ -152,8 +160,7 @@ CGAL_L0_HOST_DEVICE inline Triple lean_to_plane(const Plane_moments<double>& mom
 template <typename L>
 Plane_moments<double> sum_of_lanes(const Plane_moments<L>& m)
 {
-  return {m.sum.sum(), m.x.sum(),  m.y.sum(),  m.z.sum(),  m.xx.sum(),
-          m.xy.sum(),  m.xz.sum(), m.yy.sum(), m.yz.sum(), m.zz.sum()};
+  return m.template transformed<double>([](const L& sum) { return sum.sum(); });
 }
 
 } // namespace internal

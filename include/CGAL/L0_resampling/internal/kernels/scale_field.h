@@ -144,16 +144,15 @@ CGAL_L0_HOST_DEVICE Seed seed_at(const Team& team, const Morton_points& points, 
   for (int ball = 0; ball < balls_of_seed; ++ball)
   {
     const double radius = first_ball_of_seed * seed.reach * (1 << ball);
-    Plane_moments<double> own, all;
+    Plane_moments<double> own;
     points.visit_ball(team, p, radius, most_of_cell, [&](std::uint64_t j, double, bool is_inside) {
       if (!is_inside)
         return;
       const double* const q = points.xyz + 3 * j;
       own.add(q[0] - p[0], q[1] - p[1], q[2] - p[2], 1);
     });
-    all = {team.sum(own.sum), team.sum(own.x),  team.sum(own.y),  team.sum(own.z),
-           team.sum(own.xx),  team.sum(own.xy), team.sum(own.xz), team.sum(own.yy),
-           team.sum(own.yz),  team.sum(own.zz)};
+    const Plane_moments<double> all = own.transformed<double>(
+      [&](double sum) { return team.sum(sum); });
     const double n = all.sum, variance = all.plane(radius * radius, 1e-12).variance;
     seed.deviations[ball] = std::sqrt(n > 3 ? variance * n / (n - 3) : variance);
   }
