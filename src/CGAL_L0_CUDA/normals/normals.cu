@@ -10,6 +10,7 @@
 
 #include <CGAL/L0_resampling/internal/core/weights.h>
 #include <CGAL/L0_resampling/internal/kernels/Density_in_ball.h>
+#include <CGAL/L0_resampling/internal/kernels/Sum_of_normals.h>
 
 #include <cmath>
 
@@ -148,30 +149,26 @@ __global__ void filter_normals_kernel(Cell_grid grid, Cell_blocks blocks, float 
   const float3 normal = xyz(normals[query.index]);
   const float scale = grid.scale(query.index), squared_scale = scale * scale;
   radius *= scale;
-  squared_radius *= squared_scale;
-  squared_bandwidth *= squared_scale;
-  float3 sum = {0, 0, 0};
+  const Bilateral_kernel<float> kernel = {squared_radius * squared_scale,
+                                          squared_bandwidth * squared_scale, normal_bandwidth};
+  Sum_of_normals<float> sum;
   Density_in_ball<float> density;
   for_each_candidate(grid, blocks, center, query.lane, radius, [&](unsigned j, const int4& point) {
     const float3 d = difference(point, center, 1);
     const float squared_distance = dot(d, d);
-    const bool is_inside = squared_distance < squared_radius;
     const float3 other = xyz(normals[j]);
-    const float cosine = dot(normal, other);
-    const float weight = bilateral_weight(squared_distance, squared_bandwidth, cosine,
-                                          normal_bandwidth);
-    sum += (is_inside ? with_sign_of(cosine, weight) : 0.f) * other;
+    sum.add(other.x, other.y, other.z, signed_weight(squared_distance, dot(normal, other), kernel));
     if constexpr (with_density)
-      density += Density_in_ball<float>::of_point(squared_distance, squared_radius,
-                                                  squared_bandwidth);
+      density += Density_in_ball<float>::of_point(squared_distance, kernel.squared_radius,
+                                                  kernel.squared_bandwidth);
   });
-  sum = group_sum<lanes>(sum);
+  const float3 sum_of_all = group_sum<lanes>(float3{sum.x, sum.y, sum.z});
   float of_density = 0;
   if constexpr (with_density)
     of_density = sum_of_others(density, query.writes, blocks.centers[center.w].stride, counts);
   if (!query.writes)
     return;
-  const double3 mean = to_double(sum);
+  const double3 mean = to_double(sum_of_all);
   const double length = sqrt(dot(mean, mean));
   filtered[query.index] = with_w(
     length > least_length_of_mean_normal ? to_float((1 / length) * mean) : normal, of_density);

@@ -8,7 +8,8 @@
 
 #include <CGAL/L0_resampling/internal/cloud/Facts_of_cloud.h>
 #include <CGAL/L0_resampling/internal/cloud/near_pairs.h>
-#include <CGAL/L0_resampling/internal/core/weights.h>
+#include <CGAL/L0_resampling/internal/core/Parameters.h>
+#include <CGAL/L0_resampling/internal/kernels/Sum_of_normals.h>
 #include <CGAL/L0_resampling/internal/normals/update_normals.h>
 
 #include <cstddef>
@@ -17,21 +18,9 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// The weight of Eq. (1), (2) of a pair of normals with this cosine, with the sign that turns one
-/// of them to the side of the other.
-template <typename T>
-Lanes<T> signed_weight(const Normal_filter<T>& filter, const Lanes<T>& squared_distance,
-                       const Lanes<T>& cosine)
-{
-  const Lanes<T> weight = bilateral_weight(squared_distance, filter.squared_bandwidth, cosine,
-                                           filter.normal_bandwidth);
-  return where_less(squared_distance, T(filter.radius * filter.radius),
-                    with_sign_of(cosine, weight));
-}
-
-/// The normal that has the direction of a sum, which makes the division of Eq. (1) needless. The
-/// point itself has weight 1 in the sum, if the block was not thinned, so that the sum is short
-/// only where nothing agrees: then the normal stays as it is.
+/// The normal that has the direction of a sum. The point itself has weight 1 in the sum, if the
+/// block was not thinned, so that the sum is short only where nothing agrees: then the normal stays
+/// as it is.
 template <typename T>
 Eigen::Matrix<T, 3, 1> direction_of_sum(const Eigen::Vector3d& sum,
                                         const Eigen::Matrix<T, 3, 1>& normal)
@@ -53,17 +42,15 @@ Eigen::Matrix<T, 3, 1> filtered_normal(const Eigen::Matrix<T, 3, 1>& center,
 {
   using L = Lanes<T>;
   const T own_x = normal[0], own_y = normal[1], own_z = normal[2];
-  L x, y, z;
+  const Bilateral_kernel<T> kernel = filter.kernel();
+  Sum_of_normals<L> sum;
   candidates.for_each_run_in_ball(
-    center, T(filter.radius * filter.radius), [&](std::size_t k, const L& squared_distance) {
+    center, kernel.squared_radius, [&](std::size_t k, const L& squared_distance) {
       const L nx = L::load(&normals.x[k]), ny = L::load(&normals.y[k]), nz = L::load(&normals.z[k]);
-      const L weight = signed_weight(filter, squared_distance,
-                                     nx * own_x + ny * own_y + nz * own_z);
-      x += weight * nx;
-      y += weight * ny;
-      z += weight * nz;
+      sum.add(nx, ny, nz,
+              signed_weight(squared_distance, nx * own_x + ny * own_y + nz * own_z, kernel));
     });
-  return direction_of_sum({x.sum(), y.sum(), z.sum()}, normal);
+  return direction_of_sum({sum.x.sum(), sum.y.sum(), sum.z.sum()}, normal);
 }
 
 /// Eq. (1) for all points, each pair once.
@@ -83,8 +70,7 @@ void filter_normals_by_pairs(const Search_grid_3& grid, const Buffer<Vector>& po
       for (Aligned_vector<T>* values : {&s.x, &s.y, &s.z})
         values->assign(candidates.padded_size(), T(0));
       // in registers, which the compiler cannot know to be safe while there are sums to write to
-      const Normal_filter<T> filter_of_all = filter;
-      const T squared_radius = T(filter.radius * filter.radius);
+      const Bilateral_kernel<T> kernel = filter.kernel();
       const T *const n_x = n.x.data(), *const n_y = n.y.data(), *const n_z = n.z.data();
       T *const s_x = s.x.data(), *const s_y = s.y.data(), *const s_z = s.z.data();
       for (std::size_t i = 0; i < queries.second - queries.first; ++i)
@@ -92,22 +78,20 @@ void filter_normals_by_pairs(const Search_grid_3& grid, const Buffer<Vector>& po
         const Local_vector center = candidates.take(
           i); // neither a neighbor of itself nor one of those that follow
         const T own_x = n_x[i], own_y = n_y[i], own_z = n_z[i];
-        L x, y, z;
+        Sum_of_normals<L> sum;
         candidates.for_each_run_in_ball(
-          center, squared_radius, [&](std::size_t k, const L& squared_distance) {
+          center, kernel.squared_radius, [&](std::size_t k, const L& squared_distance) {
             const L nx = L::load(n_x + k), ny = L::load(n_y + k), nz = L::load(n_z + k);
-            const L weight = signed_weight(filter_of_all, squared_distance,
-                                           nx * own_x + ny * own_y + nz * own_z);
-            x += weight * nx;
-            y += weight * ny;
-            z += weight * nz;
+            const L weight = signed_weight(squared_distance, nx * own_x + ny * own_y + nz * own_z,
+                                           kernel);
+            sum.add(nx, ny, nz, weight);
             (L::load(s_x + k) + weight * own_x).store(s_x + k);
             (L::load(s_y + k) + weight * own_y).store(s_y + k);
             (L::load(s_z + k) + weight * own_z).store(s_z + k);
           });
-        s_x[i] += x.sum();
-        s_y[i] += y.sum();
-        s_z[i] += z.sum();
+        s_x[i] += sum.x.sum();
+        s_y[i] += sum.y.sum();
+        s_z[i] += sum.z.sum();
       }
       for (std::size_t k = 0; k < candidates.indices.size(); ++k)
         sums[candidates.indices[k]] += Local_vector(s.x[k], s.y[k], s.z[k]);

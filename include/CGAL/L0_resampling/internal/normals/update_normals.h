@@ -6,6 +6,7 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_UPDATE_NORMALS_H
 #define CGAL_L0_RESAMPLING_INTERNAL_UPDATE_NORMALS_H
 
+#include <CGAL/L0_resampling/internal/kernels/Sum_of_normals.h>
 #include <CGAL/L0_resampling/internal/normals/Local_normals.h>
 #include <CGAL/L0_resampling/internal/search/ball_queries.h>
 
@@ -24,6 +25,11 @@ struct Normal_filter
   Normal_filter scaled(T scale) const
   {
     return {radius * scale, squared_bandwidth * scale * scale, normal_bandwidth};
+  }
+
+  Bilateral_kernel<T> kernel() const
+  {
+    return {T(radius * radius), squared_bandwidth, normal_bandwidth};
   }
 };
 
