@@ -218,11 +218,10 @@ __device__ double linearize(const Turn_in_kernel& turn, Energy_sums& energy)
       const float a = weight_of_pair(squared_distance, distance_i, distance_k, own.w + other.w,
                                      scales);
       const float scale = range.scales ? sqrtf(scales.squared()) : 1.f;
-      const float share = share_in_ball(squared_distance, scales.squared_range),
-                  shrunk_i = scale * shrink(distance_i / scale, turn.jumps);
-      const float misfit_i = share * (distance_i - shrunk_i),
-                  misfit_k = share * (distance_k - scale * shrink(distance_k / scale, turn.jumps));
-      g -= a * d + (penalty * misfit_i) * n + (penalty * misfit_k) * nk;
+      const float share = share_in_ball(squared_distance, scales.squared_range);
+      const Jump_of_pair<float> jump_i(distance_i, scale, share, turn.jumps),
+        jump_k(distance_k, scale, share, turn.jumps);
+      g -= a * d + (penalty * jump_i.misfit) * n + (penalty * jump_k.misfit) * nk;
       weight += a;
       xx += nk.x * nk.x;
       xy += nk.x * nk.y;
@@ -231,8 +230,8 @@ __device__ double linearize(const Turn_in_kernel& turn, Energy_sums& energy)
       yz += nk.y * nk.z;
       zz += nk.z * nk.z;
       regularization += 0.5f * a * squared_distance; // each unordered pair comes twice
-      squared_misfit += misfit_i * misfit_i;
-      number_of_active_pairs += shrunk_i != 0;
+      squared_misfit += jump_i.misfit * jump_i.misfit;
+      number_of_active_pairs += jump_i.offset != 0;
     });
     g = group_sum<lanes_per_sample>(g);
     weight = group_sum<lanes_per_sample>(weight);

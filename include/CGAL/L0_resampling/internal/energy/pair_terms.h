@@ -208,22 +208,20 @@ Energy_sums shrink_normal_offsets(const Samples<FT>& samples, const Neighborhood
           const FT squared_distance = x * x + y * y + z * z,
                    share = share_in_ball(squared_distance, FT(range.squared(i, k)));
           const FT scale = is_scaled ? std::sqrt(FT(range.scales.squared_of_pair(i, k))) : FT(1);
-          const FT shrunk_i = scale * shrink(distance_i / scale, jumps);
+          const Jump_of_pair<FT> jump_i(distance_i, scale, share, jumps);
           // delta_ki is minus that of this one, as p_k - p_i is minus the difference
-          const FT shrunk_k = scale * shrink(distance_k / scale, jumps);
-          const FT misfit_i = share * (distance_i - shrunk_i),
-                   pull_k = penalty * share * (distance_k - shrunk_k);
+          const FT pull_k = Jump_of_pair<FT>(distance_k, scale, penalty * share, jumps).misfit;
           const FT weight = pair_weights[e];
           pull_x += weight * x + pull_k * other_normal[0];
           pull_y += weight * y + pull_k * other_normal[1];
           pull_z += weight * z + pull_k * other_normal[2];
-          misfit += misfit_i;
+          misfit += jump_i.misfit;
           if (!normal_offsets.empty())
-            normal_offsets[e] = shrunk_i + (1 - share) * (distance_i - shrunk_i);
+            normal_offsets[e] = jump_i.offset + (1 - share) * (distance_i - jump_i.offset);
 
           regularization += weight * squared_distance;
-          squared_normal_misfit += misfit_i * misfit_i;
-          sums.number_of_active_pairs += shrunk_i != 0;
+          squared_normal_misfit += jump_i.misfit * jump_i.misfit;
+          sums.number_of_active_pairs += jump_i.offset != 0;
         }
         const Local_vector g = samples.fit_weights[i] * to_centroid
                                - Local_vector(pull_x, pull_y, pull_z) - (penalty * misfit) * normal;

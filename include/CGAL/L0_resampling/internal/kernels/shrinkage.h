@@ -55,6 +55,24 @@ CGAL_L0_HOST_DEVICE inline FT shrink(FT normal_distance, const Shrunk_jumps<FT>&
   return normal_distance;
 }
 
+/// A pair in the third term of Eq. (7), as one of its samples sees it.
+template <typename FT>
+struct Jump_of_pair
+{
+  FT offset; ///< \f$ \delta_{ik} \f$, as far as the pair counts in full
+  FT misfit; ///< \f$ n_i^T(p_i - p_k) - \delta_{ik} \f$, weighed
+
+  /// \param normal_distance \f$ n_i^T(p_i - p_k) \f$
+  /// \param scale of the pair: jumps are shrunk as they would be at scale 1
+  /// \param weight of the misfit; near the end of the range of neighbors, as much of a jump is kept
+  /// as `share_in_ball()` lacks there
+  CGAL_L0_HOST_DEVICE Jump_of_pair(FT normal_distance, FT scale, FT weight,
+                                   const Shrunk_jumps<FT>& jumps)
+    : offset(scale * shrink(normal_distance / scale, jumps)),
+      misfit(weight * (normal_distance - offset))
+  {}
+};
+
 } // namespace internal
 } // namespace L0_resampling
 } // namespace CGAL
