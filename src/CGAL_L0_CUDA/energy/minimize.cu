@@ -9,6 +9,7 @@
 
 #include <CGAL/L0_resampling/internal/core/weights.h>
 #include <CGAL/L0_resampling/internal/kernels/Density_in_ball.h>
+#include <CGAL/L0_resampling/internal/kernels/Weight_of_pair.h>
 #include <CGAL/L0_resampling/internal/kernels/block_factorization.h>
 #include <CGAL/L0_resampling/internal/kernels/chebyshev_steps.h>
 #include <CGAL/L0_resampling/internal/kernels/negligible_displacement.h>
@@ -138,34 +139,36 @@ __device__ double wide_dot(float3 a, float3 b)
   return double(a.x) * b.x + double(a.y) * b.y + double(a.z) * b.z;
 }
 
-/// \f$ a_{ik} \f$ of Eq. (7), as `update_weights()` on the CPU.
+/// \f$ a_{ik} \f$ of Eq. (7), 0 in turns without regularization.
 struct Pair_weights
 {
   bool regularize;
-  float regularization_weight, squared_radius, squared_jump;
+  float regularization_weight;
+  Weight_of_pair<float> weight_of_pair;
   Range_of_pairs range;
 
   __device__ explicit Pair_weights(const Turn_in_kernel& turn)
     : regularize(turn.regularize),
       regularization_weight(float(turn.parameters.regularization_weight)),
-      squared_radius(float(turn.parameters.squared_radius)),
-      squared_jump(float(square(turn.parameters.largest_jump))), range(turn.range())
+      weight_of_pair{float(turn.parameters.squared_radius),
+                     float(square(turn.parameters.largest_jump))},
+      range(turn.range())
   {}
 
   /// \param squared_distance, height_i, height_k of \f$ d = p_i - p_k \f$: its square,
   /// \f$ n_i^T d \f$ and \f$ n_k^T d \f$
-  /// \param inverses \f$ 1/w_i + 1/w_k \f$
+  /// \param inverse_i, inverse_k \f$ 1/w_i \f$ and \f$ 1/w_k \f$
   __device__ float operator()(float squared_distance, float height_i, float height_k,
-                              float inverses, const Scales_of_pair& scales) const
+                              float inverse_i, float inverse_k, const Scales_of_pair& scales) const
   {
-    const float squared_height = fmaxf(height_i * height_i, height_k * height_k);
+    if (!regularize)
+      return 0;
+    const float squared_height = squared_height_of_pair(height_i, height_k);
     const float stretch = 1 / scales.squared();
-    return regularize
-             ? regularization_weight * share_in_ball(squared_distance, scales.squared_range)
-                 * pair_weight(squared_distance * stretch, squared_radius, squared_height * stretch,
-                               squared_jump)
-                 * inverses
-             : 0.f;
+    const float by_place = weight_of_pair.by_place(
+      regularization_weight * share_in_ball(squared_distance, scales.squared_range),
+      squared_distance * stretch, squared_height * stretch);
+    return weight_of_pair.by_density(by_place, inverse_i, inverse_k);
   }
 };
 
@@ -215,7 +218,7 @@ __device__ double linearize(const Turn_in_kernel& turn, Energy_sums& energy)
       const float distance_i = dot(n, d), distance_k = dot(nk, d);
       const Scales_of_pair scales = {own_scale, loaded.scale,
                                      range.squared(own_limit, loaded.limit)};
-      const float a = weight_of_pair(squared_distance, distance_i, distance_k, own.w + other.w,
+      const float a = weight_of_pair(squared_distance, distance_i, distance_k, own.w, other.w,
                                      scales);
       const float scale = range.scales ? sqrtf(scales.squared()) : 1.f;
       const float share = share_in_ball(squared_distance, scales.squared_range);
@@ -303,7 +306,7 @@ __device__ void subtract_product(const Turn_in_kernel& turn, const float4* direc
     for_each_pair<2>(turn.neighbors, row, lane, load_other, [&](const Other& other, Wide) {
       const float3 d = difference(center, other.point, turn.unit);
       const float a =
-        weight_of_pair(dot(d, d), dot(n, d), dot(xyz(other.normal), d), own.w + other.normal.w,
+        weight_of_pair(dot(d, d), dot(n, d), dot(xyz(other.normal), d), own.w, other.normal.w,
                        {own_scale, other.scale, range.squared(own_limit, other.limit)});
       sum += xyz(other.p);
       product += a * xyz(other.p) + other.p.w * xyz(other.normal);

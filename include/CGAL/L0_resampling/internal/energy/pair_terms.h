@@ -9,6 +9,7 @@
 #include <CGAL/L0_resampling/internal/core/lanes.h>
 #include <CGAL/L0_resampling/internal/core/weights.h>
 #include <CGAL/L0_resampling/internal/kernels/Density_in_ball.h>
+#include <CGAL/L0_resampling/internal/kernels/Weight_of_pair.h>
 #include <CGAL/L0_resampling/internal/kernels/shrinkage.h>
 #include <CGAL/L0_resampling/internal/samples/Samples.h>
 #include <CGAL/L0_resampling/internal/search/Neighborhoods.h>
@@ -27,11 +28,8 @@ namespace internal {
 // same time; the pairs of one fit into the cache.
 constexpr std::size_t samples_per_block = 256;
 
-/// Line 4 of Algorithm 1: updates \f$ w_i \f$ of Eq. (5), and the weights of the pairs in Eq. (7),
-/// \f$ a_{ik} = \alpha \bar\theta_{ik} e^{-h_{ik}^2/J^2} (1/w_i + 1/w_k) \f$: the pair comes once
-/// with i and once with k. Where neighbors are looked for in every turn, both end softly at their
-/// range (`share_in_ball()`): else a rounding that decides whether two samples are neighbors moves
-/// them.
+/// Line 4 of Algorithm 1: updates \f$ w_i \f$ of Eq. (5), and the weights \f$ a_{ik} \f$ of the
+/// pairs in Eq. (7), `Weight_of_pair`.
 /// \param mean_number_of_neighbors \f$ \eta_S \f$
 /// \param squared_bandwidth \f$ \sigma_q^2 \f$
 /// \param squared_radius \f$ r_p^2 \f$
@@ -50,6 +48,7 @@ void update_weights(const Buffer<Vector>& samples, const Buffer<Eigen::Matrix<FT
 {
   using Array = Eigen::Array<FT, Eigen::Dynamic, 1>;
   const bool has_jumps = std::isfinite(squared_jump);
+  const Weight_of_pair<FT> weight_of_pair = {FT(squared_radius), FT(squared_jump)};
   Buffer<FT> inverses(samples.size(), samples.get_allocator());
   for_each_block<ConcurrencyTag>(
     samples.size(), samples_per_block, [&](std::size_t begin, std::size_t end) {
@@ -67,7 +66,7 @@ void update_weights(const Buffer<Vector>& samples, const Buffer<Eigen::Matrix<FT
             continue;
           const Eigen::Matrix<FT, 3, 1> local = d.cast<FT>();
           const FT height_i = normals[i].dot(local), height_k = normals[k].dot(local);
-          squared_heights[pair] = (std::max)(height_i * height_i, height_k * height_k);
+          squared_heights[pair] = squared_height_of_pair(height_i, height_k);
         }
       Array share = share_in_ball(squared_distances, FT(square(range.radius)));
       if (!range.is_one_for_all())
@@ -90,9 +89,7 @@ void update_weights(const Buffer<Vector>& samples, const Buffer<Eigen::Matrix<FT
         density_weights[i] = density_weight(sum, FT(mean_number_of_neighbors));
         inverses[i] = FT(regularization_weight) / density_weights[i];
       }
-      const Array weights = share
-                            * pair_weight(squared_distances, FT(squared_radius), squared_heights,
-                                          FT(squared_jump));
+      const Array weights = weight_of_pair.by_place(share, squared_distances, squared_heights);
       std::copy_n(weights.data(), neighbors.offsets[end] - first_pair,
                   pair_weights.begin() + std::ptrdiff_t(first_pair));
     });
@@ -100,7 +97,8 @@ void update_weights(const Buffer<Vector>& samples, const Buffer<Eigen::Matrix<FT
     samples.size(), samples_per_block, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
         for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
-          pair_weights[e] *= inverses[i] + inverses[neighbors.indices[e]];
+          pair_weights[e] = weight_of_pair.by_density(pair_weights[e], inverses[i],
+                                                      inverses[neighbors.indices[e]]);
     });
 }
 
