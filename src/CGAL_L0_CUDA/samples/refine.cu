@@ -11,6 +11,7 @@
 #include <CGAL/L0_resampling/internal/core/weights.h>
 #include <CGAL/L0_resampling/internal/kernels/Border_of_ball.h>
 #include <CGAL/L0_resampling/internal/kernels/Compatible_points.h>
+#include <CGAL/L0_resampling/internal/kernels/push_of_pair.h>
 
 #include <algorithm>
 #include <cmath>
@@ -154,14 +155,11 @@ __global__ void repel(Cell_frame frame, Neighbor_lists neighbors, Push push_rule
                  former_d = difference(place, places[k], unit);
     float squared_distance = dot(d, d);
     if (radii)
-    {
-      const float scale = 2 * push_rule.spreading_radius / (radii[i] + radii[k]);
-      squared_distance *= scale * scale;
-    }
-    push += (push_rule.strength
-             * share_in_ball(dot(former_d, former_d),
-                             Range_of_pairs::squared(own_limit, push_rule.range.limit(k)))
-             * gaussian_weight(squared_distance, push_rule.squared_bandwidth))
+      squared_distance *= squared_stretch_of_pair(push_rule.spreading_radius, radii[i] + radii[k]);
+    const float share = share_in_ball(dot(former_d, former_d),
+                                      Range_of_pairs::squared(own_limit, push_rule.range.limit(k)));
+    push += strength_of_push(push_rule.strength, share, squared_distance,
+                             push_rule.squared_bandwidth)
             * d;
   }
   push = group_sum<lanes>(push);

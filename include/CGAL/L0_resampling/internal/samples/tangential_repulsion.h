@@ -9,6 +9,7 @@
 #include <CGAL/L0_resampling/internal/core/Parameters.h>
 #include <CGAL/L0_resampling/internal/core/lanes.h>
 #include <CGAL/L0_resampling/internal/core/weights.h>
+#include <CGAL/L0_resampling/internal/kernels/push_of_pair.h>
 #include <CGAL/L0_resampling/internal/samples/Samples.h>
 #include <CGAL/L0_resampling/internal/search/Neighborhoods.h>
 
@@ -77,13 +78,12 @@ void repel_tangentially(const Neighborhoods& neighbors, const Buffer<Vector>& pl
           {
             const Index k = neighbors.indices[e];
             const Eigen::Index pair = Eigen::Index(e - first_pair);
-            const FT scale = 2 * spreading_radius
-                             / FT(samples.spreading_radii[i] + samples.spreading_radii[k]);
-            squared_distances[pair] *= scale * scale;
+            squared_distances[pair] *= squared_stretch_of_pair(
+              spreading_radius, FT(samples.spreading_radii[i] + samples.spreading_radii[k]));
             shares[pair] = share_in_ball(shares[pair], FT(range.squared(i, k)));
           }
-        const Array strengths = strength * shares
-                                * gaussian_weight(squared_distances, squared_bandwidth);
+        const Array strengths = strength_of_push(strength, shares, squared_distances,
+                                                 squared_bandwidth);
         for (std::size_t i = begin; i < end; ++i)
         {
           Local_vector push = Local_vector::Zero();
