@@ -6,6 +6,8 @@
 #include "driver/stages.cuh"
 #include "search/Query.cuh"
 
+#include <CGAL/L0_resampling/internal/kernels/Fit_of_neighbors.h>
+
 #include <type_traits>
 
 namespace CGAL {
@@ -22,16 +24,13 @@ __global__ void collapse(Cell_grid sample_grid, Cell_blocks blocks, Cell_grid gr
   const Query query(samples.size);
   const int4 center = sample_grid.points[query.index];
   const float unit = grid.frame.unit(), squared_radius = radius * radius;
-  float weight_sum = 0;
-  float3 sum = {0, 0, 0};
+  Fit_of_neighbors<float> own;
   for_each_candidate(grid, blocks, center, query.lane, radius, [&](unsigned j, const int4& point) {
     const float3 d = difference(point, center, unit);
-    const float of_point = normals[j].w, weight = dot(d, d) < squared_radius ? of_point : 0;
-    weight_sum += weight;
-    sum += weight * d;
+    own.add(d.x, d.y, d.z, dot(d, d), squared_radius, normals[j].w);
   });
-  weight_sum = group_sum<lanes>(weight_sum);
-  sum = group_sum<lanes>(sum);
+  const float weight_sum = group_sum<lanes>(own.weight);
+  const float3 sum = group_sum<lanes>(float3{own.x, own.y, own.z});
   if (!query.writes)
     return;
   const unsigned i = sample_grid.order[query.index];

@@ -6,6 +6,7 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_COLLAPSE_FIT_TERM_H
 #define CGAL_L0_RESAMPLING_INTERNAL_COLLAPSE_FIT_TERM_H
 
+#include <CGAL/L0_resampling/internal/kernels/Fit_of_neighbors.h>
 #include <CGAL/L0_resampling/internal/search/ball_queries.h>
 
 #include <atomic>
@@ -49,24 +50,20 @@ std::size_t collapse_fit_term(const Search_grid_3& sample_grid, const Buffer<Vec
       for (Index i = queries.first; i < queries.second; ++i)
       {
         const Eigen::Matrix<T, 3, 1> center = (samples[i] - origin).template cast<T>();
-        L sum, x, y, z;
+        Fit_of_neighbors<L> lanes;
         for (std::size_t k = 0; k < candidates.padded_size(); k += L::size)
         {
           const L dx = L::load(&candidates.x[k]) - center[0];
           const L dy = L::load(&candidates.y[k]) - center[1];
           const L dz = L::load(&candidates.z[k]) - center[2];
-          const L weight = where_less(dx * dx + dy * dy + dz * dz, squared_radius,
-                                      L::load(&weights[k]));
-          sum += weight;
-          x += weight * dx;
-          y += weight * dy;
-          z += weight * dz;
+          lanes.add(dx, dy, dz, dx * dx + dy * dy + dz * dz, squared_radius, L::load(&weights[k]));
         }
-        const double weight = sum.sum();
+        const double weight = lanes.weight.sum();
         if (weight > 0)
         {
           fit_weights[i] = FT(weight);
-          fit_centroids[i] = samples[i] + Vector(x.sum(), y.sum(), z.sum()) / weight;
+          fit_centroids[i] = samples[i]
+                             + Vector(lanes.x.sum(), lanes.y.sum(), lanes.z.sum()) / weight;
         }
         else
         {
