@@ -168,7 +168,7 @@ without a value leaves the default.
     \cgalParamDescription{\f$ r_q \f$, the radius of the bilateral filter of normals and of the
       density weights of Eq. (5)}
     \cgalParamType{`double`, a length in the unit of the points}
-    \cgalParamDefault{\f$ r_p \f$; `DEFAULT`: \f$ 1.2 r_p \f$}
+    \cgalParamDefault{\f$ r_p \f$}
     \cgalParamExtra{`std::invalid_argument` if not finite or not positive}
   \cgalParamNEnd
   \cgalParamNBegin{sharpness_angle}

@@ -184,7 +184,7 @@ def l0_resample_point_set(
         detail. Default: from the spacing and the noise of the points; for "lor" and "alor" from
         the bounding box and n.
     normal_filter_radius: float above 0, a length in the unit of the points: the radius in which
-        normals are averaged. Default: neighbor_radius, or 1.2 times that for method="default".
+        normals are averaged. Default: neighbor_radius.
     sharpness_angle: float in (0, 90], in degrees. Normals that differ by much more are not
         averaged. Smaller values keep blunter edges. Default: 15.
     number_of_normal_filter_iterations: int from 0 to 10000, the number of times that normals are

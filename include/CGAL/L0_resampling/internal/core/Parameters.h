@@ -106,9 +106,6 @@ inline double default_radius(double spacing, double noise)
   return std::ldexp(std::floor(512 * mantissa + 0.5), exponent - 9);
 }
 
-/// r_q per r_p: beside an edge, the filter has to reach points whose first normal the edge did not
-/// spoil.
-constexpr double default_filter_radius_factor = 1.2;
 /// No filter radius is smaller than this part of r_p: its square, in units of r_p, is a `float`.
 constexpr double least_filter_radius_factor = 0x1p-40;
 
