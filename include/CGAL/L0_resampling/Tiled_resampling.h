@@ -219,7 +219,7 @@ public:
   /// influence is below what a number of single precision holds.
   static constexpr double halo_in_radii = 18;
   /// What a call holds for each point that it reads, and for each sample, at most.
-  static constexpr std::uint64_t bytes_per_point = 110, bytes_per_sample = 430;
+  static constexpr std::uint64_t bytes_per_point = 100, bytes_per_sample = 480;
   /// The same where all facts of a cloud are found.
   static constexpr std::uint64_t bytes_per_point_of_facts = 200, bytes_per_sample_of_facts = 100;
 

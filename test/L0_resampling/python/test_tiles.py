@@ -18,7 +18,7 @@ import pytest
 from cgal_l0 import tiles
 
 # what the program takes anyway, and what some 12000 points with half as many samples do
-MEMORY = (96 << 20) + 12000 * 325
+MEMORY = (96 << 20) + 12000 * 340
 
 
 @pytest.fixture(scope="module")

@@ -150,21 +150,29 @@ std::vector<Unsigned_sample> by_tiles(const std::vector<Place>& points, std::siz
   Tiles<ConcurrencyTag> tiles(std::move(counts), np);
   tiles.find_facts(source, std::uint64_t(1) << 40);
   const double samples_per_point = double(tiles.number_of_samples()) / double(points.size());
-  tiles.make_tiles(std::uint64_t(double(points_of_tile)
-                                 * (double(tiles.bytes_per_point)
-                                    + double(tiles.bytes_per_sample) * samples_per_point)),
-                   halo);
+  const std::uint64_t bytes = std::uint64_t(
+    double(points_of_tile)
+    * (double(tiles.bytes_per_point) + double(tiles.bytes_per_sample) * samples_per_point));
+  tiles.make_tiles(bytes, halo);
   number_of_tiles = tiles.tiles().size();
   CHECK(tiles.has_all_facts());
   std::vector<Unsigned_sample> samples;
   for (std::size_t tile = 0; tile < number_of_tiles; ++tile)
-    for (const Tile_sample& sample : tiles.resample_tile(tile, source).samples)
+  {
+    const Tile_result result = tiles.resample_tile(tile, source);
+    const std::uint64_t peak = result.report.peak_bytes
+                               + result.report.number_of_input_points
+                                   * sizeof(internal::Point_in_cloud);
+    if (!CHECK(peak <= bytes))
+      std::cerr << "  a tile takes " << peak << " bytes of " << bytes << std::endl;
+    for (const Tile_sample& sample : result.samples)
     {
       const Place& p = sample.position;
       const Vector unit = Eigen::Vector3f(sample.normal.data()).cast<double>().normalized();
       samples.push_back(unsigned_sample(
         {Kernel::Point_3(p[0], p[1], p[2]), Kernel::Vector_3(unit[0], unit[1], unit[2])}));
     }
+  }
   return sorted(std::move(samples));
 }
 

@@ -21,7 +21,7 @@ sed -n '9101,$p' ribbon.txt > c.xyz
 run c.xyz parts/c.ply --convert-only
 # what the program takes anyway, and what 12500 points with half as many samples do: too little to
 # find the facts of all 24000, for which 6 MB are enough
-memory=$(((96 << 20) + 12500 * 325))
+memory=$(((96 << 20) + 12500 * 340))
 more_memory=$(((96 << 20) + 6000000))
 ribbon=(parts --as-one --points 12000 --memory "$memory")
 with_facts=(parts --as-one --points 12000 --memory "$more_memory")
@@ -58,6 +58,7 @@ check "where tiles overlap they agree" holds whole/index.json \
 check "a report of the phases" holds whole.json \
   "[p['name'] for p in j['phases']] == 'count blocks shard scales share samples solve stitch write merge finish'.split()
    and all(p['kept'] == 0 for p in j['phases']) and j['exit_status'] == 0"
+check "no more memory than allowed" holds whole.json "0 < j['peak_bytes'] <= $memory"
 run merged.ply merged.xyz --convert-only
 check "normals are of one side" test "$(awk '{ print ($6 > 0) }' merged.xyz | sort -u | wc -l)" -eq 1
 # Along the ribbon, no step, gap or pile at any border
