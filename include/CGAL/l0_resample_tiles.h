@@ -49,12 +49,16 @@ void l0_resample_tiles(const Source& source, Sink& sink, std::uint64_t maximum_m
     return;
   Tiles tiles(std::move(counts), np);
   tiles.find_facts(source, maximum_memory);
-  tiles.make_tiles(maximum_memory);
+  const std::vector<L0_resampling::internal::Point_in_cloud>& kept = tiles.points_in_cloud();
+  tiles.make_tiles(maximum_memory - kept.size() * sizeof(kept[0]));
   const std::size_t number_of_tiles = tiles.tiles().size();
-  std::vector<L0_resampling::internal::Share_of_tile> shares;
-  for (std::size_t tile = 0; tile < number_of_tiles; ++tile)
-    shares.push_back(tiles.share_of_tile(tile, source));
-  tiles.set_shares(std::move(shares));
+  if (!tiles.has_all_facts())
+  {
+    std::vector<L0_resampling::internal::Share_of_tile> shares;
+    for (std::size_t tile = 0; tile < number_of_tiles; ++tile)
+      shares.push_back(tiles.share_of_tile(tile, source));
+    tiles.set_shares(std::move(shares));
+  }
   std::vector<std::vector<double>> evidence;
   for (std::size_t tile = 0; tile < number_of_tiles; ++tile)
   {

@@ -16,7 +16,7 @@ from pathlib import Path
 
 from quality_tables import table
 
-MEMORIES = {1_000_000: ("4GB", "350MB", "215MB"), 60_000: ("4GB",)}    # by the number of points
+MEMORIES = {1_000_000: ("4GB", "320MB", "180MB"), 60_000: ("4GB",)}    # by the number of points
 SAMPLES_PER_POINT = 0.3
 MEASURES = {"samples": "samples", "mean_distance": "mean distance of six", "variation": "its variation", "doubled_percent": "doubled, %",
             "gap_percent": "gaps, %", "angle": "angle, degrees", "opposed_percent": "opposed, %"}

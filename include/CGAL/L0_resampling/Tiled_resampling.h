@@ -87,7 +87,9 @@ class Tiled_resampling
   double m_box_diagonal = 0, m_robust_diagonal = 0;     // the latter to within a block
   internal::Vector m_middle = internal::Vector::Zero(); // of each coordinate, likewise: the median
   internal::Facts_of_cloud m_facts;
-  double m_radius = 0; // in the unit of the input
+  bool m_has_all_facts = false;
+  std::vector<internal::Point_in_cloud> m_points; // of all blocks, if all facts were found here
+  double m_radius = 0;                            // in the unit of the input
   double m_halo_in_radii = halo_in_radii;
   std::vector<internal::Tile> m_tiles;
   std::vector<internal::Starts_of_tile> m_starts; // of the tiles
@@ -117,6 +119,21 @@ class Tiled_resampling
     return {m_lattice, m_tiles[tile].room};
   }
 
+  /// Calls `f(number, first)` for each block of a tile and its halo, in their order, with the number
+  /// of points in all blocks before.
+  template <typename F>
+  void for_each_block_of(std::size_t tile, const F& f) const
+  {
+    const internal::Block_box reach = m_tiles[tile].box.grown(halo_in_blocks());
+    std::uint64_t first = 0;
+    for (std::size_t b = 0; b < m_blocks.size(); ++b)
+    {
+      if (reach.contains(m_blocks[b].first))
+        f(b, first);
+      first += m_blocks[b].second;
+    }
+  }
+
   /// \param size the number of points
   template <typename Source>
   void read(const Source& source, const internal::Block_box& box, std::uint64_t size,
@@ -126,6 +143,20 @@ class Tiled_resampling
     source.for_each_point(source_box(box), [&](const std::array<double, 3>& p) {
       points.push_back(internal::Vector(p[0], p[1], p[2]));
     });
+  }
+
+  /// Block by block, as `find_facts()` does.
+  template <typename Source>
+  void read_blocks(const Source& source, std::size_t tile,
+                   internal::Buffer<internal::Vector>& points) const
+  {
+    points.reserve(std::size_t(m_tiles[tile].number_of_points_with_halo));
+    for_each_block_of(tile, [&](std::size_t b, std::uint64_t) {
+      const internal::Block& block = m_blocks[b].first;
+      read(source, {block, block}, 0, points);
+    });
+    if (points.size() != m_tiles[tile].number_of_points_with_halo)
+      throw std::invalid_argument("l0_resample_tiles: the source has changed");
   }
 
   /// What the counts tell, where the points do not fit into memory.
@@ -187,8 +218,8 @@ public:
   /// The points around a tile that decide on its samples lie within so many radii. Beyond, their
   /// influence is below what a number of single precision holds.
   static constexpr double halo_in_radii = 18;
-  /// What a call holds for each point that it reads, at least: the input, and its stages.
-  static constexpr std::uint64_t bytes_per_point = 330, bytes_per_sample = 330;
+  /// What a call holds for each point that it reads, and for each sample, at most.
+  static constexpr std::uint64_t bytes_per_point = 100, bytes_per_sample = 480;
   /// The same where all facts of a cloud are found.
   static constexpr std::uint64_t bytes_per_point_of_facts = 200, bytes_per_sample_of_facts = 100;
 
@@ -209,7 +240,6 @@ public:
     m_low = counts.low();
     m_high = counts.high();
     m_number_of_points = counts.number_of_points();
-    const std::uint64_t many = std::uint64_t(1) << 32;
     if (m_parameters.keep_density
         && (m_number_of_points >= many || m_parameters.number_of_output_points >= many))
       throw std::invalid_argument(
@@ -234,8 +264,24 @@ public:
   double neighbor_radius() const { return m_radius; }
   double sample_spacing() const { return m_sample_spacing * m_radius; }
   const internal::Facts_of_cloud& facts() const { return m_facts; }
+  /// Whether these are the facts that a call for the whole cloud in memory finds. Then it is also
+  /// known where samples start: tiles need neither shares nor sums.
+  bool has_all_facts() const { return m_has_all_facts; }
+  /// What `find_facts()` has found of each point, block after block; none if it has not found all
+  /// facts.
+  const std::vector<internal::Point_in_cloud>& points_in_cloud() const { return m_points; }
   const std::vector<internal::Tile>& tiles() const { return m_tiles; }
   Source_box box_of_tile(std::size_t tile) const { return source_box(m_tiles[tile].box); }
+
+  /// Whether `bytes` hold all of so many points at a time.
+  static bool can_find_all_facts(std::uint64_t number_of_points, std::uint64_t number_of_samples,
+                                 std::uint64_t bytes)
+  {
+    return number_of_points < many
+           && double(number_of_points) * double(bytes_per_point_of_facts)
+                  + double(number_of_samples) * double(bytes_per_sample_of_facts)
+                <= double(bytes);
+  }
 
   /// Finds the facts of the whole cloud: those that a call for all of it in memory finds, if
   /// `bytes` hold all of the points; else the scales, from as many regions all over the cloud as
@@ -243,9 +289,7 @@ public:
   template <typename Source>
   const internal::Facts_of_cloud& find_facts(const Source& source, std::uint64_t bytes)
   {
-    if (double(m_number_of_points) * double(bytes_per_point_of_facts)
-          + double(number_of_samples()) * double(bytes_per_sample_of_facts)
-        <= double(bytes))
+    if (can_find_all_facts(m_number_of_points, number_of_samples(), bytes))
       set_facts(facts_of_all_points(source));
     else
       set_facts(facts_of_regions(source, bytes));
@@ -257,26 +301,36 @@ public:
   {
     m_facts = facts;
     m_radius = std::ldexp(plan_of(m_facts).unit, -m_facts.extents->exponent_of_input);
+    m_has_all_facts = m_facts.area.has_value();
+    if (m_has_all_facts)
+      set_spacing();
   }
 
   /// Cuts the cloud into tiles.
-  /// \param bytes that a tile and its halo may take
+  /// \param bytes that a tile and its halo may take, beside what is kept of all blocks
   /// \param halo in radii; one more block is added
   /// \throws std::bad_alloc if a single block takes more
   void make_tiles(std::uint64_t bytes, double halo = halo_in_radii)
   {
     m_halo_in_radii = halo;
-    const double samples_per_point = double(number_of_samples()) / double(number_of_points());
-    const double bytes_of_point = double(bytes_per_point)
-                                  + double(bytes_per_sample) * samples_per_point;
-    const internal::Tiling tiling(m_blocks, halo_in_blocks(),
-                                  std::uint64_t(double(bytes) / bytes_of_point));
+    const internal::Tiling tiling(m_blocks, halo_in_blocks(), bytes_of_tile(), double(bytes));
     m_tiles = tiling.tiles();
-    if (double(tiling.most_points_of_tile()) * bytes_of_point > double(bytes))
+    if (tiling.most_bytes_of_tile() > double(bytes))
       throw std::bad_alloc();
   }
 
-  /// What a tile adds to the sums over all tiles.
+  /// Where the points that a tile reads stand in `points_in_cloud()`, in their order: the first of
+  /// each block, and how many these are.
+  std::vector<std::pair<std::uint64_t, std::uint64_t>> ranges_of_tile(std::size_t tile) const
+  {
+    std::vector<std::pair<std::uint64_t, std::uint64_t>> ranges;
+    for_each_block_of(tile, [&](std::size_t b, std::uint64_t first) {
+      ranges.emplace_back(first, m_blocks[b].second);
+    });
+    return ranges;
+  }
+
+  /// What a tile adds to the sums over all tiles. Not needed if `has_all_facts()`.
   template <typename Source>
   internal::Share_of_tile share_of_tile(std::size_t tile, const Source& source) const
   {
@@ -301,7 +355,7 @@ public:
     const internal::Sums_of_tiles sums = internal::add_up_shares(shares);
     set_sums(sums);
     for (std::size_t tile = 0; tile < shares.size(); ++tile)
-      set_starts(tile, {std::move(shares[tile].runs), sums.sums});
+      set_starts(tile, {{}, std::move(shares[tile].runs), sums.sums});
   }
 
   /// Instead of `set_shares()`: what it has found another time.
@@ -309,10 +363,11 @@ public:
   {
     m_facts.area = sums.area;
     m_facts.number_of_points = std::size_t(sums.sums.points);
-    m_sample_spacing = std::sqrt(sums.area / double(number_of_samples()));
+    set_spacing();
   }
 
-  /// As `set_sums()`, for a tile that is to be resampled.
+  /// As `set_sums()`, for a tile that is to be resampled; or, if `has_all_facts()`, instead of
+  /// `find_facts()`: the `points_in_cloud()` of its ranges.
   void set_starts(std::size_t tile, internal::Starts_of_tile starts)
   {
     m_starts.resize(m_tiles.size());
@@ -325,10 +380,16 @@ public:
   {
     Tile_result result;
     const internal::Block_box box = m_tiles[tile].box;
+    const internal::Starts_of_tile found_here = m_points.empty() ? internal::Starts_of_tile()
+                                                                 : starts_found_here(tile);
+    const internal::Starts_of_tile& starts = m_points.empty() ? m_starts[tile] : found_here;
     watched(result.report, [&](internal::Progress& progress, internal::Memory_counter& memory) {
       internal::Input input(&memory);
-      read(source, box.grown(halo_in_blocks()), m_tiles[tile].number_of_points_with_halo,
-           input.points);
+      if (starts.points.empty())
+        read(source, box.grown(halo_in_blocks()), m_tiles[tile].number_of_points_with_halo,
+             input.points);
+      else
+        read_blocks(source, tile, input.points);
       for (int axis = 0; axis < 3; ++axis)
       {
         input.low[axis] = m_low[std::size_t(axis)];
@@ -338,8 +399,8 @@ public:
       Solver solver;
       internal::Any_solver<FT> any_solver(solver);
       const internal::Samples_of_tile<FT> samples = internal::resample_tile<ConcurrencyTag>(
-        input.points, m_facts, m_parameters, room_of_tile(tile), m_starts[tile], any_solver,
-        progress, result.report);
+        input.points, m_facts, m_parameters, room_of_tile(tile), starts, any_solver, progress,
+        result.report);
       if (samples.are_own.empty())
         return;
       const internal::Buffer<std::array<double, 3>> positions =
@@ -392,9 +453,37 @@ public:
 
 private:
   static constexpr std::uint64_t bytes_per_point_of_regions = 100;
+  static constexpr std::uint64_t many = std::uint64_t(1) << 32; // more than an index can number
+
+  internal::Bytes_of_tile bytes_of_tile() const
+  {
+    const double of_samples = double(number_of_samples()) * double(bytes_per_sample);
+    internal::Bytes_of_tile bytes = {double(bytes_per_point)
+                                     + of_samples / double(number_of_points())};
+    if (m_parameters.keep_density)
+      return bytes;
+    double area = 0;
+    for (const auto& [block, count] : m_blocks)
+      area += internal::Bytes_of_tile::area_of(count);
+    bytes.per_point_alone = double(bytes_per_point);
+    bytes.per_area = of_samples / area;
+    return bytes;
+  }
+
+  void set_spacing() { m_sample_spacing = std::sqrt(*m_facts.area / double(number_of_samples())); }
+
+  internal::Starts_of_tile starts_found_here(std::size_t tile) const
+  {
+    internal::Starts_of_tile starts;
+    starts.points.reserve(std::size_t(m_tiles[tile].number_of_points_with_halo));
+    for (const auto& [first, count] : ranges_of_tile(tile))
+      starts.points.insert(starts.points.end(), m_points.begin() + std::ptrdiff_t(first),
+                           m_points.begin() + std::ptrdiff_t(first + count));
+    return starts;
+  }
 
   template <typename Source>
-  internal::Facts_of_cloud facts_of_all_points(const Source& source) const
+  internal::Facts_of_cloud facts_of_all_points(const Source& source)
   {
     internal::Facts_of_cloud facts;
     Report report;
@@ -406,7 +495,7 @@ private:
       Solver solver;
       internal::Any_solver<FT> any_solver(solver);
       facts = internal::facts_of_points<ConcurrencyTag>(points, m_parameters, any_solver, progress,
-                                                        report);
+                                                        report, m_points);
     });
     return facts;
   }

@@ -100,7 +100,24 @@ public:
     resampling.make_tiles(m_tasks.memory_of_tile());
   }
 
-  void take_sums() { resampling.set_sums(read_sums(m_tasks.file_of("samples", 0), m_tasks.m_key)); }
+  /// What is known of the samples of all tiles.
+  void take_sums()
+  {
+    if (!resampling.has_all_facts())
+      resampling.set_sums(read_sums(m_tasks.file_of("samples", 0), m_tasks.m_key));
+  }
+
+  /// What a tile has to know of them.
+  void take_starts(std::size_t tile)
+  {
+    internal::Starts_of_tile starts;
+    if (resampling.has_all_facts())
+      starts.points = read_points_in_cloud(m_tasks.file_of("scales", 0), m_tasks.m_key,
+                                           resampling.ranges_of_tile(tile));
+    else
+      starts = read_starts(m_tasks.file_of("samples", 0), m_tasks.m_key, tile);
+    resampling.set_starts(tile, std::move(starts));
+  }
 };
 
 Tile_tasks::Tile_tasks(const Command& command)
@@ -180,16 +197,19 @@ std::vector<Tile_phase> Tile_tasks::phases() const
 {
   const std::size_t n = m_command.runs.size();
   std::vector<Tile_phase> phases = {
-    {"count", n, 0.05}, {"blocks", 1, 0}, {"shard", n, 0.08}, {"scales", 1, 0.02}};
+    {"count", n, 0.05}, {"blocks", 1, 0}, {"shard", n, 0.05}, {"scales", 1, 0.1}};
   std::string reason;
   if (!is_done("scales", 0, reason))
     return phases;
   Tiles tiles(*this, [](double) {});
   tiles.cut();
   const std::size_t number_of_tiles = tiles.resampling.tiles().size();
-  phases.push_back({"share", number_of_tiles, 0.2});
-  phases.push_back({"samples", 1, 0});
-  phases.push_back({"solve", number_of_tiles, 0.6});
+  const bool needs_shares = !tiles.resampling.has_all_facts();
+  if (needs_shares) {
+    phases.push_back({"share", number_of_tiles, 0.15});
+    phases.push_back({"samples", 1, 0});
+  }
+  phases.push_back({"solve", number_of_tiles, needs_shares ? 0.6 : 0.75});
   phases.push_back({"stitch", 1, 0.01});
   phases.push_back({"write", number_of_tiles, 0.02});
   if (!m_command.merged_output.empty())
@@ -288,9 +308,12 @@ void Tile_tasks::check_disk(std::uint64_t number_of_points) const
 {
   const std::uint64_t m = number_of_output_points(m_options, std::size_t(number_of_points));
   const std::uint64_t of_results = largest_file_size(m_options.output_format, m);
-  // shards; samples with those of the overlaps, of which there are fewer; results
-  check_writable(index_file(), number_of_points * sizeof(std::array<double, 3>)
-                                 + 2 * m * sizeof(Tile_sample) + of_results);
+  std::uint64_t of_point = sizeof(std::array<double, 3>); // in its shard
+  if (Tiled_resampling::can_find_all_facts(number_of_points, m, memory_of_tile()))
+    of_point += sizeof(Point_in_cloud);
+  // samples with those of the overlaps, of which there are fewer
+  check_writable(index_file(),
+                 number_of_points * of_point + 2 * m * sizeof(Tile_sample) + of_results);
   if (!m_command.merged_output.empty())
     check_writable(m_command.merged_output, of_results);
 }
@@ -321,7 +344,7 @@ void Tile_tasks::find_scales() const
                                       + std::to_string(int(Tiled_resampling::halo_in_radii))
                                       + " radii");
   }
-  write_facts(file_of("scales", 0), m_key, facts);
+  write_facts(file_of("scales", 0), m_key, facts, tiles.resampling.points_in_cloud());
 }
 
 void Tile_tasks::find_shares(std::size_t tile, const On_progress& on_progress) const
@@ -347,7 +370,7 @@ void Tile_tasks::solve(std::size_t tile, const On_progress& on_progress) const
   Tiles tiles(*this, on_progress);
   tiles.cut();
   tiles.take_sums();
-  tiles.resampling.set_starts(tile, read_starts(file_of("samples", 0), m_key, tile));
+  tiles.take_starts(tile);
   Tile_result result = tiles.resampling.resample_tile(tile, tiles.shards());
   double seconds = 0;
   for (const auto& stage : result.report.stages)

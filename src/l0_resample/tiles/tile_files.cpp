@@ -19,6 +19,8 @@ namespace {
 
 namespace internal = CGAL::L0_resampling::internal;
 
+constexpr std::uint64_t begin_of_points = sizeof(std::uint64_t); // after their number
+
 template <typename T>
 void write_optional(Task_file_writer& file, const std::optional<T>& value)
 {
@@ -84,9 +86,11 @@ internal::Scale_field read_field(Task_file& file)
 
 } // namespace
 
-void write_facts(const std::string& path, std::uint64_t key, const Facts_of_cloud& facts)
+void write_facts(const std::string& path, std::uint64_t key, const Facts_of_cloud& facts,
+                 const std::vector<Point_in_cloud>& points)
 {
   Task_file_writer file(path, key);
+  file.write_all(points);
   const internal::Vector& origin = facts.frame->origin;
   file.write(facts.frame->exponent);
   file.write(std::array<double, 3>{origin[0], origin[1], origin[2]});
@@ -100,6 +104,7 @@ void write_facts(const std::string& path, std::uint64_t key, const Facts_of_clou
 Facts_of_cloud read_facts(const std::string& path, std::uint64_t key)
 {
   Task_file file(path, key);
+  file.seek(begin_of_points + file.read<std::uint64_t>() * sizeof(Point_in_cloud));
   Facts_of_cloud facts;
   const int exponent = file.read<int>();
   const auto origin = file.read<std::array<double, 3>>();
@@ -108,6 +113,24 @@ Facts_of_cloud read_facts(const std::string& path, std::uint64_t key)
   if (file.read<bool>())
     facts.field_of_scales = std::make_shared<const internal::Scale_field>(read_field(file));
   return facts;
+}
+
+std::vector<Point_in_cloud> read_points_in_cloud(
+  const std::string& path, std::uint64_t key,
+  const std::vector<std::pair<std::uint64_t, std::uint64_t>>& ranges)
+{
+  Task_file file(path, key);
+  std::uint64_t number = 0;
+  for (const auto& range : ranges)
+    number += range.second;
+  std::vector<Point_in_cloud> points(static_cast<std::size_t>(number));
+  Point_in_cloud* target = points.data();
+  for (const auto& [first, count] : ranges) {
+    file.seek(begin_of_points + first * sizeof(Point_in_cloud));
+    file.read_bytes(count * sizeof(Point_in_cloud), reinterpret_cast<char*>(target));
+    target += count;
+  }
+  return points;
 }
 
 void write_share(const std::string& path, std::uint64_t key, const Share_of_tile& share)

@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 // What tasks of `--as-one` leave to each other, in files of a run that has the number `key`.
@@ -21,6 +22,7 @@ namespace l0_tool {
 
 using CGAL::L0_resampling::internal::Block_counts;
 using CGAL::L0_resampling::internal::Facts_of_cloud;
+using CGAL::L0_resampling::internal::Point_in_cloud;
 using CGAL::L0_resampling::internal::Run_of_cells;
 using CGAL::L0_resampling::internal::Seam_report;
 using CGAL::L0_resampling::internal::Share_of_tile;
@@ -38,8 +40,14 @@ struct Counted_input
 void write_counts(const std::string& path, std::uint64_t key, const Counted_input& input);
 Counted_input read_counts(const std::string& path, std::uint64_t key);
 
-void write_facts(const std::string& path, std::uint64_t key, const Facts_of_cloud& facts);
+/// \param points what is known of each, if all facts are
+void write_facts(const std::string& path, std::uint64_t key, const Facts_of_cloud& facts,
+                 const std::vector<Point_in_cloud>& points);
 Facts_of_cloud read_facts(const std::string& path, std::uint64_t key);
+/// \param ranges of points: the first, and how many
+std::vector<Point_in_cloud> read_points_in_cloud(
+  const std::string& path, std::uint64_t key,
+  const std::vector<std::pair<std::uint64_t, std::uint64_t>>& ranges);
 
 /// What a tile counts.
 void write_share(const std::string& path, std::uint64_t key, const Share_of_tile& share);

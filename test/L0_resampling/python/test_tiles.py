@@ -17,8 +17,8 @@ import pytest
 
 from cgal_l0 import tiles
 
-# what the program takes anyway, and what some 12000 points do
-MEMORY = (96 << 20) + 12000 * 495
+# what the program takes anyway, and what some 12000 points with half as many samples do
+MEMORY = (96 << 20) + 12000 * 340
 
 
 @pytest.fixture(scope="module")

@@ -159,7 +159,7 @@ void test_tiling()
   const auto blocks = counts.blocks();
   for (const std::uint64_t limit : {200000u, 60000u, 20000u})
   {
-    const Tiling tiling(blocks, 2, limit);
+    const Tiling tiling(blocks, 2, {1}, limit);
     std::uint64_t sum = 0;
     for (const Tile& tile : tiling.tiles())
     {
@@ -176,7 +176,26 @@ void test_tiling()
     }
     CHECK((tiling.tiles().size() == 1) == (limit >= counts.number_of_points()));
   }
-  CHECK(Tiling(blocks, 2, 10).most_points_of_tile() > 10);
+  CHECK(Tiling(blocks, 2, {1}, 10).most_bytes_of_tile() > 10);
+}
+
+/// A tile of few points has as many even samples as one of many, if its surface is as large.
+void test_bytes_of_tiles()
+{
+  std::vector<std::pair<Block, std::uint64_t>> blocks;
+  for (std::int64_t x = 0; x < 100; ++x)
+    blocks.push_back({{x, 0, 0}, x < 50 ? 1000u : x < 90 ? 20u : 1u});
+  const Bytes_of_tile bytes = {3, 1, 100};
+  const Tiling tiling(blocks, 0, bytes, 40000);
+  CHECK(tiling.most_bytes_of_tile() <= 40000);
+  for (const Tile& tile : tiling.tiles())
+  {
+    const std::int64_t first = tile.box.low[0], last = tile.box.high[0];
+    CHECK(3 * tile.number_of_points <= 40000);
+    if (first >= 50 && last < 90)
+      CHECK((last - first + 1) * 1600 <= 40000);
+  }
+  CHECK(bytes(1000, 16) == 3000 && bytes(20, 16) == 1620 && bytes(1, 1) == 101);
 }
 
 /// Every place is in the room of one tile, also where no block is.
@@ -185,7 +204,7 @@ void test_rooms()
   Tile_counts counts = counts_of(ribbon(4000, 40));
   counts.finish();
   const auto blocks = counts.blocks();
-  const Tiling tiling(blocks, 2, 20000);
+  const Tiling tiling(blocks, 2, {1}, 20000);
   CHECK(tiling.tiles().size() > 4);
   for (std::int64_t x = -1000; x < 5000; x += 7)
     for (const std::int64_t y : {-(std::int64_t(1) << 50), std::int64_t(0), std::int64_t(1) << 50})
@@ -252,14 +271,18 @@ void test_stitching()
 
 /// Exactly as many points as asked for, of one side, each where its tile is, and as even at the
 /// seams as elsewhere.
-void test_tiles(bool keep_density)
+/// \param m so few that memory for half of the cloud does not do for the facts;
+/// or so many that it does
+void test_tiles(bool keep_density, std::size_t m, bool has_all_facts)
 {
+  using Tiles = CGAL::L0_resampling::Tiled_resampling<CGAL::Sequential_tag>;
   const Points_in_memory source{ribbon(1200, 20)};
-  const std::size_t m = 10000;
+  const std::size_t n = source.points.size();
+  const std::uint64_t memory = (n * Tiles::bytes_per_point + m * Tiles::bytes_per_sample) / 2;
+  CHECK(Tiles::can_find_all_facts(n, m, memory) == has_all_facts);
   Results_in_memory sink;
   CGAL::l0_resample_tiles<CGAL::Sequential_tag>(
-    source, sink, 12000 * 480,
-    CGAL::parameters::keep_density(keep_density).number_of_output_points(m));
+    source, sink, memory, CGAL::parameters::keep_density(keep_density).number_of_output_points(m));
   CHECK(sink.finished.size() >= 3);
   std::size_t number = 0, number_upwards = 0;
   std::vector<std::size_t> slabs(60, 0);
@@ -302,11 +325,15 @@ int main()
   test_order_at_limit();
   test_negative_blocks();
   test_tiling();
+  test_bytes_of_tiles();
   test_rooms();
   test_shares();
   test_stitching();
-  test_tiles(false);
-  test_tiles(true);
+  for (const bool keep_density : {false, true})
+  {
+    test_tiles(keep_density, 10000, false);
+    test_tiles(keep_density, 40000, true);
+  }
   test_refusals();
   return test::result();
 }

@@ -19,19 +19,21 @@ sed -n '1,9000p' ribbon.txt > parts/a.xyz
 sed -n '9001,9100p' ribbon.txt > parts/b.xyz
 sed -n '9101,$p' ribbon.txt > c.xyz
 run c.xyz parts/c.ply --convert-only
-# what the program takes anyway, and what 12500 points with half as many samples do, which is enough
-# to find the facts of all 24000
-memory=$(((96 << 20) + 12500 * 495))
+# what the program takes anyway, and what 12500 points with half as many samples do: too little to
+# find the facts of all 24000, for which 6 MB are enough
+memory=$(((96 << 20) + 12500 * 340))
+more_memory=$(((96 << 20) + 6000000))
 ribbon=(parts --as-one --points 12000 --memory "$memory")
+with_facts=(parts --as-one --points 12000 --memory "$more_memory")
 
 value() # of a JSON file: an expression of Python, where it is j
 {
   python3 -c "import json, sys; j = json.load(open(sys.argv[1])); print($2)" "$1"
 }
 holds() { test "$(value "$1" "$2")" = True; }
-same_tiles() # as those of the run that nothing has disturbed
+same_tiles() # as those of the run that nothing has disturbed, or of another
 {
-  for tile in whole/tile_*.ply; do
+  for tile in "${2:-whole}"/tile_*.ply; do
     cmp "$tile" "$1/$(basename "$tile")" || return 1
   done
 }
@@ -56,6 +58,7 @@ check "where tiles overlap they agree" holds whole/index.json \
 check "a report of the phases" holds whole.json \
   "[p['name'] for p in j['phases']] == 'count blocks shard scales share samples solve stitch write merge finish'.split()
    and all(p['kept'] == 0 for p in j['phases']) and j['exit_status'] == 0"
+check "no more memory than allowed" holds whole.json "0 < j['peak_bytes'] <= $memory"
 run merged.ply merged.xyz --convert-only
 check "normals are of one side" test "$(awk '{ print ($6 > 0) }' merged.xyz | sort -u | wc -l)" -eq 1
 # Along the ribbon, no step, gap or pile at any border
@@ -66,12 +69,20 @@ run "${ribbon[@]}" --output-directory threads --threads 1
 check "one thread gives the same" same_tiles threads
 run parts --as-one --points 12000 --memory 4GB --output-directory single
 check "a single tile, if memory suffices" test "$(number_of_tiles single)" -eq 1
-check "the same radius" test "$(value whole/index.json "j['neighbor_radius']")" = \
+
+# Memory for all points once
+run "${with_facts[@]}" --output-directory facts --output facts.xyz --json facts.json
+check "more tiles than one" test "$status" -eq 0 -a "$(number_of_tiles facts)" -ge 2
+check "samples start where the facts say" holds facts.json \
+  "[p['name'] for p in j['phases']] == 'count blocks shard scales solve stitch write merge finish'.split()"
+check "the same radius" test "$(value facts/index.json "j['neighbor_radius']")" = \
   "$(value single/index.json "j['neighbor_radius']")"
 run single/tile_0.ply single.xyz --convert-only
 positions() { cut -d ' ' -f 1-3 "$1" | sort; }
 check "the same points, but for a few in ten thousand" test \
-  "$(comm -23 <(positions merged.xyz) <(positions single.xyz) | wc -l)" -le 12
+  "$(comm -23 <(positions facts.xyz) <(positions single.xyz) | wc -l)" -le 12
+run "${with_facts[@]}" --output-directory facts_threads --threads 1
+check "one thread gives the same with facts" same_tiles facts_threads facts
 
 # Strays over the ribbon, each alone
 awk 'BEGIN { for (i = 0; i < 60; ++i) print 20 * i, 10, 30 + 20 * (i % 3) }' > strays.xyz
@@ -127,16 +138,25 @@ check "inputs are what they were" cmp c.xyz as_it_was.xyz
 check "also in the folder of a run" cmp others/tile_7.xyz as_it_was.xyz
 
 # Killed in the middle of each phase
-for file in count_1 shard_0 share_1 solve_2; do
+check_after_kill() # past a file, of a run whose undisturbed result is in a folder: the words of the run
+{
+  file=$1 undisturbed=$2
+  shift 2
   rm -rf killed
-  "$program" "${ribbon[@]}" --output-directory killed > stdout 2> stderr &
-  while ! test -e killed/work/$file && kill -0 $! 2> /dev/null; do sleep 0.005; done
+  "$program" "$@" --output-directory killed > stdout 2> stderr &
+  while ! test -e "killed/work/$file" && kill -0 $! 2> /dev/null; do sleep 0.005; done
   kill -KILL $! 2> /dev/null
   wait $! 2> /dev/null
-  run_plainly "${ribbon[@]}" --output-directory killed --resume --json killed.json
+  run_plainly "$@" --output-directory killed --resume --json killed.json
   check "goes on after a kill past $file" test "$status" -eq 0
   check "keeps what was there past $file" holds killed.json "sum(p['kept'] for p in j['phases']) > 0"
-  check "as if nothing had been past $file" same_tiles killed
+  check "as if nothing had been past $file" same_tiles killed "$undisturbed"
+}
+for file in count_1 shard_0 share_1 solve_2; do
+  check_after_kill $file whole "${ribbon[@]}"
+done
+for file in scales_0 solve_0; do
+  check_after_kill $file facts "${with_facts[@]}"
 done
 
 # Damaged files are made again, and named

@@ -42,44 +42,97 @@ inline void sort_normals_of_coincident_points(const Buffer<Vector>& points,
   });
 }
 
-/// Removes the outliers from the points and what belongs to them.
-/// \returns their number
-template <typename ConcurrencyTag>
-std::size_t drop_outliers(double radius, const Outlier_thresholds& thresholds,
-                          Buffer<Vector>& points, Buffer<float>& scales,
-                          Buffer<Local_vector>& given_normals, Buffer<Local_vector>& hints,
-                          Facts_of_cloud& facts, Progress& progress)
+/// The input points in the order of their grid, with what the stages find out about them.
+struct Prepared_points
 {
-  const Buffer<unsigned char> is_outlier = find_outliers<Local, ConcurrencyTag>(
-    points, radius, thresholds, view_of_scales(scales), facts.median_number_of_neighbors, progress);
+  Buffer<Vector>& points;
+  Buffer<float> scales; ///< of the points; none if all are 1
+  /// Which points of the call they are; none if nobody asks.
+  Buffer<Index> indices;
+  Search_grid_3 grid;
+  /// How many points of the input each one stands for; empty if only for itself.
+  Buffer<Index> numbers_of_points;
+  Buffer<Local_vector> normals;  ///< filtered
+  Buffer<Local> density_weights; ///< \f$ v_j \f$
+
+  /// \param p the points, which are in no order yet: the grid has none of them
+  explicit Prepared_points(Buffer<Vector>& p)
+    : points(p), scales(p.get_allocator()), indices(p.get_allocator()),
+      grid(Buffer<Vector>(p.get_allocator()), 1.), numbers_of_points(p.get_allocator()),
+      normals(p.get_allocator()), density_weights(p.get_allocator())
+  {}
+
+  /// Notes which point of the call each one is.
+  void keep_indices()
+  {
+    indices.reserve(points.size());
+    for_each_in_order(points.size(), [&](std::size_t i) { indices.push_back(Index(i)); });
+  }
+
+  /// Frees the memory, once the samples are fitted.
+  void release_all()
+  {
+    release(points);
+    release(scales);
+    release(indices);
+    release(numbers_of_points);
+    release(normals);
+    release(density_weights);
+    grid = Search_grid_3(points, grid.cell_size()); // of no points
+  }
+};
+
+/// Removes points, and what belongs to them.
+/// \param are_dropped not 0 for these
+/// \returns their number
+inline std::size_t drop_points(const Buffer<unsigned char>& are_dropped, Prepared_points& input,
+                               Buffer<Local_vector>& given_normals, Buffer<Local_vector>& hints)
+{
   const auto drop_from = [&](auto& values) {
     std::size_t size = 0;
     for_each_in_order(values.size(), [&](std::size_t i) {
-      if (!is_outlier[i])
+      if (!are_dropped[i])
         values[size++] = values[i];
     });
     values.resize(size);
   };
-  const std::size_t n = points.size();
-  drop_from(points);
-  drop_from(scales);
+  const std::size_t n = input.points.size();
+  drop_from(input.points);
+  drop_from(input.scales);
+  drop_from(input.indices);
   drop_from(given_normals);
   drop_from(hints);
-  return n - points.size();
+  return n - input.points.size();
+}
+
+/// Removes the outliers from the points and what belongs to them.
+/// \returns their number
+template <typename ConcurrencyTag>
+std::size_t drop_outliers(double radius, const Outlier_thresholds& thresholds,
+                          Prepared_points& input, Buffer<Local_vector>& given_normals,
+                          Buffer<Local_vector>& hints, Facts_of_cloud& facts, Progress& progress)
+{
+  return drop_points(find_outliers<Local, ConcurrencyTag>(
+                       input.points, radius, thresholds, view_of_scales(input.scales),
+                       facts.median_number_of_neighbors, progress),
+                     input, given_normals, hints);
 }
 
 /// Sorts the points, and what belongs to them, into the order of their grid.
 /// \returns the number of distinct points
 template <typename ConcurrencyTag>
-std::size_t sort_points(double cell_size, Buffer<Vector>& points, Buffer<float>& scales,
+std::size_t sort_points(double cell_size, Prepared_points& input,
                         Buffer<Local_vector>& given_normals, Buffer<Local_vector>& hints)
 {
+  const Buffer<Vector>& points = input.points;
   {
     const Buffer<Index> order =
-      Search_grid_3::sorted_order<ConcurrencyTag>(points, Cell_sizes(cell_size, scales));
-    apply_order<ConcurrencyTag>(order, points);
-    if (!scales.empty())
-      apply_order<ConcurrencyTag>(order, scales);
+      Search_grid_3::sorted_order<ConcurrencyTag>(points, Cell_sizes(cell_size, input.scales));
+    apply_order<ConcurrencyTag>(order, input.points);
+    if (!input.scales.empty())
+      apply_order<ConcurrencyTag>(order, input.scales);
+    if (!input.indices.empty())
+      apply_order<ConcurrencyTag>(order, input.indices);
     for (Buffer<Local_vector>* vectors : {&given_normals, &hints})
       if (!vectors->empty())
       {
@@ -102,36 +155,6 @@ inline bool are_all_given(const Buffer<Local_vector>& given_normals)
                          [](const Local_vector& n) { return n.isZero(0); });
 }
 
-/// The input points in the order of their grid, with what the stages find out about them.
-struct Prepared_points
-{
-  Buffer<Vector>& points;
-  Buffer<float> scales; ///< of the points; none if all are 1
-  Search_grid_3 grid;
-  /// How many points of the input each one stands for; empty if only for itself.
-  Buffer<Index> numbers_of_points;
-  Buffer<Local_vector> normals;  ///< filtered
-  Buffer<Local> density_weights; ///< \f$ v_j \f$
-
-  /// \param p the points, which are in no order yet: the grid has none of them
-  explicit Prepared_points(Buffer<Vector>& p)
-    : points(p), scales(p.get_allocator()), grid(Buffer<Vector>(p.get_allocator()), 1.),
-      numbers_of_points(p.get_allocator()), normals(p.get_allocator()),
-      density_weights(p.get_allocator())
-  {}
-
-  /// Frees the memory, once the samples are fitted.
-  void release_all()
-  {
-    release(points);
-    release(scales);
-    release(numbers_of_points);
-    release(normals);
-    release(density_weights);
-    grid = Search_grid_3(points, grid.cell_size()); // of no points
-  }
-};
-
 /// Sorts the points, and what belongs to them, into the order of their grid, and leaves out those
 /// of crowds but for a few, which stand for the others.
 /// \returns the number of distinct points
@@ -139,8 +162,8 @@ template <typename ConcurrencyTag>
 std::size_t sort_and_thin_points(double cell_size, Prepared_points& input,
                                  Buffer<Local_vector>& given_normals, Buffer<Local_vector>& hints)
 {
-  const std::size_t number_of_distinct_points =
-    sort_points<ConcurrencyTag>(cell_size, input.points, input.scales, given_normals, hints);
+  const std::size_t number_of_distinct_points = sort_points<ConcurrencyTag>(cell_size, input,
+                                                                            given_normals, hints);
   input.grid = Search_grid_3(input.points, Cell_sizes(cell_size, input.scales));
   const Representatives kept = thin_crowds<ConcurrencyTag>(input.grid, input.points,
                                                            most_points_of_subcell);
@@ -149,6 +172,7 @@ std::size_t sort_and_thin_points(double cell_size, Prepared_points& input,
     input.numbers_of_points = kept.numbers_of_points();
     kept.keep(input.points);
     kept.keep(input.scales);
+    kept.keep(input.indices);
     kept.keep(given_normals);
     kept.keep(hints);
     input.grid = Search_grid_3(input.points, Cell_sizes(cell_size, input.scales));

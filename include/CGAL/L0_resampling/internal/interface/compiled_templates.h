@@ -42,7 +42,8 @@
   declaration Scales scales_of_regions<Tag>(                                                       \
     Buffer<Vector>&, const std::function<bool(const Vector&)>&, const Facts_of_cloud&, Progress&); \
   declaration Facts_of_cloud facts_of_points<Tag, float>(Buffer<Vector>&, const Parameters&,       \
-                                                         Any_solver<float>&, Progress&, Report&);  \
+                                                         Any_solver<float>&, Progress&, Report&,   \
+                                                         std::vector<Point_in_cloud>&);            \
   declaration Share_of_tile share_of_tile<Tag, float>(Buffer<Vector>&, const Facts_of_cloud&,      \
                                                       const Parameters&, const Room_of_tile&,      \
                                                       Any_solver<float>&, Progress&, Report&);     \

@@ -10,6 +10,7 @@
 #include <CGAL/L0_resampling/internal/tiles/Runs_of_cells.h>
 #include <CGAL/L0_resampling/internal/tiles/Tiling.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -30,18 +31,28 @@ struct Room_of_tile
   bool holds(const Vector& place) const { return room.contains(lattice.block_of(place)); }
 };
 
-/// What a tile has to know of the samples of the whole cloud.
+/// What is known of a point, where all points of the cloud were looked at together.
+struct Point_in_cloud
+{
+  std::uint64_t units = 0;     ///< the area that it stands for; 0 if it is an outlier
+  Index index = 0;             ///< in the order of the whole cloud
+  Index number_of_samples = 0; ///< that start on it, or between it and another
+};
+
+/// What a tile has to know of the samples of the whole cloud: of each point that it reads; or, if
+/// there are none, of each run of cells.
 struct Starts_of_tile
 {
-  std::vector<Run_of_cells> runs; ///< with what comes before each
+  std::vector<Point_in_cloud> points; ///< in the order in which they are read
+  std::vector<Run_of_cells> runs;     ///< with what comes before each
   Sums_over_points all;
 };
 
 /*!
 The stages for a part of a cloud: facts of the whole are given, and what comes before the points of
-each run in the order of the whole. So samples start where they do in a call for all of it, but for
-those of a point that is alone in its ball, if several start there. `run()` calls the stages as
-those of `Cpu_backend`.
+each run in the order of the whole, or what is known of each point. So samples start where they do
+in a call for all of it, but for those of a point that is alone in its ball, if several start there.
+`run()` calls the stages as those of `Cpu_backend`.
 */
 template <typename ConcurrencyTag, typename FT>
 class Tile_backend : public Cpu_backend<ConcurrencyTag, FT>
@@ -51,9 +62,11 @@ class Tile_backend : public Cpu_backend<ConcurrencyTag, FT>
   using Base::m_facts;
   using Base::m_followers;
   using Base::m_frame;
+  using Base::m_given_normals;
   using Base::m_hints;
   using Base::m_input;
   using Base::m_progress;
+  using Base::m_report;
   using Base::m_samples;
 
   const Room_of_tile& m_room;
@@ -86,6 +99,8 @@ class Tile_backend : public Cpu_backend<ConcurrencyTag, FT>
   }
 
 public:
+  using Base::number_of_points;
+
   /// Thrown where no sample of the cloud starts.
   struct No_samples
   {};
@@ -99,12 +114,28 @@ public:
       m_trees(points.get_allocator()), m_confidences(points.get_allocator())
   {}
 
-  /// Before `run()`.
-  void set_starts(const Starts_of_tile& starts) { m_starts = &starts; }
+  /// Before the call is planned.
+  void set_starts(const Starts_of_tile& starts)
+  {
+    m_starts = &starts;
+    if (are_points_known())
+      m_input.keep_indices();
+  }
+
+  void drop_outliers(const Plan& plan)
+  {
+    if (!are_points_known())
+      return Base::drop_outliers(plan);
+    Buffer<unsigned char> are_dropped(m_input.points.get_allocator());
+    are_dropped.reserve(number_of_points());
+    for_each_in_order(number_of_points(),
+                      [&](std::size_t i) { are_dropped.push_back(known_point(i).units == 0); });
+    m_report.number_of_outliers = drop_points(are_dropped, m_input, m_given_normals, m_hints);
+  }
 
   void sort_points(const Plan& plan)
   {
-    if (Base::number_of_points() == 0) // all are outliers
+    if (number_of_points() == 0) // all are outliers
       throw No_samples();
     Base::sort_points(plan);
   }
@@ -128,42 +159,38 @@ public:
     return share;
   }
 
+  double total_area(const Plan& plan)
+  {
+    if (!are_points_known())
+      return Base::total_area(plan);
+    m_areas.area_per_unit = Areas::area_per_unit_of(plan.area_radius());
+    m_areas.units.reserve(number_of_points());
+    for_each_in_order(number_of_points(),
+                      [&](std::size_t i) { m_areas.units.push_back(known_point(i).units); });
+    return *m_facts.area;
+  }
+
   void choose_samples(const Plan& plan)
   {
     const auto allocator = m_input.points.get_allocator();
-    const std::uint64_t m = plan.number_of_samples, seed = plan.random_seed;
-    const Sums_over_points& all = m_starts->all;
     Sources sources{Buffer<Index>(allocator), Buffer<Index>(allocator)};
     Cloud_indices cloud_index{filled_buffer(m_input.points.size(), Index(0), allocator)};
     Buffer<unsigned char> are_points_own = filled_buffer(m_input.points.size(),
                                                          static_cast<unsigned char>(0), allocator);
-    Buffer<Index> distinct(allocator);
-    auto start = m_starts->runs.begin();
-    for_each_run([&](std::uint64_t key, const Search_grid_3::Range& points, bool is_own) {
-      while (start != m_starts->runs.end() && start->key < key)
-        ++start;
-      if (start == m_starts->runs.end() || start->key != key)
-        return;
-      distinct.clear();
-      for (Index i = points.first; i < points.second; ++i)
-      {
-        cloud_index.of_points[i] = Index(start->sums.points + (i - points.first));
-        are_points_own[i] = is_own;
-        if (is_first_of_its_place(i))
-          distinct.push_back(i);
-      }
-      if (plan.starts_evenly)
-        add_sources_by_area(distinct, m_areas.units, start->sums.units, all.units, m, seed,
-                            sources);
-      else
-        add_sources_by_points(distinct, start->sums.distinct, all.distinct, m, seed, sources);
+    for_each_run([&](std::uint64_t, const Search_grid_3::Range& points, bool is_own) {
+      std::fill(are_points_own.begin() + points.first, are_points_own.begin() + points.second,
+                static_cast<unsigned char>(is_own));
     });
+    if (are_points_known())
+      add_known_sources(cloud_index, sources);
+    else
+      add_sources_of_runs(plan, cloud_index, sources);
     if (sources.on_points.empty())
       throw No_samples();
 
     Initial_samples initial = start_samples<ConcurrencyTag>(
       m_input.grid, m_input.points, m_input.normals, distinct_points(m_input.points), cloud_index,
-      std::move(sources), plan.radius, seed, m_progress);
+      std::move(sources), plan.radius, plan.random_seed, m_progress);
     Placed_samples placed = with_followers<ConcurrencyTag>(plan, m_input, m_areas, m_facts,
                                                            std::move(initial));
     for (const Index source : placed.start.sources)
@@ -204,23 +231,110 @@ public:
   const Buffer<unsigned char>& are_own() const { return m_are_own; }
   const Buffer<Index>& trees() const { return m_trees; }
   const Buffer<float>& confidences() const { return m_confidences; }
+
+private:
+  bool are_points_known() const { return m_starts && !m_starts->points.empty(); }
+
+  const Point_in_cloud& known_point(std::size_t i) const
+  {
+    return m_starts->points[m_input.indices[i]];
+  }
+
+  void add_known_sources(Cloud_indices& cloud_index, Sources& sources) const
+  {
+    for_each_in_order(number_of_points(), [&](std::size_t i) {
+      const Point_in_cloud& point = known_point(i);
+      cloud_index.of_points[i] = point.index;
+      for (Index k = 0; k < point.number_of_samples; ++k)
+        (k == 0 ? sources.on_points : sources.between_points).push_back(Index(i));
+    });
+  }
+
+  void add_sources_of_runs(const Plan& plan, Cloud_indices& cloud_index, Sources& sources) const
+  {
+    const std::uint64_t m = plan.number_of_samples, seed = plan.random_seed;
+    const Sums_over_points& all = m_starts->all;
+    Buffer<Index> distinct(m_input.points.get_allocator());
+    auto start = m_starts->runs.begin();
+    for_each_run([&](std::uint64_t key, const Search_grid_3::Range& points, bool) {
+      while (start != m_starts->runs.end() && start->key < key)
+        ++start;
+      if (start == m_starts->runs.end() || start->key != key)
+        return;
+      distinct.clear();
+      for (Index i = points.first; i < points.second; ++i)
+      {
+        cloud_index.of_points[i] = Index(start->sums.points + (i - points.first));
+        if (is_first_of_its_place(i))
+          distinct.push_back(i);
+      }
+      if (plan.starts_evenly)
+        add_sources_by_area(distinct, m_areas.units, start->sums.units, all.units, m, seed,
+                            sources);
+      else
+        add_sources_by_points(distinct, start->sums.distinct, all.distinct, m, seed, sources);
+    });
+  }
 };
 
-/// The first stages for all points of a cloud, which keep the field of scales.
+/// The first stages for all points of a cloud, which keep the field of scales, and what they find
+/// of each point.
 template <typename ConcurrencyTag, typename FT>
 class Fact_finder : public Cpu_backend<ConcurrencyTag, FT>
 {
   using Base = Cpu_backend<ConcurrencyTag, FT>;
+  using Base::m_areas;
+  using Base::m_facts;
+  using Base::m_input;
+
+  std::vector<Point_in_cloud> m_points;
 
 public:
-  using Base::Base;
+  Fact_finder(Buffer<Vector>& points, Buffer<Local_vector>& no_normals,
+              Buffer<Local_vector>& no_hints, const Parameters& parameters, Any_solver<FT>& solver,
+              Progress& progress, Report& report)
+    : Base(points, no_normals, no_hints, parameters, solver, progress, report, {}),
+      m_points(points.size())
+  {
+    m_input.keep_indices();
+  }
 
   Range_of_scales estimate_scale_field(double robust_diagonal, const Usual_scales& usual)
   {
-    Base::m_facts.field_of_scales = std::make_shared<const Scale_field>(
+    m_facts.field_of_scales = std::make_shared<const Scale_field>(
       Base::find_scale_field(robust_diagonal, usual));
     return Base::estimate_scale_field(robust_diagonal, usual);
   }
+
+  void sort_points(const Plan& plan)
+  {
+    for (const Index i : m_input.indices) // without outliers
+      m_points[i].units = 1;
+    Base::sort_points(plan);
+  }
+
+  void choose_samples(const Plan& plan)
+  {
+    {
+      const Buffer<std::uint64_t> no_areas(m_input.points.get_allocator());
+      const Sources sources = sources_of_samples(distinct_points(m_input.points),
+                                                 plan.starts_evenly ? m_areas.units : no_areas,
+                                                 plan.number_of_samples, plan.random_seed,
+                                                 m_facts.units_of_starts);
+      for (const Buffer<Index>* list : {&sources.on_points, &sources.between_points})
+        for (const Index source : *list)
+          ++m_points[m_input.indices[source]].number_of_samples;
+    }
+    for_each_in_order(m_input.points.size(), [&](std::size_t i) {
+      Point_in_cloud& point = m_points[m_input.indices[i]];
+      point.units = m_areas.units[i];
+      point.index = Index(i);
+    });
+    Base::choose_samples(plan);
+  }
+
+  /// Of all points, in their first order.
+  std::vector<Point_in_cloud> take_points() { return std::move(m_points); }
 };
 
 } // namespace internal

@@ -54,17 +54,41 @@ struct Tile
   std::uint64_t number_of_points_with_halo; ///< and of those around
 };
 
-/// Splits the blocks that hold points into boxes, each of which with its halo has no more points
-/// than a task may hold. Boxes are halved by points across their longest axis.
+/// What a tile and its halo take: for each point, and for the samples among them. How many these are
+/// is not known before the tiles are: as many as their share of all points says, or, if samples are
+/// even, as their share of the area, whichever is more.
+struct Bytes_of_tile
+{
+  double per_point;           ///< with its share of the samples
+  double per_point_alone = 0; ///< without samples
+  double per_area = 0;        ///< of the samples, for each unit of `area_of()`
+
+  /// Of a block with so many points, roughly: a block that is full of a surface has as much as any
+  /// other, and one with a few outliers little.
+  static double area_of(std::uint64_t number_of_points)
+  {
+    return double((std::min)(number_of_points, std::uint64_t(16)));
+  }
+
+  double operator()(double number_of_points, double area) const
+  {
+    return (std::max)(number_of_points * per_point,
+                      number_of_points * per_point_alone + area * per_area);
+  }
+};
+
+/// Splits the blocks that hold points into boxes, each of which with its halo takes no more than a
+/// task may. Boxes are halved by points across their longest axis.
 class Tiling
 {
   using Counted_block = std::pair<Block, std::uint64_t>;
 
   const std::vector<Counted_block>& m_blocks;
   std::int64_t m_halo;
-  std::uint64_t m_most_points;
+  Bytes_of_tile m_bytes_of;
+  double m_most_bytes;
   std::vector<Tile> m_tiles;
-  std::uint64_t m_least_limit = 0;
+  double m_least_limit = 0;
 
   Tile tile_of(const std::vector<std::size_t>& own, const Block_box& room) const
   {
@@ -85,6 +109,15 @@ class Tiling
     return tile;
   }
 
+  double bytes_of(const Tile& tile) const
+  {
+    const Block_box reach = tile.box.grown(m_halo);
+    double area = 0;
+    for (const auto& [block, count] : m_blocks)
+      area += reach.contains(block) ? Bytes_of_tile::area_of(count) : 0;
+    return m_bytes_of(double(tile.number_of_points_with_halo), area);
+  }
+
   void split(std::vector<std::size_t> own, const Block_box& room)
   {
     const Tile tile = tile_of(own, room);
@@ -93,9 +126,10 @@ class Tiling
     for (std::size_t other = 1; other < 3; ++other)
       if (length(other) > length(axis))
         axis = other;
-    if (tile.number_of_points_with_halo <= m_most_points || length(axis) == 0)
+    const double bytes = bytes_of(tile);
+    if (bytes <= m_most_bytes || length(axis) == 0)
     {
-      m_least_limit = (std::max)(m_least_limit, tile.number_of_points_with_halo);
+      m_least_limit = (std::max)(m_least_limit, bytes);
       m_tiles.push_back(tile);
       return;
     }
@@ -126,8 +160,9 @@ class Tiling
 public:
   /// \param blocks sorted, at least one; outlives this object
   /// \param halo in blocks
-  Tiling(const std::vector<Counted_block>& blocks, std::int64_t halo, std::uint64_t most_points)
-    : m_blocks(blocks), m_halo(halo), m_most_points(most_points)
+  Tiling(const std::vector<Counted_block>& blocks, std::int64_t halo, const Bytes_of_tile& bytes_of,
+         double most_bytes)
+    : m_blocks(blocks), m_halo(halo), m_bytes_of(bytes_of), m_most_bytes(most_bytes)
   {
     std::vector<std::size_t> all(blocks.size());
     std::iota(all.begin(), all.end(), std::size_t(0));
@@ -137,8 +172,8 @@ public:
 
   const std::vector<Tile>& tiles() const { return m_tiles; }
 
-  /// The points of the largest tile with its halo: more than the limit if a single block is.
-  std::uint64_t most_points_of_tile() const { return m_least_limit; }
+  /// Of the largest tile with its halo: more than the limit if a single block takes more.
+  double most_bytes_of_tile() const { return m_least_limit; }
 };
 
 } // namespace internal

@@ -36,13 +36,15 @@ Scales scales_of_regions(Buffer<Vector>& points, const std::function<bool(const 
 /// All facts of a cloud, as a call for all of it finds them.
 /// \param points all of them, at least one; used up
 /// \param parameters checked
+/// \param points_in_cloud out: what is found of each point
 template <typename ConcurrencyTag, typename FT>
 Facts_of_cloud facts_of_points(Buffer<Vector>& points, const Parameters& parameters,
-                               Any_solver<FT>& solver, Progress& progress, Report& report)
+                               Any_solver<FT>& solver, Progress& progress, Report& report,
+                               std::vector<Point_in_cloud>& points_in_cloud)
 {
   Buffer<Local_vector> no_normals(points.get_allocator()), no_hints(points.get_allocator());
   Fact_finder<ConcurrencyTag, FT> finder(points, no_normals, no_hints, parameters, solver, progress,
-                                         report, {});
+                                         report);
   Plan plan = plan_call(parameters, finder);
   if (plan.drops_outliers())
   {
@@ -54,6 +56,7 @@ Facts_of_cloud facts_of_points(Buffer<Vector>& points, const Parameters& paramet
   finder.weigh_density(plan);
   choose_samples(plan, finder);
   finder.end(plan);
+  points_in_cloud = finder.take_points();
   return finder.facts();
 }
 
