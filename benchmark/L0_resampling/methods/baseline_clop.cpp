@@ -9,6 +9,8 @@
 #include "continuous_projection.h"
 #include "subsampling.h"
 
+#include <CGAL/compute_average_spacing.h>
+
 int main(int argc, char** argv)
 {
   using namespace L0_benchmark;

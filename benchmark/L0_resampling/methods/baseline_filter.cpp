@@ -11,6 +11,7 @@
 #include "subsampling.h"
 
 #include <CGAL/bilateral_smooth_point_set.h>
+#include <CGAL/compute_average_spacing.h>
 #include <CGAL/grid_simplify_point_set.h>
 #include <CGAL/jet_smooth_point_set.h>
 

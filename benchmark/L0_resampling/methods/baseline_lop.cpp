@@ -10,6 +10,8 @@
 #include "locally_optimal_projection.h"
 #include "subsampling.h"
 
+#include <CGAL/compute_average_spacing.h>
+
 int main(int argc, char** argv)
 {
   using namespace L0_benchmark;

@@ -9,7 +9,10 @@
 #include "../methods/baseline_steps.h"
 #include "Ground_truth.h"
 
+#include <CGAL/Real_timer.h>
 #include <CGAL/l0_orient_normals.h>
+#include <CGAL/mst_orient_normals.h>
+#include <CGAL/pca_estimate_normals.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -72,7 +75,8 @@ int main(int argc, char** argv)
       estimated.emplace_back(p, CGAL::NULL_VECTOR);
       right.push_back(truth.nearest_normals(p));
     }
-    estimate_normals<CGAL::Parallel_if_available_tag>(estimated);
+    CGAL::pca_estimate_normals<CGAL::Parallel_if_available_tag>(
+      estimated, number_of_normal_neighbors, point_and_normal_maps());
     std::mt19937 generator(1);
     for (const Oriented_point& pair : estimated)
       normals.push_back(generator() % 2 == 0 ? pair.second : -pair.second);

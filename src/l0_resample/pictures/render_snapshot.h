@@ -8,18 +8,13 @@
 
 #include "basis/Point_cloud.h"
 #include "pictures/Image.h"
+#include "pictures/Snapshot_colors.h"
 
 #include <array>
 #include <optional>
 #include <vector>
 
 namespace l0_tool {
-
-enum class Snapshot_colors
-{
-  SHADED, ///< gray, blue where the normal is turned away from the eye
-  NORMALS ///< by the direction of the normal, as in the figures of the paper
-};
 
 /// Draws the input on the left and the result on the right, seen by the same camera in the same
 /// light: as surfaces of discs that are large enough to leave no gap. An input without normals is

@@ -55,6 +55,8 @@ public:
 
 inline void write_bytes(const std::string& path, const std::string& bytes)
 {
+  // Some file systems wait for the disk where a file is cut to nothing and written again.
+  std::filesystem::remove(path);
   std::ofstream(path, std::ios::binary) << bytes;
 }
 
