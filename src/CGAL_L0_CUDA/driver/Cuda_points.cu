@@ -65,9 +65,12 @@ Side_hints Cuda_points::side_hints() const
   Side_hints hints = {parameters.has_viewpoint, parameters.viewpoint,
                       parameters.has_viewpoint || parameters.hints_are_viewpoints};
   if (hints.viewpoint.weight > 0)
+  {
     for (int axis = 0; axis < 3; ++axis)
-      hints.viewpoint.coordinates[axis] =
-        m_box.frame.enter_clamped(hints.viewpoint.coordinates[axis], axis);
+      hints.viewpoint.coordinates[axis] = m_box.frame.enter(parameters.viewpoint.coordinates[axis],
+                                                            axis);
+    bring_nearer(hints.viewpoint.coordinates, parameters.viewpoint.coordinates);
+  }
   return hints;
 }
 

@@ -32,14 +32,6 @@ struct Frame
     return (scalbn(coordinate, exponent) - origin[axis]) / unit;
   }
 
-  /// As `Working_frame::point_in_frame()`: of any finite point, and so near that the square of a
-  /// distance to it is finite.
-  double enter_clamped(double coordinate, int axis) const
-  {
-    const double largest = 1e100;
-    return std::fmin(std::fmax(enter(coordinate, axis), -largest), largest);
-  }
-
   __host__ __device__ double3 enter(const double* xyz) const
   {
     return {enter(xyz[0], 0), enter(xyz[1], 1), enter(xyz[2], 2)};

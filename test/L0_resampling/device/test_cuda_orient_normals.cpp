@@ -157,7 +157,13 @@ void check_hints()
   const Points sphere = noisy_sphere(20000, 0.003, 21);
   const Result given = with_given_normals(sphere, 22);
   compare("viewpoint", given, 0, maps() | parameters::viewpoint(Point(0.1, 0, 0)));
-  compare("up", given, 0.004, maps() | parameters::up_direction(Normal(0, 0, 1)));
+  // near the equator of a sphere this direction knows no side: the half below, as seen from above
+  Points bowl;
+  for (const Point& p : sphere)
+    if (p.z() < 0)
+      bowl.push_back(p);
+  compare("up", with_given_normals(bowl, 22), 0.002,
+          maps() | parameters::up_direction(Normal(0, 0, 1)));
   const Result inwards = [&] {
     Result pairs = pairs_of(sphere);
     for (auto& pair : pairs)

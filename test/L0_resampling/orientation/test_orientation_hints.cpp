@@ -100,6 +100,9 @@ void test_open_scans(test::Generator& generator)
       "bump from above", bump, params::viewpoint(Kernel::Point_3(0.3 * distance, 0, distance)),
       [](const Vector&) -> Vector { return Vector::UnitZ(); }, 1);
   }
+  for (double distance : {1e6, 1e300})
+    check_side("bowl from aside", bowl,
+               params::viewpoint(Kernel::Point_3(0.1 * distance, 0, distance)), inwards, 1);
   // not from near, where the rim shows its inner side
   for (double distance : {1e6, 1e300})
     check_side("bowl from below", bowl, params::viewpoint(Kernel::Point_3(0, 0, -distance)),
@@ -358,6 +361,13 @@ void test_invariance(test::Generator& generator)
       are_scaled = are_scaled && result.pairs[i].second == expected.pairs[i].second;
     CHECK(are_scaled && result.report.hinted_share == 1);
   }
+  // of a cloud so small that the frame has no number for the viewpoint
+  std::vector<Vector> small = bowl;
+  for (Vector& p : small)
+    p *= 1e-200;
+  check_side(
+    "small bowl", small, params::viewpoint(Kernel::Point_3(1e299, 0, 1e300)),
+    [](const Vector& p) -> Vector { return -1e200 * p; }, 1);
   std::vector<Vector> at_a_map = bowl;
   const Vector far(500000, 5000000, 100);
   for (Vector& p : at_a_map)

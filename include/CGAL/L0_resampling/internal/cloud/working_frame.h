@@ -6,6 +6,7 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_WORKING_FRAME_H
 #define CGAL_L0_RESAMPLING_INTERNAL_WORKING_FRAME_H
 
+#include <CGAL/L0_resampling/internal/core/Orientation_hints.h>
 #include <CGAL/L0_resampling/internal/core/select_nth.h>
 #include <CGAL/L0_resampling/internal/search/Search_grid_3.h>
 
@@ -105,11 +106,10 @@ public:
   /// coordinates is brought nearer.
   Vector point_in_frame(const Vector& point) const
   {
-    const double largest = 1e100; // whose square is finite
-    Vector p = (scaled(point, m_place.exponent) - m_place.origin) / m_unit;
-    for (int axis = 0; axis < 3; ++axis)
-      p[axis] = (std::min)((std::max)(p[axis], -largest), largest);
-    return p;
+    const Vector p = (scaled(point, m_place.exponent) - m_place.origin) / m_unit;
+    double coordinates[3] = {p.x(), p.y(), p.z()};
+    bring_nearer(coordinates, point.data());
+    return Eigen::Map<const Vector>(coordinates);
   }
 
   /// Before `set_unit()`: a length of the input times 2 to the power of this is one in the frame.

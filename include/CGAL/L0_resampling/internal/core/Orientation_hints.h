@@ -8,6 +8,7 @@
 
 #include <CGAL/L0_resampling/internal/core/host_device.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace CGAL {
@@ -37,6 +38,26 @@ struct Viewpoint
       coordinate *= scale;
   }
 };
+
+/// Brings a place nearer to a cloud, in the direction that it has from there, if it lies too far off
+/// for finite squares of distances.
+/// \param in_frame the place in the frame of the cloud, in and out; may be infinite
+/// \param place the same in the coordinates of the input: where the frame has no number for it, it is
+/// so far from the cloud that the cloud is where these begin
+inline void bring_nearer(double (&in_frame)[3], const double* place)
+{
+  const double farthest = 1e100; // whose square is finite
+  const auto largest_of = [](const double* p) {
+    return (std::max)({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
+  };
+  if (largest_of(in_frame) <= farthest)
+    return;
+  if (std::isfinite(largest_of(in_frame)))
+    place = in_frame;
+  const double scale = farthest / largest_of(place);
+  for (int axis = 0; axis < 3; ++axis)
+    in_frame[axis] = scale * place[axis];
+}
 
 /// Where the cosine of the angle between a normal and the direction to its viewpoint is above this,
 /// the viewpoint decides the sign: about the sine of 10 degrees, which is more than the error of
