@@ -329,7 +329,7 @@ struct Sample_refit_kernel
 
 /// \f$ \mu \f$ of the default method: fewer turns than the paper's 1.5 makes, each of which fits
 /// anew.
-constexpr double default_penalty_growth = 2;
+constexpr double default_penalty_growth = 1.7;
 
 /// Line 5 of Algorithm 1. The product of a subnormal number and a growth near 1 can be that number
 /// again: then it is the next one.
