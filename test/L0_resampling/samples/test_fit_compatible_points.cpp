@@ -86,19 +86,28 @@ double mean_over_disk(const F& f)
 /// Of points on a line, across it.
 const double variance_of_line = std::pow(deviation_of_line * radius, 2);
 
-/// How far from its straight side the mean of half a disk lies, in standard deviations; points on a
-/// line count as having some.
-double half_disk_offset()
+/// How far from its straight side the mean of half a disk lies.
+double half_disk_distance()
 {
-  static const double mean = mean_over_disk([](double r) { return 2 / EIGEN_PI * r; }),
-                      second_moment = mean_over_disk([](double r) { return r * r / 2; });
-  return mean / std::sqrt(second_moment - mean * mean + variance_of_line);
+  static const double distance = mean_over_disk([](double r) { return 2 / EIGEN_PI * r; });
+  return distance;
 }
 
-/// Of a push outwards, where the mean of the points is so many deviations away.
-double naive_share_held_back(double deviations)
+/// The same in standard deviations; points on a line count as having some.
+double half_disk_offset()
 {
-  return clamped((deviations / half_disk_offset() - 0.25) / 0.2);
+  static const double second_moment = mean_over_disk([](double r) { return r * r / 2; });
+  return half_disk_distance()
+         / std::sqrt(second_moment - half_disk_distance() * half_disk_distance()
+                     + variance_of_line);
+}
+
+/// Of a push outwards, where the mean of the points is that far away.
+/// \param deviations the same in standard deviations
+double naive_share_held_back(double distance, double deviations)
+{
+  const double on_border = distance * half_disk_offset() / deviations;
+  return clamped((distance - 0.35 * on_border) / (0.2 * half_disk_distance()));
 }
 
 /// The sums of the docstring for a sample.
@@ -191,7 +200,8 @@ Fitted fit_naively(const Oriented_points& input, const std::vector<double>& dens
     result.centroids[i] += sums.height / sums.total * n
                            + inwards.dot(offset)
                                * (std::max)(1 - half_disk_offset() / deviations, 0.) * inwards;
-    result.outward[i] = -std::sqrt(naive_share_held_back(deviations)) * inwards;
+    result.outward[i] = -std::sqrt(naive_share_held_back(inwards.dot(offset), deviations))
+                        * inwards;
   }
   return result;
 }
@@ -361,8 +371,8 @@ void check_border()
       total += weight;
     }
     const double distance = sum.norm() / total, variance = squares / total - distance * distance,
-                 held_back = naive_share_held_back(distance
-                                                   / std::sqrt(variance + variance_of_line));
+                 held_back = naive_share_held_back(
+                   distance, distance / std::sqrt(variance + variance_of_line));
     CHECK(places[i] == 0.12 ? held_back > 0.1 && held_back < 0.9 : held_back == (places[i] < 0.1));
     CHECK((fitted.outward[i] - Vector(-std::sqrt(held_back), 0, 0)).norm() < 1e-5);
   }

@@ -17,10 +17,10 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// A sample is pushed less and less outwards where the mean of its points lies further away than
-/// the first of these shares of what it does on a straight border, and from the second on not at
-/// all.
-constexpr double held_back_from = 0.25, held_back_to = 0.45;
+/// Where the mean of the points lies further away than the first of these shares of what it does on
+/// a border, a sample is pushed less and less outwards. How fast that ends is a length: on a
+/// straight border with half a ball of points it has ended at the second.
+constexpr double held_back_from = 0.35, held_back_to = 0.55;
 
 /// Points on a line count as a strip with this standard deviation, per radius: the samples beside a
 /// ring of a scanner, or on a pole that one column of its points meets, are not all on the line.
@@ -62,26 +62,32 @@ struct Offset_of_mean
 /// So a strip that is narrower than the ball ends where its points do.
 struct Border_of_ball
 {
-  double least_variance; ///< of the points of a ball of scale 1: that of a line
-  double deviations;     ///< of the mean of half a disk from its straight side
+  // of balls of scale 1
+  double least_variance; ///< of the points: that of a line
+  double distance;       ///< of the mean of half a disk from its straight side
+  double deviations;     ///< the same in standard deviations
 
   /// By the integrals over half a disk, with \f$ s = radius / \sigma \f$: for large s the mean is
   /// \f$ \sigma / \sqrt\pi \f$ away, and the points vary by \f$ \sigma^2 (1/2 - 1/\pi) \f$ about
   /// it; times what the cut at the radius leaves.
   Border_of_ball(double radius, double bandwidth)
-    : least_variance(square(deviation_of_line * radius)), deviations(0)
+    : least_variance(square(deviation_of_line * radius)), distance(0), deviations(0)
   {
     const double pi = 3.141592653589793, s = radius / bandwidth, cut = std::exp(-s * s),
-                 mean = bandwidth * (std::erf(s) / std::sqrt(pi) - 2 / pi * s * cut) / (1 - cut),
                  second_moment = square(bandwidth) / 2 * (1 - s * s * cut / (1 - cut));
-    deviations = mean / std::sqrt(second_moment - square(mean) + least_variance);
+    distance = bandwidth * (std::erf(s) / std::sqrt(pi) - 2 / pi * s * cut) / (1 - cut);
+    deviations = distance / std::sqrt(second_moment - square(distance) + least_variance);
   }
 
   /// The share of the outward part of a push that is left out.
-  CGAL_L0_HOST_DEVICE double share_held_back(const Offset_of_mean& offset) const
+  /// \param scale of the ball
+  CGAL_L0_HOST_DEVICE double share_held_back(const Offset_of_mean& offset, double scale) const
   {
-    return as_share((offset.deviations / deviations - held_back_from)
-                    / (held_back_to - held_back_from));
+    if (!(offset.deviations > 0))
+      return 0;
+    const double on_border = offset.distance * deviations / offset.deviations;
+    return as_share((offset.distance - held_back_from * on_border)
+                    / ((held_back_to - held_back_from) * distance * scale));
   }
 
   /// How far back a sample beyond the border is drawn.
