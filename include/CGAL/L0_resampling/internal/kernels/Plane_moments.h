@@ -66,16 +66,6 @@ struct Plane_moments
                       yz / n - my * mz, zz / n - mz * mz});
   }
 
-  /// Of the points' places along two directions.
-  /// \pre `S` is a number, and `sum` is positive
-  CGAL_L0_HOST_DEVICE double covariance(const Triple& a, const Triple& b) const
-  {
-    const Triple row = {xx * b.x + xy * b.y + xz * b.z, xy * b.x + yy * b.y + yz * b.z,
-                        xz * b.x + yz * b.y + zz * b.z},
-                 first = {x, y, z};
-    return dot(a, row) / sum - dot(a, first) / sum * (dot(b, first) / sum);
-  }
-
   /// The unit vector that most of the points lie along, as seen from the center, of any sign: the
   /// largest eigenvector of the second moments.
   /// \pre `S` is a number
