@@ -9,8 +9,9 @@
 #include "search/Query.cuh"
 
 #include <CGAL/L0_resampling/internal/core/weights.h>
+#include <CGAL/L0_resampling/internal/kernels/Bilateral_kernel.h>
 #include <CGAL/L0_resampling/internal/kernels/Density_in_ball.h>
-#include <CGAL/L0_resampling/internal/kernels/Sum_of_normals.h>
+#include <CGAL/L0_resampling/internal/kernels/Sum_of_vectors.h>
 
 #include <cmath>
 
@@ -151,7 +152,7 @@ __global__ void filter_normals_kernel(Cell_grid grid, Cell_blocks blocks, float 
   radius *= scale;
   const Bilateral_kernel<float> kernel = {squared_radius * squared_scale,
                                           squared_bandwidth * squared_scale, normal_bandwidth};
-  Sum_of_normals<float> sum;
+  Sum_of_vectors<float> sum;
   Density_in_ball<float> density;
   for_each_candidate(grid, blocks, center, query.lane, radius, [&](unsigned j, const int4& point) {
     const float3 d = difference(point, center, 1);

@@ -30,7 +30,7 @@ __global__ void collapse(Cell_grid sample_grid, Cell_blocks blocks, Cell_grid gr
     own.add(d.x, d.y, d.z, dot(d, d), squared_radius, normals[j].w);
   });
   const float weight_sum = group_sum<lanes>(own.weight);
-  const float3 sum = group_sum<lanes>(float3{own.x, own.y, own.z});
+  const float3 sum = group_sum<lanes>(float3{own.places.x, own.places.y, own.places.z});
   if (!query.writes)
     return;
   const unsigned i = sample_grid.order[query.index];

@@ -62,8 +62,9 @@ std::size_t collapse_fit_term(const Search_grid_3& sample_grid, const Buffer<Vec
         if (weight > 0)
         {
           fit_weights[i] = FT(weight);
-          fit_centroids[i] = samples[i]
-                             + Vector(lanes.x.sum(), lanes.y.sum(), lanes.z.sum()) / weight;
+          fit_centroids[i] =
+            samples[i]
+            + Vector(lanes.places.x.sum(), lanes.places.y.sum(), lanes.places.z.sum()) / weight;
         }
         else
         {

@@ -7,6 +7,7 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_FIT_OF_NEIGHBORS_H
 
 #include <CGAL/L0_resampling/internal/core/weights.h>
+#include <CGAL/L0_resampling/internal/kernels/Sum_of_vectors.h>
 
 namespace CGAL {
 namespace L0_resampling {
@@ -18,8 +19,8 @@ namespace internal {
 template <typename S>
 struct Fit_of_neighbors
 {
-  S weight = S();              ///< \f$ \sum_j 1/v_j \f$
-  S x = S(), y = S(), z = S(); ///< \f$ \sum_j (q_j - p_i)/v_j \f$
+  S weight = S();           ///< \f$ \sum_j 1/v_j \f$
+  Sum_of_vectors<S> places; ///< \f$ \sum_j (q_j - p_i)/v_j \f$
 
   /// \param dx, dy, dz \f$ q_j - p_i \f$, of a point that may be outside of the ball
   /// \param squared_distance of the two
@@ -31,9 +32,7 @@ struct Fit_of_neighbors
   {
     const S w = where_less(squared_distance, squared_radius, inverse_density);
     weight += w;
-    x += w * dx;
-    y += w * dy;
-    z += w * dz;
+    places.add(dx, dy, dz, w);
   }
 };
 

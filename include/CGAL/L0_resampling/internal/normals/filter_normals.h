@@ -9,7 +9,8 @@
 #include <CGAL/L0_resampling/internal/cloud/Facts_of_cloud.h>
 #include <CGAL/L0_resampling/internal/cloud/near_pairs.h>
 #include <CGAL/L0_resampling/internal/core/Parameters.h>
-#include <CGAL/L0_resampling/internal/kernels/Sum_of_normals.h>
+#include <CGAL/L0_resampling/internal/kernels/Bilateral_kernel.h>
+#include <CGAL/L0_resampling/internal/kernels/Sum_of_vectors.h>
 #include <CGAL/L0_resampling/internal/normals/update_normals.h>
 
 #include <cstddef>
@@ -43,7 +44,7 @@ Eigen::Matrix<T, 3, 1> filtered_normal(const Eigen::Matrix<T, 3, 1>& center,
   using L = Lanes<T>;
   const T own_x = normal[0], own_y = normal[1], own_z = normal[2];
   const Bilateral_kernel<T> kernel = filter.kernel();
-  Sum_of_normals<L> sum;
+  Sum_of_vectors<L> sum; // of Eq. (1), of which only the direction counts
   candidates.for_each_run_in_ball(
     center, kernel.squared_radius, [&](std::size_t k, const L& squared_distance) {
       const L nx = L::load(&normals.x[k]), ny = L::load(&normals.y[k]), nz = L::load(&normals.z[k]);
@@ -78,7 +79,7 @@ void filter_normals_by_pairs(const Search_grid_3& grid, const Buffer<Vector>& po
         const Local_vector center = candidates.take(
           i); // neither a neighbor of itself nor one of those that follow
         const T own_x = n_x[i], own_y = n_y[i], own_z = n_z[i];
-        Sum_of_normals<L> sum;
+        Sum_of_vectors<L> sum; // of Eq. (1), of which only the direction counts
         candidates.for_each_run_in_ball(
           center, kernel.squared_radius, [&](std::size_t k, const L& squared_distance) {
             const L nx = L::load(n_x + k), ny = L::load(n_y + k), nz = L::load(n_z + k);

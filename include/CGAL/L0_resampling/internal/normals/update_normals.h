@@ -6,7 +6,7 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_UPDATE_NORMALS_H
 #define CGAL_L0_RESAMPLING_INTERNAL_UPDATE_NORMALS_H
 
-#include <CGAL/L0_resampling/internal/kernels/Sum_of_normals.h>
+#include <CGAL/L0_resampling/internal/kernels/Bilateral_kernel.h>
 #include <CGAL/L0_resampling/internal/normals/Local_normals.h>
 #include <CGAL/L0_resampling/internal/search/ball_queries.h>
 

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_L0_RESAMPLING_INTERNAL_SUM_OF_NORMALS_H
-#define CGAL_L0_RESAMPLING_INTERNAL_SUM_OF_NORMALS_H
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_BILATERAL_KERNEL_H
+#define CGAL_L0_RESAMPLING_INTERNAL_BILATERAL_KERNEL_H
 
 #include <CGAL/L0_resampling/internal/core/weights.h>
 
@@ -35,25 +35,8 @@ CGAL_L0_HOST_DEVICE inline S signed_weight(const S& squared_distance, const S& c
                                                   cosine, kernel.normal_bandwidth)));
 }
 
-/// The sum of Eq. (1) over the normals of a ball. Only its direction counts, which makes the
-/// division needless.
-/// \tparam S a number, or lanes of numbers
-template <typename S>
-struct Sum_of_normals
-{
-  S x = S(), y = S(), z = S();
-
-  /// \param weight `signed_weight()`
-  CGAL_L0_HOST_DEVICE void add(const S& nx, const S& ny, const S& nz, const S& weight)
-  {
-    x += weight * nx;
-    y += weight * ny;
-    z += weight * nz;
-  }
-};
-
 } // namespace internal
 } // namespace L0_resampling
 } // namespace CGAL
 
-#endif // CGAL_L0_RESAMPLING_INTERNAL_SUM_OF_NORMALS_H
+#endif // CGAL_L0_RESAMPLING_INTERNAL_BILATERAL_KERNEL_H
