@@ -8,9 +8,11 @@
 
 #include <CGAL/L0_resampling/Block_chebyshev_solver_traits.h>
 #include <CGAL/L0_resampling/Report.h>
+#include <CGAL/L0_resampling/Source_box.h>
 #include <CGAL/L0_resampling/internal/interface/checked_parameters.h>
 #include <CGAL/L0_resampling/internal/interface/compiled_templates.h>
 #include <CGAL/L0_resampling/internal/interface/points_of_range.h>
+#include <CGAL/L0_resampling/internal/tiles/Counted_cloud.h>
 #include <CGAL/L0_resampling/internal/tiles/Regions_of_blocks.h>
 #include <CGAL/L0_resampling/internal/tiles/resample_tile.h>
 #include <CGAL/L0_resampling/internal/tiles/stitch_tiles.h>
@@ -24,19 +26,11 @@
 #include <limits>
 #include <new>
 #include <stdexcept>
-#include <string>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace L0_resampling {
-
-/// \ingroup PkgL0ResamplingRef
-/// A box of points that are read together: coordinates from `low` on and below `high`.
-struct Source_box
-{
-  std::array<double, 3> low, high;
-};
 
 /*!
 \ingroup PkgL0ResamplingRef
@@ -80,12 +74,7 @@ class Tiled_resampling
 
   internal::Parameters m_parameters;
   std::function<bool(double)> m_callback;
-  internal::Block_lattice m_lattice;
-  std::vector<std::pair<internal::Block, std::uint64_t>> m_blocks;
-  std::array<double, 3> m_low, m_high;
-  std::uint64_t m_number_of_points = 0;
-  double m_box_diagonal = 0, m_robust_diagonal = 0;     // the latter to within a block
-  internal::Vector m_middle = internal::Vector::Zero(); // of each coordinate, likewise: the median
+  internal::Counted_cloud m_cloud;
   internal::Facts_of_cloud m_facts;
   bool m_has_all_facts = false;
   std::vector<internal::Point_in_cloud> m_points; // of all blocks, if all facts were found here
@@ -95,28 +84,17 @@ class Tiled_resampling
   std::vector<internal::Starts_of_tile> m_starts; // of the tiles
   double m_sample_spacing = 0;                    // in units of the radius
 
-  Source_box source_box(const internal::Block_box& box) const
-  {
-    Source_box source;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      source.low[axis] = double(box.low[axis]) * m_lattice.side();
-      source.high[axis] = double(box.high[axis] + 1) * m_lattice.side();
-    }
-    return source;
-  }
-
   std::int64_t halo_in_blocks() const
   {
     const double most = 1e6; // no tile is as wide
     return 1
            + std::int64_t(
-             std::ceil((std::min)(m_halo_in_radii * m_radius / m_lattice.side(), most)));
+             std::ceil((std::min)(m_halo_in_radii * m_radius / m_cloud.lattice().side(), most)));
   }
 
   internal::Room_of_tile room_of_tile(std::size_t tile) const
   {
-    return {m_lattice, m_tiles[tile].room};
+    return {m_cloud.lattice(), m_tiles[tile].room};
   }
 
   /// Calls `f(number, first)` for each block of a tile and its halo, in their order, with the number
@@ -126,51 +104,35 @@ class Tiled_resampling
   {
     const internal::Block_box reach = m_tiles[tile].box.grown(halo_in_blocks());
     std::uint64_t first = 0;
-    for (std::size_t b = 0; b < m_blocks.size(); ++b)
+    for (std::size_t b = 0; b < blocks().size(); ++b)
     {
-      if (reach.contains(m_blocks[b].first))
+      if (reach.contains(blocks()[b].first))
         f(b, first);
-      first += m_blocks[b].second;
+      first += blocks()[b].second;
     }
   }
 
-  /// \param size the number of points
+  /// The points of a tile and its halo.
   template <typename Source>
-  void read(const Source& source, const internal::Block_box& box, std::uint64_t size,
-            internal::Buffer<internal::Vector>& points) const
+  void read_at_once(const Source& source, std::size_t tile,
+                    internal::Buffer<internal::Vector>& points) const
   {
-    points.reserve(points.size() + std::size_t(size));
-    source.for_each_point(source_box(box), [&](const std::array<double, 3>& p) {
-      points.push_back(internal::Vector(p[0], p[1], p[2]));
-    });
+    points.reserve(std::size_t(m_tiles[tile].number_of_points_with_halo));
+    m_cloud.read(source, m_tiles[tile].box.grown(halo_in_blocks()), points);
   }
 
-  /// Block by block, as `find_facts()` does.
+  /// The same, block by block, as `find_facts()` does.
   template <typename Source>
   void read_blocks(const Source& source, std::size_t tile,
                    internal::Buffer<internal::Vector>& points) const
   {
     points.reserve(std::size_t(m_tiles[tile].number_of_points_with_halo));
     for_each_block_of(tile, [&](std::size_t b, std::uint64_t) {
-      const internal::Block& block = m_blocks[b].first;
-      read(source, {block, block}, 0, points);
+      const internal::Block& block = blocks()[b].first;
+      m_cloud.read(source, {block, block}, points);
     });
     if (points.size() != m_tiles[tile].number_of_points_with_halo)
       throw std::invalid_argument("l0_resample_tiles: the source has changed");
-  }
-
-  /// What the counts tell, where the points do not fit into memory.
-  internal::Facts_of_cloud facts_of_counts() const
-  {
-    const double largest = (std::max)(internal::Vector(m_low.data()).cwiseAbs().maxCoeff(),
-                                      internal::Vector(m_high.data()).cwiseAbs().maxCoeff());
-    const int exponent = internal::Working_frame::exponent_of(largest);
-    const auto scaled = [&](double x) { return std::ldexp(x, exponent); };
-    internal::Facts_of_cloud facts;
-    facts.frame = internal::Place_of_frame{exponent, m_middle.unaryExpr(scaled)};
-    facts.extents = internal::Facts{std::size_t(m_number_of_points), scaled(m_box_diagonal),
-                                    scaled(m_robust_diagonal), exponent};
-    return facts;
   }
 
   internal::Plan plan_of(const internal::Facts_of_cloud& facts) const
@@ -229,37 +191,23 @@ public:
   /// `outlier_sensitivity`, `keep_density`, `viewpoint`, `up_direction`, `callback`
   template <typename NamedParameters>
   Tiled_resampling(Tile_counts counts, const NamedParameters& np)
-    : m_parameters(internal::checked_parameters(np, 1))
+    : m_parameters(internal::checked_parameters(np, 1)), m_cloud(std::move(counts))
   {
     internal::read_parameter(np, internal_np::callback, m_callback);
     if (m_parameters.method != Method::DEFAULT)
       throw std::invalid_argument("l0_resample_tiles: only the default method works by tiles");
-    counts.finish();
-    m_lattice = counts.lattice();
-    m_blocks = counts.blocks();
-    m_low = counts.low();
-    m_high = counts.high();
-    m_number_of_points = counts.number_of_points();
     if (m_parameters.keep_density
-        && (m_number_of_points >= many || m_parameters.number_of_output_points >= many))
+        && (number_of_points() >= many || m_parameters.number_of_output_points >= many))
       throw std::invalid_argument(
         "l0_resample_tiles: keep_density takes fewer than 2^32 points, and gives fewer");
-    if (m_blocks.empty())
-      return;
-    double sum = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      sum += internal::square(m_high[axis] - m_low[axis]);
-      m_middle[Eigen::Index(axis)] =
-        internal::Quantiles_of_blocks(counts, axis).coordinate_at(m_number_of_points / 2);
-    }
-    m_box_diagonal = std::sqrt(sum);
-    m_robust_diagonal = internal::robust_diagonal_of_blocks(counts);
   }
 
-  const std::vector<std::pair<internal::Block, std::uint64_t>>& blocks() const { return m_blocks; }
-  const internal::Block_lattice& lattice() const { return m_lattice; }
-  std::uint64_t number_of_points() const { return m_number_of_points; }
+  const std::vector<std::pair<internal::Block, std::uint64_t>>& blocks() const
+  {
+    return m_cloud.blocks();
+  }
+  const internal::Block_lattice& lattice() const { return m_cloud.lattice(); }
+  std::uint64_t number_of_points() const { return m_cloud.number_of_points(); }
   std::uint64_t number_of_samples() const { return m_parameters.number_of_output_points; }
   double neighbor_radius() const { return m_radius; }
   double sample_spacing() const { return m_sample_spacing * m_radius; }
@@ -271,7 +219,7 @@ public:
   /// facts.
   const std::vector<internal::Point_in_cloud>& points_in_cloud() const { return m_points; }
   const std::vector<internal::Tile>& tiles() const { return m_tiles; }
-  Source_box box_of_tile(std::size_t tile) const { return source_box(m_tiles[tile].box); }
+  Source_box box_of_tile(std::size_t tile) const { return m_cloud.source_box(m_tiles[tile].box); }
 
   /// Whether `bytes` hold all of so many points at a time.
   static bool can_find_all_facts(std::uint64_t number_of_points, std::uint64_t number_of_samples,
@@ -289,7 +237,7 @@ public:
   template <typename Source>
   const internal::Facts_of_cloud& find_facts(const Source& source, std::uint64_t bytes)
   {
-    if (can_find_all_facts(m_number_of_points, number_of_samples(), bytes))
+    if (can_find_all_facts(number_of_points(), number_of_samples(), bytes))
       set_facts(facts_of_all_points(source));
     else
       set_facts(facts_of_regions(source, bytes));
@@ -313,7 +261,12 @@ public:
   void make_tiles(std::uint64_t bytes, double halo = halo_in_radii)
   {
     m_halo_in_radii = halo;
-    const internal::Tiling tiling(m_blocks, halo_in_blocks(), bytes_of_tile(), double(bytes));
+    const internal::Tiling tiling(
+      blocks(), halo_in_blocks(),
+      internal::Bytes_of_tile::of_cloud(blocks(), double(bytes_per_point),
+                                        double(number_of_samples()) * double(bytes_per_sample),
+                                        !m_parameters.keep_density),
+      double(bytes));
     m_tiles = tiling.tiles();
     if (tiling.most_bytes_of_tile() > double(bytes))
       throw std::bad_alloc();
@@ -325,7 +278,7 @@ public:
   {
     std::vector<std::pair<std::uint64_t, std::uint64_t>> ranges;
     for_each_block_of(tile, [&](std::size_t b, std::uint64_t first) {
-      ranges.emplace_back(first, m_blocks[b].second);
+      ranges.emplace_back(first, blocks()[b].second);
     });
     return ranges;
   }
@@ -334,12 +287,11 @@ public:
   template <typename Source>
   internal::Share_of_tile share_of_tile(std::size_t tile, const Source& source) const
   {
-    const internal::Tile& of_tile = m_tiles[tile];
     internal::Share_of_tile share;
     Report report;
     watched(report, [&](internal::Progress& progress, internal::Memory_counter& memory) {
       internal::Buffer<internal::Vector> points(&memory);
-      read(source, of_tile.box.grown(halo_in_blocks()), of_tile.number_of_points_with_halo, points);
+      read_at_once(source, tile, points);
       Solver solver;
       internal::Any_solver<FT> any_solver(solver);
       share = internal::share_of_tile<ConcurrencyTag>(
@@ -379,21 +331,19 @@ public:
   Tile_result resample_tile(std::size_t tile, const Source& source) const
   {
     Tile_result result;
-    const internal::Block_box box = m_tiles[tile].box;
     const internal::Starts_of_tile found_here = m_points.empty() ? internal::Starts_of_tile()
                                                                  : starts_found_here(tile);
     const internal::Starts_of_tile& starts = m_points.empty() ? m_starts[tile] : found_here;
     watched(result.report, [&](internal::Progress& progress, internal::Memory_counter& memory) {
       internal::Input input(&memory);
       if (starts.points.empty())
-        read(source, box.grown(halo_in_blocks()), m_tiles[tile].number_of_points_with_halo,
-             input.points);
+        read_at_once(source, tile, input.points);
       else
         read_blocks(source, tile, input.points);
       for (int axis = 0; axis < 3; ++axis)
       {
-        input.low[axis] = m_low[std::size_t(axis)];
-        input.high[axis] = m_high[std::size_t(axis)];
+        input.low[axis] = m_cloud.low()[std::size_t(axis)];
+        input.high[axis] = m_cloud.high()[std::size_t(axis)];
       }
       result.report.number_of_input_points = input.points.size();
       Solver solver;
@@ -406,7 +356,7 @@ public:
       const internal::Buffer<std::array<double, 3>> positions =
         internal::rounded_positions<ConcurrencyTag, double>(samples.points.positions, input,
                                                             m_radius, true);
-      take(samples, positions, source_box(box), result);
+      take(samples, positions, box_of_tile(tile), result);
     });
     result.report.number_of_output_points = result.samples.size();
     return result;
@@ -422,7 +372,7 @@ public:
   /// Whether samples of both may lie where the tiles overlap.
   bool are_neighbors(std::size_t a, std::size_t b) const
   {
-    const Source_box one = source_box(m_tiles[a].box), other = source_box(m_tiles[b].box);
+    const Source_box one = box_of_tile(a), other = box_of_tile(b);
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (one.low[axis] > other.high[axis] + overlap_width()
           || other.low[axis] > one.high[axis] + overlap_width())
@@ -434,7 +384,7 @@ public:
   std::vector<Tile_sample> samples_of_owner(const std::vector<Tile_sample>& beyond_border,
                                             std::size_t owner) const
   {
-    const Source_box box = source_box(m_tiles[owner].box);
+    const Source_box box = box_of_tile(owner);
     std::vector<Tile_sample> samples;
     for (const Tile_sample& sample : beyond_border)
     {
@@ -455,21 +405,6 @@ private:
   static constexpr std::uint64_t bytes_per_point_of_regions = 100;
   static constexpr std::uint64_t many = std::uint64_t(1) << 32; // more than an index can number
 
-  internal::Bytes_of_tile bytes_of_tile() const
-  {
-    const double of_samples = double(number_of_samples()) * double(bytes_per_sample);
-    internal::Bytes_of_tile bytes = {double(bytes_per_point)
-                                     + of_samples / double(number_of_points())};
-    if (m_parameters.keep_density)
-      return bytes;
-    double area = 0;
-    for (const auto& [block, count] : m_blocks)
-      area += internal::Bytes_of_tile::area_of(count);
-    bytes.per_point_alone = double(bytes_per_point);
-    bytes.per_area = of_samples / area;
-    return bytes;
-  }
-
   void set_spacing() { m_sample_spacing = std::sqrt(*m_facts.area / double(number_of_samples())); }
 
   internal::Starts_of_tile starts_found_here(std::size_t tile) const
@@ -489,9 +424,9 @@ private:
     Report report;
     watched(report, [&](internal::Progress& progress, internal::Memory_counter& memory) {
       internal::Buffer<internal::Vector> points(&memory);
-      points.reserve(std::size_t(m_number_of_points));
-      for (const auto& [block, count] : m_blocks)
-        read(source, {block, block}, 0, points);
+      points.reserve(std::size_t(number_of_points()));
+      for (const auto& [block, count] : blocks())
+        m_cloud.read(source, {block, block}, points);
       Solver solver;
       internal::Any_solver<FT> any_solver(solver);
       facts = internal::facts_of_points<ConcurrencyTag>(points, m_parameters, any_solver, progress,
@@ -503,17 +438,17 @@ private:
   template <typename Source>
   internal::Facts_of_cloud facts_of_regions(const Source& source, std::uint64_t bytes) const
   {
-    internal::Facts_of_cloud facts = facts_of_counts();
-    const internal::Regions_of_blocks regions(m_blocks, bytes / bytes_per_point_of_regions);
+    internal::Facts_of_cloud facts = m_cloud.facts();
+    const internal::Regions_of_blocks regions(blocks(), bytes / bytes_per_point_of_regions);
     Report report;
     watched(report, [&](internal::Progress& progress, internal::Memory_counter& memory) {
       internal::Buffer<internal::Vector> points(&memory);
       points.reserve(std::size_t(regions.number_of_points()));
-      for (std::size_t b = 0; b < m_blocks.size(); ++b)
+      for (std::size_t b = 0; b < blocks().size(); ++b)
         if (regions.is_read(b))
-          read(source, {m_blocks[b].first, m_blocks[b].first}, 0, points);
+          m_cloud.read(source, {blocks()[b].first, blocks()[b].first}, points);
       const auto is_in_middle = [&](const internal::Vector& p) {
-        return regions.is_in_middle(m_lattice.block_of(p));
+        return regions.is_in_middle(lattice().block_of(p));
       };
       facts.scales = internal::scales_of_regions<ConcurrencyTag>(points, is_in_middle, facts,
                                                                  progress);

@@ -10,7 +10,7 @@ cmake_minimum_required(VERSION 3.21)
 # Public headers, which have no folder, stand where their contents belong.
 set(order words core kernels plan device search cloud normals samples energy solvers orientation
           driver tiles interface calls)
-set(words tags.h Solver_report.h Quadratic_problem.h Report.h warnings.h)
+set(words tags.h Solver_report.h Quadratic_problem.h Report.h warnings.h Source_box.h)
 set(solvers Block_chebyshev_solver_traits.h Block_conjugate_gradient_solver_traits.h
             Eigen_cholesky_solver_traits.h Eigen_least_squares_solver_traits.h
             CUDA_least_squares_solver_traits.h)

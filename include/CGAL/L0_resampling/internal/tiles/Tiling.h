@@ -70,6 +70,26 @@ struct Bytes_of_tile
     return double((std::min)(number_of_points, std::uint64_t(16)));
   }
 
+  /// \param of_samples bytes of all samples of the cloud
+  /// \param are_even whether they are spread by area, and not as the points
+  static Bytes_of_tile of_cloud(const std::vector<std::pair<Block, std::uint64_t>>& blocks,
+                                double per_point, double of_samples, bool are_even)
+  {
+    double number_of_points = 0, area = 0;
+    for (const auto& [block, count] : blocks)
+    {
+      number_of_points += double(count);
+      area += area_of(count);
+    }
+    Bytes_of_tile bytes = {per_point + of_samples / number_of_points};
+    if (are_even)
+    {
+      bytes.per_point_alone = per_point;
+      bytes.per_area = of_samples / area;
+    }
+    return bytes;
+  }
+
   double operator()(double number_of_points, double area) const
   {
     return (std::max)(number_of_points * per_point,

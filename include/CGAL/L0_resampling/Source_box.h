@@ -1,0 +1,24 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_SOURCE_BOX_H
+#define CGAL_L0_RESAMPLING_SOURCE_BOX_H
+
+#include <array>
+
+namespace CGAL {
+namespace L0_resampling {
+
+/// \ingroup PkgL0ResamplingRef
+/// A box of points that are read together: coordinates from `low` on and below `high`.
+struct Source_box
+{
+  std::array<double, 3> low, high;
+};
+
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_SOURCE_BOX_H
