@@ -179,7 +179,7 @@ public:
 
   /// The points around a tile that decide on its samples lie within so many radii. Beyond, their
   /// influence is below what a number of single precision holds.
-  static constexpr double halo_in_radii = 18;
+  static constexpr double halo_in_radii = 20;
   /// What a call holds for each point that it reads, and for each sample, at most.
   static constexpr std::uint64_t bytes_per_point = 100, bytes_per_sample = 480;
   /// The same where all facts of a cloud are found.

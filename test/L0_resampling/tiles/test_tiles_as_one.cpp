@@ -265,10 +265,10 @@ int main()
                               CGAL::parameters::number_of_output_points(m));
   // where radii are larger, the halo is narrower for them
   m = number(uneven, 0.4);
-  check<CGAL::Parallel_if_available_tag>("uneven", uneven.points(), 0.7, {0, 0.03}, m,
+  check<CGAL::Parallel_if_available_tag>("uneven", uneven.points(), 0.7, {0, 0.02}, m,
                                          CGAL::parameters::number_of_output_points(m));
   check<CGAL::Parallel_if_available_tag>("uneven, as dense as the input", uneven.points(), 0.7,
-                                         {0, 0.03}, m,
+                                         {0, 0.02}, m,
                                          keep_density(true).number_of_output_points(m));
   // a lone point is the start of several samples, see `Tile_backend`
   m = number(crowds, 1.3);
