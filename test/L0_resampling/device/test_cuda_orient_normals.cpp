@@ -157,7 +157,15 @@ void check_hints()
   const Points sphere = noisy_sphere(20000, 0.003, 21);
   const Result given = with_given_normals(sphere, 22);
   compare("viewpoint", given, 0, maps() | parameters::viewpoint(Point(0.1, 0, 0)));
-  // near the equator of a sphere this direction knows no side: the half below, as seen from above
+  // Near the equator of a sphere this direction knows no side. Elsewhere it tells all, and of the
+  // half below, as seen from above, all together.
+  Result on_cpu = given, on_device = given;
+  orient<CGAL::Parallel_if_available_tag>(on_cpu,
+                                          maps() | parameters::up_direction(Normal(0, 0, 1)));
+  orient<CGAL::CUDA_tag>(on_device, maps() | parameters::up_direction(Normal(0, 0, 1)));
+  for (std::size_t i = 0; i < given.size(); ++i)
+    if (std::abs(given[i].first.z()) > 0.2)
+      CHECK(on_cpu[i].second == on_device[i].second);
   Points bowl;
   for (const Point& p : sphere)
     if (p.z() < 0)
