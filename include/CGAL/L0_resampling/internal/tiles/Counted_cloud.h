@@ -11,6 +11,7 @@
 #include <CGAL/L0_resampling/internal/cloud/working_frame.h>
 #include <CGAL/L0_resampling/internal/core/Buffer.h>
 #include <CGAL/L0_resampling/internal/tiles/Block_counts.h>
+#include <CGAL/L0_resampling/internal/tiles/Tiling.h>
 
 #include <algorithm>
 #include <array>
