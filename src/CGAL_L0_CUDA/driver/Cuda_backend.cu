@@ -182,7 +182,7 @@ void Cuda_backend::choose_samples(const Plan& plan)
 {
   const Sources_of_samples sources = {m_normals, plan.uses_areas ? &m_areas : nullptr,
                                       plan.starts_evenly, m_input.hints, plan.spreading_radius()};
-  initialize_samples(m_workplace, m_input.positions, m_grid, sources, plan.radius,
+  initialize_samples(m_workplace, m_input.positions, m_grid, sources, plan.radius, plan.lone_radius,
                      plan.sample_spacing, plan.random_seed, m_samples);
   m_areas_scope.reset();
   m_grid.forget_order();

@@ -223,10 +223,12 @@ struct Sources_of_samples
 };
 
 /// The first S, chosen as the CPU chooses it.
+/// \param lone_radius of the ball around a point that is alone
 /// \param spacing of an even set of samples
 void initialize_samples(const Workplace& workplace, const Positions& positions,
                         const Cell_grid& grid, const Sources_of_samples& points, double radius,
-                        double spacing, std::size_t seed, const Samples& samples);
+                        double lone_radius, double spacing, std::size_t seed,
+                        const Samples& samples);
 
 /// The fit term of LOR and ALOR: weight and centroid of the original neighbors.
 /// \param blocks of `grid` around the cells of `sample_grid`

@@ -7,6 +7,7 @@
 #include "search/Query.cuh"
 
 #include <CGAL/L0_resampling/internal/core/random_bits.h>
+#include <CGAL/L0_resampling/internal/kernels/Start_near_source.h>
 #include <CGAL/L0_resampling/internal/kernels/exact_ball.h>
 
 namespace CGAL {
@@ -28,7 +29,7 @@ struct Some
 /// Where samples start, by the numbers of distinct points: on a point, or between it and another.
 struct Sources
 {
-  Some on_points, between_points;
+  Some on_points, near_points;
 };
 
 // Samples shared out by points
@@ -68,9 +69,9 @@ Sources sources_by_points(const Workplace& workplace, unsigned number_of_distinc
     return sources;
   }
   sources.on_points.size = number_of_distinct;
-  sources.between_points = {list, m - number_of_distinct};
-  spread_evenly<<<blocks_for(sources.between_points.size), threads_per_block, 0,
-                  workplace.stream>>>(number_of_distinct, sources.between_points.size, list);
+  sources.near_points = {list, m - number_of_distinct};
+  spread_evenly<<<blocks_for(sources.near_points.size), threads_per_block, 0, workplace.stream>>>(
+    number_of_distinct, sources.near_points.size, list);
   check_launch("spread_evenly");
   return sources;
 }
@@ -272,12 +273,12 @@ __device__ void start_on_point(const Samples& samples, Wide i, double3 position,
   }
 }
 
-/// The partner of each new sample, as `move_between_points()` on the CPU: of the points of its ball
-/// the one of the highest rank.
+/// Each new sample, as `move_near_sources()` on the CPU.
 /// \param sources numbers of distinct points
-__global__ void place_between_points(Positions positions, Cell_grid grid, Cell_blocks blocks,
-                                     Some distinct, Some sources, float radius, Wide seed,
-                                     Heritage heritage, Samples samples)
+/// \param lone_radius of the ball around a source that is alone
+__global__ void place_near_points(Positions positions, Cell_grid grid, Cell_blocks blocks,
+                                  Some distinct, Some sources, float radius, double lone_radius,
+                                  Wide seed, Heritage heritage, Samples samples)
 {
   const Query query(sources.size);
   const Wide e = query.index;
@@ -291,7 +292,7 @@ __global__ void place_between_points(Positions positions, Cell_grid grid, Cell_b
     first = is_before ? first + half + 1 : first;
     size = is_before ? size - half - 1 : half;
   }
-  const Wide number_before = e - first;
+  const Start_near_source near_source(seed, source, e - first);
   const int4 center = grid.points[source];
   const float4* const normals = heritage.normals;
   const float3 normal = xyz(normals[source]);
@@ -304,9 +305,8 @@ __global__ void place_between_points(Positions positions, Cell_grid grid, Cell_b
     const float3 d = difference(point, center, unit);
     if (dot(d, d) >= squared_radius)
       return;
-    const Wide is_similar = fabsf(dot(normal, xyz(normals[j]))) > float(cosine_of_similar_normals);
-    const Wide rank = (random_bits(seed + source, (number_before << 32) | j) >> 1)
-                      | (is_similar << 63);
+    const bool is_similar = fabsf(dot(normal, xyz(normals[j]))) > float(cosine_of_similar_normals);
+    const Wide rank = near_source.rank(j, is_similar);
     if (rank <= best)
       return;
     const double3 p = positions(grid.order[j]), q = positions(grid.order[source]);
@@ -327,16 +327,17 @@ __global__ void place_between_points(Positions positions, Cell_grid grid, Cell_b
   }
   if (!query.writes)
     return;
-  if (best == 0 && distinct.size > 1)
-    partner = number + 1 < distinct.size ? distinct[number + 1] : distinct[distinct.size - 2];
   const double3 start = positions(grid.order[source]);
-  // never the middle, where the way back from the partner would put another one
-  const double share =
-    0.2
-    + 0.25
-        * scalbn(double(random_bits(seed + source, (number_before << 32) | 0xffffffff) >> 11), -53);
-  start_on_point(samples, e, start + share * (positions(grid.order[partner]) - start), heritage,
-                 grid, source, number, false);
+  double3 way;
+  if (best > 0)
+    way = near_source.share_of_way() * (positions(grid.order[partner]) - start);
+  else
+  {
+    const Triple offset = near_source.offset_from_lone({normal.x, normal.y, normal.z},
+                                                       lone_radius * grid.scale(source));
+    way = {offset.x, offset.y, offset.z};
+  }
+  start_on_point(samples, e, start + way, heritage, grid, source, number, false);
 }
 
 /// \param first of the samples that start so
@@ -356,7 +357,8 @@ __global__ void place_on_points(Positions positions, Cell_grid grid, Some distin
 
 void initialize_samples(const Workplace& workplace, const Positions& positions,
                         const Cell_grid& grid, const Sources_of_samples& points, double radius,
-                        double spacing, std::size_t seed, const Samples& samples)
+                        double lone_radius, double spacing, std::size_t seed,
+                        const Samples& samples)
 {
   const cudaStream_t stream = workplace.stream;
   const Arena_scope scope(workplace.scratch);
@@ -379,16 +381,16 @@ void initialize_samples(const Workplace& workplace, const Positions& positions,
                              samples.hints ? least_hints(workplace, points.hints, grid, distinct)
                                            : nullptr};
 
-  const unsigned number_of_new = sources.between_points.size;
+  const unsigned number_of_new = sources.near_points.size;
   if (number_of_new > 0)
   {
     const Arena_scope blocks_scope(workplace.arena);
     const Cell_blocks blocks = find_blocks(grid, grid, cells_in_reach(radius, grid.frame.cell_size),
                                            maximum_number_of_candidates, workplace.arena, stream);
-    place_between_points<<<blocks_for_queries(number_of_new), threads_per_block, 0, stream>>>(
-      positions, grid, blocks, distinct, sources.between_points, float(radius), seed, heritage,
-      samples);
-    check_launch("place_between_points");
+    place_near_points<<<blocks_for_queries(number_of_new), threads_per_block, 0, stream>>>(
+      positions, grid, blocks, distinct, sources.near_points, float(radius), lone_radius, seed,
+      heritage, samples);
+    check_launch("place_near_points");
   }
   const Support_subset support_points(seed, radius, spacing, samples.size, sources.on_points.size);
   place_on_points<<<blocks_for(sources.on_points.size), threads_per_block, 0, stream>>>(

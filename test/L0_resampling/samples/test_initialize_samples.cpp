@@ -29,14 +29,15 @@ struct Start
 
   /// \param areas what each point of the cloud stands for; none, for all alike
   Start(const Oriented_points& cloud, std::size_t number_of_samples, std::uint64_t seed,
-        const std::vector<double>& areas = {})
+        const std::vector<double>& areas = {}, double lone_radius = radius)
     : input(cloud.points, radius / 2)
   {
     Unwatched unwatched;
     std::optional<std::uint64_t> total;
     const Initial_samples samples = initialize_samples<CGAL::Parallel_if_available_tag>(
       input.grid, input.points, to_local_vectors<float>(permuted(input.order, cloud.normals)),
-      areas_in_order(areas), number_of_samples, radius, seed, total, unwatched.progress);
+      areas_in_order(areas), number_of_samples, radius, lone_radius, seed, total,
+      unwatched.progress);
     positions.assign(samples.positions.begin(), samples.positions.end());
     for (Index j : samples.sources)
       sources.push_back(input.vector[j]);
@@ -208,23 +209,51 @@ void check_areas(Generator& generator)
   }
 }
 
-/// Points that see nobody take a partner out of reach, and a single place has none.
-void check_small_clouds()
+/// Around a lone point samples start within its ball and its plane, wherever the others are.
+void check_lone_points()
 {
-  const Oriented_points pair{{Vector(0, 0, 0), Vector(100, 0, 0)},
-                             {Vector::UnitZ(), Vector::UnitZ()}};
-  for (std::size_t n : {3, 4, 9})
+  const Vector x = Vector::UnitX(), z = Vector::UnitZ();
+  Oriented_points cloud{{Vector(0, 0, 0), Vector(0.1, 0, 0), Vector(7, 0, 0)}, {z, z, x}};
+  std::set<Key> around_lone;
+  for (const double place : {1., 50., 100.})
   {
-    const Start start(pair, n, 0);
-    CHECK(distinct(start.positions).size() == n);
-    for (const Vector& p : start.positions)
-      CHECK(p[0] >= 0 && p[0] <= 100 && p[1] == 0 && p[2] == 0);
+    cloud.points[1] = Vector(place, 0, 0);
+    for (std::size_t n : {4, 9, 90})
+    {
+      const Start start(cloud, n, 0);
+      CHECK(distinct(start.positions).size() == n);
+      Vector least = Vector::Zero(), largest = Vector::Zero();
+      std::set<Key> around_last;
+      for (std::size_t i = 0; i < n; ++i)
+      {
+        const Vector way = start.positions[i] - start.sources[i];
+        const bool is_last = start.sources[i] == cloud.points[2];
+        CHECK(std::abs(way.dot(is_last ? x : z)) < 1e-12 && way.norm() < radius / 2);
+        CHECK(way.norm() == 0 || way.norm() > 0.19 * radius);
+        least = least.cwiseMin(way);
+        largest = largest.cwiseMax(way);
+        if (is_last)
+          around_last.insert(key(start.positions[i]));
+      }
+      if (n < 90)
+        continue;
+      CHECK(least.maxCoeff() < -radius / 4 && largest.minCoeff() > radius / 4); // all around
+      if (place == 50.)
+        around_lone = around_last;
+      else if (place == 100.)
+        CHECK(around_last == around_lone);
+    }
   }
+}
+
+/// All samples of a single place start on it.
+void check_single_place()
+{
   const Oriented_points place{std::vector<Vector>(5, Vector(1, 2, 3)),
                               std::vector<Vector>(5, Vector::UnitX())};
   for (std::size_t n : {1, 5, 12})
   {
-    const Start start(place, n, 0);
+    const Start start(place, n, 0, {}, 0);
     CHECK(start.positions == std::vector<Vector>(n, Vector(1, 2, 3)));
   }
 }
@@ -265,14 +294,14 @@ void check_parts(Generator& generator)
     for (const bool by_area : {false, true})
     {
       const Sources whole = sources(m, by_area, {distinct.size()});
-      CHECK(whole.on_points.size() + whole.between_points.size() == m);
+      CHECK(whole.on_points.size() + whole.near_points.size() == m);
       for (const std::vector<std::size_t>& ends : {std::vector<std::size_t>{1, distinct.size()},
                                                    {0, 17, 18, 400, distinct.size()},
                                                    {distinct.size() - 1, distinct.size()}})
       {
         const Sources parts = sources(m, by_area, ends);
         CHECK(parts.on_points == whole.on_points);
-        CHECK(parts.between_points == whole.between_points);
+        CHECK(parts.near_points == whole.near_points);
       }
     }
 }
@@ -293,6 +322,7 @@ int main()
   check_upsampling(generator);
   check_areas(generator);
   check_parts(generator);
-  check_small_clouds();
+  check_lone_points();
+  check_single_place();
   return result();
 }

@@ -270,14 +270,11 @@ int main()
   check<CGAL::Parallel_if_available_tag>("uneven, as dense as the input", uneven.points(), 0.7,
                                          {0, 0.02}, m,
                                          keep_density(true).number_of_output_points(m));
-  // a lone point is the start of several samples, see `Tile_backend`
-  m = number(crowds, 1.3);
-  check<CGAL::Parallel_if_available_tag>("crowds and outliers", crowds.points(), 0.5,
-                                         {0.0001, 0.05}, m,
+  m = number(crowds, 1.3); // a lone point is the start of several samples
+  check<CGAL::Parallel_if_available_tag>("crowds and outliers", crowds.points(), 0.5, {0, 0.001}, m,
                                          CGAL::parameters::number_of_output_points(m));
-  // samples of one place differ, by a millionth of their spacing; why is not known
   check<CGAL::Parallel_if_available_tag>(
-    "more outliers", crowds.points(), 0.5, {0.003, 0.05}, m,
+    "more outliers", crowds.points(), 0.5, {0, 0.001}, m,
     CGAL::parameters::outlier_sensitivity(2).number_of_output_points(m));
   m = number(sheets, 0.3);
   check<CGAL::Parallel_if_available_tag>("two sheets", sheets.points(), 0.5, {0, 0.001}, m,

@@ -120,6 +120,7 @@ struct Plan
 
   double radius;             ///< \f$ r_p \f$: 1
   double largest_radius = 1; ///< of any place; the same unless scales differ
+  double lone_radius;        ///< within which samples start around a lone point; 0 if all are one
   double filter_radius;      ///< \f$ r_q \f$
   double pca_radius;
   double noise;              ///< standard deviation across the surface; 0 if it is not estimated
@@ -210,6 +211,7 @@ inline Plan make_plan(const Parameters& parameters, const Facts& facts)
 
   plan.unit = radius;
   plan.radius = 1;
+  plan.lone_radius = facts.box_diagonal > 0 ? plan.radius : 0;
   plan.noise = rules.estimates_scales ? facts.scales.noise * paper / radius : 0;
   plan.sheet_height = sheet_height(plan.noise, plan.radius);
   plan.filter_radius = rules.filter_radius_factor;

@@ -116,7 +116,8 @@ Placed_samples place_samples(const Plan& plan, const Prepared_points& input, con
   const Buffer<std::uint64_t> no_areas(input.points.get_allocator());
   Initial_samples start = initialize_samples<ConcurrencyTag>(
     input.grid, input.points, input.normals, plan.starts_evenly ? areas.units : no_areas,
-    plan.number_of_samples, plan.radius, plan.random_seed, facts.units_of_starts, progress);
+    plan.number_of_samples, plan.radius, plan.lone_radius, plan.random_seed, facts.units_of_starts,
+    progress);
   return with_followers<ConcurrencyTag>(plan, input, areas, facts, std::move(start));
 }
 

@@ -9,6 +9,7 @@
 #include <CGAL/L0_resampling/internal/cloud/Facts_of_cloud.h>
 #include <CGAL/L0_resampling/internal/core/random_bits.h>
 #include <CGAL/L0_resampling/internal/core/weights.h>
+#include <CGAL/L0_resampling/internal/kernels/Start_near_source.h>
 #include <CGAL/L0_resampling/internal/kernels/exact_ball.h>
 #include <CGAL/L0_resampling/internal/search/ball_queries.h>
 
@@ -38,15 +39,14 @@ struct Cloud_indices
   Index operator()(Index i) const { return of_points.empty() ? i : of_points[i]; }
 };
 
-/// Moves each of the new samples, which start on their source, part of the way to another point of
-/// its ball: one of a similar normal, so that the way does not cut an edge, if there is one; else
-/// any; else the next point in the order of `distinct`.
+/// Moves each of the new samples, which start on their source, away from it as `Start_near_source`
+/// says: part of the way to another point of its ball, if there is one.
+/// \param lone_radius of the ball around a source that is alone
 template <typename ConcurrencyTag, typename T>
-void move_between_points(const Search_grid_3& grid, const Buffer<Vector>& points,
-                         const Buffer<Eigen::Matrix<T, 3, 1>>& normals,
-                         const Buffer<Index>& distinct, const Cloud_indices& cloud_index,
-                         double radius, std::uint64_t seed, Progress& progress,
-                         Initial_samples& samples)
+void move_near_sources(const Search_grid_3& grid, const Buffer<Vector>& points,
+                       const Buffer<Eigen::Matrix<T, 3, 1>>& normals,
+                       const Cloud_indices& cloud_index, double radius, double lone_radius,
+                       std::uint64_t seed, Progress& progress, Initial_samples& samples)
 {
   const Buffer<Vector> starts = copy_of(samples.positions);
   const Buffer<float> start_scales = listed_scales(grid.scales(), samples.sources);
@@ -58,15 +58,12 @@ void move_between_points(const Search_grid_3& grid, const Buffer<Vector>& points
       for (Index e = queries.first; e < queries.second; ++e)
       {
         const Index source = samples.sources[e];
-        const std::uint64_t seed_of_source = seed + cloud_index(source);
         const Eigen::Matrix<T, 3, 1> center = (starts[e] - origin).template cast<T>();
+        const auto first = std::lower_bound(samples.sources.begin(), samples.sources.end(), source);
+        const Start_near_source start(seed, cloud_index(source),
+                                      e - std::uint64_t(first - samples.sources.begin()));
         Index partner = source;
         std::uint64_t best = 0;
-        const auto first = std::lower_bound(samples.sources.begin(), samples.sources.end(), source);
-        const std::uint64_t number =
-          e
-          - std::uint64_t(
-            first - samples.sources.begin()); // of the samples of this source before this one
         for (std::size_t k = 0; k < candidates.indices.size(); ++k)
         {
           const Index j = candidates.indices[k];
@@ -76,27 +73,22 @@ void move_between_points(const Search_grid_3& grid, const Buffer<Vector>& points
             continue;
           const bool is_similar = std::abs(normals[source].dot(normals[j]))
                                   > T(cosine_of_similar_normals);
-          const std::uint64_t rank = (random_bits(seed_of_source, (number << 32) | cloud_index(j))
-                                      >> 1)
-                                     | (std::uint64_t(is_similar) << 63);
+          const std::uint64_t rank = start.rank(cloud_index(j), is_similar);
           if (rank > best)
           {
             best = rank;
             partner = j;
           }
         }
-        if (partner == source && distinct.size() > 1)
+        if (best > 0)
         {
-          const auto next = std::upper_bound(distinct.begin(), distinct.end(), source);
-          partner = next != distinct.end() ? *next : *(distinct.end() - 2);
+          samples.positions[e] += start.share_of_way() * (points[partner] - starts[e]);
+          continue;
         }
-        // never the middle, where the way back from the partner would put another one
-        const double share =
-          0.2
-          + 0.25
-              * std::ldexp(double(random_bits(seed_of_source, (number << 32) | 0xffffffff) >> 11),
-                           -53);
-        samples.positions[e] = starts[e] + share * (points[partner] - starts[e]);
+        const Vector normal = normals[source].template cast<double>();
+        const Triple offset = start.offset_from_lone({normal[0], normal[1], normal[2]},
+                                                     lone_radius * start_grid.scale(e));
+        samples.positions[e] += Vector(offset.x, offset.y, offset.z);
       }
     };
   };
@@ -105,10 +97,10 @@ void move_between_points(const Search_grid_3& grid, const Buffer<Vector>& points
                                    make_visitor);
 }
 
-/// Where samples start: on a point, or between it and another.
+/// Where samples start: on a point, or near it.
 struct Sources
 {
-  Buffer<Index> on_points, between_points;
+  Buffer<Index> on_points, near_points;
 };
 
 /// Sums over points in the order of the whole cloud.
@@ -160,7 +152,7 @@ inline void add_sources_by_area(const Buffer<Index>& distinct, const Buffer<std:
     // the last one takes what rounding leaves
     for (bool is_first = true; k < m && (sum == total || area_threshold(k, m, seed, total) < sum);
          is_first = false, ++k)
-      (is_first ? sources.on_points : sources.between_points).push_back(i);
+      (is_first ? sources.on_points : sources.near_points).push_back(i);
   });
 }
 
@@ -194,7 +186,7 @@ inline void add_sources_by_points(const Buffer<Index>& distinct, std::uint64_t r
   const std::uint64_t number_of_new = m - n, first = ceiling(rank * number_of_new, n),
                       behind = ceiling(end * number_of_new, n);
   for_each_in_order(behind - first, [&](std::uint64_t e) {
-    sources.between_points.push_back(distinct[std::size_t((first + e) * n / number_of_new - rank)]);
+    sources.near_points.push_back(distinct[std::size_t((first + e) * n / number_of_new - rank)]);
   });
 }
 
@@ -210,7 +202,7 @@ inline Sources sources_of_samples(const Buffer<Index>& distinct, const Buffer<st
   sources.on_points.reserve((std::min)(std::size_t(m), distinct.size()));
   if (areas.empty())
   {
-    sources.between_points.reserve(m > distinct.size() ? std::size_t(m) - distinct.size() : 0);
+    sources.near_points.reserve(m > distinct.size() ? std::size_t(m) - distinct.size() : 0);
     add_sources_by_points(distinct, 0, distinct.size(), m, seed, sources);
     return sources;
   }
@@ -236,20 +228,18 @@ inline Buffer<Index> distinct_points(const Buffer<Vector>& points)
   return distinct;
 }
 
-/// Lets samples start on their sources, or between these and other points.
+/// Lets samples start on their sources, or near them.
 /// \param cloud_index of the points
 /// \param sources ascending, each of the two lists
 /// The other parameters and the result are those of `initialize_samples()`.
 template <typename ConcurrencyTag, typename T>
 Initial_samples start_samples(const Search_grid_3& grid, const Buffer<Vector>& points,
                               const Buffer<Eigen::Matrix<T, 3, 1>>& normals,
-                              const Buffer<Index>& distinct, const Cloud_indices& cloud_index,
-                              Sources sources, double radius, std::uint64_t seed,
-                              Progress& progress)
+                              const Cloud_indices& cloud_index, Sources sources, double radius,
+                              double lone_radius, std::uint64_t seed, Progress& progress)
 {
-  const std::size_t number_of_samples = sources.on_points.size() + sources.between_points.size();
-  Initial_samples samples{Buffer<Vector>(points.get_allocator()),
-                          std::move(sources.between_points)};
+  const std::size_t number_of_samples = sources.on_points.size() + sources.near_points.size();
+  Initial_samples samples{Buffer<Vector>(points.get_allocator()), std::move(sources.near_points)};
   samples.sources.reserve(number_of_samples);
   samples.positions.reserve(number_of_samples);
   const auto start_on_sources = [&]() {
@@ -261,8 +251,8 @@ Initial_samples start_samples(const Search_grid_3& grid, const Buffer<Vector>& p
   const bool is_sorted = samples.sources.empty();
   start_on_sources();
   if (!is_sorted)
-    move_between_points<ConcurrencyTag>(grid, points, normals, distinct, cloud_index, radius, seed,
-                                        progress, samples);
+    move_near_sources<ConcurrencyTag>(grid, points, normals, cloud_index, radius, lone_radius, seed,
+                                      progress, samples);
   samples.sources.insert(samples.sources.end(), sources.on_points.begin(), sources.on_points.end());
   start_on_sources();
   if (is_sorted)
@@ -276,13 +266,14 @@ Initial_samples start_samples(const Search_grid_3& grid, const Buffer<Vector>& p
 
 /*!
 Chooses where `number_of_samples` samples start. No two start on one point: the further ones of a
-point start between two points each.
+point start between two points each, or around a point that is alone.
 
 \param points sorted for `grid`, so that the choice does not depend on the order of the input
 \param normals unoriented, one a point
 \param areas what each point stands for, so that the samples spread evenly over the surface; or
 none, so that they spread as the points do
 \param radius how far apart the two points of a further sample may lie, at scale 1
+\param lone_radius of the ball around a point that is alone, at scale 1; 0 to start on it
 \param known_total as for `sources_of_samples()`
 \returns samples sorted for a grid of the same cell size
 */
@@ -290,14 +281,15 @@ template <typename ConcurrencyTag, typename T>
 Initial_samples initialize_samples(const Search_grid_3& grid, const Buffer<Vector>& points,
                                    const Buffer<Eigen::Matrix<T, 3, 1>>& normals,
                                    const Buffer<std::uint64_t>& areas,
-                                   std::size_t number_of_samples, double radius, std::uint64_t seed,
-                                   std::optional<std::uint64_t>& known_total, Progress& progress)
+                                   std::size_t number_of_samples, double radius, double lone_radius,
+                                   std::uint64_t seed, std::optional<std::uint64_t>& known_total,
+                                   Progress& progress)
 {
-  const Buffer<Index> distinct = distinct_points(points);
-  Sources sources = sources_of_samples(distinct, areas, number_of_samples, seed, known_total);
+  Sources sources = sources_of_samples(distinct_points(points), areas, number_of_samples, seed,
+                                       known_total);
   const Cloud_indices own_indices{Buffer<Index>(points.get_allocator())};
-  return start_samples<ConcurrencyTag>(grid, points, normals, distinct, own_indices,
-                                       std::move(sources), radius, seed, progress);
+  return start_samples<ConcurrencyTag>(grid, points, normals, own_indices, std::move(sources),
+                                       radius, lone_radius, seed, progress);
 }
 
 } // namespace internal

@@ -51,7 +51,7 @@ struct Starts_of_tile
 /*!
 The stages for a part of a cloud: facts of the whole are given, and what comes before the points of
 each run in the order of the whole, or what is known of each point. So samples start where they do
-in a call for all of it, but for those of a point that is alone in its ball, if several start there.
+in a call for all of it.
 `run()` calls the stages as those of `Cpu_backend`.
 */
 template <typename ConcurrencyTag, typename FT>
@@ -189,8 +189,8 @@ public:
       throw No_samples();
 
     Initial_samples initial = start_samples<ConcurrencyTag>(
-      m_input.grid, m_input.points, m_input.normals, distinct_points(m_input.points), cloud_index,
-      std::move(sources), plan.radius, plan.random_seed, m_progress);
+      m_input.grid, m_input.points, m_input.normals, cloud_index, std::move(sources), plan.radius,
+      plan.lone_radius, plan.random_seed, m_progress);
     Placed_samples placed = with_followers<ConcurrencyTag>(plan, m_input, m_areas, m_facts,
                                                            std::move(initial));
     for (const Index source : placed.start.sources)
@@ -246,7 +246,7 @@ private:
       const Point_in_cloud& point = known_point(i);
       cloud_index.of_points[i] = point.index;
       for (Index k = 0; k < point.number_of_samples; ++k)
-        (k == 0 ? sources.on_points : sources.between_points).push_back(Index(i));
+        (k == 0 ? sources.on_points : sources.near_points).push_back(Index(i));
     });
   }
 
@@ -321,7 +321,7 @@ public:
                                                  plan.starts_evenly ? m_areas.units : no_areas,
                                                  plan.number_of_samples, plan.random_seed,
                                                  m_facts.units_of_starts);
-      for (const Buffer<Index>* list : {&sources.on_points, &sources.between_points})
+      for (const Buffer<Index>* list : {&sources.on_points, &sources.near_points})
         for (const Index source : *list)
           ++m_points[m_input.indices[source]].number_of_samples;
     }
