@@ -433,8 +433,8 @@ protected:
   {
     if (!plan.refines || plan.keeps_spacings)
       return {plan.self_cell_size(), m_samples.spreading_radii};
-    return (std::max)(plan.cell_size,
-                      spreads_wider() ? plan.spreading_radius() : plan.self_neighbor_radius);
+    return (std::max)(spreads_wider() ? plan.spreading_radius() : plan.self_neighbor_radius,
+                      plan.smallest_cell_size);
   }
 };
 
