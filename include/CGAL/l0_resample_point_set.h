@@ -168,7 +168,7 @@ without a value leaves the default.
     \cgalParamDescription{\f$ r_q \f$, the radius of the bilateral filter of normals and of the
       density weights of Eq. (5)}
     \cgalParamType{`double`, a length in the unit of the points}
-    \cgalParamDefault{\f$ r_p \f$; `DEFAULT`: \f$ 1.2 r_p \f$}
+    \cgalParamDefault{\f$ r_p \f$}
     \cgalParamExtra{`std::invalid_argument` if not finite or not positive}
   \cgalParamNEnd
   \cgalParamNBegin{sharpness_angle}
@@ -217,7 +217,7 @@ without a value leaves the default.
   \cgalParamNBegin{penalty_growth}
     \cgalParamDescription{\f$ \mu \f$, the factor between one \f$ \beta \f$ and the next}
     \cgalParamType{`double`}
-    \cgalParamDefault{1.5; 2 for `Method::DEFAULT`}
+    \cgalParamDefault{1.5; 1.7 for `Method::DEFAULT`}
     \cgalParamExtra{`std::invalid_argument` if not finite, not above 1, or if it asks for more than
       10000 iterations}
   \cgalParamNEnd

@@ -184,7 +184,7 @@ def l0_resample_point_set(
         detail. Default: from the spacing and the noise of the points; for "lor" and "alor" from
         the bounding box and n.
     normal_filter_radius: float above 0, a length in the unit of the points: the radius in which
-        normals are averaged. Default: neighbor_radius, or 1.2 times that for method="default".
+        normals are averaged. Default: neighbor_radius.
     sharpness_angle: float in (0, 90], in degrees. Normals that differ by much more are not
         averaged. Smaller values keep blunter edges. Default: 15.
     number_of_normal_filter_iterations: int from 0 to 10000, the number of times that normals are
@@ -196,7 +196,7 @@ def l0_resample_point_set(
         Default: 0.15.
     initial_penalty, maximum_penalty, penalty_growth: floats. The minimization solves a sequence
         of problems whose penalty grows from initial_penalty (above 0, default 0.1) by the factor
-        penalty_growth (above 1; default 2, or 1.5 for "lor" and "alor") until it exceeds
+        penalty_growth (above 1; default 1.7, or 1.5 for "lor" and "alor") until it exceeds
         maximum_penalty (above 0, default 2). At most 10000 steps.
 
     Sides of the normals

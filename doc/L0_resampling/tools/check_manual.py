@@ -65,7 +65,6 @@ def wrong_defaults(parameters, values):
                ("neighbor_radius", f"r_p / {1 / constant['self_neighbor_radius_factor']:g} "),
                ("neighbor_radius",
                 f"within {constant['self_neighbor_radius_per_spacing']:g} spacings"),
-               ("normal_filter_radius", f"{constant['default_filter_radius_factor']:g} r_p"),
                ("normal_weight", f"r_p / {1 / constant['sparsity_unit_factor']:g} ")]
     for name, phrase in phrases:
         if phrase not in parameters[name][0]:

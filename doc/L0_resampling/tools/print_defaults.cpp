@@ -72,7 +72,6 @@ void print_constants()
   object.add("radius_per_noise", radius_per_noise);
   object.add("least_share_of_points_in_ball", least_share_of_points_in_ball);
   object.add("largest_index_of_two_sheets", largest_index_of_two_sheets);
-  object.add("default_filter_radius_factor", default_filter_radius_factor);
   object.add("fit_angle_factor", fit_angle_factor);
   object.add("fit_bandwidth_factor", fit_bandwidth_factor);
   object.add("sheet_height_per_noise", sheet_height_per_noise);
@@ -101,6 +100,7 @@ void print_constants()
   object.add("share_of_unsupported", share_of_unsupported);
   object.add("held_back_from", held_back_from);
   object.add("held_back_to", held_back_to);
+  object.add("points_on_a_border", points_on_a_border);
   object.add("least_gap_of_plane", least_gap_of_plane);
   object.add("quadric_radius_factor", quadric_radius_factor);
   object.add("largest_roughness", largest_roughness);

@@ -455,7 +455,7 @@ private:
     });
     // as many as a cloud of this spacing has
     const internal::Plan plan = plan_of(facts);
-    facts.units_of_balls = std::uint64_t(internal::square(plan.sample_spacing)
+    facts.units_of_disks = std::uint64_t(internal::square(plan.sample_spacing)
                                          * double(number_of_samples())
                                          / internal::Areas::area_per_unit_of(plan.area_radius()));
     return facts;

@@ -20,6 +20,25 @@ namespace cuda {
 
 namespace {
 
+/// What the lanes of a query counted in its ball, and in the one of half the radius.
+struct Counts_in_balls
+{
+  unsigned in_ball = 0, in_half_ball = 0;
+
+  /// \param stride of the block: every so many of its points were looked at
+  /// \param counts, half_counts one a query
+  __device__ void sum_up(const Query& query, unsigned stride, unsigned* counts,
+                         unsigned* half_counts)
+  {
+    in_ball = group_sum<lanes>(in_ball) * stride;
+    in_half_ball = group_sum<lanes>(in_half_ball) * stride;
+    if (!query.writes)
+      return;
+    counts[query.index] = in_ball;
+    half_counts[query.index] = in_half_ball;
+  }
+};
+
 /// Of the points in the ball of each query, itself included, and in the one of half the radius.
 /// \param wide_counts out: the same numbers
 __global__ void count_points_in_balls(Cell_grid queries, Cell_grid grid, Cell_blocks blocks,

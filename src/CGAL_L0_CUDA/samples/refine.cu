@@ -90,7 +90,7 @@ __global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_b
   const Surroundings surroundings = {query, center, grid, blocks, normals, kernel, scale * radius};
   float3 normal = xyz(samples.normals[i]);
   Compatible_points<double> sums = surroundings.sum_compatible_points(normal, kernel);
-  const Unsupported_sample support(sums.weight, sums.all, kernel.squared_sheet_height,
+  const Unsupported_sample support(sums.weight(), sums.all, kernel.squared_sheet_height,
                                    kernel.squared_radius);
   const double sheet_height = squared_height_of_second_look(support, sums,
                                                             kernel.squared_sheet_height);
@@ -121,7 +121,7 @@ __global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_b
       atomicAdd(number_of_lonely, 1u);
     return;
   }
-  samples.fit[i] = with_w(to_float(fit.to_centroid), float(sums.weight));
+  samples.fit[i] = with_w(to_float(fit.to_centroid), float(sums.weight()));
   samples.normals[i] = with_w(fit.has_new_normal ? to_float(fit.normal) : xyz(samples.normals[i]),
                               float(fit.variance));
 }

@@ -29,25 +29,6 @@ struct Query
   }
 };
 
-/// What the lanes of a query counted in its ball, and in the one of half the radius.
-struct Counts_in_balls
-{
-  unsigned in_ball = 0, in_half_ball = 0;
-
-  /// \param stride of the block: every so many of its points were looked at
-  /// \param counts, half_counts one a query
-  __device__ void sum_up(const Query& query, unsigned stride, unsigned* counts,
-                         unsigned* half_counts)
-  {
-    in_ball = group_sum<lanes>(in_ball) * stride;
-    in_half_ball = group_sum<lanes>(in_half_ball) * stride;
-    if (!query.writes)
-      return;
-    counts[query.index] = in_ball;
-    half_counts[query.index] = in_half_ball;
-  }
-};
-
 /// Blocks of threads that have a group of lanes for each query.
 inline unsigned blocks_for_queries(unsigned long long count) { return blocks_for(count * lanes); }
 

@@ -46,7 +46,7 @@ void for_each_plain_fact(Facts& facts, const F& f)
   f(facts.median_number_of_neighbors);
   f(facts.mean_number_of_neighbors);
   f(facts.has_plain_blocks);
-  f(facts.units_of_balls);
+  f(facts.units_of_disks);
   f(facts.area);
   f(facts.units_of_starts);
   f(facts.number_of_points);

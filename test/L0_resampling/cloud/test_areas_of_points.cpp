@@ -18,32 +18,62 @@ template <typename Input>
 Areas areas_of(const Input& input, double radius, std::size_t number_of_samples = 1)
 {
   Unwatched unwatched;
-  std::optional<std::uint64_t> units_of_balls;
+  std::optional<std::uint64_t> units_of_disks;
   return areas_of_points<CGAL::Parallel_if_available_tag, float>(
     input.grid, input.points, radius, number_of_samples,
     units_per_length_for(input.grid.cell_size(), radius, !input.grid.has_one_scale()),
-    units_of_balls, unwatched.progress);
+    units_of_disks, unwatched.progress);
 }
 
-/// The units of all points, from balls counted one by one.
-std::vector<std::uint64_t> naive_units(const Gridded_points& input, double radius)
+/// The areas of all points, from balls looked at one by one.
+std::vector<double> naive_areas(const Gridded_points& input, double radius,
+                                std::size_t number_of_samples)
 {
-  std::vector<std::uint64_t> units(input.vector.size());
+  const std::size_t n = input.vector.size();
+  const double disk = EIGEN_PI * radius * radius;
+  std::vector<double> counts(n, 0), areas(n);
+  std::vector<Eigen::Matrix3d> covariances(n, Eigen::Matrix3d::Zero());
+  double of_disks = 0;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    Vector sum = Vector::Zero();
+    for (const Vector& p : input.vector)
+    {
+      const Vector d = (p - input.vector[i]) / radius;
+      if (!((p - input.vector[i]).squaredNorm() < radius * radius))
+        continue;
+      ++counts[i];
+      sum += d;
+      covariances[i] += d * d.transpose();
+    }
+    covariances[i] = (covariances[i] - sum * sum.transpose() / counts[i]) / counts[i];
+    of_disks += disk / counts[i];
+  }
+  const double strip = of_disks / double(number_of_samples) / (radius * radius) / 20;
+  const auto sum_of_minors = [](const Eigen::Matrix3d& c) {
+    return (c.trace() * c.trace() - (c * c).trace()) / 2;
+  };
+  const Eigen::Matrix3d added = strip * Eigen::Matrix3d::Identity(),
+                        of_disk = Vector(0.25, 0.25, 0).asDiagonal();
   for (std::size_t cell = 0; cell < input.grid.number_of_cells(); ++cell)
   {
     const auto range = input.grid.points_of_cell(cell);
-    std::uint64_t sum = 0;
+    double sum = 0;
     for (Index i = range.first; i < range.second; ++i)
-    {
-      std::uint64_t count = 0;
-      for (const Vector& p : input.vector)
-        count += (p - input.vector[i]).squaredNorm() < radius * radius;
-      sum += area_units_of_ball / count;
-    }
+      sum += disk / counts[i]
+             * std::sqrt(sum_of_minors(covariances[i] + added) / sum_of_minors(of_disk + added));
     for (Index i = range.first; i < range.second; ++i)
-      units[i] = sum / (range.second - range.first);
+      areas[i] = sum / (range.second - range.first);
   }
-  return units;
+  return areas;
+}
+
+bool are_as_expected(const Areas& areas, const std::vector<double>& expected)
+{
+  bool are_close = areas.units.size() == expected.size();
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    are_close = are_close && is_close(areas.of_point(i), expected[i], 1e-5);
+  return are_close;
 }
 
 /// The counts are exact: a point on the border of a ball is outside, and inside of one that is
@@ -60,24 +90,22 @@ void check_exactness()
   {
     const double radius = 3 * spacing * factor;
     const Gridded_points input(lattice, 0.15);
-    const Areas areas = areas_of(input, radius);
-    CHECK(std::vector<std::uint64_t>(areas.units.begin(), areas.units.end())
-          == naive_units(input, radius));
+    CHECK(are_as_expected(areas_of(input, radius, 100), naive_areas(input, radius, 100)));
   }
   CHECK(areas_of(Gridded_points(lattice, 0.15), 3 * spacing).units
         != areas_of(Gridded_points(lattice, 0.15), 3 * spacing * (1 + 1e-8)).units);
 }
 
 /// On points at random, and where cells are much larger or smaller than the ball.
-void check_counts(const std::vector<Vector>& points)
+void check_formulas(const std::vector<Vector>& points)
 {
   for (const double cell_size : {0.07, 0.2, 3.})
     for (const double radius : {0.01, 0.2})
     {
       const Gridded_points input(points, cell_size);
-      const Areas areas = areas_of(input, radius);
-      CHECK(std::vector<std::uint64_t>(areas.units.begin(), areas.units.end())
-            == naive_units(input, radius));
+      for (const std::size_t number_of_samples : {10u, 3000u})
+        CHECK(are_as_expected(areas_of(input, radius, number_of_samples),
+                              naive_areas(input, radius, number_of_samples)));
     }
 }
 
@@ -88,13 +116,13 @@ void check_areas(Generator& generator)
   for (const Vector& p : plane_points(600, 2, generator).points)
     points.push_back(p + Vector(5, 0, 0));
   const Gridded_points sorted(points, 0.2);
-  const Areas areas = areas_of(sorted, 0.21);
-  double inside[2] = {0, 0}, true_area[2] = {0, 0}, total = 0;
+  const Areas areas = areas_of(sorted, 0.21, 3000);
+  double inside[2] = {0, 0}, true_area[2] = {0, 0}, of_all[2] = {0, 0};
   for (std::size_t i = 0; i < points.size(); ++i)
   {
     const bool is_sparse = sorted.vector[i][0] > 2.5;
     const double x = sorted.vector[i][0] - (is_sparse ? 5 : 0), y = sorted.vector[i][1];
-    total += areas.of_point(i);
+    of_all[is_sparse] += areas.of_point(i);
     if (std::abs(x) < 0.6 && std::abs(y) < 0.6) // away from the border
     {
       inside[is_sparse] += areas.of_point(i);
@@ -103,55 +131,64 @@ void check_areas(Generator& generator)
   }
   CHECK(is_close(inside[0], true_area[0], 0.05));
   CHECK(is_close(inside[1], true_area[1], 0.15));
-  CHECK(is_close(areas.total(), total, 1e-9));
+  CHECK(is_close(of_all[0], 4, 0.05)); // what is cut by a border is no whole disk
+  CHECK(is_close(areas.total(), of_all[0] + of_all[1], 1e-9));
 }
 
-/// Everybody stands for something, however many share a place; where not all candidates are looked
-/// at, those that are count for the others.
+/// All points of a place stand for that of one sample together, however many they are; where not all
+/// candidates are looked at, those that are count for the others.
 void check_crowds()
 {
   std::vector<Vector> points(20000, Vector(1, 2, 3));
   points.emplace_back(50, 0, 0);
   const Gridded_points input(points, 1);
-  const Areas areas = areas_of(input, 0.7);
+  const double radius = 0.7;
+  const std::size_t number_of_samples = 1000;
+  const Areas areas = areas_of(input, radius, number_of_samples);
+  const double of_place = 2 * EIGEN_PI * radius * radius / double(number_of_samples);
   bool are_shared = true;
   for (std::size_t i = 0; i < points.size(); ++i)
     are_shared = are_shared
-                 && is_close(double(areas.units[i]) / double(area_units_of_ball),
-                             input.vector[i][0] > 10 ? 1 : 1. / 20000, 0.01);
+                 && is_close(areas.of_point(i),
+                             input.vector[i][0] > 10 ? of_place : of_place / 20000, 0.15);
   CHECK(are_shared);
 }
 
-/// Where radii differ, points on a line that has nothing beside it stand for a strip as wide as the
-/// samples are apart, so that as many start there as find room; and a point alone for an eighth of
-/// its disk.
-void check_lines()
+/// Points on a line that has nothing beside it stand for a strip as wide as the samples are apart,
+/// so that as many start there as find room; and a point alone for the place of one.
+void check_lines(const std::vector<float>& scale)
 {
   const double radius = 0.2;
   std::vector<Vector> points;
   for (int k = 0; k < 3000; ++k)
     points.push_back(Vector(0.01 * k + 0.0003 * (k % 7), 0, 0));
   points.push_back(Vector(0, 100, 0));
-  const Buffer<float> scales(points.size(), 1.f);
+  Buffer<float> scales;
+  if (!scale.empty())
+    scales.assign(points.size(), scale[0]);
   const Sorted_queries input(CGAL::Sequential_tag(), to_buffer(points), Cell_sizes(radius, scales));
-  const double of_loner = 3.1416 * radius * radius / double(fewest_points_of_disk);
-  for (const std::size_t number_of_samples : {300u, 3000u})
+  for (const std::size_t number_of_samples : {1000u, 3000u})
   {
     const Areas areas = areas_of(input, radius, number_of_samples);
-    const double all_as_surface = 30 * radius * 3.1416 / 2,
-                 spacing = std::sqrt(all_as_surface / double(number_of_samples));
-    CHECK(is_close(areas.total(), 30 * (std::min)(spacing, 0.1 * 3.1416), 0.05));
+    const double disks = 30 * radius * EIGEN_PI / 2 + EIGEN_PI * radius * radius,
+                 spacing = std::sqrt(disks / double(number_of_samples));
+    double of_line = 0;
     for (std::size_t i = 0; i < points.size(); ++i)
-      CHECK(input.points[i][1] < 50 || is_close(areas.of_point(i), of_loner, 0.01));
+      if (input.points[i][1] > 50)
+        CHECK(is_close(areas.of_point(i), spacing * spacing, 0.15));
+      else
+        of_line += areas.of_point(i);
+    CHECK(is_close(of_line, 30 * spacing, 0.15));
   }
 }
 
 int main()
 {
   Generator generator(7);
-  check_lines();
+  check_lines({});
+  check_lines({1.f});
   check_exactness();
-  check_counts(cube_points(1500, 1, generator).points);
+  check_formulas(cube_points(1500, 1, generator).points);
   check_areas(generator);
   check_crowds();
   return result();

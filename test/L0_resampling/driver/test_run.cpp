@@ -184,12 +184,12 @@ void test_turns()
     const Recorder r = recorded(parameters_of(method));
     const bool refines = method == Method::DEFAULT;
     const std::size_t number = r.turns.size();
-    CHECK(number == (refines ? 5 : 8));
+    CHECK(number == (refines ? 6 : 8));
     for (const Turn& turn : r.turns)
     {
       const std::size_t i = std::size_t(&turn - r.turns.data());
       CHECK(turn.number == i && turn.regularizes == (method != Method::ALOR || i % 2 == 0));
-      CHECK(std::abs(turn.penalty - 0.1 * std::pow(refines ? 2 : 1.5, double(i))) < 1e-12);
+      CHECK(std::abs(turn.penalty - 0.1 * std::pow(refines ? 1.7 : 1.5, double(i))) < 1e-12);
     }
     for (const char* const name : {"sort_samples", "find_self_neighbors"})
       CHECK(r.count(name) == (refines ? number : 1));

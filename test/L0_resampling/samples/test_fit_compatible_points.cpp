@@ -83,17 +83,36 @@ double mean_over_disk(const F& f)
   return sum / total;
 }
 
-/// How far from its straight side the mean of a half disk lies.
-double half_disk_offset()
+/// How far from its straight side the mean of half a disk lies.
+double half_disk_distance()
 {
-  static const double offset = mean_over_disk([](double r) { return 2 / EIGEN_PI * r; });
-  return offset;
+  static const double distance = mean_over_disk([](double r) { return 2 / EIGEN_PI * r; });
+  return distance;
+}
+
+/// Of the points of half a disk, across that side.
+double half_disk_variance()
+{
+  static const double second_moment = mean_over_disk([](double r) { return r * r / 2; });
+  return second_moment - half_disk_distance() * half_disk_distance();
+}
+
+/// The distance in standard deviations.
+double half_disk_offset() { return half_disk_distance() / std::sqrt(half_disk_variance()); }
+
+/// Of some points, with one more that is spread as on a border.
+template <typename Covariance>
+Covariance with_one_more(const Covariance& covariance, double number, const Covariance& unit)
+{
+  return (number * covariance + half_disk_variance() * unit) / (number + 1);
 }
 
 /// Of a push outwards, where the mean of the points is that far away.
-double share_held_back(double distance)
+/// \param deviations the same in standard deviations
+double naive_share_held_back(double distance, double deviations)
 {
-  return clamped((distance / half_disk_offset() - 0.35) / 0.2);
+  const double on_border = distance * half_disk_offset() / deviations;
+  return clamped((distance - 0.2 * on_border) / (0.4 * half_disk_distance()));
 }
 
 /// The sums of the docstring for a sample.
@@ -101,7 +120,7 @@ struct Naive_sums
 {
   double all = 0, total = 0, squared_weights = 0, height = 0, squared_heights = 0;
   Vector mean = Vector::Zero(), normal = Vector::Zero();
-  Eigen::Matrix3d normals = Eigen::Matrix3d::Zero();
+  Eigen::Matrix3d products = Eigen::Matrix3d::Zero(), normals = Eigen::Matrix3d::Zero();
 };
 
 Naive_sums sum_naively(const Oriented_points& input, const std::vector<double>& densities,
@@ -126,6 +145,7 @@ Naive_sums sum_naively(const Oriented_points& input, const std::vector<double>& 
     sums.squared_heights += w * h * h;
     sums.height += w * h;
     sums.mean += w * d;
+    sums.products += w * d * d.transpose();
     sums.normal += w * turned;
     sums.normals += near * turned * turned.transpose();
   }
@@ -174,11 +194,21 @@ Fitted fit_naively(const Oriented_points& input, const std::vector<double>& dens
       continue;
     result.normals[i] = sums.normal.normalized();
     const Vector mean = sums.mean / sums.total, offset = mean - n.dot(mean) * n;
-    const double largest_offset = half_disk_offset();
-    result.centroids[i] += sums.height / sums.total * n;
-    if (offset.norm() > largest_offset)
-      result.centroids[i] += EIGEN_PI / 2 * (offset.norm() - largest_offset) * offset.normalized();
-    result.outward[i] = -std::sqrt(share_held_back(offset.norm())) * offset.normalized();
+    const Eigen::Matrix3d tangential = Eigen::Matrix3d::Identity() - n * n.transpose(),
+                          covariance = sums.products / sums.total - mean * mean.transpose();
+    const Vector whitened = with_one_more<Eigen::Matrix3d>(tangential * covariance * tangential,
+                                                           sums.total * sums.total
+                                                             / sums.squared_weights,
+                                                           Eigen::Matrix3d::Identity())
+                              .inverse()
+                            * offset;
+    const double deviations = std::sqrt(whitened.dot(offset));
+    const Vector inwards = whitened.normalized();
+    result.centroids[i] += sums.height / sums.total * n
+                           + inwards.dot(offset)
+                               * (std::max)(1 - half_disk_offset() / deviations, 0.) * inwards;
+    result.outward[i] = -std::sqrt(naive_share_held_back(inwards.dot(offset), deviations))
+                        * inwards;
   }
   return result;
 }
@@ -337,18 +367,75 @@ void check_border()
           < 0.01 * radius + 0.15 * (expected - places[i]));
     CHECK(std::abs(fitted.centroids[i][1]) < 1e-6);
     Vector sum = Vector::Zero();
-    double total = 0;
+    double total = 0, squares = 0, squared_weights = 0;
     for (const Vector& p : half_plane.points)
     {
       const Vector d = p - start.points[i];
       const double weight = clamped((1 - d.squaredNorm() / (radius * radius)) / 0.1)
                             * std::exp(-d.squaredNorm() / (bandwidth * bandwidth));
       sum += weight * d;
+      squares += weight * d.x() * d.x();
       total += weight;
+      squared_weights += weight * weight;
     }
-    const double held_back = share_held_back(sum.norm() / total);
+    const double distance = sum.norm() / total,
+                 variance = with_one_more(squares / total - distance * distance,
+                                          total * total / squared_weights, 1.),
+                 held_back = naive_share_held_back(distance, distance / std::sqrt(variance));
     CHECK(places[i] == 0.12 ? held_back > 0.1 && held_back < 0.9 : held_back == (places[i] < 0.1));
     CHECK((fitted.outward[i] - Vector(-std::sqrt(held_back), 0, 0)).norm() < 1e-5);
+  }
+}
+
+/// A strip that is narrower than the ball ends where its points do, and so does a line, the more so
+/// the more points it has.
+void check_strips(Generator& generator)
+{
+  for (const double half_width : {0., 0.04, 0.1})
+  {
+    Oriented_points strip, start;
+    for (int k = 0; k < 6000; ++k)
+    {
+      strip.points.emplace_back(random_number(-4, 4, generator),
+                                half_width * random_number(-1, 1, generator), 0);
+      strip.normals.push_back(Vector::UnitZ());
+    }
+    const double width_of_line = half_disk_offset() * std::sqrt(half_disk_variance() / 200),
+                 wide = 0.3;
+    for (int k = 0; k <= 40; ++k)
+    {
+      start.points.emplace_back(random_number(-2, 2, generator), wide * (k / 20. - 1), 0);
+      start.normals.push_back(Vector::UnitZ());
+    }
+    const Fitted fitted = fit<float>(strip, start);
+    for (std::size_t i = 0; i < start.points.size(); ++i)
+    {
+      const double y = start.points[i].y(), fitted_y = fitted.centroids[i].y();
+      CHECK(std::abs(fitted_y) < half_width + 1.2 * width_of_line);
+      if (std::abs(y) < 0.5 * half_width)
+        CHECK(fitted_y == y);
+      if (std::abs(y) > 0.9 * half_width + width_of_line + 0.4 * half_disk_distance())
+        CHECK(fitted.outward[i].y() * y > 0.9 * std::abs(y));
+    }
+  }
+}
+
+/// A single point does not draw all samples to its own place.
+void check_lone_point()
+{
+  const Oriented_points lone{{Vector::Zero()}, {Vector::UnitZ()}};
+  Oriented_points start;
+  for (const double x : {0.01, 0.05, 0.1, 0.2, 0.3})
+  {
+    start.points.emplace_back(x, 0, 0);
+    start.normals.push_back(Vector::UnitZ());
+  }
+  const Fitted fitted = fit<float>(lone, start);
+  const double nearest = std::sqrt(0.5) * half_disk_distance();
+  for (std::size_t i = 0; i < start.points.size(); ++i)
+  {
+    const Vector expected = (std::min)(start.points[i].x(), nearest) * Vector::UnitX();
+    CHECK((fitted.centroids[i] - expected).norm() < 1e-5);
   }
 }
 
@@ -432,6 +519,8 @@ int main()
   check_sphere(generator);
   check_edge(generator);
   check_border();
+  check_strips(generator);
+  check_lone_point();
   check_holes(generator);
   check_plate(generator);
   check_close_sheets(generator);

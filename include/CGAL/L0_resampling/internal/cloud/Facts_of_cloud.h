@@ -46,8 +46,8 @@ struct Facts_of_cloud
   std::optional<double> mean_number_of_neighbors;     ///< in the balls of the normal filter
   /// Whether these balls are plain, see `has_plain_blocks_only()`: then sums go over pairs.
   std::optional<bool> has_plain_blocks;
-  /// In units of `Areas`, of all points, as if all were of a surface.
-  std::optional<std::uint64_t> units_of_balls;
+  /// In units of `Areas`, of all points, as if each disk was covered.
+  std::optional<std::uint64_t> units_of_disks;
   std::optional<double> area; ///< of the surface, in units of \f$ r_p^2 \f$
   /// In units of `Areas`, of those points that samples start on.
   std::optional<std::uint64_t> units_of_starts;

@@ -10,6 +10,7 @@
 #include <CGAL/L0_resampling/internal/kernels/exact_ball.h>
 #include <CGAL/L0_resampling/internal/search/ball_queries.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -28,7 +29,7 @@ struct Areas
   /// \param radius of the disk at scale 1
   static double area_per_unit_of(double radius)
   {
-    return double(EIGEN_PI) * radius * radius / double(area_units_of_ball);
+    return double(EIGEN_PI) * radius * radius / double(area_units_of_disk);
   }
 
   double of_point(std::size_t i) const { return double(units[i]) * area_per_unit; }
@@ -42,43 +43,33 @@ struct Areas
   }
 };
 
+/// What is found of a point in its ball.
+struct Points_of_ball
+{
+  Index count = 0; ///< of the points, itself included
+  Spread_in_ball spread;
+};
+
 /*!
-The area that each point stands for: that of a disk, shared by the points in the ball of that
-radius. The disk is that of the level of the point, so that all areas are whole numbers. The points
-of a cell share theirs evenly, as far from the surface those on it would seem to be the denser ones.
+The area that each point stands for: that of a disk, as far as the points in the ball of that radius
+cover it, shared by these points. The disk is that of the level of the point, so that all areas are
+whole numbers. The points of a cell share theirs evenly, as far from the surface those on it would
+seem to be the denser ones.
 
 \param points sorted for `grid`
 \param radius at scale 1
 \param units_per_length `units_per_length_for()` the grid and its queries
-\param units_of_balls what all points stand for as if they were of a surface: given, or found here
+\param units_of_disks what all points stand for if each disk is covered: given, or found here
 */
 template <typename ConcurrencyTag, typename T>
 Areas areas_of_points(const Search_grid_3& grid, const Buffer<Vector>& points, double radius,
                       std::size_t number_of_samples, double units_per_length,
-                      std::optional<std::uint64_t>& units_of_balls, Progress& progress)
+                      std::optional<std::uint64_t>& units_of_disks, Progress& progress)
 {
   const int reach = cells_in_reach(radius, grid.cell_size());
   const Cell_sizes sizes(grid.cell_size(), grid.scales());
-  const auto exact_count = [&](Index i, const Local_points<T>& candidates, const Exact_ball& ball,
-                               double squared_outer_radius) {
-    std::uint64_t count = 0;
-    for (Index j : candidates.indices)
-    {
-      const Vector &p = points[i], &q = points[j];
-      const auto difference = [&](int axis) {
-        return std::llrint(p[axis] * units_per_length) - std::llrint(q[axis] * units_per_length);
-      };
-      // from an outermost cell points may be too far away for fixed-point numbers
-      count += (p - q).squaredNorm() <= squared_outer_radius
-               && ball.holds(difference(0), difference(1), difference(2));
-    }
-    return count;
-  };
-
-  Areas areas{filled_buffer(points.size(), std::uint64_t(0), points.get_allocator()),
-              Areas::area_per_unit_of(radius)};
-  Buffer<Index> counts = filled_buffer(points.size(), Index(0), points.get_allocator()),
-                half_counts = copy_of(counts);
+  Buffer<Points_of_ball> balls = filled_buffer(points.size(), Points_of_ball(),
+                                               points.get_allocator());
   const auto make_visitor = [&]() {
     return [&](Search_grid_3::Range queries, const Local_points<T>& candidates,
                const Vector& origin) {
@@ -86,61 +77,64 @@ Areas areas_of_points(const Search_grid_3& grid, const Buffer<Vector>& points, d
       // of all of these, which are of one cell
       const double size = size_of_cells(sizes.level_of(queries.first)), own_radius = radius * size;
       const Exact_ball ball(own_radius, units_per_length);
-      // Tolerance of relative coordinates: points within it of the border of a ball are tested
-      // exactly.
+      // what relative coordinates are rounded by
       const double rounding = std::ldexp(own_radius + (reach + 1) * grid.cell_size() * size, -21);
-      const auto inner = [&](double r) { return T((r - rounding) * std::abs(r - rounding)); };
-      const auto outer = [&](double r) { return T((r + rounding) * (r + rounding)); };
-      const T squared_radii[4] = {inner(own_radius), outer(own_radius), inner(own_radius / 2),
-                                  outer(own_radius / 2)};
+      const T outer_squared_radius = T(square(own_radius + rounding));
       for (Index i = queries.first; i < queries.second; ++i)
       {
         const Eigen::Matrix<T, 3, 1> center = (points[i] - origin).template cast<T>();
-        L within[4];
-        candidates.for_each_run_in_ball(
-          center, squared_radii[1], [&](std::size_t, const L& squared_distance) {
-            for (int k = 0; k < 4; ++k)
-              within[k] += where_less(squared_distance, squared_radii[k], L(T(1)));
-          });
-        const auto count = [&](int k, const Exact_ball& exact) {
-          const T sure = within[k].sum();
-          return Index(sure == within[k + 1].sum()
-                         ? std::uint64_t(sure)
-                         : exact_count(i, candidates, exact, double(squared_radii[k + 1])))
-                 * candidates.stride;
+        const auto in_units = [&](const Vector& p) {
+          return std::array<std::int64_t, 3>{std::llrint(p[0] * units_per_length),
+                                             std::llrint(p[1] * units_per_length),
+                                             std::llrint(p[2] * units_per_length)};
         };
-        counts[i] = count(0, ball);
-        half_counts[i] = count(2, ball.half());
+        const auto [x, y, z] = in_units(points[i]);
+        Plane_moments<std::int64_t> moments;
+        const auto add = [&](Index j) {
+          const auto [other_x, other_y, other_z] = in_units(points[j]);
+          const std::int64_t dx = other_x - x, dy = other_y - y, dz = other_z - z;
+          if (ball.holds(dx, dy, dz))
+            ball.add(dx, dy, dz, moments);
+        };
+        candidates.for_each_run_in_ball(center, outer_squared_radius,
+                                        [&](std::size_t k, const L& squared_distance) {
+                                          T distances[L::size];
+                                          squared_distance.store(distances);
+                                          // padding is in no ball
+                                          for (std::size_t lane = 0; lane < L::size; ++lane)
+                                            if (distances[lane] < outer_squared_radius)
+                                              add(candidates.indices[k + lane]);
+                                        });
+        const auto to_number = [](std::int64_t sum) { return double(sum); };
+        balls[i] = {Index(moments.sum) * candidates.stride,
+                    Spread_in_ball(moments.template transformed<double>(to_number),
+                                   ball.radius_of_moments())};
       }
     };
   };
   for_each_cell<T, ConcurrencyTag>(grid, points, grid, points, reach, progress, make_visitor);
 
-  const bool has_one_scale = grid.has_one_scale();
-  const std::uint64_t fewest = has_one_scale ? 1 : fewest_points_of_disk;
-  std::uint64_t total = 0;
-  for_each_in_order(points.size(), [&](std::size_t i) {
-    total += areas.units[i] = area_units_of_point(counts[i], sizes.level_of(i), fewest);
+  Areas areas{Buffer<std::uint64_t>(points.get_allocator()), Areas::area_per_unit_of(radius)};
+  areas.units.reserve(points.size());
+  const std::uint64_t of_disks = known_or_found(units_of_disks, [&]() {
+    std::uint64_t sum = 0;
+    for_each_in_order(points.size(), [&](std::size_t i) {
+      sum += area_units_of_point(balls[i].count, sizes.level_of(i), 1);
+    });
+    return sum;
   });
-  total = known_or_found(units_of_balls, [&]() { return total; });
-  const double spacing = std::sqrt(double(total) * areas.area_per_unit / double(number_of_samples));
+  const double spacing = std::sqrt(double(of_disks) * areas.area_per_unit
+                                   / double(number_of_samples));
   for_each_in_order(grid.number_of_cells(), [&](std::size_t cell) {
     const Search_grid_3::Range of_cell = grid.points_of_cell(cell);
-    const std::uint64_t count = of_cell.second - of_cell.first,
-                        strip = part_of_strip(
-                          spacing / (radius * size_of_cells(sizes.level_of(of_cell.first))));
-    Growth_of_balls growth;
+    const int level = sizes.level_of(of_cell.first);
+    const double spacing_per_radius = spacing / (radius * size_of_cells(level));
     std::uint64_t sum = 0;
     for (Index i = of_cell.first; i < of_cell.second; ++i)
-    {
-      sum += areas.units[i];
-      growth.in_balls += counts[i] > 0 ? counts[i] - 1 : 0;
-      growth.in_half_balls += half_counts[i] > 0 ? half_counts[i] - 1 : 0;
-    }
-    if (!has_one_scale)
-      sum = growth.units_of_all(sum, strip);
-    for (Index i = of_cell.first; i < of_cell.second; ++i)
-      areas.units[i] = area_units_in_cell((std::max)(sum, count), count);
+      sum += area_units_of_point(balls[i].count, level,
+                                 balls[i].spread.share_of_disk(spacing_per_radius));
+    const std::uint64_t count = of_cell.second - of_cell.first;
+    areas.units.insert(areas.units.end(), count, area_units_in_cell(sum, count));
   });
   return areas;
 }

@@ -106,9 +106,6 @@ inline double default_radius(double spacing, double noise)
   return std::ldexp(std::floor(512 * mantissa + 0.5), exponent - 9);
 }
 
-/// r_q per r_p: beside an edge, the filter has to reach points whose first normal the edge did not
-/// spoil.
-constexpr double default_filter_radius_factor = 1.2;
 /// No filter radius is smaller than this part of r_p: its square, in units of r_p, is a `float`.
 constexpr double least_filter_radius_factor = 0x1p-40;
 
@@ -332,7 +329,7 @@ struct Sample_refit_kernel
 
 /// \f$ \mu \f$ of the default method: fewer turns than the paper's 1.5 makes, each of which fits
 /// anew.
-constexpr double default_penalty_growth = 2;
+constexpr double default_penalty_growth = 1.7;
 
 /// Line 5 of Algorithm 1. The product of a subnormal number and a growth near 1 can be that number
 /// again: then it is the next one.

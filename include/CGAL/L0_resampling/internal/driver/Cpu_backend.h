@@ -399,7 +399,7 @@ protected:
     return internal::areas_of_points<ConcurrencyTag, Local>(
       m_input.grid, m_input.points, plan.area_radius(), plan.number_of_samples,
       units_per_length_for(plan.cell_size, plan.longest_query(), !m_input.scales.empty()),
-      m_facts.units_of_balls, m_progress);
+      m_facts.units_of_disks, m_progress);
   }
 
   Neighborhoods no_neighbors() const

@@ -10,6 +10,7 @@
 #include <CGAL/L0_resampling/internal/core/symmetric_eigen.h>
 #include <CGAL/L0_resampling/internal/core/weights.h>
 #include <CGAL/L0_resampling/internal/kernels/Border_of_ball.h>
+#include <CGAL/L0_resampling/internal/kernels/Plane_moments.h>
 
 #include <cmath>
 
@@ -59,11 +60,10 @@ template <typename S>
 struct Compatible_points
 {
   S all = S();                    ///< \f$ \sum_j \theta / v_j \f$
-  S weight = S();                 ///< \f$ \sum_j w_j \f$
+  Plane_moments<S> places;        ///< of \f$ q_j - p_i \f$, with the weights \f$ w_j \f$
   S squared_weights = S();        ///< \f$ \sum_j w_j^2 \f$
   S height = S();                 ///< \f$ \sum_j w_j h_{ij} \f$
   S squared_heights = S();        ///< \f$ \sum_j w_j h_{ij}^2 \f$
-  S x = S(), y = S(), z = S();    ///< \f$ \sum_j w_j (q_j - p_i) \f$
   S nx = S(), ny = S(), nz = S(); ///< \f$ \sum_j w_j n_j \f$, turned to the side of \f$ n_i \f$
 
   /// \param dx, dy, dz \f$ q_j - p_i \f$
@@ -85,30 +85,27 @@ struct Compatible_points
                                kernel.normal_bandwidth, h, kernel.squared_sheet_height);
     const S signed_weight = sign * w;
     all += scale;
-    weight += w;
+    places.add(dx, dy, dz, w);
     squared_weights += w * w;
     height += w * h;
     squared_heights += w * h * h;
-    x += w * dx;
-    y += w * dy;
-    z += w * dz;
     nx += signed_weight * px;
     ny += signed_weight * py;
     nz += signed_weight * pz;
   }
+
+  /// \f$ \sum_j w_j \f$
+  CGAL_L0_HOST_DEVICE S weight() const { return places.sum; }
 
   /// The same sums as other numbers, such as those of all lanes.
   template <typename S2, typename F>
   CGAL_L0_HOST_DEVICE Compatible_points<S2> transformed(const F& f) const
   {
     return {S2(f(all)),
-            S2(f(weight)),
+            places.template transformed<S2>(f),
             S2(f(squared_weights)),
             S2(f(height)),
             S2(f(squared_heights)),
-            S2(f(x)),
-            S2(f(y)),
-            S2(f(z)),
             S2(f(nx)),
             S2(f(ny)),
             S2(f(nz))};
@@ -124,7 +121,7 @@ CGAL_L0_HOST_DEVICE inline double squared_height_of_second_look(
   return support.is_unsupported
            ? support.squared_sheet_height
            : squared_sheet_height_among(squared_sheet_height,
-                                        weighted_variance(sums.weight, sums.height,
+                                        weighted_variance(sums.weight(), sums.height,
                                                           sums.squared_heights));
 }
 
@@ -143,23 +140,17 @@ struct Fit_of_sample
   /// \param scale of the sample
   CGAL_L0_HOST_DEVICE Fit_of_sample(const Compatible_points<double>& sums, const Triple& own_normal,
                                     const Border_of_ball& border, double scale)
-    : has_points(sums.weight > least_weight_of_compatible_points),
+    : has_points(sums.weight() > least_weight_of_compatible_points),
       variance(0), to_centroid{0, 0, 0}, outward{0, 0, 0}, has_new_normal(false), normal(own_normal)
   {
     if (!has_points)
       return;
-    const double total = sums.weight;
+    const double total = sums.weight();
     variance = variance_of_mean(total, sums.squared_weights, sums.height, sums.squared_heights);
-    const Triple mean = 1 / total * Triple{sums.x, sums.y, sums.z};
-    const Triple in_plane = mean + -dot(own_normal, mean) * own_normal;
-    const double distance = std::sqrt(dot(in_plane, in_plane));
-    to_centroid = sums.height / total * own_normal;
-    const double way_back = scale * border.way_back(distance / scale);
-    if (way_back > 0)
-      to_centroid = to_centroid + way_back / distance * in_plane;
-    const double held_back = border.share_held_back(distance / scale);
-    if (held_back > 0)
-      outward = -std::sqrt(held_back) / distance * in_plane;
+    const Offset_of_mean offset(sums.places, square(total) / sums.squared_weights, own_normal,
+                                border.variance * square(scale));
+    to_centroid = sums.height / total * own_normal + border.way_back(offset) * offset.direction;
+    outward = -std::sqrt(border.share_held_back(offset, scale)) * offset.direction;
     const Triple mean_normal = {sums.nx, sums.ny, sums.nz};
     const double length = std::sqrt(dot(mean_normal, mean_normal));
     has_new_normal = length > least_length_of_mean_normal * total;

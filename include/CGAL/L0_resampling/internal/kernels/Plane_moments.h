@@ -56,14 +56,20 @@ struct Plane_moments
             S2(f(xy)),  S2(f(xz)), S2(f(yy)), S2(f(yz)), S2(f(zz))};
   }
 
+  /// \pre `S` is a number, and `sum` is positive
+  CGAL_L0_HOST_DEVICE Symmetric_matrix covariance() const
+  {
+    const double n = sum, mx = x / n, my = y / n, mz = z / n;
+    return {xx / n - mx * mx, xy / n - mx * my, xz / n - mx * mz,
+            yy / n - my * my, yz / n - my * mz, zz / n - mz * mz};
+  }
+
   /// Of the covariance. The plane's normal is its smallest vector, the variance across it its
   /// smallest value.
   /// \pre `S` is a number, and `sum` is positive
   CGAL_L0_HOST_DEVICE Eigen_decomposition eigen_decomposition() const
   {
-    const double n = sum, mx = x / n, my = y / n, mz = z / n;
-    return decompose({xx / n - mx * mx, xy / n - mx * my, xz / n - mx * mz, yy / n - my * my,
-                      yz / n - my * mz, zz / n - mz * mz});
+    return decompose(covariance());
   }
 
   /// The unit vector that most of the points lie along, as seen from the center, of any sign: the

@@ -8,6 +8,9 @@
 
 #include <CGAL/L0_resampling/internal/core/host_device.h>
 #include <CGAL/L0_resampling/internal/core/random_bits.h>
+#include <CGAL/L0_resampling/internal/core/symmetric_eigen.h>
+#include <CGAL/L0_resampling/internal/core/weights.h>
+#include <CGAL/L0_resampling/internal/kernels/Plane_moments.h>
 #include <CGAL/L0_resampling/internal/kernels/levels_of_scales.h>
 
 #include <cmath>
@@ -19,7 +22,7 @@ namespace internal {
 
 // Samples are shared out by sums of areas, where the last digit of one area would decide where all
 // later samples start. So areas are whole numbers, from counts of points in balls that are decided
-// exactly: processors that round differently find the same ones.
+// exactly, and moments in whole numbers: processors that round differently find the same ones.
 
 /// Units of the fixed-point coordinates in which neighbors are looked for. Points that a query sees
 /// are at most four cells and a ball apart on an axis, so that the difference of two such
@@ -35,19 +38,15 @@ inline double units_per_length_for(double cell_size, double longest_query, bool 
 /// A ball in fixed-point coordinates, whose points are counted exactly.
 struct Exact_ball
 {
-  double units_per_length;
-  std::uint64_t squared_radius; // in units
+  std::uint64_t squared_radius;
+  int shift; // of coordinates in sums of products, so that those of 2^18 points fit into 63 bits
 
+  /// \param units per length
   CGAL_L0_HOST_DEVICE Exact_ball(double radius, double units)
-    : units_per_length(units), squared_radius(std::uint64_t(radius * units * (radius * units)))
-  {}
-
-  /// The ball of half the radius.
-  CGAL_L0_HOST_DEVICE Exact_ball half() const
+    : squared_radius(std::uint64_t(radius * units * (radius * units))), shift(0)
   {
-    Exact_ball ball = *this;
-    ball.squared_radius /= 4;
-    return ball;
+    while (squared_radius >> 2 * shift >> 44)
+      ++shift;
   }
 
   /// Whether the ball around one point holds another, from the differences of their coordinates.
@@ -56,67 +55,71 @@ struct Exact_ball
     return std::uint64_t(dx * dx) + std::uint64_t(dy * dy) + std::uint64_t(dz * dz)
            < squared_radius;
   }
+
+  /// Adds a point of the ball, relative to its middle.
+  CGAL_L0_HOST_DEVICE void add(std::int64_t dx, std::int64_t dy, std::int64_t dz,
+                               Plane_moments<std::int64_t>& moments) const
+  {
+    moments.add(dx >> shift, dy >> shift, dz >> shift, 1);
+  }
+
+  /// In the unit of the moments.
+  CGAL_L0_HOST_DEVICE double radius_of_moments() const
+  {
+    return std::ldexp(std::sqrt(double(squared_radius)), -shift);
+  }
 };
 
-/// What a point of scale 1 stands for that is alone in its ball. 2^32 of them add up in 64 bits,
-/// and so do points of other scales, as half of the area is of points of about this scale and less.
-constexpr std::uint64_t area_units_of_ball = std::uint64_t(1) << 31;
+/// How the points of a ball are spread: their covariance per squared radius.
+struct Spread_in_ball
+{
+  float minors = 0; ///< the sum of the three principal 2 x 2 minors
+  float trace = 0;
 
-/// Where radii differ, disks can hold few points: in one of fewer points than this, each weighs as
-/// if there were this many.
-constexpr std::uint64_t fewest_points_of_disk = 8;
+  Spread_in_ball() = default;
+
+  /// \param moments of the points of weight 1, relative to the middle of the ball
+  /// \param radius in the unit of the moments
+  CGAL_L0_HOST_DEVICE Spread_in_ball(const Plane_moments<double>& moments, double radius)
+  {
+    if (!(moments.sum > 0)) // thinning may have left all of them out
+      return;
+    const Symmetric_matrix c = moments.covariance();
+    const double of_rows = c.xx * c.yy - c.xy * c.xy + c.xx * c.zz - c.xz * c.xz + c.yy * c.zz
+                           - c.yz * c.yz;
+    minors = float(of_rows > 0 ? of_rows / square(square(radius)) : 0); // rounding may make it less
+    trace = float((c.xx + c.yy + c.zz) / square(radius));
+  }
+
+  /// Which share of the disk through the middle a surface through the points covers: that of a disk
+  /// with the same minors. An even disk has 1/16, one cut by a straight border through the middle
+  /// about a fourth of that, and points on a line or at one place none. These stand for a strip as
+  /// wide as samples are apart, or for the place of one sample: to within 15 %, that is what a 20th
+  /// of the squared spacing adds to the variances, if samples are no further apart than the radius.
+  /// \param spacing of the samples, per radius
+  CGAL_L0_HOST_DEVICE double share_of_disk(double spacing) const
+  {
+    const double added = square(spacing) / 20, in_all = 3 * square(added);
+    return std::sqrt((minors + 2 * added * trace + in_all) / (1. / 16 + added + in_all));
+  }
+};
+
+/// What a point of scale 1 stands for that has the disk of its ball for itself. 2^32 of them add up
+/// in 64 bits, and so do points of other scales, as half of the area is of points of about this
+/// scale and less.
+constexpr std::uint64_t area_units_of_disk = std::uint64_t(1) << 31;
 
 /// What each of `count` points stands for that share a ball. They are 1 at least, so that each
 /// point counts.
 /// \param level of the ball, whose disk is twice as large as that of the level before
-/// \param fewest points that share one
+/// \param share of the disk that the surface covers
 CGAL_L0_HOST_DEVICE inline std::uint64_t area_units_of_point(std::uint64_t count, int level,
-                                                             std::uint64_t fewest)
+                                                             double share)
 {
-  const std::uint64_t of_ball = level < level_of_one ? area_units_of_ball >> (level_of_one - level)
-                                                     : area_units_of_ball << (level - level_of_one);
+  const double of_disk = std::ldexp(double(area_units_of_disk), level - level_of_one);
   // thinning may have left the point itself out
-  const std::uint64_t units = of_ball / (count > fewest ? count : fewest);
-  return units > 0 ? units : 1;
-}
-
-/// The others in the balls of the points of a cell, and in those of half the radius: a quarter of
-/// them in a surface, and a half on a line, as the rings of a scanner are that have nothing in
-/// between.
-struct Growth_of_balls
-{
-  std::uint64_t in_balls = 0, in_half_balls = 0;
-
-  /// In how many parts of `whole` the points are on lines.
-  static constexpr std::uint64_t whole = 256;
-  CGAL_L0_HOST_DEVICE std::uint64_t share_of_line() const
-  {
-    const std::uint64_t from = 32, to = 42; // in hundredths of the balls
-    if (100 * in_half_balls <= from * in_balls)
-      return 0;
-    const std::uint64_t share = whole * (100 * in_half_balls - from * in_balls)
-                                / ((to - from) * in_balls);
-    return share < whole ? share : whole;
-  }
-
-  /// What the points of the cell stand for together.
-  /// \param units as if all were of a surface
-  /// \param strip `part_of_strip()` of their balls
-  CGAL_L0_HOST_DEVICE std::uint64_t units_of_all(std::uint64_t units, std::uint64_t strip) const
-  {
-    const std::uint64_t share = share_of_line();
-    return units / (whole * whole) * (whole * (whole - share) + strip * share)
-           + units % (whole * whole) * (whole * (whole - share) + strip * share) / (whole * whole);
-  }
-};
-
-/// Which part a strip across a ball, as wide as samples are apart, is of its disk: in 256 parts.
-/// \param spacing of the samples, per radius of the ball
-CGAL_L0_HOST_DEVICE inline std::uint64_t part_of_strip(double spacing)
-{
-  const double two_by_pi = 0.6366197723675814;
-  const double part = double(Growth_of_balls::whole) * two_by_pi * spacing;
-  return part < double(Growth_of_balls::whole) ? std::uint64_t(part) : Growth_of_balls::whole;
+  const double units = of_disk * share / double(count > 0 ? count : 1);
+  return units > 1 ? std::uint64_t(units) : 1;
 }
 
 /// What each point of a cell stands for, that share evenly what they stand for together.

@@ -21,9 +21,8 @@ struct Method_rules
   bool drops_outliers = false;                         ///< unless the caller says otherwise
   double penalty_growth = Parameters().penalty_growth; ///< the same
 
-  bool estimates_scales = false;   ///< spacing and noise of the points make the radius, and not
-                                   ///< their number; it is larger or smaller by places
-  double filter_radius_factor = 1; ///< \f$ r_q / r_p \f$
+  bool estimates_scales = false; ///< spacing and noise of the points make the radius, and not
+                                 ///< their number; it is larger or smaller by places
   std::size_t number_of_normal_refits = 0; ///< `Plan::number_of_refits`, at most
   bool uses_areas = false;                 ///< samples start evenly by area
   bool limits_jumps = false; ///< what is across a sheet or an edge is not drawn together
@@ -52,7 +51,6 @@ inline Method_rules rules_of(Method method)
     rules.drops_outliers = true;
     rules.penalty_growth = default_penalty_growth;
     rules.estimates_scales = true;
-    rules.filter_radius_factor = default_filter_radius_factor;
     rules.number_of_normal_refits = number_of_normal_refits;
     rules.uses_areas = true;
     rules.limits_jumps = true;

@@ -214,7 +214,7 @@ inline Plan make_plan(const Parameters& parameters, const Facts& facts)
   plan.lone_radius = facts.box_diagonal > 0 ? plan.radius : 0;
   plan.noise = rules.estimates_scales ? facts.scales.noise * paper / radius : 0;
   plan.sheet_height = sheet_height(plan.noise, plan.radius);
-  plan.filter_radius = rules.filter_radius_factor;
+  plan.filter_radius = plan.radius;
   if (parameters.normal_filter_radius > 0)
     plan.filter_radius = (std::max)(
       sensible_radius(std::ldexp(parameters.normal_filter_radius, facts.exponent_of_input),

@@ -91,14 +91,14 @@ at their `symmetric_height()` over it,
 \f[ h_i = \sum_j w_j h_{ij} / \sum_j w_j, \qquad h_{ij} = \tfrac12 (n_i + n_j)^T (q_j - p_i). \f]
 
 The sample is drawn to \f$ c_i = p_i + h_i n_i \f$: along its normal, so that it does not retreat
-from edges and borders. Only beyond them, where the weighted mean of the points lies further off in
-the plane than that of half a ball, is it drawn back (`Border_of_ball`). A sample that hardly any of
-its points agree with, as one that began at the noisiest of them or at an outlier, takes the normal
-of most of them before, and a sheet as high as the ball, in which it finds the others
-(`Unsupported_sample`). One whose points scatter more than those of one sheet do looks again at a
-lower sheet (`squared_sheet_height_among()`). Where there still are no compatible points, it is
-drawn to the last \f$ c_i \f$ it had. All transitions are continuous, so rounding errors are not
-amplified.
+from edges and borders. Only beyond them, where the weighted mean of the points lies more of their
+standard deviations off in the plane than that of half a ball, is it drawn back (`Border_of_ball`).
+A sample that hardly any of its points agree with, as one that began at the noisiest of them or at
+an outlier, takes the normal of most of them before, and a sheet as high as the ball, in which it
+finds the others (`Unsupported_sample`). One whose points scatter more than those of one sheet do
+looks again at a lower sheet (`squared_sheet_height_among()`). Where there still are no compatible
+points, it is drawn to the last \f$ c_i \f$ it had. All transitions are continuous, so rounding
+errors are not amplified.
 
 The normal of the sample becomes the weighted mean of those points' normals.
 
@@ -142,7 +142,7 @@ std::size_t fit_compatible_points(const Fit_input<T>& input, Progress& progress,
                                           own_kernel);
         };
         Compatible_points<double> sums = sums_with(kernel);
-        const Unsupported_sample support(sums.weight, sums.all, squared_sheet_height,
+        const Unsupported_sample support(sums.weight(), sums.all, squared_sheet_height,
                                          squared_radius);
         const double own_sheet_height = squared_height_of_second_look(support, sums,
                                                                       squared_sheet_height);
@@ -167,7 +167,7 @@ std::size_t fit_compatible_points(const Fit_input<T>& input, Progress& progress,
           samples.fit_weights[i] = 1;
           continue;
         }
-        samples.fit_weights[i] = FT(sums.weight);
+        samples.fit_weights[i] = FT(sums.weight());
         samples.fit_centroids[i] = samples.positions[i] + vector_of(fit.to_centroid);
         if (fit.has_new_normal)
           samples.normals[i] = vector_of(fit.normal).template cast<FT>();
