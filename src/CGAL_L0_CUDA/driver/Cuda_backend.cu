@@ -220,8 +220,8 @@ double Cuda_backend::largest_range(const Plan& plan) const
 /// Whether the cells of the points serve the search of neighbors too.
 bool Cuda_backend::is_one_grid_enough(const Plan& plan) const
 {
-  return plan.refines && !m_samples.scales && !m_samples.spreading_radii
-         && largest_range(plan) <= plan.cell_size;
+  return !m_samples.scales && !m_samples.spreading_radii
+         && plan.are_cells_shared(largest_range(plan));
 }
 
 Cell_frame Cuda_backend::self_frame(const Plan& plan, double cell_size) const

@@ -433,8 +433,10 @@ protected:
   {
     if (!plan.refines || plan.keeps_spacings)
       return {plan.self_cell_size(), m_samples.spreading_radii};
-    return (std::max)(spreads_wider() ? plan.spreading_radius() : plan.self_neighbor_radius,
-                      plan.smallest_cell_size);
+    const double range = spreads_wider() ? plan.spreading_radius() : plan.self_neighbor_radius;
+    return !spreads_wider() && plan.are_cells_shared(range)
+             ? plan.cell_size
+             : (std::max)(range, plan.smallest_cell_size);
   }
 };
 

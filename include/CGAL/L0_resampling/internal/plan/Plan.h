@@ -185,6 +185,13 @@ struct Plan
     return keeps_spacings ? double(largest_scale) * radius
                           : self_neighbor_radius_per_spacing * sample_spacing;
   }
+  /// Whether samples that have neighbors within `range` share the cells of the points: if these are
+  /// no smaller, and not so much larger that a block has more samples than are looked at.
+  bool are_cells_shared(double range) const
+  {
+    return refines && range <= cell_size && 3 * range >= cell_size;
+  }
+
   double longest_query() const { return (std::max)(radius, filter_radius); }
   /// Of the grid of the samples in which self neighbors are found.
   double self_cell_size() const
