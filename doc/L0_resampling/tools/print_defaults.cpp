@@ -100,7 +100,6 @@ void print_constants()
   object.add("share_of_unsupported", share_of_unsupported);
   object.add("held_back_from", held_back_from);
   object.add("held_back_to", held_back_to);
-  object.add("points_on_a_border", points_on_a_border);
   object.add("least_gap_of_plane", least_gap_of_plane);
   object.add("quadric_radius_factor", quadric_radius_factor);
   object.add("largest_roughness", largest_roughness);

@@ -46,7 +46,8 @@ std::vector<double> naive_areas(const Gridded_points& input, double radius,
       sum += d;
       covariances[i] += d * d.transpose();
     }
-    covariances[i] = (covariances[i] - sum * sum.transpose() / counts[i]) / counts[i];
+    covariances[i] = (covariances[i] - sum * sum.transpose() / counts[i])
+                     / (std::max)(counts[i] - 1, 1.);
     of_disks += disk / counts[i];
   }
   const double strip = of_disks / double(number_of_samples) / (radius * radius) / 20;

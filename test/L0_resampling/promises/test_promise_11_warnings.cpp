@@ -210,14 +210,25 @@ void test_warnings()
       CHECK(has(report, Warning::SMALL_RADIUS) == (radius < 0.1));
     }
 
-  // half of the samples start between two points, where no point is that near
+  // half of the samples start around a point that is alone, which is as near as that
   for (Method method : {Method::DEFAULT, Method::LOR})
   {
     const auto np = params::neighbor_radius(1e-6).number_of_output_points(6000)
                     | params::resampling_method(method);
     const Report report =
       test::resample<Kernel, Sequential_tag>(test::kernel_points<Kernel>(cube), np).report;
-    CHECK(report.number_of_lonely_samples == 3000 && has(report, Warning::UNSUPPORTED_SAMPLES));
+    CHECK(report.number_of_lonely_samples == 0 && has(report, Warning::SMALL_RADIUS)
+          && !has(report, Warning::UNSUPPORTED_SAMPLES));
+  }
+  // as many as fits of the default method may leave without points, or one more
+  for (const std::size_t lonely : {5, 6})
+  {
+    Report report;
+    report.number_of_input_points = report.number_of_output_points = 100;
+    report.number_of_lonely_samples = lonely;
+    CHECK(has(report, Warning::UNSUPPORTED_SAMPLES) == (lonely == 6));
+    CHECK(message_of(Warning::UNSUPPORTED_SAMPLES, report).find(std::to_string(lonely) + ".0 %")
+          == 0);
   }
 }
 

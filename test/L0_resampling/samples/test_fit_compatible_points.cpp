@@ -100,11 +100,10 @@ double half_disk_variance()
 /// The distance in standard deviations.
 double half_disk_offset() { return half_disk_distance() / std::sqrt(half_disk_variance()); }
 
-/// Of some points, with one more that is spread as on a border.
-template <typename Covariance>
-Covariance with_one_more(const Covariance& covariance, double number, const Covariance& unit)
+/// What is added to the variance of some points: that of the mean of as many on a border.
+double added_variance(double total, double squared_weights)
 {
-  return (number * covariance + half_disk_variance() * unit) / (number + 1);
+  return half_disk_variance() * squared_weights / (total * total);
 }
 
 /// Of a push outwards, where the mean of the points is that far away.
@@ -196,10 +195,9 @@ Fitted fit_naively(const Oriented_points& input, const std::vector<double>& dens
     const Vector mean = sums.mean / sums.total, offset = mean - n.dot(mean) * n;
     const Eigen::Matrix3d tangential = Eigen::Matrix3d::Identity() - n * n.transpose(),
                           covariance = sums.products / sums.total - mean * mean.transpose();
-    const Vector whitened = with_one_more<Eigen::Matrix3d>(tangential * covariance * tangential,
-                                                           sums.total * sums.total
-                                                             / sums.squared_weights,
-                                                           Eigen::Matrix3d::Identity())
+    const Vector whitened = (tangential * covariance * tangential
+                             + added_variance(sums.total, sums.squared_weights)
+                                 * Eigen::Matrix3d::Identity())
                               .inverse()
                             * offset;
     const double deviations = std::sqrt(whitened.dot(offset));
@@ -379,8 +377,8 @@ void check_border()
       squared_weights += weight * weight;
     }
     const double distance = sum.norm() / total,
-                 variance = with_one_more(squares / total - distance * distance,
-                                          total * total / squared_weights, 1.),
+                 variance = squares / total - distance * distance
+                            + added_variance(total, squared_weights),
                  held_back = naive_share_held_back(distance, distance / std::sqrt(variance));
     CHECK(places[i] == 0.12 ? held_back > 0.1 && held_back < 0.9 : held_back == (places[i] < 0.1));
     CHECK((fitted.outward[i] - Vector(-std::sqrt(held_back), 0, 0)).norm() < 1e-5);
@@ -431,7 +429,7 @@ void check_lone_point()
     start.normals.push_back(Vector::UnitZ());
   }
   const Fitted fitted = fit<float>(lone, start);
-  const double nearest = std::sqrt(0.5) * half_disk_distance();
+  const double nearest = half_disk_distance();
   for (std::size_t i = 0; i < start.points.size(); ++i)
   {
     const Vector expected = (std::min)(start.points[i].x(), nearest) * Vector::UnitX();

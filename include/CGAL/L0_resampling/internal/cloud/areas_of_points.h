@@ -83,16 +83,17 @@ Areas areas_of_points(const Search_grid_3& grid, const Buffer<Vector>& points, d
       for (Index i = queries.first; i < queries.second; ++i)
       {
         const Eigen::Matrix<T, 3, 1> center = (points[i] - origin).template cast<T>();
-        const auto in_units = [&](const Vector& p) {
+        const auto place_in_units = [&](Index j) {
+          const Vector& p = points[j];
           return std::array<std::int64_t, 3>{std::llrint(p[0] * units_per_length),
                                              std::llrint(p[1] * units_per_length),
                                              std::llrint(p[2] * units_per_length)};
         };
-        const auto [x, y, z] = in_units(points[i]);
+        const std::array<std::int64_t, 3> own = place_in_units(i);
         Plane_moments<std::int64_t> moments;
         const auto add = [&](Index j) {
-          const auto [other_x, other_y, other_z] = in_units(points[j]);
-          const std::int64_t dx = other_x - x, dy = other_y - y, dz = other_z - z;
+          const std::array<std::int64_t, 3> other = place_in_units(j);
+          const std::int64_t dx = other[0] - own[0], dy = other[1] - own[1], dz = other[2] - own[2];
           if (ball.holds(dx, dy, dz))
             ball.add(dx, dy, dz, moments);
         };

@@ -22,14 +22,11 @@ namespace internal {
 /// straight border with half a ball of points it has ended at the second.
 constexpr double held_back_from = 0.2, held_back_to = 0.6;
 
-/// As many points as this are taken to be spread as on a border, beside those that are there. A few
-/// points vary less than what they are taken from does, and those on a line not at all across it.
-constexpr double points_on_a_border = 1;
-
 /// Where the mean of points lies within the surface, as seen from a sample: in the direction in
 /// which it is the most standard deviations of the points away, which is Fisher's (1936) linear
 /// discriminant. Along a line of few points their mean is off by chance; across it, it tells that
-/// the sample is beside the line.
+/// the sample is beside the line. A few points vary less than what they are taken from does: what a
+/// mean of points on a border varies by is added, which is all there is of a single point.
 struct Offset_of_mean
 {
   Triple direction = {0, 0, 0};        ///< of unit length, if the mean is elsewhere
@@ -46,11 +43,9 @@ struct Offset_of_mean
                  mean = 1 / points.sum * Triple{points.x, points.y, points.z};
     const Symmetric_matrix covariance = points.covariance();
     const Triple along_covariance_of_u = multiply(covariance, u);
-    const double share = number / (number + points_on_a_border),
-                 added = (1 - share) * variance_on_border;
-    const double uu = share * dot(u, along_covariance_of_u) + added,
-                 uv = share * dot(v, along_covariance_of_u),
-                 vv = share * dot(v, multiply(covariance, v)) + added;
+    const double added = variance_on_border / number;
+    const double uu = dot(u, along_covariance_of_u) + added, uv = dot(v, along_covariance_of_u),
+                 vv = dot(v, multiply(covariance, v)) + added;
     const double mean_u = dot(mean, u), mean_v = dot(mean, v);
     const double along_u = vv * mean_u - uv * mean_v, along_v = uu * mean_v - uv * mean_u,
                  length = std::sqrt(square(along_u) + square(along_v));

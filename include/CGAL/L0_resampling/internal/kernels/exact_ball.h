@@ -70,7 +70,7 @@ struct Exact_ball
   }
 };
 
-/// How the points of a ball are spread: their covariance per squared radius.
+/// How the points of a ball are spread: their covariance, without bias, per squared radius.
 struct Spread_in_ball
 {
   float minors = 0; ///< the sum of the three principal 2 x 2 minors
@@ -82,13 +82,14 @@ struct Spread_in_ball
   /// \param radius in the unit of the moments
   CGAL_L0_HOST_DEVICE Spread_in_ball(const Plane_moments<double>& moments, double radius)
   {
-    if (!(moments.sum > 0)) // thinning may have left all of them out
+    if (!(moments.sum > 1)) // thinning may have left all of them out
       return;
     const Symmetric_matrix c = moments.covariance();
     const double of_rows = c.xx * c.yy - c.xy * c.xy + c.xx * c.zz - c.xz * c.xz + c.yy * c.zz
                            - c.yz * c.yz;
-    minors = float(of_rows > 0 ? of_rows / square(square(radius)) : 0); // rounding may make it less
-    trace = float((c.xx + c.yy + c.zz) / square(radius));
+    const double to_unit = moments.sum / (moments.sum - 1) / square(radius);
+    minors = float(of_rows > 0 ? of_rows * square(to_unit) : 0); // rounding may make it less
+    trace = float((c.xx + c.yy + c.zz) * to_unit);
   }
 
   /// Which share of the disk through the middle a surface through the points covers: that of a disk
