@@ -181,7 +181,7 @@ def test_figures(tests):
 TABLES = {"quality": {"fandisk": "quality_fandisk", "armadillo": "quality_armadillo",
                       "comparison": "comparison", "poisson": "poisson",
                       "ablation": "ablation",
-                      "rounding": "rounding", "rounding_h200": "rounding_of_device"},
+                      "rounding": "rounding", "rounding_h100": "rounding_of_device"},
           "performance": {"fandisk": "speed", "callback": "callback", "cuda_h200": "device",
                           "large_clouds": "large_clouds"},
           "report": {"full": "claims"}}
