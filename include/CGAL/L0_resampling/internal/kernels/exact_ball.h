@@ -96,7 +96,7 @@ struct Spread_in_ball
   /// with the same minors. An even disk has 1/16, one cut by a straight border through the middle
   /// about a fourth of that, and points on a line or at one place none. These stand for a strip as
   /// wide as samples are apart, or for the place of one sample: to within 15 %, that is what a 20th
-  /// of the squared spacing adds to the variances, if samples are no further apart than the radius.
+  /// of the squared spacing adds to the variances, if samples are at most 0.8 radii apart.
   /// \param spacing of the samples, per radius
   CGAL_L0_HOST_DEVICE double share_of_disk(double spacing) const
   {
