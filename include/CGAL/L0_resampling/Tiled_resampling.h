@@ -9,13 +9,19 @@
 #include <CGAL/L0_resampling/Block_chebyshev_solver_traits.h>
 #include <CGAL/L0_resampling/Report.h>
 #include <CGAL/L0_resampling/Source_box.h>
+#include <CGAL/L0_resampling/Tile_result.h>
 #include <CGAL/L0_resampling/internal/interface/checked_parameters.h>
 #include <CGAL/L0_resampling/internal/interface/compiled_templates.h>
 #include <CGAL/L0_resampling/internal/interface/points_of_range.h>
+#include <CGAL/L0_resampling/internal/tiles/Blocks_of_tile.h>
 #include <CGAL/L0_resampling/internal/tiles/Counted_cloud.h>
 #include <CGAL/L0_resampling/internal/tiles/Regions_of_blocks.h>
 #include <CGAL/L0_resampling/internal/tiles/resample_tile.h>
 #include <CGAL/L0_resampling/internal/tiles/stitch_tiles.h>
+#include <CGAL/L0_resampling/tags.h>
+#ifdef CGAL_L0_LINKED_WITH_CUDA
+#include <CGAL/L0_resampling/internal/tiles/resample_tile_on_device.h>
+#endif
 
 #include <algorithm>
 #include <array>
@@ -26,6 +32,7 @@
 #include <limits>
 #include <new>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -39,21 +46,6 @@ The number of points around each place, by which a cloud is cut into tiles. Poin
 order, and counts of several parts of a cloud may be added up: the tiles are the same.
 */
 using Tile_counts = internal::Block_counts;
-
-/// \ingroup PkgL0ResamplingRef
-/// A point of the result, as a tile has found it. `Tiled_resampling::signs()` turns its normal.
-using Tile_sample = internal::Tile_sample;
-
-/// \ingroup PkgL0ResamplingRef
-/// What a tile gives.
-struct Tile_result
-{
-  std::vector<Tile_sample> samples;       ///< those that the tile keeps
-  std::vector<Tile_sample> near_border;   ///< those of them that are near to other tiles
-  std::vector<Tile_sample> beyond_border; ///< the same of its halo, which others keep
-  std::vector<double> evidence;           ///< of each tree: for the sides of its samples
-  Report report;
-};
 
 /*!
 \ingroup PkgL0ResamplingRef
@@ -69,7 +61,9 @@ A source is a class with a function `for_each_point(box, f)`, which calls `f` wi
 template <typename ConcurrencyTag>
 class Tiled_resampling
 {
-  using Solver = Block_chebyshev_solver_traits<float, ConcurrencyTag>;
+  static constexpr bool is_on_device = std::is_same<ConcurrencyTag, CUDA_tag>::value;
+  using Host_tag = std::conditional_t<is_on_device, Parallel_if_available_tag, ConcurrencyTag>;
+  using Solver = Block_chebyshev_solver_traits<float, Host_tag>;
   using FT = typename Solver::FT;
 
   internal::Parameters m_parameters;
@@ -81,8 +75,9 @@ class Tiled_resampling
   double m_radius = 0;                            // in the unit of the input
   double m_halo_in_radii = halo_in_radii;
   std::vector<internal::Tile> m_tiles;
-  std::vector<internal::Starts_of_tile> m_starts; // of the tiles
-  double m_sample_spacing = 0;                    // in units of the radius
+  std::vector<std::vector<internal::Point_in_cloud>> m_points_of_tiles; // if all facts are known
+  std::vector<internal::Starts_of_runs> m_starts;                       // of the tiles, if not
+  double m_sample_spacing = 0;                                          // in units of the radius
 
   std::int64_t halo_in_blocks() const
   {
@@ -97,42 +92,9 @@ class Tiled_resampling
     return {m_cloud.lattice(), m_tiles[tile].room};
   }
 
-  /// Calls `f(number, first)` for each block of a tile and its halo, in their order, with the number
-  /// of points in all blocks before.
-  template <typename F>
-  void for_each_block_of(std::size_t tile, const F& f) const
+  internal::Blocks_of_tile blocks_of_tile(std::size_t tile) const
   {
-    const internal::Block_box reach = m_tiles[tile].box.grown(halo_in_blocks());
-    std::uint64_t first = 0;
-    for (std::size_t b = 0; b < blocks().size(); ++b)
-    {
-      if (reach.contains(blocks()[b].first))
-        f(b, first);
-      first += blocks()[b].second;
-    }
-  }
-
-  /// The points of a tile and its halo.
-  template <typename Source>
-  void read_at_once(const Source& source, std::size_t tile,
-                    internal::Buffer<internal::Vector>& points) const
-  {
-    points.reserve(std::size_t(m_tiles[tile].number_of_points_with_halo));
-    m_cloud.read(source, m_tiles[tile].box.grown(halo_in_blocks()), points);
-  }
-
-  /// The same, block by block, as `find_facts()` does.
-  template <typename Source>
-  void read_blocks(const Source& source, std::size_t tile,
-                   internal::Buffer<internal::Vector>& points) const
-  {
-    points.reserve(std::size_t(m_tiles[tile].number_of_points_with_halo));
-    for_each_block_of(tile, [&](std::size_t b, std::uint64_t) {
-      const internal::Block& block = blocks()[b].first;
-      m_cloud.read(source, {block, block}, points);
-    });
-    if (points.size() != m_tiles[tile].number_of_points_with_halo)
-      throw std::invalid_argument("l0_resample_tiles: the source has changed");
+    return {m_cloud, m_tiles[tile], halo_in_blocks()};
   }
 
   internal::Plan plan_of(const internal::Facts_of_cloud& facts) const
@@ -160,16 +122,6 @@ class Tiled_resampling
     }
   }
 
-  /// \param margin by which the box is larger on each side, or smaller if it is negative
-  static bool is_within(const Tile_sample& sample, const Source_box& box, double margin)
-  {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      if (sample.position[axis] < box.low[axis] - margin
-          || sample.position[axis] > box.high[axis] + margin)
-        return false;
-    return true;
-  }
-
   double overlap_width() const { return 2 * m_radius; }
 
 public:
@@ -180,8 +132,10 @@ public:
   /// The points around a tile that decide on its samples lie within so many radii. Beyond, their
   /// influence is below what a number of single precision holds.
   static constexpr double halo_in_radii = 20;
-  /// What a call holds for each point that it reads, and for each sample, at most.
-  static constexpr std::uint64_t bytes_per_point = 100, bytes_per_sample = 480;
+  /// What a call holds for each point that it reads, and for each sample, at most; with `CUDA_tag`,
+  /// on the device, and less than that here.
+  static constexpr std::uint64_t bytes_per_point = is_on_device ? 180 : 100,
+                                 bytes_per_sample = is_on_device ? 280 : 480;
   /// The same where all facts of a cloud are found.
   static constexpr std::uint64_t bytes_per_point_of_facts = 200, bytes_per_sample_of_facts = 100;
 
@@ -276,11 +230,7 @@ public:
   /// each block, and how many these are.
   std::vector<std::pair<std::uint64_t, std::uint64_t>> ranges_of_tile(std::size_t tile) const
   {
-    std::vector<std::pair<std::uint64_t, std::uint64_t>> ranges;
-    for_each_block_of(tile, [&](std::size_t b, std::uint64_t first) {
-      ranges.emplace_back(first, blocks()[b].second);
-    });
-    return ranges;
+    return blocks_of_tile(tile).ranges();
   }
 
   /// What a tile adds to the sums over all tiles. Not needed if `has_all_facts()`.
@@ -291,11 +241,11 @@ public:
     Report report;
     watched(report, [&](internal::Progress& progress, internal::Memory_counter& memory) {
       internal::Buffer<internal::Vector> points(&memory);
-      read_at_once(source, tile, points);
+      blocks_of_tile(tile).read_at_once(source, points);
       Solver solver;
       internal::Any_solver<FT> any_solver(solver);
-      share = internal::share_of_tile<ConcurrencyTag>(
-        points, m_facts, m_parameters, room_of_tile(tile), any_solver, progress, report);
+      share = internal::share_of_tile<Host_tag>(points, m_facts, m_parameters, room_of_tile(tile),
+                                                any_solver, progress, report);
     });
     return share;
   }
@@ -307,7 +257,7 @@ public:
     const internal::Sums_of_tiles sums = internal::add_up_shares(shares);
     set_sums(sums);
     for (std::size_t tile = 0; tile < shares.size(); ++tile)
-      set_starts(tile, {{}, std::move(shares[tile].runs), sums.sums});
+      set_starts(tile, {std::move(shares[tile].runs), sums.sums});
   }
 
   /// Instead of `set_shares()`: what it has found another time.
@@ -318,12 +268,20 @@ public:
     set_spacing();
   }
 
-  /// As `set_sums()`, for a tile that is to be resampled; or, if `has_all_facts()`, instead of
-  /// `find_facts()`: the `points_in_cloud()` of its ranges.
-  void set_starts(std::size_t tile, internal::Starts_of_tile starts)
+  /// As `set_sums()`, for a tile that is to be resampled.
+  void set_starts(std::size_t tile, internal::Starts_of_runs starts)
   {
     m_starts.resize(m_tiles.size());
     m_starts[tile] = std::move(starts);
+  }
+
+  /// If `has_all_facts()`, instead of `find_facts()`, for a tile that is to be resampled.
+  /// \param points those of `points_in_cloud()` in its ranges
+  void set_points(std::size_t tile, std::vector<internal::Point_in_cloud> points)
+  {
+    blocks_of_tile(tile).mark_own(points);
+    m_points_of_tiles.resize(m_tiles.size());
+    m_points_of_tiles[tile] = std::move(points);
   }
 
   /// The samples that start in a tile.
@@ -331,32 +289,34 @@ public:
   Tile_result resample_tile(std::size_t tile, const Source& source) const
   {
     Tile_result result;
-    const internal::Starts_of_tile found_here = m_points.empty() ? internal::Starts_of_tile()
-                                                                 : starts_found_here(tile);
-    const internal::Starts_of_tile& starts = m_points.empty() ? m_starts[tile] : found_here;
     watched(result.report, [&](internal::Progress& progress, internal::Memory_counter& memory) {
       internal::Input input(&memory);
-      if (starts.points.empty())
-        read_at_once(source, tile, input.points);
+      const internal::Blocks_of_tile blocks = blocks_of_tile(tile);
+      if (has_all_facts())
+        blocks.read_by_blocks(source, input.points);
       else
-        read_blocks(source, tile, input.points);
+        blocks.read_at_once(source, input.points);
+      const bool are_points_set = has_all_facts() && m_points.empty();
+      const std::vector<internal::Point_in_cloud> found_here =
+        are_points_set ? std::vector<internal::Point_in_cloud>()
+                       : points_of_tile(tile, input.points, progress);
+      const std::vector<internal::Point_in_cloud>& known = are_points_set ? m_points_of_tiles[tile]
+                                                                          : found_here;
+      result.report.number_of_input_points = input.points.size();
+      if (!internal::are_there_starts(known))
+        return;
       for (int axis = 0; axis < 3; ++axis)
       {
         input.low[axis] = m_cloud.low()[std::size_t(axis)];
         input.high[axis] = m_cloud.high()[std::size_t(axis)];
       }
-      result.report.number_of_input_points = input.points.size();
-      Solver solver;
-      internal::Any_solver<FT> any_solver(solver);
-      const internal::Samples_of_tile<FT> samples = internal::resample_tile<ConcurrencyTag>(
-        input.points, m_facts, m_parameters, room_of_tile(tile), starts, any_solver, progress,
-        result.report);
-      if (samples.are_own.empty())
-        return;
+      const internal::Samples_of_tile<FT> samples = resample_points(input.points, known, progress,
+                                                                    result.report);
       const internal::Buffer<std::array<double, 3>> positions =
-        internal::rounded_positions<ConcurrencyTag, double>(samples.points.positions, input,
-                                                            m_radius, true);
-      take(samples, positions, box_of_tile(tile), result);
+        internal::rounded_positions<Host_tag, double>(samples.points.positions, input, m_radius,
+                                                      true);
+      internal::take_samples_of_tile(samples, positions, box_of_tile(tile), overlap_width(),
+                                     result);
     });
     result.report.number_of_output_points = result.samples.size();
     return result;
@@ -407,14 +367,54 @@ private:
 
   void set_spacing() { m_sample_spacing = std::sqrt(*m_facts.area / double(number_of_samples())); }
 
-  internal::Starts_of_tile starts_found_here(std::size_t tile) const
+  /// What is to be known of the points of a tile and its halo.
+  std::vector<internal::Point_in_cloud> points_of_tile(
+    std::size_t tile, const internal::Buffer<internal::Vector>& points,
+    internal::Progress& progress) const
   {
-    internal::Starts_of_tile starts;
-    starts.points.reserve(std::size_t(m_tiles[tile].number_of_points_with_halo));
-    for (const auto& [first, count] : ranges_of_tile(tile))
-      starts.points.insert(starts.points.end(), m_points.begin() + std::ptrdiff_t(first),
-                           m_points.begin() + std::ptrdiff_t(first + count));
-    return starts;
+    if (!has_all_facts())
+    {
+      internal::Buffer<internal::Vector> used_up = internal::copy_of(points);
+      Report unwanted_report;
+      Solver solver;
+      internal::Any_solver<FT> any_solver(solver);
+      return internal::points_of_tile<Host_tag>(used_up, m_facts, m_parameters, room_of_tile(tile),
+                                                m_starts[tile], any_solver, progress,
+                                                unwanted_report);
+    }
+    const internal::Blocks_of_tile blocks = blocks_of_tile(tile);
+    std::vector<internal::Point_in_cloud> known;
+    known.reserve(blocks.number_of_points());
+    for (const auto& [first, count] : blocks.ranges())
+      known.insert(known.end(), m_points.begin() + std::ptrdiff_t(first),
+                   m_points.begin() + std::ptrdiff_t(first + count));
+    blocks.mark_own(known);
+    return known;
+  }
+
+  /// \param points used up
+  internal::Samples_of_tile<FT> resample_points(internal::Buffer<internal::Vector>& points,
+                                                const std::vector<internal::Point_in_cloud>& known,
+                                                internal::Progress& progress, Report& report) const
+  {
+    if constexpr (!is_on_device)
+    {
+      Solver solver;
+      internal::Any_solver<FT> any_solver(solver);
+      return internal::resample_tile<Host_tag>(points, known, m_facts, m_parameters, any_solver,
+                                               progress, report);
+    }
+    else
+    {
+#ifdef CGAL_L0_LINKED_WITH_CUDA
+      return internal::resample_tile_on_device(points, known, m_facts, m_parameters, m_callback,
+                                               report);
+#else
+      static_assert(
+        !is_on_device,
+        "CUDA_tag needs a compiled library: link with the CMake target CGAL::L0_CUDA_support.");
+#endif
+    }
   }
 
   template <typename Source>
@@ -429,8 +429,8 @@ private:
         m_cloud.read(source, {block, block}, points);
       Solver solver;
       internal::Any_solver<FT> any_solver(solver);
-      facts = internal::facts_of_points<ConcurrencyTag>(points, m_parameters, any_solver, progress,
-                                                        report, m_points);
+      facts = internal::facts_of_points<Host_tag>(points, m_parameters, any_solver, progress,
+                                                  report, m_points);
     });
     return facts;
   }
@@ -450,8 +450,7 @@ private:
       const auto is_in_middle = [&](const internal::Vector& p) {
         return regions.is_in_middle(lattice().block_of(p));
       };
-      facts.scales = internal::scales_of_regions<ConcurrencyTag>(points, is_in_middle, facts,
-                                                                 progress);
+      facts.scales = internal::scales_of_regions<Host_tag>(points, is_in_middle, facts, progress);
     });
     // as many as a cloud of this spacing has
     const internal::Plan plan = plan_of(facts);
@@ -459,38 +458,6 @@ private:
                                          * double(number_of_samples())
                                          / internal::Areas::area_per_unit_of(plan.area_radius()));
     return facts;
-  }
-
-  void take(const internal::Samples_of_tile<FT>& samples,
-            const internal::Buffer<std::array<double, 3>>& positions, const Source_box& box,
-            Tile_result& result) const
-  {
-    std::vector<std::uint32_t> numbers(positions.size(),
-                                       (std::numeric_limits<std::uint32_t>::max)());
-    for (std::size_t i = 0; i < positions.size(); ++i)
-    {
-      const auto& normal = samples.points.normals[i];
-      Tile_sample sample = {positions[i], {normal[0], normal[1], normal[2]}, 0};
-      const bool is_kept = samples.are_own[i] != 0;
-      if (!is_kept && !is_within(sample, box, overlap_width()))
-        continue;
-      std::uint32_t& number = numbers[samples.trees[i]];
-      if (number == (std::numeric_limits<std::uint32_t>::max)())
-      {
-        number = std::uint32_t(result.evidence.size());
-        result.evidence.push_back(0);
-      }
-      sample.tree = number;
-      if (!is_kept)
-      {
-        result.beyond_border.push_back(sample);
-        continue;
-      }
-      result.evidence[number] += double(samples.confidences[i]) - 0.5;
-      result.samples.push_back(sample);
-      if (!is_within(sample, box, -overlap_width()))
-        result.near_border.push_back(sample);
-    }
   }
 };
 

@@ -110,13 +110,11 @@ public:
   /// What a tile has to know of them.
   void take_starts(std::size_t tile)
   {
-    internal::Starts_of_tile starts;
     if (resampling.has_all_facts())
-      starts.points = read_points_in_cloud(m_tasks.file_of("scales", 0), m_tasks.m_key,
-                                           resampling.ranges_of_tile(tile));
+      resampling.set_points(tile, read_points_in_cloud(m_tasks.file_of("scales", 0), m_tasks.m_key,
+                                                       resampling.ranges_of_tile(tile)));
     else
-      starts = read_starts(m_tasks.file_of("samples", 0), m_tasks.m_key, tile);
-    resampling.set_starts(tile, std::move(starts));
+      resampling.set_starts(tile, read_starts(m_tasks.file_of("samples", 0), m_tasks.m_key, tile));
   }
 };
 

@@ -10,7 +10,6 @@
 
 #include <array>
 #include <cstddef>
-#include <memory>
 #include <optional>
 #include <utility>
 
@@ -53,37 +52,6 @@ void for_each_plain_fact(Facts& facts, const F& f)
   f(facts.numbers_of_starts);
 }
 
-template <typename T>
-std::vector<T> as_vector(const internal::Buffer<T>& values)
-{
-  return {values.begin(), values.end()};
-}
-
-template <typename T>
-internal::Buffer<T> as_buffer(const std::vector<T>& values)
-{
-  return internal::Buffer<T>(values.begin(), values.end());
-}
-
-void write_field(Task_file_writer& file, const internal::Scale_field& field)
-{
-  const internal::Morton_points seeds = field.seeds.view();
-  file.write(seeds.cells.size);
-  file.write(field.radius);
-  file.write_all(std::vector<std::uint64_t>(seeds.codes, seeds.codes + seeds.size));
-  file.write_all(as_vector(field.scales));
-  file.write_all(as_vector(field.reaches));
-}
-
-internal::Scale_field read_field(Task_file& file)
-{
-  const double size = file.read<double>(), radius = file.read<double>();
-  const std::vector<std::uint64_t> codes = file.read_all<std::uint64_t>();
-  const std::vector<double> scales = file.read_all<double>(), reaches = file.read_all<double>();
-  return {internal::Morton_places({size}, as_buffer(codes)), radius, as_buffer(scales),
-          as_buffer(reaches)};
-}
-
 } // namespace
 
 void write_facts(const std::string& path, std::uint64_t key, const Facts_of_cloud& facts,
@@ -95,9 +63,6 @@ void write_facts(const std::string& path, std::uint64_t key, const Facts_of_clou
   file.write(facts.frame->exponent);
   file.write(std::array<double, 3>{origin[0], origin[1], origin[2]});
   for_each_plain_fact(facts, [&](const auto& fact) { write_optional(file, fact); });
-  file.write(facts.field_of_scales != nullptr);
-  if (facts.field_of_scales)
-    write_field(file, *facts.field_of_scales);
   file.commit();
 }
 
@@ -110,8 +75,6 @@ Facts_of_cloud read_facts(const std::string& path, std::uint64_t key)
   const auto origin = file.read<std::array<double, 3>>();
   facts.frame = internal::Place_of_frame{exponent, internal::Vector(origin.data())};
   for_each_plain_fact(facts, [&](auto& fact) { read_optional(file, fact); });
-  if (file.read<bool>())
-    facts.field_of_scales = std::make_shared<const internal::Scale_field>(read_field(file));
   return facts;
 }
 
@@ -167,10 +130,10 @@ Sums_of_tiles read_sums(const std::string& path, std::uint64_t key)
   return Task_file(path, key).read<Sums_of_tiles>();
 }
 
-Starts_of_tile read_starts(const std::string& path, std::uint64_t key, std::size_t tile)
+Starts_of_runs read_starts(const std::string& path, std::uint64_t key, std::size_t tile)
 {
   Task_file file(path, key);
-  Starts_of_tile starts;
+  Starts_of_runs starts;
   starts.all = file.read<Sums_of_tiles>().sums;
   for (std::size_t before = 0; before < tile; ++before) {
     const std::uint64_t count = file.read<std::uint64_t>();

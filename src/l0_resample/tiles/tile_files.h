@@ -7,7 +7,7 @@
 #define L0_RESAMPLE_TILE_FILES_H
 
 #include <CGAL/L0_resampling/internal/tiles/Block_counts.h>
-#include <CGAL/L0_resampling/internal/tiles/Tile_backend.h>
+#include <CGAL/L0_resampling/internal/tiles/Share_finder.h>
 #include <CGAL/L0_resampling/internal/tiles/stitch_tiles.h>
 
 #include <cstddef>
@@ -26,7 +26,7 @@ using CGAL::L0_resampling::internal::Point_in_cloud;
 using CGAL::L0_resampling::internal::Run_of_cells;
 using CGAL::L0_resampling::internal::Seam_report;
 using CGAL::L0_resampling::internal::Share_of_tile;
-using CGAL::L0_resampling::internal::Starts_of_tile;
+using CGAL::L0_resampling::internal::Starts_of_runs;
 using CGAL::L0_resampling::internal::Sums_of_tiles;
 using CGAL::L0_resampling::internal::Tile_sample;
 
@@ -57,7 +57,7 @@ Share_of_tile read_share(const std::string& path, std::uint64_t key);
 void write_starts(const std::string& path, std::uint64_t key, const Sums_of_tiles& sums,
                   const std::vector<Share_of_tile>& shares);
 Sums_of_tiles read_sums(const std::string& path, std::uint64_t key);
-Starts_of_tile read_starts(const std::string& path, std::uint64_t key, std::size_t tile);
+Starts_of_runs read_starts(const std::string& path, std::uint64_t key, std::size_t tile);
 
 struct Summary_of_tile
 {

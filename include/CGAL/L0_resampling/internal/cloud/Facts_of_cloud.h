@@ -11,14 +11,11 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <optional>
 
 namespace CGAL {
 namespace L0_resampling {
 namespace internal {
-
-struct Scale_field;
 
 /// Of the samples of a cloud, those that start on a point, and all.
 struct Numbers_of_starts
@@ -28,9 +25,8 @@ struct Numbers_of_starts
 
 /*!
 All numbers that a call on the CPU takes from the cloud as a whole. A call finds those that it is
-not given, each in one place, and notes them here, but for the field of scales, which is as long as
-the cloud. A call that is given those of a larger cloud treats the points of a part of it as the
-call for all of it does.
+not given, each in one place, and notes them here. A call that is given those of a larger cloud
+treats the points of a part of it as the call for all of it does.
 
 Lengths are in the frame before its unit is set.
 */
@@ -41,7 +37,6 @@ struct Facts_of_cloud
   std::optional<Scales> scales; ///< in units of `paper_radius()`
   /// Of the radii. If none differs, no field of scales is looked for.
   std::optional<Range_of_scales> range_of_scales;
-  std::shared_ptr<const Scale_field> field_of_scales; ///< null if it is not known
   std::optional<double> median_number_of_neighbors;   ///< in the balls of `find_outliers()`
   std::optional<double> mean_number_of_neighbors;     ///< in the balls of the normal filter
   /// Whether these balls are plain, see `has_plain_blocks_only()`: then sums go over pairs.

@@ -86,22 +86,10 @@ public:
   {
     std::optional<Range_of_scales>& known = m_facts.range_of_scales;
     if (!known || known->least != known->largest)
-    {
-      const auto scales_by = [&](const Scale_field& field) {
-        m_input.scales = field.of_points<ConcurrencyTag>(m_input.points);
-      };
-      if (m_facts.field_of_scales)
-        scales_by(*m_facts.field_of_scales);
-      else
-        scales_by(find_scale_field(robust_diagonal, usual));
-    }
+      m_input.scales = internal::estimate_scale_field<ConcurrencyTag>(
+                         m_input.points, robust_diagonal, usual, m_progress)
+                         .template of_points<ConcurrencyTag>(m_input.points);
     return known_or_found(known, [&]() { return range_of(m_input.scales); });
-  }
-
-  Scale_field find_scale_field(double robust_diagonal, const Usual_scales& usual)
-  {
-    return internal::estimate_scale_field<ConcurrencyTag>(m_input.points, robust_diagonal, usual,
-                                                          m_progress);
   }
 
   void set_unit(double unit) { m_frame.set_unit<ConcurrencyTag>(unit, m_input.points); }

@@ -47,9 +47,12 @@
   declaration Share_of_tile share_of_tile<Tag, float>(Buffer<Vector>&, const Facts_of_cloud&,      \
                                                       const Parameters&, const Room_of_tile&,      \
                                                       Any_solver<float>&, Progress&, Report&);     \
-  declaration Samples_of_tile<float> resample_tile<Tag, float>(                                    \
+  declaration std::vector<Point_in_cloud> points_of_tile<Tag, float>(                              \
     Buffer<Vector>&, const Facts_of_cloud&, const Parameters&, const Room_of_tile&,                \
-    const Starts_of_tile&, Any_solver<float>&, Progress&, Report&);
+    const Starts_of_runs&, Any_solver<float>&, Progress&, Report&);                                \
+  declaration Samples_of_tile<float> resample_tile<Tag, float>(                                    \
+    Buffer<Vector>&, const std::vector<Point_in_cloud>&, const Facts_of_cloud&, const Parameters&, \
+    Any_solver<float>&, Progress&, Report&);
 
 #ifdef CGAL_L0_LINKED_WITH_COMPILED
 

@@ -7,11 +7,12 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_RESAMPLE_TILE_H
 
 #include <CGAL/L0_resampling/internal/driver/run.h>
+#include <CGAL/L0_resampling/internal/tiles/Fact_finder.h>
+#include <CGAL/L0_resampling/internal/tiles/Share_finder.h>
 #include <CGAL/L0_resampling/internal/tiles/Tile_backend.h>
 
-#include <cstddef>
+#include <algorithm>
 #include <functional>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -42,9 +43,7 @@ Facts_of_cloud facts_of_points(Buffer<Vector>& points, const Parameters& paramet
                                Any_solver<FT>& solver, Progress& progress, Report& report,
                                std::vector<Point_in_cloud>& points_in_cloud)
 {
-  Buffer<Local_vector> no_normals(points.get_allocator()), no_hints(points.get_allocator());
-  Fact_finder<ConcurrencyTag, FT> finder(points, no_normals, no_hints, parameters, solver, progress,
-                                         report);
+  Fact_finder<ConcurrencyTag, FT> finder(points, parameters, solver, progress, report);
   Plan plan = plan_call(parameters, finder);
   if (plan.drops_outliers())
   {
@@ -60,7 +59,26 @@ Facts_of_cloud facts_of_points(Buffer<Vector>& points, const Parameters& paramet
   return finder.facts();
 }
 
-/// What a tile adds to the sums over all tiles; nothing if none of its points are used.
+/// Calls the stages that find what a tile adds to the sums over all tiles, and then `f(plan)`.
+/// \returns nothing if none of the points are used
+template <typename Finder, typename F>
+Share_of_tile find_share(const Parameters& parameters, Finder& finder, const F& f)
+{
+  const Plan plan = plan_call(parameters, finder);
+  if (plan.drops_outliers())
+  {
+    finder.begin_stage("find outliers", 0.4, finder.number_of_points());
+    finder.drop_outliers(plan);
+  }
+  finder.begin_stage("areas", 0.3, finder.number_of_points());
+  finder.sort_points(plan);
+  Share_of_tile share = finder.share(plan);
+  f(plan);
+  finder.end(plan);
+  return share;
+}
+
+/// What a tile adds to the sums over all tiles.
 /// \param points of the tile and its halo, at least one; used up
 /// \param facts of the cloud, as far as they are known
 /// \param parameters of the call for the whole cloud, checked
@@ -69,27 +87,25 @@ Share_of_tile share_of_tile(Buffer<Vector>& points, const Facts_of_cloud& facts,
                             const Parameters& parameters, const Room_of_tile& room,
                             Any_solver<FT>& solver, Progress& progress, Report& report)
 {
-  Buffer<Local_vector> no_normals(points.get_allocator()), no_hints(points.get_allocator());
-  Tile_backend<ConcurrencyTag, FT> backend(facts, room, points, no_normals, no_hints, parameters,
-                                           solver, progress, report);
-  try
-  {
-    const Plan plan = plan_call(parameters, backend);
-    if (plan.drops_outliers())
-    {
-      backend.begin_stage("find outliers", 0.4, backend.number_of_points());
-      backend.drop_outliers(plan);
-    }
-    backend.begin_stage("areas", 0.3, backend.number_of_points());
-    backend.sort_points(plan);
-    Share_of_tile share = backend.share(plan);
-    backend.end(plan);
-    return share;
-  }
-  catch (const typename Tile_backend<ConcurrencyTag, FT>::No_samples&)
-  {
-    return {};
-  }
+  Share_finder<ConcurrencyTag, FT> finder(facts, room, points, parameters, solver, progress,
+                                          report);
+  return find_share(parameters, finder, [](const Plan&) {});
+}
+
+/// What a tile has to know of each point, once all have told their shares. Parameters are those of
+/// `share_of_tile()`.
+/// \param starts what comes before the runs of the tile
+/// \returns in the order of the points
+template <typename ConcurrencyTag, typename FT>
+std::vector<Point_in_cloud> points_of_tile(Buffer<Vector>& points, const Facts_of_cloud& facts,
+                                           const Parameters& parameters, const Room_of_tile& room,
+                                           const Starts_of_runs& starts, Any_solver<FT>& solver,
+                                           Progress& progress, Report& report)
+{
+  Share_finder<ConcurrencyTag, FT> finder(facts, room, points, parameters, solver, progress,
+                                          report);
+  find_share(parameters, finder, [&](const Plan& plan) { finder.place_points(plan, starts); });
+  return finder.take_points();
 }
 
 /// The samples of a tile and of its halo.
@@ -102,26 +118,27 @@ struct Samples_of_tile
   Buffer<float> confidences;     ///< of their sides
 };
 
+/// Whether a sample of a tile, or of its halo, starts on one of the points.
+inline bool are_there_starts(const std::vector<Point_in_cloud>& points)
+{
+  return std::any_of(points.begin(), points.end(),
+                     [](const Point_in_cloud& point) { return point.number_of_samples > 0; });
+}
+
 /// Resamples a tile and its halo.
-/// \param points of both, at least one; used up
+/// \param points of both; used up
+/// \param known of each point; samples start on some
 /// \param facts of the cloud, as far as they are known
 /// \param parameters of the call for the whole cloud, checked
 template <typename ConcurrencyTag, typename FT>
-Samples_of_tile<FT> resample_tile(Buffer<Vector>& points, const Facts_of_cloud& facts,
-                                  const Parameters& parameters, const Room_of_tile& room,
-                                  const Starts_of_tile& starts, Any_solver<FT>& solver,
-                                  Progress& progress, Report& report)
+Samples_of_tile<FT> resample_tile(Buffer<Vector>& points, const std::vector<Point_in_cloud>& known,
+                                  const Facts_of_cloud& facts, const Parameters& parameters,
+                                  Any_solver<FT>& solver, Progress& progress, Report& report)
 {
   Buffer<Local_vector> no_normals(points.get_allocator()), no_hints(points.get_allocator());
-  Tile_backend<ConcurrencyTag, FT> backend(facts, room, points, no_normals, no_hints, parameters,
+  Tile_backend<ConcurrencyTag, FT> backend(facts, known, points, no_normals, no_hints, parameters,
                                            solver, progress, report);
-  backend.set_starts(starts);
-  try
-  {
-    run(plan_call(parameters, backend), backend);
-  }
-  catch (const typename Tile_backend<ConcurrencyTag, FT>::No_samples&)
-  {}
+  run(plan_call(parameters, backend), backend);
   return {backend.take_result(), copy_of(backend.are_own()), copy_of(backend.trees()),
           copy_of(backend.confidences())};
 }

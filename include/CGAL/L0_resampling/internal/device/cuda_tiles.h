@@ -1,0 +1,68 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_CUDA_TILES_H
+#define CGAL_L0_RESAMPLING_INTERNAL_CUDA_TILES_H
+
+#include <CGAL/L0_resampling/internal/device/cuda_interface.h>
+#include <CGAL/L0_resampling/internal/plan/Plan.h>
+#include <CGAL/L0_resampling/internal/tiles/Point_in_cloud.h>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/// The part of `cuda_interface.h` for tiles of a cloud that is larger than a device.
+namespace cuda {
+
+/// The memory of the current device that nobody has taken, in bytes.
+Answer free_memory(std::size_t& bytes);
+
+/// `Facts_of_cloud`, as far as a tile needs them.
+struct Facts_of_tiles
+{
+  int exponent_of_frame;
+  double origin_of_frame[3];
+  Facts extents; ///< with the scales
+  Range_of_scales range_of_scales;
+  double area;
+  std::size_t number_of_points;       ///< of the cloud, without outliers, and thinned
+  double mean_number_of_neighbors;    ///< in the balls of the normal filter; 0 if it is not known
+  std::size_t number_of_starts;       ///< samples of the cloud
+  std::size_t number_of_point_starts; ///< those of them that start on a point
+};
+
+/// What a tile is, beside its points.
+struct Tile_of_cloud
+{
+  const Point_in_cloud* points;  ///< one for each point, in their order
+  std::size_t number_of_samples; ///< that start in the tile or its halo, at least 1
+  Facts_of_tiles facts;
+};
+
+/// Brings points to the device and resamples them, as `resample()` and `Tile_backend` on the CPU.
+/// The result stays on the device until the next call.
+/// \param points xyz interleaved, finite
+/// \param size from 1 to 2^32 - 2
+/// \param parameters checked, of the cloud; `maximum_memory` is of the device
+Answer resample_tile(Session& session, const double* points, std::size_t size,
+                     const Tile_of_cloud& tile, const Parameters& parameters,
+                     Progress_callback progress, Call_report& report);
+
+/// Brings to the host what a tile has beside the result that `download()` brings.
+/// \param trees out: samples of one have sides relative to each other
+/// \param are_own out: whether the tile keeps each of the samples
+Answer download_tile(Session& session, float* side_confidences, std::uint32_t* trees,
+                     unsigned char* are_own);
+
+} // namespace cuda
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_CUDA_TILES_H
