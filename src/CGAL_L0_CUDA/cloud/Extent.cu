@@ -102,8 +102,8 @@ __global__ void find_corners(const double* points, unsigned size,
 
 } // namespace
 
-void find_plain_extent(const Workplace& workplace, const double* points, unsigned size,
-                       double (&extent)[3])
+void find_box(const Workplace& workplace, const double* points, unsigned size, double (&low)[3],
+              double (&high)[3])
 {
   const Arena_scope scope(workplace.scratch);
   unsigned long long corners[6];
@@ -118,8 +118,19 @@ void find_plain_extent(const Workplace& workplace, const double* points, unsigne
     cudaMemcpyAsync(corners, on_device, sizeof(corners), cudaMemcpyDeviceToHost, workplace.stream));
   CGAL_L0_CUDA_CHECK(cudaStreamSynchronize(workplace.stream));
   for (int axis = 0; axis < 3; ++axis)
-    extent[axis] = number_of_ascending_bits(corners[3 + axis])
-                   - number_of_ascending_bits(~corners[axis]);
+  {
+    low[axis] = number_of_ascending_bits(~corners[axis]);
+    high[axis] = number_of_ascending_bits(corners[3 + axis]);
+  }
+}
+
+void find_plain_extent(const Workplace& workplace, const double* points, unsigned size,
+                       double (&extent)[3])
+{
+  double low[3], high[3];
+  find_box(workplace, points, size, low, high);
+  for (int axis = 0; axis < 3; ++axis)
+    extent[axis] = high[axis] - low[axis];
 }
 
 Extent find_extent(const Workplace& workplace, const double* points, unsigned size)

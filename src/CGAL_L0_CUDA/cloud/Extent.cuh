@@ -24,6 +24,11 @@ struct Extent
   double trimmed[3];                        // as `trimmed_extent()` on the CPU
 };
 
+/// The bounding box of points. Waits for the device.
+/// \param points xyz interleaved
+void find_box(const Workplace& workplace, const double* points, unsigned size, double (&low)[3],
+              double (&high)[3]);
+
 /// How far points reach on each axis, as `plain_extent()` on the CPU. Waits for the device.
 /// \param points xyz interleaved
 void find_plain_extent(const Workplace& workplace, const double* points, unsigned size,

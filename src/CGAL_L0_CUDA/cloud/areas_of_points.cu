@@ -82,10 +82,15 @@ __global__ void share_cells(Cell_grid grid, const unsigned* counts, const Spread
 
 } // namespace
 
+double area_per_unit_of(double radius)
+{
+  const double pi = 3.141592653589793;
+  return pi * radius * radius / double(area_units_of_disk);
+}
+
 Areas areas_of_points(const Workplace& workplace, const Cell_grid& grid, double radius,
                       unsigned number_of_samples)
 {
-  const double pi = 3.141592653589793;
   const cudaStream_t stream = workplace.stream;
   Wide* const units_of_cells = workplace.arena.take<Wide>(grid.number_of_cells);
   const Arena_scope scope(workplace.scratch);
@@ -100,7 +105,7 @@ Areas areas_of_points(const Workplace& workplace, const Cell_grid& grid, double 
   sum_up_disks<<<blocks_for(grid.size), threads_per_block, 0, stream>>>(grid, counts,
                                                                         units_of_disks.address());
   check_launch("sum_up_disks");
-  const double area_per_unit = pi * radius * radius / double(area_units_of_disk);
+  const double area_per_unit = area_per_unit_of(radius);
   const double spacing = std::sqrt(double(units_of_disks.read()) * area_per_unit
                                    / double(number_of_samples));
   share_cells<<<blocks_for(32ull * grid.number_of_cells), threads_per_block, 0, stream>>>(

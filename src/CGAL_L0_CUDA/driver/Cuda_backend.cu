@@ -43,9 +43,9 @@ void Cuda_backend::begin(const Plan& plan)
   m_turn_results = m_session.arena.take<Turn_result>(m_results.size());
   m_counts = m_session.arena.take<Sample_counts>(1);
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(m_counts, 0, sizeof(Sample_counts), m_session.stream));
-  m_samples = take_samples(m_session.arena, unsigned(plan.number_of_samples),
+  m_samples = take_samples(m_session.arena, m_number_of_samples,
                            {plan.refines, m_input.positions.scales != nullptr, plan.keeps_spacings,
-                            m_session.hints != nullptr});
+                            m_session.hints != nullptr, m_session.points_in_cloud != nullptr});
   m_points_scope.emplace(m_session.arena);
 }
 
@@ -156,14 +156,14 @@ void Cuda_backend::filter_normals(const Plan& plan, std::size_t pass)
   std::swap(m_filter->normals, m_filter->filtered);
 }
 
-void Cuda_backend::weigh_density(const Plan& plan)
+void Cuda_backend::weigh_density(const Plan& plan, double known_mean)
 {
   const Device_counter<Ball_counts>& counts = m_filter->ball_counts;
   if (plan.number_of_filter_passes == 0)
     sum_up_input_density(m_workplace, m_grid, m_filter->blocks, plan.filter_radius,
                          float(plan.squared_bandwidth), m_normals, counts.address());
   invert_input_density(m_workplace, m_grid.size, plan.weighs_density ? counts.address() : nullptr,
-                       m_normals);
+                       known_mean, m_normals);
   if (m_input.all_normals_given)
     m_report.number_of_degenerate_neighborhoods = counts.read().sparse;
   m_filter.reset();
@@ -178,10 +178,14 @@ double Cuda_backend::total_area(const Plan& plan)
   return m_areas.total;
 }
 
-void Cuda_backend::choose_samples(const Plan& plan)
+void Cuda_backend::choose_samples(const Plan& plan, const Known_starts* known)
 {
-  const Sources_of_samples sources = {m_normals, plan.uses_areas ? &m_areas : nullptr,
-                                      plan.starts_evenly, m_input.hints, plan.spreading_radius()};
+  const Sources_of_samples sources = {m_normals,
+                                      plan.uses_areas ? &m_areas : nullptr,
+                                      plan.starts_evenly,
+                                      m_input.hints,
+                                      plan.spreading_radius(),
+                                      known};
   initialize_samples(m_workplace, m_input.positions, m_grid, sources, plan.radius, plan.lone_radius,
                      plan.sample_spacing, plan.random_seed, m_samples);
   m_areas_scope.reset();
@@ -393,7 +397,9 @@ void Cuda_backend::end(const Plan& plan)
   m_session.sample_normals = reinterpret_cast<float*>(m_samples.fit);
   m_session.side_confidences = m_samples.side_confidences;
   m_session.sample_scales = m_samples.scales;
-  m_session.number_of_samples = unsigned(plan.number_of_samples);
+  m_session.number_of_samples = m_number_of_samples;
+  m_session.trees = m_samples.trees;
+  m_session.are_own = m_samples.are_own;
 }
 
 } // namespace cuda

@@ -51,23 +51,27 @@ struct Neighborhood
 /// session.
 class Cuda_backend : public Cuda_points
 {
+protected: // for backends that differ in a stage
+  Samples m_samples;
+  Cell_grid m_grid;                         // of the points
+  Areas m_areas;                            // of the points, for the first samples
+  std::optional<Arena_scope> m_areas_scope; // of the arena
+
+private:
+  const unsigned m_number_of_samples; // of the result
   std::vector<Turn> m_turns;
   std::vector<Turn_result> m_results;          // of these, on the host
   Turn_result* m_turn_results = nullptr;       // the same, on the device
   Sample_counts* m_counts = nullptr;           // on the device
   std::vector<std::size_t> m_numbers_of_pairs; // of self neighbors, in each turn
-  Samples m_samples;
-  unsigned m_number_of_leaders = 0; // the samples, without those that follow others
+  unsigned m_number_of_leaders = 0;            // the samples, without those that follow others
   Followers m_followers;
 
   std::optional<Arena_scope> m_points_scope; // of the arena
   std::optional<Arena_scope> m_order_scope;  // of the scratch arena: the order of the points before
-  Cell_grid m_grid;                          // of the points
   const unsigned* m_numbers_of_points = nullptr; // that each one stands for; null if only itself
   float4* m_normals = nullptr;                   // of the points, filtered, and 1/v_j
   std::optional<Filter_arrays> m_filter;
-  std::optional<Arena_scope> m_areas_scope; // of the arena
-  Areas m_areas;                            // of the points, for the first samples
 
   std::optional<Neighborhood> m_neighborhood;
   std::optional<Arena_scope> m_sample_grid_scope; // of the scratch arena
@@ -78,7 +82,11 @@ public:
   static constexpr bool finds_feature_confidences = false, foresees_memory = false;
   static constexpr bool may_need_explicit_rows = false;
 
-  using Cuda_points::Cuda_points;
+  /// \param number_of_samples of the result
+  Cuda_backend(Session& session, const Parameters& parameters, unsigned number_of_samples,
+               Stages& stages, Call_report& report)
+    : Cuda_points(session, parameters, stages, report), m_number_of_samples(number_of_samples)
+  {}
 
   void end_turn(std::size_t number, std::size_t number_of_turns)
   {
@@ -97,11 +105,11 @@ public:
   void take_given_normals();
   void refit_normals(const Plan& plan);
   void filter_normals(const Plan& plan, std::size_t pass);
-  void weigh_density(const Plan& plan);
+  void weigh_density(const Plan& plan) { weigh_density(plan, 0); }
 
   // The first samples
   double total_area(const Plan& plan);
-  void choose_samples(const Plan& plan);
+  void choose_samples(const Plan& plan) { choose_samples(plan, nullptr); }
 
   // Algorithm 1
   void collapse_fit_term(const Plan& plan);
@@ -124,6 +132,12 @@ public:
   void measure_extent(const Plan& plan);
   void leave_frame() { cuda::leave_frame(m_workplace, m_box.frame, m_samples); }
   void end(const Plan& plan);
+
+protected:
+  /// \param known_mean number of neighbors; 0 if it is to be found
+  void weigh_density(const Plan& plan, double known_mean);
+  /// \param known null if the samples are to be chosen
+  void choose_samples(const Plan& plan, const Known_starts* known);
 
 private:
   void take_vectors_of_list();

@@ -52,7 +52,8 @@ struct Session
   const double* points = nullptr;
   const float* normals = nullptr; // null if none were given
   bool all_normals_given = false;
-  const float* hints = nullptr; // null if none were given
+  const float* hints = nullptr;                    // null if none were given
+  const Point_in_cloud* points_in_cloud = nullptr; // of a tile; else null
   Extent extent;
   bool has_scales = false;
   Scales scales; // of the points, in the frame of the paper's radius; found when first wanted
@@ -62,6 +63,8 @@ struct Session
   float* sample_normals = nullptr;
   float* side_confidences = nullptr;
   float* sample_scales = nullptr;           // null if all are 1
+  unsigned* trees = nullptr;                // of a tile
+  unsigned char* are_own = nullptr;         // likewise
   Oriented_representatives representatives; // the result of a call that only orients
   std::vector<Iteration> iterations;
   std::vector<cudaEvent_t> events;
@@ -130,8 +133,31 @@ struct Session
     points = arrays.points;
     normals = arrays.normals;
     hints = arrays.hints;
+    points_in_cloud = nullptr;
     all_normals_given = normals && !has_zero(workplace(), normals, number_of_points);
     extent = find_extent(workplace(), points, number_of_points);
+    size = number_of_points;
+  }
+
+  /// Takes the points of a tile, in place of those of `filter_input()`, in the frame of its cloud.
+  /// Waits for the device.
+  /// \param robust_diagonal of the cloud
+  void take_tile(const double* tile_points, const Point_in_cloud* known, unsigned number_of_points,
+                 const Frame& frame, double robust_diagonal)
+  {
+    points = tile_points;
+    normals = hints = nullptr;
+    points_in_cloud = known;
+    all_normals_given = false;
+    extent.frame = frame;
+    extent.robust_diagonal = robust_diagonal;
+    find_box(workplace(), points, number_of_points, extent.low_of_input, extent.high_of_input);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      extent.low[axis] = frame.enter(extent.low_of_input[axis], axis);
+      extent.high[axis] = frame.enter(extent.high_of_input[axis], axis);
+      extent.trimmed[axis] = extent.high[axis] - extent.low[axis];
+    }
     size = number_of_points;
   }
 

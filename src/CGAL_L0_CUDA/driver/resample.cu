@@ -17,7 +17,8 @@ void run_stages(Session& session, const Parameters& parameters, Stages& stages, 
 {
   session.reserve(estimate_memory(session.size, parameters.number_of_output_points, parameters,
                                   session.hints != nullptr));
-  Cuda_backend backend(session, parameters, stages, report);
+  Cuda_backend backend(session, parameters, unsigned(parameters.number_of_output_points), stages,
+                       report);
   run(plan_call(parameters, backend), backend);
 }
 

@@ -10,6 +10,7 @@
 
 #include <CGAL/L0_resampling/internal/device/cuda_interface.h>
 #include <CGAL/L0_resampling/internal/plan/Plan.h>
+#include <CGAL/L0_resampling/internal/tiles/Point_in_cloud.h>
 
 #include <cstddef>
 #include <vector>
@@ -134,8 +135,9 @@ void sum_up_input_density(const Workplace& workplace, const Cell_grid& grid,
 
 /// Eq. (5) for the input: turns the sums of Eq. (5) into 1/v_j.
 /// \param counts null where sparse points shall not count more than dense ones: all are 1 then
+/// \param known_mean mean number of neighbors; 0 if it is that of the counts
 void invert_input_density(const Workplace& workplace, unsigned size, const Ball_counts* counts,
-                          float4* normals);
+                          double known_mean, float4* normals);
 
 /// The areas of the surface that points stand for, as `areas_of_points()` on the CPU, to the bit.
 struct Areas
@@ -144,6 +146,9 @@ struct Areas
   double area_per_unit;
   double total; // of all points
 };
+
+/// \param radius of the disk that the points in a ball share
+double area_per_unit_of(double radius);
 
 /// Waits for the device. The areas are taken from the arena.
 /// \param radius of the disk that the points in a ball share
@@ -164,6 +169,9 @@ struct Samples
   float4* hints = nullptr;           // as on the CPU: null if the caller has none
   unsigned* start_indices = nullptr; // as on the CPU: null if no samples follow others
   float* side_confidences = nullptr; // how sure the sides are, once they are chosen
+  // Of a tile of a cloud only: whether the tile keeps them, and the trees of the orientation
+  unsigned char* are_own = nullptr;
+  unsigned* trees = nullptr;
 
 #ifdef __CUDACC__
   __device__ float scale(unsigned i) const { return Scales_view{scales}[i]; }
@@ -176,6 +184,7 @@ struct Followers
   unsigned size = 0;
   unsigned* leaders = nullptr;            // of each follower, by the first order of the samples
   double* offsets = nullptr;              // from there to the follower, xyz interleaved
+  unsigned char* are_own = nullptr;       // as of samples
   unsigned* numbers_of_samples = nullptr; // of each leader, itself included; null without followers
 };
 
@@ -201,7 +210,7 @@ struct Sample_counts
 /// What samples may have beside positions, normals and fit.
 struct Kinds_of_sample_data
 {
-  bool of_default_method, scales, spreading_radii, hints;
+  bool of_default_method, scales, spreading_radii, hints, of_tile;
 };
 
 Samples take_samples(Device_arena& arena, unsigned size, const Kinds_of_sample_data& kinds);
@@ -212,6 +221,17 @@ void reorder(const Workplace& workplace, const unsigned* order, const Samples& s
 /// Keeps those samples only that are listed, in the order of the list.
 void keep_listed(const Workplace& workplace, const unsigned* list, unsigned size, Samples& samples);
 
+/// Where the samples of a part of a cloud start.
+struct Known_starts
+{
+  const Point_in_cloud* points; // of the session, on the device
+  // of the cloud:
+  std::size_t number_of_points;       // without outliers, and thinned
+  std::size_t number_of_samples;      // that were asked for
+  std::size_t number_of_starts;       // of samples
+  std::size_t number_of_point_starts; // of those that start on a point
+};
+
 /// What the points hand on to the samples that start on them.
 struct Sources_of_samples
 {
@@ -220,9 +240,10 @@ struct Sources_of_samples
   bool spreads_evenly; // by area, if there are areas, and not as the points do
   const float* hints;  // in the order of the input, xyz interleaved; null for none
   double largest_spreading_radius;
+  const Known_starts* known; // null if they are to be chosen
 };
 
-/// The first S, chosen as the CPU chooses it.
+/// The first S, chosen as the CPU chooses it, or as it is known.
 /// \param lone_radius of the ball around a point that is alone
 /// \param spacing of an even set of samples
 void initialize_samples(const Workplace& workplace, const Positions& positions,

@@ -234,11 +234,13 @@ __global__ void sum_up_density(Cell_grid grid, Cell_blocks blocks, float radius,
 }
 
 /// \param counts null where density shall not count
-__global__ void invert_density(unsigned size, const Ball_counts* counts, float4* normals)
+/// \param known_mean number of neighbors; 0 for that of the counts
+__global__ void invert_density(unsigned size, const Ball_counts* counts, double known_mean,
+                               float4* normals)
 {
   const unsigned long long i = thread_index();
-  const float mean_number_of_neighbors = counts ? float(double(counts->neighbors) / double(size))
-                                                : 0;
+  const float mean_number_of_neighbors =
+    counts ? float(known_mean > 0 ? known_mean : double(counts->neighbors) / double(size)) : 0;
   if (i < size)
     normals[i].w = 1 / density_weight(normals[i].w, mean_number_of_neighbors);
 }
@@ -386,10 +388,10 @@ void sum_up_input_density(const Workplace& workplace, const Cell_grid& grid,
 }
 
 void invert_input_density(const Workplace& workplace, unsigned size, const Ball_counts* counts,
-                          float4* normals)
+                          double known_mean, float4* normals)
 {
   invert_density<<<blocks_for(size), threads_per_block, 0, workplace.stream>>>(size, counts,
-                                                                               normals);
+                                                                               known_mean, normals);
   check_launch("invert_density");
 }
 

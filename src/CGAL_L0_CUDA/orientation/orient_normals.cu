@@ -330,6 +330,8 @@ __global__ void turn_normals(const Link* trees_of_samples, const Tree_sums* tree
     const double of_side = confidence_of_side(hints.certain_side_of(samples, i), tree.confidence(),
                                               within_tree);
     samples.side_confidences[i] = float(of_side);
+    if (samples.trees)
+      samples.trees[i] = link.target();
     confidence = __double2ll_rn(of_side * units_per_confidence);
   }
   const int count = __syncthreads_count(hinted);

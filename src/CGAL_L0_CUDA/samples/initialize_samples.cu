@@ -164,6 +164,87 @@ Sources sources_by_area(const Workplace& workplace, const Cell_grid& grid, const
   return {{first, number_of_first}, {others, m - number_of_first}};
 }
 
+// Samples whose starts are known
+
+/// What is known of the points of a grid.
+struct Known_points
+{
+  const Point_in_cloud* points; // of the session; null if nothing is known
+  const unsigned *list,         // which of these were sorted; null for all
+    *order;                     // where each stood before
+
+  __device__ const Point_in_cloud& operator()(unsigned i) const
+  {
+    return points[list ? list[order[i]] : order[i]];
+  }
+
+  /// The number of a point in the order of the whole cloud.
+  __device__ unsigned cloud_index(unsigned i) const { return points ? (*this)(i).index : i; }
+};
+
+/// \param has_start out, of each distinct point: whether a sample starts on it
+/// \param numbers_of_near out: how many start near it
+__global__ void count_starts(Known_points known, Some distinct, unsigned number_of_points,
+                             unsigned char* has_start, unsigned* numbers_of_near)
+{
+  const Wide d = thread_index();
+  if (d >= distinct.size)
+    return;
+  const unsigned end = d + 1 < distinct.size ? distinct[d + 1] : number_of_points;
+  unsigned number = 0; // one of the points at a place has all
+  for (unsigned i = distinct[d]; i < end; ++i)
+    number += known(i).number_of_samples;
+  has_start[d] = number > 0;
+  numbers_of_near[d] = number > 0 ? number - 1 : 0;
+}
+
+/// \param offsets how many samples start near all distinct points before
+__global__ void list_near_starts(const unsigned* offsets, unsigned number_of_distinct,
+                                 unsigned number_of_samples, unsigned* sources)
+{
+  const Wide e = thread_index();
+  if (e >= number_of_samples)
+    return;
+  unsigned first = 0; // the last whose offset is not above e
+  for (unsigned rest = number_of_distinct - 1; rest > 0;)
+  {
+    const unsigned half = (rest + 1) / 2;
+    if (offsets[first + half] <= e)
+    {
+      first += half;
+      rest -= half;
+    }
+    else
+      rest = half - 1;
+  }
+  sources[e] = first;
+}
+
+Sources known_sources(const Workplace& workplace, const Known_points& known, const Cell_grid& grid,
+                      const Some& distinct, unsigned m)
+{
+  const cudaStream_t stream = workplace.stream;
+  unsigned *const on_points = workplace.scratch.take<unsigned>(distinct.size),
+                  *const near_points = workplace.scratch.take<unsigned>(m);
+  const Arena_scope scope(workplace.scratch);
+  unsigned char* const has_start = workplace.scratch.take<unsigned char>(distinct.size);
+  unsigned* const offsets = workplace.scratch.take<unsigned>(Wide(distinct.size) + 1);
+  CGAL_L0_CUDA_CHECK(cudaMemsetAsync(offsets + distinct.size, 0, sizeof(unsigned), stream));
+  count_starts<<<blocks_for(distinct.size), threads_per_block, 0, stream>>>(
+    known, distinct, grid.size, has_start, offsets);
+  check_launch("count_starts");
+  const unsigned number_on_points = list_flagged(has_start, distinct.size, on_points,
+                                                 workplace.scratch, stream);
+  sum_up(offsets, distinct.size, offsets, workplace.scratch, stream);
+  const unsigned number_near_points = workplace.scratch.read(offsets + distinct.size, stream);
+  if (Wide(number_on_points) + number_near_points != m)
+    throw Failure(Status::DEVICE_FAILED, "points on which samples start were left out");
+  list_near_starts<<<blocks_for((std::max)(number_near_points, 1u)), threads_per_block, 0,
+                     stream>>>(offsets, distinct.size, number_near_points, near_points);
+  check_launch("list_near_starts");
+  return {{on_points, number_on_points}, {near_points, number_near_points}};
+}
+
 // Hints, one for each distinct point
 
 /// Bits that ascend with the number.
@@ -237,6 +318,7 @@ struct Heritage
   const Wide* areas;     // of the cells of the grid
   double area_per_unit, points_per_sample, largest_spreading_radius;
   const unsigned* hints; // of the distinct points
+  Known_points known;
 };
 
 __device__ float4 unit_normal(float4 n)
@@ -271,6 +353,8 @@ __device__ void start_on_point(const Samples& samples, Wide i, double3 position,
                                    number_of_ascending_bits(hint[1]),
                                    number_of_ascending_bits(hint[2]), 0);
   }
+  if (samples.are_own)
+    samples.are_own[i] = static_cast<unsigned char>(heritage.known(source).is_own);
 }
 
 /// Each new sample, as `move_near_sources()` on the CPU.
@@ -292,7 +376,7 @@ __global__ void place_near_points(Positions positions, Cell_grid grid, Cell_bloc
     first = is_before ? first + half + 1 : first;
     size = is_before ? size - half - 1 : half;
   }
-  const Start_near_source near_source(seed, source, e - first);
+  const Start_near_source near_source(seed, heritage.known.cloud_index(source), e - first);
   const int4 center = grid.points[source];
   const float4* const normals = heritage.normals;
   const float3 normal = xyz(normals[source]);
@@ -306,7 +390,7 @@ __global__ void place_near_points(Positions positions, Cell_grid grid, Cell_bloc
     if (dot(d, d) >= squared_radius)
       return;
     const bool is_similar = fabsf(dot(normal, xyz(normals[j]))) > float(cosine_of_similar_normals);
-    const Wide rank = near_source.rank(j, is_similar);
+    const Wide rank = near_source.rank(heritage.known.cloud_index(j), is_similar);
     if (rank <= best)
       return;
     const double3 p = positions(grid.order[j]), q = positions(grid.order[source]);
@@ -350,7 +434,7 @@ __global__ void place_on_points(Positions positions, Cell_grid grid, Some distin
     return;
   const unsigned number = sources[k], source = distinct[number];
   start_on_point(samples, first + k, positions(grid.order[source]), heritage, grid, source, number,
-                 support_points.takes(source));
+                 support_points.takes(heritage.known.cloud_index(source)));
 }
 
 } // namespace
@@ -370,16 +454,22 @@ void initialize_samples(const Workplace& workplace, const Positions& positions,
     distinct.list = list;
   }
   const Areas* const areas = points.areas;
-  const Sources sources = areas && points.spreads_evenly
+  const Known_starts* const known = points.known;
+  const Known_points known_points = {known ? known->points : nullptr, positions.list, grid.order};
+  const Sources sources = known
+                            ? known_sources(workplace, known_points, grid, distinct, samples.size)
+                          : areas && points.spreads_evenly
                             ? sources_by_area(workplace, grid, distinct, *areas, samples.size, seed)
                             : sources_by_points(workplace, distinct.size, samples.size, seed);
-  const Heritage heritage = {points.normals,
-                             areas ? areas->of_cells : nullptr,
-                             areas ? areas->area_per_unit : 0,
-                             double(grid.size) / double(samples.size),
-                             points.largest_spreading_radius,
-                             samples.hints ? least_hints(workplace, points.hints, grid, distinct)
-                                           : nullptr};
+  const Heritage heritage = {
+    points.normals,
+    areas ? areas->of_cells : nullptr,
+    areas ? areas->area_per_unit : 0,
+    known ? double(known->number_of_points) / double(known->number_of_samples)
+          : double(grid.size) / double(samples.size),
+    points.largest_spreading_radius,
+    samples.hints ? least_hints(workplace, points.hints, grid, distinct) : nullptr,
+    known_points};
 
   const unsigned number_of_new = sources.near_points.size;
   if (number_of_new > 0)
@@ -392,7 +482,9 @@ void initialize_samples(const Workplace& workplace, const Positions& positions,
       heritage, samples);
     check_launch("place_near_points");
   }
-  const Support_subset support_points(seed, radius, spacing, samples.size, sources.on_points.size);
+  const Support_subset support_points(
+    seed, radius, spacing, known ? known->number_of_starts : samples.size,
+    known ? known->number_of_point_starts : sources.on_points.size);
   place_on_points<<<blocks_for(sources.on_points.size), threads_per_block, 0, stream>>>(
     positions, grid, distinct, sources.on_points, number_of_new, heritage, support_points, samples);
   check_launch("place_on_points");

@@ -60,6 +60,8 @@ __global__ void reorder_samples(const unsigned* order, Samples from, Samples to)
     to.hints[i] = from.hints[k];
   if (to.start_indices)
     to.start_indices[i] = from.start_indices[k];
+  if (to.are_own)
+    to.are_own[i] = from.are_own[k];
 }
 
 /// Calls `f(k, is_neighbor, found)` in all threads of a group at once: whether the sample k of the
@@ -171,6 +173,8 @@ Samples take_samples(Device_arena& arena, unsigned size, const Kinds_of_sample_d
   samples.spreading_radii = kinds.spreading_radii ? arena.take<float>(size) : nullptr;
   samples.hints = kinds.hints ? arena.take<float4>(size) : nullptr;
   samples.side_confidences = arena.take<float>(size);
+  samples.are_own = kinds.of_tile ? arena.take<unsigned char>(size) : nullptr;
+  samples.trees = kinds.of_tile ? arena.take<unsigned>(size) : nullptr;
   return samples;
 }
 
@@ -201,6 +205,7 @@ void keep_listed(const Workplace& workplace, const unsigned* list, unsigned size
   copy(before.spreading_radii, m);
   copy(before.hints, m);
   copy(before.start_indices, m);
+  copy(before.are_own, m);
   samples.size = size;
   reorder_samples<<<blocks_for(size), threads_per_block, 0, workplace.stream>>>(list, before,
                                                                                 samples);

@@ -170,6 +170,8 @@ __global__ void part_followers(Samples samples, const unsigned* order, const uns
   for (int axis = 0; axis < 3; ++axis)
     result.offsets[3 * f + axis] = samples.positions[3ull * order[j] + axis]
                                    - samples.positions[3ull * order[leader] + axis];
+  if (samples.are_own)
+    result.are_own[f] = samples.are_own[order[j]];
   atomicAdd(&result.numbers_of_samples[numbers[leader]], 1u);
 }
 
@@ -221,6 +223,10 @@ __global__ void append(Samples samples, Followers followers, const unsigned* pla
   samples.side_confidences[i] = samples.side_confidences[leader];
   if (samples.scales)
     samples.scales[i] = samples.scales[leader];
+  if (samples.are_own)
+    samples.are_own[i] = followers.are_own[f];
+  if (samples.trees)
+    samples.trees[i] = samples.trees[leader];
 }
 
 unsigned blocks_for_cells(const Cell_grid& grid)
@@ -350,6 +356,7 @@ Followers take_followers(const Workplace& workplace, const Cell_frame& frame, Sa
   followers.leaders = workplace.scratch.take<unsigned>(m);
   followers.offsets = workplace.scratch.take<double>(3 * std::size_t(m));
   followers.numbers_of_samples = workplace.scratch.take<unsigned>(m);
+  followers.are_own = samples.are_own ? workplace.scratch.take<unsigned char>(m) : nullptr;
   unsigned* const start_indices = workplace.scratch.take<unsigned>(m);
 
   const Arena_scope scope(workplace.scratch);

@@ -1,0 +1,196 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "driver/Cuda_backend.cuh"
+#include "driver/estimate_memory.cuh"
+#include "driver/guarded.cuh"
+
+#include <CGAL/L0_resampling/internal/device/cuda_tiles.h>
+#include <CGAL/L0_resampling/internal/driver/run.h>
+
+#include <algorithm>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+namespace cuda {
+
+namespace {
+
+__global__ void take_scales(const Point_in_cloud* points, unsigned size, float* scales)
+{
+  const Wide i = thread_index();
+  if (i < size)
+    scales[i] = points[i].scale;
+}
+
+__global__ void flag_kept(const Point_in_cloud* points, unsigned size, unsigned char* is_kept)
+{
+  const Wide i = thread_index();
+  if (i < size)
+    is_kept[i] = points[i].units > 0;
+}
+
+/// All points of a cell stand for as much.
+__global__ void take_units(Cell_grid grid, const Point_in_cloud* points, const unsigned* list,
+                           Wide* units_of_cells)
+{
+  const Wide cell = thread_index();
+  if (cell >= grid.number_of_cells)
+    return;
+  const unsigned before = grid.order[grid.begins[cell]];
+  units_of_cells[cell] = points[list ? list[before] : before].units;
+}
+
+/// The stages for a part of a cloud, as `Tile_backend` on the CPU.
+class Tile_backend : public Cuda_backend
+{
+  const Facts_of_tiles& m_facts;
+
+public:
+  Tile_backend(Session& session, const Parameters& parameters, const Tile_of_cloud& tile,
+               Stages& stages, Call_report& report)
+    : Cuda_backend(session, parameters, unsigned(tile.number_of_samples), stages, report),
+      m_facts(tile.facts)
+  {}
+
+  Facts find_facts()
+  {
+    Cuda_backend::find_facts();
+    return m_facts.extents;
+  }
+
+  Scales estimate_scales(double) { return m_facts.extents.scales; }
+
+  Range_of_scales estimate_scale_field(double, const Usual_scales&)
+  {
+    if (m_facts.range_of_scales.least != m_facts.range_of_scales.largest)
+    {
+      float* const scales = m_workplace.arena.take<float>(m_session.size);
+      take_scales<<<blocks_for(m_session.size), threads_per_block, 0, m_workplace.stream>>>(
+        m_session.points_in_cloud, m_session.size, scales);
+      check_launch("take_scales");
+      m_input.positions.scales = scales;
+    }
+    return m_facts.range_of_scales;
+  }
+
+  void drop_outliers(const Plan&)
+  {
+    unsigned* const kept = m_workplace.arena.take<unsigned>(m_session.size);
+    const Arena_scope scope(m_workplace.scratch);
+    unsigned char* const is_kept = m_workplace.scratch.take<unsigned char>(m_session.size);
+    flag_kept<<<blocks_for(m_session.size), threads_per_block, 0, m_workplace.stream>>>(
+      m_session.points_in_cloud, m_session.size, is_kept);
+    check_launch("flag_kept");
+    const unsigned number_of_kept = list_flagged(is_kept, m_session.size, kept, m_workplace.scratch,
+                                                 m_workplace.stream);
+    m_report.number_of_outliers = m_session.size - number_of_kept;
+    if (number_of_kept == m_session.size)
+      return;
+    m_input.positions.size = number_of_kept;
+    m_input.positions.list = kept;
+  }
+
+  void weigh_density(const Plan& plan)
+  {
+    Cuda_backend::weigh_density(plan, m_facts.mean_number_of_neighbors);
+  }
+
+  double total_area(const Plan& plan)
+  {
+    m_areas_scope.emplace(m_workplace.arena);
+    Wide* units_of_cells = nullptr;
+    if (plan.keeps_spacings)
+    {
+      units_of_cells = m_workplace.arena.take<Wide>(m_grid.number_of_cells);
+      take_units<<<blocks_for(m_grid.number_of_cells), threads_per_block, 0, m_workplace.stream>>>(
+        m_grid, m_session.points_in_cloud, m_input.positions.list, units_of_cells);
+      check_launch("take_units");
+    }
+    m_areas = {units_of_cells, area_per_unit_of(plan.area_radius()), m_facts.area};
+    return m_areas.total;
+  }
+
+  void choose_samples(const Plan& plan)
+  {
+    const Known_starts known = {m_session.points_in_cloud, m_facts.number_of_points,
+                                plan.number_of_samples, m_facts.number_of_starts,
+                                m_facts.number_of_point_starts};
+    Cuda_backend::choose_samples(plan, &known);
+  }
+};
+
+/// Brings a tile to the device, in place of the points of the session.
+void upload_tile(Session& session, const double* points, unsigned size, const Tile_of_cloud& tile)
+{
+  session.size = 0;
+  session.has_scales = false;
+  session.input.clear();
+  session.input_memory.reserve((3 * sizeof(double) + sizeof(Point_in_cloud)) * std::size_t(size)
+                               + 1024);
+  double* const on_device = session.input.take<double>(3 * std::size_t(size));
+  Point_in_cloud* const known = session.input.take<Point_in_cloud>(size);
+  CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(on_device, points, 3 * sizeof(double) * size,
+                                     cudaMemcpyHostToDevice, session.stream));
+  CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(known, tile.points, sizeof(Point_in_cloud) * size,
+                                     cudaMemcpyHostToDevice, session.stream));
+  Frame frame;
+  frame.exponent = tile.facts.exponent_of_frame;
+  std::copy_n(tile.facts.origin_of_frame, 3, frame.origin);
+  session.take_tile(on_device, known, size, frame, tile.facts.extents.robust_diagonal);
+}
+
+} // namespace
+
+Answer free_memory(std::size_t& bytes)
+{
+  bytes = 0;
+  const Answer found = find_device();
+  if (found.status != Status::DONE)
+    return found;
+  return guarded(nullptr, [&]() {
+    std::size_t total;
+    CGAL_L0_CUDA_CHECK(cudaMemGetInfo(&bytes, &total));
+  });
+}
+
+Answer resample_tile(Session& session, const double* points, std::size_t size,
+                     const Tile_of_cloud& tile, const Parameters& parameters,
+                     Progress_callback progress, Call_report& report)
+{
+  report = Call_report();
+  return guarded(&session, [&]() {
+    session.memory_limit.limit = parameters.maximum_memory;
+    const std::size_t of_tile = sizeof(unsigned) + sizeof(unsigned char); // of each sample
+    session.reserve(estimate_memory(size, tile.number_of_samples, parameters, false)
+                    + of_tile * tile.number_of_samples);
+    upload_tile(session, points, unsigned(size), tile);
+    Stages stages(session, progress, report);
+    Tile_backend backend(session, parameters, tile, stages, report);
+    run(plan_call(parameters, backend), backend);
+  });
+}
+
+Answer download_tile(Session& session, float* side_confidences, std::uint32_t* trees,
+                     unsigned char* are_own)
+{
+  return guarded(&session, [&]() {
+    const std::size_t m = session.number_of_samples;
+    const auto copy = [&](auto* to, const auto* from) {
+      CGAL_L0_CUDA_CHECK(
+        cudaMemcpyAsync(to, from, m * sizeof(*to), cudaMemcpyDeviceToHost, session.stream));
+    };
+    copy(side_confidences, session.side_confidences);
+    copy(trees, session.trees);
+    copy(are_own, session.are_own);
+    CGAL_L0_CUDA_CHECK(cudaStreamSynchronize(session.stream));
+  });
+}
+
+} // namespace cuda
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
