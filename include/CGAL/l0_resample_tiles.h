@@ -8,10 +8,12 @@
 
 #include <CGAL/L0_resampling/Tiled_resampling.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -23,7 +25,9 @@ namespace CGAL {
 resamples a cloud that does not fit into memory, tile by tile; see
 `CGAL::L0_resampling::Tiled_resampling` for programs that store what is in between.
 
-\tparam ConcurrencyTag as for `CGAL::l0_resample_point_set()`
+\tparam ConcurrencyTag as for `CGAL::l0_resample_point_set()`. With `CUDA_tag`, tiles are resampled on
+the current device, whose free memory limits them too; it has to be given a `maximum_memory` where
+others use it.
 \param source model of `L0ResamplingTileSource`
 \param sink model of `L0ResamplingTileSink`: `sink.put(tile, result)` stores a
 `CGAL::L0_resampling::Tile_result`, `sink.get(tile)` gives it back, and `sink.finish(tile, samples)`
@@ -32,6 +36,7 @@ takes the samples of a tile with normals on their sides
 \param np see `CGAL::L0_resampling::Tiled_resampling`; `number_of_output_points` has to be given
 
 \throws std::bad_alloc if the memory does not suffice for a single tile
+\throws CGAL::L0_resampling::Device_error with `CUDA_tag`, if there is no usable device, or it fails
 */
 template <typename ConcurrencyTag, typename Source, typename Sink,
           typename NamedParameters = parameters::Default_named_parameters>
@@ -48,9 +53,14 @@ void l0_resample_tiles(const Source& source, Sink& sink, std::uint64_t maximum_m
   if (counts.number_of_points() == 0)
     return;
   Tiles tiles(std::move(counts), np);
-  tiles.find_facts(source, maximum_memory);
+  std::uint64_t device_memory = (std::numeric_limits<std::uint64_t>::max)();
+#ifdef CGAL_L0_LINKED_WITH_CUDA
+  if (std::is_same<ConcurrencyTag, CUDA_tag>::value)
+    device_memory = L0_resampling::internal::device_memory_for_tiles();
+#endif
+  tiles.find_facts(source, maximum_memory, device_memory);
   const std::vector<L0_resampling::internal::Point_in_cloud>& kept = tiles.points_in_cloud();
-  tiles.make_tiles(maximum_memory - kept.size() * sizeof(kept[0]));
+  tiles.make_tiles((std::min)(maximum_memory - kept.size() * sizeof(kept[0]), device_memory));
   const std::size_t number_of_tiles = tiles.tiles().size();
   if (!tiles.has_all_facts())
   {

@@ -16,6 +16,7 @@ import argparse
 import collections
 import concurrent.futures
 import os
+import queue
 import re
 import shutil
 import subprocess
@@ -31,7 +32,7 @@ _REFUSALS = (2, 3)
 # Those of its options that go with tiles.
 _OPTIONS = """points percentage output-format output input-format columns keep-classes decompress
     outlier-sensitivity neighbor-radius normal-weight sharpness-angle seed viewpoint up
-    threads""".split()
+    threads device""".split()
 _FLAGS = "keep-density keep-outliers drop-non-finite first-returns force".split()
 
 _UNITS = {"": 1, "K": 1 << 10, "M": 1 << 20, "G": 1 << 30, "T": 1 << 40}
@@ -49,12 +50,38 @@ def bytes_of(size):
     return int(match[1]) * _UNITS[match[2]]
 
 
-def run_task(command, task):
-    """What a worker does: runs one task, and gives its output and the bytes of memory it took."""
+def run_task(command, task, device=None):
+    """What a worker does: runs one task, with one CUDA device if it is given, and gives what the
+    program has written."""
+    environment = None
+    if device is not None:
+        environment = {**os.environ, "CUDA_VISIBLE_DEVICES": str(device)}
     result = subprocess.run(
-        [*command, "--task", task], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+        [*command, "--task", task],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        env=environment,
     )
     return task, result.returncode, result.stdout, result.stderr.strip()
+
+
+class _Devices:
+    """Lends each task that needs one a CUDA device of this machine, and no device to two."""
+
+    def __init__(self, numbers):
+        self._free = queue.Queue()
+        for number in numbers:
+            self._free.put(number)
+
+    def run_task(self, command, task):
+        if not task.startswith(("scales:", "solve:")):
+            return run_task(command, task)
+        device = self._free.get()
+        try:
+            return run_task(command, task, device)
+        finally:
+            self._free.put(device)
 
 
 def _tasks_of(command):
@@ -66,14 +93,14 @@ def _tasks_of(command):
     return [(name, int(number)) for name, number in lines]
 
 
-def _run_phase(executor, make_executor, command, tasks, on_done):
-    """Runs the tasks of a phase. Gives the executor, which is another one if the old one broke, and
+def _run_phase(executor, make_executor, run, command, tasks, on_done):
+    """Runs the tasks of a phase by the function `run`. Gives the executor, which is another one if the old one broke, and
     the number of tasks that were given to it once more."""
     attempts = collections.Counter()
     retries = 0
     waiting = list(tasks)
     while waiting:
-        futures = {executor.submit(run_task, command, task): task for task in waiting}
+        futures = {executor.submit(run, command, task): task for task in waiting}
         failed = []
         is_broken = False
         for future in concurrent.futures.as_completed(futures):
@@ -107,16 +134,22 @@ def resample_files(
     options=(),
     executor=None,
     workers=1,
+    devices=(),
     resume=False,
     program=None,
     on_progress=None,
 ):
     """Resamples the files as parts of one cloud, see `l0_resample --help`.
 
-    memory            that all workers on one machine may take together, in bytes or as "16G"
+    memory            that all workers on one machine may take together, in bytes or as "16G".
+                      What resamples tiles shares it out: the devices, if there are some, else the
+                      workers. Workers that read the files take up to 1 GiB each then
     options           further options of the program, such as ["--points", "1000000"]
     executor          of the tasks; by default threads of this process, which wait for programs
     workers           tasks of one machine at a time
+    devices           numbers of CUDA devices of this machine, such as [0, 1]: with --device cuda
+                      among the options, tiles are resampled on all of them at a time. Without
+                      them, a task takes the first device that it sees
     resume            go on where an earlier run has ended
     program           l0_resample, if it is not where the shell finds it
     on_progress       called with the name of a phase, the number of its tasks that are done, and
@@ -124,6 +157,8 @@ def resample_files(
 
     Returns a list of phases: dictionaries of name, tasks, seconds and retries.
     """
+    if devices and executor is not None:
+        raise ValueError("devices= is for workers of this process: others have devices of their own")
     program = program or os.environ.get("L0_RESAMPLE") or shutil.which("l0_resample")
     if not program:
         raise TileError("l0_resample is not found; program= or L0_RESAMPLE can name it")
@@ -134,7 +169,7 @@ def resample_files(
         "--output-directory",
         os.fspath(output_directory),
         "--memory",
-        str(bytes_of(memory) // workers),
+        str(bytes_of(memory) // (len(devices) or workers)),
         *map(str, options),
     ]
     if resume:
@@ -143,6 +178,7 @@ def resample_files(
     def make_threads():
         return concurrent.futures.ThreadPoolExecutor(workers)
 
+    run = _Devices(devices).run_task if devices else run_task
     own = executor is None
     executor = make_threads() if own else executor
     phases = []
@@ -164,7 +200,7 @@ def resample_files(
             start = time.monotonic()
             tasks = [f"{name}:{k}" for k in range(number)]
             executor, retries = _run_phase(
-                executor, make_threads if own else None, command, tasks, on_done
+                executor, make_threads if own else None, run, command, tasks, on_done
             )
             phases.append(
                 {
@@ -199,6 +235,14 @@ def _executor_of(arguments):
     return None
 
 
+def _devices_of(arguments):
+    if not arguments.devices:
+        return []
+    if arguments.device != "cuda":
+        raise ValueError("--devices needs --device cuda")
+    return [int(number) for number in arguments.devices.split(",")]
+
+
 def main(arguments=None):
     """The command line. Gives the exit status."""
     parser = argparse.ArgumentParser(
@@ -208,6 +252,9 @@ def main(arguments=None):
     parser.add_argument("--output-directory", required=True, metavar="FOLDER")
     parser.add_argument("--memory", required=True, help="of all workers of a machine, as 16G")
     parser.add_argument("--workers", type=int, default=1, help="tasks of a machine at a time")
+    parser.add_argument(
+        "--devices", metavar="NUMBERS", help="CUDA devices of --device cuda, such as 0,1"
+    )
     parser.add_argument("--resume", action="store_true", help="go on with an earlier run")
     parser.add_argument("--dask", metavar="FILE", help="the scheduler file of a Dask cluster")
     parser.add_argument("--mpi", action="store_true", help="the processes of mpi4py.futures")
@@ -234,6 +281,7 @@ def main(arguments=None):
             options=options,
             executor=executor,
             workers=known.workers,
+            devices=_devices_of(known),
             resume=known.resume,
             program=known.program,
             on_progress=_print_progress if sys.stderr.isatty() else None,

@@ -37,6 +37,10 @@ struct Tile_result
 
 namespace internal {
 
+/// `Tiled_resampling::Cancelled`
+struct Tiles_cancelled
+{};
+
 /// \param margin by which the box is larger on each side, or smaller if it is negative
 inline bool is_within(const Tile_sample& sample, const Source_box& box, double margin)
 {
@@ -58,6 +62,7 @@ void take_samples_of_tile(const Samples_of_tile<FT>& samples,
                           const Buffer<std::array<double, 3>>& positions, const Source_box& box,
                           double overlap_width, Tile_result& result)
 {
+  result.samples.reserve(positions.size());
   std::vector<std::uint32_t> numbers(positions.size(), (std::numeric_limits<std::uint32_t>::max)());
   for (std::size_t i = 0; i < positions.size(); ++i)
   {

@@ -20,7 +20,7 @@
 #include <CGAL/L0_resampling/internal/tiles/stitch_tiles.h>
 #include <CGAL/L0_resampling/tags.h>
 #ifdef CGAL_L0_LINKED_WITH_CUDA
-#include <CGAL/L0_resampling/internal/tiles/resample_tile_on_device.h>
+#include <CGAL/L0_resampling/internal/tiles/tiles_on_device.h>
 #endif
 
 #include <algorithm>
@@ -57,6 +57,9 @@ the other.
 
 A source is a class with a function `for_each_point(box, f)`, which calls `f` with each point of a
 `Source_box`, as a `std::array<double, 3>`: concept `L0ResamplingTileSource`.
+
+\tparam ConcurrencyTag as for `CGAL::l0_resample_point_set()`. With `CUDA_tag`, `resample_tile()`
+works on the current device, and the other steps on the CPU, by all of its threads.
 */
 template <typename ConcurrencyTag>
 class Tiled_resampling
@@ -109,7 +112,9 @@ class Tiled_resampling
   template <typename F>
   void watched(Report& report, const F& f) const
   {
-    internal::Memory_counter memory(m_parameters.maximum_memory);
+    internal::Memory_counter memory(is_on_device // whose limit it is then
+                                      ? (std::numeric_limits<std::size_t>::max)()
+                                      : m_parameters.maximum_memory);
     internal::Progress progress(m_callback, report, memory);
     try
     {
@@ -126,23 +131,28 @@ class Tiled_resampling
 
 public:
   /// Thrown where the callback has returned `false`.
-  struct Cancelled
-  {};
+  using Cancelled = internal::Tiles_cancelled;
 
   /// The points around a tile that decide on its samples lie within so many radii. Beyond, their
   /// influence is below what a number of single precision holds.
   static constexpr double halo_in_radii = 20;
-  /// What a call holds for each point that it reads, and for each sample, at most; with `CUDA_tag`,
-  /// on the device, and less than that here.
-  static constexpr std::uint64_t bytes_per_point = is_on_device ? 180 : 100,
+  /// What `resample_tile()` holds for each point that it reads, and for each sample, at most; with
+  /// `CUDA_tag`, on the device, and less than that here.
+  static constexpr std::uint64_t bytes_per_point = is_on_device ? 220 : 100,
                                  bytes_per_sample = is_on_device ? 280 : 480;
-  /// The same where all facts of a cloud are found.
-  static constexpr std::uint64_t bytes_per_point_of_facts = 200, bytes_per_sample_of_facts = 100;
+  /// The same as one.
+  static constexpr internal::Bytes_of_call bytes_of_call = {bytes_per_point, bytes_per_sample};
+  /// The same, where all facts of a cloud are found; with `CUDA_tag`, here, and on the device.
+  static constexpr std::uint64_t bytes_per_point_of_facts = is_on_device ? 60 : 200,
+                                 bytes_per_sample_of_facts = is_on_device ? 0 : 100,
+                                 bytes_per_point_of_facts_on_device = is_on_device ? 160 : 0,
+                                 bytes_per_sample_of_facts_on_device = is_on_device ? 16 : 0;
 
   /// \param counts of all points
   /// \param np as those of `CGAL::l0_resample_point_set()`: `number_of_output_points`,
   /// `neighbor_radius`, `sharpness_angle`, `normal_weight`, `random_seed`, `drop_outliers`,
-  /// `outlier_sensitivity`, `keep_density`, `viewpoint`, `up_direction`, `callback`
+  /// `outlier_sensitivity`, `keep_density`, `viewpoint`, `up_direction`, `callback`;
+  /// `maximum_memory`, which with `CUDA_tag` is of the device
   template <typename NamedParameters>
   Tiled_resampling(Tile_counts counts, const NamedParameters& np)
     : m_parameters(internal::checked_parameters(np, 1)), m_cloud(std::move(counts))
@@ -176,22 +186,30 @@ public:
   Source_box box_of_tile(std::size_t tile) const { return m_cloud.source_box(m_tiles[tile].box); }
 
   /// Whether `bytes` hold all of so many points at a time.
+  /// \param device_bytes with `CUDA_tag`: what may be taken of the device
   static bool can_find_all_facts(std::uint64_t number_of_points, std::uint64_t number_of_samples,
-                                 std::uint64_t bytes)
+                                 std::uint64_t bytes, std::uint64_t device_bytes)
   {
+    const auto hold = [&](std::uint64_t memory, std::uint64_t per_point, std::uint64_t per_sample) {
+      return double(number_of_points) * double(per_point)
+               + double(number_of_samples) * double(per_sample)
+             <= double(memory);
+    };
     return number_of_points < many
-           && double(number_of_points) * double(bytes_per_point_of_facts)
-                  + double(number_of_samples) * double(bytes_per_sample_of_facts)
-                <= double(bytes);
+           && hold(bytes, bytes_per_point_of_facts, bytes_per_sample_of_facts)
+           && hold(device_bytes, bytes_per_point_of_facts_on_device,
+                   bytes_per_sample_of_facts_on_device);
   }
 
   /// Finds the facts of the whole cloud: those that a call for all of it in memory finds, if
-  /// `bytes` hold all of the points; else the scales, from as many regions all over the cloud as
-  /// they hold.
+  /// `bytes` hold all of the points, and `device_bytes` of the device with `CUDA_tag`; else the
+  /// scales, from as many regions all over the cloud as `bytes` hold.
   template <typename Source>
-  const internal::Facts_of_cloud& find_facts(const Source& source, std::uint64_t bytes)
+  const internal::Facts_of_cloud& find_facts(
+    const Source& source, std::uint64_t bytes,
+    std::uint64_t device_bytes = (std::numeric_limits<std::uint64_t>::max)())
   {
-    if (can_find_all_facts(number_of_points(), number_of_samples(), bytes))
+    if (can_find_all_facts(number_of_points(), number_of_samples(), bytes, device_bytes))
       set_facts(facts_of_all_points(source));
     else
       set_facts(facts_of_regions(source, bytes));
@@ -211,14 +229,16 @@ public:
   /// Cuts the cloud into tiles.
   /// \param bytes that a tile and its halo may take, beside what is kept of all blocks
   /// \param halo in radii; one more block is added
+  /// \param of_call that resamples them, of this class or for another processor
   /// \throws std::bad_alloc if a single block takes more
-  void make_tiles(std::uint64_t bytes, double halo = halo_in_radii)
+  void make_tiles(std::uint64_t bytes, double halo = halo_in_radii,
+                  const internal::Bytes_of_call& of_call = bytes_of_call)
   {
     m_halo_in_radii = halo;
     const internal::Tiling tiling(
       blocks(), halo_in_blocks(),
-      internal::Bytes_of_tile::of_cloud(blocks(), double(bytes_per_point),
-                                        double(number_of_samples()) * double(bytes_per_sample),
+      internal::Bytes_of_tile::of_cloud(blocks(), double(of_call.per_point),
+                                        double(number_of_samples()) * double(of_call.per_sample),
                                         !m_parameters.keep_density),
       double(bytes));
     m_tiles = tiling.tiles();
@@ -417,6 +437,20 @@ private:
     }
   }
 
+  /// \param points used up
+  internal::Facts_of_cloud facts_of_points(internal::Buffer<internal::Vector>& points,
+                                           internal::Progress& progress, Report& report)
+  {
+#ifdef CGAL_L0_LINKED_WITH_CUDA
+    if constexpr (is_on_device)
+      return internal::facts_on_device(points, m_parameters, m_callback, report, m_points);
+#endif
+    Solver solver;
+    internal::Any_solver<FT> any_solver(solver);
+    return internal::facts_of_points<Host_tag>(points, m_parameters, any_solver, progress, report,
+                                               m_points);
+  }
+
   template <typename Source>
   internal::Facts_of_cloud facts_of_all_points(const Source& source)
   {
@@ -427,10 +461,7 @@ private:
       points.reserve(std::size_t(number_of_points()));
       for (const auto& [block, count] : blocks())
         m_cloud.read(source, {block, block}, points);
-      Solver solver;
-      internal::Any_solver<FT> any_solver(solver);
-      facts = internal::facts_of_points<Host_tag>(points, m_parameters, any_solver, progress,
-                                                  report, m_points);
+      facts = facts_of_points(points, progress, report);
     });
     return facts;
   }

@@ -56,6 +56,8 @@ protected: // for backends that differ in a stage
   Cell_grid m_grid;                         // of the points
   Areas m_areas;                            // of the points, for the first samples
   std::optional<Arena_scope> m_areas_scope; // of the arena
+  float4* m_normals = nullptr;              // of the points, filtered, and 1/v_j
+  std::optional<Filter_arrays> m_filter;
 
 private:
   const unsigned m_number_of_samples; // of the result
@@ -70,8 +72,6 @@ private:
   std::optional<Arena_scope> m_points_scope; // of the arena
   std::optional<Arena_scope> m_order_scope;  // of the scratch arena: the order of the points before
   const unsigned* m_numbers_of_points = nullptr; // that each one stands for; null if only itself
-  float4* m_normals = nullptr;                   // of the points, filtered, and 1/v_j
-  std::optional<Filter_arrays> m_filter;
 
   std::optional<Neighborhood> m_neighborhood;
   std::optional<Arena_scope> m_sample_grid_scope; // of the scratch arena

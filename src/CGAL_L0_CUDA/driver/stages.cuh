@@ -243,6 +243,13 @@ struct Sources_of_samples
   const Known_starts* known; // null if they are to be chosen
 };
 
+/// How many samples start on each point of the grid, or near it, as they are chosen.
+/// \param areas null if they spread as the points do
+/// \param numbers out: one for each point
+/// \returns how many points these are; waits for the device
+unsigned count_starts(const Workplace& workplace, const Cell_grid& grid, const Areas* areas,
+                      unsigned number_of_samples, std::size_t seed, unsigned* numbers);
+
 /// The first S, chosen as the CPU chooses it, or as it is known.
 /// \param lone_radius of the ball around a point that is alone
 /// \param spacing of an even set of samples

@@ -182,10 +182,17 @@ struct Known_points
   __device__ unsigned cloud_index(unsigned i) const { return points ? (*this)(i).index : i; }
 };
 
+__global__ void add_starts(Some sources, Some distinct, unsigned* numbers)
+{
+  const Wide k = thread_index();
+  if (k < sources.size)
+    atomicAdd(&numbers[distinct[sources[k]]], 1u);
+}
+
 /// \param has_start out, of each distinct point: whether a sample starts on it
 /// \param numbers_of_near out: how many start near it
-__global__ void count_starts(Known_points known, Some distinct, unsigned number_of_points,
-                             unsigned char* has_start, unsigned* numbers_of_near)
+__global__ void find_known_starts(Known_points known, Some distinct, unsigned number_of_points,
+                                  unsigned char* has_start, unsigned* numbers_of_near)
 {
   const Wide d = thread_index();
   if (d >= distinct.size)
@@ -230,9 +237,9 @@ Sources known_sources(const Workplace& workplace, const Known_points& known, con
   unsigned char* const has_start = workplace.scratch.take<unsigned char>(distinct.size);
   unsigned* const offsets = workplace.scratch.take<unsigned>(Wide(distinct.size) + 1);
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(offsets + distinct.size, 0, sizeof(unsigned), stream));
-  count_starts<<<blocks_for(distinct.size), threads_per_block, 0, stream>>>(
+  find_known_starts<<<blocks_for(distinct.size), threads_per_block, 0, stream>>>(
     known, distinct, grid.size, has_start, offsets);
-  check_launch("count_starts");
+  check_launch("find_known_starts");
   const unsigned number_on_points = list_flagged(has_start, distinct.size, on_points,
                                                  workplace.scratch, stream);
   sum_up(offsets, distinct.size, offsets, workplace.scratch, stream);
@@ -437,7 +444,45 @@ __global__ void place_on_points(Positions positions, Cell_grid grid, Some distin
                  support_points.takes(heritage.known.cloud_index(source)));
 }
 
+/// The first of the points at each place, from the scratch arena.
+Some distinct_points(const Workplace& workplace, const Cell_grid& grid)
+{
+  Some distinct = {nullptr, grid.number_of_distinct};
+  if (grid.number_of_distinct < grid.size)
+  {
+    unsigned* const list = workplace.scratch.take<unsigned>(grid.size);
+    list_flagged(grid.is_first, grid.size, list, workplace.scratch, workplace.stream);
+    distinct.list = list;
+  }
+  return distinct;
+}
+
+/// \param areas null if samples spread as the points do
+Sources chosen_sources(const Workplace& workplace, const Cell_grid& grid, const Some& distinct,
+                       const Areas* areas, unsigned number_of_samples, Wide seed)
+{
+  return areas ? sources_by_area(workplace, grid, distinct, *areas, number_of_samples, seed)
+               : sources_by_points(workplace, distinct.size, number_of_samples, seed);
+}
+
 } // namespace
+
+unsigned count_starts(const Workplace& workplace, const Cell_grid& grid, const Areas* areas,
+                      unsigned number_of_samples, std::size_t seed, unsigned* numbers)
+{
+  const Arena_scope scope(workplace.scratch);
+  const Some distinct = distinct_points(workplace, grid);
+  const Sources sources = chosen_sources(workplace, grid, distinct, areas, number_of_samples, seed);
+  CGAL_L0_CUDA_CHECK(cudaMemsetAsync(numbers, 0, grid.size * sizeof(unsigned), workplace.stream));
+  for (const Some& of_kind : {sources.on_points, sources.near_points})
+    if (of_kind.size > 0)
+    {
+      add_starts<<<blocks_for(of_kind.size), threads_per_block, 0, workplace.stream>>>(
+        of_kind, distinct, numbers);
+      check_launch("add_starts");
+    }
+  return sources.on_points.size;
+}
 
 void initialize_samples(const Workplace& workplace, const Positions& positions,
                         const Cell_grid& grid, const Sources_of_samples& points, double radius,
@@ -446,21 +491,15 @@ void initialize_samples(const Workplace& workplace, const Positions& positions,
 {
   const cudaStream_t stream = workplace.stream;
   const Arena_scope scope(workplace.scratch);
-  Some distinct = {nullptr, grid.number_of_distinct};
-  if (grid.number_of_distinct < grid.size)
-  {
-    unsigned* const list = workplace.scratch.take<unsigned>(grid.size);
-    list_flagged(grid.is_first, grid.size, list, workplace.scratch, stream);
-    distinct.list = list;
-  }
+  const Some distinct = distinct_points(workplace, grid);
   const Areas* const areas = points.areas;
   const Known_starts* const known = points.known;
   const Known_points known_points = {known ? known->points : nullptr, positions.list, grid.order};
   const Sources sources = known
                             ? known_sources(workplace, known_points, grid, distinct, samples.size)
-                          : areas && points.spreads_evenly
-                            ? sources_by_area(workplace, grid, distinct, *areas, samples.size, seed)
-                            : sources_by_points(workplace, distinct.size, samples.size, seed);
+                            : chosen_sources(workplace, grid, distinct,
+                                             areas && points.spreads_evenly ? areas : nullptr,
+                                             samples.size, seed);
   const Heritage heritage = {
     points.normals,
     areas ? areas->of_cells : nullptr,

@@ -444,7 +444,7 @@ void add_options(CLI::App& app, Arguments& arguments)
                  {"output-directory", "output-format", "force", "points", "percentage",
                   "keep-density", "keep-outliers", "outlier-sensitivity", "neighbor-radius",
                   "normal-weight", "sharpness-angle", "seed", "viewpoint", "up", "json", "memory",
-                  "resume", "output", "task"});
+                  "device", "resume", "output", "task"});
   exclude_others(app, "info",
                  {"points", "percentage", "method", "neighbor-radius", "keep-outliers",
                   "outlier-sensitivity"});

@@ -13,8 +13,9 @@
 namespace l0_tool {
 
 Shard_writer::Shard_writer(const std::string& path, std::uint64_t key, const Block_lattice& lattice,
-                           std::size_t most_points)
-  : m_file(path, key), m_lattice(lattice), m_most_points(most_points)
+                           std::uint64_t bytes)
+  : m_file(path, key), m_lattice(lattice),
+    m_most_points(std::size_t((std::min)(bytes, most_bytes) / sizeof(Sorted_point)))
 {}
 
 void Shard_writer::add(const std::array<double, 3>& point)
@@ -85,7 +86,7 @@ Shards::Shards(const std::vector<std::string>& paths, std::uint64_t key,
 std::vector<Block_run>::iterator Shards::first_run(std::vector<Block_run>& runs, const Block& low)
 {
   return std::partition_point(runs.begin(), runs.end(),
-                              [&](const Block_run& run) { return run.block[0] < low[0]; });
+                              [&](const Block_run& run) { return run.block < low; });
 }
 
 void Shards::read(const Block_run& run, Shard& shard, std::vector<std::array<double, 3>>& points)

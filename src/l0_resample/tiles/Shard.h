@@ -53,12 +53,12 @@ class Shard_writer
   void write_run();
 
 public:
-  /// What a point takes while its run is sorted.
-  static constexpr std::size_t bytes_per_point = sizeof(Sorted_point);
+  /// Of a run. Longer ones would hardly be read any faster.
+  static constexpr std::uint64_t most_bytes = std::uint64_t(1) << 30;
 
-  /// \param most_points of a run
+  /// \param bytes that a run may take, of which it takes no more than `most_bytes`
   Shard_writer(const std::string& path, std::uint64_t key, const Block_lattice& lattice,
-               std::size_t most_points);
+               std::uint64_t bytes);
 
   void add(const std::array<double, 3>& point);
   void commit();
@@ -84,6 +84,8 @@ public:
   void for_each_point(const Box& box, const F& f) const
   {
     const Block low = m_lattice.block_of(box.low), end = m_lattice.block_of(box.high);
+    if (low[0] >= end[0] || low[1] >= end[1] || low[2] >= end[2])
+      return;
     for (Shard& shard : m_shards)
       for_each_run(shard, low, end, [&](const std::vector<std::array<double, 3>>& points) {
         for (const std::array<double, 3>& point : points)
@@ -96,10 +98,11 @@ private:
   static void for_each_run(Shard& shard, const Block& low, const Block& end, const F& f)
   {
     std::vector<std::array<double, 3>> points;
-    for (auto run = first_run(shard.runs, low); run != shard.runs.end() && run->block[0] < end[0];
+    const Block last = {end[0] - 1, end[1] - 1, end[2] - 1};
+    for (auto run = first_run(shard.runs, low); run != shard.runs.end() && run->block <= last;
          ++run) {
       const Block& block = run->block;
-      if (block[1] < low[1] || block[1] >= end[1] || block[2] < low[2] || block[2] >= end[2])
+      if (block[1] < low[1] || block[1] > last[1] || block[2] < low[2] || block[2] > last[2])
         continue;
       read(*run, shard, points);
       f(points);

@@ -15,6 +15,7 @@
 #include "tasks/run.h"
 #include "tiles/Shard.h"
 #include "tiles/Tile_rows.h"
+#include "tiles/processor_of_tiles.h"
 #include "tiles/tile_description.h"
 #include "tiles/tile_files.h"
 
@@ -41,7 +42,8 @@ namespace parameters = CGAL::parameters;
 namespace internal = CGAL::L0_resampling::internal;
 using CGAL::L0_resampling::Tile_counts;
 using CGAL::L0_resampling::Tile_result;
-using Tiled_resampling = CGAL::L0_resampling::Tiled_resampling<CGAL::Parallel_if_available_tag>;
+using CGAL::L0_resampling::Tiled_resampling;
+using Tiled_on_cpu = Tiled_resampling<CGAL::Parallel_if_available_tag>;
 using Json = nlohmann::ordered_json;
 
 /// What the program takes beside the points: code, tables of the blocks, buffers of files.
@@ -50,40 +52,43 @@ constexpr std::uint64_t base_memory = std::uint64_t(96) << 20;
 } // namespace
 
 /// The tiles of a run as far as earlier tasks have found out about them.
+/// \tparam ConcurrencyTag that of what resamples a tile here
+template <typename ConcurrencyTag>
 class Tile_tasks::Tiles
 {
   const Tile_tasks& m_tasks;
 
 public:
-  Tiled_resampling resampling;
+  Tiled_resampling<ConcurrencyTag> resampling;
 
   Tiles(const Tile_tasks& tasks, const On_progress& on_progress)
     : m_tasks(tasks), resampling(tiled_resampling(tasks, on_progress))
   {}
 
-  static Tiled_resampling tiled_resampling(const Tile_tasks& tasks, const On_progress& on_progress)
+  static Tiled_resampling<ConcurrencyTag> tiled_resampling(const Tile_tasks& tasks,
+                                                           const On_progress& on_progress)
   {
     const Options& options = tasks.m_options;
     Tile_counts counts = read_counts(tasks.file_of("blocks", 0), tasks.m_key).counts;
     const std::size_t number_of_samples =
       number_of_output_points(options, std::size_t(counts.number_of_points()));
-    return Tiled_resampling(std::move(counts),
-                            parameters::resampling_method(options.method)
-                              .normal_weight(normal_weight_of(options))
-                              .number_of_output_points(number_of_samples)
-                              .neighbor_radius(options.neighbor_radius)
-                              .sharpness_angle(options.sharpness_angle)
-                              .random_seed(options.seed)
-                              .drop_outliers(options.keep_outliers ? std::optional<bool>(false)
-                                                                   : std::nullopt)
-                              .outlier_sensitivity(options.outlier_sensitivity)
-                              .keep_density(options.keep_density)
-                              .viewpoint(options.viewpoint)
-                              .up_direction(options.up_direction)
-                              .callback(std::function<bool(double)>([on_progress](double share) {
-                                on_progress(share);
-                                return !is_interrupted();
-                              })));
+    return Tiled_resampling<ConcurrencyTag>(
+      std::move(counts),
+      parameters::resampling_method(options.method)
+        .normal_weight(normal_weight_of(options))
+        .number_of_output_points(number_of_samples)
+        .neighbor_radius(options.neighbor_radius)
+        .sharpness_angle(options.sharpness_angle)
+        .random_seed(options.seed)
+        .drop_outliers(options.keep_outliers ? std::optional<bool>(false) : std::nullopt)
+        .outlier_sensitivity(options.outlier_sensitivity)
+        .keep_density(options.keep_density)
+        .viewpoint(options.viewpoint)
+        .up_direction(options.up_direction)
+        .callback(std::function<bool(double)>([on_progress](double share) {
+          on_progress(share);
+          return !is_interrupted();
+        })));
   }
 
   Shards shards() const
@@ -96,8 +101,15 @@ public:
 
   void cut()
   {
-    resampling.set_facts(read_facts(m_tasks.file_of("scales", 0), m_tasks.m_key));
-    resampling.make_tiles(m_tasks.memory_of_tile());
+    const Facts_of_run facts = read_facts(m_tasks.file_of("scales", 0), m_tasks.m_key);
+    resampling.set_facts(facts.of_cloud);
+    make(facts.memory_of_tile);
+  }
+
+  /// \param memory of a tile, in bytes
+  void make(std::uint64_t memory)
+  {
+    resampling.make_tiles(memory, Tiled_on_cpu::halo_in_radii, bytes_of_call(m_tasks.m_options));
   }
 
   /// What is known of the samples of all tiles.
@@ -111,7 +123,7 @@ public:
   void take_starts(std::size_t tile)
   {
     if (resampling.has_all_facts())
-      resampling.set_points(tile, read_points_in_cloud(m_tasks.file_of("scales", 0), m_tasks.m_key,
+      resampling.set_points(tile, read_points_in_cloud(m_tasks.file_of("points", 0), m_tasks.m_key,
                                                        resampling.ranges_of_tile(tile)));
     else
       resampling.set_starts(tile, read_starts(m_tasks.file_of("samples", 0), m_tasks.m_key, tile));
@@ -162,6 +174,7 @@ void Tile_tasks::check_inputs_stay() const
 
 void Tile_tasks::begin() const
 {
+  check_device(m_options);
   const std::string note = (fs::path(m_work) / "run").string();
   const std::string old = read_description(note), finished = read_finished(index_file());
   if (!old.empty() || !finished.empty()) {
@@ -183,7 +196,7 @@ void Tile_tasks::begin() const
 
 bool Tile_tasks::is_finished() const { return read_finished(index_file()) == m_description; }
 
-std::uint64_t Tile_tasks::memory_of_tile() const
+std::uint64_t Tile_tasks::memory_for_points() const
 {
   if (m_command.tiles.memory <= base_memory)
     throw Failure(RUN_TIME_FAILURE, "--memory: more than " + std::to_string(base_memory >> 20)
@@ -197,9 +210,9 @@ std::vector<Tile_phase> Tile_tasks::phases() const
   std::vector<Tile_phase> phases = {
     {"count", n, 0.05}, {"blocks", 1, 0}, {"shard", n, 0.05}, {"scales", 1, 0.1}};
   std::string reason;
-  if (!is_done("scales", 0, reason))
+  if (!is_task_file(file_of("scales", 0), m_key, reason))
     return phases;
-  Tiles tiles(*this, [](double) {});
+  Tiles_on_cpu tiles(*this, [](double) {});
   tiles.cut();
   const std::size_t number_of_tiles = tiles.resampling.tiles().size();
   const bool needs_shares = !tiles.resampling.has_all_facts();
@@ -221,27 +234,38 @@ bool Tile_tasks::is_done(const std::string& phase, std::size_t number, std::stri
   // what has the format that was asked for does not say whose it is
   if (phase == "write" || phase == "merge" || phase == "finish")
     return false;
-  return is_task_file(file_of(phase, number), m_key, reason);
+  if (!is_task_file(file_of(phase, number), m_key, reason))
+    return false;
+  return phase != "scales" || !read_facts(file_of("scales", 0), m_key).of_cloud.area
+         || is_task_file(file_of("points", 0), m_key, reason);
 }
 
-void Tile_tasks::run(const std::string& phase, std::size_t number,
-                     const On_progress& on_progress) const
+std::size_t Tile_tasks::most_at_once(const std::string& phase) const
+{
+  if (phase != "count" && phase != "shard" && phase != "write")
+    return 1;
+  const std::uint64_t of_task = std::uint64_t(256) << 20; // for its blocks, and a run of points
+  return std::size_t((std::max)(memory_for_points() / of_task, std::uint64_t(1)));
+}
+
+void Tile_tasks::run(const std::string& phase, std::size_t number, const On_progress& on_progress,
+                     std::size_t at_once) const
 {
   try {
     if (phase == "count")
-      count(number, on_progress);
+      count(number, on_progress, at_once);
     else if (phase == "blocks")
       merge_counts();
     else if (phase == "shard")
-      shard(number, on_progress);
+      shard(number, on_progress, at_once);
     else if (phase == "scales")
-      find_scales();
+      run_on(m_options, [&](auto tag) { find_scales<decltype(tag)>(on_progress); });
     else if (phase == "share")
       find_shares(number, on_progress);
     else if (phase == "samples")
       share_samples();
     else if (phase == "solve")
-      solve(number, on_progress);
+      run_on(m_options, [&](auto tag) { solve<decltype(tag)>(number, on_progress); });
     else if (phase == "stitch")
       stitch(on_progress);
     else if (phase == "write")
@@ -254,7 +278,7 @@ void Tile_tasks::run(const std::string& phase, std::size_t number,
     throw Failure(RUN_TIME_FAILURE, phase + " " + std::to_string(number) + ": not enough memory");
   } catch (const std::invalid_argument& error) {
     throw Failure(INPUT_REFUSED, error.what());
-  } catch (const Tiled_resampling::Cancelled&) {
+  } catch (const Tiled_on_cpu::Cancelled&) {
     throw_if_interrupted();
   }
 }
@@ -278,12 +302,13 @@ std::uint64_t Tile_tasks::read_input(std::size_t number,
     .number_of_dropped_points;
 }
 
-void Tile_tasks::count(std::size_t number, const On_progress& on_progress) const
+void Tile_tasks::count(std::size_t number, const On_progress& on_progress,
+                       std::size_t at_once) const
 {
   Counted_input input;
   input.number_of_dropped = read_input(
     number, [&](const std::array<double, 3>& point) { input.counts.add(point); },
-    memory_of_tile() / 2, on_progress);
+    memory_for_points() / 2 / at_once, on_progress);
   write_counts(file_of("count", number), m_key, input);
 }
 
@@ -307,8 +332,11 @@ void Tile_tasks::check_disk(std::uint64_t number_of_points) const
   const std::uint64_t m = number_of_output_points(m_options, std::size_t(number_of_points));
   const std::uint64_t of_results = largest_file_size(m_options.output_format, m);
   std::uint64_t of_point = sizeof(std::array<double, 3>); // in its shard
-  if (Tiled_resampling::can_find_all_facts(number_of_points, m, memory_of_tile()))
-    of_point += sizeof(Point_in_cloud);
+  run_on(m_options, [&](auto tag) {
+    if (Tiled_resampling<decltype(tag)>::can_find_all_facts(
+          number_of_points, m, memory_for_points(), memory_of_device(m_options)))
+      of_point += sizeof(Point_in_cloud);
+  });
   // samples with those of the overlaps, of which there are fewer
   check_writable(index_file(),
                  number_of_points * of_point + 2 * m * sizeof(Tile_sample) + of_results);
@@ -316,45 +344,49 @@ void Tile_tasks::check_disk(std::uint64_t number_of_points) const
     check_writable(m_command.merged_output, of_results);
 }
 
-void Tile_tasks::shard(std::size_t number, const On_progress& on_progress) const
+void Tile_tasks::shard(std::size_t number, const On_progress& on_progress,
+                       std::size_t at_once) const
 {
   const Tile_counts counts = read_counts(file_of("blocks", 0), m_key).counts;
-  const std::uint64_t memory = memory_of_tile() / 2;
-  Shard_writer shard(
-    file_of("shard", number), m_key, counts.lattice(),
-    std::size_t((std::min)(memory / Shard_writer::bytes_per_point, std::uint64_t(0xffffffff))));
+  const std::uint64_t memory = memory_for_points() / 2 / at_once;
+  Shard_writer shard(file_of("shard", number), m_key, counts.lattice(), memory);
   read_input(
     number, [&](const std::array<double, 3>& point) { shard.add(point); }, memory, on_progress);
   shard.commit();
 }
 
-void Tile_tasks::find_scales() const
+template <typename ConcurrencyTag>
+void Tile_tasks::find_scales(const On_progress& on_progress) const
 {
-  Tiles tiles(*this, [](double) {});
-  const internal::Facts_of_cloud& facts = tiles.resampling.find_facts(tiles.shards(),
-                                                                      memory_of_tile());
+  Tiles<ConcurrencyTag> tiles(*this, on_progress);
+  const std::uint64_t of_device = memory_of_device(m_options),
+                      memory = (std::min)(memory_for_points(), of_device);
+  const internal::Facts_of_cloud& facts =
+    tiles.resampling.find_facts(tiles.shards(), memory_for_points(), of_device);
   try {
-    tiles.resampling.make_tiles(memory_of_tile());
+    tiles.make(memory);
   } catch (const std::bad_alloc&) {
-    throw Failure(RUN_TIME_FAILURE, "--memory: " + std::to_string(m_command.tiles.memory)
+    throw Failure(RUN_TIME_FAILURE, "--memory: " + std::to_string(memory)
                                       + " bytes do not hold a part of the cloud and what is "
                                         "around it, within "
-                                      + std::to_string(int(Tiled_resampling::halo_in_radii))
+                                      + std::to_string(int(Tiled_on_cpu::halo_in_radii))
                                       + " radii");
   }
-  write_facts(file_of("scales", 0), m_key, facts, tiles.resampling.points_in_cloud());
+  if (tiles.resampling.has_all_facts())
+    write_points_in_cloud(file_of("points", 0), m_key, tiles.resampling.points_in_cloud());
+  write_facts(file_of("scales", 0), m_key, {facts, memory});
 }
 
 void Tile_tasks::find_shares(std::size_t tile, const On_progress& on_progress) const
 {
-  Tiles tiles(*this, on_progress);
+  Tiles_on_cpu tiles(*this, on_progress);
   tiles.cut();
   write_share(file_of("share", tile), m_key, tiles.resampling.share_of_tile(tile, tiles.shards()));
 }
 
 void Tile_tasks::share_samples() const
 {
-  Tiles tiles(*this, [](double) {});
+  Tiles_on_cpu tiles(*this, [](double) {});
   tiles.cut();
   std::vector<Share_of_tile> shares;
   for (std::size_t tile = 0; tile < tiles.resampling.tiles().size(); ++tile)
@@ -363,9 +395,10 @@ void Tile_tasks::share_samples() const
   write_starts(file_of("samples", 0), m_key, sums, shares);
 }
 
+template <typename ConcurrencyTag>
 void Tile_tasks::solve(std::size_t tile, const On_progress& on_progress) const
 {
-  Tiles tiles(*this, on_progress);
+  Tiles<ConcurrencyTag> tiles(*this, on_progress);
   tiles.cut();
   tiles.take_sums();
   tiles.take_starts(tile);
@@ -382,10 +415,10 @@ void Tile_tasks::solve(std::size_t tile, const On_progress& on_progress) const
 
 void Tile_tasks::stitch(const On_progress& on_progress) const
 {
-  Tiles tiles(*this, on_progress);
+  Tiles_on_cpu tiles(*this, on_progress);
   tiles.cut();
   tiles.take_sums();
-  const Tiled_resampling& resampling = tiles.resampling;
+  const Tiled_on_cpu& resampling = tiles.resampling;
   const std::size_t number_of_tiles = resampling.tiles().size();
   Signs_of_tiles all;
   std::vector<std::vector<double>> evidence;
@@ -435,10 +468,10 @@ void Tile_tasks::merge() const
 
 void Tile_tasks::finish() const
 {
-  Tiles tiles(*this, [](double) {});
+  Tiles_on_cpu tiles(*this, [](double) {});
   tiles.cut();
   tiles.take_sums();
-  const Tiled_resampling& resampling = tiles.resampling;
+  const Tiled_on_cpu& resampling = tiles.resampling;
   const Signs_of_tiles all = read_signs(file_of("stitch", 0), m_key);
   const double length = resampling.neighbor_radius();
   const internal::Seam_report& seams = all.seams;

@@ -8,6 +8,8 @@
 
 #include "command_line/options.h"
 
+#include <CGAL/tags.h>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -53,14 +55,22 @@ public:
   /// \param reason out: why a file that is there does not count
   bool is_done(const std::string& phase, std::size_t number, std::string& reason) const;
 
+  /// How many tasks of a phase may run at the same time in one process: those that read or write
+  /// files one number at a time, on one thread each, as far as there is memory.
+  std::size_t most_at_once(const std::string& phase) const;
+
   /// \param phase one of `phases()`
   /// \param number below that of its tasks
-  void run(const std::string& phase, std::size_t number, const On_progress& on_progress) const;
+  /// \param at_once tasks that share the memory
+  void run(const std::string& phase, std::size_t number, const On_progress& on_progress,
+           std::size_t at_once = 1) const;
 
   std::string file_of(const std::string& phase, std::size_t number) const;
 
 private:
+  template <typename ConcurrencyTag>
   class Tiles;
+  using Tiles_on_cpu = Tiles<CGAL::Parallel_if_available_tag>;
 
   const Command& m_command;
   const Options& m_options;
@@ -72,17 +82,19 @@ private:
   std::string index_file() const;
   void check_inputs_stay() const;
   void check_disk(std::uint64_t number_of_points) const;
-  std::uint64_t memory_of_tile() const;
+  std::uint64_t memory_for_points() const;
   std::uint64_t read_input(std::size_t number,
                            const std::function<void(const std::array<double, 3>&)>& f,
                            std::uint64_t memory, const On_progress& on_progress) const;
 
-  void count(std::size_t number, const On_progress& on_progress) const;
+  void count(std::size_t number, const On_progress& on_progress, std::size_t at_once) const;
   void merge_counts() const;
-  void shard(std::size_t number, const On_progress& on_progress) const;
-  void find_scales() const;
+  void shard(std::size_t number, const On_progress& on_progress, std::size_t at_once) const;
+  template <typename ConcurrencyTag>
+  void find_scales(const On_progress& on_progress) const;
   void find_shares(std::size_t tile, const On_progress& on_progress) const;
   void share_samples() const;
+  template <typename ConcurrencyTag>
   void solve(std::size_t tile, const On_progress& on_progress) const;
   void stitch(const On_progress& on_progress) const;
   void write(std::size_t tile) const;

@@ -14,13 +14,19 @@
 #include "tiles/Tile_tasks.h"
 
 #include <nlohmann/json.hpp>
+#include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/partitioner.h>
+#include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <utility>
@@ -67,26 +73,74 @@ class Run_of_tiles
   double m_done = 0; // share of the whole
   std::size_t m_number_of_tiles = 0;
 
+  /// A task of the running phase.
+  struct Task
+  {
+    double share_done = 0;
+    bool is_kept = false;
+    std::string reason; ///< why a file that was there did not count
+  };
+
+  std::mutex m_mutex; // of the progress bar and what it shows
+  std::vector<Task> m_running;
+
+  void run(const Tile_phase& phase, std::size_t k, std::size_t at_once)
+  {
+    throw_if_interrupted();
+    Task& task = m_running[k];
+    const auto show_progress = [&](double share) {
+      const std::lock_guard<std::mutex> lock(m_mutex);
+      task.share_done = share;
+      double sum = 0;
+      for (const Task& any : m_running)
+        sum += any.share_done;
+      m_progress.update(phase.name, m_done + phase.share * sum / double(phase.number_of_tasks));
+    };
+    task.is_kept = m_tasks.is_done(phase.name, k, task.reason);
+    if (!task.is_kept)
+      m_tasks.run(phase.name, k, show_progress, at_once);
+    show_progress(1);
+  }
+
+  /// All tasks of a phase; some at the same time, as far as they do not use several threads
+  /// themselves.
+  void run_tasks(const Tile_phase& phase)
+  {
+    const std::size_t n = phase.number_of_tasks,
+                      threads = tbb::global_control::active_value(
+                        tbb::global_control::max_allowed_parallelism),
+                      at_once = (std::min)({m_tasks.most_at_once(phase.name), n, threads});
+    if (at_once <= 1) {
+      for (std::size_t k = 0; k < n; ++k)
+        run(phase, k, 1);
+      return;
+    }
+    tbb::task_arena arena{int(at_once)};
+    arena.execute([&] {
+      const tbb::blocked_range<std::size_t> one_by_one(0, n, 1);
+      tbb::parallel_for(
+        one_by_one,
+        [&](const tbb::blocked_range<std::size_t>& tasks) {
+          for (std::size_t k = tasks.begin(); k < tasks.end(); ++k)
+            run(phase, k, at_once);
+        },
+        tbb::simple_partitioner());
+    });
+  }
+
   void run(const Tile_phase& phase)
   {
     const Clock::time_point start = Clock::now();
+    m_running.assign(phase.number_of_tasks, Task());
+    run_tasks(phase);
     std::size_t number_kept = 0, number_remade = 0;
     std::uint64_t bytes = 0;
     for (std::size_t k = 0; k < phase.number_of_tasks; ++k) {
-      throw_if_interrupted();
-      std::string reason;
-      if (m_tasks.is_done(phase.name, k, reason))
-        ++number_kept;
-      else {
-        if (!reason.empty()) {
-          ++number_remade;
-          m_notes.push_back(reason);
-        }
-        m_tasks.run(phase.name, k, [&](double share) {
-          m_progress.update(
-            phase.name, m_done + phase.share * (double(k) + share) / double(phase.number_of_tasks));
-        });
-      }
+      const Task& task = m_running[k];
+      number_kept += task.is_kept;
+      number_remade += !task.reason.empty();
+      if (!task.reason.empty())
+        m_notes.push_back(task.reason);
       bytes += size_of_file(m_tasks.file_of(phase.name, k));
     }
     m_done += phase.share;

@@ -8,6 +8,7 @@
 #include "basis/Failure.h"
 #include "files/tile_folder.h"
 #include "tiles/Task_file.h"
+#include "tiles/processor_of_tiles.h"
 
 #include <nlohmann/json.hpp>
 
@@ -99,6 +100,7 @@ std::string describe_run(const Command& command)
   else
     text << options.percentage << " %\n";
   text << "--memory " << command.tiles.memory << "\n"
+       << "--device " << (are_tiles_on_device(options) ? "cuda" : "cpu") << "\n"
        << "--output-format " << extension_of(options.output_format) << "\n"
        << "--neighbor-radius " << options.neighbor_radius.value_or(0) << "\n"
        << "--normal-weight " << normal_weight_of(options) << "\n"

@@ -54,28 +54,35 @@ void for_each_plain_fact(Facts& facts, const F& f)
 
 } // namespace
 
-void write_facts(const std::string& path, std::uint64_t key, const Facts_of_cloud& facts,
-                 const std::vector<Point_in_cloud>& points)
+void write_facts(const std::string& path, std::uint64_t key, const Facts_of_run& facts)
 {
   Task_file_writer file(path, key);
-  file.write_all(points);
-  const internal::Vector& origin = facts.frame->origin;
-  file.write(facts.frame->exponent);
+  file.write(facts.memory_of_tile);
+  const internal::Vector& origin = facts.of_cloud.frame->origin;
+  file.write(facts.of_cloud.frame->exponent);
   file.write(std::array<double, 3>{origin[0], origin[1], origin[2]});
-  for_each_plain_fact(facts, [&](const auto& fact) { write_optional(file, fact); });
+  for_each_plain_fact(facts.of_cloud, [&](const auto& fact) { write_optional(file, fact); });
   file.commit();
 }
 
-Facts_of_cloud read_facts(const std::string& path, std::uint64_t key)
+Facts_of_run read_facts(const std::string& path, std::uint64_t key)
 {
   Task_file file(path, key);
-  file.seek(begin_of_points + file.read<std::uint64_t>() * sizeof(Point_in_cloud));
-  Facts_of_cloud facts;
+  Facts_of_run facts;
+  facts.memory_of_tile = file.read<std::uint64_t>();
   const int exponent = file.read<int>();
   const auto origin = file.read<std::array<double, 3>>();
-  facts.frame = internal::Place_of_frame{exponent, internal::Vector(origin.data())};
-  for_each_plain_fact(facts, [&](auto& fact) { read_optional(file, fact); });
+  facts.of_cloud.frame = internal::Place_of_frame{exponent, internal::Vector(origin.data())};
+  for_each_plain_fact(facts.of_cloud, [&](auto& fact) { read_optional(file, fact); });
   return facts;
+}
+
+void write_points_in_cloud(const std::string& path, std::uint64_t key,
+                           const std::vector<Point_in_cloud>& points)
+{
+  Task_file_writer file(path, key);
+  file.write_all(points);
+  file.commit();
 }
 
 std::vector<Point_in_cloud> read_points_in_cloud(

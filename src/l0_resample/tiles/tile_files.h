@@ -40,10 +40,19 @@ struct Counted_input
 void write_counts(const std::string& path, std::uint64_t key, const Counted_input& input);
 Counted_input read_counts(const std::string& path, std::uint64_t key);
 
-/// \param points what is known of each, if all facts are
-void write_facts(const std::string& path, std::uint64_t key, const Facts_of_cloud& facts,
-                 const std::vector<Point_in_cloud>& points);
-Facts_of_cloud read_facts(const std::string& path, std::uint64_t key);
+/// What the tiles of a run follow from.
+struct Facts_of_run
+{
+  Facts_of_cloud of_cloud;
+  std::uint64_t memory_of_tile; ///< in bytes
+};
+
+void write_facts(const std::string& path, std::uint64_t key, const Facts_of_run& facts);
+Facts_of_run read_facts(const std::string& path, std::uint64_t key);
+
+/// What is known of each point, if all facts are.
+void write_points_in_cloud(const std::string& path, std::uint64_t key,
+                           const std::vector<Point_in_cloud>& points);
 /// \param ranges of points: the first, and how many
 std::vector<Point_in_cloud> read_points_in_cloud(
   const std::string& path, std::uint64_t key,

@@ -115,11 +115,37 @@ def test_the_command_line(files, whole, tmp_path):
     assert sum(tile["output_points"] for tile in index["tiles"]) == 12000
 
 
+def test_devices_are_lent_to_one_task_at_a_time(tmp_path):
+    program = tmp_path / "notes_its_device"
+    program.write_text(
+        "#!/bin/sh\n"
+        'device="$CUDA_VISIBLE_DEVICES"\n'
+        'case "$*" in\n'
+        '*list) echo "count 2"; echo "solve 6"; echo "finish 1";;\n'
+        "*count:*) sleep 0.1;;\n"
+        f'*solve:*) mkdir "{tmp_path}/used_$device" && sleep 0.1'
+        f' && rmdir "{tmp_path}/used_$device" && echo "$device" >> "{tmp_path}/devices";;\n'
+        "esac\n"
+    )
+    program.chmod(0o755)
+    phases = tiles.resample_files(
+        [], tmp_path / "out", memory="1G", workers=4, devices=[3, 5], program=program
+    )
+    assert [phase["retries"] for phase in phases] == [0, 0, 0]
+    used = (tmp_path / "devices").read_text().split()
+    assert len(used) == 6 and set(used) == {"3", "5"}
+    with pytest.raises(ValueError, match="of their own"):
+        with concurrent.futures.ThreadPoolExecutor(1) as executor:
+            tiles.resample_files([], tmp_path / "out", memory="1G", devices=[0], executor=executor)
+
+
 def test_refusals(files, tmp_path):
     with pytest.raises(tiles.TileError, match="missing"):
         resample([tmp_path / "missing.npy"], tmp_path / "out")
     with pytest.raises(ValueError, match="not a size"):
         tiles.resample_files(files, tmp_path / "out", memory="much")
+    assert tiles.main([str(files[0]), "--memory", "1G", "--output-directory",
+                       str(tmp_path / "out"), "--devices", "0"]) == 1
     assert not (tmp_path / "out").exists()
 
 

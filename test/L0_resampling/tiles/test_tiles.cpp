@@ -279,7 +279,7 @@ void test_tiles(bool keep_density, std::size_t m, bool has_all_facts)
   const Points_in_memory source{ribbon(1200, 20)};
   const std::size_t n = source.points.size();
   const std::uint64_t memory = (n * Tiles::bytes_per_point + m * Tiles::bytes_per_sample) / 2;
-  CHECK(Tiles::can_find_all_facts(n, m, memory) == has_all_facts);
+  CHECK(Tiles::can_find_all_facts(n, m, memory, 0) == has_all_facts);
   Results_in_memory sink;
   CGAL::l0_resample_tiles<CGAL::Sequential_tag>(
     source, sink, memory, CGAL::parameters::keep_density(keep_density).number_of_output_points(m));

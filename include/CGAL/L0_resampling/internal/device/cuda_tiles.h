@@ -37,6 +37,16 @@ struct Facts_of_tiles
   std::size_t number_of_point_starts; ///< those of them that start on a point
 };
 
+/// Finds the facts of a whole cloud, as a call that resamples it does, and as `Fact_finder` on the
+/// CPU.
+/// \param points xyz interleaved, finite
+/// \param size from 1 to 2^32 - 2
+/// \param parameters checked; `maximum_memory` is of the device
+/// \param points_in_cloud out: what is found of each point, but for what a tile decides
+Answer find_facts(Session& session, const double* points, std::size_t size,
+                  const Parameters& parameters, Progress_callback progress, Call_report& report,
+                  Facts_of_tiles& facts, Point_in_cloud* points_in_cloud);
+
 /// What a tile is, beside its points.
 struct Tile_of_cloud
 {

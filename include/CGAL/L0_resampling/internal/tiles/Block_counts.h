@@ -131,10 +131,11 @@ class Block_counts
     return level;
   }
 
-  /// Makes the blocks as large as it takes for no more than `most_blocks`.
-  void keep_limit()
+  /// Makes the blocks as large as it takes, and no larger, for `are_few(number)` to hold.
+  template <typename F>
+  void coarsen_until(const F& are_few)
   {
-    if (m_counts.size() <= most_blocks)
+    if (are_few(m_counts.size()))
       return;
     std::vector<Block> blocks;
     blocks.reserve(m_counts.size());
@@ -146,9 +147,14 @@ class Block_counts
       ++joined[level_in_common(blocks[i - 1], blocks[i])];
     std::size_t number = blocks.size();
     int levels = 0;
-    while (number > most_blocks)
+    while (levels < 64 && !are_few(number))
       number -= joined[std::size_t(++levels)];
-    coarsen_by(levels);
+    coarsen_by((std::min)(levels, Block_lattice::largest_exponent - m_lattice.exponent()));
+  }
+
+  void keep_limit()
+  {
+    coarsen_until([](std::size_t number) { return number <= most_blocks; });
   }
 
   /// Not at each block too many, as points go on coming.
@@ -221,9 +227,9 @@ public:
   void finish()
   {
     keep_limit();
-    while (m_counts.size() > 1 && m_number_of_points < fewest_points_per_block * m_counts.size()
-           && m_lattice.exponent() < Block_lattice::largest_exponent)
-      coarsen_by(1);
+    coarsen_until([&](std::size_t number) {
+      return number <= 1 || m_number_of_points >= fewest_points_per_block * number;
+    });
   }
 
   const Block_lattice& lattice() const { return m_lattice; }

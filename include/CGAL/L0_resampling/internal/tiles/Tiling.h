@@ -54,6 +54,12 @@ struct Tile
   std::uint64_t number_of_points_with_halo; ///< and of those around
 };
 
+/// What a call that resamples points holds at most.
+struct Bytes_of_call
+{
+  std::uint64_t per_point, per_sample;
+};
+
 /// What a tile and its halo take: for each point, and for the samples among them. How many these are
 /// is not known before the tiles are: as many as their share of all points says, or, if samples are
 /// even, as their share of the area, whichever is more.

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_L0_RESAMPLING_INTERNAL_RESAMPLE_TILE_ON_DEVICE_H
-#define CGAL_L0_RESAMPLING_INTERNAL_RESAMPLE_TILE_ON_DEVICE_H
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_TILES_ON_DEVICE_H
+#define CGAL_L0_RESAMPLING_INTERNAL_TILES_ON_DEVICE_H
 
 #include <CGAL/L0_resampling/internal/device/Device_progress.h>
 #include <CGAL/L0_resampling/internal/device/Device_session.h>
@@ -32,13 +32,25 @@ inline std::uint64_t device_memory_for_tiles()
   return std::uint64_t(bytes) / 16 * 15;
 }
 
-/// All samples that start on points of a tile and its halo.
-inline std::size_t number_of_starts(const std::vector<Point_in_cloud>& points)
+/// The samples that start on points of a tile and its halo.
+inline Numbers_of_starts numbers_of_starts(const std::vector<Point_in_cloud>& points)
 {
-  std::size_t sum = 0;
+  Numbers_of_starts numbers = {0, 0};
   for (const Point_in_cloud& point : points)
-    sum += point.number_of_samples;
-  return sum;
+  {
+    numbers.on_points += point.number_of_samples > 0;
+    numbers.all += point.number_of_samples;
+  }
+  return numbers;
+}
+
+inline Range_of_scales range_of_scales(const std::vector<Point_in_cloud>& points)
+{
+  Buffer<float> scales;
+  scales.reserve(points.size());
+  for (const Point_in_cloud& point : points)
+    scales.push_back(point.scale);
+  return range_of(scales);
 }
 
 inline cuda::Facts_of_tiles facts_for_device(const Facts_of_cloud& facts,
@@ -52,20 +64,48 @@ inline cuda::Facts_of_tiles facts_for_device(const Facts_of_cloud& facts,
   result.area = *facts.area;
   result.number_of_points = *facts.number_of_points;
   result.mean_number_of_neighbors = facts.mean_number_of_neighbors.value_or(0.);
-  Numbers_of_starts own = {0, 0};
-  std::vector<float> scales;
-  for (const Point_in_cloud& point : points)
-  {
-    own.on_points += point.number_of_samples > 0;
-    own.all += point.number_of_samples;
-    scales.push_back(point.scale);
-  }
-  const Numbers_of_starts numbers = facts.numbers_of_starts.value_or(own);
+  const Numbers_of_starts numbers = facts.numbers_of_starts ? *facts.numbers_of_starts
+                                                            : numbers_of_starts(points);
   result.number_of_starts = numbers.all;
   result.number_of_point_starts = numbers.on_points;
-  result.range_of_scales = facts.range_of_scales.value_or(
-    range_of(Buffer<float>(scales.begin(), scales.end())));
+  result.range_of_scales = facts.range_of_scales ? *facts.range_of_scales : range_of_scales(points);
   return result;
+}
+
+/// As `facts_of_points()`, on the current CUDA device.
+/// \param points all points of a cloud
+/// \param callback of the user, or none
+/// \throws Device_error if no device can be used, or it fails
+/// \throws std::bad_alloc if memory of the device does not suffice
+/// \throws Interrupted if the callback cancels
+inline Facts_of_cloud facts_on_device(const Buffer<Vector>& points, const Parameters& parameters,
+                                      const std::function<bool(double)>& callback, Report& report,
+                                      std::vector<Point_in_cloud>& points_in_cloud)
+{
+  const Device_session session = new_device_session();
+  std::vector<Point_in_cloud> found_points(points.size());
+  Device_progress progress(callback);
+  cuda::Call_report call;
+  cuda::Facts_of_tiles found;
+  const cuda::Answer answer = cuda::find_facts(*session, coordinates(points), points.size(),
+                                               parameters, progress.as_callback(), call, found,
+                                               found_points.data());
+  fill_report(call, report);
+  progress.rethrow_exception_of_callback();
+  throw_if_failed(answer);
+  if (answer.status == cuda::Status::CANCELLED)
+    throw Interrupted();
+  points_in_cloud = std::move(found_points);
+  Facts_of_cloud facts;
+  facts.frame = Place_of_frame{found.exponent_of_frame, Vector(found.origin_of_frame)};
+  facts.extents = found.extents;
+  facts.scales = found.extents.scales;
+  facts.range_of_scales = found.range_of_scales;
+  facts.mean_number_of_neighbors = found.mean_number_of_neighbors;
+  facts.area = found.area;
+  facts.number_of_points = found.number_of_points;
+  facts.numbers_of_starts = Numbers_of_starts{found.number_of_point_starts, found.number_of_starts};
+  return facts;
 }
 
 /// As `resample_tile()`, on the current CUDA device.
@@ -84,7 +124,7 @@ inline Samples_of_tile<float> resample_tile_on_device(const Buffer<Vector>& poin
   report.device = "cuda";
   report.device_reason = "asked for";
   const Device_session session = new_device_session();
-  const cuda::Tile_of_cloud tile = {known.data(), number_of_starts(known),
+  const cuda::Tile_of_cloud tile = {known.data(), numbers_of_starts(known).all,
                                     facts_for_device(facts, known)};
   Device_progress progress(callback);
   cuda::Call_report call;
@@ -112,4 +152,4 @@ inline Samples_of_tile<float> resample_tile_on_device(const Buffer<Vector>& poin
 } // namespace L0_resampling
 } // namespace CGAL
 
-#endif // CGAL_L0_RESAMPLING_INTERNAL_RESAMPLE_TILE_ON_DEVICE_H
+#endif // CGAL_L0_RESAMPLING_INTERNAL_TILES_ON_DEVICE_H

@@ -1,0 +1,58 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef L0_RESAMPLE_PROCESSOR_OF_TILES_H
+#define L0_RESAMPLE_PROCESSOR_OF_TILES_H
+
+#include "command_line/options.h"
+
+#include <CGAL/l0_resample_tiles.h>
+
+#include <cstdint>
+#include <limits>
+
+// What resamples the tiles of `--as-one`: a CUDA device if one is asked for, else the CPU. All tasks
+// of a run have to agree on it, so that `--device auto` is the CPU.
+
+namespace l0_tool {
+
+inline bool are_tiles_on_device(const Options& options) { return options.device == Device::CUDA; }
+
+/// What a call takes there.
+inline CGAL::L0_resampling::internal::Bytes_of_call bytes_of_call(const Options& options)
+{
+  using CGAL::L0_resampling::Tiled_resampling;
+  return are_tiles_on_device(options)
+           ? Tiled_resampling<CGAL::CUDA_tag>::bytes_of_call
+           : Tiled_resampling<CGAL::Parallel_if_available_tag>::bytes_of_call;
+}
+
+/// What tiles may take of the device of this machine, in bytes; without one all that there is.
+/// \throws Device_error if it cannot be used
+inline std::uint64_t memory_of_device(const Options& options)
+{
+#ifdef CGAL_L0_LINKED_WITH_CUDA
+  if (are_tiles_on_device(options))
+    return CGAL::L0_resampling::internal::device_memory_for_tiles();
+#endif
+  (void)options;
+  return (std::numeric_limits<std::uint64_t>::max)();
+}
+
+/// Calls `f` with the concurrency tag of the processor.
+template <typename F>
+void run_on(const Options& options, const F& f)
+{
+#ifdef CGAL_L0_LINKED_WITH_CUDA
+  if (are_tiles_on_device(options))
+    return f(CGAL::CUDA_tag());
+#endif
+  (void)options;
+  f(CGAL::Parallel_if_available_tag());
+}
+
+} // namespace l0_tool
+
+#endif // L0_RESAMPLE_PROCESSOR_OF_TILES_H
