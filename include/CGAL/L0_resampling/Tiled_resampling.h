@@ -139,7 +139,7 @@ public:
   /// What `resample_tile()` holds for each point that it reads, and for each sample, at most; with
   /// `CUDA_tag`, on the device, and less than that here.
   static constexpr std::uint64_t bytes_per_point = is_on_device ? 220 : 100,
-                                 bytes_per_sample = is_on_device ? 280 : 480;
+                                 bytes_per_sample = is_on_device ? 310 : 480;
   /// The same as one.
   static constexpr internal::Bytes_of_call bytes_of_call = {bytes_per_point, bytes_per_sample};
   /// The same, where all facts of a cloud are found; with `CUDA_tag`, here, and on the device.

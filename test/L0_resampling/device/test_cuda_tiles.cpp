@@ -240,7 +240,7 @@ int main()
               keep_density(true).number_of_output_points(9000));
   check_facts("crowds and outliers", crowds.points(),
               CGAL::parameters::number_of_output_points(90000));
-  const double greater_length = 20000;
+  const double greater_length = 10000;
   Scene large(greater_length), large_uneven(greater_length), large_crowds(greater_length);
   large_uneven.add_density(greater_length, 2);
   large_crowds.add_crowds(greater_length);

@@ -160,15 +160,21 @@ for file in scales_0 solve_0; do
 done
 
 # Damaged files are made again, and named
-begin_run() # up to the samples of each tile
+begin_run() # up to the samples of each tile: the folder, and the words of the run
 {
   rm -rf "$1"
   for task in begin count:0 count:1 count:2 blocks shard:0 shard:1 shard:2 scales; do
-    run_plainly "${ribbon[@]}" --output-directory "$1" --task $task
+    run_plainly "${@:2}" --output-directory "$1" --task $task
     check "task $task" test "$status" -eq 0
   done
 }
-begin_run damaged
+begin_run damaged_points "${with_facts[@]}"
+truncate -s 5000 damaged_points/work/points_0
+run_plainly "${with_facts[@]}" --output-directory damaged_points --resume
+check "goes on without what was known of each point" test "$status" -eq 0
+check "names the file" grep -q "work/points_0: is damaged" stderr
+check "as if it had not been damaged" same_tiles damaged_points facts
+begin_run damaged "${ribbon[@]}"
 run_plainly "${ribbon[@]}" --output-directory damaged --task list
 check "phases with their numbers of tasks" grep -qx "solve $(number_of_tiles whole)" stdout
 truncate -s 5000 damaged/work/shard_0
@@ -182,7 +188,7 @@ check "as if nothing had been" same_tiles damaged
 check_plain_failure 2 "is no task of this run" "${ribbon[@]}" --output-directory damaged --task solve:99
 
 # No room on the disk
-begin_run full
+begin_run full "${ribbon[@]}"
 (ulimit -f 30; "$program" "${ribbon[@]}" --output-directory full --resume > stdout 2> stderr)
 check "a full disk" test $? -eq 4
 check "leaves nothing half" no_temporary_files
@@ -200,7 +206,7 @@ run packed --as-one --points 2000 --memory 1GB --output-directory through \
 check "LAZ by tiles" cmp unpacked/tile_*.ply through/tile_*.ply
 
 # What a run may not go on with
-begin_run changed
+begin_run changed "${ribbon[@]}"
 check_plain_failure 2 "--resume: the run began with --seed 0, now it is --seed 1" "${ribbon[@]}" \
   --output-directory changed --resume --seed 1
 touch parts/b.xyz

@@ -37,8 +37,8 @@ struct Facts_of_cloud
   std::optional<Scales> scales; ///< in units of `paper_radius()`
   /// Of the radii. If none differs, no field of scales is looked for.
   std::optional<Range_of_scales> range_of_scales;
-  std::optional<double> median_number_of_neighbors;   ///< in the balls of `find_outliers()`
-  std::optional<double> mean_number_of_neighbors;     ///< in the balls of the normal filter
+  std::optional<double> median_number_of_neighbors; ///< in the balls of `find_outliers()`
+  std::optional<double> mean_number_of_neighbors;   ///< in the balls of the normal filter
   /// Whether these balls are plain, see `has_plain_blocks_only()`: then sums go over pairs.
   std::optional<bool> has_plain_blocks;
   /// In units of `Areas`, of all points, as if each disk was covered.

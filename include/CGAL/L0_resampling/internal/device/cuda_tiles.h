@@ -8,7 +8,7 @@
 
 #include <CGAL/L0_resampling/internal/device/cuda_interface.h>
 #include <CGAL/L0_resampling/internal/plan/Plan.h>
-#include <CGAL/L0_resampling/internal/tiles/Point_in_cloud.h>
+#include <CGAL/L0_resampling/internal/core/Point_in_cloud.h>
 
 #include <cstddef>
 #include <cstdint>

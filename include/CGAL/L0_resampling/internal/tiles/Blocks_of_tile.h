@@ -7,7 +7,7 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_BLOCKS_OF_TILE_H
 
 #include <CGAL/L0_resampling/internal/tiles/Counted_cloud.h>
-#include <CGAL/L0_resampling/internal/tiles/Point_in_cloud.h>
+#include <CGAL/L0_resampling/internal/core/Point_in_cloud.h>
 #include <CGAL/L0_resampling/internal/tiles/Tiling.h>
 
 #include <cstddef>

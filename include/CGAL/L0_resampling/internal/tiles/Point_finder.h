@@ -7,7 +7,7 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_POINT_FINDER_H
 
 #include <CGAL/L0_resampling/internal/driver/Cpu_backend.h>
-#include <CGAL/L0_resampling/internal/tiles/Point_in_cloud.h>
+#include <CGAL/L0_resampling/internal/core/Point_in_cloud.h>
 
 #include <cstddef>
 #include <utility>
