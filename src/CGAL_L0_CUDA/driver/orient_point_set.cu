@@ -60,6 +60,13 @@ class Oriented_points : public Cuda_points
 public:
   using Cuda_points::Cuda_points;
 
+  Range_of_scales estimate_scale_field(double robust_diagonal, const Usual_scales& usual)
+  {
+    return needs_scales_to_orient(m_session.all_normals_given, usual.spacing, usual.noise)
+             ? Cuda_points::estimate_scale_field(robust_diagonal, usual)
+             : Range_of_scales();
+  }
+
   void orient(const Plan& plan)
   {
     m_input.positions.frame = m_box.frame;

@@ -134,6 +134,27 @@ void estimate_missing_normals(const Plan& plan, Progress& progress, Report& repo
   points.normals = std::move(estimated);
 }
 
+/// The points of a call that only orients: `plan_call()` finds scales of places if they are needed.
+template <typename ConcurrencyTag>
+class Points_to_orient : public Cpu_points<ConcurrencyTag>
+{
+  using Points = Cpu_points<ConcurrencyTag>;
+  bool m_are_all_normals_given;
+
+public:
+  Points_to_orient(Buffer<Vector>& points, bool are_all_normals_given, Progress& progress,
+                   Report& report)
+    : Points(points, progress, report), m_are_all_normals_given(are_all_normals_given)
+  {}
+
+  Range_of_scales estimate_scale_field(double robust_diagonal, const Usual_scales& usual)
+  {
+    return needs_scales_to_orient(m_are_all_normals_given, usual.spacing, usual.noise)
+             ? Points::estimate_scale_field(robust_diagonal, usual)
+             : Range_of_scales();
+  }
+};
+
 /*!
 Finds the sides of the normals of a point set. Points at one place, points of a crowd and, where the
 noise is larger than the spacing, points within it have one that stands for them.
@@ -152,7 +173,8 @@ Oriented_representatives orient_point_set(Buffer<Vector>& positions,
                                           Progress& progress, Report& report)
 {
   const auto allocator = positions.get_allocator();
-  Cpu_points<ConcurrencyTag> all_points(positions, progress, report);
+  Points_to_orient<ConcurrencyTag> all_points(positions, are_all_given(given_normals), progress,
+                                              report);
   const Plan plan = plan_call(parameters, all_points);
   Thinned_points points{Buffer<Index>(allocator), std::move(positions),
                         std::move(all_points.scales()), std::move(given_normals), std::move(hints)};
