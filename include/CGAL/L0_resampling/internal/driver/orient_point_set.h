@@ -35,7 +35,8 @@ inline std::size_t least_memory_to_orient(std::size_t n)
 struct Oriented_representatives
 {
   Buffer<Index> of_points; ///< for each point of the input, the place of the one that stands for it
-  Buffer<Local_vector> normals; ///< oriented, of unit length
+  Buffer<Local_vector> normals;      ///< oriented, of unit length
+  Buffer<Local_vector> mean_normals; ///< of those around, which tell the sides; of any length
 };
 
 /// Points in the working frame, of which one after the other comes to stand for those near it.
@@ -57,7 +58,7 @@ struct Thinned_points
       apply_order<ConcurrencyTag>(order, scales);
     for (Buffer<Local_vector>* vectors : {&normals, &hints})
       if (!vectors->empty())
-        apply_order(order, *vectors);
+        apply_order<ConcurrencyTag>(order, *vectors);
     Buffer<Index> new_places = filled_buffer(order.size(), Index(0), order.get_allocator());
     for_each_in_order(order.size(), [&](std::size_t i) { new_places[order[i]] = Index(i); });
     move_to(new_places);
@@ -196,16 +197,17 @@ Oriented_representatives orient_point_set(Buffer<Vector>& positions,
       Search_grid_3(points.positions, Cell_sizes(cell_size, points.scales)), points.positions, 1));
   }
   progress.begin_stage("orient normals", 0.5, points.positions.size());
+  Buffer<Local_vector> mean_normals(allocator);
   const Orientation orientation = orient_normals<ConcurrencyTag>(
     points.positions, parameters.number_of_orientation_neighbors,
     spacing_on_surface(plan.sample_spacing, number_of_points, points.positions.size()),
     side_hints(parameters, all_points.frame(), points.positions, points.hints), progress,
-    points.normals, noise_of_heights(plan.noise));
+    points.normals, noise_of_heights(plan.noise), &mean_normals);
   report.oriented_share = orientation.oriented_share;
   report.right_side_share = orientation.right_side_share();
   report.hinted_share = orientation.hinted_share;
   progress.end_stage();
-  return {std::move(points.of_input), std::move(points.normals)};
+  return {std::move(points.of_input), std::move(points.normals), std::move(mean_normals)};
 }
 
 } // namespace internal
