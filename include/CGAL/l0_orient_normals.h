@@ -74,8 +74,8 @@ inline bool has_to_turn(const Vector& normal, const Vector& oriented)
                                                      zero.data() + 3);
 }
 
-/// Turns the normals that are not on the side of what stands for their points, and writes those
-/// that were estimated.
+/// Turns the normals that are not on the side of those around what stands for their points, and
+/// writes those that were estimated.
 template <typename PointRange, typename NormalMap>
 void write_oriented_normals(PointRange& range, NormalMap normal_map,
                             const Oriented_representatives& representatives,
@@ -88,16 +88,18 @@ void write_oriented_normals(PointRange& range, NormalMap normal_map,
   {
     if (!is_kept[index++])
       continue;
-    const Vector oriented =
-      representatives.normals[representatives.of_points[place++]].template cast<double>();
+    const Index representative = representatives.of_points[place++];
+    const auto vector_of = [&](const Buffer<Local_vector>& vectors) -> Vector {
+      return vectors[representative].template cast<double>();
+    };
     const Normal normal = get(normal_map, *it);
     const Vector n = as_vector(normal);
     if (!n.allFinite() || n.isZero(0))
     {
-      const Vector estimated = oriented.normalized();
+      const Vector estimated = vector_of(representatives.normals).normalized();
       put(normal_map, *it, Normal(FT(estimated[0]), FT(estimated[1]), FT(estimated[2])));
     }
-    else if (has_to_turn(n, oriented))
+    else if (has_to_turn(n, vector_of(representatives.mean_normals)))
       put(normal_map, *it, Normal(-normal.x(), -normal.y(), -normal.z()));
   }
 }
@@ -130,7 +132,8 @@ void orient_range(PointRange& range, PointMap point_map, const std::optional<Nor
   Memory_counter& memory = is_on_device ? unlimited : limited; // the limit is of the device there
   Input input(&memory);
   Progress progress(is_on_device ? nullptr : callback, report, memory);
-  Oriented_representatives representatives{Buffer<Index>(&memory), Buffer<Local_vector>(&memory)};
+  Oriented_representatives representatives{Buffer<Index>(&memory), Buffer<Local_vector>(&memory),
+                                           Buffer<Local_vector>(&memory)};
   try
   {
     read_points(range, point_map, drop_non_finite, report, input, orienting_function);

@@ -32,6 +32,7 @@ struct Oriented_representatives
 {
   const unsigned* of_points = nullptr; // for each point of the session, which one stands for it
   const float* normals = nullptr;      // xyz interleaved
+  const float* mean_normals = nullptr; // of those around, likewise
   unsigned size = 0;
 };
 

@@ -12,6 +12,7 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <utility>
 
 namespace CGAL {
 namespace L0_resampling {
@@ -151,14 +152,17 @@ Answer orient(Session& session, const Parameters& parameters, Progress_callback 
   return answer;
 }
 
-Answer download_representatives(Session& session, std::uint32_t* of_points, float* normals)
+Answer download_representatives(Session& session, std::uint32_t* of_points, float* normals,
+                                float* mean_normals)
 {
   return guarded(&session, [&]() {
     const Oriented_representatives& from = session.representatives;
     CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(of_points, from.of_points, session.size * sizeof(*of_points),
                                        cudaMemcpyDeviceToHost, session.stream));
-    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(normals, from.normals, 3 * sizeof(float) * from.size,
-                                       cudaMemcpyDeviceToHost, session.stream));
+    for (const auto& [to, vectors] :
+         {std::pair(normals, from.normals), std::pair(mean_normals, from.mean_normals)})
+      CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(to, vectors, 3 * sizeof(float) * from.size,
+                                         cudaMemcpyDeviceToHost, session.stream));
     CGAL_L0_CUDA_CHECK(cudaStreamSynchronize(session.stream));
   });
 }

@@ -63,12 +63,14 @@ std::size_t estimate_memory(std::size_t n, std::size_t m, const Parameters& para
 std::size_t estimate_memory_to_orient(std::size_t n, const Parameters& parameters, bool has_normals,
                                       bool has_hints)
 {
-  const std::size_t of_scales = 4 * n, of_samples = (64 + (has_hints ? 16 : 0)) * n;
+  const std::size_t of_scales = 4 * n, of_samples = (76 + (has_hints ? 16 : 0)) * n;
   const std::size_t of_lists = (4 + (has_normals ? 12 : 0) + (has_hints ? 12 : 0)) * n,
                     of_grid = 31 * n;
   const std::size_t of_sorting = of_lists + of_grid + 76 * n;
   return megabyte + of_scales + of_samples
-         + (std::max)(of_sorting, of_orientation(n, parameters.number_of_orientation_neighbors));
+         + (std::max)(of_sorting,
+                      of_orientation(n, voters_per_neighbor
+                                          * parameters.number_of_orientation_neighbors));
 }
 
 } // namespace cuda

@@ -33,11 +33,15 @@ __global__ void place_samples(Positions positions, const float3* hints, Samples 
 }
 
 /// \param packed xyz interleaved
-__global__ void pack_normals(Samples samples, float3* packed)
+/// \param mean_normals in and out: on the sides of the normals
+__global__ void pack_normals(Samples samples, float3* packed, float3* mean_normals)
 {
   const Wide i = thread_index();
-  if (i < samples.size)
-    packed[i] = xyz(samples.normals[i]);
+  if (i >= samples.size)
+    return;
+  packed[i] = xyz(samples.normals[i]);
+  if (dot(packed[i], mean_normals[i]) < 0)
+    mean_normals[i] = -1.f * mean_normals[i];
 }
 
 /// What a call that only orients has of samples.
@@ -60,6 +64,13 @@ class Oriented_points : public Cuda_points
 public:
   using Cuda_points::Cuda_points;
 
+  Range_of_scales estimate_scale_field(double robust_diagonal, const Usual_scales& usual)
+  {
+    return needs_scales_to_orient(m_session.all_normals_given, usual.spacing, usual.noise)
+             ? Cuda_points::estimate_scale_field(robust_diagonal, usual)
+             : Range_of_scales();
+  }
+
   void orient(const Plan& plan)
   {
     m_input.positions.frame = m_box.frame;
@@ -69,20 +80,23 @@ public:
     const unsigned n = m_input.positions.size;
     unsigned* const of_points = arena.take<unsigned>(n);
     Samples samples = take_samples_to_orient(arena, n, m_input.hints != nullptr);
+    float3* const mean_normals = arena.take<float3>(n);
     const double spacing = thin_points(plan, of_points, samples);
 
     begin_stage("orient normals", 0.5, samples.size);
     orient_measured_normals(m_workplace, m_box.low, m_box.high,
                             unsigned(plan.number_of_orientation_neighbors), spacing,
-                            noise_of_heights(plan.noise), side_hints(), samples, counts);
+                            noise_of_heights(plan.noise), side_hints(), samples, counts,
+                            mean_normals);
     float3* const normals = reinterpret_cast<float3*>(samples.fit);
-    pack_normals<<<blocks_for(samples.size), threads_per_block, 0, m_workplace.stream>>>(samples,
-                                                                                         normals);
+    pack_normals<<<blocks_for(samples.size), threads_per_block, 0, m_workplace.stream>>>(
+      samples, normals, mean_normals);
     check_launch("pack_normals");
     const Sample_counts* const found = m_workplace.scratch.fetch(counts, m_workplace.stream);
     m_stages.end();
     note_sides(*found, samples.size);
-    m_session.representatives = {of_points, reinterpret_cast<const float*>(normals), samples.size};
+    m_session.representatives = {of_points, reinterpret_cast<const float*>(normals),
+                                 reinterpret_cast<const float*>(mean_normals), samples.size};
   }
 
 private:

@@ -7,6 +7,8 @@
 
 #include <CGAL/L0_resampling/internal/kernels/height_tolerance.h>
 
+#include <cfloat>
+
 namespace CGAL {
 namespace L0_resampling {
 namespace internal {
@@ -39,27 +41,46 @@ __global__ void find_tolerances(Graph graph, float squared_spacing, float square
     squared_noise);
 }
 
-/// \param units_per_vote of the fixed-point numbers
-/// \param votes of each sample; 0 at first
-__global__ void add_up_votes(Graph graph, const Link* trees, float units_per_vote, int* votes)
-{
-  for_each_pair_of_neighbors(
-    graph, thread_index(), Wide(gridDim.x) * blockDim.x, [&](unsigned i, unsigned other) {
-      const bool is_turned = trees[i].is_turned() != trees[other].is_turned();
-      const float agreement = agreement_of(graph, i, other);
-      const int vote = __float2int_rn((is_turned ? -agreement : agreement) * units_per_vote);
-      atomicAdd(&votes[i], vote);
-      atomicAdd(&votes[other], vote);
-    });
-}
-
-__global__ void turn_losers(const int* votes, Side_hints hints, Samples samples)
+/// \param sums out: as on the CPU
+__global__ void add_up_normals(Graph voters, const Link* trees, Side_hints hints, float3* sums)
 {
   const Wide i = thread_index();
-  if (i >= samples.size || votes[i] >= 0 || hints.certain_side_of(samples, i) != 0)
+  if (i >= voters.size)
+    return;
+  const double* const p = voters.samples.positions + 3 * i;
+  const float4 normal = voters.samples.normals[i];
+  const Link tree = trees[i];
+  const float3 own = (tree.is_turned() ? -1.f : 1.f) * xyz(normal);
+  float3 sum = {0, 0, 0};
+  if (hints.certain_side_of(voters.samples, i) == 0)
+    for (unsigned e = 0; e < voters.k; ++e)
+    {
+      const unsigned other = voters.nearest[i * voters.k + e];
+      if (other == nobody) // those that are there come first
+        break;
+      const Link others_tree = trees[other];
+      if (others_tree.target() != tree.target())
+        continue;
+      const double* const q = voters.samples.positions + 3 * Wide(other);
+      const float3 d = {float(q[0] - p[0]), float(q[1] - p[1]), float(q[2] - p[2])};
+      const float4 others = voters.samples.normals[other];
+      const float height = dot(own, d), other_height = dot(xyz(others), d);
+      const float weight = share_of_one_sheet(height * height + other_height * other_height,
+                                              fmaxf(fmaxf(normal.w, others.w), FLT_MIN));
+      sum = sum + (others_tree.is_turned() ? -weight : weight) * xyz(others);
+    }
+  const float votes = dot(sum, own);
+  sums[i] = isfinite(votes) ? sum + (votes < 0 ? -1.f : 1.f) * own : own;
+}
+
+__global__ void turn_losers(const float3* sums, const Link* trees, Samples samples)
+{
+  const Wide i = thread_index();
+  if (i >= samples.size)
     return;
   const float4 n = samples.normals[i];
-  samples.normals[i] = make_float4(-n.x, -n.y, -n.z, n.w);
+  if (dot(sums[i], (trees[i].is_turned() ? -1.f : 1.f) * xyz(n)) < 0)
+    samples.normals[i] = make_float4(-n.x, -n.y, -n.z, n.w);
 }
 
 } // namespace
@@ -72,23 +93,16 @@ void find_height_tolerances(const Workplace& workplace, const Graph& graph, doub
   check_launch("find_tolerances");
 }
 
-void turn_outvoted(const Workplace& workplace, const Graph& graph, const Link* trees,
-                   const Side_hints& hints)
+void turn_outvoted(const Workplace& workplace, const Graph& voters, const Link* trees,
+                   const Side_hints& hints, float3* sums)
 {
-  const unsigned m = graph.size;
-  const cudaStream_t stream = workplace.stream;
-  const Arena_scope scope(workplace.scratch);
-  int* const votes = workplace.scratch.take<int>(m);
-  // a point is listed by a few times as many as it lists: a share of 2^31 for each of them
-  const float most_voters_per_neighbor = 64,
-              units = 2147483648.f / (most_voters_per_neighbor * float(graph.k));
   for (int sweep = 0; sweep < sweeps_over_outvoted; ++sweep)
   {
-    CGAL_L0_CUDA_CHECK(cudaMemsetAsync(votes, 0, m * sizeof(int), stream));
-    add_up_votes<<<blocks_for(Wide(m) * lanes_of_edges), threads_per_block, 0, stream>>>(
-      graph, trees, units, votes);
-    check_launch("add_up_votes");
-    turn_losers<<<blocks_for(m), threads_per_block, 0, stream>>>(votes, hints, graph.samples);
+    add_up_normals<<<blocks_for(voters.size), threads_per_block, 0, workplace.stream>>>(
+      voters, trees, hints, sums);
+    check_launch("add_up_normals");
+    turn_losers<<<blocks_for(voters.size), threads_per_block, 0, workplace.stream>>>(
+      sums, trees, voters.samples);
     check_launch("turn_losers");
   }
 }

@@ -343,10 +343,11 @@ __global__ void turn_normals(const Link* trees_of_samples, const Tree_sums* tree
 }
 
 /// As `orient_normals()` on the CPU.
+/// \param mean_normals out, if there is a noise of heights: on the sides of the normals or opposite
 void orient_graph(const Workplace& workplace, const double (&low)[3], const double (&high)[3],
                   unsigned number_of_neighbors, double spacing,
                   const std::optional<double>& noise_of_heights, const Side_hints& hints,
-                  const Samples& samples, Sample_counts* counts)
+                  const Samples& samples, Sample_counts* counts, float3* mean_normals)
 {
   const unsigned m = samples.size;
   const cudaStream_t stream = workplace.stream;
@@ -411,8 +412,17 @@ void orient_graph(const Workplace& workplace, const double (&low)[3], const doub
       voting.begin(parts);
       voting.join(0, roots);
     }
-    if (noise_of_heights)
-      turn_outvoted(workplace, graph, roots, hints);
+  }
+  if (noise_of_heights)
+  {
+    const Arena_scope voters_scope(workplace.arena);
+    const unsigned number_of_voters = voters_per_neighbor * number_of_neighbors;
+    unsigned* const nearest =
+      find_nearest_samples(workplace, low, high, number_of_voters,
+                           spacing * std::sqrt(double(number_of_voters) / 2), samples);
+    turn_outvoted(workplace,
+                  {m, number_of_voters, nearest, samples, float(spacing * spacing), true}, roots,
+                  hints, mean_normals);
   }
 
   double extent = 0;
@@ -452,16 +462,16 @@ void orient_normals(const Workplace& workplace, const double (&low)[3], const do
                     const Samples& samples, Sample_counts* counts)
 {
   orient_graph(workplace, low, high, number_of_neighbors, spacing, std::nullopt, hints, samples,
-               counts);
+               counts, nullptr);
 }
 
 void orient_measured_normals(const Workplace& workplace, const double (&low)[3],
                              const double (&high)[3], unsigned number_of_neighbors, double spacing,
                              double noise_of_heights, const Side_hints& hints,
-                             const Samples& samples, Sample_counts* counts)
+                             const Samples& samples, Sample_counts* counts, float3* mean_normals)
 {
   orient_graph(workplace, low, high, number_of_neighbors, spacing, noise_of_heights, hints, samples,
-               counts);
+               counts, mean_normals);
 }
 
 } // namespace cuda

@@ -169,11 +169,12 @@ __device__ inline float agreement_of(const Graph& graph, Wide i, unsigned other)
 void find_height_tolerances(const Workplace& workplace, const Graph& graph, double spacing,
                             double noise_of_heights);
 
-/// As `turn_outvoted()` on the CPU. Takes a number for each sample from the scratch arena.
-/// \param graph once the forest has grown
+/// As `turn_outvoted()` on the CPU.
+/// \param voters a graph of more neighbors, no pair of which is marked, with tolerances
 /// \param trees the root of each sample
-void turn_outvoted(const Workplace& workplace, const Graph& graph, const Link* trees,
-                   const Side_hints& hints);
+/// \param sums out: of the normals around each sample
+void turn_outvoted(const Workplace& workplace, const Graph& voters, const Link* trees,
+                   const Side_hints& hints, float3* sums);
 
 /// All edges between two sets, added up in fixed point: integers may be added in any order.
 struct Vote

@@ -233,6 +233,44 @@ void check_noise(Generator& generator)
   check_order_and_threads(turned_by_chance(expected, generator), generator);
 }
 
+/// Normals that lean by chance: the mean of those around tells their sides, also where points
+/// represent others.
+void check_leaning_normals(Generator& generator)
+{
+  Cloud truth = sphere_points(60000, 1, generator);
+  add_gaussian_noise(truth.points, 0.02, generator);
+  Cloud leaning = truth;
+  for (Vector& normal : leaning.normals)
+    normal = (normal + 0.95 * random_unit_vector(generator)).normalized();
+  Pairs pairs = turned_by_chance(pairs_of(leaning), generator);
+  const Report report = orient(pairs);
+  CHECK(report.estimated_noise > report.estimated_spacing);
+  CHECK(double(number_on_side_of(pairs, truth)) >= 0.995 * double(pairs.size()));
+}
+
+/// Scales of places are looked for only where they have a say.
+void check_scales(Generator& generator)
+{
+  Cloud cloud;
+  while (cloud.points.size() < 10000)
+  {
+    const Vector p = random_unit_vector(generator);
+    if (random_number(0, 1, generator) < std::pow(100, (p[2] - 1) / 2))
+    {
+      cloud.points.push_back(p);
+      cloud.normals.push_back(p);
+    }
+  }
+  const Pairs expected = pairs_of(cloud);
+  Pairs pairs = turned_by_chance(expected, generator);
+  const Report given = orient(pairs);
+  CHECK(pairs == expected);
+  CHECK(given.least_neighbor_radius == given.largest_neighbor_radius);
+  pairs[0].second = CGAL::NULL_VECTOR;
+  const Report estimated = orient(pairs);
+  CHECK(estimated.least_neighbor_radius < 0.5 * estimated.largest_neighbor_radius);
+}
+
 void check_hints(const Cloud& sphere, Generator& generator)
 {
   const Pairs outwards = pairs_of(sphere);
@@ -446,6 +484,8 @@ int main()
   check_outliers(evenly(3000, [&](std::size_t n) { return sphere_points(n, 1, generator); }),
                  generator);
   check_noise(generator);
+  check_leaning_normals(generator);
+  check_scales(generator);
   check_hints(sphere, generator);
   check_hints_of_coincident_points(generator);
   check_few_points();

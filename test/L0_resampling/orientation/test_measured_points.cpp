@@ -90,42 +90,46 @@ void check_ground(Generator& generator)
   CHECK(number_up == 0 || number_up == normals.size());
 }
 
-/// A point that one edge has joined, against the votes of four others, turns; one next to it, which
-/// only it outvotes, stays with it.
+/// Points of one plane in a row, of which some are turned: those that the others outvote turn, in
+/// one sweep after the other, and where their neighbors are turned as they are they stay.
 void check_outvoted()
 {
-  // 0 to 3 agree with each other, and disagree with 4, which was joined to the side of 0; 5 agrees
-  // with 4
-  Buffer<Edge> edges;
-  for (Index i = 0; i < 4; ++i)
-  {
-    edges.push_back({0.9f, i, Index((i + 1) % 4)});
-    edges.push_back({i == 0 ? 0.99f : -0.5f, i, 4});
-  }
-  edges.push_back({0.3f, 4, 5});
-  const auto turned = [&](Index fixed) {
-    Signed_union_find sets(6, {});
-    for (Index i = 1; i < 6; ++i)
-      sets.join(0, i, 1);
-    Buffer<Vector> normals(6, Vector::UnitZ());
-    turn_outvoted(
-      edges, sets, [&](Index i) { return i != fixed; }, normals);
-    std::vector<int> signs;
-    for (const Vector& normal : normals)
-      signs.push_back(int(normal[2]));
-    return signs;
+  const Index m = 12;
+  Buffer<Vector> positions, normals;
+  for (Index i = 0; i < m; ++i)
+    positions.push_back({double(i), 0, 0});
+  Unwatched unwatched;
+  const auto turned = [&](const std::vector<Index>& joined_wrongly, Index fixed,
+                          Index of_another_set, Buffer<Vector>& sums) {
+    const Nearest_samples nearest =
+      find_nearest_samples<CGAL::Parallel_if_available_tag>(positions, 2, 4, 2, unwatched.progress);
+    Signed_union_find sets(m, {});
+    for (Index i = 1; i < m; ++i)
+      if (i != of_another_set)
+        sets.join(0, i, 1);
+    normals.assign(m, Vector::UnitZ());
+    for (Index i : joined_wrongly)
+      normals[i] = -normals[i];
+    sums = turn_outvoted<CGAL::Parallel_if_available_tag>(
+      positions, nearest, sets, Buffer<double>(m, 1.), [&](Index i) { return i != fixed; },
+      normals);
+    std::vector<Index> result;
+    for (Index i = 0; i < m; ++i)
+      if (normals[i][2] < 0)
+        result.push_back(i);
+    return result;
   };
-  CHECK((turned(6) == std::vector<int>{1, 1, 1, 1, -1, -1})); // 5 in the second sweep
-  CHECK((turned(4) == std::vector<int>{1, 1, 1, 1, 1, 1}));
-
-  // the same, of sets that have it turned already: nothing is left to do
-  Signed_union_find sets(6, {});
-  for (Index i = 1; i < 6; ++i)
-    sets.join(0, i, i < 4 ? 1 : -1);
-  Buffer<Vector> normals(6, Vector::UnitZ());
-  turn_outvoted(
-    edges, sets, [](Index) { return true; }, normals);
-  CHECK(normals == Buffer<Vector>(6, Vector::UnitZ()));
+  using Indices = std::vector<Index>;
+  Buffer<Vector> sums;
+  CHECK(turned({5}, m, m, sums).empty());
+  CHECK(sums[5] == 5 * Vector::UnitZ() && sums[0] == 5 * Vector::UnitZ());
+  CHECK(turned({5}, 5, m, sums) == Indices{5});
+  CHECK(sums[5] == -Vector::UnitZ());
+  // in the first sweep 3 turns as well, between 1, 2 and 5; in the second it turns back
+  CHECK(turned({1, 2, 5}, m, m, sums).empty());
+  CHECK((turned({6, 7, 8, 9, 10, 11}, m, m, sums) == Indices{6, 7, 8, 9, 10, 11}));
+  // what is of another set does not vote, and is not voted on
+  CHECK(turned({5}, m, 5, sums) == Indices{5});
 }
 
 /// Two points of a plane whose normals lie nearly in it and are nearly opposite: the surest edge of

@@ -43,12 +43,13 @@ void check_orientation(const Oriented_points& truth, double spacing, Generator& 
   CHECK(number_outward == normals.size());
 }
 
-/// The graph is that of the nearest neighbors, of whatever spacing one guesses.
+/// The graph is that of the nearest neighbors, the very nearest first, of whatever spacing one
+/// guesses.
 void check_nearest(const Oriented_points& cloud, double spacing_guess)
 {
   Unwatched unwatched;
   const Nearest_samples nearest = find_nearest_samples<CGAL::Parallel_if_available_tag>(
-    to_buffer(cloud.points), 12, spacing_guess, unwatched.progress);
+    to_buffer(cloud.points), 5, 12, spacing_guess, unwatched.progress);
   bool are_nearest = true;
   for (Index i = 0; i < cloud.points.size(); ++i)
   {
@@ -64,11 +65,13 @@ void check_nearest(const Oriented_points& cloud, double spacing_guess)
     std::vector<double> found, expected; // of equally far ones, any will do
     for (const Index* k = nearest.begin(i); k != nearest.end(i); ++k)
       found.push_back(distance(*k));
-    std::sort(found.begin(), found.end());
+    are_nearest = are_nearest && nearest.end_of_first(i) - nearest.begin(i) == 5;
+    std::sort(found.begin(), found.begin() + 5);
+    std::sort(found.begin() + 5, found.end());
     std::transform(others.begin(), others.begin() + 12, std::back_inserter(expected), distance);
     are_nearest = are_nearest && found == expected
                   && std::set<Index>(nearest.begin(i), nearest.end(i)).size() == 12
-                  && !nearest.contains(i, i);
+                  && !nearest.is_one_of_first(i, i);
   }
   CHECK(are_nearest);
 }

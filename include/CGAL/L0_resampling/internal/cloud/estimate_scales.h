@@ -80,7 +80,8 @@ Scales estimate_scales(const Buffer<Vector>& unsorted_points, double initial_rad
   const double cell_size = cell_size_of_scales;
   Buffer<Vector> points = copy_of(unsorted_points);
   Working_frame::divide<ConcurrencyTag>(initial_radius, points);
-  apply_order(Search_grid_3::sorted_order<ConcurrencyTag>(points, cell_size), points);
+  apply_order<ConcurrencyTag>(Search_grid_3::sorted_order<ConcurrencyTag>(points, cell_size),
+                              points);
   thin_crowds<ConcurrencyTag>(Search_grid_3(points, cell_size), points, most_points_of_subcell)
     .keep(points);
   points.resize(std::size_t(std::unique(points.begin(), points.end()) - points.begin()));

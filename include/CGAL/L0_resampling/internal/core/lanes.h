@@ -67,6 +67,10 @@ struct Lanes
   {
     return Lanes(Eigen::internal::pmul(a.packet, b.packet));
   }
+  friend Lanes operator/(const Lanes& a, const Lanes& b)
+  {
+    return Lanes(Eigen::internal::pdiv(a.packet, b.packet));
+  }
   friend Lanes operator-(const Lanes& a, T b) { return a - Lanes(b); }
   friend Lanes operator-(T a, const Lanes& b) { return Lanes(a) - b; }
   friend Lanes operator*(const Lanes& a, T b) { return a * Lanes(b); }

@@ -228,16 +228,17 @@ Buffer<T> append_by_blocks(std::size_t n, std::size_t block_size,
     part.shrink_to_fit(); // else there may be room for twice as many
   });
   std::size_t size = 0;
+  std::vector<std::ptrdiff_t> begins;
   for (const Buffer<T>& part : parts)
-    size += part.size();
-  Buffer<T> all(allocator);
-  all.reserve(size);
-  for (Buffer<T>& part : parts)
   {
-    all.insert(all.end(), part.begin(), part.end());
-    release(part);
-    poll_for_cancellation();
+    begins.push_back(std::ptrdiff_t(size));
+    size += part.size();
   }
+  Buffer<T> all(size, allocator);
+  for_each_block<ConcurrencyTag>(parts.size(), 1, [&](std::size_t k, std::size_t) {
+    std::copy(parts[k].begin(), parts[k].end(), all.begin() + begins[k]);
+    release(parts[k]);
+  });
   return all;
 }
 

@@ -40,27 +40,14 @@ void sort_range_by_key(Iterator begin, Iterator end, const Key& key, const Less&
   }
 }
 
-/// Puts the values into `number_of_buckets` buckets, a power of two, so that no key of a bucket is
-/// larger than one of the next. Few are much larger than the others, unless many keys are equal.
+/// Puts the values into buckets, in the order that they have.
+/// \param bucket_of tells the bucket of a value
 /// \returns the first place of each bucket, and the number of values
-template <typename ConcurrencyTag, typename Value, typename Key>
-std::vector<std::size_t> partition_into_buckets(std::size_t number_of_buckets, const Key& key,
+template <typename ConcurrencyTag, typename Value, typename F>
+std::vector<std::size_t> partition_into_buckets(std::size_t number_of_buckets, const F& bucket_of,
                                                 Buffer<Value>& values)
 {
-  const std::size_t samples_per_bucket = 32, values_per_block = 8192, n = values.size();
-  std::vector<std::uint64_t> bounds; // of the bucket k: [bounds[k], bounds[k + 1])
-  for (std::size_t k = 0, size = number_of_buckets * samples_per_bucket; k < size; ++k)
-    bounds.push_back(key(values[n / size * k]));
-  std::sort(bounds.begin(), bounds.end());
-  for (std::size_t k = 0; k < number_of_buckets; ++k)
-    bounds[k] = bounds[k * samples_per_bucket];
-  const auto bucket_of = [&](const Value& value) {
-    std::size_t bucket = 0; // binary search without a branch
-    for (std::size_t step = number_of_buckets / 2; step > 0; step /= 2)
-      bucket += step * std::size_t(bounds[bucket + step] <= key(value));
-    return bucket;
-  };
-
+  const std::size_t values_per_block = 8192, n = values.size();
   const std::size_t number_of_blocks = (n + values_per_block - 1) / values_per_block;
   std::vector<std::size_t> places(number_of_blocks * number_of_buckets,
                                   0); // of the values of a block in a bucket
@@ -92,6 +79,29 @@ std::vector<std::size_t> partition_into_buckets(std::size_t number_of_buckets, c
   return first_places;
 }
 
+/// Puts the values into `number_of_buckets` buckets, a power of two, so that no key of a bucket is
+/// larger than one of the next. Few are much larger than the others, unless many keys are equal.
+/// \returns the first place of each bucket, and the number of values
+template <typename ConcurrencyTag, typename Value, typename Key>
+std::vector<std::size_t> partition_by_key(std::size_t number_of_buckets, const Key& key,
+                                          Buffer<Value>& values)
+{
+  const std::size_t samples_per_bucket = 32, n = values.size();
+  std::vector<std::uint64_t> bounds; // of the bucket k: [bounds[k], bounds[k + 1])
+  for (std::size_t k = 0, size = number_of_buckets * samples_per_bucket; k < size; ++k)
+    bounds.push_back(key(values[n / size * k]));
+  std::sort(bounds.begin(), bounds.end());
+  for (std::size_t k = 0; k < number_of_buckets; ++k)
+    bounds[k] = bounds[k * samples_per_bucket];
+  const auto bucket_of = [&](const Value& value) {
+    std::size_t bucket = 0; // binary search without a branch
+    for (std::size_t step = number_of_buckets / 2; step > 0; step /= 2)
+      bucket += step * std::size_t(bounds[bucket + step] <= key(value));
+    return bucket;
+  };
+  return partition_into_buckets<ConcurrencyTag>(number_of_buckets, bucket_of, values);
+}
+
 /// Sorts by a key, a `std::uint64_t`, and values of equal keys by `less`, an order without ties, so
 /// that the result does not depend on the number of threads.
 template <typename ConcurrencyTag, typename Value, typename Key, typename Less>
@@ -104,8 +114,8 @@ void sort_by_key(Buffer<Value>& values, const Key& key, const Less& less)
     number_of_buckets *= 2;
   if (number_of_buckets == 1 || values.size() < too_few_for_threads)
     return sort_range_by_key(values.begin(), values.end(), key, less);
-  const std::vector<std::size_t> first_places =
-    partition_into_buckets<ConcurrencyTag>(number_of_buckets, key, values);
+  const std::vector<std::size_t> first_places = partition_by_key<ConcurrencyTag>(number_of_buckets,
+                                                                                 key, values);
   for_each_block<ConcurrencyTag>(number_of_buckets, 1, [&](std::size_t bucket, std::size_t) {
     sort_range_by_key(values.begin() + std::ptrdiff_t(first_places[bucket]),
                       values.begin() + std::ptrdiff_t(first_places[bucket + 1]), key, less);

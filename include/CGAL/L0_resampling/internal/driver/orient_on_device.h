@@ -56,8 +56,10 @@ inline Oriented_representatives orient_on_device(const Buffer<Vector>& positions
   }
   result.of_points.resize(n);
   result.normals.resize(number_of_representatives);
-  throw_if_failed(
-    cuda::download_representatives(*session, result.of_points.data(), coordinates(result.normals)));
+  result.mean_normals.resize(number_of_representatives);
+  throw_if_failed(cuda::download_representatives(*session, result.of_points.data(),
+                                                 coordinates(result.normals),
+                                                 coordinates(result.mean_normals)));
   return result;
 }
 

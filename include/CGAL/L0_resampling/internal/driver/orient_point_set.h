@@ -35,7 +35,8 @@ inline std::size_t least_memory_to_orient(std::size_t n)
 struct Oriented_representatives
 {
   Buffer<Index> of_points; ///< for each point of the input, the place of the one that stands for it
-  Buffer<Local_vector> normals; ///< oriented, of unit length
+  Buffer<Local_vector> normals;      ///< oriented, of unit length
+  Buffer<Local_vector> mean_normals; ///< of those around, which tell the sides; of any length
 };
 
 /// Points in the working frame, of which one after the other comes to stand for those near it.
@@ -57,7 +58,7 @@ struct Thinned_points
       apply_order<ConcurrencyTag>(order, scales);
     for (Buffer<Local_vector>* vectors : {&normals, &hints})
       if (!vectors->empty())
-        apply_order(order, *vectors);
+        apply_order<ConcurrencyTag>(order, *vectors);
     Buffer<Index> new_places = filled_buffer(order.size(), Index(0), order.get_allocator());
     for_each_in_order(order.size(), [&](std::size_t i) { new_places[order[i]] = Index(i); });
     move_to(new_places);
@@ -134,6 +135,27 @@ void estimate_missing_normals(const Plan& plan, Progress& progress, Report& repo
   points.normals = std::move(estimated);
 }
 
+/// The points of a call that only orients: `plan_call()` finds scales of places if they are needed.
+template <typename ConcurrencyTag>
+class Points_to_orient : public Cpu_points<ConcurrencyTag>
+{
+  using Points = Cpu_points<ConcurrencyTag>;
+  bool m_are_all_normals_given;
+
+public:
+  Points_to_orient(Buffer<Vector>& points, bool are_all_normals_given, Progress& progress,
+                   Report& report)
+    : Points(points, progress, report), m_are_all_normals_given(are_all_normals_given)
+  {}
+
+  Range_of_scales estimate_scale_field(double robust_diagonal, const Usual_scales& usual)
+  {
+    return needs_scales_to_orient(m_are_all_normals_given, usual.spacing, usual.noise)
+             ? Points::estimate_scale_field(robust_diagonal, usual)
+             : Range_of_scales();
+  }
+};
+
 /*!
 Finds the sides of the normals of a point set. Points at one place, points of a crowd and, where the
 noise is larger than the spacing, points within it have one that stands for them.
@@ -152,7 +174,8 @@ Oriented_representatives orient_point_set(Buffer<Vector>& positions,
                                           Progress& progress, Report& report)
 {
   const auto allocator = positions.get_allocator();
-  Cpu_points<ConcurrencyTag> all_points(positions, progress, report);
+  Points_to_orient<ConcurrencyTag> all_points(positions, are_all_given(given_normals), progress,
+                                              report);
   const Plan plan = plan_call(parameters, all_points);
   Thinned_points points{Buffer<Index>(allocator), std::move(positions),
                         std::move(all_points.scales()), std::move(given_normals), std::move(hints)};
@@ -174,16 +197,17 @@ Oriented_representatives orient_point_set(Buffer<Vector>& positions,
       Search_grid_3(points.positions, Cell_sizes(cell_size, points.scales)), points.positions, 1));
   }
   progress.begin_stage("orient normals", 0.5, points.positions.size());
+  Buffer<Local_vector> mean_normals(allocator);
   const Orientation orientation = orient_normals<ConcurrencyTag>(
     points.positions, parameters.number_of_orientation_neighbors,
     spacing_on_surface(plan.sample_spacing, number_of_points, points.positions.size()),
     side_hints(parameters, all_points.frame(), points.positions, points.hints), progress,
-    points.normals, noise_of_heights(plan.noise));
+    points.normals, noise_of_heights(plan.noise), &mean_normals);
   report.oriented_share = orientation.oriented_share;
   report.right_side_share = orientation.right_side_share();
   report.hinted_share = orientation.hinted_share;
   progress.end_stage();
-  return {std::move(points.of_input), std::move(points.normals)};
+  return {std::move(points.of_input), std::move(points.normals), std::move(mean_normals)};
 }
 
 } // namespace internal

@@ -30,6 +30,11 @@ CGAL_L0_HOST_DEVICE inline unsigned step_of_agreement(float agreement)
   return unsigned((1 - at_most(std::abs(agreement), 1.f)) * (number_of_steps - 1));
 }
 
+/// How many times as many neighbors as in the graph have a vote on the side of a point at last. The
+/// more there are, the less counts the noise of their normals; but trees that grow over as many
+/// pass from one sheet of a plate to the other.
+constexpr unsigned voters_per_neighbor = 2;
+
 /// How often points are turned whose neighbors outvote them. Those that turn change the votes on
 /// others; the third time hardly any does.
 constexpr int sweeps_over_outvoted = 3;
@@ -93,6 +98,16 @@ constexpr double least_disagreement = 1e-6;
 /// the field of few samples is not known to less.
 constexpr double least_disagreement_of_groups = 5;
 
+/// How far two samples are of one sheet, in [0, 1], where each lies near the tangent plane of the
+/// other.
+/// \param squared_heights the sum of the squares of the heights over these planes
+/// \param squared_spacing as for `orientation_agreement()`
+template <typename T>
+CGAL_L0_HOST_DEVICE inline T share_of_one_sheet(T squared_heights, T squared_spacing)
+{
+  return decay(squared_heights / squared_spacing * 2);
+}
+
 /*!
 How far two samples agree about the side their normals point to: positive if the signs fit, negative
 if one has to turn; the absolute value, in [0, 1], is how sure that is.
@@ -119,7 +134,8 @@ CGAL_L0_HOST_DEVICE inline T orientation_agreement(T cosine, T height, T other_h
           squared_noise = squared_spacing / 2;
   if (!(squared_noise > 0 && isfinite(squared_heights / squared_noise)))
     return cosine;
-  const T one_sheet = decay(squared_heights / squared_noise), weight_of_folds = T(0.1);
+  const T one_sheet = share_of_one_sheet(squared_heights, squared_spacing),
+          weight_of_folds = T(0.1);
   return one_sheet * cosine
          + weight_of_folds * (1 - one_sheet) * 2 * height * other_height
              / (squared_heights + squared_noise);

@@ -24,6 +24,14 @@ inline double spacing_of_representatives(double spacing, double noise)
   return (std::max)(spacing, noise);
 }
 
+/// Whether the scales of places have a say in sides: in the balls that normals are estimated in, and
+/// in which points stand for others within the noise.
+/// \param spacing, noise as for `spacing_of_representatives()`
+inline bool needs_scales_to_orient(bool are_all_normals_given, double spacing, double noise)
+{
+  return !are_all_normals_given || spacing_of_representatives(spacing, noise) > spacing;
+}
+
 /// The spacing of an even set of `number_of_samples` on the surface of `n` points of that spacing.
 /// Noise is thicker than its spacing: it keeps more representatives than a surface would.
 inline double spacing_on_surface(double spacing, std::size_t n, std::size_t number_of_samples)

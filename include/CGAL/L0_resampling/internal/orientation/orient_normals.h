@@ -45,7 +45,7 @@ Buffer<T> squared_height_tolerances(const Buffer<Vector>& positions,
       {
         squared_distances.clear();
         heights.clear();
-        for (const Index* other = nearest.begin(i); other != nearest.end(i); ++other)
+        for (const Index* other = nearest.begin(i); other != nearest.end_of_first(i); ++other)
         {
           const Eigen::Matrix<T, 3, 1> d = (positions[*other] - positions[i]).template cast<T>();
           squared_distances.push_back(d.squaredNorm());
@@ -60,30 +60,23 @@ Buffer<T> squared_height_tolerances(const Buffer<Vector>& positions,
   return tolerances;
 }
 
-/// The edges of the graph of nearest neighbors, each once.
-/// \param noise_of_heights as for `orient_normals()`
+/// The edges of the graph of nearest neighbors, the first ones of `nearest`, each once.
+/// \param squared_tolerances of the heights of each sample; none if all are the squared spacing
 template <typename ConcurrencyTag, typename T>
 Buffer<Edge> rated_edges(const Buffer<Vector>& positions,
                          const Buffer<Eigen::Matrix<T, 3, 1>>& normals,
-                         std::size_t number_of_neighbors, double spacing,
-                         const std::optional<double>& noise_of_heights, Progress& progress)
+                         const Nearest_samples& nearest, double spacing,
+                         const Buffer<T>& squared_tolerances)
 {
-  const double radius_of_that_many = spacing * std::sqrt(double(number_of_neighbors) / 2);
-  const Nearest_samples nearest = find_nearest_samples<ConcurrencyTag>(
-    positions, number_of_neighbors, radius_of_that_many, progress);
-  Buffer<T> squared_tolerances{Counting_allocator<T>(positions.get_allocator())};
-  if (noise_of_heights)
-    squared_tolerances = squared_height_tolerances<ConcurrencyTag>(positions, normals, nearest,
-                                                                   spacing, *noise_of_heights);
   const auto squared_tolerance_of = [&](Index i, Index k) {
-    return noise_of_heights ? (std::max)(squared_tolerances[i], squared_tolerances[k])
-                            : T(spacing * spacing);
+    return squared_tolerances.empty() ? T(spacing * spacing)
+                                      : (std::max)(squared_tolerances[i], squared_tolerances[k]);
   };
   const auto append_edges_of = [&](Index i, Buffer<Edge>& edges) {
-    for (const Index* other = nearest.begin(i); other != nearest.end(i); ++other)
+    for (const Index* other = nearest.begin(i); other != nearest.end_of_first(i); ++other)
     {
       const Index k = *other;
-      if (k < i && nearest.contains(k, i))
+      if (k < i && nearest.is_one_of_first(k, i))
         continue;
       const Eigen::Matrix<T, 3, 1> to_other = (positions[k] - positions[i]).template cast<T>();
       const T agreement = orientation_agreement(normals[i].dot(normals[k]),
@@ -316,26 +309,39 @@ indices; no sample changes its place.
 cloud
 \param noise_of_heights of points as they were measured, not of samples: heights within it tell
 nothing of a fold, as those within the spacing; where the points around are sparser or noisier, no
-heights within what they have. At last such points are turned where their neighbors outvote them.
+heights within what they have. At last such points are turned where the normals around outvote
+theirs.
+\param mean_normals out, of points as they were measured: the direction of the normals around each,
+which tells the side of those that it stands for; null if there are none
 */
 template <typename ConcurrencyTag, typename T>
 Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_of_neighbors,
                            double spacing, const Side_hints& hints, Progress& progress,
                            Buffer<Eigen::Matrix<T, 3, 1>>& normals,
-                           const std::optional<double>& noise_of_heights = std::nullopt)
+                           const std::optional<double>& noise_of_heights = std::nullopt,
+                           Buffer<Eigen::Matrix<T, 3, 1>>* mean_normals = nullptr)
 {
   const auto normal = [&](Index i) -> Vector { return normals[i].template cast<double>(); };
   const std::size_t m = positions.size();
-  Buffer<Edge> edges = rated_edges<ConcurrencyTag>(positions, normals, number_of_neighbors, spacing,
-                                                   noise_of_heights, progress);
+  const std::size_t number_of_voters = noise_of_heights ? voters_per_neighbor * number_of_neighbors
+                                                        : number_of_neighbors;
+  const double radius_of_that_many = spacing * std::sqrt(double(number_of_voters) / 2);
+  Nearest_samples nearest = find_nearest_samples<ConcurrencyTag>(
+    positions, number_of_neighbors, number_of_voters, radius_of_that_many, progress);
+  Buffer<T> squared_tolerances{Counting_allocator<T>(positions.get_allocator())};
+  if (noise_of_heights)
+    squared_tolerances = squared_height_tolerances<ConcurrencyTag>(positions, normals, nearest,
+                                                                   spacing, *noise_of_heights);
   Voting faces = [&] {
+    const Buffer<Edge> edges = rated_edges<ConcurrencyTag>(positions, normals, nearest, spacing,
+                                                           squared_tolerances);
+    if (!noise_of_heights)
+      nearest.release();
     Signed_union_find sets = grow_forest<ConcurrencyTag>(
       edges, sets_of_viewpoints(m, hints, normal, positions.get_allocator()));
     Buffer<Vote> votes = votes_of_edges<ConcurrencyTag>(edges, sets);
     return Voting{std::move(sets), std::move(votes)};
   }();
-  if (!noise_of_heights)
-    release(edges);
   const auto joined_by_votes = [](double sure, const Voting& before) {
     Voting voting{before.sets, copy_of(before.votes)};
     join_by_votes<ConcurrencyTag>(sure, voting);
@@ -354,11 +360,13 @@ Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_o
   if (join_by_field<ConcurrencyTag>(all.sets, positions, normals, spacing, parts))
     all = joined_by_votes(0, parts);
   const Signed_union_find& sets = all.sets;
+  Buffer<Eigen::Matrix<T, 3, 1>> sums(normals.get_allocator());
   if (noise_of_heights)
   {
     const auto is_in_doubt = [&](Index i) { return hints.certain_side_of(i, normal(i)) == 0; };
-    turn_outvoted(edges, sets, is_in_doubt, normals);
-    release(edges);
+    sums = turn_outvoted<ConcurrencyTag>(positions, nearest, sets, squared_tolerances, is_in_doubt,
+                                         normals);
+    nearest.release();
   }
 
   std::size_t number_of_oriented = 0;
@@ -382,6 +390,8 @@ Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_o
         number += tree.votes.are_clear();
         if (tree.is_to_be_turned() != (sign < 0))
           normals[i] = -normals[i];
+        if (mean_normals && tree.is_to_be_turned())
+          sums[i] = -sums[i];
         const std::size_t k = dipole_of_sample(i, m, dipoles.size());
         const double within_tree = sets.find(dipoles[k]).first == root
                                      ? confidences_within_trees[k]
@@ -391,6 +401,8 @@ Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_o
       }
       return number;
     });
+  if (mean_normals)
+    *mean_normals = std::move(sums);
   result.hinted_share = double(number_of_hinted) / double(m);
   result.trees = std::move(all.sets);
   return result;

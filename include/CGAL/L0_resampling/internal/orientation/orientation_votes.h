@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -41,27 +42,67 @@ struct Vote
   double agreement, total;
 };
 
-/// Adds up votes between the same two.
+/// Adds up votes between the same two, in the order of these.
+/// \param number_of_samples that may vote
 template <typename ConcurrencyTag>
-void add_up_votes(Buffer<Vote>& votes)
+void add_up_votes(std::size_t number_of_samples, Buffer<Vote>& votes)
 {
-  sort_by_key<ConcurrencyTag>(
-    votes, [](const Vote& v) { return (std::uint64_t(v.a) << 32) | v.b; },
-    [](const Vote& v, const Vote& w) {
-      return v.agreement != w.agreement ? v.agreement < w.agreement : v.total < w.total;
-    });
-  std::size_t size = 0;
-  for_each_in_order(votes.size(), [&](std::size_t n) {
-    const Vote& v = votes[n];
-    if (size > 0 && votes[size - 1].a == v.a && votes[size - 1].b == v.b)
+  // of samples that follow each other; there are few votes of each
+  const std::size_t votes_per_bucket = 4096,
+                    number_of_buckets = (std::min)(votes.size() / votes_per_bucket + 1,
+                                                   std::size_t(1024)),
+                    samples_per_bucket = (number_of_samples + number_of_buckets - 1)
+                                         / number_of_buckets;
+  const std::vector<std::size_t> first_votes = partition_into_buckets<ConcurrencyTag>(
+    number_of_buckets,
+    [divisor = Index(samples_per_bucket)](const Vote& v) { return std::size_t(v.a / divisor); },
+    votes);
+  std::vector<std::size_t> numbers_of_sums(number_of_buckets);
+  for_each_block<ConcurrencyTag>(number_of_buckets, 1, [&](std::size_t bucket, std::size_t) {
+    Vote* const first = votes.data() + first_votes[bucket];
+    const std::size_t size = first_votes[bucket + 1] - first_votes[bucket],
+                      first_sample = bucket * samples_per_bucket, long_list = 16384;
+    std::vector<std::size_t> ends(samples_per_bucket + 1, 0);
+    for (std::size_t n = 0; n < size; ++n)
+      ++ends[first[n].a - first_sample + 1];
+    std::partial_sum(ends.begin(), ends.end(), ends.begin());
+    std::vector<Vote> sorted(size);
+    for (std::size_t n = 0; n < size; ++n)
+      sorted[ends[first[n].a - first_sample]++] = first[n];
+
+    const auto is_before = [](const Vote& v, const Vote& w) {
+      return v.b != w.b                   ? v.b < w.b
+             : v.agreement != w.agreement ? v.agreement < w.agreement
+                                          : v.total < w.total;
+    };
+    std::size_t number_of_comparisons = 0, number_of_sums = 0;
+    for (std::size_t k = 0, begin = 0; k < samples_per_bucket; begin = ends[k++])
     {
-      votes[size - 1].agreement += v.agreement;
-      votes[size - 1].total += v.total;
+      const auto of_sample = sorted.begin() + std::ptrdiff_t(begin),
+                 end = sorted.begin() + std::ptrdiff_t(ends[k]);
+      if (end - of_sample > std::ptrdiff_t(long_list))
+        std::sort(of_sample, end, watched_order(is_before, number_of_comparisons));
+      else
+        std::sort(of_sample, end, is_before);
+      for (auto v = of_sample; v != end; ++v)
+        if (v != of_sample && v->b == (v - 1)->b)
+        {
+          first[number_of_sums - 1].agreement += v->agreement;
+          first[number_of_sums - 1].total += v->total;
+        }
+        else
+          first[number_of_sums++] = *v;
     }
-    else
-      votes[size++] = v;
+    numbers_of_sums[bucket] = number_of_sums;
   });
-  votes.resize(size);
+  auto end = votes.begin();
+  for (std::size_t bucket = 0; bucket < number_of_buckets; ++bucket)
+  {
+    const auto first = votes.begin() + std::ptrdiff_t(first_votes[bucket]);
+    end = std::copy(first, first + std::ptrdiff_t(numbers_of_sums[bucket]), end);
+    poll_for_cancellation();
+  }
+  votes.resize(std::size_t(end - votes.begin()));
 }
 
 /// Adds up votes between the same two as they come. Where most are, looking up costs a third of
@@ -107,10 +148,12 @@ public:
 
 /// The vote between the sets of two samples, or of two sets before they were joined to others;
 /// nothing if they are one set.
-inline std::optional<Vote> vote_between_sets(const Signed_union_find& sets, const Vote& vote)
+/// \param find finds the set of a sample
+template <typename Find>
+std::optional<Vote> vote_between_sets(const Find& find, const Vote& vote)
 {
-  const auto [root_a, sign_a] = sets.find(vote.a);
-  const auto [root_b, sign_b] = sets.find(vote.b);
+  const auto [root_a, sign_a] = find(vote.a);
+  const auto [root_b, sign_b] = find(vote.b);
   if (root_a == root_b)
     return std::nullopt;
   return Vote{(std::min)(root_a, root_b), (std::max)(root_a, root_b),
@@ -127,11 +170,12 @@ Buffer<Vote> votes_of_edges(const Buffer<Edge>& edges, const Signed_union_find& 
     [&](std::size_t begin, std::size_t end, Buffer<Vote>& votes_of_block) {
       Vote_sums sums(end - begin, votes_of_block);
       for (std::size_t e = begin; e < end; ++e)
-        if (const auto vote = vote_between_sets(sets, {edges[e].i, edges[e].k, edges[e].agreement,
-                                                       std::abs(edges[e].agreement)}))
+        if (const auto vote = vote_between_sets([&](Index i) { return sets.find(i); },
+                                                {edges[e].i, edges[e].k, edges[e].agreement,
+                                                 std::abs(edges[e].agreement)}))
           sums.add(*vote);
     });
-  add_up_votes<ConcurrencyTag>(votes);
+  add_up_votes<ConcurrencyTag>(sets.size(), votes);
   return votes;
 }
 
@@ -148,14 +192,14 @@ template <typename ConcurrencyTag>
 void pass_votes_on(Voting& voting)
 {
   Buffer<Vote>& votes = voting.votes;
-  voting.sets.compress();
+  const auto find = [&](Index i) { return voting.sets.find_and_compress(i); };
   std::size_t size = 0;
   for_each_in_order(votes.size(), [&](std::size_t n) {
-    if (const auto vote = vote_between_sets(voting.sets, votes[n]))
+    if (const auto vote = vote_between_sets(find, votes[n]))
       votes[size++] = *vote;
   });
   votes.resize(size);
-  add_up_votes<ConcurrencyTag>(votes);
+  add_up_votes<ConcurrencyTag>(voting.sets.size(), votes);
 }
 
 /// Joins sets that touch by majority: round by round, each set merges with the neighbor of the
@@ -193,6 +237,7 @@ void join_by_votes(double sure, Voting& voting)
     });
     pass_votes_on<ConcurrencyTag>(voting);
   }
+  voting.sets.compress();
 }
 
 } // namespace internal

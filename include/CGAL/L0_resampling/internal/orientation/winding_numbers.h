@@ -28,11 +28,12 @@ What the dipoles of each tree say of each other's sides: the winding number of t
 place of each, and how far they agree. Trees do not know of each other.
 
 Dipoles stand one tree after the other, each tree filled up with dipoles without a normal to whole
-lanes.
+lanes. They are in single precision, relative to the first one of their tree, so that of a part far
+away digits are left.
 */
 class Dipoles_of_trees
 {
-  std::vector<Aligned_vector<double>> m_coordinates{6}; // of positions and normals
+  std::vector<Aligned_vector<float>> m_coordinates{6}; // of positions and normals
 
   struct Tree
   {
@@ -53,20 +54,24 @@ public:
     for (std::size_t k = 0; k < samples.size(); ++k)
       roots_and_dipoles.push_back({trees.find(samples[k]).first, k});
     std::sort(roots_and_dipoles.begin(), roots_and_dipoles.end());
+    Vector origin = Vector::Zero();
     for (std::size_t n = 0; n < samples.size(); ++n)
     {
       const auto [root, k] = roots_and_dipoles[n];
       if (n == 0 || roots_and_dipoles[n - 1].first != root)
+      {
         begin_tree();
+        origin = positions[samples[k]];
+      }
       m_tree_of_dipole[k] = m_trees.size() - 1;
       m_place_of_dipole[k] = m_coordinates[0].size();
       const Index i = samples[k];
-      const double sign = trees.find(i).second;
+      const float sign = float(trees.find(i).second);
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
         const Eigen::Index a = Eigen::Index(axis);
-        m_coordinates[axis].push_back(positions[i][a]);
-        m_coordinates[3 + axis].push_back(sign * double(normals[i][a]));
+        m_coordinates[axis].push_back(float(positions[i][a] - origin[a]));
+        m_coordinates[3 + axis].push_back(sign * float(normals[i][a]));
       }
     }
     end_tree();
@@ -76,9 +81,11 @@ public:
   /// \param area that a dipole stands for
   Side_evidence evidence_of(std::size_t k, double area) const
   {
-    using L = Lanes<double>;
-    const double squared_core = squared_core_of_dipole(area),
-                 least_squared_distance = least_squared_distance_of_evidence(squared_core);
+    using L = Lanes<float>;
+    const double squared_core_of_dipoles = squared_core_of_dipole(area);
+    const float squared_core = float(squared_core_of_dipoles),
+                least_squared_distance = float(
+                  least_squared_distance_of_evidence(squared_core_of_dipoles));
     const std::size_t place = m_place_of_dipole[k];
     const auto [begin, end] = m_trees[m_tree_of_dipole[k]];
     const auto own = [&](std::size_t c) { return m_coordinates[c][place]; };
@@ -98,14 +105,14 @@ public:
       agreement += of_pair;
       total += abs(of_pair);
     }
-    const double all = total.sum();
-    return {winding.sum() * area, all > 0 ? agreement.sum() / all : 0};
+    const double all = double(total.sum());
+    return {double(winding.sum()) * area, all > 0 ? double(agreement.sum()) / all : 0};
   }
 
 private:
   void end_tree()
   {
-    while (m_coordinates[0].size() % Lanes<double>::size != 0)
+    while (m_coordinates[0].size() % Lanes<float>::size != 0)
       for (auto& values : m_coordinates)
         values.push_back(0);
     if (!m_trees.empty())

@@ -43,7 +43,8 @@ void estimate_feature_confidences(const Buffer<Vector>& positions,
 {
   const double radius_of_that_many = spacing * std::sqrt(double(number_of_feature_neighbors) / 3);
   const Nearest_samples nearest = find_nearest_samples<ConcurrencyTag>(
-    positions, number_of_feature_neighbors, radius_of_that_many, progress);
+    positions, number_of_feature_neighbors, number_of_feature_neighbors, radius_of_that_many,
+    progress);
   fill_buffer(positions.size(), 0.f, confidences);
   const std::size_t samples_per_block = 4096;
   for_each_block<ConcurrencyTag>(

@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -21,22 +22,38 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// Up to k nearest other samples of each sample, in no particular order.
+/// Up to k nearest other samples of each sample. Of these, the `number_of_first` nearest come
+/// first; else they are in no particular order.
 class Nearest_samples
 {
-  std::size_t m_k;
+  std::size_t m_k, m_number_of_first;
   Buffer<Index> m_indices; // k a sample, of which the first counts[i] are used
   Buffer<Index> m_counts;
 
 public:
-  Nearest_samples(std::size_t size, std::size_t k, const Counting_allocator<Index>& allocator)
-    : m_k(k), m_indices(size * k, allocator), m_counts(filled_buffer(size, Index(0), allocator))
+  Nearest_samples(std::size_t size, std::size_t k, std::size_t number_of_first,
+                  const Counting_allocator<Index>& allocator)
+    : m_k(k), m_number_of_first(number_of_first), m_indices(size * k, allocator),
+      m_counts(filled_buffer(size, Index(0), allocator))
   {}
 
   const Index* begin(Index i) const { return m_indices.data() + i * m_k; }
   const Index* end(Index i) const { return begin(i) + m_counts[i]; }
-  /// Counts, as that takes no branches, unlike a search.
-  bool contains(Index i, Index k) const { return std::count(begin(i), end(i), k) > 0; }
+  const Index* end_of_first(Index i) const
+  {
+    return begin(i) + (std::min)(std::size_t(m_counts[i]), m_number_of_first);
+  }
+  /// Whether k is one of the first of i. Counts, as that takes no branches, unlike a search.
+  bool is_one_of_first(Index i, Index k) const
+  {
+    return std::count(begin(i), end_of_first(i), k) > 0;
+  }
+
+  void release()
+  {
+    internal::release(m_indices);
+    internal::release(m_counts);
+  }
 
   void add(Index i, Index k) { m_indices[i * m_k + m_counts[i]++] = k; }
 };
@@ -80,23 +97,35 @@ public:
       });
   }
 
-  /// The `count` nearest, of the equally near ones those that were listed first.
-  /// \pre `count <= size()`
-  const std::vector<Index>& nearest(std::size_t count)
+  /// The `count` nearest, and of these first the `number_of_first` nearest; of the equally near
+  /// ones those that were listed first.
+  /// \pre `number_of_first <= count && count <= size()`
+  const std::vector<Index>& nearest(std::size_t number_of_first, std::size_t count)
   {
     m_nearest.resize(m_size + 1);
-    if (!keep_by_distance(count))
-      keep_by_rank(count);
+    const std::optional<float> reach = squared_reach_of(count, m_squared_radius, m_size),
+                               reach_of_first = reach
+                                                  ? squared_reach_of(number_of_first, *reach, count)
+                                                  : std::nullopt;
+    if (reach_of_first)
+    {
+      const std::size_t kept = keep_between(0, *reach_of_first, 0);
+      if (number_of_first < count)
+        keep_between(*reach_of_first, *reach, kept);
+    }
+    else
+      keep_by_rank(number_of_first, count);
     m_nearest.resize(count);
     return m_nearest;
   }
 
 private:
-  /// Keeps those nearer than a distance that only `count` of them are, found from how many are
-  /// nearer than others: on a surface their number grows with the squared distance. A few counts of
-  /// all take a quarter of the time of `std::nth_element()`, whose branches no processor foresees.
-  /// \returns whether there is such a distance and it was found
-  bool keep_by_distance(std::size_t count)
+  /// A squared distance than which only `count` are nearer, found from how many are nearer than
+  /// others: on a surface their number grows with the squared distance. A few counts of all take a
+  /// quarter of the time of `std::nth_element()`, whose branches no processor foresees.
+  /// \param high a squared distance than which `size` are nearer, at least `count`
+  /// \returns nothing if there is no such distance or it was not found
+  std::optional<float> squared_reach_of(std::size_t count, float high, std::size_t size)
   {
     using L = Lanes<float>;
     L((std::numeric_limits<float>::max)()).store(&m_squared_distances[m_size]);
@@ -109,52 +138,63 @@ private:
 
     const int maximum_number_of_steps = 16;
     const float wanted = float(count);
-    float low = 0, high = m_squared_radius, number_of_low = 0, number_of_high = float(m_size);
+    float low = 0, number_of_low = 0, number_of_high = float(size);
     for (int step = 0; number_of_high != wanted; ++step)
     {
       const float middle =
         low + (high - low) * (wanted + 0.5f - number_of_low) / (number_of_high + 1 - number_of_low);
       if (step == maximum_number_of_steps || !(low < middle && middle < high))
-        return false;
+        return std::nullopt;
       const float number = number_nearer_than(middle);
       if (number < wanted)
         low = middle, number_of_low = number;
       else
         high = middle, number_of_high = number;
     }
-    std::size_t kept = 0;
+    return high;
+  }
+
+  /// Keeps those at squared distances of [low, high) from the place `kept` on, and returns the
+  /// place after them.
+  std::size_t keep_between(float low, float high, std::size_t kept)
+  {
     for (std::size_t c = 0; c < m_size; ++c)
     {
       m_nearest[kept] = m_indices[c];
-      kept += std::size_t(m_squared_distances[c] < high);
+      kept += std::size_t(low <= m_squared_distances[c])
+              & std::size_t(m_squared_distances[c] < high);
     }
-    return true;
+    return kept;
   }
 
-  void keep_by_rank(std::size_t count)
+  void keep_by_rank(std::size_t number_of_first, std::size_t count)
   {
     std::vector<std::pair<float, std::size_t>> places;
     for (std::size_t c = 0; c < m_size; ++c)
       places.emplace_back(m_squared_distances[c], c);
-    std::nth_element(places.begin(), places.begin() + std::ptrdiff_t(count), places.end());
+    const auto begin = places.begin(), end_of_first = begin + std::ptrdiff_t(number_of_first),
+               end = begin + std::ptrdiff_t(count);
+    std::nth_element(begin, end, places.end());
+    if (number_of_first < count)
+      std::nth_element(begin, end_of_first, end);
     for (std::size_t c = 0; c < count; ++c)
       m_nearest[c] = m_indices[places[c].second];
   }
 };
 
 /*!
-Finds the k nearest samples of each sample. Where even a ball of 1000 times `spacing_guess` holds
-fewer, the list is shorter.
+Finds the k nearest samples of each sample, the `number_of_first` nearest of them first. Where even
+a ball of 1000 times `spacing_guess` holds fewer, the list is shorter.
 
 Looks at balls of twice the radius where a ball holds fewer than k, on the same grid as long as its
 cells are not too many, then on a coarser one.
 */
 template <typename ConcurrencyTag>
-Nearest_samples find_nearest_samples(const Buffer<Vector>& positions, std::size_t k,
-                                     double spacing_guess, Progress& progress)
+Nearest_samples find_nearest_samples(const Buffer<Vector>& positions, std::size_t number_of_first,
+                                     std::size_t k, double spacing_guess, Progress& progress)
 {
   const int number_of_doublings = 10, doublings_on_one_grid = 2;
-  Nearest_samples nearest(positions.size(), k, positions.get_allocator());
+  Nearest_samples nearest(positions.size(), k, number_of_first, positions.get_allocator());
   Buffer<unsigned char> is_open(positions.size(), 1, positions.get_allocator());
   std::atomic<std::size_t> number_of_open{positions.size()};
 
@@ -199,7 +239,8 @@ Nearest_samples find_nearest_samples(const Buffer<Vector>& positions, std::size_
             if (found.size() < k && !take_what_is_there)
               continue;
             const Index sample = order[place];
-            for (Index near_place : found.nearest((std::min)(k, found.size())))
+            for (Index near_place : found.nearest((std::min)(number_of_first, found.size()),
+                                                  (std::min)(k, found.size())))
               nearest.add(sample, order[near_place]);
             is_open[sample] = 0;
             ++number_of_closed;
