@@ -8,8 +8,9 @@
   place_formulas.py HTML_DIRECTORY [MATHJAX_DIRECTORY]
 
 With MATHJAX_DIRECTORY, an installed MathJax 2, the parts of it that draw formulas are copied beside
-the pages, where Doxygen was told to look for them. Without it the pages show each formula as text,
-with Greek letters, indices and exponents, and ask for no script.
+the pages, where Doxygen was told to look for them; pages that have no formula do not load them.
+Without it the pages show each formula as text, with Greek letters, indices and exponents, and ask
+for no script.
 """
 
 import html
@@ -92,13 +93,15 @@ def with_formulas_as_text(page):
 
 def main():
     pages = Path(sys.argv[1])
-    if len(sys.argv) > 2:
+    draw = len(sys.argv) > 2
+    if draw:
         copy_mathjax(Path(sys.argv[2]), pages)
-        return
     for path in pages.glob("*.html"):
         page = path.read_text(encoding="utf-8")
-        if MATHJAX_SCRIPT.search(page):
-            path.write_text(with_formulas_as_text(page), encoding="utf-8")
+        without_mathjax = MATHJAX_SCRIPT.sub("", page)
+        if without_mathjax != page and not (draw and FORMULA.search(without_mathjax)):
+            path.write_text(without_mathjax if draw else with_formulas_as_text(page),
+                            encoding="utf-8")
 
 
 if __name__ == "__main__":

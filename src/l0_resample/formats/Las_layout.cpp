@@ -14,7 +14,7 @@
 namespace l0_tool {
 namespace {
 
-constexpr std::array<const char*, 3> channels = {"red", "green", "blue"};
+constexpr std::array<const char*, 3> color_channels = {"red", "green", "blue"};
 
 const Property* find_property(const Property_table& table, const std::string& name)
 {
@@ -26,13 +26,13 @@ const Property* find_property(const Property_table& table, const std::string& na
 
 bool is_channel(const std::string& name)
 {
-  return std::find(channels.begin(), channels.end(), name) != channels.end();
+  return std::find(color_channels.begin(), color_channels.end(), name) != color_channels.end();
 }
 
 /// Whether there is a color in integers that all have the whole range of their type.
 bool has_color(const Property_table& table)
 {
-  return std::all_of(channels.begin(), channels.end(), [&](const char* name) {
+  return std::all_of(color_channels.begin(), color_channels.end(), [&](const char* name) {
     const Property* const channel = find_property(table, name);
     return channel && (channel->type == Number_type::UINT8 || channel->type == Number_type::UINT16);
   });

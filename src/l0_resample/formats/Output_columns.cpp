@@ -12,7 +12,7 @@
 namespace l0_tool {
 namespace {
 
-constexpr std::array<const char*, 4> channels = {"red", "green", "blue", "alpha"};
+constexpr std::array<const char*, 4> channels_with_alpha = {"red", "green", "blue", "alpha"};
 
 const Property* find_channel(const Property_table& table, const std::string& name)
 {
@@ -26,7 +26,7 @@ const Property* find_channel(const Property_table& table, const std::string& nam
 std::vector<const Property*> find_color(const Property_table& table)
 {
   std::vector<const Property*> color;
-  for (const char* name : channels)
+  for (const char* name : channels_with_alpha)
     if (const Property* channel = find_channel(table, name))
       color.push_back(channel);
     else if (std::string(name) != "alpha")

@@ -18,7 +18,7 @@
 namespace l0_tool {
 namespace {
 
-constexpr std::size_t max_header_length = 1024 * 1024;
+constexpr std::size_t max_pcd_header_length = 1024 * 1024;
 constexpr std::size_t max_number_of_fields = 1000;
 constexpr std::uint64_t max_count =
   0xffffffff; // keeps the size of a row far from the end of 64 bits
@@ -44,7 +44,7 @@ public:
     static constexpr std::string_view keywords[] = {"VERSION", "FIELDS", "SIZE",   "TYPE",
                                                     "COUNT",   "WIDTH",  "HEIGHT", "VIEWPOINT",
                                                     "POINTS",  "DATA"};
-    for (std::size_t length = 0; length <= max_header_length;) {
+    for (std::size_t length = 0; length <= max_pcd_header_length;) {
       const std::optional<std::string_view> line = file.read_line();
       if (!line)
         file.refuse("the file ends within its header");
@@ -69,7 +69,7 @@ public:
       if (keyword == "DATA")
         return;
     }
-    file.refuse("the header is longer than " + std::to_string(max_header_length) + " bytes");
+    file.refuse("the header is longer than " + std::to_string(max_pcd_header_length) + " bytes");
   }
 
   bool has(const std::string& keyword) const { return m_lines.count(keyword) > 0; }

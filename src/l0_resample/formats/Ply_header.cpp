@@ -15,7 +15,7 @@
 namespace l0_tool {
 namespace {
 
-constexpr std::size_t max_header_length = 1024 * 1024;
+constexpr std::size_t max_ply_header_length = 1024 * 1024;
 constexpr std::size_t max_number_of_properties = 1000;
 constexpr std::size_t max_number_of_elements = 100;
 
@@ -105,7 +105,7 @@ Ply_header read_ply_header(Input_file& file)
   Ply_header header;
   std::optional<Ply_header::Encoding> encoding;
   std::size_t number_of_properties = 0;
-  for (std::size_t length = 0; length <= max_header_length;) {
+  for (std::size_t length = 0; length <= max_ply_header_length;) {
     line = file.read_line();
     if (!line)
       file.refuse("the file ends within its header");
@@ -134,7 +134,7 @@ Ply_header read_ply_header(Input_file& file)
     } else if (!keyword.empty() && keyword != "comment" && keyword != "obj_info")
       file.refuse(printable(keyword) + " is not a keyword of a PLY header");
   }
-  file.refuse("the header is longer than " + std::to_string(max_header_length) + " bytes");
+  file.refuse("the header is longer than " + std::to_string(max_ply_header_length) + " bytes");
 }
 
 } // namespace l0_tool

@@ -21,7 +21,7 @@ namespace l0_tool {
 namespace {
 
 constexpr std::array<std::string_view, 6> coordinates = {"x", "y", "z", "nx", "ny", "nz"};
-constexpr std::size_t left_out = coordinates.size(), first_property = left_out + 1;
+constexpr std::size_t left_out = coordinates.size(), first_property_target = left_out + 1;
 
 bool is_left_out(const std::string& name) { return name == "-" || name == "_"; }
 
@@ -79,7 +79,7 @@ Text_columns::Text_columns(const Column_names& names, Point_collector& collector
     const auto found = std::find(coordinates.begin(), coordinates.end(), name);
     std::size_t target = std::size_t(found - coordinates.begin());
     if (target == left_out && !is_left_out(name) && collector.wants_properties()) {
-      target = first_property + collector.add_property(name, Number_type::FLOAT64);
+      target = first_property_target + collector.add_property(name, Number_type::FLOAT64);
       m_numbers.push_back({CGAL::L0_resampling::internal::is_color_channel(name)});
     }
     m_targets.push_back(target);
@@ -103,7 +103,7 @@ void Text_columns::read(const Input_file& file, const std::vector<std::string_vi
       row[m_targets[k]] = *number;
       continue;
     }
-    const std::size_t property = m_targets[k] - first_property;
+    const std::size_t property = m_targets[k] - first_property_target;
     m_numbers[property].add(*number);
     encode(*number, Number_type::FLOAT64, m_collector.property(property));
   }

@@ -30,7 +30,7 @@ std::string_view read_content(Input_file& file, const char* expected)
   file.refuse(std::string("the file ends here, where ") + expected + " expected");
 }
 
-bool remove_prefix(std::string_view& word, std::string_view prefix)
+bool remove_if_first(std::string_view& word, std::string_view prefix)
 {
   if (word.substr(0, prefix.size()) != prefix)
     return false;
@@ -97,9 +97,9 @@ void read_off(Input_file& file, Point_collector& collector)
   std::string_view line = read_content(file, "the word OFF is");
   std::string_view keyword = next_word(line);
   // texture coordinates come after colors in a row, and colors after the normal
-  const bool has_texture_coordinates = remove_prefix(keyword, "ST");
-  const bool has_colors = remove_prefix(keyword, "C");
-  const bool has_normals = remove_prefix(keyword, "N");
+  const bool has_texture_coordinates = remove_if_first(keyword, "ST");
+  const bool has_colors = remove_if_first(keyword, "C");
+  const bool has_normals = remove_if_first(keyword, "N");
   if (keyword != "OFF")
     file.refuse("the file does not begin with OFF, with no prefix but ST, C or N");
   if (has_normals)

@@ -6,6 +6,7 @@
 #include "basis/little_endian.h"
 #include "basis/parse_numbers.h"
 #include "formats/Pcd_header.h"
+#include "formats/Row_targets.h"
 #include "formats/decompress_lzf.h"
 #include "formats/readers.h"
 
@@ -22,12 +23,7 @@
 namespace l0_tool {
 namespace {
 
-// Where the values of a field go: index 0 to 5 in Point_row, `unused`, or from `first_property` on
-// the properties.
-constexpr std::size_t unused = 6, first_property = 7;
-using Targets = std::vector<std::size_t>;
-
-constexpr std::size_t max_number_of_properties = 1000;
+constexpr std::size_t max_number_of_pcd_properties = 1000;
 
 Targets find_targets(const Input_file& file, const Pcd_header& header)
 {
@@ -81,7 +77,8 @@ void keep_fields(const Pcd_header& header, Targets& targets, Point_collector& co
     const Pcd_field& field = header.fields[k];
     if (targets[k] != unused || is_padding(field))
       continue;
-    if (!field.type || field.count > max_number_of_properties - collector.number_of_properties()) {
+    if (!field.type
+        || field.count > max_number_of_pcd_properties - collector.number_of_properties()) {
       collector.warn(
         "the field " + printable(field.name) + " is left out: "
         + (field.type ? std::to_string(field.count) + " values" : "integers of 64 bits"));

@@ -5,6 +5,7 @@
 
 #include "basis/parse_numbers.h"
 #include "formats/Ply_header.h"
+#include "formats/Row_targets.h"
 #include "formats/readers.h"
 
 #include <algorithm>
@@ -19,11 +20,6 @@
 
 namespace l0_tool {
 namespace {
-
-// Where the values of a row go: index 0 to 5 in Point_row, `unused`, or from `first_property` on
-// the properties.
-constexpr std::size_t unused = 6, first_property = 7;
-using Targets = std::vector<std::size_t>;
 
 void keep_properties(const Ply_element& vertex, Targets& targets, Point_collector& collector)
 {

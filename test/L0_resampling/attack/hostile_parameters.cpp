@@ -4,19 +4,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "hostile_parameters.h"
+#include "hostile_numbers.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace attack {
 namespace {
-
-using Limits = std::numeric_limits<double>;
-
-constexpr double nan = Limits::quiet_NaN();
-constexpr double infinity = Limits::infinity();
-constexpr double largest = 1.7976931348623157e308;
 
 /// Defaults with some changes.
 template <typename F>
@@ -93,13 +87,13 @@ std::vector<Named_parameters> hostile_parameter_sets(std::size_t size, double di
        p.neighbor_radius = diagonal;
        p.number_of_output_points = 2 * n;
      })},
-    {"the least radius", with([](P& p) { p.neighbor_radius = Limits::denorm_min(); })},
+    {"the least radius", with([](P& p) { p.neighbor_radius = Numbers::denorm_min(); })},
     {"the largest radius", with([](P& p) { p.neighbor_radius = largest; })},
     {"radius 0", with([](P& p) { p.neighbor_radius = 0; })},
     {"radius -1", with([](P& p) { p.neighbor_radius = -1; })},
     {"radius NaN", with([](P& p) { p.neighbor_radius = nan; })},
     {"radius infinity", with([](P& p) { p.neighbor_radius = infinity; })},
-    {"the least filter radius", with([](P& p) { p.normal_filter_radius = Limits::denorm_min(); })},
+    {"the least filter radius", with([](P& p) { p.normal_filter_radius = Numbers::denorm_min(); })},
     {"the largest filter radius", with([](P& p) { p.normal_filter_radius = largest; })},
     {"filter radius of all, radius of nobody", with([=](P& p) {
        p.neighbor_radius = 1e-6 * diagonal;
@@ -125,7 +119,7 @@ std::vector<Named_parameters> hostile_parameter_sets(std::size_t size, double di
     {"overwhelming regularization", with([](P& p) { p.regularization_weight = largest; })},
     {"regularization NaN", with([](P& p) { p.regularization_weight = nan; })},
     {"the least penalty", with([](P& p) {
-       p.initial_penalty = Limits::denorm_min();
+       p.initial_penalty = Numbers::denorm_min();
        p.maximum_penalty = 1e-320;
      })},
     {"the largest penalties", with([](P& p) { p.initial_penalty = p.maximum_penalty = largest; })},
@@ -157,7 +151,7 @@ std::vector<Named_parameters> hostile_parameter_sets(std::size_t size, double di
      })},
     {"dropping no outliers", with([](P& p) { p.drop_outliers = false; })},
     {"the most sensitive", with([](P& p) { p.outlier_sensitivity = 3; })},
-    {"the least sensitive", with([](P& p) { p.outlier_sensitivity = Limits::denorm_min(); })},
+    {"the least sensitive", with([](P& p) { p.outlier_sensitivity = Numbers::denorm_min(); })},
     {"LOR, half as sensitive", with([](P& p) {
        p.outlier_sensitivity = 0.5;
        p.method = 1;
@@ -173,7 +167,7 @@ std::vector<Named_parameters> hostile_parameter_sets(std::size_t size, double di
     {"a viewpoint among the points", with([](P& p) { p.viewpoint = 0; })},
     {"a viewpoint next to the points", with([=](P& p) { p.viewpoint = diagonal; })},
     {"a viewpoint at the largest number", with([](P& p) { p.viewpoint = largest; })},
-    {"a viewpoint at the least number", with([](P& p) { p.viewpoint = Limits::denorm_min(); })},
+    {"a viewpoint at the least number", with([](P& p) { p.viewpoint = Numbers::denorm_min(); })},
     {"viewpoint NaN", with([](P& p) { p.viewpoint = nan; })},
     {"viewpoint infinity", with([](P& p) { p.viewpoint = infinity; })},
     {"a viewpoint for each point", with([=](P& p) {
@@ -195,7 +189,7 @@ std::vector<Named_parameters> hostile_parameter_sets(std::size_t size, double di
        p.viewpoint_by_map = true;
      })},
     {"the way up", with([](P& p) { p.up_direction = 1; })},
-    {"a short way up", with([](P& p) { p.up_direction = Limits::denorm_min(); })},
+    {"a short way up", with([](P& p) { p.up_direction = Numbers::denorm_min(); })},
     {"a long way up", with([](P& p) { p.up_direction = -largest; })},
     {"no way up", with([](P& p) { p.up_direction = 0; })},
     {"way up NaN", with([](P& p) { p.up_direction = nan; })},
@@ -238,7 +232,7 @@ Parameters random_parameters(std::size_t n, double diagonal, Generator& generato
   // mostly sensible, so that more is reached than the checks of parameters
   const auto number = [&](double low, double high) {
     static const std::vector<double> bad{
-      0, -1, nan, infinity, -infinity, largest, Limits::denorm_min(), -0., 1, 1e-30, 1e30};
+      0, -1, nan, infinity, -infinity, largest, Numbers::denorm_min(), -0., 1, 1e-30, 1e30};
     return one_in(60) ? bad[std::size_t(random(0, double(bad.size())))]
                       : low * std::pow(high / low, random(0, 1));
   };

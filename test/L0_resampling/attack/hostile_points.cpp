@@ -4,22 +4,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "hostile_points.h"
+#include "hostile_numbers.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 
 namespace attack {
 namespace {
 
 using Points = std::vector<Vector>;
-using Limits = std::numeric_limits<double>;
 
-constexpr double nan = Limits::quiet_NaN();
-constexpr double infinity = Limits::infinity();
-constexpr double epsilon = Limits::epsilon();
-constexpr double largest = 1.7976931348623157e308;
+constexpr double epsilon = Numbers::epsilon();
 const Vector utm(456075.1, 5935300.5, 120.25);
 
 /// `f(0)`, `f(1)`, ... `f(n - 1)`
@@ -93,7 +89,7 @@ std::vector<Named_points> hostile_point_sets()
     {"the origin", origin},
     {"one", somewhere},
     {"one at the largest number", {Vector(largest, -largest, largest)}},
-    {"one at the least number", {Vector(Limits::denorm_min(), 0, -Limits::denorm_min())}},
+    {"one at the least number", {Vector(Numbers::denorm_min(), 0, -Numbers::denorm_min())}},
     {"two", {Vector(1, 2, 3), Vector(1, 2, 4)}},
     {"two equal", repeated(somewhere, 2)},
     {"two neighboring numbers", {Vector(1, 1, 1), Vector(1, 1, 1 + epsilon)}},
@@ -283,7 +279,7 @@ std::vector<Vector> random_point_set(Generator& generator)
       break;
     case 8: {
       const double unit = std::pow(10., random(-3, 0))
-                          * (points[some].cwiseAbs().maxCoeff() + Limits::denorm_min());
+                          * (points[some].cwiseAbs().maxCoeff() + Numbers::denorm_min());
       points = changed(points, [=](const Vector& p) {
         return Vector(rounded(p[0], unit), rounded(p[1], unit), rounded(p[2], unit));
       });

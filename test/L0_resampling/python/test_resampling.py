@@ -107,11 +107,12 @@ def test_source_indices_and_feature_confidences(cube, number_type):
     positions, normals, sources, confidences, report = l0_resample_point_set(
         points, source_indices=True, feature_confidences=True, report=True)
     assert same(plain, (positions, normals)) and report.number_of_output_points == len(positions)
-    differences = positions[:, None, :].astype(float) - points[None, :, :].astype(float)
-    distances = numpy.linalg.norm(differences, axis=2)
     assert sources.dtype == numpy.int64 and sources.shape == (len(positions),)
-    assert numpy.array_equal(distances[numpy.arange(len(positions)), sources],
-                             distances.min(axis=1))
+    p, q = positions.astype(float), points.astype(float)
+    for rows in numpy.array_split(numpy.arange(len(p)), 50):    # all at once are no longer in a cache
+        distances = numpy.sqrt(sum((p[rows, None, k] - q[None, :, k]) ** 2 for k in range(3)))
+        assert numpy.array_equal(distances[numpy.arange(len(rows)), sources[rows]],
+                                 distances.min(axis=1))
     assert confidences.dtype == number_type and confidences.shape == (len(positions),)
     assert confidences.min() >= 0 and confidences.max() <= 1
     assert numpy.array_equal(l0_resample_point_set(points, source_indices=True)[2], sources)

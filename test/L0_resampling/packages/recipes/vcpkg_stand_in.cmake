@@ -19,6 +19,7 @@ function(vcpkg_cmake_configure)
   execute_process(
     COMMAND ${CMAKE_COMMAND} -S ${arg_SOURCE_PATH} -B ${SCRATCH}/build -G ${GENERATOR}
             ${arg_OPTIONS} -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0
+            -DCMAKE_UNITY_BUILD=ON   # half of the time goes into headers
             -DCGAL_DIR=${CGAL_DIR}
             -DCMAKE_INSTALL_PREFIX=${CURRENT_PACKAGES_DIR} -DCMAKE_INSTALL_LIBDIR=lib
     COMMAND_ERROR_IS_FATAL ANY ERROR_VARIABLE warnings OUTPUT_QUIET)
