@@ -59,7 +59,8 @@ A source is a class with a function `for_each_point(box, f)`, which calls `f` wi
 `Source_box`, as a `std::array<double, 3>`: concept `L0ResamplingTileSource`.
 
 \tparam ConcurrencyTag as for `CGAL::l0_resample_point_set()`. With `CUDA_tag`, `resample_tile()`
-works on the current device, and the other steps on the CPU, by all of its threads.
+works on the current device, and `find_facts()` if it finds all; the other steps work on the CPU, by
+all of its threads.
 */
 template <typename ConcurrencyTag>
 class Tiled_resampling
@@ -185,8 +186,8 @@ public:
   const std::vector<internal::Tile>& tiles() const { return m_tiles; }
   Source_box box_of_tile(std::size_t tile) const { return m_cloud.source_box(m_tiles[tile].box); }
 
-  /// Whether `bytes` hold all of so many points at a time.
-  /// \param device_bytes with `CUDA_tag`: what may be taken of the device
+  /// Whether `bytes`, and with `CUDA_tag` `device_bytes` of the device, hold what it takes to find
+  /// all facts of so many points.
   static bool can_find_all_facts(std::uint64_t number_of_points, std::uint64_t number_of_samples,
                                  std::uint64_t bytes, std::uint64_t device_bytes)
   {
@@ -295,8 +296,8 @@ public:
     m_starts[tile] = std::move(starts);
   }
 
-  /// If `has_all_facts()`, instead of `find_facts()`, for a tile that is to be resampled.
-  /// \param points those of `points_in_cloud()` in its ranges
+  /// If `has_all_facts()`, instead of `find_facts()`, for a tile that is to be resampled: those of
+  /// `points_in_cloud()` that are in its ranges.
   void set_points(std::size_t tile, std::vector<internal::Point_in_cloud> points)
   {
     blocks_of_tile(tile).mark_own(points);

@@ -213,25 +213,17 @@ int main()
   using CGAL::parameters::keep_density;
   if (!test_cuda::has_device())
     return test_cuda::number_of_skip;
-  const double length = 1500;
-  Scene even(length), uneven(length), crowds(length), sheets(length);
-  uneven.add_density(length, 2);
-  crowds.add_crowds(length);
-  crowds.add_outliers(length);
-  sheets.add_sheet(length);
-  const auto number = [](const Scene& scene, double share) {
-    return std::size_t(share * double(scene.points().size()));
-  };
-  std::size_t m = number(even, 0.5);
+  const auto& [even, uneven, crowds, sheets] = Scenes(1500);
+  std::size_t m = number_of_samples(even, 0.5);
   check("even", even.points(), {0, 0, 0.001}, m, CGAL::parameters::number_of_output_points(m));
-  m = number(uneven, 0.4);
+  m = number_of_samples(uneven, 0.4);
   check("uneven", uneven.points(), {0, 0, 0.02}, m, CGAL::parameters::number_of_output_points(m));
   check("uneven, as dense as the input", uneven.points(), {0, 0, 0.02}, m,
         keep_density(true).number_of_output_points(m));
-  m = number(crowds, 1.3);
+  m = number_of_samples(crowds, 1.3);
   check("crowds and outliers", crowds.points(), {0, 0, 0.001}, m,
         CGAL::parameters::number_of_output_points(m));
-  m = number(sheets, 0.3);
+  m = number_of_samples(sheets, 0.3);
   check("two sheets", sheets.points(), {0, 0, 0.001}, m,
         CGAL::parameters::number_of_output_points(m));
   check_facts("even", even.points(), CGAL::parameters::number_of_output_points(9000));
@@ -240,14 +232,10 @@ int main()
               keep_density(true).number_of_output_points(9000));
   check_facts("crowds and outliers", crowds.points(),
               CGAL::parameters::number_of_output_points(90000));
-  const double greater_length = 10000;
-  Scene large(greater_length), large_uneven(greater_length), large_crowds(greater_length);
-  large_uneven.add_density(greater_length, 2);
-  large_crowds.add_crowds(greater_length);
-  large_crowds.add_outliers(greater_length);
-  check_memory("even", large.points());
-  check_memory("uneven", large_uneven.points());
-  check_memory("crowds and outliers", large_crowds.points());
+  const Scenes large(10000);
+  check_memory("even", large.even.points());
+  check_memory("uneven", large.uneven.points());
+  check_memory("crowds and outliers", large.crowds.points());
   check_failures();
   return test::result();
 }

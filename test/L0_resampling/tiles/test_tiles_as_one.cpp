@@ -84,36 +84,28 @@ void check(const std::string& name, const std::vector<Place>& points, double sha
 int main()
 {
   using CGAL::parameters::keep_density;
-  const double length = 1500;
-  Scene even(length), uneven(length), crowds(length), sheets(length);
-  uneven.add_density(length, 2);
-  crowds.add_crowds(length);
-  crowds.add_outliers(length);
-  sheets.add_sheet(length);
-  const auto number = [](const Scene& scene, double share) {
-    return std::size_t(share * double(scene.points().size()));
-  };
-  std::size_t m = number(even, 0.5);
+  const auto& [even, uneven, crowds, sheets] = Scenes(1500);
+  std::size_t m = number_of_samples(even, 0.5);
   check<CGAL::Sequential_tag>("even", even.points(), 0.5, {0, 0.001}, m,
                               CGAL::parameters::number_of_output_points(m));
   // where radii are larger, the halo is narrower for them
-  m = number(uneven, 0.4);
+  m = number_of_samples(uneven, 0.4);
   check<CGAL::Parallel_if_available_tag>("uneven", uneven.points(), 0.7, {0, 0.02}, m,
                                          CGAL::parameters::number_of_output_points(m));
   check<CGAL::Parallel_if_available_tag>("uneven, as dense as the input", uneven.points(), 0.7,
                                          {0, 0.02}, m,
                                          keep_density(true).number_of_output_points(m));
-  m = number(crowds, 1.3); // a lone point is the start of several samples
+  m = number_of_samples(crowds, 1.3); // a lone point is the start of several samples
   check<CGAL::Parallel_if_available_tag>("crowds and outliers", crowds.points(), 0.5, {0, 0.001}, m,
                                          CGAL::parameters::number_of_output_points(m));
   check<CGAL::Parallel_if_available_tag>(
     "more outliers", crowds.points(), 0.5, {0, 0.001}, m,
     CGAL::parameters::outlier_sensitivity(2).number_of_output_points(m));
-  m = number(sheets, 0.3);
+  m = number_of_samples(sheets, 0.3);
   check<CGAL::Parallel_if_available_tag>("two sheets", sheets.points(), 0.5, {0, 0.001}, m,
                                          CGAL::parameters::number_of_output_points(m));
   for (const Scene* scene : {&even, &uneven, &crowds})
     for (const double share : {0.01, 2.})
-      check_memory_of_facts(scene->points(), number(*scene, share));
+      check_memory_of_facts(scene->points(), number_of_samples(*scene, share));
   return test::result();
 }

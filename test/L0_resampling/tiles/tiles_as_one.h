@@ -96,6 +96,26 @@ public:
   const std::vector<Place>& points() const { return m_points; }
 };
 
+/// One of each kind.
+struct Scenes
+{
+  Scene even, uneven, crowds, sheets;
+
+  explicit Scenes(double length) : even(length), uneven(length), crowds(length), sheets(length)
+  {
+    uneven.add_density(length, 2);
+    crowds.add_crowds(length);
+    crowds.add_outliers(length);
+    sheets.add_sheet(length);
+  }
+};
+
+/// So many samples a point.
+inline std::size_t number_of_samples(const Scene& scene, double share)
+{
+  return std::size_t(share * double(scene.points().size()));
+}
+
 template <typename ConcurrencyTag>
 using Tiles = CGAL::L0_resampling::Tiled_resampling<ConcurrencyTag>;
 

@@ -62,7 +62,7 @@ inline cuda::Facts_of_tiles facts_for_device(const Facts_of_cloud& facts,
   result.extents = *facts.extents;
   result.extents.scales = *facts.scales;
   result.area = *facts.area;
-  result.number_of_points = *facts.number_of_points;
+  result.number_of_points = facts.number_of_points.value_or(std::size_t(0)); // if it is needed
   result.mean_number_of_neighbors = facts.mean_number_of_neighbors.value_or(0.);
   const Numbers_of_starts numbers = facts.numbers_of_starts ? *facts.numbers_of_starts
                                                             : numbers_of_starts(points);
