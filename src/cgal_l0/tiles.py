@@ -94,8 +94,8 @@ def _tasks_of(command):
 
 
 def _run_phase(executor, make_executor, run, command, tasks, on_done):
-    """Runs the tasks of a phase by the function `run`. Gives the executor, which is another one if the old one broke, and
-    the number of tasks that were given to it once more."""
+    """Runs the tasks of a phase by the function `run`. Gives the executor, which is another one if
+    the old one broke, and the number of tasks that were given to it once more."""
     attempts = collections.Counter()
     retries = 0
     waiting = list(tasks)
@@ -158,7 +158,9 @@ def resample_files(
     Returns a list of phases: dictionaries of name, tasks, seconds and retries.
     """
     if devices and executor is not None:
-        raise ValueError("devices= is for workers of this process: others have devices of their own")
+        raise ValueError(
+            "devices= is for workers of this process: others have devices of their own"
+        )
     program = program or os.environ.get("L0_RESAMPLE") or shutil.which("l0_resample")
     if not program:
         raise TileError("l0_resample is not found; program= or L0_RESAMPLE can name it")

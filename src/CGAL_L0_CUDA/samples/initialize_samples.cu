@@ -32,6 +32,24 @@ struct Sources
   Some on_points, near_points;
 };
 
+/// Of ascending numbers, the place of the last that is not above `value`; the first is not.
+__device__ unsigned last_not_above(const unsigned* numbers, unsigned size, Wide value)
+{
+  unsigned first = 0;
+  for (unsigned rest = size - 1; rest > 0;)
+  {
+    const unsigned half = (rest + 1) / 2;
+    if (numbers[first + half] <= value)
+    {
+      first += half;
+      rest -= half;
+    }
+    else
+      rest = half - 1;
+  }
+  return first;
+}
+
 // Samples shared out by points
 
 /// One of each run of nearly equal length, as `pick_one_of_each_run()` on the CPU.
@@ -210,21 +228,8 @@ __global__ void list_near_starts(const unsigned* offsets, unsigned number_of_dis
                                  unsigned number_of_samples, unsigned* sources)
 {
   const Wide e = thread_index();
-  if (e >= number_of_samples)
-    return;
-  unsigned first = 0; // the last whose offset is not above e
-  for (unsigned rest = number_of_distinct - 1; rest > 0;)
-  {
-    const unsigned half = (rest + 1) / 2;
-    if (offsets[first + half] <= e)
-    {
-      first += half;
-      rest -= half;
-    }
-    else
-      rest = half - 1;
-  }
-  sources[e] = first;
+  if (e < number_of_samples)
+    sources[e] = last_not_above(offsets, number_of_distinct, e);
 }
 
 Sources known_sources(const Workplace& workplace, const Known_points& known, const Cell_grid& grid,
@@ -276,23 +281,8 @@ __global__ void find_least_hints(const float* hints, const unsigned* order, unsi
   const Wide j = thread_index();
   if (j >= size)
     return;
-  Wide number = j; // of the last distinct point that is not behind this point
-  if (distinct.list)
-  {
-    unsigned first = 0;
-    for (unsigned rest = distinct.size - 1; rest > 0;)
-    {
-      const unsigned half = (rest + 1) / 2;
-      if (distinct.list[first + half] <= j)
-      {
-        first += half;
-        rest -= half;
-      }
-      else
-        rest = half - 1;
-    }
-    number = first;
-  }
+  // of the last distinct point that is not behind this point
+  const Wide number = distinct.list ? last_not_above(distinct.list, distinct.size, j) : j;
   const float* const hint = hints + 3 * Wide(order[j]);
   for (int before = 0; before < axis; ++before)
     if (ascending_bits(hint[before]) != least[3 * number + unsigned(before)])

@@ -13,8 +13,8 @@
 #include <cstdint>
 #include <limits>
 
-// What resamples the tiles of `--as-one`: a CUDA device if one is asked for, else the CPU. All tasks
-// of a run have to agree on it, so that `--device auto` is the CPU.
+// What resamples the tiles of `--as-one`: a CUDA device if one is asked for, else the CPU. All
+// tasks of a run have to agree on it, so that `--device auto` is the CPU.
 
 namespace l0_tool {
 

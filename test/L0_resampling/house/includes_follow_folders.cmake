@@ -15,8 +15,8 @@ set(solvers Block_chebyshev_solver_traits.h Block_conjugate_gradient_solver_trai
             Eigen_cholesky_solver_traits.h Eigen_least_squares_solver_traits.h
             CUDA_least_squares_solver_traits.h)
 set(interface named_parameters_interface.h named_parameters.h)
-set(calls CUDA_resampler.h ../l0_resample_point_set.h ../l0_orient_normals.h Tiled_resampling.h Tile_result.h
-          ../l0_resample_tiles.h)
+set(calls CUDA_resampler.h ../l0_resample_point_set.h ../l0_orient_normals.h Tile_result.h
+          Tiled_resampling.h ../l0_resample_tiles.h)
 
 # What a call passes, one after another; what they share stands in other headers.
 set(stages

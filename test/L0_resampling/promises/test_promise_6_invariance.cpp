@@ -272,8 +272,8 @@ public:
                      [](const Pair& a, const Pair& b) { return a.first.x() < b.first.x(); });
   }
 
-  /// Calls `f` with each pair whose first coordinate is at most `distance` from `x`, and may be that
-  /// of others; `f` may make `distance` smaller.
+  /// Calls `f` with each pair whose first coordinate is at most `distance` from `x`, and may be
+  /// that of others; `f` may make `distance` smaller.
   template <typename F>
   void for_each_near(double x, const double& distance, const F& f) const
   {

@@ -109,7 +109,7 @@ def test_source_indices_and_feature_confidences(cube, number_type):
     assert same(plain, (positions, normals)) and report.number_of_output_points == len(positions)
     assert sources.dtype == numpy.int64 and sources.shape == (len(positions),)
     p, q = positions.astype(float), points.astype(float)
-    for rows in numpy.array_split(numpy.arange(len(p)), 50):    # all at once are no longer in a cache
+    for rows in numpy.array_split(numpy.arange(len(p)), 50):  # all at once are no longer in a cache
         distances = numpy.sqrt(sum((p[rows, None, k] - q[None, :, k]) ** 2 for k in range(3)))
         assert numpy.array_equal(distances[numpy.arange(len(rows)), sources[rows]],
                                  distances.min(axis=1))
