@@ -14,7 +14,6 @@
 #include "tiles/Tile_tasks.h"
 
 #include <nlohmann/json.hpp>
-#include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/partitioner.h>
@@ -117,13 +116,8 @@ class Run_of_tiles
     }
     tbb::task_arena arena{int(at_once)};
     arena.execute([&] {
-      const tbb::blocked_range<std::size_t> one_by_one(0, n, 1);
       tbb::parallel_for(
-        one_by_one,
-        [&](const tbb::blocked_range<std::size_t>& tasks) {
-          for (std::size_t k = tasks.begin(); k < tasks.end(); ++k)
-            run(phase, k, at_once);
-        },
+        std::size_t(0), n, [&](std::size_t k) { run(phase, k, at_once); },
         tbb::simple_partitioner());
     });
   }
