@@ -104,14 +104,16 @@ public:
   }
 
   /// In the first thread; the others return nothing of use.
-  __device__ Plane_fit fit_plane(float radius) const
+  /// \param number_of_points out: in the ball
+  __device__ Fitted_plane fit_plane(float radius, unsigned& number_of_points) const
   {
     Plane_moments<float> m;
     for_each_in_ball(radius, [&](float3 d) { m.add(d.x, d.y, d.z, 1); });
     float sums[] = {m.sum, m.x, m.y, m.z, m.xx, m.xy, m.xz, m.yy, m.yz, m.zz};
     sum_over_block(sums);
     if (threadIdx.x != 0)
-      return Plane_fit();
+      return Fitted_plane();
+    number_of_points = unsigned(sums[0]);
     return plane_through({sums[0], sums[1], sums[2], sums[3], sums[4], sums[5], sums[6], sums[7],
                           sums[8], sums[9]},
                          radius * radius);
@@ -127,10 +129,11 @@ __global__ void __launch_bounds__(threads_per_query)
                     unsigned char* is_degenerate)
 {
   const unsigned i = list[blockIdx.x];
-  const Plane_fit fit = Surroundings(grid, i, reach).fit_plane(radius);
+  unsigned number_of_points;
+  const Fitted_plane fit = Surroundings(grid, i, reach).fit_plane(radius, number_of_points);
   if (threadIdx.x != 0)
     return;
-  normals[i] = with_w(fit.normal, 0);
+  normals[i] = with_w(to_float(fit.normal), 0);
   is_degenerate[i] = !fit.spans_plane;
 }
 
@@ -186,13 +189,14 @@ __global__ void __launch_bounds__(threads_per_query)
                 Ball_of_points* balls)
 {
   const Surroundings surroundings(grid, blockIdx.x * stride_of_queries, reach);
-  const Plane_fit fit = surroundings.fit_plane(radius);
+  unsigned number_of_points;
+  const Fitted_plane fit = surroundings.fit_plane(radius, number_of_points);
   __shared__ float normal[3];
   if (threadIdx.x == 0)
   {
-    normal[0] = fit.normal.x;
-    normal[1] = fit.normal.y;
-    normal[2] = fit.normal.z;
+    normal[0] = float(fit.normal.x);
+    normal[1] = float(fit.normal.y);
+    normal[2] = float(fit.normal.z);
   }
   __syncthreads();
   Height_moments<float> heights;
@@ -203,7 +207,7 @@ __global__ void __launch_bounds__(threads_per_query)
   sum_over_block(sums);
   if (threadIdx.x != 0)
     return;
-  balls[blockIdx.x] = ball_of_points(fit.number_of_points, surroundings.stride(), fit.variance,
+  balls[blockIdx.x] = ball_of_points(number_of_points, surroundings.stride(), fit.variance,
                                      {sums[0], sums[1], sums[2], sums[3]});
 }
 

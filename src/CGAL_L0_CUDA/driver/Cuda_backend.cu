@@ -129,7 +129,7 @@ void Cuda_backend::estimate_pca_normals(const Plan& plan)
   m_report.number_of_degenerate_neighborhoods = cuda::estimate_pca_normals(
     m_workplace, m_input.positions, m_grid,
     shares_blocks ? m_filter->blocks : blocks_of_points(plan, plan.pca_radius), plan.pca_radius,
-    m_numbers_of_points, m_filter->normals);
+    plan.looks_beyond_strips, m_numbers_of_points, m_filter->normals);
 }
 
 void Cuda_backend::take_given_normals()

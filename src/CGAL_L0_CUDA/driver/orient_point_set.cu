@@ -149,8 +149,9 @@ private:
       const Cell_blocks blocks =
         find_blocks(grid, grid, cells_in_reach(plan.pca_radius, plan.cell_size),
                     maximum_number_of_candidates, m_workplace.scratch, m_workplace.stream);
-      m_report.number_of_degenerate_neighborhoods = estimate_pca_normals(
-        m_workplace, points.positions(), grid, blocks, plan.pca_radius, nullptr, normals);
+      m_report.number_of_degenerate_neighborhoods =
+        estimate_pca_normals(m_workplace, points.positions(), grid, blocks, plan.pca_radius,
+                             plan.looks_beyond_strips, nullptr, normals);
     }
     if (given)
       take_given_normals(m_workplace, grid, given, normals);

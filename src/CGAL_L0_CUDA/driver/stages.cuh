@@ -93,7 +93,8 @@ Scales_of_points estimate_scale_field(const Workplace& workplace, const Position
 /// \returns the number of points of the input whose first ball spans no plane
 std::size_t estimate_pca_normals(const Workplace& workplace, const Positions& positions,
                                  const Cell_grid& grid, const Cell_blocks& blocks, double radius,
-                                 const unsigned* numbers_of_points, float4* normals);
+                                 bool looks_beyond_strips, const unsigned* numbers_of_points,
+                                 float4* normals);
 
 /// Puts given normals in the order of the grid, in place of those of `normals`, where they are not
 /// zero.

@@ -17,14 +17,6 @@ namespace L0_resampling {
 namespace internal {
 namespace cuda {
 
-struct Plane_fit
-{
-  float3 normal;
-  unsigned number_of_points;
-  double variance;  // of the points across it
-  bool spans_plane; // whether the points determine it
-};
-
 __device__ inline float3 to_float(const Triple& v) { return {float(v.x), float(v.y), float(v.z)}; }
 
 /// The moments of all threads of a group.
@@ -35,11 +27,10 @@ __device__ Plane_moments<double> sum_of_group(const Plane_moments<float>& moment
 }
 
 /// The plane of `fit_plane()` on the CPU, of points of equal weight.
-__device__ inline Plane_fit plane_through(const Plane_moments<double>& moments,
-                                          float squared_radius)
+__device__ inline Fitted_plane plane_through(const Plane_moments<double>& moments,
+                                             float squared_radius)
 {
-  const Fitted_plane plane = moments.plane(squared_radius, FLT_EPSILON);
-  return {to_float(plane.normal), unsigned(moments.sum), plane.variance, plane.spans_plane};
+  return moments.plane(squared_radius, FLT_EPSILON);
 }
 
 } // namespace cuda

@@ -22,8 +22,8 @@ namespace cuda {
 
 namespace {
 
-__device__ Plane_fit fit_plane(int4 center, const Cell_grid& grid, const Cell_blocks& blocks,
-                               unsigned lane, float radius)
+__device__ Fitted_plane fit_plane(int4 center, const Cell_grid& grid, const Cell_blocks& blocks,
+                                  unsigned lane, float radius)
 {
   const float unit = grid.frame.unit(), squared_radius = radius * radius;
   Plane_moments<float> moments;
@@ -35,17 +35,35 @@ __device__ Plane_fit fit_plane(int4 center, const Cell_grid& grid, const Cell_bl
   return plane_through(sum_of_group<lanes>(moments), squared_radius);
 }
 
+/// \param is_in_strip out; null if nobody asks
 __global__ void fit_planes(Cell_grid grid, Cell_blocks blocks, float radius, float4* normals,
-                           unsigned char* is_degenerate)
+                           unsigned char* is_degenerate, unsigned char* is_in_strip)
 {
   const Query query(grid.size);
   const int4 center = grid.points[query.index];
-  const Plane_fit fit = fit_plane(center, grid, blocks, query.lane,
-                                  radius * grid.scale(query.index));
+  const Fitted_plane fit = fit_plane(center, grid, blocks, query.lane,
+                                     radius * grid.scale(query.index));
   if (!query.writes)
     return;
-  normals[query.index] = with_w(fit.normal, 0);
+  normals[query.index] = with_w(to_float(fit.normal), 0);
   is_degenerate[query.index] = !fit.spans_plane;
+  if (is_in_strip)
+    is_in_strip[query.index] = fit.spans_plane && fit.share < 1;
+}
+
+/// \param blocks that reach twice the radius
+__global__ void look_beyond_strips(Cell_grid grid, Cell_blocks blocks, float radius,
+                                   const unsigned* strips, unsigned number_of_strips,
+                                   float4* normals)
+{
+  const Query query(number_of_strips);
+  const unsigned i = strips[query.index];
+  const int4 center = grid.points[i];
+  const float own_radius = radius * grid.scale(i);
+  const Fitted_plane own = fit_plane(center, grid, blocks, query.lane, own_radius),
+                     wide = fit_plane(center, grid, blocks, query.lane, 2 * own_radius);
+  if (query.writes)
+    normals[i] = with_w(to_float(normal_beyond_strip(own, wide)), 0);
 }
 
 /// \param open points without a plane so far, in the order of the fine grid
@@ -57,11 +75,11 @@ __global__ void refit_planes(Cell_grid coarse_grid, Cell_blocks blocks, const un
   const Query query(number_of_open);
   const unsigned i = open[query.index];
   const int4 center = coarse_grid.points[places[i]];
-  const Plane_fit fit = fit_plane(center, coarse_grid, blocks, query.lane,
-                                  radius * coarse_grid.scale(places[i]));
+  const Fitted_plane fit = fit_plane(center, coarse_grid, blocks, query.lane,
+                                     radius * coarse_grid.scale(places[i]));
   if (!query.writes)
     return;
-  normals[i] = with_w(fit.normal, 0);
+  normals[i] = with_w(to_float(fit.normal), 0);
   is_degenerate[i] = !fit.spans_plane;
 }
 
@@ -260,11 +278,30 @@ float in_squared_units(const Cell_grid& grid, float squared_length)
   return squared_length / (grid.frame.unit() * grid.frame.unit());
 }
 
+/// \param strips room for as many numbers as there are points
+void refit_strips(const Workplace& workplace, const Cell_grid& grid, double radius,
+                  const unsigned char* is_in_strip, unsigned* strips, float4* normals)
+{
+  const unsigned number_of_strips = list_flagged(is_in_strip, grid.size, strips, workplace.scratch,
+                                                 workplace.stream);
+  if (number_of_strips == 0)
+    return;
+  const Arena_scope scope(workplace.scratch);
+  const Cell_blocks blocks =
+    find_blocks(grid, grid, cells_in_reach(2 * radius, grid.frame.cell_size),
+                maximum_number_of_candidates, workplace.scratch, workplace.stream);
+  look_beyond_strips<<<blocks_for_queries(number_of_strips), threads_per_block, 0,
+                       workplace.stream>>>(grid, blocks, float(radius), strips, number_of_strips,
+                                           normals);
+  check_launch("look_beyond_strips");
+}
+
 } // namespace
 
 std::size_t estimate_pca_normals(const Workplace& workplace, const Positions& positions,
                                  const Cell_grid& grid, const Cell_blocks& blocks, double radius,
-                                 const unsigned* numbers_of_points, float4* normals)
+                                 bool looks_beyond_strips, const unsigned* numbers_of_points,
+                                 float4* normals)
 {
   // For so few points, and as long as there are not too many cells to look into, a coarser grid of
   // all points would cost more.
@@ -274,12 +311,17 @@ std::size_t estimate_pca_normals(const Workplace& workplace, const Positions& po
   const cudaStream_t stream = workplace.stream;
   const Arena_scope scope(workplace.scratch);
   unsigned char* const is_degenerate = workplace.scratch.take<unsigned char>(n);
-  fit_planes<<<blocks_for_queries(n), threads_per_block, 0, stream>>>(grid, blocks, float(radius),
-                                                                      normals, is_degenerate);
+  unsigned char* const is_in_strip = looks_beyond_strips ? workplace.scratch.take<unsigned char>(n)
+                                                         : nullptr;
+  fit_planes<<<blocks_for_queries(n), threads_per_block, 0, stream>>>(
+    grid, blocks, float(radius), normals, is_degenerate, is_in_strip);
   check_launch("fit_planes");
 
-  // Few points in a healthy cloud, which meet coarser and coarser grids.
   unsigned* const open = workplace.scratch.take<unsigned>(n);
+  if (looks_beyond_strips)
+    refit_strips(workplace, grid, radius, is_in_strip, open, normals);
+
+  // Few points in a healthy cloud, which meet coarser and coarser grids.
   unsigned number_of_open = list_flagged(is_degenerate, n, open, workplace.scratch, stream);
   if (number_of_open == 0)
     return 0;

@@ -20,7 +20,8 @@ struct Normals
 };
 
 template <typename T>
-Normals pca_normals(const std::vector<Vector>& points, double radius)
+Normals pca_normals(const std::vector<Vector>& points, double radius,
+                    bool looks_beyond_strips = false)
 {
   const Gridded_points sorted(
     points, radius / 1.4); // the cells of the package are not those of this radius
@@ -28,7 +29,8 @@ Normals pca_normals(const std::vector<Vector>& points, double radius)
   Buffer<Eigen::Matrix<T, 3, 1>> normals(points.size());
   Normals result{std::vector<Vector>(points.size()), 0};
   result.number_of_degenerate = estimate_pca_normals<CGAL::Parallel_if_available_tag>(
-    sorted.grid, sorted.points, Buffer<Index>(), radius, unwatched.progress, normals);
+    sorted.grid, sorted.points, Buffer<Index>(), radius, looks_beyond_strips, unwatched.progress,
+    normals);
   for (std::size_t i = 0; i < points.size(); ++i)
     result.vectors[sorted.order[i]] = normals[i].template cast<double>();
   bool are_unit = true;
@@ -155,6 +157,55 @@ void check_larger_balls(Generator& generator)
   }
 }
 
+/// How much a plane counts, by the variances of its points, ascending.
+double naive_share(const Eigen::Vector3d& variances)
+{
+  return (std::min)(1., (variances[1] - variances[0]) / (0.1 * variances[2]));
+}
+
+/// Scan lines that are further apart than a ball is wide, with errors along the rays, which are not
+/// across the surface. And a pole, around which there is nothing.
+void check_strips(Generator& generator)
+{
+  const double radius = 0.5;
+  const Vector ray = Vector(1, 0, -0.4).normalized();
+  std::vector<Vector> points;
+  for (int line = -4; line <= 4; ++line)
+    for (double y = -3; y < 3; y += 0.06)
+      points.push_back(Vector(0.7 * line, y, 0) + random_number(-0.06, 0.06, generator) * ray);
+  const std::size_t size_of_scan = points.size();
+  for (double z = 0; z < 4; z += 0.04)
+    points.push_back(
+      Vector(20 + random_number(-0.03, 0.03, generator), random_number(-0.03, 0.03, generator), z));
+  const Eigen::Matrix3d rotation = random_rotation(generator);
+  for (Vector& p : points)
+    p = rotation * p;
+  const Normals normals = pca_normals<float>(points, radius, true);
+  CHECK(normals.number_of_degenerate == 0);
+  double worst = 0, of_scan = 0, of_scan_without = 0;
+  const Normals without = pca_normals<float>(points, radius);
+  std::size_t number_of_blends = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const auto own = covariance_of_ball(points, points[i], radius),
+               wide = covariance_of_ball(points, points[i], 2 * radius);
+    const double weight = (1 - naive_share(own.eigenvalues())) * naive_share(wide.eigenvalues());
+    const Vector n = own.eigenvectors().col(0), m = wide.eigenvectors().col(0);
+    const Vector expected = (1 - weight) * n + (n.dot(m) < 0 ? -weight : weight) * m;
+    number_of_blends += weight > 0.1 && weight < 0.9;
+    worst = (std::max)(worst, angle_of_lines(normals.vectors[i], expected.normalized()));
+    if (i < size_of_scan)
+    {
+      of_scan += angle_of_lines(normals.vectors[i], rotation.col(2)) / double(size_of_scan);
+      of_scan_without += angle_of_lines(without.vectors[i], rotation.col(2)) / double(size_of_scan);
+    }
+    else
+      CHECK(weight < 0.3);
+  }
+  CHECK(worst < 0.1 && number_of_blends > 10);
+  CHECK(of_scan < 4 && of_scan_without > 15);
+}
+
 /// Where no ball spans a plane there is still a unit vector, by agreement (0, 0, 1).
 void check_fallback()
 {
@@ -182,6 +233,7 @@ int main()
   check_rotation(generator);
   check_lines(generator);
   check_larger_balls(generator);
+  check_strips(generator);
   check_fallback();
   return result();
 }

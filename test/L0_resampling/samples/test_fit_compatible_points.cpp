@@ -106,12 +106,11 @@ double added_variance(double total, double squared_weights)
   return half_disk_variance() * squared_weights / (total * total);
 }
 
-/// Of a push outwards, where the mean of the points is that far away.
-/// \param deviations the same in standard deviations
-double naive_share_held_back(double distance, double deviations)
+/// Of a push outwards.
+/// \param deviations that the mean of the points is away
+double naive_share_held_back(double deviations)
 {
-  const double on_border = distance * half_disk_offset() / deviations;
-  return clamped((distance - 0.2 * on_border) / (0.4 * half_disk_distance()));
+  return clamped((deviations / half_disk_offset() - 0.15) / 0.35);
 }
 
 /// The sums of the docstring for a sample.
@@ -205,8 +204,7 @@ Fitted fit_naively(const Oriented_points& input, const std::vector<double>& dens
     result.centroids[i] += sums.height / sums.total * n
                            + inwards.dot(offset)
                                * (std::max)(1 - half_disk_offset() / deviations, 0.) * inwards;
-    result.outward[i] = -std::sqrt(naive_share_held_back(inwards.dot(offset), deviations))
-                        * inwards;
+    result.outward[i] = -std::sqrt(naive_share_held_back(deviations)) * inwards;
   }
   return result;
 }
@@ -350,7 +348,7 @@ void check_border()
       half_plane.points.push_back(0.02 * (p - Vector(-0.5, 40, 0)));
       half_plane.normals.push_back(Vector::UnitZ());
     }
-  const std::vector<double> places{0, 0.05, 0.12, 0.2, 0.8, -0.02, -0.05};
+  const std::vector<double> places{0, 0.05, 0.12, 0.25, 0.8, -0.02, -0.05};
   Oriented_points start;
   for (double x : places)
   {
@@ -379,7 +377,7 @@ void check_border()
     const double distance = sum.norm() / total,
                  variance = squares / total - distance * distance
                             + added_variance(total, squared_weights),
-                 held_back = naive_share_held_back(distance, distance / std::sqrt(variance));
+                 held_back = naive_share_held_back(distance / std::sqrt(variance));
     CHECK(places[i] == 0.12 ? held_back > 0.1 && held_back < 0.9 : held_back == (places[i] < 0.1));
     CHECK((fitted.outward[i] - Vector(-std::sqrt(held_back), 0, 0)).norm() < 1e-5);
   }

@@ -17,19 +17,21 @@ namespace L0_resampling {
 namespace internal {
 
 /// A plane through the points of a ball.
-template <typename T>
-struct Plane_fit
+struct Plane_of_ball : Fitted_plane
 {
-  Eigen::Matrix<T, 3, 1> normal;
-  bool spans_plane; ///< whether the points determine it, and are not too few to be trusted
-  double variance;  ///< of the points across it
   std::size_t number_of_points;
+
+  template <typename T>
+  Eigen::Matrix<T, 3, 1> normal_as() const
+  {
+    return {T(normal.x), T(normal.y), T(normal.z)};
+  }
 };
 
 /// Fits a plane to the candidates in the ball around `center`, as `Plane_moments::plane()` does.
 template <typename T>
-Plane_fit<T> fit_plane(const Eigen::Matrix<T, 3, 1>& center, const Local_points<T>& candidates,
-                       T squared_radius)
+Plane_of_ball fit_plane(const Eigen::Matrix<T, 3, 1>& center, const Local_points<T>& candidates,
+                        T squared_radius)
 {
   using L = Lanes<T>;
   Plane_moments<L> lanes;
@@ -41,11 +43,7 @@ Plane_fit<T> fit_plane(const Eigen::Matrix<T, 3, 1>& center, const Local_points<
     });
   const Plane_moments<double> moments = sum_of_lanes(lanes);
 
-  const Fitted_plane plane = moments.plane(double(squared_radius),
-                                           double(std::numeric_limits<T>::epsilon()));
-  return {{T(plane.normal.x), T(plane.normal.y), T(plane.normal.z)},
-          plane.spans_plane,
-          plane.variance,
+  return {moments.plane(double(squared_radius), double(std::numeric_limits<T>::epsilon())),
           std::size_t(moments.sum)};
 }
 

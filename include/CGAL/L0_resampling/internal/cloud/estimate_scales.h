@@ -53,10 +53,10 @@ Scales scales_around(const Buffer<Vector>& queries, const Buffer<Vector>& points
           for (Index i = range.first; i < range.second; ++i)
           {
             const Eigen::Matrix<T, 3, 1> center = (queries[i] - origin).template cast<T>();
-            const Plane_fit<T> fit = fit_plane<T>(center, candidates, T(radius * radius));
+            const Plane_of_ball fit = fit_plane<T>(center, candidates, T(radius * radius));
             balls[i] = ball_of_points(
-              double(fit.number_of_points), double(candidates.stride), double(fit.variance),
-              moments_over_plane(center, fit.normal, candidates, T(radius * radius)));
+              double(fit.number_of_points), double(candidates.stride), fit.variance,
+              moments_over_plane(center, fit.normal_as<T>(), candidates, T(radius * radius)));
           }
         };
     });

@@ -157,8 +157,8 @@ public:
   void estimate_pca_normals(const Plan& plan)
   {
     m_report.number_of_degenerate_neighborhoods = internal::estimate_pca_normals<ConcurrencyTag>(
-      m_input.grid, m_input.points, m_input.numbers_of_points, plan.pca_radius, m_progress,
-      m_input.normals);
+      m_input.grid, m_input.points, m_input.numbers_of_points, plan.pca_radius,
+      plan.looks_beyond_strips, m_progress, m_input.normals);
   }
 
   /// They replace those of PCA where they are usable.

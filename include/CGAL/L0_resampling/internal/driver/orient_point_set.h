@@ -127,7 +127,7 @@ void estimate_missing_normals(const Plan& plan, Progress& progress, Report& repo
                                                  points.positions.get_allocator());
   report.number_of_degenerate_neighborhoods = estimate_pca_normals<ConcurrencyTag>(
     grid, points.positions, Buffer<Index>(points.of_input.get_allocator()), plan.pca_radius,
-    progress, estimated);
+    plan.looks_beyond_strips, progress, estimated);
   for_each_in_order(points.normals.size(), [&](std::size_t i) {
     if (!points.normals[i].isZero(0))
       estimated[i] = points.normals[i];

@@ -17,10 +17,10 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// Where the mean of the points lies further away than the first of these shares of what it does on
-/// a border, a sample is pushed less and less outwards. How fast that ends is a length: on a
-/// straight border with half a ball of points it has ended at the second.
-constexpr double held_back_from = 0.2, held_back_to = 0.6;
+/// Where the mean of the points lies more standard deviations away than the first of these shares
+/// of what it does on a border, a sample is pushed less and less outwards, and at the second not at
+/// all.
+constexpr double held_back_from = 0.15, held_back_to = 0.5;
 
 /// Where the mean of points lies within the surface, as seen from a sample: in the direction in
 /// which it is the most standard deviations of the points away, which is Fisher's (1936) linear
@@ -63,10 +63,8 @@ struct Offset_of_mean
 /// So a strip that is narrower than the ball ends where its points do.
 struct Border_of_ball
 {
-  // of balls of scale 1
-  double distance;   ///< of the mean of half a disk from its straight side
-  double variance;   ///< of the points of half a disk across that side
-  double deviations; ///< the distance in standard deviations
+  double variance;   ///< of the points of half a disk across its straight side, at scale 1
+  double deviations; ///< how many of its roots their mean is away from that side
 
   /// By the integrals over half a disk, with \f$ s = radius / \sigma \f$: for large s the mean is
   /// \f$ \sigma / \sqrt\pi \f$ away, and the points vary by \f$ \sigma^2 (1/2 - 1/\pi) \f$ about
@@ -74,21 +72,18 @@ struct Border_of_ball
   Border_of_ball(double radius, double bandwidth)
   {
     const double pi = 3.141592653589793, s = radius / bandwidth, cut = std::exp(-s * s),
-                 second_moment = square(bandwidth) / 2 * (1 - s * s * cut / (1 - cut));
-    distance = bandwidth * (std::erf(s) / std::sqrt(pi) - 2 / pi * s * cut) / (1 - cut);
+                 second_moment = square(bandwidth) / 2 * (1 - s * s * cut / (1 - cut)),
+                 distance = bandwidth * (std::erf(s) / std::sqrt(pi) - 2 / pi * s * cut)
+                            / (1 - cut);
     variance = second_moment - square(distance);
     deviations = distance / std::sqrt(variance);
   }
 
   /// The share of the outward part of a push that is left out.
-  /// \param scale of the ball
-  CGAL_L0_HOST_DEVICE double share_held_back(const Offset_of_mean& offset, double scale) const
+  CGAL_L0_HOST_DEVICE double share_held_back(const Offset_of_mean& offset) const
   {
-    if (!(offset.deviations > 0))
-      return 0;
-    const double on_border = offset.distance * deviations / offset.deviations;
-    return as_share((offset.distance - held_back_from * on_border)
-                    / ((held_back_to - held_back_from) * distance * scale));
+    return as_share((offset.deviations / deviations - held_back_from)
+                    / (held_back_to - held_back_from));
   }
 
   /// How far back a sample beyond the border is drawn.

@@ -150,7 +150,7 @@ struct Fit_of_sample
     const Offset_of_mean offset(sums.places, square(total) / sums.squared_weights, own_normal,
                                 border.variance * square(scale));
     to_centroid = sums.height / total * own_normal + border.way_back(offset) * offset.direction;
-    outward = -std::sqrt(border.share_held_back(offset, scale)) * offset.direction;
+    outward = -std::sqrt(border.share_held_back(offset)) * offset.direction;
     const Triple mean_normal = {sums.nx, sums.ny, sums.nz};
     const double length = std::sqrt(dot(mean_normal, mean_normal));
     has_new_normal = length > least_length_of_mean_normal * total;

@@ -16,12 +16,21 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
+/// How much a plane counts whose normal is the smallest eigenvector of this covariance. Of points
+/// in a strip or a clump the two smaller variances are equal, and a rounding would choose the
+/// normal.
+CGAL_L0_HOST_DEVICE inline double share_of_plane(const Eigen_decomposition& eigen)
+{
+  return as_share((eigen.values[1] - eigen.values[0]) / (least_gap_of_plane * eigen.values[2]));
+}
+
 /// A plane through points.
 struct Fitted_plane
 {
   Triple normal;
   bool spans_plane; ///< whether the points determine it, and are not too few to be trusted
   double variance;  ///< of the points across it
+  double share;     ///< how much it counts, `share_of_plane()`
 };
 
 /// The weighted moments of points relative to some center, up to the second, and what a plane
@@ -85,7 +94,7 @@ struct Plane_moments
   /// \param epsilon of the number type of the points' coordinates
   CGAL_L0_HOST_DEVICE Fitted_plane plane(double squared_radius, double epsilon) const
   {
-    Fitted_plane fit = {{0, 0, 1}, false, 0};
+    Fitted_plane fit = {{0, 0, 1}, false, 0, 0};
     if (sum < 2)
       return fit;
     const Eigen_decomposition eigen = eigen_decomposition();
@@ -97,6 +106,7 @@ struct Plane_moments
     fit.normal = eigen.smallest_vector;
     fit.spans_plane = eigen.values[1] > rounding && sum >= fewest_points_of_plane;
     fit.variance = eigen.values[0] < 0 ? 0 : eigen.values[0];
+    fit.share = share_of_plane(eigen);
     return fit;
   }
 };
@@ -106,14 +116,6 @@ struct Plane_moments
 CGAL_L0_HOST_DEVICE inline double share_of_support(double number, int number_of_unknowns)
 {
   return as_share(number / number_of_unknowns - 1);
-}
-
-/// How much a plane counts whose normal is the smallest eigenvector of this covariance. Of points
-/// in a strip or a clump the two smaller variances are equal, and a rounding would choose the
-/// normal.
-CGAL_L0_HOST_DEVICE inline double share_of_plane(const Eigen_decomposition& eigen)
-{
-  return as_share((eigen.values[1] - eigen.values[0]) / (least_gap_of_plane * eigen.values[2]));
 }
 
 /// A unit vector near `own` across the plane of the points whose moments these are: two steps of
@@ -160,6 +162,18 @@ CGAL_L0_HOST_DEVICE inline Triple lean_to_plane(const Plane_moments<double>& mom
   const double weight = share_of_support(moments.sum, number_of_unknowns)
                         * as_share((dot(n, unit) - least_cosine) / (full_cosine - least_cosine));
   return normalized({unit.x + weight * n.x, unit.y + weight * n.y, unit.z + weight * n.z});
+}
+
+/// The normal of a point whose own ball lies in a strip, such as one ring of a spinning scanner: as
+/// far as that has no plane, the normal of a ball twice as large, as far as that has one.
+/// \param own, wide of the two balls
+CGAL_L0_HOST_DEVICE inline Triple normal_beyond_strip(const Fitted_plane& own,
+                                                      const Fitted_plane& wide)
+{
+  const double weight = (1 - own.share) * wide.share,
+               turned = with_sign_of(dot(own.normal, wide.normal), weight);
+  const Triple sum = (1 - weight) * own.normal + turned * wide.normal;
+  return dot(sum, sum) > 0 ? normalized(sum) : own.normal;
 }
 
 /// The moments of all lanes.

@@ -9,7 +9,6 @@
 #include <CGAL/L0_resampling/internal/cloud/estimate_plane.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -18,42 +17,56 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// Fits planes to the balls of this radius around the points listed in `open`, and strikes those
-/// off that found one.
-/// \param points that `open` and `normals` count
+/// The balls around some points.
+/// \param points that `list` counts
 /// \param scales of the points
 /// \param sorted_points the same, sorted for `grid`
+/// \param list out: in another order
+/// \param radius of the largest ball that is looked at
+/// \param visit `visit(k, plane_of_ball)`, in any order: of the point `list[k]`, `plane_of_ball(r)`
+/// is the plane in its ball of this radius, at scale 1
+template <typename ConcurrencyTag, typename T, typename Visit>
+void visit_balls_of_list(const Buffer<Vector>& points, const Search_grid_3& grid,
+                         const Buffer<Vector>& sorted_points, const Scales_view& scales,
+                         double radius, Progress& progress, Buffer<Index>& list, const Visit& visit)
+{
+  Buffer<Vector> listed_points(points.get_allocator());
+  listed_points.reserve(list.size());
+  for_each_in_order(list.size(), [&](std::size_t k) { listed_points.push_back(points[list[k]]); });
+  const Sorted_queries queries(ConcurrencyTag(), listed_points,
+                               Cell_sizes(grid.cell_size(), listed_scales(scales, list)));
+  apply_order(queries.order, list);
+  const auto make_visitor = [&]() {
+    return
+      [&](Search_grid_3::Range range, const Local_points<T>& candidates, const Vector& origin) {
+        for (Index k = range.first; k < range.second; ++k)
+          visit(k, [&](double radius_of_ball) {
+            return fit_plane<T>((queries.points[k] - origin).template cast<T>(), candidates,
+                                T(square(radius_of_ball * queries.grid.scale(k))));
+          });
+      };
+  };
+  for_each_cell<T, ConcurrencyTag>(queries.grid, queries.points, grid, sorted_points,
+                                   cells_in_reach(radius, grid.cell_size()), progress,
+                                   make_visitor);
+}
+
+/// Fits planes to the balls of this radius around the points listed in `open`, and strikes those
+/// off that found one. Parameters as of `visit_balls_of_list()`.
 template <typename ConcurrencyTag, typename T>
 void refit_in_larger_balls(const Buffer<Vector>& points, const Search_grid_3& grid,
                            const Buffer<Vector>& sorted_points, const Scales_view& scales,
                            double radius, Progress& progress, Buffer<Index>& open,
                            Buffer<Eigen::Matrix<T, 3, 1>>& normals)
 {
-  Buffer<Vector> open_points(points.get_allocator());
-  open_points.reserve(open.size());
-  for_each_in_order(open.size(), [&](std::size_t k) { open_points.push_back(points[open[k]]); });
-  const Sorted_queries queries(ConcurrencyTag(), open_points,
-                               Cell_sizes(grid.cell_size(), listed_scales(scales, open)));
-  apply_order(queries.order, open);
-
   const Index closed = (std::numeric_limits<Index>::max)();
-  const auto make_visitor = [&]() {
-    return
-      [&](Search_grid_3::Range range, const Local_points<T>& candidates, const Vector& origin) {
-        for (Index k = range.first; k < range.second; ++k)
-        {
-          const Plane_fit<T> fit = fit_plane<T>((queries.points[k] - origin).template cast<T>(),
-                                                candidates,
-                                                T(square(radius * queries.grid.scale(k))));
-          normals[open[k]] = fit.normal;
-          if (fit.spans_plane)
-            open[k] = closed;
-        }
-      };
-  };
-  for_each_cell<T, ConcurrencyTag>(queries.grid, queries.points, grid, sorted_points,
-                                   cells_in_reach(radius, grid.cell_size()), progress,
-                                   make_visitor);
+  visit_balls_of_list<ConcurrencyTag, T>(points, grid, sorted_points, scales, radius, progress,
+                                         open, [&](Index k, const auto& plane_of_ball) {
+                                           const Plane_of_ball fit = plane_of_ball(radius);
+                                           normals[open[k]] = fit.template normal_as<T>();
+                                           if (fit.spans_plane)
+                                             open[k] = closed;
+                                         });
   open.erase(std::remove(open.begin(), open.end(), closed), open.end());
 }
 
@@ -62,6 +75,8 @@ void refit_in_larger_balls(const Buffer<Vector>& points, const Search_grid_3& gr
 /// radius; if none does, whatever the largest gave.
 /// \param points sorted for `grid`
 /// \param radius at scale 1
+/// \param looks_beyond_strips whether points whose ball lies in a strip look at one of twice the
+/// radius, see `normal_beyond_strip()`
 /// \param numbers_of_points how many points of the input each point stands for; empty if only for
 /// itself
 /// \param normals out: one unit vector a point
@@ -69,42 +84,58 @@ void refit_in_larger_balls(const Buffer<Vector>& points, const Search_grid_3& gr
 template <typename ConcurrencyTag, typename T>
 std::size_t estimate_pca_normals(const Search_grid_3& grid, const Buffer<Vector>& points,
                                  const Buffer<Index>& numbers_of_points, double radius,
-                                 Progress& progress, Buffer<Eigen::Matrix<T, 3, 1>>& normals)
+                                 bool looks_beyond_strips, Progress& progress,
+                                 Buffer<Eigen::Matrix<T, 3, 1>>& normals)
 {
-  Buffer<unsigned char> is_degenerate(points.size(), 0, points.get_allocator());
-  std::atomic<std::size_t> number_of_degenerate{0};
+  enum class State : unsigned char
+  {
+    DONE,
+    IN_STRIP,
+    WITHOUT_PLANE
+  };
+  Buffer<State> states(points.size(), State::DONE, points.get_allocator());
   const auto make_visitor = [&]() {
     return
       [&](Search_grid_3::Range queries, const Local_points<T>& candidates, const Vector& origin) {
         for (Index i = queries.first; i < queries.second; ++i)
         {
-          const Plane_fit<T> fit = fit_plane<T>((points[i] - origin).template cast<T>(), candidates,
-                                                T(square(radius * grid.scale(i))));
-          normals[i] = fit.normal;
-          if (!fit.spans_plane)
-          {
-            is_degenerate[i] = 1;
-            ++number_of_degenerate;
-          }
+          const Plane_of_ball fit = fit_plane<T>((points[i] - origin).template cast<T>(),
+                                                 candidates, T(square(radius * grid.scale(i))));
+          normals[i] = fit.template normal_as<T>();
+          states[i] = !fit.spans_plane ? State::WITHOUT_PLANE
+                      : fit.share < 1  ? State::IN_STRIP
+                                       : State::DONE;
         }
       };
   };
   for_each_cell<T, ConcurrencyTag>(
     grid, points, grid, points, cells_in_reach(radius, grid.cell_size()), progress, make_visitor);
-  if (number_of_degenerate == 0)
-    return 0;
+  const auto all_in = [&](State state) {
+    Buffer<Index> list(points.get_allocator());
+    for_each_in_order(points.size(), [&](std::size_t i) {
+      if (states[i] == state)
+        list.push_back(Index(i));
+    });
+    return list;
+  };
+
+  if (looks_beyond_strips)
+  {
+    Buffer<Index> strips = all_in(State::IN_STRIP);
+    visit_balls_of_list<ConcurrencyTag, T>(
+      points, grid, points, grid.scales(), 2 * radius, progress, strips,
+      [&](Index k, const auto& plane_of_ball) {
+        const Triple n = normal_beyond_strip(plane_of_ball(radius), plane_of_ball(2 * radius));
+        normals[strips[k]] = {T(n.x), T(n.y), T(n.z)};
+      });
+  }
 
   // Few points in a healthy cloud: the others leave the loop, what is left meets coarser and
   // coarser grids.
-  Buffer<Index> open(points.get_allocator());
-  open.reserve(number_of_degenerate);
+  Buffer<Index> open = all_in(State::WITHOUT_PLANE);
   std::size_t number_in_input = 0;
-  for_each_in_order(points.size(), [&](std::size_t i) {
-    if (!is_degenerate[i])
-      return;
-    open.push_back(Index(i));
+  for (Index i : open)
     number_in_input += numbers_of_points.empty() ? 1 : numbers_of_points[i];
-  });
   for (int doubling = 1; doubling <= number_of_radius_doublings && !open.empty(); ++doubling)
   {
     const double larger_radius = std::ldexp(radius, doubling);

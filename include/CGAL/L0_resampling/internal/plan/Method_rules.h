@@ -21,8 +21,9 @@ struct Method_rules
   bool drops_outliers = false;                         ///< unless the caller says otherwise
   double penalty_growth = Parameters().penalty_growth; ///< the same
 
-  bool estimates_scales = false; ///< spacing and noise of the points make the radius, and not
-                                 ///< their number; it is larger or smaller by places
+  bool estimates_scales = false;    ///< spacing and noise of the points make the radius, and not
+                                    ///< their number; it is larger or smaller by places
+  bool looks_beyond_strips = false; ///< the first normals need not be those of one scan line
   std::size_t number_of_normal_refits = 0; ///< `Plan::number_of_refits`, at most
   bool uses_areas = false;                 ///< samples start evenly by area
   bool limits_jumps = false; ///< what is across a sheet or an edge is not drawn together
@@ -51,6 +52,7 @@ inline Method_rules rules_of(Method method)
     rules.drops_outliers = true;
     rules.penalty_growth = default_penalty_growth;
     rules.estimates_scales = true;
+    rules.looks_beyond_strips = true;
     rules.number_of_normal_refits = number_of_normal_refits;
     rules.uses_areas = true;
     rules.limits_jumps = true;

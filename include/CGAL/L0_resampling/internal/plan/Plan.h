@@ -142,7 +142,8 @@ struct Plan
   std::size_t number_of_orientation_neighbors;
   std::size_t random_seed;
 
-  bool follows_scales; ///< the radius and what follows from it are larger or smaller by places
+  bool looks_beyond_strips; ///< the first normals of points in a strip, see `normal_beyond_strip()`
+  bool follows_scales;      ///< the radius and what follows from it are larger or smaller by places
   double outlier_sensitivity; ///< 0 if no points are left out as outliers
   bool uses_areas;     ///< the area that each point stands for tells the spacing of the samples
   bool starts_evenly;  ///< samples start evenly by area; else as the points do
@@ -249,6 +250,7 @@ inline Plan make_plan(const Parameters& parameters, const Facts& facts)
   plan.number_of_orientation_neighbors = parameters.number_of_orientation_neighbors;
   plan.random_seed = parameters.random_seed;
 
+  plan.looks_beyond_strips = rules.looks_beyond_strips;
   plan.follows_scales = rules.estimates_scales && !(parameters.neighbor_radius > 0);
   plan.outlier_sensitivity = parameters.outlier_sensitivity;
   plan.uses_areas = rules.uses_areas;
