@@ -120,8 +120,8 @@ bool Tile_tasks::is_finished() const { return read_finished(index_file()) == m_d
 std::uint64_t Tile_tasks::memory_for_points() const
 {
   if (m_command.tiles.memory <= base_memory)
-    throw Failure(RUN_TIME_FAILURE, "--memory: more than " + std::to_string(base_memory >> 20)
-                                      + " MB are needed, for any input");
+    throw Failure(NOT_ENOUGH_MEMORY, "--memory: more than " + std::to_string(base_memory >> 20)
+                                       + " MB are needed, for any input");
   return m_command.tiles.memory - base_memory;
 }
 
@@ -196,7 +196,9 @@ void Tile_tasks::run(const std::string& phase, std::size_t number, const On_prog
     else
       finish();
   } catch (const std::bad_alloc&) {
-    throw Failure(RUN_TIME_FAILURE, phase + " " + std::to_string(number) + ": not enough memory");
+    throw Failure(NOT_ENOUGH_MEMORY, phase + " " + std::to_string(number)
+                                       + ": not enough memory; with a smaller --memory, --force "
+                                         "begins anew with smaller tiles");
   } catch (const std::invalid_argument& error) {
     throw Failure(INPUT_REFUSED, error.what());
   } catch (const Tiled_on_cpu::Cancelled&) {
@@ -287,11 +289,11 @@ void Tile_tasks::find_scales(const On_progress& on_progress) const
   try {
     tiles.make(memory);
   } catch (const std::bad_alloc&) {
-    throw Failure(RUN_TIME_FAILURE, "--memory: " + std::to_string(memory)
-                                      + " bytes do not hold a part of the cloud and what is "
-                                        "around it, within "
-                                      + std::to_string(int(Tiled_on_cpu::halo_in_radii))
-                                      + " radii");
+    throw Failure(NOT_ENOUGH_MEMORY, "--memory: " + std::to_string(memory)
+                                       + " bytes do not hold a part of the cloud and what is "
+                                         "around it, within "
+                                       + std::to_string(int(Tiled_on_cpu::halo_in_radii))
+                                       + " radii");
   }
   if (tiles.resampling.has_all_facts())
     write_points_in_cloud(file_of("points", 0), m_key, tiles.resampling.points_in_cloud());
