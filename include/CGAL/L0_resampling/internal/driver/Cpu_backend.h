@@ -431,12 +431,7 @@ protected:
 
   Cell_sizes sample_cells(const Plan& plan) const
   {
-    if (!plan.refines || plan.keeps_spacings)
-      return {plan.self_cell_size(), m_samples.spreading_radii};
-    const double range = spreads_wider() ? plan.spreading_radius() : plan.self_neighbor_radius;
-    return !spreads_wider() && plan.are_cells_shared(range)
-             ? plan.cell_size
-             : (std::max)(range, plan.smallest_cell_size);
+    return {plan.sample_cell_size(spreads_wider()), m_samples.spreading_radii};
   }
 };
 
