@@ -26,7 +26,8 @@ resamples a cloud that does not fit into memory, tile by tile; see
 `CGAL::L0_resampling::Tiled_resampling` for programs that store what is in between.
 
 \tparam ConcurrencyTag as for `CGAL::l0_resample_point_set()`. With `CUDA_tag`, tiles are resampled
-on the current device, whose free memory limits them too
+on the current device, whose free memory limits them too, as its named parameter `maximum_memory`
+does
 \param source model of `L0ResamplingTileSource`
 \param sink model of `L0ResamplingTileSink`: `sink.put(tile, result)` stores a
 `CGAL::L0_resampling::Tile_result`, `sink.get(tile)` gives it back, and `sink.finish(tile, samples)`

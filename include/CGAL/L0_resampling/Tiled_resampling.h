@@ -130,6 +130,12 @@ class Tiled_resampling
 
   double overlap_width() const { return 2 * m_radius; }
 
+  /// By the limit of the caller, which with `CUDA_tag` is of the device.
+  std::uint64_t limited(std::uint64_t bytes) const
+  {
+    return (std::min)(bytes, std::uint64_t(m_parameters.maximum_memory));
+  }
+
 public:
   /// Thrown where the callback has returned `false`.
   using Cancelled = internal::Tiles_cancelled;
@@ -153,7 +159,8 @@ public:
   /// \param np as those of `CGAL::l0_resample_point_set()`: `number_of_output_points`,
   /// `neighbor_radius`, `sharpness_angle`, `normal_weight`, `random_seed`, `drop_outliers`,
   /// `outlier_sensitivity`, `keep_density`, `viewpoint`, `up_direction`, `callback`;
-  /// `maximum_memory`, which with `CUDA_tag` is of the device
+  /// `maximum_memory`, which with `CUDA_tag` is of the device: `find_facts()` and `make_tiles()` keep
+  /// to it, and to what they are given
   template <typename NamedParameters>
   Tiled_resampling(Tile_counts counts, const NamedParameters& np)
     : m_parameters(internal::checked_parameters(np, 1)), m_cloud(std::move(counts))
@@ -210,6 +217,8 @@ public:
     const Source& source, std::uint64_t bytes,
     std::uint64_t device_bytes = (std::numeric_limits<std::uint64_t>::max)())
   {
+    std::uint64_t& with_limit = is_on_device ? device_bytes : bytes;
+    with_limit = limited(with_limit);
     if (can_find_all_facts(number_of_points(), number_of_samples(), bytes, device_bytes))
       set_facts(facts_of_all_points(source));
     else
@@ -236,6 +245,7 @@ public:
                   const internal::Bytes_of_call& of_call = bytes_of_call)
   {
     m_halo_in_radii = halo;
+    bytes = limited(bytes);
     const internal::Tiling tiling(
       blocks(), halo_in_blocks(),
       internal::Bytes_of_tile::of_cloud(blocks(), double(of_call.per_point),

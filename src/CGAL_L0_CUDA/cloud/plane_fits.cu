@@ -83,6 +83,7 @@ public:
     const float unit = m_grid.frame.unit();
     const int warp = int(threadIdx.x / 32), number_of_warps = int(threads_per_query / 32);
     const Wide lane = threadIdx.x % 32;
+    Wide number_before = 0; // of the points in the rows before
     for (int first_row = 0; first_row < number_of_rows(); first_row += int(threads_per_query))
     {
       const int row = first_row + int(threadIdx.x), rest = number_of_rows() - first_row;
@@ -91,7 +92,9 @@ public:
       __syncthreads();
       for (int r = warp; r < min(rest, int(threads_per_query)); r += number_of_warps)
       {
-        const Wide first = (ranges[r].x + m_stride - 1) & ~(m_stride - 1);
+        Wide first = ranges[r].x;
+        if (m_stride > 1) // as `phase_of_row()`
+          first += (0 - (number_before + number_of_points(ranges, r))) & (m_stride - 1);
         for (Wide j = first + lane * m_stride; j < ranges[r].y; j += 32 * m_stride)
         {
           const float3 d = difference(m_grid.points[j], m_center, unit);
@@ -99,6 +102,8 @@ public:
             f(d);
         }
       }
+      if (m_stride > 1)
+        number_before += number_of_points(ranges, min(rest, int(threads_per_query)));
       __syncthreads();
     }
   }
@@ -121,6 +126,15 @@ public:
 
 private:
   __device__ int number_of_rows() const { return (2 * m_reach + 1) * (2 * m_reach + 1); }
+
+  /// In the first rows. For all threads of a warp at once.
+  __device__ static Wide number_of_points(const uint2* rows, int count)
+  {
+    Wide number = 0;
+    for (int r = int(threadIdx.x % 32); r < count; r += 32)
+      number += rows[r].y - rows[r].x;
+    return group_sum<32>(number);
+  }
 };
 
 /// One block of threads for each point of the list.

@@ -242,9 +242,7 @@ void Cuda_backend::sort_samples(const Plan& plan)
   points.size = m_samples.size;
   points.frame = is_one_grid_enough(plan)
                    ? m_grid.frame
-                   : self_frame(plan, m_samples.spreading_radii
-                                        ? plan.self_cell_size()
-                                        : (std::max)(largest_range(plan), plan.smallest_cell_size));
+                   : self_frame(plan, plan.sample_cell_size(spreads_wider(plan)));
   points.points = m_workplace.arena.take<int4>(points.size);
 
   m_sample_grid_scope.emplace(m_workplace.scratch);

@@ -66,7 +66,7 @@ __global__ void reorder_samples(const unsigned* order, Samples from, Samples to)
 
 /// Calls `f(k, is_neighbor, found)` in all threads of a group at once: whether the sample k of the
 /// thread is a self neighbor, and a bit for each thread whose is; k ascends. Where blocks are
-/// thinned, a pair counts if both samples' strides say so, which keeps the lists symmetric.
+/// thinned, a pair counts if the ranks in their cells are equal modulo the strides of both.
 template <typename F>
 __device__ void for_each_self_neighbor(const Cell_grid& grid, const Cell_blocks& blocks,
                                        const Range_of_pairs& range_of, unsigned i, unsigned lane,
@@ -74,6 +74,10 @@ __device__ void for_each_self_neighbor(const Cell_grid& grid, const Cell_blocks&
 {
   const int4 center = grid.points[i];
   const unsigned cell = unsigned(center.w), stride = blocks.centers[cell].stride;
+  // in its cell, modulo the stride; only read where a block is thinned
+  const auto rank = [&](unsigned sample, unsigned of_cell, unsigned modulus) {
+    return modulus == 1 ? 0 : (sample - grid.begins[of_cell]) & (modulus - 1);
+  };
   const float unit = grid.frame.unit();
   const unsigned group_shift = threadIdx.x % 32 / lanes * lanes, group_mask = ((1u << lanes) - 1)
                                                                               << group_shift;
@@ -82,20 +86,26 @@ __device__ void for_each_self_neighbor(const Cell_grid& grid, const Cell_blocks&
   for (int row = 0, rows = blocks.number_of_ranges(cell); row < rows; ++row)
   {
     const uint2 range = ranges[row];
-    const Wide first = Wide(range.x) + ((i - range.x) & (stride - 1));
-    for (Wide begin = first; begin < range.y; begin += lanes * stride)
+    // of a thinned block cell by cell, in each those of the rank of this sample
+    for (unsigned first = range.x, end = range.y; first < range.y; first = end)
     {
-      const Wide k = begin + lane * stride;
-      bool is_neighbor = k < range.y && k != i;
-      if (is_neighbor)
+      if (stride > 1)
+        end = grid.begins[grid.points[first].w + 1];
+      for (unsigned begin = first + rank(i, cell, stride); begin < end; begin += lanes * stride)
       {
-        const int4 other = grid.points[k];
-        const float3 d = difference(center, other, unit);
-        is_neighbor = dot(d, d) < range_of.squared(own_limit, range_of.limit(unsigned(k)))
-                      && ((unsigned(k) - i) & (blocks.centers[other.w].stride - 1)) == 0;
+        const unsigned k = begin + lane * stride;
+        bool is_neighbor = k < end && k != i;
+        if (is_neighbor)
+        {
+          const int4 other = grid.points[k];
+          const float3 d = difference(center, other, unit);
+          const unsigned other_stride = blocks.centers[other.w].stride;
+          is_neighbor = dot(d, d) < range_of.squared(own_limit, range_of.limit(k))
+                        && rank(k, unsigned(other.w), other_stride) == rank(i, cell, other_stride);
+        }
+        const unsigned found = (__ballot_sync(group_mask, is_neighbor) & group_mask) >> group_shift;
+        f(k, is_neighbor, found);
       }
-      const unsigned found = (__ballot_sync(group_mask, is_neighbor) & group_mask) >> group_shift;
-      f(unsigned(k), is_neighbor, found);
     }
   }
 }

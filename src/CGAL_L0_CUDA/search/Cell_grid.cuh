@@ -316,6 +316,19 @@ struct Offset_in_row
   }
 };
 
+/// Of a block with too many points every `stride`-th is used, as `Local_points` does on the CPU:
+/// counted from the first point of the block on, row after row.
+/// \param ranges the rows of the block
+/// \returns what the indices of those points of a row that are used equal modulo the stride
+__device__ inline unsigned phase_of_row(const uint2* ranges, int row)
+{
+  unsigned number_before = 0;
+#pragma unroll 2 // registers are scarce, and few blocks have too many points
+  for (int before = 0; before < row; ++before)
+    number_before += ranges[before].y - ranges[before].x;
+  return ranges[row].x - number_before;
+}
+
 /*!
 Calls `f(j, point)` for the points around a point that may be within `radius`, those of one of
 `lanes` threads. Two points are read at a time. As long as `f` does not branch, what it reads of two
@@ -375,7 +388,9 @@ __device__ inline void for_each_candidate(const Cell_grid& grid, const Cell_bloc
     }
     // The points of the rows one after the other, dealt out to the lanes in turn
     static_assert(lanes == 4, "the rows that lanes have found are told apart one by one");
-    const unsigned first = range.x + (0u - range.x & (stride - 1)); // the stride is a power of two
+    unsigned first = range.x;
+    if (stride > 1 && range.x < range.y) // a power of two
+      first += (phase_of_row(ranges, row) - range.x) & (stride - 1);
     const unsigned own_count = range.x < range.y && first < range.y
                                  ? ((range.y - 1 - first) >> shift) + 1
                                  : 0;

@@ -34,6 +34,8 @@ __device__ void for_each_in_ball(const Cell_grid& grid, const Cell_blocks& block
   const unsigned shift = unsigned(__ffs(int(block.stride))) - 1;
   const float unit = grid.frame.unit(), cell_size = float(grid.frame.cell_size);
   const Offset_in_row offset(block, center, unit);
+  const uint2* const ranges = blocks.ranges
+                              + Wide(unsigned(center.w)) * unsigned(blocks.number_of_rows);
   for (int first_row = 0; first_row < blocks.number_of_rows; first_row += 32)
   {
     uint2 range = {0, 0};
@@ -41,10 +43,10 @@ __device__ void for_each_in_ball(const Cell_grid& grid, const Cell_blocks& block
     if (row < blocks.number_of_rows
         && (!block.is_inside
             || offset.squared_reach(squared_radius, cell_size, blocks.reach, row) > 0))
-      range =
-        blocks.ranges[Wide(unsigned(center.w)) * unsigned(blocks.number_of_rows) + unsigned(row)];
-    const unsigned first = range.x
-                           + (0u - range.x & (block.stride - 1)); // the stride is a power of two
+      range = ranges[row];
+    unsigned first = range.x;
+    if (block.stride > 1 && range.x < range.y) // a power of two
+      first += (phase_of_row(ranges, row) - range.x) & (block.stride - 1);
     const unsigned count = range.x < range.y && first < range.y
                              ? ((range.y - 1 - first) >> shift) + 1
                              : 0;
@@ -190,7 +192,7 @@ __global__ void __launch_bounds__(threads_of_query)
   constexpr unsigned most_rows = (2 * largest_reach + 1) * (2 * largest_reach + 1);
   __shared__ uint2 ranges[most_rows];
   __shared__ unsigned number_of_ranges, number_of_candidates;
-  __shared__ Wide candidates[maximum_number_of_candidates + 1 + most_rows]; // `rank_of()`
+  __shared__ Wide candidates[maximum_number_of_candidates + 1]; // `rank_of()`
   const unsigned sample = open ? open[blockIdx.x] : blockIdx.x;
   const unsigned self = places[sample];
   const int4 center = grid.points[self];
@@ -221,10 +223,19 @@ __global__ void __launch_bounds__(threads_of_query)
   while (size / stride > maximum_number_of_candidates)
     stride *= 2;
   const float unit = grid.frame.unit();
+  const unsigned lane = threadIdx.x % 32;
   for (unsigned r = threadIdx.x / 32; r < number_of_ranges; r += threads_of_query / 32)
   {
-    const Wide first = (Wide(ranges[r].x) + stride - 1) & ~Wide(stride - 1);
-    for (Wide j = first + threadIdx.x % 32 * Wide(stride); j < ranges[r].y; j += 32 * Wide(stride))
+    Wide first = ranges[r].x;
+    if (stride > 1) // as `phase_of_row()`; the rows are in no order
+    {
+      unsigned number_before = 0;
+      for (unsigned other = lane; other < number_of_ranges; other += 32)
+        if (ranges[other].x < ranges[r].x)
+          number_before += ranges[other].y - ranges[other].x;
+      first += (0u - group_sum<32>(number_before)) & (stride - 1);
+    }
+    for (Wide j = first + lane * Wide(stride); j < ranges[r].y; j += 32 * Wide(stride))
     {
       const float3 d = difference(grid.points[j], center, unit);
       const float squared_distance = dot(d, d);

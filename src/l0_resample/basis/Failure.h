@@ -20,6 +20,7 @@ enum Exit_status
   INPUT_REFUSED = 3,      ///< the input cannot be read, or is not what it says
   OUTPUT_NOT_WRITTEN = 4, ///< an older file of that name is still what it was
   NOT_CONVERGED = 5,      ///< only with `--strict`
+  NOT_ENOUGH_MEMORY = 6,  ///< only with `--as-one`: it will not be enough another time either
   INTERRUPTED = 130,      ///< SIGINT
   TERMINATED = 143        ///< SIGTERM
 };

@@ -126,8 +126,8 @@ colors points by the direction of their normals instead, x as red, y as green, z
 gets it. Notes, warnings and errors are lines on standard error.)"},
    {"EXIT STATUS",
     R"(0 good, 1 failed at run time (memory, time, solver, device), 2 wrong usage, 3 input
-refused, 4 output not written, 5 not converged (with --strict), 130 and 143 cancelled by SIGINT
-and SIGTERM.)"}}};
+refused, 4 output not written, 5 not converged (with --strict), 6 not enough memory (with --as-one),
+130 and 143 cancelled by SIGINT and SIGTERM.)"}}};
 
 /// With a name, that is, and with a group: those without one are not for the command line of users.
 std::vector<const CLI::Option*> options_of(const CLI::App& app)

@@ -15,6 +15,7 @@
 #include "tasks/run.h"
 #include "tiles/Shard.h"
 #include "tiles/Tile_rows.h"
+#include "tiles/Tiles_of_run.h"
 #include "tiles/processor_of_tiles.h"
 #include "tiles/tile_description.h"
 #include "tiles/tile_files.h"
@@ -28,7 +29,6 @@
 #include <cmath>
 #include <filesystem>
 #include <new>
-#include <optional>
 #include <set>
 #include <stdexcept>
 #include <system_error>
@@ -38,97 +38,18 @@ namespace l0_tool {
 namespace {
 
 namespace fs = std::filesystem;
-namespace parameters = CGAL::parameters;
 namespace internal = CGAL::L0_resampling::internal;
 using CGAL::L0_resampling::Tile_counts;
 using CGAL::L0_resampling::Tile_result;
 using CGAL::L0_resampling::Tiled_resampling;
 using Tiled_on_cpu = Tiled_resampling<CGAL::Parallel_if_available_tag>;
+using Tiles_on_cpu = Tiles_of_run<CGAL::Parallel_if_available_tag>;
 using Json = nlohmann::ordered_json;
 
 /// What the program takes beside the points: code, tables of the blocks, buffers of files.
 constexpr std::uint64_t base_memory = std::uint64_t(96) << 20;
 
 } // namespace
-
-/// The tiles of a run as far as earlier tasks have found out about them.
-/// \tparam ConcurrencyTag that of what resamples a tile here
-template <typename ConcurrencyTag>
-class Tile_tasks::Tiles
-{
-  const Tile_tasks& m_tasks;
-
-public:
-  Tiled_resampling<ConcurrencyTag> resampling;
-
-  Tiles(const Tile_tasks& tasks, const On_progress& on_progress)
-    : m_tasks(tasks), resampling(tiled_resampling(tasks, on_progress))
-  {}
-
-  static Tiled_resampling<ConcurrencyTag> tiled_resampling(const Tile_tasks& tasks,
-                                                           const On_progress& on_progress)
-  {
-    const Options& options = tasks.m_options;
-    Tile_counts counts = read_counts(tasks.file_of("blocks", 0), tasks.m_key).counts;
-    const std::size_t number_of_samples =
-      number_of_output_points(options, std::size_t(counts.number_of_points()));
-    return Tiled_resampling<ConcurrencyTag>(
-      std::move(counts),
-      parameters::resampling_method(options.method)
-        .normal_weight(normal_weight_of(options))
-        .number_of_output_points(number_of_samples)
-        .neighbor_radius(options.neighbor_radius)
-        .sharpness_angle(options.sharpness_angle)
-        .random_seed(options.seed)
-        .drop_outliers(options.keep_outliers ? std::optional<bool>(false) : std::nullopt)
-        .outlier_sensitivity(options.outlier_sensitivity)
-        .keep_density(options.keep_density)
-        .viewpoint(options.viewpoint)
-        .up_direction(options.up_direction)
-        .callback(std::function<bool(double)>([on_progress](double share) {
-          on_progress(share);
-          return !is_interrupted();
-        })));
-  }
-
-  Shards shards() const
-  {
-    std::vector<std::string> paths;
-    for (std::size_t k = 0; k < m_tasks.m_command.runs.size(); ++k)
-      paths.push_back(m_tasks.file_of("shard", k));
-    return Shards(paths, m_tasks.m_key, resampling.lattice());
-  }
-
-  void cut()
-  {
-    const Facts_of_run facts = read_facts(m_tasks.file_of("scales", 0), m_tasks.m_key);
-    resampling.set_facts(facts.of_cloud);
-    make(facts.memory_of_tile);
-  }
-
-  /// \param memory of a tile, in bytes
-  void make(std::uint64_t memory)
-  {
-    resampling.make_tiles(memory, Tiled_on_cpu::halo_in_radii, bytes_of_call(m_tasks.m_options));
-  }
-
-  /// What is known of the samples of all tiles.
-  void take_sums()
-  {
-    if (!resampling.has_all_facts())
-      resampling.set_sums(read_sums(m_tasks.file_of("samples", 0), m_tasks.m_key));
-  }
-
-  /// What a tile has to know of them.
-  void take_starts(std::size_t tile)
-  {
-    if (resampling.has_all_facts())
-      resampling.set_points(tile, read_points_in_cloud(m_tasks.file_of("points", 0), m_tasks.m_key,
-                                                       resampling.ranges_of_tile(tile)));
-    else
-      resampling.set_starts(tile, read_starts(m_tasks.file_of("samples", 0), m_tasks.m_key, tile));
-  }
-};
 
 Tile_tasks::Tile_tasks(const Command& command)
   : m_command(command), m_options(command.runs.front()),
@@ -199,8 +120,8 @@ bool Tile_tasks::is_finished() const { return read_finished(index_file()) == m_d
 std::uint64_t Tile_tasks::memory_for_points() const
 {
   if (m_command.tiles.memory <= base_memory)
-    throw Failure(RUN_TIME_FAILURE, "--memory: more than " + std::to_string(base_memory >> 20)
-                                      + " MB are needed, for any input");
+    throw Failure(NOT_ENOUGH_MEMORY, "--memory: more than " + std::to_string(base_memory >> 20)
+                                       + " MB are needed, for any input");
   return m_command.tiles.memory - base_memory;
 }
 
@@ -275,7 +196,9 @@ void Tile_tasks::run(const std::string& phase, std::size_t number, const On_prog
     else
       finish();
   } catch (const std::bad_alloc&) {
-    throw Failure(RUN_TIME_FAILURE, phase + " " + std::to_string(number) + ": not enough memory");
+    throw Failure(NOT_ENOUGH_MEMORY, phase + " " + std::to_string(number)
+                                       + ": not enough memory; with a smaller --memory, --force "
+                                         "begins anew with smaller tiles");
   } catch (const std::invalid_argument& error) {
     throw Failure(INPUT_REFUSED, error.what());
   } catch (const Tiled_on_cpu::Cancelled&) {
@@ -358,7 +281,7 @@ void Tile_tasks::shard(std::size_t number, const On_progress& on_progress,
 template <typename ConcurrencyTag>
 void Tile_tasks::find_scales(const On_progress& on_progress) const
 {
-  Tiles<ConcurrencyTag> tiles(*this, on_progress);
+  Tiles_of_run<ConcurrencyTag> tiles(*this, on_progress);
   const std::uint64_t of_device = memory_of_device(m_options),
                       memory = (std::min)(memory_for_points(), of_device);
   const internal::Facts_of_cloud& facts =
@@ -366,11 +289,11 @@ void Tile_tasks::find_scales(const On_progress& on_progress) const
   try {
     tiles.make(memory);
   } catch (const std::bad_alloc&) {
-    throw Failure(RUN_TIME_FAILURE, "--memory: " + std::to_string(memory)
-                                      + " bytes do not hold a part of the cloud and what is "
-                                        "around it, within "
-                                      + std::to_string(int(Tiled_on_cpu::halo_in_radii))
-                                      + " radii");
+    throw Failure(NOT_ENOUGH_MEMORY, "--memory: " + std::to_string(memory)
+                                       + " bytes do not hold a part of the cloud and what is "
+                                         "around it, within "
+                                       + std::to_string(int(Tiled_on_cpu::halo_in_radii))
+                                       + " radii");
   }
   if (tiles.resampling.has_all_facts())
     write_points_in_cloud(file_of("points", 0), m_key, tiles.resampling.points_in_cloud());
@@ -398,7 +321,7 @@ void Tile_tasks::share_samples() const
 template <typename ConcurrencyTag>
 void Tile_tasks::solve(std::size_t tile, const On_progress& on_progress) const
 {
-  Tiles<ConcurrencyTag> tiles(*this, on_progress);
+  Tiles_of_run<ConcurrencyTag> tiles(*this, on_progress);
   tiles.cut();
   tiles.take_sums();
   tiles.take_starts(tile);

@@ -8,8 +8,6 @@
 
 #include "command_line/options.h"
 
-#include <CGAL/tags.h>
-
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -67,11 +65,12 @@ public:
 
   std::string file_of(const std::string& phase, std::size_t number) const;
 
-private:
-  template <typename ConcurrencyTag>
-  class Tiles;
-  using Tiles_on_cpu = Tiles<CGAL::Parallel_if_available_tag>;
+  const Options& options() const { return m_options; }
+  std::size_t number_of_inputs() const { return m_command.runs.size(); }
+  /// What files of this run are known by.
+  std::uint64_t key() const { return m_key; }
 
+private:
   const Command& m_command;
   const Options& m_options;
   std::string m_work;        // the folder of what is in between

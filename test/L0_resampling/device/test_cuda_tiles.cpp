@@ -226,6 +226,10 @@ int main()
   m = number_of_samples(sheets, 0.3);
   check("two sheets", sheets.points(), {0, 0, 0.001}, m,
         CGAL::parameters::number_of_output_points(m));
+  const Scene strips = scene_of_strips(1500);
+  m = number_of_samples(strips, 0.5);
+  check("thinned blocks", strips.points(), {0, 0, 0.001}, m,
+        CGAL::parameters::neighbor_radius(4).number_of_output_points(m));
   check_facts("even", even.points(), CGAL::parameters::number_of_output_points(9000));
   check_facts("uneven", uneven.points(), CGAL::parameters::number_of_output_points(9000));
   check_facts("uneven, as dense as the input", uneven.points(),

@@ -139,6 +139,21 @@ def test_devices_are_lent_to_one_task_at_a_time(tmp_path):
             tiles.resample_files([], tmp_path / "out", memory="1G", devices=[0], executor=executor)
 
 
+def test_lack_of_memory_is_not_tried_again(tmp_path):
+    program = tmp_path / "needs_memory"
+    program.write_text(
+        "#!/bin/sh\n"
+        'case "$*" in\n'
+        '*list) echo "solve 1";;\n'
+        f'*solve:0) echo tried >> "{tmp_path}/tries"; echo "not enough memory" >&2; exit 6;;\n'
+        "esac\n"
+    )
+    program.chmod(0o755)
+    with pytest.raises(tiles.TileError, match="not enough memory"):
+        tiles.resample_files([], tmp_path / "out", memory="1G", program=program)
+    assert (tmp_path / "tries").read_text() == "tried\n"
+
+
 def test_refusals(files, tmp_path):
     with pytest.raises(tiles.TileError, match="missing"):
         resample([tmp_path / "missing.npy"], tmp_path / "out")

@@ -34,10 +34,11 @@ struct Start
   {
     Unwatched unwatched;
     std::optional<std::uint64_t> total;
-    const Initial_samples samples = initialize_samples<CGAL::Parallel_if_available_tag>(
-      input.grid, input.points, to_local_vectors<float>(permuted(input.order, cloud.normals)),
-      areas_in_order(areas), number_of_samples, radius, lone_radius, seed, total,
-      unwatched.progress);
+    const Initial_samples samples = start_samples<CGAL::Parallel_if_available_tag>(
+      input.grid, input.points, to_local_vectors<float>(permuted(input.order, cloud.normals)), {},
+      sources_of_samples(distinct_points(input.points), areas_in_order(areas), number_of_samples,
+                         seed, total),
+      radius, lone_radius, seed, unwatched.progress);
     positions.assign(samples.positions.begin(), samples.positions.end());
     for (Index j : samples.sources)
       sources.push_back(input.vector[j]);

@@ -85,7 +85,19 @@ void check_thinning(Generator& generator)
   CHECK(are_symmetric);
   CHECK(are_complete);
   CHECK(longest > 300
-        && longest <= 1024 + 10); // one more at most for each run of cells, and one for rounding
+        && longest <= 1024 + 4); // one more at most for each of the cells, and one for rounding
+
+  // nor do samples far away change what is left out
+  for (std::uint32_t number = 1; number <= 3; ++number)
+  {
+    points.push_back(Vector(number, 0, -100)); // the first ones in the order of the grid
+    Lists of_more = self_neighbors(Gridded_points(points, 1), 0.9);
+    of_more.erase(of_more.begin(), of_more.begin() + number);
+    for (auto& list : of_more)
+      for (std::uint32_t& index : list)
+        index -= number;
+    CHECK(of_more == lists);
+  }
 }
 
 int main()

@@ -64,18 +64,41 @@ void check_balls(const std::vector<Vector>& query_points, const std::vector<Vect
   CHECK(balls_by_grid<double>(q, p, radius) == brute_force_neighbors(q.vector, p.vector, radius));
 }
 
-/// A crowd in one cell is thinned: its members see as many as the package allows, and not many
-/// fewer.
-void check_thinning(Generator& generator)
+/// A crowd is thinned: its members see as many as the package allows, and not many fewer.
+/// \param center of the crowd, whose cells are of size 1
+void check_thinning(const Vector& center, Generator& generator)
 {
   const std::size_t limit = maximum_number_of_candidates;
-  std::vector<Vector> crowd(20000, Vector(0.5, 0.5, 0.5));
+  std::vector<Vector> crowd(4 * limit + 3, center);
   for (Vector& p : crowd)
     p += 0.1 * random_unit_vector(generator);
   const Gridded_points crowded(crowd, 1);
   for (const auto& ball : balls_by_grid<float>(crowded, crowded, 1))
-    if (!CHECK(ball.size() > limit / 2 - 1 && ball.size() <= limit + 10))
+    if (!CHECK(ball.size() > limit / 2 - 1 && ball.size() <= limit + 1))
       break;
+}
+
+/// Which points of a crowd are left out does not depend on points far away, whether the crowd is in
+/// one row of cells or in many.
+void check_thinning_is_local(Generator& generator)
+{
+  std::uniform_real_distribution<double> place(-1, 1);
+  std::vector<Vector> points;
+  for (int n = 0; n < 6000; ++n)
+    points.push_back(Vector(place(generator), place(generator), 0.2 * place(generator)));
+  const Gridded_points crowd(points, 1);
+  const Lists expected = balls_by_grid<float>(crowd, crowd, 0.2);
+  for (std::uint32_t number = 1; number <= 3; ++number)
+  {
+    points.push_back(Vector(number, 0, -100)); // the first ones in the order of the grid
+    const Gridded_points more(points, 1);
+    Lists balls = balls_by_grid<float>(more, more, 0.2);
+    balls.erase(balls.begin(), balls.begin() + number);
+    for (auto& ball : balls)
+      for (std::uint32_t& index : ball)
+        index -= number;
+    CHECK(balls == expected);
+  }
 }
 
 /// The order of the points, within a cell that of their coordinates, depends on where they are and
@@ -198,7 +221,9 @@ int main()
   check_balls(duplicates, duplicates, 0.5, 0.5);
   check_balls({Vector(1, 2, 3)}, {Vector(1, 2, 3)}, 1, 1);
 
-  check_thinning(generator);
+  check_thinning({0.5, 0.5, 0.5}, generator);
+  check_thinning({0, 0, 0}, generator); // in four rows of cells
+  check_thinning_is_local(generator);
   check_order(cloud, 0.5, generator);
   check_order(duplicates, 0.5, generator);
   check_order(lattice, 0.6, generator);

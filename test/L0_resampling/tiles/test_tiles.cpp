@@ -300,6 +300,27 @@ void test_tiles(bool keep_density, std::size_t m, bool has_all_facts)
     CHECK(std::abs(double(slabs[k]) - double(m) / 60) < 0.12 * double(m) / 60);
 }
 
+/// The named parameter limits the memory of tiles and facts, with `CUDA_tag` that of the device.
+template <typename ConcurrencyTag>
+void test_limit_of_memory()
+{
+  const Points_in_memory source{ribbon(1200, 20)};
+  const std::uint64_t most = std::uint64_t(1) << 40, less = 2500000;
+  const auto tiles_of = [&](std::uint64_t limit, std::uint64_t bytes) {
+    CGAL::L0_resampling::Tiled_resampling<ConcurrencyTag> tiles(
+      counts_of(source.points),
+      CGAL::parameters::maximum_memory(std::size_t(limit)).number_of_output_points(4000));
+    const std::uint64_t of_facts = limit == most ? less : most;
+    tiles.find_facts(source, of_facts, of_facts);
+    CHECK(!tiles.has_all_facts()); // neither limit does
+    tiles.make_tiles(bytes);
+    return tiles.tiles().size();
+  };
+  const std::size_t number = tiles_of(most, less);
+  CHECK(number >= 3);
+  CHECK(tiles_of(less, most) == number);
+}
+
 void test_refusals()
 {
   const Points_in_memory source{ribbon(600, 10)};
@@ -334,6 +355,8 @@ int main()
     test_tiles(keep_density, 10000, false);
     test_tiles(keep_density, 40000, true);
   }
+  test_limit_of_memory<CGAL::Sequential_tag>();
+  test_limit_of_memory<CGAL::CUDA_tag>();
   test_refusals();
   return test::result();
 }

@@ -81,6 +81,28 @@ void check(const std::string& name, const std::vector<Place>& points, double sha
   CHECK(number_of_tiles >= 2);
 }
 
+/// Blocks of cells with too many points are thinned: where, depends on no tile.
+void check_thinned_blocks()
+{
+  using Tag = CGAL::Parallel_if_available_tag;
+  const Scene strips = scene_of_strips(600);
+  const std::size_t m = number_of_samples(strips, 0.5), n = strips.points().size();
+  const auto np = CGAL::parameters::neighbor_radius(4).number_of_output_points(m);
+  const std::vector<Unsigned_sample> expected = in_memory<Tag>(strips.points(), np);
+  std::size_t before = 0;
+  for (const double share : {2., 0.9, 0.6})
+  {
+    std::size_t number_of_tiles = 0;
+    const std::vector<Unsigned_sample> found =
+      by_tiles<Tag>(strips.points(), std::size_t(share * double(n)), Tiles<Tag>::halo_in_radii,
+                    number_of_tiles, np);
+    std::cout << "thinned blocks: " << number_of_tiles << " tiles" << std::endl;
+    CHECK(number_of_tiles > before);
+    CHECK(number_of_different(found, expected) == 0);
+    before = number_of_tiles;
+  }
+}
+
 int main()
 {
   using CGAL::parameters::keep_density;
@@ -104,6 +126,7 @@ int main()
   m = number_of_samples(sheets, 0.3);
   check<CGAL::Parallel_if_available_tag>("two sheets", sheets.points(), 0.5, {0, 0.001}, m,
                                          CGAL::parameters::number_of_output_points(m));
+  check_thinned_blocks();
   for (const Scene* scene : {&even, &uneven, &crowds})
     for (const double share : {0.01, 2.})
       check_memory_of_facts(scene->points(), number_of_samples(*scene, share));

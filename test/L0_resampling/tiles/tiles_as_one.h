@@ -80,6 +80,13 @@ public:
     }
   }
 
+  /// Across the ribbon, so many points per unit of area.
+  void add_strip(double x, double width, double density)
+  {
+    for (std::size_t i = 0; i < std::size_t(20 * width * density); ++i)
+      add({uniform(x, x + width), uniform(0, 20), 0}, 0.1);
+  }
+
   void add_outliers(double length)
   {
     for (int i = 0; i < int(length / 4); ++i)
@@ -109,6 +116,15 @@ struct Scenes
     sheets.add_sheet(length);
   }
 };
+
+/// With strips so dense that blocks of cells of a radius of 4 have too many points.
+inline Scene scene_of_strips(double length)
+{
+  Scene scene(length);
+  for (double x = 20; x < length; x += 200)
+    scene.add_strip(x, 10, 50);
+  return scene;
+}
 
 /// So many samples a point.
 inline std::size_t number_of_samples(const Scene& scene, double share)

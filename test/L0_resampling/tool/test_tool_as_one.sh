@@ -196,6 +196,18 @@ run_plainly "${ribbon[@]}" --output-directory full --resume
 check "goes on with room" test "$status" -eq 0
 check "with the same result" same_tiles full
 
+# Not enough memory
+many_samples=(parts --as-one --points 2000000 --memory 4GB)
+begin_run crowded "${many_samples[@]}"
+(
+  ulimit -v 500000   # in units of 1 KiB: less than so many samples take
+  # the shadow memory of a sanitizer alone is more
+  "$program" --version > /dev/null 2>&1 || exit "$failures"
+  check_plain_failure 6 "solve 0: not enough memory; with a smaller --memory" "${many_samples[@]}" \
+    --output-directory crowded --resume --task solve:0
+  exit "$failures"
+) || failures=$((failures + 1))
+
 # LAZ through a command, which base64 stands for
 mkdir surveys packed
 run c.xyz surveys/c.las --convert-only
@@ -211,8 +223,8 @@ check_plain_failure 2 "--resume: the run began with --seed 0, now it is --seed 1
   --output-directory changed --resume --seed 1
 touch parts/b.xyz
 check_plain_failure 3 "parts/b.xyz" "${ribbon[@]}" --output-directory changed --resume
-check_failure 1 "--memory" parts --as-one --points 100 --memory 90MB --output-directory none
-check_failure 1 "do not hold a part of the cloud" parts --as-one --points 12000 \
+check_failure 6 "--memory" parts --as-one --points 100 --memory 90MB --output-directory none
+check_failure 6 "do not hold a part of the cloud" parts --as-one --points 12000 \
   --memory $(((96 << 20) + 100000)) --output-directory none
 check_failure 2 "--memory" parts --as-one --points 100 --output-directory none
 check_failure 2 "excludes" parts --as-one --points 100 --memory 1GB --output-directory none --method lor

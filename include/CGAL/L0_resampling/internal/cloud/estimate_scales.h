@@ -13,6 +13,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -39,12 +41,13 @@ Height_moments<double> moments_over_plane(const Eigen::Matrix<T, 3, 1>& center,
 
 /// The scales of a point set, by `scales_of_growing_balls()` around `queries`.
 /// \param queries some of the points, in units of the initial radius as the points are
-/// \param points sorted for a grid of cells of size `cell_size`, all different
+/// \param points sorted for `grid`, all different
 template <typename ConcurrencyTag, typename T>
-Scales scales_around(const Buffer<Vector>& queries, const Buffer<Vector>& points, double cell_size,
-                     Progress& progress)
+Scales scales_around(const Buffer<Vector>& queries, const Search_grid_3& grid,
+                     const Buffer<Vector>& points, Progress& progress)
 {
-  const Search_grid_3 grid(points, cell_size), query_grid(queries, cell_size);
+  const double cell_size = grid.cell_size();
+  const Search_grid_3 query_grid(queries, cell_size);
   std::vector<Ball_of_points> balls(queries.size());
   return scales_of_growing_balls(cell_size, [&](int reach, double radius) {
     for_each_cell<T, ConcurrencyTag>(query_grid, queries, grid, points, reach, progress, [&]() {
@@ -82,9 +85,11 @@ Scales estimate_scales(const Buffer<Vector>& unsorted_points, double initial_rad
   Working_frame::divide<ConcurrencyTag>(initial_radius, points);
   apply_order<ConcurrencyTag>(Search_grid_3::sorted_order<ConcurrencyTag>(points, cell_size),
                               points);
-  thin_crowds<ConcurrencyTag>(Search_grid_3(points, cell_size), points, most_points_of_subcell)
-    .keep(points);
+  std::optional<Search_grid_3> grid(std::in_place, points, cell_size);
+  thin_crowds<ConcurrencyTag>(*grid, points, most_points_of_subcell).keep(points);
   points.resize(std::size_t(std::unique(points.begin(), points.end()) - points.begin()));
+  if (points.size() < grid->number_of_points())
+    grid.emplace(points, cell_size);
   std::size_t number_in_core = 0;
   for_each_in_order(points.size(), [&](std::size_t i) { number_in_core += is_core(points[i]); });
   const std::size_t stride = (std::max)(number_in_core / number_of_balls, std::size_t(1));
@@ -94,7 +99,7 @@ Scales estimate_scales(const Buffer<Vector>& unsorted_points, double initial_rad
     if (is_core(points[i]) && place++ % stride == 0)
       queries.push_back(points[i]);
   });
-  return scales_around<ConcurrencyTag, T>(queries, points, cell_size, progress);
+  return scales_around<ConcurrencyTag, T>(queries, *grid, points, progress);
 }
 
 /// The scales of a point set, all of which is there.

@@ -209,12 +209,7 @@ public:
     return known_or_found(m_facts.area, [&]() { return m_areas.total(); });
   }
 
-  void choose_samples(const Plan& plan)
-  {
-    m_followers = internal::choose_samples<ConcurrencyTag>(plan, m_input, m_areas, m_facts, m_hints,
-                                                           m_progress, m_samples);
-    release(m_areas.units);
-  }
+  void choose_samples(const Plan& plan) { start_samples(plan, choose_sources(plan)); }
 
   // Algorithm 1
 
@@ -394,6 +389,18 @@ public:
   void end(const Plan&) { m_progress.end_stage(); }
 
 protected:
+  Sources choose_sources(const Plan& plan)
+  {
+    return internal::choose_sources(plan, m_input, m_areas, m_facts);
+  }
+
+  void start_samples(const Plan& plan, Sources sources)
+  {
+    m_followers = internal::choose_samples<ConcurrencyTag>(
+      plan, m_input, m_areas, m_facts, std::move(sources), m_hints, m_progress, m_samples);
+    release(m_areas.units);
+  }
+
   Areas areas_of_points(const Plan& plan)
   {
     return internal::areas_of_points<ConcurrencyTag, Local>(
@@ -431,12 +438,7 @@ protected:
 
   Cell_sizes sample_cells(const Plan& plan) const
   {
-    if (!plan.refines || plan.keeps_spacings)
-      return {plan.self_cell_size(), m_samples.spreading_radii};
-    const double range = spreads_wider() ? plan.spreading_radius() : plan.self_neighbor_radius;
-    return !spreads_wider() && plan.are_cells_shared(range)
-             ? plan.cell_size
-             : (std::max)(range, plan.smallest_cell_size);
+    return {plan.sample_cell_size(spreads_wider()), m_samples.spreading_radii};
   }
 };
 

@@ -174,7 +174,8 @@ void refuse_too_little_memory(Plan plan, const Buffer<Local_vector>& given_norma
       plan.set_sample_spacing(std::sqrt(areas.total() / double(m)));
     }
     Facts_of_cloud facts; // it is enough to know about how many they are
-    Placed_samples placed = place_samples<ConcurrencyTag>(plan, input, areas, facts, progress);
+    Placed_samples placed = place_samples<ConcurrencyTag>(
+      plan, input, areas, facts, choose_sources(plan, input, areas, facts), progress);
     Buffer<float> scales = listed_scales(input.grid.scales(), placed.start.sources);
     expected = count_neighbors<ConcurrencyTag>(plan, input.grid.cell_size(), placed.start.positions,
                                                scales, placed.spreading_radii, progress);

@@ -193,6 +193,18 @@ struct Plan
     return refines && range <= cell_size && 3 * range >= cell_size;
   }
 
+  /// Of the grid of the samples in which neighbors are found: those that the energy couples, and
+  /// those that repel each other.
+  /// \param have_scales whether the samples have scales, so that more of them repel each other
+  double sample_cell_size(bool have_scales) const
+  {
+    if (!refines || keeps_spacings)
+      return self_cell_size();
+    const double range = have_scales ? spreading_radius() : self_neighbor_radius;
+    return !have_scales && are_cells_shared(range) ? cell_size
+                                                   : (std::max)(range, smallest_cell_size);
+  }
+
   double longest_query() const { return (std::max)(radius, filter_radius); }
   /// Of the grid of the samples in which self neighbors are found.
   double self_cell_size() const

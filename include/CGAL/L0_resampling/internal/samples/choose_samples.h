@@ -106,19 +106,31 @@ Placed_samples with_followers(const Plan& plan, const Prepared_points& input, co
   return {std::move(start), std::move(spreading_radii), std::move(followers)};
 }
 
-/// Where samples start.
+/// The points that samples start on, or near.
 /// \param areas that the points stand for, if the plan uses them
 /// \param facts the area that samples start on: given, or found here
-template <typename ConcurrencyTag>
-Placed_samples place_samples(const Plan& plan, const Prepared_points& input, const Areas& areas,
-                             Facts_of_cloud& facts, Progress& progress)
+inline Sources choose_sources(const Plan& plan, const Prepared_points& input, const Areas& areas,
+                              Facts_of_cloud& facts)
 {
   const Buffer<std::uint64_t> no_areas(input.points.get_allocator());
-  Initial_samples start = initialize_samples<ConcurrencyTag>(
-    input.grid, input.points, input.normals, plan.starts_evenly ? areas.units : no_areas,
-    plan.number_of_samples, plan.radius, plan.lone_radius, plan.random_seed, facts.units_of_starts,
-    progress);
-  return with_followers<ConcurrencyTag>(plan, input, areas, facts, std::move(start));
+  return sources_of_samples(distinct_points(input.points),
+                            plan.starts_evenly ? areas.units : no_areas, plan.number_of_samples,
+                            plan.random_seed, facts.units_of_starts);
+}
+
+/// Where samples start.
+/// Parameters are those of `with_followers()`.
+/// \param sources what `choose_sources()` has found
+template <typename ConcurrencyTag>
+Placed_samples place_samples(const Plan& plan, const Prepared_points& input, const Areas& areas,
+                             Facts_of_cloud& facts, Sources sources, Progress& progress)
+{
+  const Cloud_indices own_indices{Buffer<Index>(input.points.get_allocator())};
+  return with_followers<ConcurrencyTag>(
+    plan, input, areas, facts,
+    start_samples<ConcurrencyTag>(input.grid, input.points, input.normals, own_indices,
+                                  std::move(sources), plan.radius, plan.lone_radius,
+                                  plan.random_seed, progress));
 }
 
 /// Section 3.2: the first S, where they are placed.
@@ -182,13 +194,14 @@ Followers take_samples(const Plan& plan, const Prepared_points& input,
 /// `take_samples()`.
 template <typename ConcurrencyTag, typename FT>
 Followers choose_samples(const Plan& plan, const Prepared_points& input, const Areas& areas,
-                         Facts_of_cloud& facts, Buffer<Local_vector>& hints, Progress& progress,
-                         Samples<FT>& samples)
+                         Facts_of_cloud& facts, Sources sources, Buffer<Local_vector>& hints,
+                         Progress& progress, Samples<FT>& samples)
 {
   const Cloud_indices own_indices{Buffer<Index>(input.points.get_allocator())};
   return take_samples(plan, input, own_indices,
-                      place_samples<ConcurrencyTag>(plan, input, areas, facts, progress), facts,
-                      hints, samples);
+                      place_samples<ConcurrencyTag>(plan, input, areas, facts, std::move(sources),
+                                                    progress),
+                      facts, hints, samples);
 }
 
 } // namespace internal

@@ -228,10 +228,15 @@ inline Buffer<Index> distinct_points(const Buffer<Vector>& points)
   return distinct;
 }
 
-/// Lets samples start on their sources, or near them.
+/// Lets samples start on their sources, or near them. No two start on one point: the further ones
+/// of a point start between two points each, or around a point that is alone.
+/// \param points sorted for `grid`, so that the starts do not depend on the order of the input
+/// \param normals unoriented, one a point
 /// \param cloud_index of the points
 /// \param sources ascending, each of the two lists
-/// The other parameters and the result are those of `initialize_samples()`.
+/// \param radius how far apart the two points of a further sample may lie, at scale 1
+/// \param lone_radius of the ball around a point that is alone, at scale 1; 0 to start on it
+/// \returns samples sorted for a grid of the same cell size
 template <typename ConcurrencyTag, typename T>
 Initial_samples start_samples(const Search_grid_3& grid, const Buffer<Vector>& points,
                               const Buffer<Eigen::Matrix<T, 3, 1>>& normals,
@@ -262,34 +267,6 @@ Initial_samples start_samples(const Search_grid_3& grid, const Buffer<Vector>& p
   apply_order(order, samples.positions);
   apply_order(order, samples.sources);
   return samples;
-}
-
-/*!
-Chooses where `number_of_samples` samples start. No two start on one point: the further ones of a
-point start between two points each, or around a point that is alone.
-
-\param points sorted for `grid`, so that the choice does not depend on the order of the input
-\param normals unoriented, one a point
-\param areas what each point stands for, so that the samples spread evenly over the surface; or
-none, so that they spread as the points do
-\param radius how far apart the two points of a further sample may lie, at scale 1
-\param lone_radius of the ball around a point that is alone, at scale 1; 0 to start on it
-\param known_total as for `sources_of_samples()`
-\returns samples sorted for a grid of the same cell size
-*/
-template <typename ConcurrencyTag, typename T>
-Initial_samples initialize_samples(const Search_grid_3& grid, const Buffer<Vector>& points,
-                                   const Buffer<Eigen::Matrix<T, 3, 1>>& normals,
-                                   const Buffer<std::uint64_t>& areas,
-                                   std::size_t number_of_samples, double radius, double lone_radius,
-                                   std::uint64_t seed, std::optional<std::uint64_t>& known_total,
-                                   Progress& progress)
-{
-  Sources sources = sources_of_samples(distinct_points(points), areas, number_of_samples, seed,
-                                       known_total);
-  const Cloud_indices own_indices{Buffer<Index>(points.get_allocator())};
-  return start_samples<ConcurrencyTag>(grid, points, normals, own_indices, std::move(sources),
-                                       radius, lone_radius, seed, progress);
 }
 
 } // namespace internal

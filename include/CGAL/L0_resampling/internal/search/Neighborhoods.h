@@ -56,8 +56,9 @@ struct Range_of_pairs
 Finds, for each sample, the other samples within the range of the pair, ascending and symmetric.
 
 Where more than `maximum_number_of_self_candidates` samples share a block of cells, a sample keeps
-those whose index equals its own modulo a power of two, the larger one of the two samples', which
-keeps the lists symmetric and bounds their length.
+those whose rank in their cell equals its own rank modulo a power of two, the larger one of the two
+samples'. This keeps the lists symmetric, bounds their length, and does not depend on the rest of
+the cloud.
 */
 class Self_neighbor_search
 {
@@ -68,7 +69,18 @@ class Self_neighbor_search
   const Buffer<Vector>& m_samples;
   const Range_of_pairs m_range_of;
   Progress& m_progress;
-  Buffer<Index> m_strides;
+
+  /// Of a sample.
+  struct Place
+  {
+    Index rank : 27; // in its cell, modulo a larger power of two than any stride
+    Index shift : 5; // the stride is 2 to this power
+
+    Index stride() const { return Index(1) << shift; }
+    /// Whether this sample may be a neighbor of one with this rank.
+    bool is_chosen(Index other_rank) const { return ((rank - other_rank) & (stride() - 1)) == 0; }
+  };
+  Buffer<Place> m_places;
 
 public:
   /// \param samples sorted for `grid`, whose cells are no smaller than the range of their samples
@@ -76,15 +88,16 @@ public:
   Self_neighbor_search(ConcurrencyTag, const Search_grid_3& grid, const Buffer<Vector>& samples,
                        const Range_of_pairs& range_of, Progress& progress)
     : m_grid(grid), m_samples(samples), m_range_of(range_of), m_progress(progress),
-      m_strides(filled_buffer(samples.size(), Index(1), samples.get_allocator()))
+      m_places(filled_buffer(samples.size(), Place{0, 0}, samples.get_allocator()))
   {
     for_each_cell_block<ConcurrencyTag>(grid, grid, 1, progress, [&]() {
       return [&](Index cell, const Ranges&, std::size_t count) {
-        Index stride = 1;
-        while (count / stride > maximum_number_of_self_candidates)
-          stride *= 2;
+        Place place = {0, 0};
+        while (count / place.stride() > maximum_number_of_self_candidates)
+          ++place.shift;
         const Search_grid_3::Range queries = grid.points_of_cell(cell);
-        std::fill(m_strides.begin() + queries.first, m_strides.begin() + queries.second, stride);
+        for (Index i = queries.first; i < queries.second; ++i, ++place.rank)
+          m_places[i] = place;
       };
     });
   }
@@ -102,18 +115,26 @@ public:
       for (Index i = queries.first; i < queries.second; ++i)
       {
         const Vector center = m_samples[i];
-        const Index stride = m_strides[i];
+        const Place place = m_places[i];
+        const Index stride = place.stride();
         std::size_t count = 0;
         // Which candidates are near is beyond any branch prediction: each is written, and
         // overwritten by the next unless it is.
-        for (const Search_grid_3::Range& range : around)
-          for (Index k = range.first + ((i - range.first) & (stride - 1)); k < range.second;
-               k += stride)
+        const auto look_at = [&](Index first, Index end) {
+          for (Index k = first; k < end; k += stride)
           {
             found[count] = k;
             count += std::size_t((center - m_samples[k]).squaredNorm() < m_range_of.squared(i, k))
-                     & std::size_t(k != i) & std::size_t(((k - i) & (m_strides[k] - 1)) == 0);
+                     & std::size_t(k != i) & std::size_t(m_places[k].is_chosen(place.rank));
           }
+        };
+        for (const Search_grid_3::Range& range : around)
+          if (stride == 1)
+            look_at(range.first, range.second);
+          else
+            m_grid.for_each_cell_of_range(range, [&](const Search_grid_3::Range& cell_range) {
+              look_at(cell_range.first + (place.rank & (stride - 1)), cell_range.second);
+            });
         f(i, found.data(), count);
         if ((i - queries.first + 1) % queries_per_look == 0)
           m_progress.advance(queries_per_look);

@@ -152,6 +152,15 @@ public:
   /// The points of a cell.
   Range points_of_cell(std::size_t c) const { return {m_begins[c], m_begins[c + 1]}; }
 
+  /// Calls `f(points)` for the points of each cell of a run of whole cells.
+  template <typename F>
+  void for_each_cell_of_range(const Range& points, const F& f) const
+  {
+    auto begin = std::lower_bound(m_begins.begin(), m_begins.end(), points.first);
+    for (; *begin < points.second; ++begin)
+      f(Range(*begin, *(begin + 1)));
+  }
+
   /// The point of space that stands for a cell: local coordinates are taken from here.
   Vector cell_center(std::size_t c) const
   {

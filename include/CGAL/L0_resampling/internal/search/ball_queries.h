@@ -36,8 +36,10 @@ A ball holds few points of a cloud that is everywhere; relative coordinates of t
 it as well as `double` does, and twice as many fit in a register. The arrays are padded to full
 lanes with points so far away that no ball holds them.
 
-A block of more than `maximum_number_of_candidates` points is thinned to every s-th point, s a power
-of two: this bounds the neighbors of a point, and the time, where a million points share a cell.
+A block of more than `maximum_number_of_candidates` points is thinned to every s-th of them, s a
+power of two: this bounds the neighbors of a point, and the time, where a million points share a
+cell. The points of the block are counted in its own order, from its first one on, so that the
+choice does not depend on the rest of the cloud.
 */
 template <typename T>
 class Local_points
@@ -55,16 +57,20 @@ public:
     while (count / stride > maximum_number_of_candidates)
       stride *= 2;
 
-    const std::size_t lanes = Lanes<T>::size, maximum_size = count / stride + ranges.size() + lanes;
+    const std::size_t lanes = Lanes<T>::size, maximum_size = count / stride + 1 + lanes;
     indices.resize(maximum_size);
     m_runs_of_indices.clear();
     std::size_t size = 0;
+    Index number_before = 0; // of the points of the block in the ranges before
     for (const Search_grid_3::Range& range : ranges)
     {
-      const Index first = (range.first + stride - 1) & ~(stride - 1); // stride is a power of two
-      if (first >= range.second)
+      // the stride is a power of two
+      const Index number = range.second - range.first, skipped = (0 - number_before) & (stride - 1);
+      number_before += number;
+      if (skipped >= number)
         continue;
-      const std::size_t run = (range.second - first - 1) / stride + 1;
+      const Index first = range.first + skipped;
+      const std::size_t run = (number - skipped - 1) / stride + 1;
       m_runs_of_indices.push_back({first, size, size + run});
       for (std::size_t k = 0; k < run; ++k)
         indices[size + k] = first + Index(k) * stride;

@@ -9,7 +9,7 @@
 #include <CGAL/L0_resampling/internal/tiles/Point_finder.h>
 
 #include <cstddef>
-#include <cstdint>
+#include <utility>
 
 namespace CGAL {
 namespace L0_resampling {
@@ -22,7 +22,6 @@ class Fact_finder : public Point_finder<ConcurrencyTag, FT>
   using Base = Point_finder<ConcurrencyTag, FT>;
   using Base::found_of;
   using Base::m_areas;
-  using Base::m_facts;
   using Base::m_input;
 
 public:
@@ -33,18 +32,14 @@ public:
 
   void choose_samples(const Plan& plan)
   {
-    {
-      const Buffer<std::uint64_t> no_areas(m_input.points.get_allocator());
-      this->count_samples(sources_of_samples(
-        distinct_points(m_input.points), plan.starts_evenly ? m_areas.units : no_areas,
-        plan.number_of_samples, plan.random_seed, m_facts.units_of_starts));
-    }
+    Sources sources = Base::choose_sources(plan);
+    this->count_samples(sources);
     for_each_in_order(m_input.points.size(), [&](std::size_t i) {
       Point_in_cloud& point = found_of(Index(i));
       point.units = m_areas.units[i];
       point.index = Index(i);
     });
-    Base::choose_samples(plan);
+    Base::start_samples(plan, std::move(sources));
   }
 };
 

@@ -1,0 +1,115 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef L0_RESAMPLE_TILES_OF_RUN_H
+#define L0_RESAMPLE_TILES_OF_RUN_H
+
+#include "basis/signals.h"
+#include "command_line/options.h"
+#include "tasks/resample.h"
+#include "tiles/Shard.h"
+#include "tiles/Tile_tasks.h"
+#include "tiles/processor_of_tiles.h"
+#include "tiles/tile_files.h"
+
+#include <CGAL/l0_resample_tiles.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace l0_tool {
+
+/// The tiles of a run as far as earlier tasks have found out about them.
+/// \tparam ConcurrencyTag that of what resamples a tile here
+template <typename ConcurrencyTag>
+class Tiles_of_run
+{
+  const Tile_tasks& m_tasks;
+
+public:
+  using On_progress = Tile_tasks::On_progress;
+  using Tiled_resampling = CGAL::L0_resampling::Tiled_resampling<ConcurrencyTag>;
+
+  Tiled_resampling resampling;
+
+  Tiles_of_run(const Tile_tasks& tasks, const On_progress& on_progress)
+    : m_tasks(tasks), resampling(tiled_resampling(tasks, on_progress))
+  {}
+
+  Shards shards() const
+  {
+    std::vector<std::string> paths;
+    for (std::size_t k = 0; k < m_tasks.number_of_inputs(); ++k)
+      paths.push_back(m_tasks.file_of("shard", k));
+    return Shards(paths, m_tasks.key(), resampling.lattice());
+  }
+
+  void cut()
+  {
+    const Facts_of_run facts = read_facts(m_tasks.file_of("scales", 0), m_tasks.key());
+    resampling.set_facts(facts.of_cloud);
+    make(facts.memory_of_tile);
+  }
+
+  /// \param memory of a tile, in bytes
+  void make(std::uint64_t memory)
+  {
+    resampling.make_tiles(memory, resampling.halo_in_radii, bytes_of_call(m_tasks.options()));
+  }
+
+  /// What is known of the samples of all tiles.
+  void take_sums()
+  {
+    if (!resampling.has_all_facts())
+      resampling.set_sums(read_sums(m_tasks.file_of("samples", 0), m_tasks.key()));
+  }
+
+  /// What a tile has to know of them.
+  void take_starts(std::size_t tile)
+  {
+    if (resampling.has_all_facts())
+      resampling.set_points(tile, read_points_in_cloud(m_tasks.file_of("points", 0), m_tasks.key(),
+                                                       resampling.ranges_of_tile(tile)));
+    else
+      resampling.set_starts(tile, read_starts(m_tasks.file_of("samples", 0), m_tasks.key(), tile));
+  }
+
+private:
+  static Tiled_resampling tiled_resampling(const Tile_tasks& tasks, const On_progress& on_progress)
+  {
+    namespace parameters = CGAL::parameters;
+    const Options& options = tasks.options();
+    CGAL::L0_resampling::Tile_counts counts =
+      read_counts(tasks.file_of("blocks", 0), tasks.key()).counts;
+    const std::size_t number_of_samples =
+      number_of_output_points(options, std::size_t(counts.number_of_points()));
+    return Tiled_resampling(std::move(counts),
+                            parameters::resampling_method(options.method)
+                              .normal_weight(normal_weight_of(options))
+                              .number_of_output_points(number_of_samples)
+                              .neighbor_radius(options.neighbor_radius)
+                              .sharpness_angle(options.sharpness_angle)
+                              .random_seed(options.seed)
+                              .drop_outliers(options.keep_outliers ? std::optional<bool>(false)
+                                                                   : std::nullopt)
+                              .outlier_sensitivity(options.outlier_sensitivity)
+                              .keep_density(options.keep_density)
+                              .viewpoint(options.viewpoint)
+                              .up_direction(options.up_direction)
+                              .callback(std::function<bool(double)>([on_progress](double share) {
+                                on_progress(share);
+                                return !is_interrupted();
+                              })));
+  }
+};
+
+} // namespace l0_tool
+
+#endif // L0_RESAMPLE_TILES_OF_RUN_H
