@@ -90,7 +90,8 @@ void write_oriented_normals(PointRange& range, NormalMap normal_map,
     };
     const Normal normal = get(normal_map, key);
     const Vector n = as_vector(normal);
-    if (!n.allFinite() || n.isZero(0))
+    const bool is_given = n.allFinite() && !n.isZero(0);
+    if (!is_given && !representatives.normals.empty())
     {
       const Vector estimated = vector_of(representatives.normals).normalized();
       put(normal_map, key, Normal(FT(estimated[0]), FT(estimated[1]), FT(estimated[2])));
