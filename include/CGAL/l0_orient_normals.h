@@ -76,32 +76,29 @@ inline bool has_to_turn(const Vector& normal, const Vector& oriented)
 
 /// Turns the normals that are not on the side of those around what stands for their points, and
 /// writes those that were estimated.
-template <typename PointRange, typename NormalMap>
+template <typename ConcurrencyTag, typename PointRange, typename NormalMap>
 void write_oriented_normals(PointRange& range, NormalMap normal_map,
-                            const Oriented_representatives& representatives,
-                            const Buffer<unsigned char>& is_kept)
+                            const Oriented_representatives& representatives, const Input& input)
 {
   using Normal = typename Value_of_map<NormalMap>::type;
   using FT = std::decay_t<decltype(std::declval<const Normal&>().x())>;
-  std::size_t index = 0, place = 0;
-  for (auto it = range.begin(); it != range.end(); ++it)
-  {
-    if (!is_kept[index++])
-      continue;
-    const Index representative = representatives.of_points[place++];
+  const Watched_loops not_watched(nullptr); // cancelled no more: that would leave some unwritten
+  for_each_kept_point<ConcurrencyTag>(range, input, [&](auto&& key, std::size_t place) {
+    const Index representative = representatives.of_points[place];
     const auto vector_of = [&](const Buffer<Local_vector>& vectors) -> Vector {
       return vectors[representative].template cast<double>();
     };
-    const Normal normal = get(normal_map, *it);
+    const Normal normal = get(normal_map, key);
     const Vector n = as_vector(normal);
-    if (!n.allFinite() || n.isZero(0))
+    const bool is_given = n.allFinite() && !n.isZero(0);
+    if (!is_given && !representatives.normals.empty())
     {
       const Vector estimated = vector_of(representatives.normals).normalized();
-      put(normal_map, *it, Normal(FT(estimated[0]), FT(estimated[1]), FT(estimated[2])));
+      put(normal_map, key, Normal(FT(estimated[0]), FT(estimated[1]), FT(estimated[2])));
     }
     else if (has_to_turn(n, vector_of(representatives.mean_normals)))
-      put(normal_map, *it, Normal(-normal.x(), -normal.y(), -normal.z()));
-  }
+      put(normal_map, key, Normal(-normal.x(), -normal.y(), -normal.z()));
+  });
 }
 
 /// The whole function, once the property maps are known.
@@ -115,6 +112,7 @@ void orient_range(PointRange& range, PointMap point_map, const std::optional<Nor
   Report unwanted_report;
   Report& report = report_of_call(np, unwanted_report);
   constexpr bool is_on_device = std::is_same<ConcurrencyTag, CUDA_tag>::value;
+  using Host_tag = std::conditional_t<is_on_device, Parallel_if_available_tag, ConcurrencyTag>;
   report.device = is_on_device ? "cuda" : "cpu";
   report.device_reason = is_on_device ? "asked for" : "compiled for the CPU";
 
@@ -136,14 +134,14 @@ void orient_range(PointRange& range, PointMap point_map, const std::optional<Nor
                                            Buffer<Local_vector>(&memory)};
   try
   {
-    read_points(range, point_map, drop_non_finite, report, input, orienting_function);
+    read_points<Host_tag>(range, point_map, drop_non_finite, report, input, orienting_function);
     parameters.number_of_output_points = input.points.size();
     if (input.points.empty())
       return;
     if (least_memory_to_orient(input.points.size()) > parameters.maximum_memory)
       throw std::bad_alloc();
-    read_normals_if_given(range, normal_map, input);
-    read_hints_if_given(range, point_map, np, input);
+    read_normals_if_given<Host_tag>(range, normal_map, input);
+    read_hints_if_given<Host_tag>(range, point_map, np, input);
     representatives = orient_input<ConcurrencyTag>(input, parameters, callback, progress, report);
   }
   catch (const Interrupted&)
@@ -153,7 +151,7 @@ void orient_range(PointRange& range, PointMap point_map, const std::optional<Nor
   }
   if (report.outcome == Outcome::CANCELLED)
     return;
-  write_oriented_normals(range, map_to_write(), representatives, input.is_kept);
+  write_oriented_normals<Host_tag>(range, map_to_write(), representatives, input);
   report.number_of_output_points = representatives.of_points.size();
 }
 
@@ -211,7 +209,10 @@ is larger than the spacing, a point in every such deviation represents those aro
 \tparam ConcurrencyTag says where and how the stages run: `Sequential_tag`, `Parallel_tag` or
 `Parallel_if_available_tag`; or `CUDA_tag`, in programs that link with `CGAL::L0_CUDA_support`. On
 the device `maximum_memory` is of the device, and `Device_error` is thrown where none can be used.
-\tparam PointRange is a model of `Range` with forward iterators.
+\tparam PointRange is a model of `Range` with forward iterators. Unless the tag is
+`Sequential_tag`, all threads read the points and write the normals if the iterators have random
+access: property maps have to allow `get()` on several threads at the same time, and `put()` for
+different elements, as with `CGAL::pca_estimate_normals()`.
 
 \param points any number of points, from none; only their normals are written
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
@@ -326,8 +327,8 @@ before any work
 \throws CGAL::L0_resampling::Device_error with `CUDA_tag`, if there is no usable device, or it fails
 
 Arguments whose types do not fit are refused at compile time, with a sentence that says what is
-wrong. What the property maps and the callback throw passes through. No normal is written unless
-everything else succeeded.
+wrong. What the property maps and the callback throw passes through, from whichever thread. No
+normal is written unless everything else succeeded; if `put()` throws, some are.
 */
 template <typename ConcurrencyTag, typename PointRange,
           typename NamedParameters = parameters::Default_named_parameters>

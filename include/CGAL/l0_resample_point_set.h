@@ -91,7 +91,9 @@ given normals, on the number of threads or on the run; it scales and moves with 
 `Parallel_if_available_tag`; or `CUDA_tag`, in programs that link with `CGAL::L0_CUDA_support`. On
 the device the solver is fixed, `maximum_memory` is of the device, and `Device_error` is thrown
 where none can be used.
-\tparam PointRange is a model of `ConstRange` with forward iterators.
+\tparam PointRange is a model of `ConstRange` with forward iterators. Unless the tag is
+`Sequential_tag`, all threads read it if the iterators have random access: property maps have to
+allow `get()` on several threads at the same time.
 \tparam OutputIterator accepts `std::pair<Point_3, Vector_3>`, or else `Point_3`. A
 `boost::function_output_iterator` accepts what its function does.
 

@@ -130,7 +130,8 @@ public:
   CUDA_resampler() : m_session(internal::new_device_session()) {}
 
   /// Brings points to the device, in place of those it holds.
-  /// \param points as for `l0_resample_point_set()`
+  /// \param points as for `l0_resample_point_set()`, read by all threads of the host if its
+  /// iterators have random access
   /// \param np `point_map`, `normal_map`, `orientation_hint_map`, `viewpoint_map` and
   /// `drop_non_finite` of `l0_resample_point_set()`; `maximum_memory` is of the device; others are
   /// checked
@@ -406,9 +407,9 @@ public:
     const Parameters checked =
       checked_parameters(np, std::size_t(std::distance(points.begin(), points.end())));
     Input input;
-    read_points(points, point_map, drop_non_finite, report, input);
-    read_normals_if_given(points, normal_map, input);
-    read_hints_if_given(points, point_map, np, input);
+    read_points<Parallel_if_available_tag>(points, point_map, drop_non_finite, report, input);
+    read_normals_if_given<Parallel_if_available_tag>(points, normal_map, input);
+    read_hints_if_given<Parallel_if_available_tag>(points, point_map, np, input);
     m_has_viewpoints = checked.hints_are_viewpoints;
     m_has_hints = !input.hints.empty() && !m_has_viewpoints;
     m_number_of_dropped_points = report.number_of_dropped_points;

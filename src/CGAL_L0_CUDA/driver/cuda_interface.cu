@@ -161,8 +161,9 @@ Answer download_representatives(Session& session, std::uint32_t* of_points, floa
                                        cudaMemcpyDeviceToHost, session.stream));
     for (const auto& [to, vectors] :
          {std::pair(normals, from.normals), std::pair(mean_normals, from.mean_normals)})
-      CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(to, vectors, 3 * sizeof(float) * from.size,
-                                         cudaMemcpyDeviceToHost, session.stream));
+      if (to)
+        CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(to, vectors, 3 * sizeof(float) * from.size,
+                                           cudaMemcpyDeviceToHost, session.stream));
     CGAL_L0_CUDA_CHECK(cudaStreamSynchronize(session.stream));
   });
 }

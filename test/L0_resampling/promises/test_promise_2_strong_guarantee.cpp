@@ -128,9 +128,11 @@ void test_input_is_unchanged()
 template <typename ConcurrencyTag>
 void test_property_maps_that_throw()
 {
-  const std::vector<Pair> pairs = oriented_cube(300);
-  for (int accesses : {0, 1, 299})
+  const int few = 300, many = 200000; // which several threads read
+  for (const auto& [size, accesses] :
+       {std::pair(few, 0), {few, 1}, {few, few - 1}, {many, many / 2}, {many, many - 1}})
   {
+    const std::vector<Pair> pairs = oriented_cube(std::size_t(size));
     std::atomic<int> left{accesses};
     check_passes_through([&](auto out) {
       CGAL::l0_resample_point_set<ConcurrencyTag>(

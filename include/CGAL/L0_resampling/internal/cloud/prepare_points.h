@@ -148,11 +148,17 @@ std::size_t sort_points(double cell_size, Prepared_points& input,
 }
 
 /// Whether there is a normal for each point.
-inline bool are_all_given(const Buffer<Local_vector>& given_normals)
+template <typename ConcurrencyTag>
+bool are_all_given(const Buffer<Local_vector>& given_normals)
 {
-  return !given_normals.empty()
-         && std::none_of(given_normals.begin(), given_normals.end(),
+  const std::size_t block_size = 65536;
+  const auto number_of_zeros = [&](std::size_t begin, std::size_t end) {
+    return std::count_if(given_normals.begin() + std::ptrdiff_t(begin),
+                         given_normals.begin() + std::ptrdiff_t(end),
                          [](const Local_vector& n) { return n.isZero(0); });
+  };
+  return !given_normals.empty()
+         && block_sum<ConcurrencyTag>(given_normals.size(), block_size, number_of_zeros) == 0;
 }
 
 /// Sorts the points, and what belongs to them, into the order of their grid, and leaves out those

@@ -27,7 +27,7 @@ Answer orient(Session& session, const Parameters& parameters, Progress_callback 
 
 /// Brings the result of `orient()` to the host.
 /// \param of_points out: for each point of the session, the place of what stands for it
-/// \param normals out: of what stands for others, of unit length, xyz interleaved
+/// \param normals out: of what stands for others, of unit length, xyz interleaved; may be null
 /// \param mean_normals out: of those around, which tell the sides, likewise
 Answer download_representatives(Session& session, std::uint32_t* of_points, float* normals,
                                 float* mean_normals);

@@ -152,7 +152,7 @@ public:
       m_input);
   }
 
-  bool are_all_normals_given() const { return are_all_given(m_given_normals); }
+  bool are_all_normals_given() const { return are_all_given<ConcurrencyTag>(m_given_normals); }
 
   void estimate_pca_normals(const Plan& plan)
   {

@@ -12,6 +12,8 @@
 #include <CGAL/L0_resampling/internal/device/cuda_orientation.h>
 #include <CGAL/L0_resampling/internal/driver/orient_point_set.h>
 
+#include <CGAL/tags.h>
+
 #include <cstddef>
 #include <functional>
 #include <utility>
@@ -19,6 +21,21 @@
 namespace CGAL {
 namespace L0_resampling {
 namespace internal {
+
+/// Makes it an array of `n` values that the device writes. All threads touch its memory first, as
+/// the copy would do so on one thread.
+template <typename T>
+void resize_to_download(std::size_t n, Buffer<T>& values)
+{
+  const std::size_t block_size = 65536, page_size = 4096; // bytes; at the least
+  values.resize(n);
+  char* const bytes = reinterpret_cast<char*>(values.data());
+  for_each_block<Parallel_if_available_tag>(n * sizeof(T), block_size,
+                                            [&](std::size_t begin, std::size_t end) {
+                                              for (std::size_t i = begin; i < end; i += page_size)
+                                                bytes[i] = 0;
+                                            });
+}
 
 /// Finds the sides of the normals of a point set on a CUDA device, as `orient_point_set()` does on
 /// the CPU; unlike there, nothing is used up.
@@ -54,9 +71,10 @@ inline Oriented_representatives orient_on_device(const Buffer<Vector>& positions
     report.outcome = Outcome::CANCELLED;
     return result;
   }
-  result.of_points.resize(n);
-  result.normals.resize(number_of_representatives);
-  result.mean_normals.resize(number_of_representatives);
+  resize_to_download(n, result.of_points);
+  if (!are_all_given<Parallel_if_available_tag>(given_normals))
+    resize_to_download(number_of_representatives, result.normals);
+  resize_to_download(number_of_representatives, result.mean_normals);
   throw_if_failed(cuda::download_representatives(*session, result.of_points.data(),
                                                  coordinates(result.normals),
                                                  coordinates(result.mean_normals)));

@@ -35,7 +35,7 @@ inline std::size_t least_memory_to_orient(std::size_t n)
 struct Oriented_representatives
 {
   Buffer<Index> of_points; ///< for each point of the input, the place of the one that stands for it
-  Buffer<Local_vector> normals;      ///< oriented, of unit length
+  Buffer<Local_vector> normals;      ///< oriented, of unit length; may be none if all are given
   Buffer<Local_vector> mean_normals; ///< of those around, which tell the sides; of any length
 };
 
@@ -118,7 +118,7 @@ template <typename ConcurrencyTag>
 void estimate_missing_normals(const Plan& plan, Progress& progress, Report& report,
                               Thinned_points& points)
 {
-  if (are_all_given(points.normals))
+  if (are_all_given<ConcurrencyTag>(points.normals))
     return;
   const std::size_t n = points.positions.size();
   progress.begin_stage("PCA normals", 0.3, n);
@@ -174,8 +174,8 @@ Oriented_representatives orient_point_set(Buffer<Vector>& positions,
                                           Progress& progress, Report& report)
 {
   const auto allocator = positions.get_allocator();
-  Points_to_orient<ConcurrencyTag> all_points(positions, are_all_given(given_normals), progress,
-                                              report);
+  Points_to_orient<ConcurrencyTag> all_points(
+    positions, are_all_given<ConcurrencyTag>(given_normals), progress, report);
   const Plan plan = plan_call(parameters, all_points);
   Thinned_points points{Buffer<Index>(allocator), std::move(positions),
                         std::move(all_points.scales()), std::move(given_normals), std::move(hints)};

@@ -12,15 +12,19 @@
 #include <CGAL/L0_resampling/internal/search/nearest_input_points.h>
 
 #include <CGAL/property_map.h>
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <iterator>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 
@@ -63,6 +67,43 @@ auto normal_map_of(const NamedParameters& np)
 
 constexpr std::size_t points_per_look = 65536; // at the loop: a few milliseconds
 
+inline std::size_t number_of_blocks(std::size_t n)
+{
+  return n / points_per_look + std::size_t(n % points_per_look != 0);
+}
+
+template <typename Iterator>
+constexpr bool has_random_access =
+  std::is_convertible<typename std::iterator_traits<Iterator>::iterator_category,
+                      std::random_access_iterator_tag>::value;
+
+/// Calls `f(it, begin, end)` for the blocks of `points_per_look` places of a range from `first` to
+/// `last`, with the iterator at `begin`, which `f` increments to `end`. With `Parallel_tag` the
+/// calls run at the same time if the iterators have random access, else one after the other.
+/// \param it at `first`, where a block begins; out: at `last`
+template <typename ConcurrencyTag, typename Iterator, typename F>
+void for_each_block_of_range(Iterator& it, std::size_t first, std::size_t last, const F& f)
+{
+  constexpr bool is_parallel = std::is_convertible<ConcurrencyTag, Parallel_tag>::value;
+  if constexpr (is_parallel && has_random_access<Iterator>)
+  {
+    using Difference = typename std::iterator_traits<Iterator>::difference_type;
+    const auto call = [&](std::size_t begin, std::size_t end) {
+      Iterator at_begin = it + Difference(begin);
+      f(at_begin, first + begin, first + end);
+    };
+    for_each_block<ConcurrencyTag>(last - first, points_per_look, call);
+    it += Difference(last - first);
+  }
+  else
+  {
+    const auto call = [&](std::size_t begin, std::size_t end) {
+      f(it, first + begin, first + end);
+    };
+    for_each_block<Sequential_tag>(last - first, points_per_look, call);
+  }
+}
+
 /// Anything with three coordinates.
 template <typename Coordinates>
 Vector as_vector(const Coordinates& p)
@@ -73,15 +114,26 @@ Vector as_vector(const Coordinates& p)
 /// The caller's points in double precision, and their bounding box.
 struct Input
 {
+  std::size_t size_of_range = 0;
   Buffer<Vector> points;
   Buffer<Local_vector> normals; // empty, or unit vectors, zero where the caller's is of no use
   Buffer<Local_vector> hints; // likewise, of the side that normals shall point to, or to viewpoints
-  Buffer<unsigned char> is_kept; // one for each point of the range
+  Buffer<unsigned char> is_kept; // one for each point of the range; none if all are kept
+  std::vector<std::size_t> places_of_blocks; // of the range, among `points`; none if all are kept
   Vector low = Vector::Zero(), high = Vector::Zero();
 
   explicit Input(Memory_counter* memory = nullptr)
     : points(memory), normals(memory), hints(memory), is_kept(memory)
   {}
+
+  bool keeps(std::size_t index) const { return is_kept.empty() || is_kept[index]; }
+
+  /// The place among `points` of the first point that is kept of a block, or of those behind it.
+  /// \param begin of the block, or the size of the range
+  std::size_t place_of_block(std::size_t begin) const
+  {
+    return places_of_blocks.empty() ? begin : places_of_blocks[number_of_blocks(begin)];
+  }
 };
 
 /// \throws std::invalid_argument for a point of the caller that is not finite
@@ -94,110 +146,177 @@ struct Input
                               + "); drop_non_finite(true) leaves such points out");
 }
 
+/// Finds the points of the range that are finite, which are those that are kept.
+template <typename ConcurrencyTag, typename PointRange, typename PointMap>
+void find_finite_points(const PointRange& range, PointMap point_map, Input& input)
+{
+  input.is_kept.resize(input.size_of_range);
+  input.places_of_blocks.assign(number_of_blocks(input.size_of_range) + 1, 0);
+  const auto find_in_block = [&](auto& it, std::size_t begin, std::size_t end) {
+    std::size_t number = 0;
+    for (std::size_t i = begin; i < end; ++i, ++it)
+    {
+      const bool is_finite = as_vector(get(point_map, *it)).allFinite();
+      input.is_kept[i] = is_finite;
+      number += is_finite;
+    }
+    input.places_of_blocks[number_of_blocks(end)] = number;
+  };
+  auto it = range.begin();
+  for_each_block_of_range<ConcurrencyTag>(it, 0, input.size_of_range, find_in_block);
+  std::partial_sum(input.places_of_blocks.begin(), input.places_of_blocks.end(),
+                   input.places_of_blocks.begin());
+}
+
+/// What is found in one block of a range.
+struct Block_of_points
+{
+  Vector low = Vector::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  std::size_t first_non_finite = (std::numeric_limits<std::size_t>::max)(); ///< of the points
+};
+
 /// Reads the points of the range, without the non-finite ones if they are to be dropped.
 /// \throws std::invalid_argument for the first non-finite point if they are not
-template <typename PointRange, typename PointMap>
+template <typename ConcurrencyTag, typename PointRange, typename PointMap>
 void read_points(const PointRange& range, PointMap point_map, bool drop_non_finite, Report& report,
                  Input& input, const char* function = resampling_function)
 {
-  const std::size_t many_points =
-    1000000; // a buffer of more that grows is copied for longer than the callback can wait
-  std::size_t index = 0;
-  for (auto it = range.begin(); it != range.end(); ++it, ++index)
+  const std::size_t size = std::size_t(std::distance(range.begin(), range.end()));
+  input.size_of_range = size;
+  if (drop_non_finite)
+    find_finite_points<ConcurrencyTag>(range, point_map, input);
+
+  std::vector<Block_of_points> blocks(number_of_blocks(size));
+  const auto read_block = [&](auto& it, std::size_t begin, std::size_t end) {
+    Block_of_points block;
+    std::size_t place = input.place_of_block(begin);
+    for (std::size_t i = begin; i < end; ++i, ++it)
+    {
+      if (!input.keeps(i))
+        continue;
+      const Vector point = as_vector(get(point_map, *it));
+      if (!point.allFinite())
+        block.first_non_finite = (std::min)(block.first_non_finite, place);
+      block.low = block.low.cwiseMin(point);
+      block.high = block.high.cwiseMax(point);
+      input.points[place++] = point;
+    }
+    blocks[begin / points_per_look] = block;
+  };
+  // The first block alone: a map that throws does so before there is memory for all points.
+  auto it = range.begin();
+  std::size_t begin = 0;
+  for (const std::size_t end : {(std::min)(size, points_per_look), size})
   {
-    if (index % points_per_look == 0)
-      poll_for_cancellation();
-    if (index == many_points
-        && !drop_non_finite) // among points to be dropped there may be few others
-    {
-      const std::size_t size = std::size_t(std::distance(range.begin(), range.end()));
-      input.is_kept.reserve(size);
-      input.points.reserve(size);
-    }
-    const Vector point = as_vector(get(point_map, *it));
-    const bool is_finite = point.allFinite();
-    if (!is_finite && !drop_non_finite)
-      refuse_non_finite_point(index, point, function);
-    input.is_kept.push_back(is_finite);
-    if (!is_finite)
-    {
-      ++report.number_of_dropped_points;
-      continue;
-    }
-    input.low = input.points.empty() ? point : Vector(input.low.cwiseMin(point));
-    input.high = input.points.empty() ? point : Vector(input.high.cwiseMax(point));
-    input.points.push_back(point);
+    input.points.reserve(input.place_of_block(end));
+    input.points.resize(input.place_of_block(end));
+    for_each_block_of_range<ConcurrencyTag>(it, begin, end, read_block);
+    begin = end;
+  }
+
+  Block_of_points all;
+  for (const Block_of_points& block : blocks)
+  {
+    all.low = all.low.cwiseMin(block.low);
+    all.high = all.high.cwiseMax(block.high);
+    all.first_non_finite = (std::min)(all.first_non_finite, block.first_non_finite);
+  }
+  if (all.first_non_finite < input.points.size())
+    refuse_non_finite_point(all.first_non_finite, input.points[all.first_non_finite], function);
+  if (!input.points.empty())
+  {
+    input.low = all.low;
+    input.high = all.high;
   }
   report.number_of_input_points = input.points.size();
+  report.number_of_dropped_points = size - input.points.size();
 }
 
-/// Reads the vectors of the points that are kept: to unit length, or zero where they are zero or
-/// not finite.
+/// Calls `f(element, place)` for each point that is kept, with its element of the range and its
+/// place among the points, by the threads of `for_each_block_of_range()`.
+template <typename ConcurrencyTag, typename Range, typename F>
+void for_each_kept_point(Range& range, const Input& input, const F& f)
+{
+  const auto call_for_block = [&](auto& it, std::size_t begin, std::size_t end) {
+    std::size_t place = input.place_of_block(begin);
+    for (std::size_t i = begin; i < end; ++i, ++it)
+      if (input.keeps(i))
+        f(*it, place++);
+  };
+  auto it = range.begin();
+  for_each_block_of_range<ConcurrencyTag>(it, 0, input.size_of_range, call_for_block);
+}
+
+/// To unit length, or zero if it is zero or not finite.
+inline Local_vector direction_of(const Vector& n)
+{
+  const double largest = n.cwiseAbs().maxCoeff();
+  Local_vector direction = Local_vector::Zero();
+  if (n.allFinite() && largest > 0)
+    direction = (n / largest).normalized().template cast<Local>();
+  return direction;
+}
+
+/// One of the two signs, so that neither the sign nor, among coincident points, the order of the
+/// input matters.
+inline Local_vector without_sign(const Local_vector& normal)
+{
+  // No branches: they would be mispredicted half of the time, behind a division and a root.
+  const Local x = normal[0], y = normal[1], z = normal[2];
+  const bool is_negative = (x < 0) | ((x == 0) & ((y < 0) | ((y == 0) & (z < 0))));
+  return Local(1 - 2 * int(is_negative)) * normal;
+}
+
+/// Reads a vector for each point that is kept.
 /// \param vector_of called with an element of the range
-template <typename PointRange, typename VectorOf>
-void read_directions(const PointRange& range, const VectorOf& vector_of, const Input& input,
-                     Buffer<Local_vector>& directions)
+template <typename ConcurrencyTag, typename PointRange, typename VectorOf>
+void read_vectors(const PointRange& range, const VectorOf& vector_of, const Input& input,
+                  Buffer<Local_vector>& vectors)
 {
-  std::size_t index = 0;
-  directions.reserve(input.points.size());
-  for (auto it = range.begin(); it != range.end(); ++it)
-  {
-    if (index % points_per_look == 0)
-      poll_for_cancellation();
-    if (!input.is_kept[index++])
-      continue;
-    const Vector n = vector_of(*it);
-    const double largest = n.cwiseAbs().maxCoeff();
-    Local_vector direction = Local_vector::Zero();
-    if (n.allFinite() && largest > 0)
-      direction = (n / largest).normalized().template cast<Local>();
-    directions.push_back(direction);
-  }
-}
-
-template <typename PointRange, typename NormalMap>
-void read_normals(const PointRange& range, NormalMap normal_map, Input& input)
-{
-  read_directions(
-    range, [&](const auto& key) { return as_vector(get(normal_map, key)); }, input, input.normals);
-  // one of the two signs, so that neither the sign nor, among coincident points, the order of the
-  // input matters
-  const Local_vector zero = Local_vector::Zero();
-  for_each_in_order(input.normals.size(), [&](std::size_t i) {
-    Local_vector& normal = input.normals[i];
-    if (std::lexicographical_compare(normal.data(), normal.data() + 3, zero.data(),
-                                     zero.data() + 3))
-      normal = -normal;
+  vectors.resize(input.points.size());
+  for_each_kept_point<ConcurrencyTag>(range, input, [&](const auto& key, std::size_t place) {
+    vectors[place] = vector_of(key);
   });
 }
 
+template <typename ConcurrencyTag, typename PointRange, typename NormalMap>
+void read_normals(const PointRange& range, NormalMap normal_map, Input& input)
+{
+  const auto normal_of = [&](const auto& key) {
+    return without_sign(direction_of(as_vector(get(normal_map, key))));
+  };
+  read_vectors<ConcurrencyTag>(range, normal_of, input, input.normals);
+}
+
 /// \tparam NormalMap may be `bool`, for none, or an optional
-template <typename PointRange, typename NormalMap>
+template <typename ConcurrencyTag, typename PointRange, typename NormalMap>
 void read_normals_if_given(const PointRange& range, const NormalMap& normal_map, Input& input)
 {
   if constexpr (Is_optional<NormalMap>::value)
   {
     if (normal_map)
-      read_normals(range, *normal_map, input);
+      read_normals<ConcurrencyTag>(range, *normal_map, input);
   }
   else if constexpr (!std::is_same<NormalMap, bool>::value)
-    read_normals(range, normal_map, input);
+    read_normals<ConcurrencyTag>(range, normal_map, input);
 }
 
 /// Reads `orientation_hint_map`, or the directions from the points to what `viewpoint_map` says.
-template <typename PointRange, typename PointMap, typename NamedParameters>
+template <typename ConcurrencyTag, typename PointRange, typename PointMap, typename NamedParameters>
 void read_hints_if_given(const PointRange& range, PointMap point_map, const NamedParameters& np,
                          Input& input)
 {
   if_given(np, internal_np::orientation_hint_map, [&](const auto& hint_map) {
-    read_directions(
-      range, [&](const auto& key) { return as_vector(get(hint_map, key)); }, input, input.hints);
+    read_vectors<ConcurrencyTag>(
+      range, [&](const auto& key) { return direction_of(as_vector(get(hint_map, key))); }, input,
+      input.hints);
   });
   if_given(np, internal_np::viewpoint_map, [&](const auto& viewpoint_map) {
-    const auto half_way = [&](const auto& key) -> Vector { // the whole one may not be finite
-      return 0.5 * as_vector(get(viewpoint_map, key)) - 0.5 * as_vector(get(point_map, key));
+    const auto to_viewpoint = [&](const auto& key) { // half of it: the whole may not be finite
+      return direction_of(0.5 * as_vector(get(viewpoint_map, key))
+                          - 0.5 * as_vector(get(point_map, key)));
     };
-    read_directions(range, half_way, input, input.hints);
+    read_vectors<ConcurrencyTag>(range, to_viewpoint, input, input.hints);
   });
 }
 

@@ -96,14 +96,14 @@ void resample_on_cpu(const PointRange& range, PointMap point_map, NormalMap norm
                   Buffer<float>(&memory)};
   try
   {
-    read_points(range, point_map, drop_non_finite, report, input);
+    read_points<ConcurrencyTag>(range, point_map, drop_non_finite, report, input);
     const Parameters checked = checked_parameters(np, input.points.size());
     if (checked.number_of_output_points == 0)
       return;
     if (least_memory<typename Solver::FT>(input.points.size(), checked) > maximum_memory)
       throw std::bad_alloc();
-    read_normals_if_given(range, normal_map, input);
-    read_hints_if_given(range, point_map, np, input);
+    read_normals_if_given<ConcurrencyTag>(range, normal_map, input);
+    read_hints_if_given<ConcurrencyTag>(range, point_map, np, input);
     release(input.is_kept);
 
     std::size_t n = input.points.size();
