@@ -42,18 +42,18 @@ std::size_t estimate_memory(std::size_t n, std::size_t m, const Parameters& para
                                  * m;
   // points with their cells, and normals; and their order before
   const std::size_t of_points = of_outliers + 18 * n + 16 * n + of_scales, of_order = 5 * n;
-  const std::size_t of_sorting = of_outliers + 24 * n + 76 * n;
+  const std::size_t of_sorting = of_outliers + 24 * n + 64 * n;
   const std::size_t of_filtering = of_points + of_order + 16 * n
                                    + (rules.number_of_normal_refits > 0 ? 20 : 10) * n;
   const std::size_t of_start = of_points + of_order + 24 * n + 16 * m + (has_hints ? 12 * n : 0);
   const std::size_t of_sample_grid = 19 * m;
   const std::size_t of_neighbors = rules.refines ? 80 * m : 64 * m;
   const std::size_t of_sorting_samples = (rules.refines ? of_points : 0) + of_sample_grid + 5 * m
-                                         + 76 * m;
+                                         + 64 * m;
   const std::size_t of_fit = of_points + of_sample_grid + 15 * m;
   const std::size_t of_minimization = (rules.refines ? of_points + 16 * m : 0) + 16 * m
                                       + of_neighbors + 68 * m;
-  const std::size_t of_quadrics = 2 * of_sample_grid + 20 * m + 76 * m;
+  const std::size_t of_quadrics = 2 * of_sample_grid + 20 * m + 64 * m;
   return slack + of_samples
          + (std::max)({of_sorting, of_filtering, of_start, of_sorting_samples, of_fit,
                        of_minimization, of_quadrics,
@@ -66,7 +66,7 @@ std::size_t estimate_memory_to_orient(std::size_t n, const Parameters& parameter
   const std::size_t of_scales = 4 * n, of_samples = (76 + (has_hints ? 16 : 0)) * n;
   const std::size_t of_lists = (4 + (has_normals ? 12 : 0) + (has_hints ? 12 : 0)) * n,
                     of_grid = 31 * n;
-  const std::size_t of_sorting = of_lists + of_grid + 76 * n;
+  const std::size_t of_sorting = of_lists + of_grid + 64 * n;
   return megabyte + of_scales + of_samples
          + (std::max)(of_sorting,
                       of_orientation(n, voters_per_neighbor

@@ -314,10 +314,13 @@ Cell_grid build_grid(const Positions& positions, const float* normals, const Cel
 
   const Arena_scope scope(scratch);
   Grid_counts* const device_counts = scratch.take<Grid_counts>(1);
-  Key *keys = scratch.take<Key>(n), *other_keys = scratch.take<Key>(n);
-  unsigned *indices = scratch.take<unsigned>(n), *other_indices = scratch.take<unsigned>(n);
-  unsigned *begins = scratch.take<unsigned>(std::size_t(n) + 1), *flags = scratch.take<unsigned>(n);
+  // gathered last, where the other keys and the flags were before
   double3* const gathered = scratch.take<double3>(n);
+  Key* const kept_keys = scratch.take<Key>(n);
+  Key *keys = kept_keys, *other_keys = reinterpret_cast<Key*>(gathered);
+  unsigned* const flags = reinterpret_cast<unsigned*>(other_keys + n);
+  unsigned *indices = scratch.take<unsigned>(n), *other_indices = scratch.take<unsigned>(n);
+  unsigned* const begins = scratch.take<unsigned>(std::size_t(n) + 1);
 
   const auto number_cells = [&]() {
     mark_first_of_cells<<<blocks, threads_per_block, 0, stream>>>(keys, n, flags);
@@ -327,6 +330,12 @@ Cell_grid build_grid(const Positions& positions, const float* normals, const Cel
     });
     find_begins<<<blocks, threads_per_block, 0, stream>>>(other_indices, n, begins);
     check_launch("find_begins");
+    if (keys != kept_keys)
+    {
+      CGAL_L0_CUDA_CHECK(
+        cudaMemcpyAsync(kept_keys, keys, n * sizeof(Key), cudaMemcpyDeviceToDevice, stream));
+      std::swap(keys, other_keys);
+    }
     gather_positions<<<blocks, threads_per_block, 0, stream>>>(positions, indices, gathered);
     check_launch("gather_positions");
   };
