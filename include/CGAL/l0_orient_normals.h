@@ -10,10 +10,12 @@
 #include <CGAL/L0_resampling/internal/driver/orient_point_set.h>
 #include <CGAL/L0_resampling/internal/interface/checked_parameters.h>
 #include <CGAL/L0_resampling/internal/interface/checked_types.h>
-#include <CGAL/L0_resampling/internal/interface/compiled_templates.h>
 #include <CGAL/L0_resampling/internal/interface/points_of_range.h>
 #include <CGAL/L0_resampling/named_parameters.h>
 #include <CGAL/L0_resampling/tags.h>
+#ifndef CGAL_L0_LINKED_WITH_COMPILED
+#include <CGAL/L0_resampling/internal/driver/orient_point_set_impl.h>
+#endif
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/property_map.h>

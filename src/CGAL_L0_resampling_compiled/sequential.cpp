@@ -5,9 +5,10 @@
 
 // The stages for `Sequential_tag`, with the default solver.
 
+#include "compiled_templates.h"
+
 #include <CGAL/L0_resampling/Block_chebyshev_solver_traits.h>
 #include <CGAL/L0_resampling/Block_conjugate_gradient_solver_traits.h>
-#include <CGAL/L0_resampling/internal/interface/compiled_templates.h>
 
 namespace CGAL {
 namespace L0_resampling {
@@ -19,9 +20,9 @@ template class Block_conjugate_gradient_solver_traits<double, Sequential_tag>;
 
 namespace internal {
 
-CGAL_L0_COMPILED_TEMPLATES(template, Sequential_tag, float)
-CGAL_L0_COMPILED_TEMPLATES(template, Sequential_tag, double)
-CGAL_L0_COMPILED_TEMPLATES_OF_TAG(template, Sequential_tag)
+CGAL_L0_COMPILED_TEMPLATES(Sequential_tag, float)
+CGAL_L0_COMPILED_TEMPLATES(Sequential_tag, double)
+CGAL_L0_COMPILED_TEMPLATES_OF_TAG(Sequential_tag)
 
 } // namespace internal
 } // namespace L0_resampling

@@ -83,44 +83,7 @@ public:
   /// report is the one that the recurrence keeps.
   /// \throws Solver_error if a value is not finite; `x` is then unspecified
   Solver_report solve(const Quadratic_problem<FT>& problem,
-                      Eigen::Ref<Eigen::Matrix<FT, Eigen::Dynamic, 1>> x)
-  {
-    const std::size_t m = problem.number_of_samples();
-    CGAL_precondition(std::size_t(x.size()) == 3 * m);
-    const typename Base::Arrays_of_one_solve arrays(*this, m, false, problem.memory);
-
-    const Start_sums sums = sum_over_blocks(m, [&](std::size_t begin, std::size_t end) {
-      return start(problem, x.data(), begin, end);
-    });
-    if (!std::isfinite(sums.squared_rhs))
-      internal::throw_values_not_finite();
-    if (sums.squared_rhs == 0)
-    {
-      x.setZero();
-      return Solver_report();
-    }
-
-    double squared_residual = sums.squared_rhs;
-    if (sums.number_of_non_zeros > 0)
-      squared_residual = subtract_product(problem);
-    Solver_report report;
-    report.iterations = internal::number_of_chebyshev_steps(
-      problem.low_end_of_spectrum, m_tolerance, m_maximum_number_of_iterations);
-    internal::Chebyshev_steps steps(problem.low_end_of_spectrum);
-    for (std::size_t step = 0; step < report.iterations; ++step, steps.advance())
-    {
-      for_each_block(m, [&](std::size_t begin, std::size_t end) {
-        take_step(problem, FT(steps.keep), FT(steps.gain), x.data(), begin, end);
-      });
-      squared_residual = subtract_product(problem);
-    }
-    if (!std::isfinite(squared_residual))
-      internal::throw_values_not_finite();
-    report.relative_residual = std::sqrt(squared_residual)
-                               / internal::residual_scale(problem, std::sqrt(sums.squared_rhs));
-    report.converged = report.relative_residual <= m_tolerance;
-    return report;
-  }
+                      Eigen::Ref<Eigen::Matrix<FT, Eigen::Dynamic, 1>> x);
 
 private:
   struct Start_sums
@@ -200,6 +163,50 @@ private:
     }
   }
 };
+
+#ifndef DOXYGEN_RUNNING
+// not inline, so that programs that link with the compiled library do not instantiate it
+template <typename FT_, typename ConcurrencyTag>
+Solver_report Block_chebyshev_solver_traits<FT_, ConcurrencyTag>::solve(
+  const Quadratic_problem<FT>& problem, Eigen::Ref<Eigen::Matrix<FT, Eigen::Dynamic, 1>> x)
+{
+  const std::size_t m = problem.number_of_samples();
+  CGAL_precondition(std::size_t(x.size()) == 3 * m);
+  const typename Base::Arrays_of_one_solve arrays(*this, m, false, problem.memory);
+
+  const Start_sums sums = sum_over_blocks(m, [&](std::size_t begin, std::size_t end) {
+    return start(problem, x.data(), begin, end);
+  });
+  if (!std::isfinite(sums.squared_rhs))
+    internal::throw_values_not_finite();
+  if (sums.squared_rhs == 0)
+  {
+    x.setZero();
+    return Solver_report();
+  }
+
+  double squared_residual = sums.squared_rhs;
+  if (sums.number_of_non_zeros > 0)
+    squared_residual = subtract_product(problem);
+  Solver_report report;
+  report.iterations = internal::number_of_chebyshev_steps(problem.low_end_of_spectrum, m_tolerance,
+                                                          m_maximum_number_of_iterations);
+  internal::Chebyshev_steps steps(problem.low_end_of_spectrum);
+  for (std::size_t step = 0; step < report.iterations; ++step, steps.advance())
+  {
+    for_each_block(m, [&](std::size_t begin, std::size_t end) {
+      take_step(problem, FT(steps.keep), FT(steps.gain), x.data(), begin, end);
+    });
+    squared_residual = subtract_product(problem);
+  }
+  if (!std::isfinite(squared_residual))
+    internal::throw_values_not_finite();
+  report.relative_residual = std::sqrt(squared_residual)
+                             / internal::residual_scale(problem, std::sqrt(sums.squared_rhs));
+  report.converged = report.relative_residual <= m_tolerance;
+  return report;
+}
+#endif
 
 #ifdef CGAL_L0_LINKED_WITH_COMPILED
 extern template class Block_chebyshev_solver_traits<float, Sequential_tag>;

@@ -11,6 +11,7 @@
 #endif
 
 #include <CGAL/L0_resampling/Report.h>
+#include <CGAL/L0_resampling/internal/cloud/working_frame.h>
 #include <CGAL/L0_resampling/internal/device/Device_progress.h>
 #include <CGAL/L0_resampling/internal/device/Device_session.h>
 #include <CGAL/L0_resampling/internal/device/cuda_answer.h>
@@ -19,9 +20,10 @@
 #include <CGAL/L0_resampling/internal/interface/Point_data.h>
 #include <CGAL/L0_resampling/internal/interface/checked_parameters.h>
 #include <CGAL/L0_resampling/internal/interface/checked_types.h>
-#include <CGAL/L0_resampling/internal/interface/compiled_templates.h>
 #include <CGAL/L0_resampling/internal/interface/output_iterators.h>
 #include <CGAL/L0_resampling/internal/interface/points_of_range.h>
+#include <CGAL/L0_resampling/internal/plan/Plan.h>
+#include <CGAL/L0_resampling/internal/samples/estimate_feature_confidences.h>
 #include <CGAL/L0_resampling/named_parameters.h>
 
 #include <CGAL/property_map.h>

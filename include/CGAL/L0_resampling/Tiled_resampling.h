@@ -10,8 +10,8 @@
 #include <CGAL/L0_resampling/Report.h>
 #include <CGAL/L0_resampling/Source_box.h>
 #include <CGAL/L0_resampling/Tile_result.h>
+#include <CGAL/L0_resampling/internal/cloud/areas_of_points.h>
 #include <CGAL/L0_resampling/internal/interface/checked_parameters.h>
-#include <CGAL/L0_resampling/internal/interface/compiled_templates.h>
 #include <CGAL/L0_resampling/internal/interface/points_of_range.h>
 #include <CGAL/L0_resampling/internal/tiles/Blocks_of_tile.h>
 #include <CGAL/L0_resampling/internal/tiles/Counted_cloud.h>
@@ -19,6 +19,9 @@
 #include <CGAL/L0_resampling/internal/tiles/resample_tile.h>
 #include <CGAL/L0_resampling/internal/tiles/stitch_tiles.h>
 #include <CGAL/L0_resampling/tags.h>
+#ifndef CGAL_L0_LINKED_WITH_COMPILED
+#include <CGAL/L0_resampling/internal/tiles/resample_tile_impl.h>
+#endif
 #ifdef CGAL_L0_LINKED_WITH_CUDA
 #include <CGAL/L0_resampling/internal/tiles/tiles_on_device.h>
 #endif
@@ -152,7 +155,7 @@ public:
   /// The same, where all facts of a cloud are found; with `CUDA_tag`, here, and on the device.
   static constexpr std::uint64_t bytes_per_point_of_facts = is_on_device ? 60 : 200,
                                  bytes_per_sample_of_facts = is_on_device ? 0 : 100,
-                                 bytes_per_point_of_facts_on_device = is_on_device ? 160 : 0,
+                                 bytes_per_point_of_facts_on_device = is_on_device ? 136 : 0,
                                  bytes_per_sample_of_facts_on_device = is_on_device ? 16 : 0;
 
   /// \param counts of all points

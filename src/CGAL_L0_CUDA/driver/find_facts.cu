@@ -142,7 +142,7 @@ Answer find_facts(Session& session, const double* points, std::size_t size,
   if (uploaded.status != Status::DONE)
     return uploaded;
   return guarded(&session, [&]() {
-    const std::size_t of_grid = 44, of_starts = 28; // and scales, areas, and what is found, a point
+    const std::size_t of_grid = 52, of_starts = 28; // and scales, areas, and what is found, a point
     session.reserve((std::max)(estimate_memory(size, 0, parameters, false),
                                (of_grid + of_starts + sizeof(Point_in_cloud)) * size
                                  + 16 * parameters.number_of_output_points));

@@ -198,11 +198,9 @@ void check_failures()
   CHECK(number_of_calls == 3);
 
   auto without_memory = tiles_of(CGAL::parameters::maximum_memory(std::size_t(100000)));
-  CHECK_THROWS(without_memory.find_facts(source, most), std::bad_alloc);
-  without_memory.set_facts(tiles.facts());
-  without_memory.make_tiles(most);
-  without_memory.set_points(0, tiles.points_in_cloud());
-  CHECK_THROWS(without_memory.resample_tile(0, source), std::bad_alloc);
+  without_memory.find_facts(source, most); // of regions
+  CHECK(!without_memory.has_all_facts());
+  CHECK_THROWS(without_memory.make_tiles(most), std::bad_alloc);
   CHECK(internal::device_memory_for_tiles() > (std::uint64_t(1) << 28));
 }
 

@@ -9,7 +9,7 @@
 #include "stage_support.h"
 
 #include <CGAL/L0_resampling/Block_chebyshev_solver_traits.h>
-#include <CGAL/L0_resampling/internal/interface/compiled_templates.h>
+#include <CGAL/L0_resampling/internal/driver/resample.h>
 
 #include <CGAL/tags.h>
 

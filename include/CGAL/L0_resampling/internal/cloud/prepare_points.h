@@ -20,10 +20,6 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// The scalar type of what happens within one ball, where relative coordinates make `float` enough.
-using Local = float;
-using Local_vector = Eigen::Matrix<Local, 3, 1>;
-
 /// Coincident points are in no order but that of the input, which must not matter: puts their
 /// normals, or hints, in one.
 inline void sort_normals_of_coincident_points(const Buffer<Vector>& points,

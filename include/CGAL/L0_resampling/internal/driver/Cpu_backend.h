@@ -12,6 +12,7 @@
 #include <CGAL/L0_resampling/internal/cloud/extents.h>
 #include <CGAL/L0_resampling/internal/cloud/prepare_points.h>
 #include <CGAL/L0_resampling/internal/driver/Cpu_points.h>
+#include <CGAL/L0_resampling/internal/driver/Oriented_points.h>
 #include <CGAL/L0_resampling/internal/driver/expected_memory.h>
 #include <CGAL/L0_resampling/internal/energy/Any_solver.h>
 #include <CGAL/L0_resampling/internal/energy/Minimization_step.h>
@@ -43,16 +44,6 @@ namespace L0_resampling {
 namespace internal {
 
 /// The result, in the coordinates of the input.
-/// \tparam FT the number type of the solver
-template <typename FT>
-struct Oriented_points
-{
-  Buffer<Vector> positions;
-  Buffer<Eigen::Matrix<FT, 3, 1>> normals; ///< of unit length but for rounding in `FT`
-  // of each, if they are asked for; no scales if all are 1
-  Buffer<float> feature_confidences, side_confidences, scales;
-};
-
 /// The stages on the CPU, and the arrays of one call. What calls them, and in which order, stands
 /// in `run.h`.
 /// \tparam FT the number type of the solver

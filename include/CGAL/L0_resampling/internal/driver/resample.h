@@ -6,8 +6,13 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_RESAMPLE_H
 #define CGAL_L0_RESAMPLING_INTERNAL_RESAMPLE_H
 
-#include <CGAL/L0_resampling/internal/driver/Cpu_backend.h>
-#include <CGAL/L0_resampling/internal/driver/run.h>
+#include <CGAL/L0_resampling/Report.h>
+#include <CGAL/L0_resampling/internal/cloud/Facts_of_cloud.h>
+#include <CGAL/L0_resampling/internal/core/Buffer.h>
+#include <CGAL/L0_resampling/internal/core/Parameters.h>
+#include <CGAL/L0_resampling/internal/core/Progress.h>
+#include <CGAL/L0_resampling/internal/driver/Oriented_points.h>
+#include <CGAL/L0_resampling/internal/energy/Any_solver.h>
 
 namespace CGAL {
 namespace L0_resampling {
@@ -21,14 +26,7 @@ template <typename ConcurrencyTag, typename FT>
 Oriented_points<FT> resample(Buffer<Vector>& points, Buffer<Local_vector>& given_normals,
                              Buffer<Local_vector>& hints, const Parameters& parameters,
                              Any_solver<FT>& solver, Progress& progress, Report& report,
-                             Facts_of_cloud& facts)
-{
-  Cpu_backend<ConcurrencyTag, FT> backend(points, given_normals, hints, parameters, solver,
-                                          progress, report, facts);
-  run(plan_call(parameters, backend), backend);
-  facts = backend.facts();
-  return backend.take_result();
-}
+                             Facts_of_cloud& facts);
 
 } // namespace internal
 } // namespace L0_resampling

@@ -7,7 +7,6 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_POINTS_OF_RANGE_H
 
 #include <CGAL/L0_resampling/internal/cloud/separate_coincident_points.h>
-#include <CGAL/L0_resampling/internal/driver/resample.h>
 #include <CGAL/L0_resampling/internal/interface/checked_parameters.h>
 #include <CGAL/L0_resampling/internal/search/nearest_input_points.h>
 
@@ -404,6 +403,19 @@ Buffer<std::array<FT, 3>> rounded_positions(const Buffer<Vector>& positions, con
     separate_coincident_points<ConcurrencyTag>(low, high, FT(margin), rounded);
   return rounded;
 }
+
+#ifdef CGAL_L0_LINKED_WITH_COMPILED
+extern template Buffer<std::array<float, 3>> rounded_positions<Sequential_tag, float>(
+  const Buffer<Vector>&, const Input&, double, bool);
+extern template Buffer<std::array<double, 3>> rounded_positions<Sequential_tag, double>(
+  const Buffer<Vector>&, const Input&, double, bool);
+#ifdef CGAL_LINKED_WITH_TBB
+extern template Buffer<std::array<float, 3>> rounded_positions<Parallel_tag, float>(
+  const Buffer<Vector>&, const Input&, double, bool);
+extern template Buffer<std::array<double, 3>> rounded_positions<Parallel_tag, double>(
+  const Buffer<Vector>&, const Input&, double, bool);
+#endif
+#endif
 
 } // namespace internal
 } // namespace L0_resampling

@@ -11,9 +11,11 @@
 #include <CGAL/L0_resampling/internal/driver/resample.h>
 #include <CGAL/L0_resampling/internal/interface/Point_data.h>
 #include <CGAL/L0_resampling/internal/interface/checked_parameters.h>
-#include <CGAL/L0_resampling/internal/interface/compiled_templates.h>
 #include <CGAL/L0_resampling/internal/interface/points_of_range.h>
 #include <CGAL/L0_resampling/named_parameters.h>
+#ifndef CGAL_L0_LINKED_WITH_COMPILED
+#include <CGAL/L0_resampling/internal/driver/resample_impl.h>
+#endif
 
 #include <algorithm>
 #include <array>

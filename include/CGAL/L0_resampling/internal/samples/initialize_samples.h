@@ -103,22 +103,6 @@ struct Sources
   Buffer<Index> on_points, near_points;
 };
 
-/// Sums over points in the order of the whole cloud.
-struct Sums_over_points
-{
-  std::uint64_t units = 0; ///< areas of the distinct points
-  std::uint64_t points = 0;
-  std::uint64_t distinct = 0; ///< points, one of each place
-
-  Sums_over_points& operator+=(const Sums_over_points& other)
-  {
-    units += other.units;
-    points += other.points;
-    distinct += other.distinct;
-    return *this;
-  }
-};
-
 /// How many of the m thresholds are below a sum of areas.
 inline std::uint64_t thresholds_below(std::uint64_t sum, std::uint64_t m, std::uint64_t seed,
                                       std::uint64_t total)

@@ -30,6 +30,10 @@ namespace internal {
 
 using Vector = Eigen::Vector3d;
 
+/// The scalar type of what happens within one ball, where relative coordinates make `float` enough.
+using Local = float;
+using Local_vector = Eigen::Matrix<Local, 3, 1>;
+
 /// The coordinates of the vectors, xyz interleaved; null if there are none.
 template <typename T>
 const T* coordinates(const Buffer<Eigen::Matrix<T, 3, 1>>& vectors)

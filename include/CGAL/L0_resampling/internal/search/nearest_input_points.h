@@ -85,6 +85,20 @@ void nearest_input_points(const Point_tree_3& tree, const Buffer<std::array<FT, 
     });
 }
 
+#ifdef CGAL_L0_LINKED_WITH_COMPILED
+extern template void nearest_input_points<Sequential_tag, float>(
+  const Point_tree_3&, const Buffer<std::array<float, 3>>&, Progress&, Near_points&);
+extern template void nearest_input_points<Sequential_tag, double>(
+  const Point_tree_3&, const Buffer<std::array<double, 3>>&, Progress&, Near_points&);
+#ifdef CGAL_LINKED_WITH_TBB
+extern template void nearest_input_points<Parallel_tag, float>(const Point_tree_3&,
+                                                               const Buffer<std::array<float, 3>>&,
+                                                               Progress&, Near_points&);
+extern template void nearest_input_points<Parallel_tag, double>(
+  const Point_tree_3&, const Buffer<std::array<double, 3>>&, Progress&, Near_points&);
+#endif
+#endif
+
 } // namespace internal
 } // namespace L0_resampling
 } // namespace CGAL

@@ -6,8 +6,6 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_RUNS_OF_CELLS_H
 #define CGAL_L0_RESAMPLING_INTERNAL_RUNS_OF_CELLS_H
 
-#include <CGAL/L0_resampling/internal/samples/initialize_samples.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -17,6 +15,22 @@
 namespace CGAL {
 namespace L0_resampling {
 namespace internal {
+
+/// Sums over points in the order of the whole cloud.
+struct Sums_over_points
+{
+  std::uint64_t units = 0; ///< areas of the distinct points
+  std::uint64_t points = 0;
+  std::uint64_t distinct = 0; ///< points, one of each place
+
+  Sums_over_points& operator+=(const Sums_over_points& other)
+  {
+    units += other.units;
+    points += other.points;
+    distinct += other.distinct;
+    return *this;
+  }
+};
 
 /// A few cells of a row, whose points follow each other in the order of the whole cloud.
 struct Run_of_cells
@@ -34,6 +48,13 @@ struct Share_of_tile
   std::vector<Run_of_cells> runs;
   std::uint64_t units_of_all = 0; ///< areas of all its points, also those at one place
   double area_per_unit = 0;       ///< in units of \f$ r_p^2 \f$
+};
+
+/// What comes before the runs of cells of a tile, in the order of the whole cloud.
+struct Starts_of_runs
+{
+  std::vector<Run_of_cells> runs;
+  Sums_over_points all; ///< of the cloud
 };
 
 /// What all tiles have counted.

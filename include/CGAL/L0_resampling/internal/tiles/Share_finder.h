@@ -8,7 +8,7 @@
 
 #include <CGAL/L0_resampling/internal/tiles/Point_finder.h>
 #include <CGAL/L0_resampling/internal/tiles/Runs_of_cells.h>
-#include <CGAL/L0_resampling/internal/tiles/Tiling.h>
+#include <CGAL/L0_resampling/internal/tiles/resample_tile.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -17,23 +17,6 @@
 namespace CGAL {
 namespace L0_resampling {
 namespace internal {
-
-/// The part of space that a tile keeps the samples of.
-struct Room_of_tile
-{
-  Block_lattice lattice;
-  Block_box room;
-
-  /// \param place in the unit of the input
-  bool holds(const Vector& place) const { return room.contains(lattice.block_of(place)); }
-};
-
-/// What comes before the runs of cells of a tile, in the order of the whole cloud.
-struct Starts_of_runs
-{
-  std::vector<Run_of_cells> runs;
-  Sums_over_points all; ///< of the cloud
-};
 
 /*!
 The first stages for a tile and its halo, where memory does not hold the whole cloud: what the tile

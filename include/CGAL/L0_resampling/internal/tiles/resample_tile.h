@@ -6,10 +6,16 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_RESAMPLE_TILE_H
 #define CGAL_L0_RESAMPLING_INTERNAL_RESAMPLE_TILE_H
 
-#include <CGAL/L0_resampling/internal/driver/run.h>
-#include <CGAL/L0_resampling/internal/tiles/Fact_finder.h>
-#include <CGAL/L0_resampling/internal/tiles/Share_finder.h>
-#include <CGAL/L0_resampling/internal/tiles/Tile_backend.h>
+#include <CGAL/L0_resampling/Report.h>
+#include <CGAL/L0_resampling/internal/cloud/Facts_of_cloud.h>
+#include <CGAL/L0_resampling/internal/core/Buffer.h>
+#include <CGAL/L0_resampling/internal/core/Parameters.h>
+#include <CGAL/L0_resampling/internal/core/Point_in_cloud.h>
+#include <CGAL/L0_resampling/internal/core/Progress.h>
+#include <CGAL/L0_resampling/internal/driver/Oriented_points.h>
+#include <CGAL/L0_resampling/internal/energy/Any_solver.h>
+#include <CGAL/L0_resampling/internal/tiles/Runs_of_cells.h>
+#include <CGAL/L0_resampling/internal/tiles/Tiling.h>
 
 #include <algorithm>
 #include <functional>
@@ -19,20 +25,23 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
+/// The part of space that a tile keeps the samples of.
+struct Room_of_tile
+{
+  Block_lattice lattice;
+  Block_box room;
+
+  /// \param place in the unit of the input
+  bool holds(const Vector& place) const { return room.contains(lattice.block_of(place)); }
+};
+
 /// The usual scales of a cloud, from some of its regions.
 /// \param points of the regions, in the unit of the input; used up
 /// \param is_core called with a point in that unit: whether all that is near to it is among them
 /// \param facts the frame and the extents
 template <typename ConcurrencyTag>
 Scales scales_of_regions(Buffer<Vector>& points, const std::function<bool(const Vector&)>& is_core,
-                         const Facts_of_cloud& facts, Progress& progress)
-{
-  Working_frame frame;
-  frame.enter<ConcurrencyTag>(points, *facts.frame);
-  const double radius = paper_radius(*facts.extents);
-  return estimate_scales<ConcurrencyTag, Local>(
-    points, radius, [&](const Vector& p) { return is_core(frame.leave(p * radius)); }, progress);
-}
+                         const Facts_of_cloud& facts, Progress& progress);
 
 /// All facts of a cloud, as a call for all of it finds them.
 /// \param points all of them, at least one; used up
@@ -41,42 +50,7 @@ Scales scales_of_regions(Buffer<Vector>& points, const std::function<bool(const 
 template <typename ConcurrencyTag, typename FT>
 Facts_of_cloud facts_of_points(Buffer<Vector>& points, const Parameters& parameters,
                                Any_solver<FT>& solver, Progress& progress, Report& report,
-                               std::vector<Point_in_cloud>& points_in_cloud)
-{
-  Fact_finder<ConcurrencyTag, FT> finder(points, parameters, solver, progress, report);
-  Plan plan = plan_call(parameters, finder);
-  if (plan.drops_outliers())
-  {
-    finder.begin_stage("find outliers", 0.4, finder.number_of_points());
-    finder.drop_outliers(plan);
-  }
-  finder.begin_stage("areas", 0.3, 3 * finder.number_of_points());
-  finder.sort_points(plan);
-  finder.weigh_density(plan);
-  choose_samples(plan, finder);
-  finder.end(plan);
-  points_in_cloud = finder.take_points();
-  return finder.facts();
-}
-
-/// Calls the stages that find what a tile adds to the sums over all tiles, and then `f(plan)`.
-/// \returns nothing if none of the points are used
-template <typename Finder, typename F>
-Share_of_tile find_share(const Parameters& parameters, Finder& finder, const F& f)
-{
-  const Plan plan = plan_call(parameters, finder);
-  if (plan.drops_outliers())
-  {
-    finder.begin_stage("find outliers", 0.4, finder.number_of_points());
-    finder.drop_outliers(plan);
-  }
-  finder.begin_stage("areas", 0.3, finder.number_of_points());
-  finder.sort_points(plan);
-  Share_of_tile share = finder.share(plan);
-  f(plan);
-  finder.end(plan);
-  return share;
-}
+                               std::vector<Point_in_cloud>& points_in_cloud);
 
 /// What a tile adds to the sums over all tiles.
 /// \param points of the tile and its halo, at least one; used up
@@ -85,12 +59,7 @@ Share_of_tile find_share(const Parameters& parameters, Finder& finder, const F& 
 template <typename ConcurrencyTag, typename FT>
 Share_of_tile share_of_tile(Buffer<Vector>& points, const Facts_of_cloud& facts,
                             const Parameters& parameters, const Room_of_tile& room,
-                            Any_solver<FT>& solver, Progress& progress, Report& report)
-{
-  Share_finder<ConcurrencyTag, FT> finder(facts, room, points, parameters, solver, progress,
-                                          report);
-  return find_share(parameters, finder, [](const Plan&) {});
-}
+                            Any_solver<FT>& solver, Progress& progress, Report& report);
 
 /// What a tile has to know of each point, once all have told their shares. Parameters are those of
 /// `share_of_tile()`.
@@ -100,13 +69,7 @@ template <typename ConcurrencyTag, typename FT>
 std::vector<Point_in_cloud> points_of_tile(Buffer<Vector>& points, const Facts_of_cloud& facts,
                                            const Parameters& parameters, const Room_of_tile& room,
                                            const Starts_of_runs& starts, Any_solver<FT>& solver,
-                                           Progress& progress, Report& report)
-{
-  Share_finder<ConcurrencyTag, FT> finder(facts, room, points, parameters, solver, progress,
-                                          report);
-  find_share(parameters, finder, [&](const Plan& plan) { finder.place_points(plan, starts); });
-  return finder.take_points();
-}
+                                           Progress& progress, Report& report);
 
 /// The samples of a tile and of its halo.
 template <typename FT>
@@ -133,15 +96,7 @@ inline bool are_there_starts(const std::vector<Point_in_cloud>& points)
 template <typename ConcurrencyTag, typename FT>
 Samples_of_tile<FT> resample_tile(Buffer<Vector>& points, const std::vector<Point_in_cloud>& known,
                                   const Facts_of_cloud& facts, const Parameters& parameters,
-                                  Any_solver<FT>& solver, Progress& progress, Report& report)
-{
-  Buffer<Local_vector> no_normals(points.get_allocator()), no_hints(points.get_allocator());
-  Tile_backend<ConcurrencyTag, FT> backend(facts, known, points, no_normals, no_hints, parameters,
-                                           solver, progress, report);
-  run(plan_call(parameters, backend), backend);
-  return {backend.take_result(), copy_of(backend.are_own()), copy_of(backend.trees()),
-          copy_of(backend.confidences())};
-}
+                                  Any_solver<FT>& solver, Progress& progress, Report& report);
 
 } // namespace internal
 } // namespace L0_resampling

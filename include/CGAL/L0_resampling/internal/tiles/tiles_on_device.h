@@ -6,6 +6,7 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_TILES_ON_DEVICE_H
 #define CGAL_L0_RESAMPLING_INTERNAL_TILES_ON_DEVICE_H
 
+#include <CGAL/L0_resampling/internal/cloud/estimate_scale_field.h>
 #include <CGAL/L0_resampling/internal/device/Device_progress.h>
 #include <CGAL/L0_resampling/internal/device/Device_session.h>
 #include <CGAL/L0_resampling/internal/device/cuda_tiles.h>

@@ -1,0 +1,34 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_RESAMPLE_IMPL_H
+#define CGAL_L0_RESAMPLING_INTERNAL_RESAMPLE_IMPL_H
+
+#include <CGAL/L0_resampling/internal/driver/Cpu_backend.h>
+#include <CGAL/L0_resampling/internal/driver/resample.h>
+#include <CGAL/L0_resampling/internal/driver/run.h>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+template <typename ConcurrencyTag, typename FT>
+Oriented_points<FT> resample(Buffer<Vector>& points, Buffer<Local_vector>& given_normals,
+                             Buffer<Local_vector>& hints, const Parameters& parameters,
+                             Any_solver<FT>& solver, Progress& progress, Report& report,
+                             Facts_of_cloud& facts)
+{
+  Cpu_backend<ConcurrencyTag, FT> backend(points, given_normals, hints, parameters, solver,
+                                          progress, report, facts);
+  run(plan_call(parameters, backend), backend);
+  facts = backend.facts();
+  return backend.take_result();
+}
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_RESAMPLE_IMPL_H

@@ -1,0 +1,54 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What does not depend on the caller's types. Programs that link with the library have only the
+// declarations of it, and compile their own part: reading the range and writing the result.
+
+#ifndef CGAL_L0_RESAMPLING_COMPILED_TEMPLATES_H
+#define CGAL_L0_RESAMPLING_COMPILED_TEMPLATES_H
+
+#include <CGAL/L0_resampling/internal/driver/orient_point_set_impl.h>
+#include <CGAL/L0_resampling/internal/driver/resample_impl.h>
+#include <CGAL/L0_resampling/internal/interface/points_of_range.h>
+#include <CGAL/L0_resampling/internal/search/nearest_input_points.h>
+#include <CGAL/L0_resampling/internal/tiles/resample_tile_impl.h>
+
+#include <array>
+#include <functional>
+#include <vector>
+
+/// The instantiations for a concurrency tag and a number type, of the solver and of the caller's
+/// kernel.
+#define CGAL_L0_COMPILED_TEMPLATES(Tag, FT)                                                        \
+  template Oriented_points<FT> resample<Tag, FT>(Buffer<Vector>&, Buffer<Local_vector>&,           \
+                                                 Buffer<Local_vector>&, const Parameters&,         \
+                                                 Any_solver<FT>&, Progress&, Report&,              \
+                                                 Facts_of_cloud&);                                 \
+  template Buffer<std::array<FT, 3>> rounded_positions<Tag, FT>(const Buffer<Vector>&,             \
+                                                                const Input&, double, bool);       \
+  template void nearest_input_points<Tag, FT>(                                                     \
+    const Point_tree_3&, const Buffer<std::array<FT, 3>>&, Progress&, Near_points&);
+
+/// Those for a concurrency tag alone.
+#define CGAL_L0_COMPILED_TEMPLATES_OF_TAG(Tag)                                                     \
+  template Oriented_representatives orient_point_set<Tag>(Buffer<Vector>&, Buffer<Local_vector>&,  \
+                                                          Buffer<Local_vector>&,                   \
+                                                          const Parameters&, Progress&, Report&);  \
+  template Scales scales_of_regions<Tag>(                                                          \
+    Buffer<Vector>&, const std::function<bool(const Vector&)>&, const Facts_of_cloud&, Progress&); \
+  template Facts_of_cloud facts_of_points<Tag, float>(Buffer<Vector>&, const Parameters&,          \
+                                                      Any_solver<float>&, Progress&, Report&,      \
+                                                      std::vector<Point_in_cloud>&);               \
+  template Share_of_tile share_of_tile<Tag, float>(Buffer<Vector>&, const Facts_of_cloud&,         \
+                                                   const Parameters&, const Room_of_tile&,         \
+                                                   Any_solver<float>&, Progress&, Report&);        \
+  template std::vector<Point_in_cloud> points_of_tile<Tag, float>(                                 \
+    Buffer<Vector>&, const Facts_of_cloud&, const Parameters&, const Room_of_tile&,                \
+    const Starts_of_runs&, Any_solver<float>&, Progress&, Report&);                                \
+  template Samples_of_tile<float> resample_tile<Tag, float>(                                       \
+    Buffer<Vector>&, const std::vector<Point_in_cloud>&, const Facts_of_cloud&, const Parameters&, \
+    Any_solver<float>&, Progress&, Report&);
+
+#endif // CGAL_L0_RESAMPLING_COMPILED_TEMPLATES_H
