@@ -7,6 +7,7 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_PREPARE_POINTS_H
 
 #include <CGAL/L0_resampling/internal/cloud/Facts_of_cloud.h>
+#include <CGAL/L0_resampling/internal/cloud/are_all_given.h>
 #include <CGAL/L0_resampling/internal/cloud/find_outliers.h>
 #include <CGAL/L0_resampling/internal/cloud/working_frame.h>
 #include <CGAL/L0_resampling/internal/core/Progress.h>
@@ -141,20 +142,6 @@ std::size_t sort_points(double cell_size, Prepared_points& input,
     number_of_distinct_points += i == 0 || points[i] != points[i - 1];
   });
   return number_of_distinct_points;
-}
-
-/// Whether there is a normal for each point.
-template <typename ConcurrencyTag>
-bool are_all_given(const Buffer<Local_vector>& given_normals)
-{
-  const std::size_t block_size = 65536;
-  const auto number_of_zeros = [&](std::size_t begin, std::size_t end) {
-    return std::count_if(given_normals.begin() + std::ptrdiff_t(begin),
-                         given_normals.begin() + std::ptrdiff_t(end),
-                         [](const Local_vector& n) { return n.isZero(0); });
-  };
-  return !given_normals.empty()
-         && block_sum<ConcurrencyTag>(given_normals.size(), block_size, number_of_zeros) == 0;
 }
 
 /// Sorts the points, and what belongs to them, into the order of their grid, and leaves out those

@@ -7,6 +7,7 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_ORIENT_ON_DEVICE_H
 
 #include <CGAL/L0_resampling/Report.h>
+#include <CGAL/L0_resampling/internal/cloud/are_all_given.h>
 #include <CGAL/L0_resampling/internal/device/Device_progress.h>
 #include <CGAL/L0_resampling/internal/device/Device_session.h>
 #include <CGAL/L0_resampling/internal/device/cuda_orientation.h>
