@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <iterator>
 #include <limits>
@@ -77,7 +78,7 @@ constexpr bool has_random_access =
                       std::random_access_iterator_tag>::value;
 
 /// Calls `f(it, begin, end)` for the blocks of `points_per_look` places of a range from `first` to
-/// `last`, with the iterator at `begin`, which `f` increments to `end`. With `Parallel_tag` the
+/// `last`, with the iterator at `begin`, which `f` increments to `end` unless the call fails. With `Parallel_tag` the
 /// calls run at the same time if the iterators have random access, else one after the other.
 /// \param it at `first`, where a block begins; out: at `last`
 template <typename ConcurrencyTag, typename Iterator, typename F>
@@ -171,7 +172,6 @@ void find_finite_points(const PointRange& range, PointMap point_map, Input& inpu
 struct Block_of_points
 {
   Vector low = Vector::Constant(std::numeric_limits<double>::infinity()), high = -low;
-  std::size_t first_non_finite = (std::numeric_limits<std::size_t>::max)(); ///< of the points
 };
 
 /// Reads the points of the range, without the non-finite ones if they are to be dropped.
@@ -186,23 +186,34 @@ void read_points(const PointRange& range, PointMap point_map, bool drop_non_fini
     find_finite_points<ConcurrencyTag>(range, point_map, input);
 
   std::vector<Block_of_points> blocks(number_of_blocks(size));
+  // What is behind the first point that is not finite need not be read: the call refuses it.
+  std::atomic<std::size_t> first_non_finite{(std::numeric_limits<std::size_t>::max)()};
   const auto read_block = [&](auto& it, std::size_t begin, std::size_t end) {
     Block_of_points block;
     std::size_t place = input.place_of_block(begin);
+    if (place > first_non_finite)
+      return;
     for (std::size_t i = begin; i < end; ++i, ++it)
     {
       if (!input.keeps(i))
         continue;
       const Vector point = as_vector(get(point_map, *it));
       if (!point.allFinite())
-        block.first_non_finite = (std::min)(block.first_non_finite, place);
+      {
+        std::size_t first = first_non_finite;
+        while (place < first && !first_non_finite.compare_exchange_weak(first, place))
+          ;
+        input.points[place] = point;
+        return;
+      }
       block.low = block.low.cwiseMin(point);
       block.high = block.high.cwiseMax(point);
       input.points[place++] = point;
     }
     blocks[begin / points_per_look] = block;
   };
-  // The first block alone: a map that throws does so before there is memory for all points.
+  // The first block alone: a map that throws does so before there is memory for all points, and a
+  // point that is not finite is refused.
   auto it = range.begin();
   std::size_t begin = 0;
   for (const std::size_t end : {(std::min)(size, points_per_look), size})
@@ -210,6 +221,8 @@ void read_points(const PointRange& range, PointMap point_map, bool drop_non_fini
     input.points.reserve(input.place_of_block(end));
     input.points.resize(input.place_of_block(end));
     for_each_block_of_range<ConcurrencyTag>(it, begin, end, read_block);
+    if (first_non_finite < input.points.size())
+      refuse_non_finite_point(first_non_finite, input.points[first_non_finite], function);
     begin = end;
   }
 
@@ -218,10 +231,7 @@ void read_points(const PointRange& range, PointMap point_map, bool drop_non_fini
   {
     all.low = all.low.cwiseMin(block.low);
     all.high = all.high.cwiseMax(block.high);
-    all.first_non_finite = (std::min)(all.first_non_finite, block.first_non_finite);
   }
-  if (all.first_non_finite < input.points.size())
-    refuse_non_finite_point(all.first_non_finite, input.points[all.first_non_finite], function);
   if (!input.points.empty())
   {
     input.low = all.low;
