@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Fails if clang-format 14 would write a file otherwise, or if clang-tidy has something to say about what was changed:
+# Fails if clang-format 14 would write a file otherwise, if a line is too long, or if clang-tidy has something to say about what was changed:
 #   scripts/check_style.sh [COMMIT]     clang-tidy about the files that differ from where this branch left main, or from COMMIT
 #   scripts/check_style.sh --all        clang-tidy about all files, which takes an hour or two
-#   scripts/check_style.sh --format     clang-format only
+#   scripts/check_style.sh --format     clang-format and lengths of lines only
 # `git ls-files '*.h' '*.cpp' '*.cu' '*.cuh' | xargs clang-format -i` formats all files.
 # Debian: clang clang-format clang-tidy
 set -euo pipefail
@@ -11,6 +11,13 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 status=0
 formatted=('*.h' '*.cpp' '*.cu' '*.cuh')
 git ls-files -z "${formatted[@]}" | xargs -0 "${CLANG_FORMAT:-clang-format}" --dry-run --Werror || status=1
+# clang-format leaves comments alone
+long_lines=$(git grep -nE '^.{101,}$' -- '*.h' '*.cpp' '*.cu' '*.cuh' 'src/*.py' 'test/*.py' 'test/*.sh' || true)
+if [ -n "$long_lines" ]; then
+  echo "lines of more than 100 columns:" >&2
+  echo "$long_lines" >&2
+  status=1
+fi
 [ "${1:-}" != --format ] || exit "$status"
 
 sources=('include/*.h' 'src/*.h' 'src/*.cpp' 'test/*.h' 'test/*.cpp' 'benchmark/*.h' 'benchmark/*.cpp' 'examples/*.cpp' 'data/*.cpp' 'doc/*.cpp')

@@ -8,8 +8,8 @@
     python3 -m cgal_l0.tiles FILES... --points M --output-directory D --memory 16GB --workers 4
 
 Each task runs the program l0_resample with --as-one and --task, on files that all workers see. What
-a worker that has died was at is done again; what memory was not enough for is not. In Python, `resample_files()` takes any executor that
-has the interface of `concurrent.futures.Executor`.
+a worker that has died was at is done again; what memory was not enough for is not. In Python,
+`resample_files()` takes any executor that has the interface of `concurrent.futures.Executor`.
 """
 
 import argparse
@@ -26,8 +26,8 @@ import time
 # How often a task is given to a worker again, after a worker has died or failed.
 ATTEMPTS = 3
 
-# Exit statuses of the program that would be the same another time: wrong usage, a refused input, not
-# enough memory.
+# Exit statuses of the program that would be the same another time: wrong usage, a refused input,
+# not enough memory.
 _REFUSALS = (2, 3, 6)
 
 # Those of its options that go with tiles.

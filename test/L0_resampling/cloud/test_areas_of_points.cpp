@@ -136,8 +136,8 @@ void check_areas(Generator& generator)
   CHECK(is_close(areas.total(), of_all[0] + of_all[1], 1e-9));
 }
 
-/// All points of a place stand for that of one sample together, however many they are; where not all
-/// candidates are looked at, those that are count for the others.
+/// All points of a place stand for that of one sample together, however many they are; where not
+/// all candidates are looked at, those that are count for the others.
 void check_crowds()
 {
   std::vector<Vector> points(20000, Vector(1, 2, 3));

@@ -43,12 +43,14 @@ run "${ribbon[@]}" --output-directory whole --output merged.ply --json whole.jso
 check "a run by tiles" test "$status" -eq 0
 check "one line of summary" test "$(wc -l < stdout)" -eq 1 -a ! -s stderr
 check "more tiles than files" test "$(number_of_tiles whole)" -ge 4
-check "nothing else is left" test "$(find whole -type f | wc -l)" -eq $(($(number_of_tiles whole) + 1))
+check "nothing else is left" test "$(find whole -type f | wc -l)" \
+  -eq $(($(number_of_tiles whole) + 1))
 check "tiles have exactly as many points as asked for" holds whole/index.json \
   "sum(t['output_points'] for t in j['tiles']) == 12000 == j['output_points']"
 check "so has the file of all" test "$(number_of_points merged.ply)" -eq 12000
 check "each tile has those that the index says" holds whole/index.json \
-  "all(('element vertex %d\n' % t['output_points']).encode() in open('whole/' + t['file'], 'rb').read(300)
+  "all(('element vertex %d\n' % t['output_points']).encode()
+       in open('whole/' + t['file'], 'rb').read(300)
        for t in j['tiles'])"
 check "all points of the input are in one tile" holds whole/index.json \
   "sum(t['input_points'] for t in j['tiles']) == 24000"
@@ -56,11 +58,13 @@ check "where tiles overlap they agree" holds whole/index.json \
   "j['overlap']['matches'] > 0.99 * j['overlap']['samples'] > 100 and j['overlap']['opposed'] == 0
    and j['overlap']['root_mean_square_distance'] < 0.01 * j['sample_spacing']"
 check "a report of the phases" holds whole.json \
-  "[p['name'] for p in j['phases']] == 'count blocks shard scales share samples solve stitch write merge finish'.split()
+  "[p['name'] for p in j['phases']]
+   == 'count blocks shard scales share samples solve stitch write merge finish'.split()
    and all(p['kept'] == 0 for p in j['phases']) and j['exit_status'] == 0"
 check "no more memory than allowed" holds whole.json "0 < j['peak_bytes'] <= $memory"
 run merged.ply merged.xyz --convert-only
-check "normals are of one side" test "$(awk '{ print ($6 > 0) }' merged.xyz | sort -u | wc -l)" -eq 1
+check "normals are of one side" \
+  test "$(awk '{ print ($6 > 0) }' merged.xyz | sort -u | wc -l)" -eq 1
 # Along the ribbon, no step, gap or pile at any border
 check "no seam" awk '{ ++n[int(($1 + 20) / 20)] } END {
   for (i = 2; i <= 59; ++i) if (n[i] < 180 || n[i] > 222) { print i, n[i]; exit 1 } }' merged.xyz
@@ -74,7 +78,8 @@ check "a single tile, if memory suffices" test "$(number_of_tiles single)" -eq 1
 run "${with_facts[@]}" --output-directory facts --output facts.xyz --json facts.json
 check "more tiles than one" test "$status" -eq 0 -a "$(number_of_tiles facts)" -ge 2
 check "samples start where the facts say" holds facts.json \
-  "[p['name'] for p in j['phases']] == 'count blocks shard scales solve stitch write merge finish'.split()"
+  "[p['name'] for p in j['phases']]
+   == 'count blocks shard scales solve stitch write merge finish'.split()"
 check "the same radius" test "$(value facts/index.json "j['neighbor_radius']")" = \
   "$(value single/index.json "j['neighbor_radius']")"
 run single/tile_0.ply single.xyz --convert-only
@@ -89,8 +94,9 @@ awk 'BEGIN { for (i = 0; i < 60; ++i) print 20 * i, 10, 30 + 20 * (i % 3) }' > s
 for sensitivity in 0 1; do
   run parts strays.xyz --as-one --points 12000 --memory 4GB --outlier-sensitivity $sensitivity \
     --output-directory "sensitivity_$sensitivity"
-  check "as sensitive as asked for" test "$status" -eq 0 -a "$(value "sensitivity_$sensitivity/index.json" \
-    "sum(t['outliers'] for t in j['tiles'])")" -eq $((60 * sensitivity))
+  check "as sensitive as asked for" test "$status" -eq 0 \
+    -a "$(value "sensitivity_$sensitivity/index.json" "sum(t['outliers'] for t in j['tiles'])")" \
+    -eq $((60 * sensitivity))
 done
 
 # A folder that has a run
@@ -137,8 +143,9 @@ done
 check "inputs are what they were" cmp c.xyz as_it_was.xyz
 check "also in the folder of a run" cmp others/tile_7.xyz as_it_was.xyz
 
-# Killed in the middle of each phase
-check_after_kill() # past a file, of a run whose undisturbed result is in a folder: the words of the run
+# Killed in the middle of each phase: past a file, of a run whose undisturbed result is in a folder.
+# The rest are the words of the run.
+check_after_kill()
 {
   file=$1 undisturbed=$2
   shift 2
@@ -149,7 +156,8 @@ check_after_kill() # past a file, of a run whose undisturbed result is in a fold
   wait $! 2> /dev/null
   run_plainly "$@" --output-directory killed --resume --json killed.json
   check "goes on after a kill past $file" test "$status" -eq 0
-  check "keeps what was there past $file" holds killed.json "sum(p['kept'] for p in j['phases']) > 0"
+  check "keeps what was there past $file" \
+    holds killed.json "sum(p['kept'] for p in j['phases']) > 0"
   check "as if nothing had been past $file" same_tiles killed "$undisturbed"
 }
 for file in count_1 shard_0 share_1 solve_2; do
@@ -183,9 +191,11 @@ run_plainly "${ribbon[@]}" --output-directory damaged --resume --json damaged.js
 check "goes on with damaged files" test "$status" -eq 0
 check "a truncated one is named" grep -q "damaged/work/shard_0: is damaged" stderr
 check "one with another byte too" grep -q "damaged/work/shard_2: is damaged" stderr
-check "both are made again" holds damaged.json "[p['remade'] for p in j['phases'] if p['name'] == 'shard'] == [2]"
+check "both are made again" \
+  holds damaged.json "[p['remade'] for p in j['phases'] if p['name'] == 'shard'] == [2]"
 check "as if nothing had been" same_tiles damaged
-check_plain_failure 2 "is no task of this run" "${ribbon[@]}" --output-directory damaged --task solve:99
+check_plain_failure 2 "is no task of this run" \
+  "${ribbon[@]}" --output-directory damaged --task solve:99
 
 # No room on the disk
 begin_run full "${ribbon[@]}"
@@ -227,7 +237,8 @@ check_failure 6 "--memory" parts --as-one --points 100 --memory 90MB --output-di
 check_failure 6 "do not hold a part of the cloud" parts --as-one --points 12000 \
   --memory $(((96 << 20) + 100000)) --output-directory none
 check_failure 2 "--memory" parts --as-one --points 100 --output-directory none
-check_failure 2 "excludes" parts --as-one --points 100 --memory 1GB --output-directory none --method lor
+check_failure 2 "excludes" \
+  parts --as-one --points 100 --memory 1GB --output-directory none --method lor
 check_failure 3 "missing.xyz" missing.xyz --as-one --points 100 --memory 1GB --output-directory none
 check_failure 3 "reads its files twice" /dev/stdin --as-one --points 100 --memory 1GB \
   --input-format xyz --output-directory none

@@ -97,7 +97,8 @@ check "a good run" test "$status" -eq 0
 check "half of the points by default" test "$(number_of_points out.ply)" -eq 4800
 check "nothing on stderr" test ! -s stderr
 check "one line on stdout" test "$(wc -l < stdout)" -eq 1
-summary='9600 points in, 4800 out, method default, [0-9.]+ s, [0-9]+ % of the normals expected on the right side'
+summary="9600 points in, 4800 out, method default, [0-9.]+ s, [0-9]+ % of the normals expected \
+on the right side"
 check "the summary" grep -qE "^cube.xyz: $summary\$" stdout
 run cube.xyz out.ply --neighbor-radius 0.0001 --json small.json
 check "a radius with hardly a point in it warns" \

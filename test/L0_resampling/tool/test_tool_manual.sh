@@ -7,7 +7,8 @@
 # What is made of the table of options of l0_resample: --help on one page, the man page, and the
 # completions of bash, and tables for the manual, which all have the same options.
 # usage: test_tool_manual.sh PROGRAM FOLDER PAGE
-# FOLDER has the man page, the completions and tables of options; PAGE of the manual shows the tables.
+# FOLDER has the man page, the completions and tables of options; PAGE of the manual shows
+# the tables.
 
 manual=$(realpath "$2")
 page=$(realpath "$3")

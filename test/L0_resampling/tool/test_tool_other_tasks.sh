@@ -53,12 +53,14 @@ check "a batch of conversions" test "$status" -eq 3 \
 # Normals get their side, and nothing else changes
 awk '{ a = $1; b = $2; c = $3; for (k = 1; k <= 3; ++k) n[k] = 0
   m = a * a > b * b ? 1 : 2; if (c * c > $m * $m) m = 3
-  n[m] = ($m > 0 ? 1 : -1) * (NR % 3 ? 2 : -2); print $0, n[1], n[2], n[3], NR }' cube.xyz > signs.csv
+  n[m] = ($m > 0 ? 1 : -1) * (NR % 3 ? 2 : -2);
+  print $0, n[1], n[2], n[3], NR }' cube.xyz > signs.csv
 sed -i '1i x,y,z,nx,ny,nz,time' signs.csv && sed -i 's/ /,/g' signs.csv
 run --orient-only signs.csv oriented.ply
 check "normals are oriented" test "$status" -eq 0
 check "the summary of an orientation" \
-  grep -qE '^signs.csv: 9600 points in, 9600 out, oriented, .* s, [0-9]+ % of the normals expected on the right side' stdout
+  grep -qE "^signs.csv: 9600 points in, 9600 out, oriented, .* s, [0-9]+ % of the normals expected \
+on the right side" stdout
 run --convert-only oriented.ply oriented.pcd
 run --convert-only signs.csv signs.pcd
 check "sizes and properties stay" cmp <(wc -c < oriented.pcd) <(wc -c < signs.pcd)

@@ -39,11 +39,11 @@ struct Viewpoint
   }
 };
 
-/// Brings a place nearer to a cloud, in the direction that it has from there, if it lies too far off
-/// for finite squares of distances.
+/// Brings a place nearer to a cloud, in the direction that it has from there, if it lies too far
+/// off for finite squares of distances.
 /// \param in_frame the place in the frame of the cloud, in and out; may be infinite
-/// \param place the same in the coordinates of the input: where the frame has no number for it, it is
-/// so far from the cloud that the cloud is where these begin
+/// \param place the same in the coordinates of the input: where the frame has no number for it, it
+/// is so far from the cloud that the cloud is where these begin
 inline void bring_nearer(double (&in_frame)[3], const double* place)
 {
   const double farthest = 1e100; // whose square is finite

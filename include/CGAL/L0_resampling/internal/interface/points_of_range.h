@@ -78,9 +78,9 @@ constexpr bool has_random_access =
                       std::random_access_iterator_tag>::value;
 
 /// Calls `f(it, begin, end)` for the blocks of `points_per_look` places of a range from `first` to
-/// `last`, with the iterator at `begin`, which `f` increments to `end`, unless nothing behind counts
-/// any more. With `Parallel_tag` the calls run at the same time if the iterators have random access,
-/// else one after the other.
+/// `last`, with the iterator at `begin`, which `f` increments to `end`, unless nothing behind
+/// counts any more. With `Parallel_tag` the calls run at the same time if the iterators have random
+/// access, else one after the other.
 /// \param it at `first`, where a block begins; out: at `last`
 template <typename ConcurrencyTag, typename Iterator, typename F>
 void for_each_block_of_range(Iterator& it, std::size_t first, std::size_t last, const F& f)

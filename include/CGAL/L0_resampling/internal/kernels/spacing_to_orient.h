@@ -24,8 +24,8 @@ inline double spacing_of_representatives(double spacing, double noise)
   return (std::max)(spacing, noise);
 }
 
-/// Whether the scales of places have a say in sides: in the balls that normals are estimated in, and
-/// in which points stand for others within the noise.
+/// Whether the scales of places have a say in sides: in the balls that normals are estimated in,
+/// and in which points stand for others within the noise.
 /// \param spacing, noise as for `spacing_of_representatives()`
 inline bool needs_scales_to_orient(bool are_all_normals_given, double spacing, double noise)
 {

@@ -27,8 +27,8 @@ class Blocks_of_tile
   const Tile& m_tile;
   Block_box m_reach;
 
-  /// Calls `f(block, count, first)` for each block in their order, with the number of its points and
-  /// of those in all blocks of the cloud before.
+  /// Calls `f(block, count, first)` for each block in their order, with the number of its points
+  /// and of those in all blocks of the cloud before.
   template <typename F>
   void for_each(const F& f) const
   {

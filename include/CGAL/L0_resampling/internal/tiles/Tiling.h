@@ -60,9 +60,9 @@ struct Bytes_of_call
   std::uint64_t per_point, per_sample;
 };
 
-/// What a tile and its halo take: for each point, and for the samples among them. How many these are
-/// is not known before the tiles are: as many as their share of all points says, or, if samples are
-/// even, as their share of the area, whichever is more.
+/// What a tile and its halo take: for each point, and for the samples among them. How many these
+/// are is not known before the tiles are: as many as their share of all points says, or, if samples
+/// are even, as their share of the area, whichever is more.
 struct Bytes_of_tile
 {
   double per_point;           ///< with its share of the samples
