@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <stdexcept>
 #include <utility>
@@ -108,6 +109,26 @@ public:
     for (const Triangle_iterator triangle : found)
       normals.push_back(area_normal(*triangle));
     return normals;
+  }
+
+  /// How far the line through the nearest point of the mesh, along a normal that is right there,
+  /// runs to either side until it meets the mesh again; infinite if it never does.
+  double distance_to_next_sheet(const Point_3& p) const
+  {
+    const Point_3 foot = m_triangle_tree.closest_point(p);
+    const Vector_3 normal = nearest_normals(p).front(),
+                   step = 1e-6 * m_diagonal / std::sqrt(normal.squared_length()) * normal;
+    double number_of_steps = std::numeric_limits<double>::infinity();
+    for (const Vector_3& direction : {step, -step})
+      if (const auto triangle = m_triangle_tree.first_intersected_primitive(
+            Kernel::Ray_3(foot + direction, direction))) {
+        const Vector_3 other_normal = area_normal(**triangle);
+        const double height_of_step = other_normal * direction,
+                     height = other_normal * ((**triangle)[0] - foot);
+        number_of_steps = (std::min)(number_of_steps,
+                                     height_of_step != 0 ? height / height_of_step : 0);
+      }
+    return number_of_steps * std::sqrt(step.squared_length());
   }
 
 private:

@@ -113,6 +113,11 @@ int main(int argc, char* argv[])
   app.add_option("truth", truth_path, "Triangle mesh, OFF")->required()->check(CLI::ExistingFile);
   app.add_option("--values", values_path,
                  "File for distance and density of each point, two float32 a point");
+  double apart = -1;
+  app
+    .add_option("--apart", apart,
+                "Also the normals inwards where no other sheet is as near, % of the diagonal")
+    ->check(CLI::NonNegativeNumber);
   if (const std::optional<int> status = L0_benchmark::read_command_line(app, argc, argv))
     return *status;
 
@@ -121,6 +126,11 @@ int main(int argc, char* argv[])
     const L0_benchmark::Ground_truth truth(L0_benchmark::read_triangle_mesh(truth_path));
     Json json = {{"number_of_points", result.points.size()}};
     json.update(to_json(L0_benchmark::evaluate(result.points, result.normals, truth), truth));
+    if (apart >= 0 && !result.normals.empty()) {
+      const std::optional<double> share = L0_benchmark::share_inwards_where_apart(
+        result.points, result.normals, truth, apart / 100 * truth.diagonal());
+      json["normals"]["share_inwards_where_apart"] = share ? Json(*share) : Json(nullptr);
+    }
     if (!values_path.empty())
       write_values_of_points(values_path, result.points, truth);
     std::cout << json.dump(2) << "\n";

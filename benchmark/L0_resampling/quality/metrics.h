@@ -175,6 +175,23 @@ inline Normal_statistics summarize(const std::vector<Normal_deviation>& deviatio
   return statistics;
 }
 
+/// The share of normals that point to the wrong side, of the points whose sheet is farther than
+/// `distance` from the next one; nothing if there are none.
+inline std::optional<double> share_inwards_where_apart(const std::vector<Point_3>& points,
+                                                       const std::vector<Vector_3>& normals,
+                                                       const Ground_truth& truth, double distance)
+{
+  std::size_t number_apart = 0, number_inwards = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (truth.distance_to_next_sheet(points[i]) > distance) {
+      ++number_apart;
+      number_inwards += normal_deviation(points[i], normals[i], truth).inwards;
+    }
+  if (number_apart == 0)
+    return std::nullopt;
+  return double(number_inwards) / double(number_apart);
+}
+
 /// For each point, the mean distance to its `k` nearest neighbors.
 inline std::vector<double> mean_neighbor_distances(const std::vector<Point_3>& points,
                                                    const Search_tree& tree, unsigned int k)

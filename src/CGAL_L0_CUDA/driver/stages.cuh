@@ -430,11 +430,19 @@ struct Side_hints
     return {direction[0], direction[1], direction[2]};
   }
 
+  __device__ bool knows_viewpoint(const Samples& samples, std::size_t i) const
+  {
+    const double3 direction = direction_of(samples, i);
+    return are_viewpoints && dot(direction, direction) > 0;
+  }
+  /// Of the angle between normal and direction.
+  __device__ double cosine(const Samples& samples, std::size_t i) const
+  {
+    return dot(to_double(xyz(samples.normals[i])), direction_of(samples, i));
+  }
   __device__ int certain_side_of(const Samples& samples, std::size_t i) const
   {
-    return are_viewpoints
-             ? certain_side(dot(to_double(xyz(samples.normals[i])), direction_of(samples, i)))
-             : 0;
+    return are_viewpoints ? certain_side(cosine(samples, i)) : 0;
   }
 #endif
 };

@@ -93,6 +93,15 @@ std::vector<Point_3> ring(int n, double radius, double z)
   return points;
 }
 
+// Above the rectangle another one, of half its width, with its outside up.
+Triangle_mesh two_sheets(double height)
+{
+  return {{Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(1, 1, 0), Point_3(0, 1, 0),
+           Point_3(0, 0, height), Point_3(0.5, 0, height), Point_3(0.5, 1, height),
+           Point_3(0, 1, height)},
+          {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}}};
+}
+
 void test_statistics()
 {
   std::vector<double> values;
@@ -464,6 +473,22 @@ void test_density_gradient()
   check_close(share_below(widths, 0.5), 0.5, 0.006);
 }
 
+void test_sides_where_sheets_are_apart()
+{
+  const Ground_truth truth(two_sheets(0.1));
+  const Point_3 below(0.2, 0.3, 0.001), above(0.3, 0.4, 0.101), alone(0.8, 0.3, -0.001);
+  check_close(truth.distance_to_next_sheet(below), 0.1, 1e-9);
+  check_close(truth.distance_to_next_sheet(above), 0.1, 1e-9);
+  check(std::isinf(truth.distance_to_next_sheet(alone)), "there is no sheet above or below");
+
+  const Vector_3 up(0, 0, 1);
+  const std::vector<Point_3> points = {below, above, alone, Point_3(0.9, 0.9, 0)};
+  const std::vector<Vector_3> normals = {-up, up, -up, up};
+  check_close(share_inwards_where_apart(points, normals, truth, 0.05).value(), 0.5, 0);
+  check_close(share_inwards_where_apart(points, {-up, -up, up, up}, truth, 0.15).value(), 0, 0);
+  check(!share_inwards_where_apart({below}, {up}, truth, 0.15), "no point is apart");
+}
+
 } // namespace
 
 int main()
@@ -483,5 +508,6 @@ int main()
   test_noise();
   test_outliers();
   test_density_gradient();
+  test_sides_where_sheets_are_apart();
   return number_of_failures == 0 ? 0 : 1;
 }

@@ -166,10 +166,13 @@ void check_formulas()
         && !internal::is_turned_by_windings(true, 0.3));
   CHECK(!internal::is_turned_by_windings(false, -1e-6)
         && internal::is_turned_by_windings(true, 1e-6));
-  CHECK(internal::confidence_of_side(1, 0.5, 0.5) == 1
-        && internal::confidence_of_side(-1, 0.9, 0.9) == 0);
-  CHECK(std::abs(internal::confidence_of_side(0, 0.5, 0.99) - 0.5) < 1e-12);
-  CHECK(std::abs(internal::confidence_of_side(0, 1, 0.9) - 0.9) < 1e-12);
+  CHECK(std::abs(internal::confidence_of_side(0.5, 0.99) - 0.5) < 1e-12);
+  CHECK(std::abs(internal::confidence_of_side(1, 0.9) - 0.9) < 1e-12);
+  // certain where the viewpoint is, a guess edge-on
+  CHECK(internal::confidence_of_viewpoint(0.2) == 1 && internal::confidence_of_viewpoint(-0.2) == 0
+        && internal::confidence_of_viewpoint(0) == 0.5);
+  CHECK(std::abs(internal::confidence_of_viewpoint(0.085) - 0.75) < 1e-12
+        && std::abs(internal::confidence_of_viewpoint(-0.085) - 0.25) < 1e-12);
   internal::Side_votes votes;
   votes.sum = -3;
   votes.total = 4;
@@ -249,6 +252,9 @@ void check_call()
     const Result seen =
       resampled(plane, 1500, params::random_seed(1) | params::viewpoint(Kernel::Point_3(0, 0, 9)));
     CHECK(seen.report.right_side_share == 1);
+    const Result seen_edge_on = resampled(
+      plane, 1500, params::random_seed(1) | params::viewpoint(Kernel::Point_3(5, 0.5, 0.02)));
+    CHECK(std::abs(seen_edge_on.report.right_side_share - 0.5) < 0.05);
   }
   {
     const Result cap = resampled(noisy_sphere(3000, true), 1500,

@@ -88,14 +88,20 @@ CGAL_L0_HOST_DEVICE inline double confidence_within_tree(const Side_evidence& ev
                   - 5.93 * within(evidence.winding_number - 0.55, 0, 1));
 }
 
-/// How sure the side of a sample is, from how sure that of its tree is, and it within the tree;
-/// unless it is certain.
-/// \param certain 1 if its viewpoint leaves no doubt that its side is right, -1 if wrong, else 0
-CGAL_L0_HOST_DEVICE inline double confidence_of_side(int certain, double of_tree,
-                                                     double within_tree)
+/// How sure the side of a sample is, from how sure that of its tree is, and it within the tree.
+CGAL_L0_HOST_DEVICE inline double confidence_of_side(double of_tree, double within_tree)
 {
-  return certain != 0 ? (certain > 0 ? 1 : 0)
-                      : of_tree * within_tree + (1 - of_tree) * (1 - within_tree);
+  return of_tree * within_tree + (1 - of_tree) * (1 - within_tree);
+}
+
+/// How sure the side of a sample is that was seen from a known place: certain where
+/// `certain_side()` is, a guess where it was seen edge-on, linear in between. Winding numbers know
+/// less, as a scan is an open surface.
+/// \param cosine of the angle between normal and direction to the viewpoint
+CGAL_L0_HOST_DEVICE inline double confidence_of_viewpoint(double cosine)
+{
+  const double confidence = (1 + cosine / least_certain_cosine) / 2;
+  return confidence < 0 ? 0 : confidence > 1 ? 1 : confidence;
 }
 
 /// How sure it is that hints turn a tree to the right side: for certain, where any of them is.

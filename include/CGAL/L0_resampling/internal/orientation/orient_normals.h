@@ -101,9 +101,15 @@ struct Side_hints
   std::function<Vector(Index)> direction_of = [](Index) -> Vector { return Vector::Zero(); };
   bool are_viewpoints = false; ///< whether it is the direction to what the sample was seen from
 
+  /// Of the angle between a normal and the direction to what the sample was seen from, if known.
+  std::optional<double> viewpoint_cosine(Index i, const Vector& normal) const
+  {
+    const Vector direction = are_viewpoints ? direction_of(i) : Vector::Zero();
+    return direction.isZero(0) ? std::nullopt : std::optional<double>(normal.dot(direction));
+  }
   int certain_side_of(Index i, const Vector& normal) const
   {
-    return are_viewpoints ? certain_side(normal.dot(direction_of(i))) : 0;
+    return certain_side(viewpoint_cosine(i, normal).value_or(0));
   }
 };
 
@@ -396,8 +402,9 @@ Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_o
         const double within_tree = sets.find(dipoles[k]).first == root
                                      ? confidences_within_trees[k]
                                      : tree.confidence_of_dipoles();
-        result.confidences[i] = float(
-          confidence_of_side(hints.certain_side_of(i, normal(i)), tree.confidence(), within_tree));
+        const std::optional<double> cosine = hints.viewpoint_cosine(i, normal(i));
+        result.confidences[i] = float(cosine ? confidence_of_viewpoint(*cosine)
+                                             : confidence_of_side(tree.confidence(), within_tree));
       }
       return number;
     });
