@@ -462,8 +462,8 @@ unsigned find_outliers(const Workplace& workplace, const Positions& positions,
   if (is_any_sparse_kept.read())
     drop_points_that_fill_space(workplace, judged, low, high, radius,
                                 thresholds.volume_filling_ratio, points);
-  find_large_parts(workplace, judged, low, high, gap_of_parts * radius, points.median,
-                   thresholds.share_of_part, points.is_kept);
+  find_large_parts(workplace, judged, low, high, radius, points.median, thresholds.share_of_part,
+                   points.is_kept);
   const unsigned char* is_kept = points.is_kept;
   if (representatives)
   {

@@ -146,7 +146,7 @@ __global__ void know_seeds(Morton_points places, unsigned number_of_seeds, Seed*
   const Wide i = warp_index();
   if (i >= number_of_seeds)
     return;
-  const Seed seed = seed_at(Warp(), places, i * points_per_seed);
+  const Seed seed = seed_at(Warp(), places, i * points_of_seed);
   known[i] = seed;
   reaches[i] = reach_of_seed(seed);
 }
@@ -264,9 +264,9 @@ Scales_of_points estimate_scale_field(const Workplace& workplace, const Position
   check_launch("mark_first_of_codes");
   const unsigned number_of_places = list_flagged(is_first, n, list, scratch, stream);
   const Morton_points places = take(sorted, list, 1, number_of_places);
-  const unsigned size = unsigned((number_of_places + points_per_seed - 1) / points_per_seed);
+  const unsigned size = unsigned((number_of_places + points_of_seed - 1) / points_of_seed);
   const Morton_points seeds = take(reinterpret_cast<const Wide*>(places.codes), nullptr,
-                                   points_per_seed, size);
+                                   points_of_seed, size);
 
   const unsigned blocks = blocks_for(Wide(size) * Warp::number_of_threads);
   Seed* const known = scratch.take<Seed>(size);

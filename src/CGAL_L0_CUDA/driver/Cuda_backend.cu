@@ -320,8 +320,8 @@ void Cuda_backend::fit_compatible_points(const Plan& plan, bool is_last)
 
 void Cuda_backend::refit_sample_normals(const Plan& plan)
 {
-  const Sample_refit_kernel kernel(plan.self_neighbor_radius, plan.refit_bandwidth);
-  for (std::size_t pass = 0; pass < number_of_sample_refits; ++pass)
+  const Sample_refit_kernel kernel(plan.self_neighbor_radius, plan.compatible_bandwidth);
+  for (std::size_t pass = 0; pass < number_of_normal_refits; ++pass)
     cuda::refit_sample_normals(m_workplace, kernel, m_neighborhood->points,
                                m_neighborhood->neighbors, m_samples);
 }

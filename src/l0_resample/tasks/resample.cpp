@@ -196,7 +196,7 @@ double largest_effective_normal_weight(const CGAL::L0_resampling::Report& report
   using namespace CGAL::L0_resampling::internal;
   if (report.iterations.empty())
     return std::numeric_limits<double>::infinity();
-  const double largest_jump = largest_jump_per_sheet_height
+  const double largest_jump = least_height_between_sheets
                               * sheet_height(report.estimated_noise, report.neighbor_radius);
   const double jumps = largest_jump / (sparsity_unit_factor * report.neighbor_radius);
   return report.iterations.back().penalty * jumps * jumps;

@@ -51,7 +51,7 @@ void check_formula(Generator& generator)
   add_gaussian_noise(cloud.points, 0.02, generator);
   cloud.points.emplace_back(5, 0, 0); // nobody is near this one
   cloud.normals.emplace_back(0, 0, 1);
-  cloud.normals = noisy_normals(cloud.normals, 0.3, generator);
+  cloud.normals = noisy_normals(cloud.normals, 0.5, generator);
   const Refitted refitted(cloud);
   double worst = 0;
   std::size_t number_halfway = 0, number_in_between = 0;
@@ -68,9 +68,9 @@ void check_formula(Generator& generator)
       const double height = 0.5 * (n + sign * refitted.before[k]).dot(d),
                    share = 10 * (1 - d.squaredNorm() / square(radius));
       const double weight = (std::min)((std::max)(share, 0.), 1.)
-                            * std::exp(-d.squaredNorm() / square(0.7 * radius)
+                            * std::exp(-d.squaredNorm() / square(0.6 * radius)
                                        - square(1 - std::abs(cosine)) / kernel.normal_bandwidth
-                                       - square(height / (radius / 8)));
+                                       - square(height / (0.2 * radius)));
       total += weight;
       mean += weight * d;
       squares += weight * d * d.transpose();

@@ -121,7 +121,7 @@ Scale_field estimate_scale_field(const Buffer<Vector>& points, double extent,
   const auto allocator = points.get_allocator();
   const Morton_places places = places_of<ConcurrencyTag>(points,
                                                          Morton_cells::of_extent(4 * extent));
-  Scale_field field{places.one_of(points_per_seed), radius, Buffer<double>(allocator),
+  Scale_field field{places.one_of(points_of_seed), radius, Buffer<double>(allocator),
                     Buffer<double>(allocator)};
   const Morton_points view = places.view(), seeds = field.seeds.view();
   const std::size_t size = seeds.size;
@@ -133,8 +133,7 @@ Scale_field estimate_scale_field(const Buffer<Vector>& points, double extent,
       progress.advance(0);
     });
   };
-  for_each_seed(
-    [&](std::size_t i) { known[i] = seed_at(One_thread(), view, i * points_per_seed); });
+  for_each_seed([&](std::size_t i) { known[i] = seed_at(One_thread(), view, i * points_of_seed); });
   std::vector<Growth_of_deviations> growths;
   for (std::size_t i = 0; i < size; i += stride_of_growth(size))
     growths.push_back(growth_at(known[i]));

@@ -262,7 +262,7 @@ Buffer<unsigned char> find_outliers_among(const Buffer<Vector>& unsorted_points,
     rest_points.push_back(unsorted_points[i]);
   });
   const Buffer<float> rest_scales = listed_scales(scales, rest);
-  const Buffer<Index> sizes = sizes_of_parts<ConcurrencyTag>(rest_points, gap_of_parts * radius,
+  const Buffer<Index> sizes = sizes_of_parts<ConcurrencyTag>(rest_points, radius,
                                                              view_of_scales(rest_scales), progress);
   bool is_any_left = false;
   for_each_in_order(rest.size(), [&](std::size_t k) {

@@ -129,16 +129,16 @@ inline double sheet_height(double noise, double radius)
   return std::hypot(sheet_height_per_noise * noise, sheet_height_per_radius * radius);
 }
 
-/// A jump between two samples of more than this many H is one to another sheet, or across an edge,
-/// and no noise: the default method shrinks no such jump, however small the penalty still is, and
-/// its regularization lets go of such pairs, which would draw two sheets together. A higher limit
-/// joins sheets, and with a lower one the samples of a face, which have no hold beyond its edges,
-/// draw each other away from them.
-constexpr double largest_jump_per_sheet_height = 0.7;
+/// Two sheets are told apart from this share of H on. A jump of more between two samples is one to
+/// another sheet, or across an edge, and no noise: the default method shrinks no such jump, however
+/// small the penalty still is, and its regularization lets go of such pairs, which would draw two
+/// sheets together. A larger share joins sheets. With a smaller one the samples of a face, which
+/// have no hold beyond its edges, draw each other away from them.
+constexpr double least_height_between_sheets = 0.7;
 
-/// How far from the threshold, and per threshold, the default method begins and ends to shrink
-/// jumps. A step, as in Eq. (9), would put a sample here or there by a rounding.
-constexpr double half_width_of_firm_shrinkage = 0.1;
+/// The default method begins to shrink jumps less at two thirds of the threshold, and ends at twice
+/// as much. A step, as in Eq. (9), would put a sample here or there by a rounding.
+constexpr double half_width_of_firm_shrinkage = 1. / 3;
 
 /// A point is an outlier if its ball holds fewer points than this share of the mean ball around it,
 /// or of the median ball. At a border and its corners a ball is a half or a quarter full; between
@@ -147,7 +147,7 @@ constexpr double outlier_share_of_surroundings = 0.3;
 constexpr double outlier_share_of_median = 0.05;
 
 /// Points whose ball holds less than this share of the median ball are of the sparse end of a scan,
-/// or of a crowd of outliers that has enough of its own around each.
+/// or of a crowd of outliers that has enough of its own around each. Such a ball tells no noise.
 constexpr double share_of_sparse_points = 0.15;
 
 /// Sparse points fill space, and are outliers, if balls of 2 r_p hold more than this many times as
@@ -177,15 +177,10 @@ struct Outlier_thresholds
   {}
 };
 
-/// Parts of the cloud are apart if a layer of cells of this size, per r_p, lies empty between them.
-/// Smaller cells would tear sparse regions to pieces, larger ones join outliers to the cloud.
-constexpr double gap_of_parts = 0.6;
-
 /// Points of one sheet that scatter about it by H/2, with the weights \f$ e^{-h^2/H^2} \f$, have
 /// the first of these variances, in units of \f$ H^2 \f$. Those of two sheets have more, and from
-/// the second on their sheets are as much lower as the third says: this share of H.
-constexpr double variance_of_one_sheet = 1. / 6, variance_of_two_sheets = 1. / 5,
-                 height_among_two_sheets = 0.7;
+/// the second on their sheets are as low as the height from which on two are told apart.
+constexpr double variance_of_one_sheet = 1. / 6, variance_of_two_sheets = 1. / 5;
 
 /// \f$ H^2 \f$ of a sample whose points scatter.
 /// \param squared_sheet_height \f$ H^2 \f$ of all
@@ -195,7 +190,8 @@ CGAL_L0_HOST_DEVICE inline double squared_sheet_height_among(double squared_shee
 {
   const double t = as_share((variance / squared_sheet_height - variance_of_one_sheet)
                             / (variance_of_two_sheets - variance_of_one_sheet));
-  return squared_sheet_height * (1 - t * (1 - height_among_two_sheets * height_among_two_sheets));
+  return squared_sheet_height
+         * (1 - t * (1 - least_height_between_sheets * least_height_between_sheets));
 }
 
 /// Fewer points do not count as compatible: a sample with less weight of them is lonely.
@@ -297,21 +293,12 @@ struct Support_subset
   }
 };
 
-/// The default method corrects its normals by the positions before each of the last filter passes,
-/// as many times.
+/// The default method corrects normals by positions: those of the points before each of the last
+/// filter passes, as many times, and those of the samples in as many passes after each fit.
 constexpr std::size_t number_of_normal_refits = 2;
 
-/// After each fit the default method corrects the normals of the samples by the positions of their
-/// self neighbors, in this number of passes.
-constexpr std::size_t number_of_sample_refits = 2;
-
-/// The self neighbors count there that look like samples of one face: \f$ \sigma_n \f$ in sharpness
-/// angles, and \f$ \sigma \f$ and H per radius of the self neighbors. A wider angle follows details
-/// of rough surfaces more closely and rounds edges more.
-constexpr double sample_refit_angle_factor = 2.5, sample_refit_bandwidth_factor = 0.7,
-                 sample_refit_sheet_factor = 0.125;
-
-/// What decides how far a self neighbor counts there.
+/// What decides how far a self neighbor counts where the normals of the samples are corrected: as
+/// the points do in the ball of a fit.
 struct Sample_refit_kernel
 {
   double radius; ///< R, of the self neighbors
@@ -320,10 +307,9 @@ struct Sample_refit_kernel
   double squared_sheet_height;
 
   Sample_refit_kernel(double self_neighbor_radius, double bandwidth_of_normals)
-    : radius(self_neighbor_radius),
-      squared_bandwidth(square(sample_refit_bandwidth_factor * radius)),
+    : radius(self_neighbor_radius), squared_bandwidth(square(fit_bandwidth_factor * radius)),
       normal_bandwidth(bandwidth_of_normals),
-      squared_sheet_height(square(sample_refit_sheet_factor * radius))
+      squared_sheet_height(square(sheet_height_per_radius * radius))
   {}
 };
 

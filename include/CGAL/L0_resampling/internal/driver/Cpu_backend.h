@@ -290,8 +290,8 @@ public:
 
   void refit_sample_normals(const Plan& plan)
   {
-    const Sample_refit_kernel kernel(plan.self_neighbor_radius, plan.refit_bandwidth);
-    for (std::size_t pass = 0; pass < number_of_sample_refits; ++pass)
+    const Sample_refit_kernel kernel(plan.self_neighbor_radius, plan.compatible_bandwidth);
+    for (std::size_t pass = 0; pass < number_of_normal_refits; ++pass)
       internal::refit_sample_normals<ConcurrencyTag>(kernel, m_neighbors, m_samples);
   }
 

@@ -23,12 +23,10 @@ namespace L0_resampling {
 namespace internal {
 
 // The field of scales: how much larger the radius is to be around a point than r_p. It is estimated
-// at seeds, every `points_per_seed`-th point in Morton order, and read everywhere.
+// at seeds, every `points_of_seed`-th point in Morton order, and read everywhere.
 
-/// The number of points for each seed.
-constexpr std::uint64_t points_per_seed = 16;
-
-/// Within how many of the nearest points the spacing and the noise at a seed are looked for.
+/// One of so many points is a seed, and within so many of the nearest points the spacing and the
+/// noise there are looked for.
 constexpr int points_of_seed = 24;
 
 /// How many seeds around a seed decide together, about.
@@ -48,10 +46,6 @@ constexpr float least_growth_of_correlated_noise = 0.25f, largest_growth_of_corr
 /// Noise that is less of the first ball, in the median, has no effect on the radius. In a ball that
 /// is not flat the deviation grows because the ball does.
 constexpr float least_deviation_of_correlated_noise = 0.06f;
-
-/// Noise counts as correlated from this number of balls on: one alone lies between noise and a
-/// surface that bends.
-constexpr int fewest_correlated_balls = 2;
 
 /// Of how many seeds the growth is looked at, at most.
 constexpr std::uint64_t most_seeds_of_growth = 4096;
@@ -212,7 +206,8 @@ inline double widening_by_correlation(const std::vector<Growth_of_deviations>& g
     if (octaves < least_growth_of_correlated_noise || octaves > largest_growth_of_correlated_noise)
       break;
   }
-  return number_of_balls < fewest_correlated_balls ? 1 : std::exp2(0.5 * number_of_balls);
+  // one ball alone lies between noise and a surface that bends
+  return number_of_balls < balls_of_noise ? 1 : std::exp2(0.5 * number_of_balls);
 }
 
 /// Numbers of a few seeds, the first in their order.
@@ -227,7 +222,7 @@ CGAL_L0_HOST_DEVICE double quantile(const Numbers_of_seeds<Team>& numbers, doubl
 
 CGAL_L0_HOST_DEVICE inline double radius_of_group(const Seed& seed)
 {
-  return seed.reach * std::sqrt(seeds_of_group * double(points_per_seed) / points_of_seed);
+  return seed.reach * std::sqrt(seeds_of_group);
 }
 
 /// What the whole cloud has, by which places of it are measured.
@@ -325,10 +320,7 @@ CGAL_L0_HOST_DEVICE double scale_of_group(const Team& team, const Morton_points&
 }
 
 /// How far the place of a seed reaches: as far as its share of the points.
-CGAL_L0_HOST_DEVICE inline double reach_of_seed(const Seed& seed)
-{
-  return seed.reach * std::sqrt(double(points_per_seed) / points_of_seed);
-}
+CGAL_L0_HOST_DEVICE inline double reach_of_seed(const Seed& seed) { return seed.reach; }
 
 /// The scale at a seed once those around it limit how fast it rises from them.
 template <typename Team>

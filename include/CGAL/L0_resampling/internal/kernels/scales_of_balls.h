@@ -6,6 +6,7 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_SCALES_OF_BALLS_H
 #define CGAL_L0_RESAMPLING_INTERNAL_SCALES_OF_BALLS_H
 
+#include <CGAL/L0_resampling/internal/core/Parameters.h>
 #include <CGAL/L0_resampling/internal/kernels/Height_moments.h>
 #include <CGAL/L0_resampling/internal/kernels/deviation_in_ball.h>
 
@@ -62,14 +63,10 @@ inline double median_count(const std::vector<Ball_of_points>& balls)
   return quantile(balls, 0.5, [](const Ball_of_points& ball) { return ball.count; });
 }
 
-/// Balls around far outliers hold less than this share of the points of the median ball. Those of
-/// thinner parts of a surface hold more.
-constexpr double least_share_of_points_in_ball = 0.1;
-
 /// What few points have across their plane tells no noise.
 inline void drop_sparse_balls(std::vector<Ball_of_points>& balls)
 {
-  const double least_count = least_share_of_points_in_ball * median_count(balls);
+  const double least_count = share_of_sparse_points * median_count(balls);
   balls.erase(std::remove_if(balls.begin(), balls.end(),
                              [&](const Ball_of_points& ball) { return ball.count < least_count; }),
               balls.end());

@@ -133,7 +133,6 @@ struct Plan
   double squared_bandwidth;    ///< \f$ \sigma_q^2 \f$
   double normal_bandwidth;     ///< of the filter of normals
   double compatible_bandwidth; ///< of what compares normals of one face
-  double refit_bandwidth;      ///< of the refit of the normals of the samples
 
   std::size_t number_of_filter_passes; ///< over the normals of the points
   std::size_t number_of_refits;        ///< before as many of the last of these passes
@@ -253,7 +252,6 @@ inline Plan make_plan(const Parameters& parameters, const Facts& facts)
   plan.squared_bandwidth = square(spatial_bandwidth_factor * plan.filter_radius);
   plan.normal_bandwidth = normal_bandwidth(parameters.sharpness_angle);
   plan.compatible_bandwidth = normal_bandwidth(fit_angle_factor * parameters.sharpness_angle);
-  plan.refit_bandwidth = normal_bandwidth(sample_refit_angle_factor * parameters.sharpness_angle);
 
   plan.number_of_filter_passes = parameters.number_of_normal_filter_iterations;
   plan.number_of_refits = (std::min)(rules.number_of_normal_refits, plan.number_of_filter_passes);
@@ -275,7 +273,7 @@ inline Plan make_plan(const Parameters& parameters, const Facts& facts)
   plan.minimization = {square(plan.radius),
                        plan.squared_bandwidth,
                        sparsity_unit_factor * plan.radius,
-                       rules.limits_jumps ? largest_jump_per_sheet_height * plan.sheet_height
+                       rules.limits_jumps ? least_height_between_sheets * plan.sheet_height
                                           : infinity,
                        infinity,
                        0,
