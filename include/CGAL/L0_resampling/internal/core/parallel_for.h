@@ -63,24 +63,29 @@ inline void poll_for_cancellation()
     loop_watcher()->look();
 }
 
-/// A view of a function `f(begin, end)`, for one body of a loop for all functions: a call through a
-/// pointer is nothing beside a block, and each instantiation of TBB's loop costs the compiler a
-/// quarter of a second.
-class Block_function
+/// A view of a function of these arguments, for one body of a loop for all functions: a call
+/// through a pointer is nothing beside what the functions do, and each copy of a loop costs the
+/// compiler time, a quarter of a second where it is TBB's.
+template <typename... Arguments>
+class Function_view
 {
   const void* m_function;
-  void (*m_call)(const void*, std::size_t, std::size_t);
+  void (*m_call)(const void*, Arguments...);
 
 public:
+  /// \param f outlives this object
   template <typename F>
-  explicit Block_function(const F& f)
-    : m_function(&f), m_call([](const void* function, std::size_t begin, std::size_t end) {
-        (*static_cast<const F*>(function))(begin, end);
+  explicit Function_view(const F& f)
+    : m_function(&f), m_call([](const void* function, Arguments... arguments) {
+        (*static_cast<const F*>(function))(arguments...);
       })
   {}
 
-  void operator()(std::size_t begin, std::size_t end) const { m_call(m_function, begin, end); }
+  void operator()(Arguments... arguments) const { m_call(m_function, arguments...); }
 };
+
+/// Of `f(begin, end)`.
+using Block_function = Function_view<std::size_t, std::size_t>;
 
 #ifdef CGAL_LINKED_WITH_TBB
 /// `for_each_block()` with `Parallel_tag`.
@@ -134,10 +139,12 @@ template <typename F>
 void for_each_in_order(std::size_t n, const F& f)
 {
   const std::size_t block_size = 65536; // a few milliseconds
-  for_each_block<Sequential_tag>(n, block_size, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
+  for (std::size_t i = 0; i < n;)
+  {
+    for (const std::size_t end = i + (std::min)(block_size, n - i); i < end; ++i)
       f(i);
-  });
+    poll_for_cancellation();
+  }
 }
 
 /// Makes `values` `n` times `value`, as `assign()` does, but in blocks: the first touch of memory

@@ -28,15 +28,11 @@ void sort_range_by_key(Iterator begin, Iterator end, const Key& key, const Less&
   boost::sort::spreadsort::integer_sort(
     begin, end, [&](const auto& a, unsigned shift) -> std::uint64_t { return key(a) >> shift; },
     [&](const auto& a, const auto& b) { return key(a) < key(b); });
-  const std::ptrdiff_t long_run = 16384;
   std::size_t number_of_comparisons = 0;
   for (Iterator first = begin, last = begin; first != end; first = last)
   {
     last = std::find_if(first, end, [&](const auto& a) { return key(a) != key(*first); });
-    if (last - first > long_run)
-      std::sort(first, last, watched_order(less, number_of_comparisons));
-    else
-      std::sort(first, last, less);
+    std::sort(first, last, watched_order(less, number_of_comparisons));
   }
 }
 

@@ -228,6 +228,24 @@ void for_each_cell_of_row(const Search_grid_3& grid, std::size_t row,
 /// Rows whose cells are visited one after the other.
 constexpr std::size_t rows_per_block = 4;
 
+using Cell_function = Function_view<Index, const std::vector<Search_grid_3::Range>&, std::size_t>;
+
+/// `for_each_cell_block()` for the rows `[begin, end)` of `query_grid`.
+inline void visit_cells_of_rows(const Search_grid_3& query_grid, std::size_t begin, std::size_t end,
+                                const Search_grid_3& point_grid, int reach, Progress& progress,
+                                const Cell_function& visitor)
+{
+  Search_grid_3::Block_cursor cursor(point_grid, reach);
+  std::vector<Search_grid_3::Range> ranges;
+  for (std::size_t r = begin; r < end; ++r)
+    for_each_cell_of_row(query_grid, r, cursor, ranges,
+                         [&](Index cell, const auto& found, std::size_t count) {
+                           visitor(cell, found, count);
+                           const Search_grid_3::Range queries = query_grid.points_of_cell(cell);
+                           progress.advance(queries.second - queries.first);
+                         });
+}
+
 /*!
 Calls `visitor(cell, ranges, count)` for each occupied cell of `query_grid`, with the runs of points
 of `point_grid` that lie within `reach` cells of it, and their number. Runs ascend.
@@ -242,15 +260,10 @@ void for_each_cell_block(const Search_grid_3& query_grid, const Search_grid_3& p
   for_each_block<ConcurrencyTag>(
     query_grid.number_of_rows(), rows_per_block, [&](std::size_t begin, std::size_t end) {
       auto visitor = make_visitor();
-      Search_grid_3::Block_cursor cursor(point_grid, reach);
-      std::vector<Search_grid_3::Range> ranges;
-      for (std::size_t r = begin; r < end; ++r)
-        for_each_cell_of_row(query_grid, r, cursor, ranges,
-                             [&](Index cell, const auto& found, std::size_t count) {
-                               visitor(cell, found, count);
-                               const Search_grid_3::Range queries = query_grid.points_of_cell(cell);
-                               progress.advance(queries.second - queries.first);
-                             });
+      const auto visit = [&](Index cell, const std::vector<Search_grid_3::Range>& ranges,
+                             std::size_t count) { visitor(cell, ranges, count); };
+      visit_cells_of_rows(query_grid, begin, end, point_grid, reach, progress,
+                          Cell_function(visit));
     });
 }
 
@@ -276,6 +289,34 @@ bool has_plain_blocks_only(const Search_grid_3& grid, int reach)
                 });
 }
 
+template <typename T>
+using Candidates_function =
+  Function_view<const Search_grid_3::Range&, Local_points<T>&, const Vector&>;
+
+/// `for_each_cell()` for one cell.
+/// \param candidates working memory
+template <typename T>
+void visit_candidates(const Search_grid_3& query_grid, const Buffer<Vector>& query_points,
+                      const Buffer<Vector>& points, Index cell,
+                      const std::vector<Search_grid_3::Range>& ranges, std::size_t count,
+                      Local_points<T>& candidates, const Candidates_function<T>& visitor)
+{
+  const Search_grid_3::Range queries = query_grid.points_of_cell(cell);
+  if (!query_grid.is_unbounded(cell))
+  {
+    const Vector origin = query_grid.cell_center(cell);
+    candidates.gather(ranges, count, points, origin);
+    visitor(queries, candidates, origin);
+    return;
+  }
+  // no single origin is near to all points of such a cell
+  for (Index i = queries.first; i < queries.second; ++i)
+  {
+    candidates.gather(ranges, count, points, query_points[i]);
+    visitor(Search_grid_3::Range(i, i + 1), candidates, query_points[i]);
+  }
+}
+
 /// As `for_each_cell_block()`, but calls `visitor(queries, candidates, origin)`: `queries` is the
 /// run of query points of the cell, and `candidates` holds the points around them relative to
 /// `origin`.
@@ -288,20 +329,10 @@ void for_each_cell(const Search_grid_3& query_grid, const Buffer<Vector>& query_
     return
       [&, visitor = make_visitor(), candidates = Local_points<T>()](
         Index cell, const std::vector<Search_grid_3::Range>& ranges, std::size_t count) mutable {
-        const Search_grid_3::Range queries = query_grid.points_of_cell(cell);
-        if (!query_grid.is_unbounded(cell))
-        {
-          const Vector origin = query_grid.cell_center(cell);
-          candidates.gather(ranges, count, points, origin);
-          visitor(queries, candidates, origin);
-          return;
-        }
-        // no single origin is near to all points of such a cell
-        for (Index i = queries.first; i < queries.second; ++i)
-        {
-          candidates.gather(ranges, count, points, query_points[i]);
-          visitor(Search_grid_3::Range(i, i + 1), candidates, query_points[i]);
-        }
+        const auto visit = [&](const Search_grid_3::Range& queries, Local_points<T>& around,
+                               const Vector& origin) { visitor(queries, around, origin); };
+        visit_candidates(query_grid, query_points, points, cell, ranges, count, candidates,
+                         Candidates_function<T>(visit));
       };
   });
 }
