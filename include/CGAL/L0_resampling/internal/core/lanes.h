@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <type_traits>
 #include <vector>
 
@@ -26,8 +27,10 @@ As many numbers as one vector register of the target holds, computed at once.
 A thin coat over Eigen's packets, which know the instructions of every processor and have a
 vectorized `exp`. Eigen's arrays of fixed size would do the same, but compilers keep those in memory
 between operations, which triples the time.
+
+\tparam is_quick whether `decay()` is quick, or rounds as `exp()` does
 */
-template <typename T>
+template <typename T, bool is_quick = true>
 struct Lanes
 {
   using Scalar = T;
@@ -74,8 +77,10 @@ struct Lanes
   friend Lanes operator-(const Lanes& a, T b) { return a - Lanes(b); }
   friend Lanes operator-(T a, const Lanes& b) { return Lanes(a) - b; }
   friend Lanes operator*(const Lanes& a, T b) { return a * Lanes(b); }
+  friend Lanes operator*(T a, const Lanes& b) { return Lanes(a) * b; }
   friend Lanes operator-(const Lanes& a) { return Lanes(Eigen::internal::pnegate(a.packet)); }
   friend Lanes abs(const Lanes& a) { return Lanes(Eigen::internal::pabs(a.packet)); }
+  friend Lanes sqrt(const Lanes& a) { return Lanes(Eigen::internal::psqrt(a.packet)); }
   friend Lanes inverse_sqrt(const Lanes& a)
   {
     using namespace Eigen::internal;
@@ -89,7 +94,7 @@ struct Lanes
   friend Lanes decay(const Lanes& x)
   {
     using namespace Eigen::internal;
-    if constexpr (std::is_same<T, float>::value && size > 1)
+    if constexpr (is_quick && std::is_same<T, float>::value && size > 1)
     {
       using Integers = typename unpacket_traits<Packet>::integer_packet;
       // so large that the sum has no digits behind the point, and the integer nearest to y in its
@@ -119,13 +124,12 @@ struct Lanes
 template <typename T>
 using Aligned_vector = std::vector<T, Eigen::aligned_allocator<T>>;
 
-/// The size of arrays of `size` numbers of which vector instructions compute all. Otherwise the
-/// last ones are computed one by one, with other roundings, and which ones these are depends on all
-/// the numbers before them.
-inline Eigen::Index padded_to_lanes(std::size_t size)
+/// The size of arrays of which lanes compute the first `size` numbers: of whole lanes, however many
+/// numbers these have.
+inline std::size_t padded_to_lanes(std::size_t size)
 {
   constexpr std::size_t most_lanes = 16;
-  return Eigen::Index((size + most_lanes - 1) / most_lanes * most_lanes);
+  return (size + most_lanes - 1) / most_lanes * most_lanes;
 }
 
 /// The values where `a < b`, 0 elsewhere.

@@ -46,20 +46,21 @@ void update_weights(const Buffer<Vector>& samples, const Buffer<Eigen::Matrix<FT
                     const Range_of_pairs& range, double regularization_weight,
                     Buffer<FT>& density_weights, Buffer<FT>& pair_weights)
 {
-  using Array = Eigen::Array<FT, Eigen::Dynamic, 1>;
+  using Numbers = Lanes<FT, false>;
   const bool has_jumps = std::isfinite(squared_jump);
   const Weight_of_pair<FT> weight_of_pair = {FT(squared_radius), FT(squared_jump)};
   Buffer<FT> inverses(samples.size(), samples.get_allocator());
   for_each_block<ConcurrencyTag>(
     samples.size(), samples_per_block, [&](std::size_t begin, std::size_t end) {
-      const std::size_t first_pair = neighbors.offsets[begin];
-      Array squared_distances = Array::Zero(padded_to_lanes(neighbors.offsets[end] - first_pair)),
-            squared_heights = squared_distances;
+      const std::size_t first_pair = neighbors.offsets[begin],
+                        size = padded_to_lanes(neighbors.offsets[end] - first_pair);
+      Aligned_vector<FT> squared_distances(size, FT(0)), squared_heights = squared_distances,
+                                                         shares(size), thetas(size), weights(size);
       for (std::size_t i = begin; i < end; ++i)
         for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
         {
           const Index k = neighbors.indices[e];
-          const Eigen::Index pair = Eigen::Index(e - first_pair);
+          const std::size_t pair = e - first_pair;
           const Vector d = samples[i] - samples[k];
           squared_distances[pair] = FT(d.squaredNorm());
           if (!has_jumps)
@@ -68,28 +69,36 @@ void update_weights(const Buffer<Vector>& samples, const Buffer<Eigen::Matrix<FT
           const FT height_i = normals[i].dot(local), height_k = normals[k].dot(local);
           squared_heights[pair] = squared_height_of_pair(height_i, height_k);
         }
-      Array share = share_in_ball(squared_distances, FT(square(range.radius)));
+      for (std::size_t k = 0; k < size; k += Numbers::size)
+        share_in_ball(Numbers::load(&squared_distances[k]), FT(square(range.radius)))
+          .store(&shares[k]);
       if (!range.is_one_for_all())
         for (std::size_t i = begin; i < end; ++i)
           for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
           {
             const Index k = neighbors.indices[e];
-            const Eigen::Index pair = Eigen::Index(e - first_pair);
+            const std::size_t pair = e - first_pair;
             const FT stretch = FT(1 / range.scales.squared_of_pair(i, k));
-            share[pair] = share_in_ball(squared_distances[pair], FT(range.squared(i, k)));
+            shares[pair] = share_in_ball(squared_distances[pair], FT(range.squared(i, k)));
             squared_heights[pair] *= stretch;
             squared_distances[pair] *= stretch;
           }
-      const Array theta = share * gaussian_weight(squared_distances, FT(squared_bandwidth));
+      for (std::size_t k = 0; k < size; k += Numbers::size)
+      {
+        const Numbers share = Numbers::load(&shares[k]),
+                      squared_distance = Numbers::load(&squared_distances[k]);
+        (share * gaussian_weight(squared_distance, FT(squared_bandwidth))).store(&thetas[k]);
+        weight_of_pair.by_place(share, squared_distance, Numbers::load(&squared_heights[k]))
+          .store(&weights[k]);
+      }
       for (std::size_t i = begin; i < end; ++i)
       {
         FT sum = 0; // one by one: in an order that depends on the place in the block it is another
         for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
-          sum += theta[Eigen::Index(e - first_pair)];
+          sum += thetas[e - first_pair];
         density_weights[i] = density_weight(sum, FT(mean_number_of_neighbors));
         inverses[i] = FT(regularization_weight) / density_weights[i];
       }
-      const Array weights = weight_of_pair.by_place(share, squared_distances, squared_heights);
       std::copy_n(weights.data(), neighbors.offsets[end] - first_pair,
                   pair_weights.begin() + std::ptrdiff_t(first_pair));
     });

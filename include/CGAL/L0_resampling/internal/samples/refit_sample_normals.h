@@ -42,7 +42,7 @@ void refit_sample_normals(const Sample_refit_kernel& kernel, const Neighborhoods
                           Samples<FT>& samples)
 {
   using Local_vector = Eigen::Matrix<FT, 3, 1>;
-  using Array = Eigen::Array<FT, Eigen::Dynamic, 1>;
+  using Numbers = Lanes<FT, false>;
   const Fit_kernel<FT> fit_kernel = fit_kernel_of<FT>(kernel);
   const Range_of_pairs range = {kernel.radius, view_of_scales(samples.scales),
                                 view_of_scales(samples.spreading_radii)};
@@ -50,41 +50,45 @@ void refit_sample_normals(const Sample_refit_kernel& kernel, const Neighborhoods
   Buffer<Local_vector> refitted = copy_of(samples.normals);
   for_each_block<ConcurrencyTag>(
     samples.positions.size(), samples_per_block, [&](std::size_t begin, std::size_t end) {
-      const std::size_t first_pair = neighbors.offsets[begin];
-      const Eigen::Index size = padded_to_lanes(neighbors.offsets[end] - first_pair);
-      Eigen::Matrix<FT, 3, Eigen::Dynamic> differences =
-        Eigen::Matrix<FT, 3, Eigen::Dynamic>::Zero(3, size);
-      Array cosines = Array::Zero(size), heights = cosines;
+      const std::size_t first_pair = neighbors.offsets[begin],
+                        size = padded_to_lanes(neighbors.offsets[end] - first_pair);
+      Buffer<Local_vector> differences(size);
+      Aligned_vector<FT> squared_distances(size, FT(0)), cosines = squared_distances,
+                                                         heights = cosines, weights(size);
       // what shortens the range of a pair shortens the kernel
-      Array squared_stretches = Array::Ones(size);
+      Aligned_vector<FT> squared_stretches(size, FT(1));
       for (std::size_t i = begin; i < end; ++i)
         for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
         {
           const Index k = neighbors.indices[e];
-          const Eigen::Index pair = Eigen::Index(e - first_pair);
+          const std::size_t pair = e - first_pair;
           const Local_vector d = (samples.positions[k] - samples.positions[i]).template cast<FT>();
           const FT cosine = samples.normals[i].dot(samples.normals[k]),
                    sign = with_sign_of(cosine, FT(1));
-          differences.col(pair) = d;
+          differences[pair] = d;
+          squared_distances[pair] = d.squaredNorm();
           cosines[pair] = cosine;
           heights[pair] = symmetric_height(samples.normals[i].dot(d),
                                            FT(sign * samples.normals[k].dot(d)));
           if (!range.is_one_for_all())
             squared_stretches[pair] = fit_kernel.squared_radius / FT(range.squared(i, k));
         }
-      const Array squared_distances = differences.colwise().squaredNorm().transpose().array()
-                                      * squared_stretches;
-      heights *= squared_stretches.sqrt();
-      const Array weights = weight_in_ball(squared_distances, cosines, heights, fit_kernel);
+      for (std::size_t k = 0; k < size; k += Numbers::size)
+      {
+        const Numbers stretch = Numbers::load(&squared_stretches[k]);
+        weight_in_ball(Numbers::load(&squared_distances[k]) * stretch, Numbers::load(&cosines[k]),
+                       Numbers::load(&heights[k]) * sqrt(stretch), fit_kernel)
+          .store(&weights[k]);
+      }
       for (std::size_t i = begin; i < end; ++i)
       {
         Plane_moments<double> moments;
         moments.add(0, 0, 0, 1); // the sample itself
         for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
         {
-          const Eigen::Index pair = Eigen::Index(e - first_pair);
-          const double weight = weights[pair];
-          moments.add(differences(0, pair), differences(1, pair), differences(2, pair), weight);
+          const std::size_t pair = e - first_pair;
+          const Local_vector& d = differences[pair];
+          moments.add(d[0], d[1], d[2], double(weights[pair]));
         }
         const Local_vector& normal = samples.normals[i];
         const Triple leaning = lean_to_plane(moments, {normal[0], normal[1], normal[2]});

@@ -42,7 +42,7 @@ void repel_tangentially(const Neighborhoods& neighbors, const Buffer<Vector>& pl
                         std::size_t number_of_steps, Samples<FT>& samples)
 {
   using Local_vector = Eigen::Matrix<FT, 3, 1>;
-  using Array = Eigen::Array<FT, Eigen::Dynamic, 1>;
+  using Numbers = Lanes<FT, false>;
   const Repulsion repulsion(spacing, radius);
   const FT squared_bandwidth = FT(repulsion.squared_bandwidth), strength = FT(repulsion.strength);
   const bool is_even = samples.spreading_radii.empty();
@@ -54,42 +54,45 @@ void repel_tangentially(const Neighborhoods& neighbors, const Buffer<Vector>& pl
   {
     for_each_block<ConcurrencyTag>(
       samples.positions.size(), samples_per_block, [&](std::size_t begin, std::size_t end) {
-        const std::size_t first_pair = neighbors.offsets[begin];
-        const auto differences_of = [&](const Buffer<Vector>& positions) {
-          Eigen::Matrix<FT, 3, Eigen::Dynamic> differences =
-            Eigen::Matrix<FT, 3, Eigen::Dynamic>::Zero(3, padded_to_lanes(neighbors.offsets[end]
-                                                                          - first_pair));
+        const std::size_t first_pair = neighbors.offsets[begin],
+                          size = padded_to_lanes(neighbors.offsets[end] - first_pair);
+        Buffer<Local_vector> differences(size);
+        const auto find_differences_of = [&](const Buffer<Vector>& positions) {
+          Aligned_vector<FT> squared_distances(size, FT(0));
           for (std::size_t i = begin; i < end; ++i)
             for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
             {
               const Vector d = positions[i] - positions[neighbors.indices[e]];
-              differences.col(Eigen::Index(e - first_pair)) = d.cast<FT>();
+              differences[e - first_pair] = d.cast<FT>();
+              squared_distances[e - first_pair] = differences[e - first_pair].squaredNorm();
             }
-          return differences;
+          return squared_distances;
         };
         // anew in each step: kept, they would be as many numbers as there are pairs
-        Array shares = differences_of(places).colwise().squaredNorm().transpose();
-        if (is_even)
-          shares = share_in_ball(shares, FT(square(range.radius)));
-        const auto differences = differences_of(samples.positions);
-        Array squared_distances = differences.colwise().squaredNorm().transpose();
+        Aligned_vector<FT> shares = find_differences_of(places);
+        for (std::size_t k = 0; k < size && is_even; k += Numbers::size)
+          share_in_ball(Numbers::load(&shares[k]), FT(square(range.radius))).store(&shares[k]);
+        Aligned_vector<FT> squared_distances = find_differences_of(samples.positions);
         for (std::size_t i = begin; i < end && !is_even; ++i)
           for (std::size_t e = neighbors.offsets[i]; e < neighbors.offsets[i + 1]; ++e)
           {
             const Index k = neighbors.indices[e];
-            const Eigen::Index pair = Eigen::Index(e - first_pair);
+            const std::size_t pair = e - first_pair;
             squared_distances[pair] *= squared_stretch_of_pair(
               spreading_radius, FT(samples.spreading_radii[i] + samples.spreading_radii[k]));
             shares[pair] = share_in_ball(shares[pair], FT(range.squared(i, k)));
           }
-        const Array strengths = strength_of_push(strength, shares, squared_distances,
-                                                 squared_bandwidth);
+        Aligned_vector<FT> strengths(size);
+        for (std::size_t k = 0; k < size; k += Numbers::size)
+          strength_of_push(strength, Numbers::load(&shares[k]),
+                           Numbers::load(&squared_distances[k]), squared_bandwidth)
+            .store(&strengths[k]);
         for (std::size_t i = begin; i < end; ++i)
         {
           Local_vector push = Local_vector::Zero();
           for (std::size_t e = neighbors.offsets[i] - first_pair;
                e < neighbors.offsets[i + 1] - first_pair; ++e)
-            push += strengths[Eigen::Index(e)] * differences.col(Eigen::Index(e));
+            push += strengths[e] * differences[e];
           push -= samples.normals[i].dot(push) * samples.normals[i];
           const Local_vector& outward = samples.outward_directions[i];
           push -= (std::max)(outward.dot(push), FT(0)) * outward;
