@@ -5,9 +5,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The recipes of packaging/ and CITATION.cff, as far as no package manager is needed:
 
-  test_recipes.py SOURCE_DIRECTORY SCRATCH GENERATOR CGAL_DIR
+  test_recipes.py SOURCE_DIRECTORY SCRATCH GENERATOR CGAL_DIR COMPILED_LIBRARY
 
-The port of vcpkg is carried out with CMake, and a program built with what it installs. The recipe
+The port of vcpkg is carried out with CMake, but for the compiler, as COMPILED_LIBRARY is built
+already, and a program built with what it installs. The recipe
 of Conan is read, its sources are exported, and CMake configures these with the options it sets.
 """
 
@@ -28,7 +29,7 @@ except ImportError:
     sys.exit(77)
 
 source, scratch = Path(sys.argv[1]), Path(sys.argv[2])
-generator, cgal = sys.argv[3:]
+generator, cgal, library = sys.argv[3:]
 version = subprocess.run([source / "scripts/project_version.sh"], check=True, capture_output=True,
                          text=True).stdout.strip()
 
@@ -73,8 +74,8 @@ def check_manifest(port):
 
 def check_port(port):
     run("cmake", f"-DPORT_DIRECTORY={port}", f"-DSCRATCH={scratch}/vcpkg",
-        f"-DGENERATOR={generator}", f"-DCGAL_DIR={cgal}", "-P",
-        Path(__file__).with_name("vcpkg_stand_in.cmake"))
+        f"-DGENERATOR={generator}", f"-DCGAL_DIR={cgal}", f"-DLIBRARY={library}",
+        "-P", Path(__file__).with_name("vcpkg_stand_in.cmake"))
     build = scratch / "vcpkg" / "consumer"
     # moved, as vcpkg moves it: no path of the build may be left in it
     prefix = (scratch / "vcpkg" / "installed").rename(scratch / "vcpkg" / "moved")

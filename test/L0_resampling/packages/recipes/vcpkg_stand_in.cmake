@@ -1,5 +1,6 @@
 # Carries out a port as vcpkg does it, for one configuration, with stand-ins for its functions:
-#   cmake -DPORT_DIRECTORY=... -DSCRATCH=... -DGENERATOR=... -DCGAL_DIR=... -P vcpkg_stand_in.cmake
+#   cmake -DPORT_DIRECTORY=... -DSCRATCH=... -DGENERATOR=... -DCGAL_DIR=... -DLIBRARY=...
+#         -P vcpkg_stand_in.cmake
 # What it installs comes to SCRATCH/installed, with the CMake package in share/, where vcpkg has it.
 cmake_minimum_required(VERSION 3.21)
 
@@ -18,8 +19,7 @@ function(vcpkg_cmake_configure)
   # vcpkg refuses a port with options that the project does not know.
   execute_process(
     COMMAND ${CMAKE_COMMAND} -S ${arg_SOURCE_PATH} -B ${SCRATCH}/build -G ${GENERATOR}
-            ${arg_OPTIONS} -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0
-            -DCMAKE_UNITY_BUILD=ON   # half of the time goes into headers
+            ${arg_OPTIONS} -DCMAKE_BUILD_TYPE=Release
             -DCGAL_DIR=${CGAL_DIR}
             -DCMAKE_INSTALL_PREFIX=${CURRENT_PACKAGES_DIR} -DCMAKE_INSTALL_LIBDIR=lib
     COMMAND_ERROR_IS_FATAL ANY ERROR_VARIABLE warnings OUTPUT_QUIET)
@@ -28,8 +28,17 @@ function(vcpkg_cmake_configure)
   endif()
 endfunction()
 
+# Does what CMake wants to do, but for the compiler: LIBRARY is the same, built already.
 function(vcpkg_cmake_install)
-  run(${CMAKE_COMMAND} --build ${SCRATCH}/build)
+  set(place src/CGAL_L0_resampling_compiled/libCGAL_L0_resampling_compiled.a)
+  execute_process(COMMAND ${CMAKE_COMMAND} --build ${SCRATCH}/build -- -n
+                  OUTPUT_VARIABLE steps COMMAND_ERROR_IS_FATAL ANY)
+  foreach(step IN ITEMS eigen_solvers.cpp sequential.cpp libCGAL_L0_resampling_compiled.a)
+    if(NOT steps MATCHES "${step}")
+      message(FATAL_ERROR "${step} is no part of the build:\n${steps}")
+    endif()
+  endforeach()
+  configure_file(${LIBRARY} ${SCRATCH}/build/${place} COPYONLY)
   run(${CMAKE_COMMAND} --install ${SCRATCH}/build)
 endfunction()
 
