@@ -5,30 +5,34 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Which headers can be compiled one after the other, and each as if it were alone:
 
-  header_chains.py INCLUDE_DIRECTORY HEADER...
+  header_chains.py INCLUDE_DIRECTORY PREFIX HEADER...
 
 A header may follow those that it includes anyway: they bring it nothing that it has not asked for.
 So a chain, in which each header includes the one before it, is one source file with the verdict of
-as many as the chain has headers. Prints as few chains as there can be, one a line.
+as many as the chain has headers.
+
+PREFIX are headers of other projects, with commas between them. They may be precompiled before a
+chain whose headers include all of them anyway. Prints as few chains as there can be of headers that
+do, one a line after the word `prefix`, and of those that do not, after `alone`.
 """
 
 import re
 import sys
 from pathlib import Path
 
-INCLUDE = re.compile(r"^ *# *include <(CGAL/(?:L0_resampling/|l0_)[^>]*)>", re.MULTILINE)
+INCLUDE = re.compile(r"^ *# *include <([^>]*)>", re.MULTILINE)
 
 
 def included_headers(directory, headers):
-    """What each of `headers` includes of them, directly or not."""
+    """What each of `headers` includes, directly or by others of them."""
     direct = {header: set(INCLUDE.findall((directory / header).read_text(encoding="utf-8")))
               for header in headers}
     closures = {}
 
     def closure(header):
         if header not in closures:
-            found = direct[header] & direct.keys()
-            closures[header] = found.union(*(closure(other) for other in found))
+            closures[header] = direct[header].union(
+                *(closure(other) for other in direct[header] & direct.keys()))
         return closures[header]
 
     for header in headers:
@@ -61,6 +65,15 @@ def find_chains(included):
         yield chain
 
 
+def main(directory, prefix, *headers):
+    prefix = set(prefix.split(","))
+    groups = {"prefix": {}, "alone": {}}
+    for header, brought in included_headers(Path(directory), headers).items():
+        groups["prefix" if prefix <= brought else "alone"][header] = brought
+    for word, included in groups.items():
+        for one in find_chains(included):
+            print(word, *one)
+
+
 if __name__ == "__main__":
-    for one in find_chains(included_headers(Path(sys.argv[1]), sys.argv[2:])):
-        print(" ".join(one))
+    main(*sys.argv[1:])
