@@ -81,8 +81,8 @@ def check_port(port):
     prefix = (scratch / "vcpkg" / "installed").rename(scratch / "vcpkg" / "moved")
     run("cmake", "-S", source / "test/L0_resampling/packages/consumer", "-B", build,
         "-G", generator,
-        f"-DCMAKE_PREFIX_PATH={prefix}", f"-DCGAL_DIR={cgal}", "-DCMAKE_BUILD_TYPE=Debug",
-        "-DCMAKE_CXX_FLAGS_DEBUG=-O0")
+        f"-DCMAKE_PREFIX_PATH={prefix}", f"-DCGAL_DIR={cgal}", "-DCMAKE_BUILD_TYPE=Release",
+        "-DCMAKE_CXX_FLAGS_RELEASE=-O0 -DNDEBUG")
     run("cmake", "--build", build, "--target", "consumer_of_compiled")
     run(build / "consumer_of_compiled")
 
