@@ -10,8 +10,8 @@
 
 Each source lies in a namespace with the name of its file, and runs where the program is called with
 that name; of a library, where `main_of_<name>()` is called. All headers stand before, outside of the
-namespaces; where the sources include them
-again, their guards leave nothing of them.
+namespaces; where the sources include them again, their guards leave
+nothing of them.
 """
 
 import re
