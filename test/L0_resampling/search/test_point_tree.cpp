@@ -69,8 +69,19 @@ std::vector<Vector> lattice(Generator& generator)
   return points;
 }
 
-/// A place that holds many points is that of the one with the smallest index, and is not searched
-/// point by point.
+/// A few places with up to 40 points each, which more than one leaf of the tree holds.
+std::vector<Vector> crowded_places(Generator& generator)
+{
+  std::vector<Vector> points;
+  std::size_t crowd = 1;
+  for (const Vector& place : random_points(40, generator))
+    points.insert(points.end(), crowd++, place);
+  std::shuffle(points.begin(), points.end(), generator);
+  return points;
+}
+
+/// Of a place that holds many points the ones with the smallest indices are nearest, and it is not
+/// searched point by point.
 void test_crowd(Generator& generator)
 {
   std::vector<Vector> points = random_points(50, generator);
@@ -82,7 +93,8 @@ void test_crowd(Generator& generator)
   for (std::size_t query = 0; query < n; ++query) // one by one in the crowd this would take hours
   {
     tree.find_nearest(Vector(2, 0, 0), 3, found.data());
-    is_first = is_first && found[0] == Candidate(0, Index(first));
+    for (Index n = 0; n < 3; ++n)
+      is_first = is_first && found[n] == Candidate(0, Index(first) + n);
   }
   CHECK(is_first);
 }
@@ -140,6 +152,7 @@ int main()
   std::vector<Vector> twice = cloud;
   twice.insert(twice.end(), cloud.rbegin(), cloud.rend());
   check_nearest(twice, queries, 1);
+  check_nearest(crowded_places(generator), queries, 8);
   for (double scale : {1e-300, 1e300}) // whose squares are not numbers
   {
     std::vector<Vector> scaled = cloud;

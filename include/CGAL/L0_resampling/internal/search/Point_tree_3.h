@@ -21,14 +21,15 @@ namespace internal {
 /*!
 A kd-tree that answers in double precision and breaks ties by index, so that an answer depends
 neither on rounding within a cell nor on how the tree was built. A grid has one cell size; this one
-holds for queries far from all points, and for a million points at one place, which count as the one
-of the smallest index. CGAL's tree breaks no ties, and its memory is not counted.
+holds for queries far from all points, and for a million points at one place, of which no more are
+looked at than are asked for. CGAL's tree breaks no ties, and its memory is not counted.
 */
 class Point_tree_3
 {
   static constexpr std::size_t points_per_leaf = 8;
   static constexpr std::size_t points_per_look = 65536; // at the loop
-  static constexpr unsigned char no_axis = 3; // of a node whose points are all at one place
+  static constexpr unsigned char no_axis = 3; // of a node whose points are all at one place,
+                                              // in the order of their indices
 
   // The node of [begin, end) is the point in its middle; smaller ones along its axis stand before
   // it.
@@ -64,7 +65,7 @@ public:
   }
 
   /// Finds the `k` points nearest to `query`, by distance and, where distances are equal, by index;
-  /// fewer if there are fewer places.
+  /// fewer if there are fewer.
   /// \param found room for k
   /// \returns how many there are
   std::size_t find_nearest(const Vector& query, std::size_t k, Candidate* found) const
@@ -126,16 +127,16 @@ private:
     const auto has_smaller_index = [&](Index a, Index b) { return m_indices[a] < m_indices[b]; };
     const std::size_t middle = middle_of(begin, end);
     Eigen::Index axis;
+    std::size_t number_of_comparisons = 0;
     if (!((high - low).maxCoeff(&axis) > 0))
     {
-      std::iter_swap(at(begin), std::min_element(at(begin), at(end), has_smaller_index));
+      std::sort(at(begin), at(end), watched_order(has_smaller_index, number_of_comparisons));
       return;
     }
     const auto is_lower = [&](Index a, Index b) {
       return m_points[a][axis] != m_points[b][axis] ? m_points[a][axis] < m_points[b][axis]
                                                     : has_smaller_index(a, b);
     };
-    std::size_t number_of_comparisons = 0;
     std::nth_element(at(begin), at(middle), at(end),
                      watched_order(is_lower, number_of_comparisons));
     m_axes[middle] = static_cast<unsigned char>(axis);
@@ -150,16 +151,13 @@ private:
 
   void visit(std::size_t begin, std::size_t end, Search& search) const
   {
-    if (end - begin <= points_per_leaf)
-    {
-      for (std::size_t i = begin; i < end; ++i)
-        add(i, search);
-      return;
-    }
     const std::size_t middle = middle_of(begin, end);
-    if (m_axes[middle] == no_axis)
+    const bool is_leaf = end - begin <= points_per_leaf;
+    if (is_leaf || m_axes[middle] == no_axis)
     {
-      add(begin, search);
+      const std::size_t looked_at = is_leaf ? end - begin : (std::min)(end - begin, search.k);
+      for (std::size_t i = begin; i < begin + looked_at; ++i)
+        add(i, search);
       return;
     }
     const double beyond = search.query[m_axes[middle]] - m_points[middle][m_axes[middle]];

@@ -26,7 +26,7 @@ struct Near_points
 {
   std::size_t count = 0; ///< for each point of the result
   Buffer<Index> indices; ///< of the input points, `count` in a row, the nearest first
-  Buffer<float> weights; ///< for means, in [0, 1]; 0 where the input has fewer places than `count`
+  Buffer<float> weights; ///< for means, in [0, 1]; 0 where the input has fewer points than `count`
 
   Index nearest(std::size_t i) const { return indices[i * count]; }
 
