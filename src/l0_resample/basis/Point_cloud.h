@@ -26,6 +26,13 @@ using Point = Kernel::Point_3;
 using Vector = Kernel::Vector_3;
 using Oriented_point = std::pair<Point, Vector>;
 
+/// How a property was read, if its values became others once all were there.
+struct Narrowed_property
+{
+  Number_type type; ///< before
+  double factor;    ///< of the values before
+};
+
 /// What a file held.
 struct Point_cloud
 {
@@ -33,6 +40,7 @@ struct Point_cloud
   std::vector<Vector> normals;   ///< as in the file, unchecked: one for each point, or none at all
   bool file_has_normals = false; ///< also if they are not kept
   Property_table properties;     ///< all others, if asked for
+  std::vector<Narrowed_property> narrowed; ///< of all properties, or none if they are as read
   Number_type coordinate_type =
     Number_type::FLOAT64; ///< FLOAT32 if that held all coordinates and normals
   std::optional<std::array<double, 3>> viewpoint; ///< of PCD, if it is not the origin

@@ -51,7 +51,7 @@ unsigned choose_point_format(const Property_table& table, bool is_old)
 bool holds_all(const Las_column& column, const Point_rows& rows)
 {
   for (std::size_t i = 0; i < rows.size(); ++i)
-    if (!column.field.holds(rows.properties().value(i, column.property) * column.factor))
+    if (!column.field.holds(rows.value(i, column.property) * column.factor))
       return false;
   return true;
 }

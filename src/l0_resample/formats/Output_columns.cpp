@@ -60,6 +60,11 @@ std::set<std::string> names_of_coordinates(File_format format, bool has_normals)
 
 } // namespace
 
+bool holds_properties(File_format format)
+{
+  return format != File_format::XYZ && format != File_format::NPY;
+}
+
 Output_column plain_column(const Property& property)
 {
   Output_column column = {property.name, property.type, {}};
@@ -91,7 +96,7 @@ Output_columns choose_columns(const Property_table& table, File_format format, b
       add(property, plain_column(property));
     else if (format == File_format::PCD && &property == color.front())
       add(property, packed_color(color));
-    else if (format == File_format::XYZ || format == File_format::NPY || !is_color)
+    else if (!holds_properties(format) || !is_color)
       chosen.left_out.push_back(property.name);
   }
   return chosen;

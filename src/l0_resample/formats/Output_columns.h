@@ -33,6 +33,9 @@ struct Output_columns
   std::vector<std::string> left_out; ///< names of properties
 };
 
+/// Whether the format has places for some properties at all.
+bool holds_properties(File_format format);
+
 /// The property as it is.
 Output_column plain_column(const Property& property);
 

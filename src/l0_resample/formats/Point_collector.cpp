@@ -93,13 +93,21 @@ void Point_collector::add(const Point_row& row)
   if (m_are_normals_unnamed)
     measure_vector(row);
   if (m_options.on_point) {
-    m_options.on_point(Point(row[0], row[1], row[2]));
+    m_options.on_point(Point(row[0], row[1], row[2]), m_cloud.properties, m_next_properties.data());
     return;
   }
   m_cloud.points.emplace_back(row[0], row[1], row[2]);
   if (m_has_normals && m_options.with_normals)
     m_cloud.normals.emplace_back(row[3], row[4], row[5]);
   m_cloud.properties.append(m_next_properties);
+}
+
+void Point_collector::set_types(const std::vector<Number_type>& types,
+                                const std::vector<double>& factors)
+{
+  for (std::size_t k = 0; k < properties().size(); ++k)
+    m_cloud.narrowed.push_back({properties()[k].type, factors.empty() ? 1 : factors[k]});
+  m_cloud.properties.narrow(types, factors);
 }
 
 void Point_collector::add_normal(const Vector& normal)

@@ -110,10 +110,7 @@ public:
   std::uint64_t number_of_rows() const { return m_number_of_rows; }
 
   /// After the last row; see `Property_table::narrow()`.
-  void set_types(const std::vector<Number_type>& types, const std::vector<double>& factors = {})
-  {
-    m_cloud.properties.narrow(types, factors);
-  }
+  void set_types(const std::vector<Number_type>& types, const std::vector<double>& factors = {});
 
   const std::vector<Property>& properties() const { return m_cloud.properties.properties(); }
 

@@ -21,7 +21,14 @@ public:
   virtual std::size_t size() const = 0;
   virtual const Point& point(std::size_t i) const = 0;
   virtual Vector normal(std::size_t i) const = 0; ///< 0 if there are none
+  /// What they are; with the rows where these are in memory.
   virtual const Property_table& properties() const = 0;
+  virtual const char* property_row(std::size_t i) const { return properties().row(i); }
+
+  double value(std::size_t i, const Property& property) const
+  {
+    return decode(property_row(i) + property.offset, property.type, false);
+  }
 };
 
 /// What is written of a result.

@@ -39,9 +39,10 @@ struct Read_options
   std::string decompression; ///< command whose output is read in place of a file of LAZ, as of
                              ///< `Command_output`; empty if there is none
   Column_names columns;      ///< of XYZ and CSV, as from `parse_column_names()`; empty if unnamed
-  /// Gets each point as it is read; then the cloud stays empty, and `max_memory` is for what a
-  /// reader holds of a file
-  std::function<void(const Point&)> on_point;
+  /// Gets each point as it is read, with its properties in the types that `Point_cloud::narrowed`
+  /// has in the end; then the cloud stays empty, and `max_memory` is for what a reader holds of a
+  /// file
+  std::function<void(const Point&, const Property_table&, const char* row)> on_point;
 };
 
 /*!

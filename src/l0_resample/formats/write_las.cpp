@@ -50,7 +50,7 @@ Summary summary_of(const Point_rows& rows, const Las_layout& layout, const Las_l
       low = i == 0 ? coordinate : (std::min)(low, coordinate);
       high = i == 0 ? coordinate : (std::max)(high, coordinate);
     }
-    const double number = returns ? rows.properties().value(i, returns->property) : 1;
+    const double number = returns ? rows.value(i, returns->property) : 1;
     if (number >= 1) // else nobody counted
       ++summary.by_return[std::size_t(number) - 1];
   }
@@ -193,12 +193,11 @@ public:
     for (const Las_field& field : m_single_return)
       field.set_value(1, bytes.data());
     for (const Las_column& column : m_layout.columns)
-      column.field.set_value(m_rows.properties().value(i, column.property) * column.factor,
-                             bytes.data());
+      column.field.set_value(m_rows.value(i, column.property) * column.factor, bytes.data());
     if (m_layout.has_normals)
       for (int axis = 0; axis < 3; ++axis)
         append_little_endian<std::uint32_t>(float(m_rows.normal(i)[axis]), bytes);
-    const char* const properties = m_rows.properties().row(i);
+    const char* const properties = m_rows.property_row(i);
     for (const Output_column& column : m_layout.extra)
       for (const std::size_t byte : column.bytes)
         bytes += properties[byte];

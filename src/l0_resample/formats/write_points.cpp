@@ -7,6 +7,7 @@
 
 #include "basis/Failure.h"
 #include "basis/little_endian.h"
+#include "formats/Las_layout.h"
 #include "formats/Output_columns.h"
 #include "formats/Point_rows.h"
 #include "formats/write_las.h"
@@ -221,7 +222,7 @@ void write_columns(Output_file& file, File_format format, const Point_rows& rows
   std::string bytes;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     bytes.clear();
-    append_row(row_of(rows, i), rows.properties().row(i), layout, bytes);
+    append_row(row_of(rows, i), rows.property_row(i), layout, bytes);
     file.write(bytes);
   }
 }
@@ -259,10 +260,12 @@ void write_points(const std::string& path, File_format format,
   write_rows(path, format, Oriented_rows(points, {}), {true, false, {}, origin}, {}, existing);
 }
 
-void write_point_rows(const std::string& path, File_format format, const Point_rows& rows,
-                      Existing_file existing)
+std::vector<std::string> write_point_rows(const std::string& path, File_format format,
+                                          const Point_rows& rows,
+                                          const std::optional<Las_origin>& las,
+                                          Existing_file existing)
 {
-  write_rows(path, format, rows, {true, false, {}, origin}, {}, existing);
+  return write_rows(path, format, rows, {true, false, {}, origin}, las, existing);
 }
 
 std::vector<std::string> write_points(const std::string& path, File_format format,
@@ -281,6 +284,14 @@ std::vector<std::string> write_point_cloud(const std::string& path, File_format 
                      {},
                      cloud.viewpoint.value_or(origin)},
                     cloud.las, existing);
+}
+
+std::vector<std::string> properties_left_out(File_format format, const Property_table& properties,
+                                             const std::optional<Las_origin>& las)
+{
+  if (format == File_format::LAS)
+    return choose_las_layout(Oriented_rows({}, properties), true, las).left_out;
+  return choose_columns(properties, format, true).left_out;
 }
 
 std::uint64_t largest_file_size(File_format format, std::uint64_t number_of_points,

@@ -36,8 +36,10 @@ std::vector<std::string> write_points(const std::string& path, File_format forma
                                       Existing_file existing = Existing_file::REPLACE);
 
 /// The same, of points that may be anywhere.
-void write_point_rows(const std::string& path, File_format format, const Point_rows& rows,
-                      Existing_file existing = Existing_file::REPLACE);
+std::vector<std::string> write_point_rows(const std::string& path, File_format format,
+                                          const Point_rows& rows,
+                                          const std::optional<Las_origin>& las,
+                                          Existing_file existing = Existing_file::REPLACE);
 
 /// Writes what a file held: normals only if there are some, coordinates in the precision of that
 /// file, but for binary PCD as above, the properties that the format can hold, see
@@ -46,6 +48,10 @@ void write_point_rows(const std::string& path, File_format format, const Point_r
 std::vector<std::string> write_point_cloud(const std::string& path, File_format format,
                                            const Point_cloud& cloud,
                                            Existing_file existing = Existing_file::REPLACE);
+
+/// The names of properties that the format has no place for, whatever their values.
+std::vector<std::string> properties_left_out(File_format format, const Property_table& properties,
+                                             const std::optional<Las_origin>& las);
 
 /// At least the number of bytes that the functions above will write.
 std::uint64_t largest_file_size(File_format format, std::uint64_t number_of_points,

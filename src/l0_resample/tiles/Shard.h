@@ -32,6 +32,8 @@ struct Block_run
 };
 
 /// Writes the points of an input sorted by blocks: in runs, each of as many points as memory holds.
+/// What goes along with the points is in a file of its own, which only the task `carry` reads: for
+/// each point the number that it has in the input, in 8 bytes, and its row of properties.
 class Shard_writer
 {
   struct Sorted_point
@@ -42,9 +44,11 @@ class Shard_writer
   };
 
   Task_file_writer m_file;
+  std::unique_ptr<Task_file_writer> m_file_of_rows; // if there are properties
   Block_lattice m_lattice;
-  std::size_t m_most_points;
+  std::size_t m_row_size, m_most_points;
   std::vector<Sorted_point> m_run;
+  std::vector<char> m_rows;                // of the run, in the order of the input
   std::map<Block, std::uint32_t> m_places; // of the blocks of the run, as they came
   std::vector<Block> m_blocks;             // likewise
   std::vector<Block_run> m_runs;
@@ -56,11 +60,14 @@ public:
   /// Of a run. Longer ones would hardly be read any faster.
   static constexpr std::uint64_t most_bytes = std::uint64_t(1) << 30;
 
+  /// \param path_of_rows not used if these are empty
+  /// \param row_size of the properties of a point, in bytes
   /// \param bytes that a run may take, of which it takes no more than `most_bytes`
-  Shard_writer(const std::string& path, std::uint64_t key, const Block_lattice& lattice,
-               std::uint64_t bytes);
+  Shard_writer(const std::string& path, const std::string& path_of_rows, std::uint64_t key,
+               const Block_lattice& lattice, std::size_t row_size, std::uint64_t bytes);
 
-  void add(const std::array<double, 3>& point);
+  /// \param row of `row_size` bytes
+  void add(const std::array<double, 3>& point, const std::vector<char>& row);
   void commit();
 };
 
@@ -91,6 +98,23 @@ public:
         for (const std::array<double, 3>& point : points)
           f(point);
       });
+  }
+
+  std::size_t size() const { return m_shards.size(); }
+
+  /// Calls `f(run, points)` for each run of a shard in blocks that are asked for.
+  /// \param low the first of these blocks in lexicographic order, and `last` the last
+  template <typename IsWanted, typename F>
+  void for_each_run_of(std::size_t shard, const Block& low, const Block& last,
+                       const IsWanted& is_wanted, const F& f) const
+  {
+    std::vector<std::array<double, 3>> points;
+    for (auto run = first_run(m_shards[shard].runs, low);
+         run != m_shards[shard].runs.end() && !(last < run->block); ++run)
+      if (is_wanted(run->block)) {
+        read(*run, m_shards[shard], points);
+        f(*run, points);
+      }
   }
 
 private:

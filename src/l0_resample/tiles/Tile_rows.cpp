@@ -10,29 +10,47 @@
 
 namespace l0_tool {
 
-void Tile_rows::add(const std::string& path, const std::vector<signed char>& signs,
-                    std::size_t size)
+void Tile_rows::add(const std::string& path, const std::string& path_of_properties,
+                    const std::vector<signed char>& signs, std::size_t size)
 {
-  m_parts.push_back({path, signs, this->size() + size});
+  m_parts.push_back({path, path_of_properties, signs, this->size() + size});
 }
 
-const Tile_sample& Tile_rows::sample(std::size_t i) const
+template <typename Value>
+void Tile_rows::move(Window<Value>& window, std::string Part::*path, std::size_t i,
+                     std::size_t per_row) const
 {
-  if (m_file && i >= m_first && i < m_first + m_samples.size())
-    return m_samples[i - m_first];
+  if (i >= window.first && i < window.end)
+    return;
   const auto part = std::partition_point(m_parts.begin(), m_parts.end(),
                                          [&](const Part& p) { return p.end <= i; });
   const std::size_t number = std::size_t(part - m_parts.begin());
   const std::size_t begin = number == 0 ? 0 : m_parts[number - 1].end;
-  if (!m_file || number != m_part)
-    m_file = std::make_unique<Task_file>(part->path, m_key);
-  m_part = number;
-  m_first = i;
-  m_samples.resize((std::min)(rows_at_once, part->end - i));
-  m_file->seek(sizeof(std::uint64_t) + (i - begin) * sizeof(Tile_sample)); // behind their number
-  m_file->read_bytes(m_samples.size() * sizeof(Tile_sample),
-                     reinterpret_cast<char*>(m_samples.data()));
-  return m_samples.front();
+  if (!window.file || number != window.part)
+    window.file = std::make_unique<Task_file>((*part).*path, m_key);
+  window.part = number;
+  window.first = i;
+  window.end = (std::min)(i + rows_at_once, part->end);
+  const std::size_t size_of_row = per_row * sizeof(Value);
+  window.values.resize((window.end - i) * per_row);
+  window.file->seek(sizeof(std::uint64_t) + (i - begin) * size_of_row); // behind their number
+  window.file->read_bytes((window.end - i) * size_of_row,
+                          reinterpret_cast<char*>(window.values.data()));
+}
+
+const Tile_sample& Tile_rows::sample(std::size_t i) const
+{
+  move(m_samples, &Part::path, i, 1);
+  return m_samples.values[i - m_samples.first];
+}
+
+const char* Tile_rows::property_row(std::size_t i) const
+{
+  const std::size_t row_size = m_properties.row_size();
+  if (row_size == 0)
+    return nullptr;
+  move(m_rows, &Part::path_of_properties, i, row_size);
+  return m_rows.values.data() + (i - m_rows.first) * row_size;
 }
 
 const Point& Tile_rows::point(std::size_t i) const
@@ -45,7 +63,7 @@ const Point& Tile_rows::point(std::size_t i) const
 Vector Tile_rows::normal(std::size_t i) const
 {
   const Tile_sample& s = sample(i);
-  const double sign = m_parts[m_part].signs[s.tree];
+  const double sign = m_parts[m_samples.part].signs[s.tree];
   const Vector normal(sign * double(s.normal[0]), sign * double(s.normal[1]),
                       sign * double(s.normal[2]));
   return normal / std::sqrt(normal.squared_length());

@@ -21,12 +21,12 @@ namespace l0_tool {
 
 using CGAL::L0_resampling::internal::Tile_sample;
 
-/// The samples of some tiles, which are read from files, a few at a time.
+/// The samples of some tiles with their properties, which are read from files, a few at a time.
 class Tile_rows : public Point_rows
 {
   struct Part
   {
-    std::string path;
+    std::string path, path_of_properties;
     std::vector<signed char> signs; // of its trees
     std::size_t end;                // the number of rows up to the last one of this part
   };
@@ -35,26 +35,46 @@ class Tile_rows : public Point_rows
 
   std::uint64_t m_key;
   std::vector<Part> m_parts;
-  Property_table m_no_properties;
-  mutable std::size_t m_part = 0; // that is open
-  mutable std::unique_ptr<Task_file> m_file;
-  mutable std::vector<Tile_sample> m_samples;
-  mutable std::size_t m_first = 0; // row of these
+  Property_table m_properties; // without rows
+
+  /// Rows of one of the files of a part.
+  template <typename Value>
+  struct Window
+  {
+    std::size_t part = 0; ///< that is open
+    std::unique_ptr<Task_file> file;
+    std::vector<Value> values; ///< of the rows from `first` on
+    std::size_t first = 0, end = 0;
+  };
+
+  mutable Window<Tile_sample> m_samples;
+  mutable Window<char> m_rows;
   mutable Point m_point;
 
+  /// Moves the window to row i and what follows, unless it has it.
+  /// \param per_row values of each row
+  template <typename Value>
+  void move(Window<Value>& window, std::string Part::*path, std::size_t i,
+            std::size_t per_row) const;
   const Tile_sample& sample(std::size_t i) const;
 
 public:
   /// \param key of the run
-  explicit Tile_rows(std::uint64_t key) : m_key(key) {}
+  /// \param properties of the samples, without rows
+  Tile_rows(std::uint64_t key, const Property_table& properties)
+    : m_key(key), m_properties(properties)
+  {}
 
   /// \param path of what a tile has found: a file that begins with its samples
-  void add(const std::string& path, const std::vector<signed char>& signs, std::size_t size);
+  /// \param path_of_properties of the rows of these, if there are properties
+  void add(const std::string& path, const std::string& path_of_properties,
+           const std::vector<signed char>& signs, std::size_t size);
 
   std::size_t size() const override { return m_parts.empty() ? 0 : m_parts.back().end; }
   const Point& point(std::size_t i) const override;
   Vector normal(std::size_t i) const override;
-  const Property_table& properties() const override { return m_no_properties; }
+  const Property_table& properties() const override { return m_properties; }
+  const char* property_row(std::size_t i) const override;
 };
 
 } // namespace l0_tool

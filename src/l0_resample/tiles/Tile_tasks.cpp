@@ -8,7 +8,6 @@
 #include "basis/Failure.h"
 #include "basis/signals.h"
 #include "files/tile_folder.h"
-#include "formats/read_points.h"
 #include "formats/write_points.h"
 #include "tasks/check_output.h"
 #include "tasks/resample.h"
@@ -141,13 +140,22 @@ std::vector<Tile_phase> Tile_tasks::phases() const
     phases.push_back({"share", number_of_tiles, 0.15});
     phases.push_back({"samples", 1, 0});
   }
-  phases.push_back({"solve", number_of_tiles, needs_shares ? 0.6 : 0.75});
+  const bool carries = !tiles.properties().properties.empty();
+  const double share_to_carry = carries ? 0.05 : 0;
+  phases.push_back({"solve", number_of_tiles, (needs_shares ? 0.6 : 0.75) - share_to_carry});
+  if (carries)
+    phases.push_back({"carry", number_of_tiles, share_to_carry});
   phases.push_back({"stitch", 1, 0.01});
   phases.push_back({"write", number_of_tiles, 0.02});
   if (!m_command.merged_output.empty())
     phases.push_back({"merge", 1, 0.02});
   phases.push_back({"finish", 1, 0});
   return phases;
+}
+
+std::vector<std::string> Tile_tasks::warnings() const
+{
+  return read_counts(file_of("blocks", 0), m_key).properties.warnings;
 }
 
 bool Tile_tasks::is_done(const std::string& phase, std::size_t number, std::string& reason) const
@@ -157,6 +165,9 @@ bool Tile_tasks::is_done(const std::string& phase, std::size_t number, std::stri
     return false;
   if (!is_task_file(file_of(phase, number), m_key, reason))
     return false;
+  if (phase == "shard")
+    return read_counts(file_of("blocks", 0), m_key).properties.properties.empty()
+           || is_task_file(file_of("rows", number), m_key, reason);
   return phase != "scales" || !read_facts(file_of("scales", 0), m_key).of_cloud.area
          || is_task_file(file_of("points", 0), m_key, reason);
 }
@@ -187,6 +198,8 @@ void Tile_tasks::run(const std::string& phase, std::size_t number, const On_prog
       share_samples();
     else if (phase == "solve")
       run_on(m_options, [&](auto tag) { solve<decltype(tag)>(number, on_progress); });
+    else if (phase == "carry")
+      carry(number, on_progress);
     else if (phase == "stitch")
       stitch(on_progress);
     else if (phase == "write")
@@ -204,78 +217,6 @@ void Tile_tasks::run(const std::string& phase, std::size_t number, const On_prog
   } catch (const Tiled_on_cpu::Cancelled&) {
     throw_if_interrupted();
   }
-}
-
-/// \returns the number of points that were dropped
-std::uint64_t Tile_tasks::read_input(std::size_t number,
-                                     const std::function<void(const std::array<double, 3>&)>& f,
-                                     std::uint64_t memory, const On_progress& on_progress) const
-{
-  const Options& options = m_command.runs[number];
-  Read_options read_options;
-  read_options.max_memory = memory;
-  read_options.drop_non_finite = options.drop_non_finite;
-  read_options.classes = options.classes;
-  read_options.only_first_returns = options.only_first_returns;
-  read_options.with_properties = !options.classes.empty() || options.only_first_returns;
-  read_options.decompression = options.decompression;
-  read_options.columns = options.columns;
-  read_options.on_point = [&](const Point& p) { f({p.x(), p.y(), p.z()}); };
-  return read_points(options.input, options.input_format, read_options, on_progress)
-    .number_of_dropped_points;
-}
-
-void Tile_tasks::count(std::size_t number, const On_progress& on_progress,
-                       std::size_t at_once) const
-{
-  Counted_input input;
-  input.number_of_dropped = read_input(
-    number, [&](const std::array<double, 3>& point) { input.counts.add(point); },
-    memory_for_points() / 2 / at_once, on_progress);
-  write_counts(file_of("count", number), m_key, input);
-}
-
-void Tile_tasks::merge_counts() const
-{
-  Counted_input all;
-  for (std::size_t k = 0; k < m_command.runs.size(); ++k) {
-    Counted_input input = read_counts(file_of("count", k), m_key);
-    all.counts.add(std::move(input.counts));
-    all.number_of_dropped += input.number_of_dropped;
-  }
-  if (all.counts.number_of_points() == 0)
-    throw Failure(INPUT_REFUSED, "--as-one: the files have no points");
-  all.counts.finish();
-  check_disk(all.counts.number_of_points());
-  write_counts(file_of("blocks", 0), m_key, all);
-}
-
-void Tile_tasks::check_disk(std::uint64_t number_of_points) const
-{
-  const std::uint64_t m = number_of_output_points(m_options, std::size_t(number_of_points));
-  const std::uint64_t of_results = largest_file_size(m_options.output_format, m);
-  std::uint64_t of_point = sizeof(std::array<double, 3>); // in its shard
-  run_on(m_options, [&](auto tag) {
-    if (Tiled_resampling<decltype(tag)>::can_find_all_facts(
-          number_of_points, m, memory_for_points(), memory_of_device(m_options)))
-      of_point += sizeof(Point_in_cloud);
-  });
-  // samples with those of the overlaps, of which there are fewer
-  check_writable(index_file(),
-                 number_of_points * of_point + 2 * m * sizeof(Tile_sample) + of_results);
-  if (!m_command.merged_output.empty())
-    check_writable(m_command.merged_output, of_results);
-}
-
-void Tile_tasks::shard(std::size_t number, const On_progress& on_progress,
-                       std::size_t at_once) const
-{
-  const Tile_counts counts = read_counts(file_of("blocks", 0), m_key).counts;
-  const std::uint64_t memory = memory_for_points() / 2 / at_once;
-  Shard_writer shard(file_of("shard", number), m_key, counts.lattice(), memory);
-  read_input(
-    number, [&](const std::array<double, 3>& point) { shard.add(point); }, memory, on_progress);
-  shard.commit();
 }
 
 template <typename ConcurrencyTag>
@@ -336,6 +277,21 @@ void Tile_tasks::solve(std::size_t tile, const On_progress& on_progress) const
                {result.samples.size(), result.report.number_of_outliers, seconds}});
 }
 
+void Tile_tasks::carry(std::size_t tile, const On_progress& on_progress) const
+{
+  const Tiles_on_cpu tiles(*this, on_progress);
+  const Shards shards = tiles.shards();
+  std::vector<std::string> paths_of_rows;
+  for (std::size_t k = 0; k < number_of_inputs(); ++k)
+    paths_of_rows.push_back(file_of("rows", k));
+  Carrier carrier(shards, paths_of_rows, m_key, tiles.resampling.lattice(),
+                  tiles.resampling.blocks(), tiles.properties().table(), memory_for_points());
+  const auto samples = Task_file(file_of("solve", tile), m_key).read_all<Tile_sample>();
+  Task_file_writer file(file_of("carry", tile), m_key);
+  file.write_all(carrier.carry(samples, on_progress));
+  file.commit();
+}
+
 void Tile_tasks::stitch(const On_progress& on_progress) const
 {
   Tiles_on_cpu tiles(*this, on_progress);
@@ -372,21 +328,23 @@ void Tile_tasks::stitch(const On_progress& on_progress) const
 void Tile_tasks::write(std::size_t tile) const
 {
   const Signs_of_tiles all = read_signs(file_of("stitch", 0), m_key);
-  Tile_rows rows(m_key);
-  rows.add(file_of("solve", tile), all.signs[tile],
+  const Input_properties properties = read_counts(file_of("blocks", 0), m_key).properties;
+  Tile_rows rows(m_key, properties.table());
+  rows.add(file_of("solve", tile), file_of("carry", tile), all.signs[tile],
            std::size_t(all.summaries[tile].number_of_samples));
-  write_point_rows(result_of(tile), m_options.output_format, rows);
+  write_point_rows(result_of(tile), m_options.output_format, rows, properties.las);
 }
 
 void Tile_tasks::merge() const
 {
   const Signs_of_tiles all = read_signs(file_of("stitch", 0), m_key);
-  Tile_rows rows(m_key);
+  const Input_properties properties = read_counts(file_of("blocks", 0), m_key).properties;
+  Tile_rows rows(m_key, properties.table());
   for (std::size_t tile = 0; tile < all.signs.size(); ++tile)
-    rows.add(file_of("solve", tile), all.signs[tile],
+    rows.add(file_of("solve", tile), file_of("carry", tile), all.signs[tile],
              std::size_t(all.summaries[tile].number_of_samples));
   write_point_rows(m_command.merged_output, *format_of(m_command.merged_output), rows,
-                   m_options.existing_file());
+                   properties.las, m_options.existing_file());
 }
 
 void Tile_tasks::finish() const
@@ -427,6 +385,8 @@ void Tile_tasks::finish() const
                              {"output_points", all.summaries[tile].number_of_samples},
                              {"seconds", all.summaries[tile].seconds}});
   }
+  if (!tiles.properties().warnings.empty())
+    json["warnings"] = tiles.properties().warnings;
   json["run"] = m_description;
   write_text(index_file(), json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   std::error_code error; // what is left is in nobody's way

@@ -6,7 +6,9 @@
 #ifndef L0_RESAMPLE_TILE_TASKS_H
 #define L0_RESAMPLE_TILE_TASKS_H
 
+#include "basis/Point_cloud.h"
 #include "command_line/options.h"
+#include "tiles/Input_properties.h"
 
 #include <array>
 #include <cstddef>
@@ -65,6 +67,10 @@ public:
 
   std::string file_of(const std::string& phase, std::size_t number) const;
 
+  /// What is not as one may expect of the inputs and of what goes along with their points; before
+  /// the phase `finish`.
+  std::vector<std::string> warnings() const;
+
   const Options& options() const { return m_options; }
   std::size_t number_of_inputs() const { return m_command.runs.size(); }
   /// What files of this run are known by.
@@ -80,11 +86,13 @@ private:
   std::string result_of(std::size_t tile) const;
   std::string index_file() const;
   void check_inputs_stay() const;
-  void check_disk(std::uint64_t number_of_points) const;
+  void check_disk(std::uint64_t number_of_points, const Input_properties& properties) const;
+  void warn_of_left_out(Input_properties& properties) const;
   std::uint64_t memory_for_points() const;
-  std::uint64_t read_input(std::size_t number,
-                           const std::function<void(const std::array<double, 3>&)>& f,
-                           std::uint64_t memory, const On_progress& on_progress) const;
+  using On_point =
+    std::function<void(const std::array<double, 3>&, const Property_table&, const char* row)>;
+  Point_cloud read_input(std::size_t number, const On_point& f, std::uint64_t memory,
+                         const On_progress& on_progress) const;
 
   void count(std::size_t number, const On_progress& on_progress, std::size_t at_once) const;
   void merge_counts() const;
@@ -95,6 +103,7 @@ private:
   void share_samples() const;
   template <typename ConcurrencyTag>
   void solve(std::size_t tile, const On_progress& on_progress) const;
+  void carry(std::size_t tile, const On_progress& on_progress) const;
   void stitch(const On_progress& on_progress) const;
   void write(std::size_t tile) const;
   void merge() const;

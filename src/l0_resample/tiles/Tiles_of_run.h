@@ -32,6 +32,7 @@ template <typename ConcurrencyTag>
 class Tiles_of_run
 {
   const Tile_tasks& m_tasks;
+  Counted_input m_input; // without the counts, which are of the blocks
 
 public:
   using On_progress = Tile_tasks::On_progress;
@@ -40,8 +41,11 @@ public:
   Tiled_resampling resampling;
 
   Tiles_of_run(const Tile_tasks& tasks, const On_progress& on_progress)
-    : m_tasks(tasks), resampling(tiled_resampling(tasks, on_progress))
+    : m_tasks(tasks), m_input(read_counts(tasks.file_of("blocks", 0), tasks.key())),
+      resampling(tiled_resampling(tasks.options(), std::move(m_input.counts), on_progress))
   {}
+
+  const Input_properties& properties() const { return m_input.properties; }
 
   Shards shards() const
   {
@@ -61,7 +65,8 @@ public:
   /// \param memory of a tile, in bytes
   void make(std::uint64_t memory)
   {
-    resampling.make_tiles(memory, resampling.halo_in_radii, bytes_of_call(m_tasks.options()));
+    resampling.make_tiles(memory, resampling.halo_in_radii,
+                          bytes_of_tile(m_tasks.options(), properties().table().row_size()));
   }
 
   /// What is known of the samples of all tiles.
@@ -82,12 +87,11 @@ public:
   }
 
 private:
-  static Tiled_resampling tiled_resampling(const Tile_tasks& tasks, const On_progress& on_progress)
+  static Tiled_resampling tiled_resampling(const Options& options,
+                                           CGAL::L0_resampling::Tile_counts counts,
+                                           const On_progress& on_progress)
   {
     namespace parameters = CGAL::parameters;
-    const Options& options = tasks.options();
-    CGAL::L0_resampling::Tile_counts counts =
-      read_counts(tasks.file_of("blocks", 0), tasks.key()).counts;
     const std::size_t number_of_samples =
       number_of_output_points(options, std::size_t(counts.number_of_points()));
     return Tiled_resampling(std::move(counts),

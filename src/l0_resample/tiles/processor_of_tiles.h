@@ -7,9 +7,12 @@
 #define L0_RESAMPLE_PROCESSOR_OF_TILES_H
 
 #include "command_line/options.h"
+#include "tiles/Carrier.h"
 
 #include <CGAL/l0_resample_tiles.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 
@@ -20,13 +23,21 @@ namespace l0_tool {
 
 inline bool are_tiles_on_device(const Options& options) { return options.device == Device::CUDA; }
 
-/// What a call takes there.
-inline CGAL::L0_resampling::internal::Bytes_of_call bytes_of_call(const Options& options)
+/// What a tile takes: to resample it there, or to carry properties to its samples, whichever is
+/// more.
+/// \param row_size of the properties of a point, in bytes
+inline Bytes_of_call bytes_of_tile(const Options& options, std::size_t row_size)
 {
   using CGAL::L0_resampling::Tiled_resampling;
-  return are_tiles_on_device(options)
-           ? Tiled_resampling<CGAL::CUDA_tag>::bytes_of_call
-           : Tiled_resampling<CGAL::Parallel_if_available_tag>::bytes_of_call;
+  Bytes_of_call bytes = are_tiles_on_device(options)
+                          ? Tiled_resampling<CGAL::CUDA_tag>::bytes_of_call
+                          : Tiled_resampling<CGAL::Parallel_if_available_tag>::bytes_of_call;
+  if (row_size > 0) {
+    const Bytes_of_call to_carry = Carrier::bytes_of_call(row_size);
+    bytes.per_point = (std::max)(bytes.per_point, to_carry.per_point);
+    bytes.per_sample = (std::max)(bytes.per_sample, to_carry.per_sample);
+  }
+  return bytes;
 }
 
 /// What tiles may take of the device of this machine, in bytes; without one all that there is.

@@ -67,7 +67,7 @@ class Run_of_tiles
   const Command& m_command;
   const Tile_tasks m_tasks;
   Progress_bar m_progress;
-  std::vector<std::string> m_notes;
+  std::vector<std::string> m_notes, m_warnings;
   Json m_phases = Json::array();
   double m_done = 0; // share of the whole
   std::size_t m_number_of_tiles = 0;
@@ -136,6 +136,8 @@ class Run_of_tiles
       if (!task.reason.empty())
         m_notes.push_back(task.reason);
       bytes += size_of_file(m_tasks.file_of(phase.name, k));
+      if (phase.name == "shard")
+        bytes += size_of_file(m_tasks.file_of("rows", k));
     }
     m_done += phase.share;
     m_phases.push_back({{"name", phase.name},
@@ -162,6 +164,8 @@ public:
     m_tasks.begin();
     std::vector<Tile_phase> phases = m_tasks.phases();
     for (std::size_t next = 0; next < phases.size(); ++next) {
+      if (phases[next].name == "finish") // which leaves nothing of the run but results
+        m_warnings = m_tasks.warnings();
       run(phases[next]);
       if (next + 1 == phases.size() && phases[next].name != "finish")
         phases = m_tasks.phases(); // the tiles are known now
@@ -175,6 +179,7 @@ public:
   }
 
   const std::vector<std::string>& notes() const { return m_notes; }
+  const std::vector<std::string>& warnings() const { return m_warnings; }
 
   std::string report(const Run_record& record) const
   {
@@ -239,6 +244,7 @@ Exit_status run_as_one(const Command& command)
     Run_of_tiles run(command);
     guarded(record, [&]() { summary = run(); });
     record.notes = run.notes();
+    record.warnings = run.warnings();
     if (!options.json.empty() && !is_interrupted())
       write_text(options.json, run.report(record));
   });
@@ -246,6 +252,7 @@ Exit_status run_as_one(const Command& command)
     if (record.status == SUCCESS)
       std::cout << summary << std::flush;
     print_notes(record.notes);
+    print_warnings(record.warnings);
   }
   print_error(record.error);
   return record.status;

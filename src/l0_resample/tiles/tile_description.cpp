@@ -6,7 +6,9 @@
 #include "tiles/tile_description.h"
 
 #include "basis/Failure.h"
+#include "files/file_formats.h"
 #include "files/tile_folder.h"
+#include "formats/Output_columns.h"
 #include "tiles/Task_file.h"
 #include "tiles/processor_of_tiles.h"
 
@@ -87,6 +89,12 @@ nlohmann::json read_index(const std::string& path)
 
 } // namespace
 
+bool carries_properties(const Command& command)
+{
+  return holds_properties(command.runs.front().output_format)
+         || (!command.merged_output.empty() && holds_properties(*format_of(command.merged_output)));
+}
+
 std::string describe_run(const Command& command)
 {
   const Options& options = command.runs.front();
@@ -102,6 +110,7 @@ std::string describe_run(const Command& command)
   text << "--memory " << command.tiles.memory << "\n"
        << "--device " << (are_tiles_on_device(options) ? "cuda" : "cpu") << "\n"
        << "--output-format " << extension_of(options.output_format) << "\n"
+       << "properties " << carries_properties(command) << "\n"
        << "--neighbor-radius " << options.neighbor_radius.value_or(0) << "\n"
        << "--normal-weight " << normal_weight_of(options) << "\n"
        << "--sharpness-angle " << options.sharpness_angle << "\n"

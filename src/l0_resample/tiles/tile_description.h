@@ -14,6 +14,10 @@
 
 namespace l0_tool {
 
+/// Whether samples get the properties of the points: if a format that is written has places for
+/// some.
+bool carries_properties(const Command& command);
+
 /// All that the result of a run of `--as-one` depends on, one line for each thing: the program, the
 /// instructions it uses, options, and the files, with their sizes and times.
 /// \throws Failure with INPUT_REFUSED if a file is not there

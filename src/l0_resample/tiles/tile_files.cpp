@@ -161,6 +161,7 @@ void write_counts(const std::string& path, std::uint64_t key, const Counted_inpu
   file.write(input.counts.high());
   file.write(input.number_of_dropped);
   file.write_all(blocks);
+  write_properties(input.properties, file);
   file.commit();
 }
 
@@ -173,7 +174,7 @@ Counted_input read_counts(const std::string& path, std::uint64_t key)
   std::vector<std::pair<Block, std::uint64_t>> blocks;
   for (const Block_run& counted : file.read_all<Block_run>())
     blocks.emplace_back(counted.block, counted.count);
-  return {Block_counts(exponent, blocks, low, high), number_of_dropped};
+  return {Block_counts(exponent, blocks, low, high), number_of_dropped, read_properties(file)};
 }
 
 void write_found(const std::string& path, std::uint64_t key,

@@ -6,6 +6,8 @@
 #ifndef L0_RESAMPLE_TILE_FILES_H
 #define L0_RESAMPLE_TILE_FILES_H
 
+#include "tiles/Input_properties.h"
+
 #include <CGAL/L0_resampling/internal/tiles/Block_counts.h>
 #include <CGAL/L0_resampling/internal/tiles/Share_finder.h>
 #include <CGAL/L0_resampling/internal/tiles/stitch_tiles.h>
@@ -35,6 +37,7 @@ struct Counted_input
 {
   Block_counts counts;
   std::uint64_t number_of_dropped = 0; ///< of those that are not finite
+  Input_properties properties;         ///< of those that samples get, and what else goes along
 };
 
 void write_counts(const std::string& path, std::uint64_t key, const Counted_input& input);

@@ -34,13 +34,17 @@ def files(tmp_path_factory):
     return names
 
 
+def run_program(files, folder):
+    command = [os.environ["L0_RESAMPLE"], *files, "--as-one", "--points", "12000"]
+    command += ["--memory", str(MEMORY), "--output-directory", folder, "--quiet"]
+    subprocess.run([str(word) for word in command], check=True)
+
+
 @pytest.fixture(scope="module")
 def whole(files):
     """What the program gives by itself."""
     folder = files[0].parent / "whole"
-    command = [os.environ["L0_RESAMPLE"], *files, "--as-one", "--points", "12000"]
-    command += ["--memory", str(MEMORY), "--output-directory", folder, "--quiet"]
-    subprocess.run([str(word) for word in command], check=True)
+    run_program(files, folder)
     return folder
 
 
@@ -64,6 +68,20 @@ def test_workers_give_what_the_program_gives(files, whole, tmp_path, workers):
     assert results(tmp_path / "out") == results(whole) != {}
     assert phases[-1]["name"] == "finish" and sum(phase["retries"] for phase in phases) == 0
     assert ("solve", len(results(whole)), len(results(whole))) in steps
+
+
+def test_workers_carry_properties(files, tmp_path):
+    tables = [tmp_path / "a.csv", tmp_path / "b.csv"]
+    for name, table in zip(files, tables):
+        points = numpy.load(name)
+        kinds = numpy.arange(len(points))[:, None] % 7
+        numpy.savetxt(table, numpy.hstack([points, kinds]), ["%.17g"] * 3 + ["%d"], ",",
+                      header="x,y,z,kind", comments="")
+    run_program(tables, tmp_path / "whole")
+    phases = resample(tables, tmp_path / "out", workers=2)
+    assert "carry" in [phase["name"] for phase in phases]
+    assert results(tmp_path / "out") == results(tmp_path / "whole") != {}
+    assert b"property int kind\n" in results(tmp_path / "out")["tile_0.ply"]
 
 
 def test_an_executor_of_the_caller(files, whole, tmp_path):
@@ -121,9 +139,9 @@ def test_devices_are_lent_to_one_task_at_a_time(tmp_path):
         "#!/bin/sh\n"
         'device="$CUDA_VISIBLE_DEVICES"\n'
         'case "$*" in\n'
-        '*list) echo "count 2"; echo "solve 6"; echo "finish 1";;\n'
+        '*list) echo "count 2"; echo "solve 6"; echo "carry 6"; echo "finish 1";;\n'
         "*count:*) sleep 0.1;;\n"
-        f'*solve:*) mkdir "{tmp_path}/used_$device" && sleep 0.1'
+        f'*solve:*|*carry:*) mkdir "{tmp_path}/used_$device" && sleep 0.1'
         f' && rmdir "{tmp_path}/used_$device" && echo "$device" >> "{tmp_path}/devices";;\n'
         "esac\n"
     )
@@ -131,9 +149,9 @@ def test_devices_are_lent_to_one_task_at_a_time(tmp_path):
     phases = tiles.resample_files(
         [], tmp_path / "out", memory="1G", workers=4, devices=[3, 5], program=program
     )
-    assert [phase["retries"] for phase in phases] == [0, 0, 0]
+    assert [phase["retries"] for phase in phases] == [0, 0, 0, 0]
     used = (tmp_path / "devices").read_text().split()
-    assert len(used) == 6 and set(used) == {"3", "5"}
+    assert len(used) == 12 and set(used) == {"3", "5"}
     with pytest.raises(ValueError, match="of their own"):
         with concurrent.futures.ThreadPoolExecutor(1) as executor:
             tiles.resample_files([], tmp_path / "out", memory="1G", devices=[0], executor=executor)
