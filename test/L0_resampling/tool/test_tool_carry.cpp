@@ -53,8 +53,13 @@ Property_table no_rows()
   return table;
 }
 
-/// A patch, with places that many points of several files share, and strays far from it and from
-/// each other.
+/// A place that is as far from one point as from another, in another block of side 2.
+Place middle_of_pair(int i) { return {40. + 8 * i, 40, 0}; }
+
+constexpr int number_of_pairs = 30;
+
+/// A patch, with places that many points of several files share, pairs of points, and strays far
+/// from it and from each other.
 Cloud random_cloud()
 {
   std::mt19937 random(3);
@@ -67,6 +72,9 @@ Cloud random_cloud()
       cloud.points.push_back({0.8 * i, 0.7 * i, 0.25});
   for (int i = 0; i < 12; ++i)
     cloud.points.push_back({-300. * i, 40. * i * i, 70});
+  for (int i = 0; i < number_of_pairs; ++i)
+    for (const double shift : {-1, 1})
+      cloud.points.push_back({middle_of_pair(i)[0] + shift, 40, 0});
   std::shuffle(cloud.points.begin(), cloud.points.end(), random);
   cloud.ends = {2500, 2501, cloud.points.size()};
   cloud.properties = no_rows();
@@ -82,7 +90,7 @@ Cloud random_cloud()
   return cloud;
 }
 
-/// Among the points, on some of them, and far from all.
+/// Among the points, on some of them, between those of pairs, and far from all.
 std::vector<Tile_sample> random_samples(const Cloud& cloud)
 {
   std::mt19937 random(4);
@@ -95,6 +103,8 @@ std::vector<Tile_sample> random_samples(const Cloud& cloud)
                                       : Place{inside(random), inside(random), inside(random) / 40};
     samples.push_back({place, {0, 0, 1}, 0});
   }
+  for (int i = 0; i < number_of_pairs; ++i)
+    samples.push_back({middle_of_pair(i), {0, 0, 1}, 0});
   return samples;
 }
 
