@@ -378,7 +378,8 @@ int main()
       check_agreement(kind + "kept steep density", steeply_graded_sphere(20000, noise, 25),
                       np.keep_density(true).drop_outliers(false).select_percentage(60));
     }
-    for (const double sensitivity : {0.3, 2.})
+    // few of the outliers stay: where samples settle among many, roundings decide, on the CPU too
+    for (const double sensitivity : {0.7, 2.})
       CHECK(check_agreement(name + "sensitivity " + std::to_string(sensitivity),
                             with_outliers(noisy_cube(20000, 0.01, 12), 13),
                             np.outlier_sensitivity(sensitivity).select_percentage(60))
