@@ -171,8 +171,8 @@ void check_formulas()
   // certain where the viewpoint is, a guess edge-on
   CHECK(internal::confidence_of_viewpoint(0.2) == 1 && internal::confidence_of_viewpoint(-0.2) == 0
         && internal::confidence_of_viewpoint(0) == 0.5);
-  CHECK(std::abs(internal::confidence_of_viewpoint(0.085) - 0.75) < 1e-12
-        && std::abs(internal::confidence_of_viewpoint(-0.085) - 0.25) < 1e-12);
+  CHECK(std::abs(internal::confidence_of_viewpoint(0.0425) - 0.75) < 1e-12
+        && std::abs(internal::confidence_of_viewpoint(-0.0425) - 0.25) < 1e-12);
   internal::Side_votes votes;
   votes.sum = -3;
   votes.total = 4;

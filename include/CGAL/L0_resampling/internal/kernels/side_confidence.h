@@ -94,13 +94,13 @@ CGAL_L0_HOST_DEVICE inline double confidence_of_side(double of_tree, double with
   return of_tree * within_tree + (1 - of_tree) * (1 - within_tree);
 }
 
-/// How sure the side of a sample is that was seen from a known place: certain where
-/// `certain_side()` is, a guess where it was seen edge-on, linear in between. Winding numbers know
-/// less, as a scan is an open surface.
+/// How sure the side of a sample is that was seen from a known place: a guess where it was seen
+/// edge-on, certain from half of the cosine on from which `certain_side()` is, linear in between.
+/// Winding numbers know less, as a scan is an open surface.
 /// \param cosine of the angle between normal and direction to the viewpoint
 CGAL_L0_HOST_DEVICE inline double confidence_of_viewpoint(double cosine)
 {
-  const double confidence = (1 + cosine / least_certain_cosine) / 2;
+  const double confidence = 0.5 + cosine / least_certain_cosine;
   return confidence < 0 ? 0 : confidence > 1 ? 1 : confidence;
 }
 
