@@ -348,6 +348,17 @@ without a value leaves the default.
     \cgalParamDefault{none}
     \cgalParamExtra{written before the first pair}
   \cgalParamNEnd
+  \cgalParamNBegin{noise_map}
+    \cgalParamDescription{out: for each point of the result, the standard deviation of the points
+      in its ball across the surface, as the last fit measures it, in the unit of the points. It is
+      too small where the noise is more than a fifth of the radius there, and 0 if no points are
+      compatible with the sample.}
+    \cgalParamType{a model of `WritablePropertyMap` with `std::size_t`, the place in the result, as
+      key type and a floating-point value type}
+    \cgalParamDefault{none}
+    \cgalParamExtra{written before the first pair; `std::invalid_argument` for `LOR` and `ALOR`,
+      whose fit does not tell noise from what the surface does in the ball}
+  \cgalParamNEnd
   \cgalParamNBegin{maximum_memory}
     \cgalParamDescription{the most memory that the function's own arrays may take}
     \cgalParamType{any integral type, in bytes}
@@ -419,8 +430,8 @@ The input's own normals are used only if they are passed:
 Each point gets the properties of the input point nearest to it, whatever their type; where that is
 `float`, `double` or `CGAL::IO::Color`, or where a `std::uint8_t` is named red, green, blue or
 alpha, the weighted mean of the eight nearest ones. The keys of `source_index_map`,
-`feature_confidence_map`, `side_confidence_map` and `neighbor_radius_map` are indices of `result`,
-whose property maps fit.
+`feature_confidence_map`, `side_confidence_map`, `neighbor_radius_map` and `noise_map` are indices
+of `result`, whose property maps fit.
 
 \param points the input; its point map is the default of `point_map`
 \param result another point set than `points`

@@ -79,6 +79,7 @@ def l0_resample_point_set(
     feature_confidences: Literal[False] = False,
     side_confidences: Literal[False] = False,
     neighbor_radii: Literal[False] = False,
+    noises: Literal[False] = False,
     report: Literal[False] = False,
 ) -> tuple[_Array, _Array]: ...
 @overload
@@ -116,6 +117,7 @@ def l0_resample_point_set(
     feature_confidences: Literal[False] = False,
     side_confidences: Literal[False] = False,
     neighbor_radii: Literal[False] = False,
+    noises: Literal[False] = False,
     report: Literal[True],
 ) -> tuple[_Array, _Array, Report]: ...
 @overload
@@ -153,6 +155,7 @@ def l0_resample_point_set(
     feature_confidences: bool = False,
     side_confidences: bool = False,
     neighbor_radii: bool = False,
+    noises: bool = False,
     report: bool = False,
 ) -> tuple[Any, ...]: ...
 @overload

@@ -43,6 +43,7 @@ class Parameters:
     feature_confidences: bool
     side_confidences: bool
     neighbor_radii: bool
+    noises: bool
     number_of_orientation_neighbors: int
     random_seed: int
     drop_non_finite: bool

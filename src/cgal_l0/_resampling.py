@@ -141,6 +141,7 @@ def l0_resample_point_set(
     feature_confidences=False,
     side_confidences=False,
     neighbor_radii=False,
+    noises=False,
     report=False,
 ):
     """Resample raw, noisy points to clean, evenly spaced points with oriented normals.
@@ -242,11 +243,15 @@ def l0_resample_point_set(
         terrain without up_direction.
     neighbor_radii: bool. True: also return, for each point of the result, the radius that it was
         fitted with, in the unit of the points.
+    noises: bool. True: also return, for each point of the result, the standard deviation of the
+        points around it across the surface, as the fit measures it, in the unit of the points. It
+        is too small where the noise is more than a fifth of the radius there, and 0 where no points
+        fit. Only with method="default".
     report: bool. True: also return a cgal_l0.Report.
 
     Returns a tuple: positions and normals, arrays of shape (m, 3) and of the number type of
     points, then what else is asked for, in this order: source indices, feature confidences,
-    side confidences, neighbor radii, report. Normals have unit length. For points on a CUDA
+    side confidences, neighbor radii, noises, report. Normals have unit length. For points on a CUDA
     device the arrays are of the type cgal_l0.DeviceArray, on that device, which
     torch.from_dlpack() and cupy.asarray() take without a copy.
 
@@ -280,6 +285,7 @@ def l0_resample_point_set(
         "feature_confidences": bool(feature_confidences),
         "side_confidences": bool(side_confidences),
         "neighbor_radii": bool(neighbor_radii),
+        "noises": bool(noises),
         "number_of_orientation_neighbors": number_of_orientation_neighbors,
         "random_seed": random_seed,
         "drop_non_finite": bool(drop_non_finite),
@@ -299,7 +305,7 @@ def l0_resample_point_set(
     for message in members["warnings"]:
         warnings.warn(message, ResamplingWarning, stacklevel=2)
     answer = [positions, resampled_normals]
-    wanted = (source_indices, feature_confidences, side_confidences, neighbor_radii)
+    wanted = (source_indices, feature_confidences, side_confidences, neighbor_radii, noises)
     answer += [array for array, is_wanted in zip(further, wanted) if is_wanted]
     if report:
         answer.append(report_of(members))

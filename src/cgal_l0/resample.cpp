@@ -105,6 +105,7 @@ Result<FT> resample_with_tag(const Array_view& points, const Vectors_of_points<A
         if_wanted(parameters.side_confidences, Appending_map<FT>{&result.side_confidences}))
       .neighbor_radius_map(
         if_wanted(parameters.neighbor_radii, Appending_map<FT>{&result.neighbor_radii}))
+      .noise_map(if_wanted(parameters.noises, Appending_map<FT>{&result.noises}))
       .point_map(Point_map{points})
       .geom_traits(CGAL::Simple_cartesian<FT>());
   const auto range = boost::irange(std::size_t(0), points.size);

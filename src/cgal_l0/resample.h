@@ -50,12 +50,13 @@ struct Parameters
   std::optional<double> outlier_sensitivity;
   std::uint64_t maximum_memory = (std::numeric_limits<std::uint64_t>::max)(); ///< in bytes
 
-  // whether the named parameters source_index_map, feature_confidence_map, side_confidence_map and
-  // neighbor_radius_map are wanted
+  // whether the named parameters source_index_map, feature_confidence_map, side_confidence_map,
+  // neighbor_radius_map and noise_map are wanted
   bool source_indices = false;
   bool feature_confidences = false;
   bool side_confidences = false;
   bool neighbor_radii = false;
+  bool noises = false;
 
   // of this call, not of the function
   std::optional<std::int64_t> threads; ///< all, if not given
@@ -86,7 +87,7 @@ struct Result
 {
   std::vector<FT> positions, normals;
   std::vector<std::int64_t> source_indices;
-  std::vector<FT> feature_confidences, side_confidences, neighbor_radii;
+  std::vector<FT> feature_confidences, side_confidences, neighbor_radii, noises;
   CGAL::L0_resampling::Report report;
 };
 

@@ -50,7 +50,7 @@ class Device_call
   std::size_t m_size_of_result = 0;
   CGAL::L0_resampling::Report m_report;
   std::optional<Device_array> m_positions, m_normals_of_result, m_source_indices,
-    m_feature_confidences, m_side_confidences, m_neighbor_radii;
+    m_feature_confidences, m_side_confidences, m_neighbor_radii, m_noises;
 
 public:
   Device_call(const Device_view& points, const Vectors_of_points<Device_view>& vectors,
@@ -72,7 +72,7 @@ public:
     if (!is_complete)
       return py::none();
     return py::make_tuple(m_positions, m_normals_of_result, m_source_indices, m_feature_confidences,
-                          m_side_confidences, m_neighbor_radii, dictionary_of(m_report));
+                          m_side_confidences, m_neighbor_radii, m_noises, dictionary_of(m_report));
   }
 
 private:
@@ -112,6 +112,8 @@ private:
     if (m_parameters.neighbor_radii)
       m_neighbor_radii = on_device(
         of_float(m_resampler.neighbor_radii(m_size_of_result, m_report)));
+    if (m_parameters.noises)
+      m_noises = on_device(of_float(m_resampler.noises(m_size_of_result, m_report)));
   }
 
   Device_array new_array(const std::vector<std::int64_t>& shape, char kind, std::size_t item_size)

@@ -303,15 +303,25 @@ public:
   {
     internal::Buffer<float> confidences(number_of_samples, 0.f);
     internal::throw_if_failed(
-      internal::cuda::download_values(*m_session, confidences.data(), nullptr));
+      internal::cuda::download_values(*m_session, confidences.data(), nullptr, nullptr));
     return confidences;
   }
 
   internal::Buffer<float> neighbor_radii(std::size_t number_of_samples, const Report& report)
   {
     internal::Buffer<float> scales(number_of_samples, 0.f);
-    internal::throw_if_failed(internal::cuda::download_values(*m_session, nullptr, scales.data()));
+    internal::throw_if_failed(
+      internal::cuda::download_values(*m_session, nullptr, scales.data(), nullptr));
     return internal::neighbor_radii(std::move(scales), number_of_samples, report.neighbor_radius);
+  }
+
+  /// Of a call that was asked for them.
+  internal::Buffer<float> noises(std::size_t number_of_samples, const Report& report)
+  {
+    internal::Buffer<float> noises(number_of_samples, 0.f);
+    internal::throw_if_failed(
+      internal::cuda::download_values(*m_session, nullptr, nullptr, noises.data()));
+    return internal::lengths_of_input(std::move(noises), report.neighbor_radius);
   }
 
 private:
@@ -386,6 +396,8 @@ private:
       data.side_confidences = side_confidences(m);
     if (parameters.with_neighbor_radii)
       data.neighbor_radii = neighbor_radii(m, report);
+    if (parameters.with_noises)
+      data.noises = noises(m, report);
     report.number_of_output_points = m;
     const auto pair_of = [&](std::size_t i) {
       return std::make_pair(Point(rounded[i][0], rounded[i][1], rounded[i][2]),

@@ -46,3 +46,5 @@ CGAL_add_named_parameter(resampling_method_t, resampling_method, resampling_meth
                                             CGAL_add_named_parameter(outlier_sensitivity_t,
                                                                      outlier_sensitivity,
                                                                      outlier_sensitivity)
+                                              CGAL_add_named_parameter(noise_map_t, noise_map,
+                                                                       noise_map)

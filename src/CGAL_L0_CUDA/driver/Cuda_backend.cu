@@ -45,7 +45,8 @@ void Cuda_backend::begin(const Plan& plan)
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(m_counts, 0, sizeof(Sample_counts), m_session.stream));
   m_samples = take_samples(m_session.arena, m_number_of_samples,
                            {plan.refines, m_input.positions.scales != nullptr, plan.keeps_spacings,
-                            m_session.hints != nullptr, m_session.points_in_cloud != nullptr});
+                            m_session.hints != nullptr, m_session.points_in_cloud != nullptr,
+                            plan.finds_noises});
   m_points_scope.emplace(m_session.arena);
 }
 
@@ -395,6 +396,7 @@ void Cuda_backend::end(const Plan& plan)
   m_session.sample_normals = reinterpret_cast<float*>(m_samples.fit);
   m_session.side_confidences = m_samples.side_confidences;
   m_session.sample_scales = m_samples.scales;
+  m_session.sample_noises = m_samples.noises;
   m_session.number_of_samples = m_number_of_samples;
   m_session.trees = m_samples.trees;
   m_session.are_own = m_samples.are_own;

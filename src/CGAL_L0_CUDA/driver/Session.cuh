@@ -64,6 +64,7 @@ struct Session
   float* sample_normals = nullptr;
   float* side_confidences = nullptr;
   float* sample_scales = nullptr;           // null if all are 1
+  float* sample_noises = nullptr;           // null unless they are asked for
   unsigned* trees = nullptr;                // of a tile
   unsigned char* are_own = nullptr;         // likewise
   Oriented_representatives representatives; // the result of a call that only orients

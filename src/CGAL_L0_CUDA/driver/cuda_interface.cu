@@ -180,7 +180,7 @@ Answer download(Session& session, double* positions, float* normals)
   });
 }
 
-Answer download_values(Session& session, float* side_confidences, float* scales)
+Answer download_values(Session& session, float* side_confidences, float* scales, float* noises)
 {
   return guarded(&session, [&]() {
     const std::size_t m = session.number_of_samples;
@@ -194,6 +194,8 @@ Answer download_values(Session& session, float* side_confidences, float* scales)
       copy(scales, session.sample_scales);
     else if (scales)
       std::fill_n(scales, m, 1.f);
+    if (noises)
+      copy(noises, session.sample_noises);
     CGAL_L0_CUDA_CHECK(cudaStreamSynchronize(session.stream));
   });
 }

@@ -170,6 +170,7 @@ struct Samples
   float4* hints = nullptr;           // as on the CPU: null if the caller has none
   unsigned* start_indices = nullptr; // as on the CPU: null if no samples follow others
   float* side_confidences = nullptr; // how sure the sides are, once they are chosen
+  float* noises = nullptr; // of the points of the last fit; null unless they are asked for
   // Of a tile of a cloud only: whether the tile keeps them, and the trees of the orientation
   unsigned char* are_own = nullptr;
   unsigned* trees = nullptr;
@@ -211,7 +212,7 @@ struct Sample_counts
 /// What samples may have beside positions, normals and fit.
 struct Kinds_of_sample_data
 {
-  bool of_default_method, scales, spreading_radii, hints, of_tile;
+  bool of_default_method, scales, spreading_radii, hints, of_tile, noises;
 };
 
 Samples take_samples(Device_arena& arena, unsigned size, const Kinds_of_sample_data& kinds);

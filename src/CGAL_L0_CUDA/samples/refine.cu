@@ -94,6 +94,7 @@ __global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_b
                                    kernel.squared_radius);
   const double sheet_height = squared_height_of_second_look(support, sums,
                                                             kernel.squared_sheet_height);
+  float noise = samples.noises ? float(noise_of_fit(sums, kernel)) : 0;
   // the lanes of a warp add up together
   if (__any_sync(0xffffffffu, support.is_unsupported))
   {
@@ -106,12 +107,16 @@ __global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_b
     Fit_kernel<float> own_kernel = kernel;
     own_kernel.squared_sheet_height = float(sheet_height);
     sums = surroundings.sum_compatible_points(normal, own_kernel);
+    if (samples.noises && support.is_unsupported)
+      noise = float(noise_of_fit(sums, own_kernel));
   }
   if (!query.writes)
     return;
 
   const Fit_of_sample fit(sums, {normal.x, normal.y, normal.z}, border, scale);
   samples.outward[i] = Short_vector::of(to_float(fit.outward));
+  if (samples.noises)
+    samples.noises[i] = noise;
   if (!fit.has_points)
   {
     // the sample is drawn to where it was last fitted, and keeps its normal

@@ -223,6 +223,8 @@ __global__ void append(Samples samples, Followers followers, const unsigned* pla
   samples.side_confidences[i] = samples.side_confidences[leader];
   if (samples.scales)
     samples.scales[i] = samples.scales[leader];
+  if (samples.noises)
+    samples.noises[i] = samples.noises[leader];
   if (samples.are_own)
     samples.are_own[i] = followers.are_own[f];
   if (samples.trees)

@@ -195,6 +195,8 @@ void add_options_on_result(CLI::App& app, Arguments& arguments)
                "a property side_confidence: 0.5 if the side is a guess, 1 if sure");
   app.add_flag("--point-radius", options.with_neighbor_radii,
                "a property neighbor_radius: that which a point was fitted with");
+  app.add_flag("--point-noise", options.with_noises,
+               "a property noise: standard deviation of the points around");
 }
 
 void add_options_on_input(CLI::App& app, Arguments& arguments)

@@ -66,6 +66,7 @@ struct Options
   bool with_feature_confidences = false;
   bool with_side_confidences = false;
   bool with_neighbor_radii = false;
+  bool with_noises = false;
   bool drop_non_finite = false;
   bool keep_outliers = false;
   std::optional<double> outlier_sensitivity;

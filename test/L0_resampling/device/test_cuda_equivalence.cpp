@@ -6,6 +6,7 @@
 #include "device/test_cuda_support.h"
 
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/property_map.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +16,7 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 // P7: the device and the CPU give one result, but for rounding. Both order it alike, but for
 // roundings, and it is compared point by point.
@@ -323,6 +325,38 @@ void check_refusals()
   CHECK(result.size() == 250 && report.hinted_share == 1);
 }
 
+/// The noise around each point of the result, where it differs from place to place.
+void check_noises()
+{
+  namespace parameters = CGAL::parameters;
+  const Points points = graded_sphere(20000, 0.02, 27);
+  const auto np = parameters::select_percentage(60);
+  Result host, device;
+  std::vector<double> of_host(12000, -1), of_device(12000, -1);
+  CGAL::l0_resample_point_set<CGAL::Parallel_if_available_tag>(
+    points, std::back_inserter(host), np | parameters::noise_map(CGAL::make_property_map(of_host)));
+  Report report;
+  CGAL::l0_resample_point_set<CGAL::CUDA_tag>(
+    points, std::back_inserter(device),
+    np | parameters::noise_map(CGAL::make_property_map(of_device))
+      | parameters::resampling_report(&report));
+  const std::vector<std::size_t> other = counterparts(host, device, report.neighbor_radius);
+  std::size_t number_of_others = 0;
+  double sum = 0;
+  for (std::size_t i = 0; i < host.size(); ++i)
+  {
+    number_of_others += !(std::abs(of_device[other[i]] - of_host[i]) < 0.02 * of_host[i]);
+    sum += of_device[i];
+  }
+  CHECK(number_of_others <= host.size() / 1000);
+  CHECK(std::abs(sum / double(host.size()) - 0.02) < 0.15 * 0.02);
+  CHECK_THROWS(CGAL::l0_resample_point_set<CGAL::CUDA_tag>(
+                 points, std::back_inserter(device),
+                 parameters::resampling_method(CGAL::L0_resampling::Method::LOR)
+                   | parameters::noise_map(CGAL::make_property_map(of_device))),
+               std::invalid_argument);
+}
+
 } // namespace
 
 int main()
@@ -414,6 +448,7 @@ int main()
   check_agreement("default huge radius", noisy_cube(20000, 0.01, 18),
                   parameters::neighbor_radius(0.5).select_percentage(20));
   check_given_normals();
+  check_noises();
   check_refusals();
   return test::result();
 }

@@ -86,6 +86,9 @@ void wrong_maps()
   // refused: neighbor_radius_map needs values of a floating-point type.
   resample(pairs, std::back_inserter(result),
            np | parameters::neighbor_radius_map(CGAL::make_property_map(integers)));
+  // refused: noise_map needs values of a floating-point type.
+  resample(pairs, std::back_inserter(result),
+           np | parameters::noise_map(CGAL::make_property_map(integers)));
 }
 
 void wrong_callbacks_and_reports()

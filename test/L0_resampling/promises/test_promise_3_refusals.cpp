@@ -114,6 +114,12 @@ void test_lengths_and_angles()
   check_refused("up_direction", "given", params::up_direction(up).orientation_hint_map(hints));
   check_refused("viewpoint_map", "given",
                 params::viewpoint_map(viewpoints).orientation_hint_map(hints));
+  std::vector<double> noises;
+  const auto noise_map = params::noise_map(CGAL::make_property_map(noises));
+  check_refused("noise_map", "given",
+                noise_map.resampling_method(CGAL::L0_resampling::Method::LOR));
+  check_refused("noise_map", "given",
+                noise_map.resampling_method(CGAL::L0_resampling::Method::ALOR));
   check_refused("sharpness_angle", "90.5", params::sharpness_angle(90.5));
   check_refused("outlier_sensitivity", "-0.25", params::outlier_sensitivity(-0.25));
   check_refused("outlier_sensitivity", "3.25", params::outlier_sensitivity(3.25));

@@ -120,6 +120,26 @@ def test_source_indices_and_feature_confidences(cube, number_type):
                              confidences)
 
 
+@pytest.mark.parametrize("number_type", [numpy.float32, numpy.float64])
+def test_radii_and_noises(number_type):
+    random = numpy.random.default_rng(3)
+    points = random.uniform(size=(20000, 3))
+    noise = numpy.where(points[:, 0] < 0.5, 0.001, 0.004)
+    points[:, 2] = noise * random.normal(size=20000)
+    points = points.astype(number_type)
+    options = {"select_percentage": 20}
+    positions, _, radii, noises, report = l0_resample_point_set(
+        points, neighbor_radii=True, noises=True, report=True, **options)
+    assert radii.dtype == noises.dtype == number_type and noises.shape == (4000,)
+    assert radii.min() >= 0.999 * report.least_neighbor_radius
+    assert radii.max() <= 1.001 * report.largest_neighbor_radius
+    for is_there, truth in ((positions[:, 0] < 0.35, 0.001), (positions[:, 0] > 0.65, 0.004)):
+        assert abs(noises[is_there].mean() - truth) < 0.15 * truth
+    assert numpy.array_equal(l0_resample_point_set(points, noises=True, **options)[2], noises)
+    with pytest.raises(ValueError, match="noise_map is given, expected the default method"):
+        l0_resample_point_set(points, method="lor", noises=True)
+
+
 def test_single_precision(cube, tool):
     single = cube.astype(numpy.float32)
     positions, normals = l0_resample_point_set(single)

@@ -24,6 +24,13 @@ check "labels of points, and colors between those of points" test "$(awk '
     wrong += label != "7 0 0 0" && label != "144 238 254 255" || $49 < 100 || $49 > 200
     mixed += $49 > 100 && $49 < 200 }
   END { print wrong + 0, (mixed > 10 && mixed < 480) }' rows.txt)" = "0 1"
+run cube.xyz noises.ply --point-radius --point-noise
+check "radius and noise of each point" test "$status" -eq 0 -a "$(properties noises.ply)" = \
+  "$(printf '%s,' 'double x' 'double y' 'double z' 'double nx' 'double ny' 'double nz' \
+    'float neighbor_radius' 'float noise')"
+run cube.xyz lor.ply --method lor --point-noise
+check "no noise of LOR" test "$status" -ne 0 -a ! -e lor.ply
+check "which says why" grep -q 'noise_map is given, expected the default method' stderr
 run cube.xyz plain.ply
 run carried.ply positions.xyz --convert-only
 run plain.ply plain.xyz --convert-only

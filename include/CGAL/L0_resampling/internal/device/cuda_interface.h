@@ -114,9 +114,11 @@ Answer resample(Session& session, const Parameters& parameters, Progress_callbac
 /// length; xyz interleaved.
 Answer download(Session& session, double* positions, float* normals);
 
-/// Brings to the host how sure the sides of the result are, and its scales; either may be null.
+/// Brings to the host how sure the sides of the result are, its scales, and the noise around its
+/// points; each may be null.
 /// \param scales out: 1 for all, where the radius is the same everywhere
-Answer download_values(Session& session, float* side_confidences, float* scales);
+/// \param noises out, in units of the radius; only of a call whose parameters ask for them
+Answer download_values(Session& session, float* side_confidences, float* scales, float* noises);
 
 /// What tests let go wrong.
 enum class Fault

@@ -74,7 +74,7 @@ protected: // for backends that differ in a stage
   Buffer<Vector> m_places;                    // of the samples in that grid
   std::optional<Minimization_step<ConcurrencyTag, Any_solver<FT>>> m_step;
   Buffer<Upper_triangle<FT>> m_normal_spreads;
-  Buffer<float> m_feature_confidences, m_side_confidences;
+  Buffer<float> m_feature_confidences, m_side_confidences, m_noises;
 
 public:
   using Base::number_of_points;
@@ -97,7 +97,7 @@ public:
       m_samples(points.get_allocator()), m_followers(points.get_allocator()), m_fit_rows(no_rows()),
       m_neighbors(no_neighbors()), m_places(points.get_allocator()),
       m_normal_spreads(points.get_allocator()), m_feature_confidences(points.get_allocator()),
-      m_side_confidences(points.get_allocator())
+      m_side_confidences(points.get_allocator()), m_noises(points.get_allocator())
   {}
   Cpu_backend(const Cpu_backend&) = delete;
   Cpu_backend& operator=(const Cpu_backend&) = delete;
@@ -105,9 +105,9 @@ public:
   /// Of the call, once it was run.
   Oriented_points<FT> take_result()
   {
-    return {std::move(m_samples.positions), std::move(m_samples.normals),
+    return {std::move(m_samples.positions),   std::move(m_samples.normals),
             std::move(m_feature_confidences), std::move(m_side_confidences),
-            std::move(m_samples.scales)};
+            std::move(m_samples.scales),      std::move(m_noises)};
   }
 
   /// The loops of the stages count their steps, and ask the caller, by themselves.
@@ -275,7 +275,7 @@ public:
 
   // Algorithm 1 of the default method
 
-  void fit_compatible_points(const Plan& plan, bool)
+  void fit_compatible_points(const Plan& plan, bool is_last)
   {
     const Fit_input<Local> fit_input{m_input.grid,
                                      m_input.points,
@@ -284,8 +284,11 @@ public:
                                      plan.radius,
                                      square(plan.sheet_height),
                                      plan.compatible_bandwidth};
-    m_report.number_of_lonely_samples =
-      internal::fit_compatible_points<ConcurrencyTag>(fit_input, m_progress, m_samples);
+    const bool finds_noises = is_last && plan.finds_noises;
+    if (finds_noises)
+      fill_buffer(number_of_samples(), 0.f, m_noises);
+    m_report.number_of_lonely_samples = internal::fit_compatible_points<ConcurrencyTag>(
+      fit_input, m_progress, m_samples, finds_noises ? &m_noises : nullptr);
   }
 
   void refit_sample_normals(const Plan& plan)
@@ -354,6 +357,7 @@ public:
     m_followers.append_values(m_samples.start_indices, m_samples.normals);
     m_followers.append_values(m_samples.start_indices, m_feature_confidences);
     m_followers.append_values(m_samples.start_indices, m_side_confidences);
+    m_followers.append_values(m_samples.start_indices, m_noises);
     if (m_parameters.with_neighbor_radii)
       m_followers.append_values(m_samples.start_indices, m_samples.scales);
     m_followers.append_positions(m_samples.start_indices, m_samples.positions);

@@ -22,7 +22,7 @@ struct Oriented_points
   Buffer<Vector> positions;
   Buffer<Eigen::Matrix<FT, 3, 1>> normals; ///< of unit length but for rounding in `FT`
   // of each, if they are asked for; no scales if all are 1
-  Buffer<float> feature_confidences, side_confidences, scales;
+  Buffer<float> feature_confidences, side_confidences, scales, noises;
 };
 
 } // namespace internal

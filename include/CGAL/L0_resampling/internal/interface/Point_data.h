@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace L0_resampling {
@@ -25,8 +26,17 @@ struct Point_data
 {
   Near_points near_points; ///< if some are asked for
   // if they are asked for
-  Buffer<float> feature_confidences, side_confidences, neighbor_radii;
+  Buffer<float> feature_confidences, side_confidences, neighbor_radii, noises;
 };
+
+/// Lengths in the unit of the input.
+/// \param lengths in the unit of the frame, which is the radius
+inline Buffer<float> lengths_of_input(Buffer<float> lengths, double neighbor_radius)
+{
+  for (float& length : lengths)
+    length = float(double(length) * neighbor_radius);
+  return lengths;
+}
 
 /// The radii of samples, from their scales.
 /// \param scales of the samples; none if all are 1
@@ -35,9 +45,7 @@ inline Buffer<float> neighbor_radii(Buffer<float> scales, std::size_t number_of_
 {
   if (scales.empty())
     scales.assign(number_of_samples, 1.f);
-  for (float& scale : scales)
-    scale = float(double(scale) * neighbor_radius);
-  return scales;
+  return lengths_of_input(std::move(scales), neighbor_radius);
 }
 
 /// How many near points a call with these named parameters has to find, of which `others` are asked
@@ -72,6 +80,8 @@ void write_point_data(const NamedParameters& np, const Point_data& data, std::si
   if_given(np, internal_np::neighbor_radius_map, [&](const auto& map) {
     write(map, [&](std::size_t i) { return data.neighbor_radii[i]; });
   });
+  if_given(np, internal_np::noise_map,
+           [&](const auto& map) { write(map, [&](std::size_t i) { return data.noises[i]; }); });
 }
 
 } // namespace internal

@@ -260,6 +260,9 @@ Parameters checked_parameters(const NamedParameters& np, std::size_t n)
   p.with_feature_confidences = is_given(np, internal_np::feature_confidence_map);
   p.with_side_confidences = is_given(np, internal_np::side_confidence_map);
   p.with_neighbor_radii = is_given(np, internal_np::neighbor_radius_map);
+  p.with_noises = is_given(np, internal_np::noise_map);
+  check_parameter(!p.with_noises || rules.refines, "noise_map", "given",
+                  "the default method beside it");
 
   read_parameter(np, internal_np::random_seed, p.random_seed);
   read_parameter(np, internal_np::maximum_memory, p.maximum_memory);

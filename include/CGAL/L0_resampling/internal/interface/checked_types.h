@@ -160,7 +160,11 @@ constexpr bool output_fits()
   constexpr bool has_radii =
     has_values<Given<NamedParameters, internal_np::neighbor_radius_map_t>, std::is_floating_point>;
   static_assert(has_radii, "neighbor_radius_map needs values of a floating-point type.");
-  return has_indices && has_confidences && has_sides && has_radii && call_fits<NamedParameters>();
+  constexpr bool has_noises =
+    has_values<Given<NamedParameters, internal_np::noise_map_t>, std::is_floating_point>;
+  static_assert(has_noises, "noise_map needs values of a floating-point type.");
+  return has_indices && has_confidences && has_sides && has_radii && has_noises
+         && call_fits<NamedParameters>();
 }
 
 /// Refuses output iterators that take neither pairs nor points.

@@ -95,6 +95,7 @@ void resample_on_cpu(const PointRange& range, PointMap point_map, NormalMap norm
                    Buffer<float>(&memory)},
                   Buffer<float>(&memory),
                   Buffer<float>(&memory),
+                  Buffer<float>(&memory),
                   Buffer<float>(&memory)};
   try
   {
@@ -126,6 +127,7 @@ void resample_on_cpu(const PointRange& range, PointMap point_map, NormalMap norm
     if (checked.with_neighbor_radii)
       data.neighbor_radii = neighbor_radii(std::move(result.scales), result.positions.size(),
                                            report.neighbor_radius);
+    data.noises = lengths_of_input(std::move(result.noises), report.neighbor_radius);
     release(result.positions);
     if (data.near_points.count > 0)
     {

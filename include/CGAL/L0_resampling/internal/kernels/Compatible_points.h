@@ -125,6 +125,33 @@ CGAL_L0_HOST_DEVICE inline double squared_height_of_second_look(
                                                           sums.squared_heights));
 }
 
+/*!
+The standard deviation of the points of a fit across the surface. Their weights fall off with the
+height as \f$ e^{-h^2/H^2} \f$ and with the distance as \f$ e^{-d^2/\sigma_p^2} \f$, so that
+Gaussian heights of the variance \f$ \sigma^2 \f$ have the weighted variance v, with
+
+\f[ \frac{1}{v} = \frac{1}{\sigma^2} + \frac{2}{H^2} + \frac{2}{\sigma_p^2}. \f]
+
+Where the points fill the sheet, v is what the weights let through and tells no \f$ \sigma \f$;
+then the result is the one at which v is nine tenths of that.
+
+\param sums of the fit, without points or not
+\param kernel of these sums
+*/
+template <typename T>
+CGAL_L0_HOST_DEVICE double noise_of_fit(const Compatible_points<double>& sums,
+                                        const Fit_kernel<T>& kernel)
+{
+  if (!(sums.weight() > least_weight_of_compatible_points))
+    return 0;
+  const double variance = weighted_variance(sums.weight(), sums.height, sums.squared_heights),
+               rest = 1
+                      - 2 * variance
+                          * (1 / double(kernel.squared_sheet_height)
+                             + 1 / double(kernel.squared_bandwidth));
+  return std::sqrt(variance / (rest > 0.1 ? rest : 0.1));
+}
+
 /// What the points of its ball make of a sample.
 struct Fit_of_sample
 {

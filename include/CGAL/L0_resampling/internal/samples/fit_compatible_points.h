@@ -104,11 +104,13 @@ The normal of the sample becomes the weighted mean of those points' normals.
 
 \param samples in: positions, normals and the last fit centroids; out: normals, fit weights and
 variances, fit centroids and outward directions
+\param noises out, unless null: of the points around each sample, see `noise_of_fit()`; as many as
+samples
 \returns the number of samples without compatible points
 */
 template <typename ConcurrencyTag, typename T, typename FT>
 std::size_t fit_compatible_points(const Fit_input<T>& input, Progress& progress,
-                                  Samples<FT>& samples)
+                                  Samples<FT>& samples, Buffer<float>* noises = nullptr)
 {
   const double cell_size = input.grid.cell_size(), bandwidth = fit_bandwidth_factor * input.radius;
   const Sorted_queries sorted_queries(ConcurrencyTag(), samples.positions,
@@ -146,6 +148,8 @@ std::size_t fit_compatible_points(const Fit_input<T>& input, Progress& progress,
                                          squared_radius);
         const double own_sheet_height = squared_height_of_second_look(support, sums,
                                                                       squared_sheet_height);
+        if (noises) // now, as a lower sheet has less of it
+          (*noises)[i] = float(noise_of_fit(sums, kernel));
         if (support.is_unsupported)
           old_normal = normal_of_most(center, old_normal, support.weight_of_own_normal, candidates,
                                       normals, scales, kernel);
@@ -154,6 +158,8 @@ std::size_t fit_compatible_points(const Fit_input<T>& input, Progress& progress,
           Fit_kernel<T> own_kernel = kernel;
           own_kernel.squared_sheet_height = T(own_sheet_height);
           sums = sums_with(own_kernel);
+          if (noises && support.is_unsupported)
+            (*noises)[i] = float(noise_of_fit(sums, own_kernel));
         }
 
         const Fit_of_sample fit(sums, {old_normal.x(), old_normal.y(), old_normal.z()}, border,
