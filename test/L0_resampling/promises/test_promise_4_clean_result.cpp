@@ -30,27 +30,27 @@ std::vector<Cloud> clouds()
   test::Generator generator(1);
   std::vector<Cloud> result;
 
-  std::vector<Vector> cube = test::cube_points(900, 1, generator).points;
+  std::vector<Vector> cube = test::cube_points(1500, 1, generator).points;
   test::add_gaussian_noise(cube, 0.01, generator);
   result.push_back({"cube", cube});
 
   // ten meters at UTM coordinates, where a float resolves a quarter
   std::vector<Vector> building, ground;
-  for (const Vector& p : test::cube_points(900, 10, generator).points)
+  for (const Vector& p : test::cube_points(1500, 10, generator).points)
     building.push_back(p + Vector(456075.1, 5935300.5, 120));
-  for (const Vector& p : test::plane_points(900, 200, generator).points)
+  for (const Vector& p : test::plane_points(1500, 200, generator).points)
     ground.push_back(p + Vector(456075.1, 5935300.5, 120));
   result.push_back({"building", building});
   result.push_back({"ground", ground});
 
   std::vector<Vector> needle;
-  for (int i = 0; i < 500; ++i)
+  for (int i = 0; i < 800; ++i)
     needle.emplace_back(test::random_number(-1, 1, generator),
                         1e-7 * test::random_number(-1, 1, generator), 0);
   result.push_back({"needle", needle});
 
   std::vector<Vector> uneven;
-  for (int i = 0; i < 600; ++i)
+  for (int i = 0; i < 1000; ++i)
     uneven.push_back(std::exp(test::random_number(-20, 2, generator))
                      * test::random_unit_vector(generator));
   result.push_back({"density that varies by many orders", uneven});

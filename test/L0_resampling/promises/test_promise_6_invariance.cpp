@@ -181,11 +181,11 @@ std::vector<Cloud> measured_clouds()
   std::vector<Cloud> clouds;
   for (double noise : {0.003, 0.02})
   {
-    test::Oriented_points cube = test::cube_points(3000, 1, generator);
+    test::Oriented_points cube = test::cube_points(6000, 1, generator);
     test::add_gaussian_noise(cube.points, noise, generator);
     clouds.push_back({"cube with noise " + std::to_string(noise), cube, 1});
 
-    test::Oriented_points sphere = test::sphere_points(4500, 10, generator), uneven;
+    test::Oriented_points sphere = test::sphere_points(9000, 10, generator), uneven;
     test::add_gaussian_noise(sphere.points, 20 * noise, generator);
     for (std::size_t i = 0; i < sphere.points.size(); ++i)
     {
