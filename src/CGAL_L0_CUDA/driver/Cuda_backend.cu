@@ -141,9 +141,8 @@ void Cuda_backend::take_given_normals()
 
 void Cuda_backend::refit_normals(const Plan& plan)
 {
-  cuda::refit_normals(m_workplace, m_grid, m_filter->blocks, plan.filter_radius,
-                      float(plan.squared_bandwidth), float(plan.compatible_bandwidth),
-                      float(square(plan.sheet_height)), m_filter->normals, m_filter->filtered);
+  cuda::refit_normals(m_workplace, m_grid, m_filter->blocks, plan.kernel_of_points(),
+                      m_filter->normals, m_filter->filtered);
   std::swap(m_filter->normals, m_filter->filtered);
 }
 
@@ -308,8 +307,8 @@ void Cuda_backend::fit_compatible_points(const Plan& plan, bool is_last)
       find_blocks(sample_grid, m_grid, cells_in_reach(plan.radius, plan.cell_size),
                   maximum_number_of_candidates, m_workplace.arena, m_workplace.stream);
     cuda::fit_compatible_points(m_workplace, sample_grid, is_in_order, blocks, m_grid, m_normals,
-                                plan.radius, square(plan.sheet_height), plan.compatible_bandwidth,
-                                m_samples, is_last ? &m_counts->lonely : nullptr);
+                                plan.kernel_of_fit(), m_samples,
+                                is_last ? &m_counts->lonely : nullptr);
   };
   if (m_sample_grid_scope && is_one_grid_enough(plan))
     fit(m_sample_grid, true);
@@ -321,9 +320,8 @@ void Cuda_backend::fit_compatible_points(const Plan& plan, bool is_last)
 
 void Cuda_backend::refit_sample_normals(const Plan& plan)
 {
-  const Sample_refit_kernel kernel(plan.self_neighbor_radius, plan.compatible_bandwidth);
   for (std::size_t pass = 0; pass < number_of_normal_refits; ++pass)
-    cuda::refit_sample_normals(m_workplace, kernel, m_neighborhood->points,
+    cuda::refit_sample_normals(m_workplace, plan.kernel_of_samples(), m_neighborhood->points,
                                m_neighborhood->neighbors, m_samples);
 }
 
@@ -345,12 +343,12 @@ void Cuda_backend::orient_normals(const Plan& plan)
 
 void Cuda_backend::project_to_local_quadrics(const Plan& plan)
 {
-  const double radius = quadric_radius_factor * plan.radius;
-  const Cell_frame frame = Cell_frame::around(m_box.low, m_box.high,
-                                              (std::max)(radius / 2, plan.smallest_cell_size),
-                                              radius, m_samples.scales);
-  cuda::project_to_local_quadrics(m_workplace, frame, radius, square(plan.sheet_height),
-                                  plan.compatible_bandwidth, m_samples);
+  const Fit_kernel<double> kernel = plan.kernel_of_wide_balls();
+  const double cell_size = (std::max)(kernel.radius / 2, plan.smallest_cell_size);
+  cuda::project_to_local_quadrics(m_workplace,
+                                  Cell_frame::around(m_box.low, m_box.high, cell_size,
+                                                     kernel.radius, m_samples.scales),
+                                  kernel, m_samples);
 }
 
 void Cuda_backend::append_followers()

@@ -126,8 +126,7 @@ void filter_normals(const Workplace& workplace, const Cell_grid& grid, const Cel
 
 /// Corrects filtered normals by the positions, as `refit_normals()` on the CPU.
 void refit_normals(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks,
-                   double radius, float squared_bandwidth, float normal_bandwidth,
-                   float squared_sheet_height, const float4* normals, float4* refitted);
+                   const Fit_kernel<double>& kernel, const float4* normals, float4* refitted);
 
 /// The sums of Eq. (5), as `filter_normals()`, where no pass of the filter is run.
 void sum_up_input_density(const Workplace& workplace, const Cell_grid& grid,
@@ -380,13 +379,12 @@ void minimize_once(const Workplace& workplace, const Minimization_parameters& pa
 /// points add up
 void fit_compatible_points(const Workplace& workplace, const Cell_grid& sample_grid,
                            bool is_in_order, const Cell_blocks& blocks, const Cell_grid& grid,
-                           const float4* normals, double radius, double squared_sheet_height,
-                           double normal_bandwidth, const Samples& samples,
-                           unsigned* number_of_lonely);
+                           const float4* normals, const Fit_kernel<double>& kernel,
+                           const Samples& samples, unsigned* number_of_lonely);
 
 /// Corrects the normals of the samples by their positions, as `refit_sample_normals()` on the CPU.
 /// \param sample_grid that the neighbors were found in; its points may have moved, and be used up
-void refit_sample_normals(const Workplace& workplace, const Sample_refit_kernel& kernel,
+void refit_sample_normals(const Workplace& workplace, const Fit_kernel<double>& kernel,
                           const Cell_grid& sample_grid, const Neighbor_lists& neighbors,
                           const Samples& samples);
 
@@ -405,10 +403,8 @@ void take_fitted_positions(const Workplace& workplace, const Samples& samples);
 /// Moves the samples onto quadrics, as `project_to_local_quadrics()` on the CPU. Waits for the
 /// device.
 /// \param frame of cells half as large as the ball
-/// \param radius of the ball
-void project_to_local_quadrics(const Workplace& workplace, const Cell_frame& frame, double radius,
-                               double squared_sheet_height, double normal_bandwidth,
-                               const Samples& samples);
+void project_to_local_quadrics(const Workplace& workplace, const Cell_frame& frame,
+                               const Fit_kernel<double>& kernel, const Samples& samples);
 
 /// What the caller says of the sides that normals point to, as on the CPU. Samples may have hints
 /// of their own besides.
@@ -431,19 +427,20 @@ struct Side_hints
     return {direction[0], direction[1], direction[2]};
   }
 
-  __device__ bool knows_viewpoint(const Samples& samples, std::size_t i) const
+  struct Viewpoint_cosine
   {
-    const double3 direction = direction_of(samples, i);
-    return are_viewpoints && dot(direction, direction) > 0;
-  }
-  /// Of the angle between normal and direction.
-  __device__ double cosine(const Samples& samples, std::size_t i) const
+    bool is_known;
+    double value; // 0 if it is not known
+  };
+  /// Of the angle between the normal and the direction to what the sample was seen from.
+  __device__ Viewpoint_cosine viewpoint_cosine(const Samples& samples, std::size_t i) const
   {
-    return dot(to_double(xyz(samples.normals[i])), direction_of(samples, i));
+    const double3 direction = are_viewpoints ? direction_of(samples, i) : double3{0, 0, 0};
+    return {dot(direction, direction) > 0, dot(to_double(xyz(samples.normals[i])), direction)};
   }
   __device__ int certain_side_of(const Samples& samples, std::size_t i) const
   {
-    return are_viewpoints ? certain_side(cosine(samples, i)) : 0;
+    return certain_side(viewpoint_cosine(samples, i).value);
   }
 #endif
 };

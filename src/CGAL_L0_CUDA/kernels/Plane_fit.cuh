@@ -8,6 +8,7 @@
 
 #include "core/vectors.cuh"
 
+#include <CGAL/L0_resampling/internal/kernels/Fit_kernel.h>
 #include <CGAL/L0_resampling/internal/kernels/Plane_moments.h>
 
 #include <cfloat>
@@ -24,6 +25,14 @@ template <int lanes>
 __device__ Plane_moments<double> sum_of_group(const Plane_moments<float>& moments)
 {
   return moments.transformed<double>([](float sum) { return group_sum<lanes>(sum); });
+}
+
+/// A point of a ball, as the one at the center sees it.
+/// \param d relative to the center
+__device__ inline Seen_point<float> seen_point(const float3& d, const float3& normal,
+                                               const float3& own_normal)
+{
+  return {d.x, d.y, d.z, normal.x, normal.y, normal.z, own_normal.x, own_normal.y, own_normal.z};
 }
 
 /// The plane of `fit_plane()` on the CPU, of points of equal weight.

@@ -11,7 +11,9 @@
 #include <CGAL/L0_resampling/internal/core/weights.h>
 #include <CGAL/L0_resampling/internal/kernels/Bilateral_kernel.h>
 #include <CGAL/L0_resampling/internal/kernels/Density_in_ball.h>
+#include <CGAL/L0_resampling/internal/kernels/Fit_kernel.h>
 #include <CGAL/L0_resampling/internal/kernels/Sum_of_vectors.h>
+#include <CGAL/L0_resampling/internal/kernels/local_surface.h>
 
 #include <cmath>
 
@@ -194,31 +196,22 @@ __global__ void filter_normals_kernel(Cell_grid grid, Cell_blocks blocks, float 
 }
 
 /// As `refitted_normal()` on the CPU.
-__global__ void refit_normals_kernel(Cell_grid grid, Cell_blocks blocks, float radius,
-                                     float squared_bandwidth, float normal_bandwidth,
-                                     float squared_sheet_height, const float4* normals,
+__global__ void refit_normals_kernel(Cell_grid grid, Cell_blocks blocks,
+                                     Fit_kernel<float> kernel_of_one, const float4* normals,
                                      float4* refitted)
 {
   const Query query(grid.size);
   const int4 center = grid.points[query.index];
   const float3 normal = xyz(normals[query.index]);
-  const float scale = grid.scale(query.index), squared_scale = scale * scale;
-  radius *= scale;
-  squared_bandwidth *= squared_scale;
-  squared_sheet_height *= squared_scale;
-  const float unit = grid.frame.unit(), squared_radius = radius * radius;
+  const Fit_kernel<float> kernel = kernel_of_one.scaled(grid.scale(query.index));
+  const float unit = grid.frame.unit();
   Plane_moments<float> moments;
-  for_each_candidate(grid, blocks, center, query.lane, radius, [&](unsigned j, const int4& point) {
-    const float3 d = difference(point, center, unit);
-    const float squared_distance = dot(d, d);
-    const float3 other = xyz(normals[j]);
-    const float cosine = dot(normal, other);
-    const float height = symmetric_height(dot(d, normal),
-                                          with_sign_of(cosine, 1.f) * dot(d, other));
-    const float weight = sheet_weight(squared_distance, squared_bandwidth, cosine, normal_bandwidth,
-                                      height, squared_sheet_height);
-    moments.add(d.x, d.y, d.z, where_less(squared_distance, squared_radius, weight));
-  });
+  for_each_candidate(
+    grid, blocks, center, query.lane, kernel.radius, [&](unsigned j, const int4& place) {
+      const float3 d = difference(place, center, unit);
+      const Seen_point<float> point = seen_point(d, xyz(normals[j]), normal);
+      moments.add(d.x, d.y, d.z, weight_in_ball(dot(d, d), point.cosine, point.height, kernel));
+    });
   const Plane_moments<double> all = sum_of_group<lanes>(moments);
   if (!query.writes)
     return;
@@ -410,12 +403,10 @@ void filter_normals(const Workplace& workplace, const Cell_grid& grid, const Cel
 }
 
 void refit_normals(const Workplace& workplace, const Cell_grid& grid, const Cell_blocks& blocks,
-                   double radius, float squared_bandwidth, float normal_bandwidth,
-                   float squared_sheet_height, const float4* normals, float4* refitted)
+                   const Fit_kernel<double>& kernel, const float4* normals, float4* refitted)
 {
   refit_normals_kernel<<<blocks_for_queries(grid.size), threads_per_block, 0, workplace.stream>>>(
-    grid, blocks, float(radius), squared_bandwidth, normal_bandwidth, squared_sheet_height, normals,
-    refitted);
+    grid, blocks, kernel.as<float>(), normals, refitted);
   check_launch("refit_normals_kernel");
 }
 

@@ -327,9 +327,9 @@ __global__ void turn_normals(const Link* trees_of_samples, const Tree_sums* tree
     const double within_tree = all.dipoles[k].root == link.target() ? all.sides[k].confidence
                                : tree.number_of_dipoles > 0 ? tree.mean_of_dipoles(tree.confidences)
                                                             : guessed_confidence;
-    const double of_side = hints.knows_viewpoint(samples, i)
-                             ? confidence_of_viewpoint(hints.cosine(samples, i))
-                             : confidence_of_side(tree.confidence(), within_tree);
+    const Side_hints::Viewpoint_cosine cosine = hints.viewpoint_cosine(samples, i);
+    const double of_side = cosine.is_known ? confidence_of_viewpoint(cosine.value)
+                                           : confidence_of_side(tree.confidence(), within_tree);
     samples.side_confidences[i] = float(of_side);
     if (samples.trees)
       samples.trees[i] = link.target();

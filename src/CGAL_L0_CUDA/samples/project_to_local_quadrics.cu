@@ -8,6 +8,7 @@
 #include "search/Query.cuh"
 
 #include <CGAL/L0_resampling/internal/core/weights.h>
+#include <CGAL/L0_resampling/internal/kernels/Fit_kernel.h>
 #include <CGAL/L0_resampling/internal/kernels/Quadric_moments.h>
 #include <CGAL/L0_resampling/internal/kernels/project_to_local_quadric.h>
 
@@ -17,17 +18,6 @@ namespace internal {
 namespace cuda {
 
 namespace {
-
-/// `Quadric_kernel` on the CPU.
-struct Quadric_kernel
-{
-  float radius, normal_bandwidth, squared_sheet_height;
-
-  __device__ Quadric_kernel scaled(float scale) const
-  {
-    return {radius * scale, normal_bandwidth, squared_sheet_height * scale * scale};
-  }
-};
 
 /// \param listed the support points, in the order before that of their grid
 __global__ void gather_normals_of_support_points(Cell_grid grid, const unsigned* listed,
@@ -41,30 +31,26 @@ __global__ void gather_normals_of_support_points(Cell_grid grid, const unsigned*
 /// \param grid of the support points
 /// \param normals of the support points, and the variances of their fits
 __global__ void settle(Cell_grid sample_grid, Cell_blocks blocks, Cell_grid grid,
-                       const float4* normals, Quadric_kernel kernel_of_one, Samples samples)
+                       const float4* normals, Fit_kernel<float> kernel_of_one, Samples samples)
 {
   const Query query(samples.size);
   const int4 center = sample_grid.points[query.index];
   const unsigned long long i = sample_grid.order[query.index];
-  const Quadric_kernel kernel = kernel_of_one.scaled(samples.scale(i));
+  const Fit_kernel<float> kernel = kernel_of_one.scaled(samples.scale(i));
   const float3 normal = xyz(samples.normals[i]);
   const Tangent_frame frame({normal.x, normal.y, normal.z});
   const float3 u = to_float(frame.u), v = to_float(frame.v), w = to_float(frame.normal);
-  const float unit = grid.frame.unit(), squared_radius = kernel.radius * kernel.radius,
-              per_radius = 1 / kernel.radius;
+  const float unit = grid.frame.unit(), per_radius = 1 / kernel.radius;
   Quadric_moments<float> moments;
   float variance = 0;
   for_each_candidate(
-    grid, blocks, center, query.lane, kernel.radius, [&](unsigned k, const int4& point) {
-      const float3 d = difference(point, center, unit);
+    grid, blocks, center, query.lane, kernel.radius, [&](unsigned k, const int4& place) {
+      const float3 d = difference(place, center, unit);
       const float4 other = normals[k];
-      const float cosine = dot(w, xyz(other)), own_height = dot(d, w);
-      const float height = symmetric_height(own_height,
-                                            with_sign_of(cosine, 1.f) * dot(d, xyz(other)));
-      const float weight = share_in_ball(dot(d, d), squared_radius)
-                           * sheet_weight(0.f, 1.f, cosine, kernel.normal_bandwidth, height,
-                                          kernel.squared_sheet_height);
-      moments.add(dot(d, u) * per_radius, dot(d, v) * per_radius, own_height * per_radius, weight);
+      const Seen_point<float> point = seen_point(d, xyz(other), w);
+      const float weight = weight_in_ball(dot(d, d), point.cosine, point.height, kernel);
+      moments.add(dot(d, u) * per_radius, dot(d, v) * per_radius, point.own_height * per_radius,
+                  weight);
       variance += weight * other.w;
     });
   const Quadric_moments<double> sums(moments,
@@ -82,9 +68,8 @@ __global__ void settle(Cell_grid sample_grid, Cell_blocks blocks, Cell_grid grid
 
 } // namespace
 
-void project_to_local_quadrics(const Workplace& workplace, const Cell_frame& frame, double radius,
-                               double squared_sheet_height, double normal_bandwidth,
-                               const Samples& samples)
+void project_to_local_quadrics(const Workplace& workplace, const Cell_frame& frame,
+                               const Fit_kernel<double>& kernel, const Samples& samples)
 {
   const Arena_scope scope(workplace.scratch);
   unsigned* const listed = workplace.scratch.take<unsigned>(samples.size);
@@ -105,12 +90,10 @@ void project_to_local_quadrics(const Workplace& workplace, const Cell_frame& fra
                                                          normals);
   check_launch("gather_normals_of_support_points");
   const Cell_blocks blocks =
-    find_blocks(all, support_points, cells_in_reach(radius, frame.cell_size),
+    find_blocks(all, support_points, cells_in_reach(kernel.radius, frame.cell_size),
                 maximum_number_of_candidates, workplace.arena, workplace.stream);
-  const Quadric_kernel kernel = {float(radius), float(normal_bandwidth),
-                                 float(squared_sheet_height)};
   settle<<<blocks_for_queries(samples.size), threads_per_block, 0, workplace.stream>>>(
-    all, blocks, support_points, normals, kernel, samples);
+    all, blocks, support_points, normals, kernel.as<float>(), samples);
   check_launch("settle");
 }
 

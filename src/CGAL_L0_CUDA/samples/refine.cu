@@ -32,7 +32,6 @@ struct Surroundings
   const Cell_blocks& blocks;
   const float4* normals;
   const Fit_kernel<float>& kernel;
-  float radius;
 
   /// \param visit called with the place of each point relative to the sample, its normal, and its
   /// scale in the ball, and before the normal the square of the distance
@@ -40,13 +39,13 @@ struct Surroundings
   __device__ void for_each(const Visit& visit) const
   {
     const float unit = grid.frame.unit();
-    for_each_candidate(grid, blocks, center, query.lane, radius,
+    for_each_candidate(grid, blocks, center, query.lane, kernel.radius,
                        [&](unsigned j, const int4& point) {
                          const float3 d = difference(point, center, unit);
                          const float4 other = normals[j];
                          const float squared_distance = dot(d, d);
                          visit(d, squared_distance, xyz(other),
-                               share_in_ball(squared_distance, kernel.squared_radius) * other.w);
+                               share_in_ball(squared_distance, kernel.squared_radius()) * other.w);
                        });
   }
 
@@ -79,19 +78,18 @@ struct Surroundings
 /// \param number_of_lonely in and out, if not null: the samples without compatible points add up
 __global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_blocks blocks,
                             Cell_grid grid, const float4* normals, Fit_kernel<float> kernel_of_one,
-                            float radius, Border_of_ball border, Samples samples,
-                            unsigned* number_of_lonely)
+                            Border_of_ball border, Samples samples, unsigned* number_of_lonely)
 {
   const Query query(samples.size);
   const int4 center = sample_grid.points[query.index];
   const unsigned i = order ? order[query.index] : query.index;
   const float scale = samples.scale(i);
   const Fit_kernel<float> kernel = kernel_of_one.scaled(scale);
-  const Surroundings surroundings = {query, center, grid, blocks, normals, kernel, scale * radius};
+  const Surroundings surroundings = {query, center, grid, blocks, normals, kernel};
   float3 normal = xyz(samples.normals[i]);
   Compatible_points<double> sums = surroundings.sum_compatible_points(normal, kernel);
   const Unsupported_sample support(sums.weight(), sums.all, kernel.squared_sheet_height,
-                                   kernel.squared_radius);
+                                   kernel.squared_radius());
   const double sheet_height = squared_height_of_second_look(support, sums,
                                                             kernel.squared_sheet_height);
   float noise = samples.noises ? float(noise_of_fit(sums, kernel)) : 0;
@@ -208,16 +206,13 @@ __global__ void move_onto_fit(Samples samples)
 
 void fit_compatible_points(const Workplace& workplace, const Cell_grid& sample_grid,
                            bool is_in_order, const Cell_blocks& blocks, const Cell_grid& grid,
-                           const float4* normals, double radius, double squared_sheet_height,
-                           double normal_bandwidth, const Samples& samples,
-                           unsigned* number_of_lonely)
+                           const float4* normals, const Fit_kernel<double>& kernel,
+                           const Samples& samples, unsigned* number_of_lonely)
 {
-  const double bandwidth = fit_bandwidth_factor * radius;
-  const Fit_kernel<float> kernel = {float(radius * radius), float(bandwidth * bandwidth),
-                                    float(normal_bandwidth), float(squared_sheet_height)};
   fit_samples<<<blocks_for_queries(samples.size), threads_per_block, 0, workplace.stream>>>(
-    sample_grid, is_in_order ? nullptr : sample_grid.order, blocks, grid, normals, kernel,
-    float(radius), Border_of_ball(radius, bandwidth), samples, number_of_lonely);
+    sample_grid, is_in_order ? nullptr : sample_grid.order, blocks, grid, normals,
+    kernel.as<float>(), Border_of_ball(kernel.radius, kernel.squared_bandwidth), samples,
+    number_of_lonely);
   check_launch("fit_samples");
 }
 

@@ -7,7 +7,8 @@
 #include "kernels/Plane_fit.cuh"
 #include "search/Query.cuh"
 
-#include <CGAL/L0_resampling/internal/kernels/Compatible_points.h>
+#include <CGAL/L0_resampling/internal/kernels/Fit_kernel.h>
+#include <CGAL/L0_resampling/internal/kernels/local_surface.h>
 
 #include <utility>
 
@@ -41,13 +42,12 @@ __global__ void refit(Neighbor_lists neighbors, Fit_kernel<float> kernel, const 
     const float4 other = normals[k];
     const float squared_stretch = range.is_one_for_all()
                                     ? 1.f
-                                    : kernel.squared_radius
+                                    : kernel.squared_radius()
                                         / range.squared(own_limit, range.limit(unsigned(k)));
-    const float squared_distance = dot(d, d) * squared_stretch, cosine = dot(normal, xyz(other));
-    const float height = symmetric_height(dot(d, normal),
-                                          with_sign_of(cosine, 1.f) * dot(d, xyz(other)))
-                         * sqrtf(squared_stretch);
-    moments.add(d.x, d.y, d.z, weight_in_ball(squared_distance, cosine, height, kernel));
+    Seen_point<float> point = seen_point(d, xyz(other), normal);
+    point.height *= sqrtf(squared_stretch);
+    moments.add(d.x, d.y, d.z,
+                weight_in_ball(dot(d, d) * squared_stretch, point.cosine, point.height, kernel));
   }
   Plane_moments<double> all = sum_of_group<lanes>(moments);
   if (!query.writes)
@@ -59,14 +59,14 @@ __global__ void refit(Neighbor_lists neighbors, Fit_kernel<float> kernel, const 
 
 } // namespace
 
-void refit_sample_normals(const Workplace& workplace, const Sample_refit_kernel& kernel,
+void refit_sample_normals(const Workplace& workplace, const Fit_kernel<double>& kernel,
                           const Cell_grid& sample_grid, const Neighbor_lists& neighbors,
                           const Samples& samples)
 {
   const Arena_scope scope(workplace.scratch);
   float4* const refitted = workplace.scratch.take<float4>(samples.size);
   refit<<<blocks_for_queries(samples.size), threads_per_block, 0, workplace.stream>>>(
-    neighbors, fit_kernel_of<float>(kernel), sample_grid.points, samples.positions,
+    neighbors, kernel.as<float>(), sample_grid.points, samples.positions,
     {float(kernel.radius), samples.scales, samples.spreading_radii}, samples.size, samples.normals,
     refitted);
   check_launch("refit");

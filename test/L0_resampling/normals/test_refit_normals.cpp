@@ -3,12 +3,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "kernels/naive_plane.h"
 #include "normals/naive_normal_filter.h"
 #include "stage_support.h"
 
 #include <CGAL/L0_resampling/internal/normals/refit_normals.h>
-
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -28,13 +27,13 @@ struct Refitted
     : sorted(cloud.points, radius), before(permuted(sorted.order, cloud.normals))
   {
     auto normals = to_local_vectors<double>(before), sequential = normals;
-    const Normal_filter<double> filter{radius, bandwidth * bandwidth,
-                                       naive_normal_bandwidth(angle)};
+    const Fit_kernel<double> kernel = {radius, bandwidth * bandwidth, naive_normal_bandwidth(angle),
+                                       squared_sheet_height};
     Unwatched unwatched;
-    refit_normals<CGAL::Parallel_if_available_tag>(
-      sorted.grid, sorted.points, filter, squared_sheet_height, unwatched.progress, normals);
-    refit_normals<CGAL::Sequential_tag>(sorted.grid, sorted.points, filter, squared_sheet_height,
-                                        unwatched.progress, sequential);
+    refit_normals<CGAL::Parallel_if_available_tag>(sorted.grid, sorted.points, kernel,
+                                                   unwatched.progress, normals);
+    refit_normals<CGAL::Sequential_tag>(sorted.grid, sorted.points, kernel, unwatched.progress,
+                                        sequential);
     CHECK(normals == sequential);
     after.assign(normals.begin(), normals.end());
   }
@@ -71,7 +70,9 @@ void check_formula(Generator& generator)
       const double similarity = std::exp(-std::pow(1 - std::abs(cosine), 2)
                                            / naive_normal_bandwidth(angle)
                                          - height * height / squared_sheet_height);
-      const double weight = std::exp(-d.squaredNorm() / (bandwidth * bandwidth)) * similarity;
+      const double share = 10 * (1 - d.squaredNorm() / (radius * radius));
+      const double weight = (std::min)(share, 1.)
+                            * std::exp(-d.squaredNorm() / (bandwidth * bandwidth)) * similarity;
       mean += weight * d;
       squares += weight * d * d.transpose();
       total += weight;
@@ -80,13 +81,9 @@ void check_formula(Generator& generator)
     Vector expected = n;
     if (total > 2)
     {
-      Eigen::Matrix3d covariance = squares / total - mean * mean.transpose();
-      covariance = (covariance / covariance.trace() + 0.01 * Eigen::Matrix3d::Identity()).eval();
-      const Vector plane = (covariance.inverse() * (covariance.inverse() * n)).normalized();
-      const double weight = (std::min)((total - 2) / 2, 1.)
-                            * (std::min)((std::max)((plane.dot(n) - 0.5) / 0.1, 0.), 1.);
-      number_in_between += weight > 0.1 && weight < 0.9;
-      expected = (n + weight * plane).normalized();
+      const Naive_plane plane(squares / total - mean * mean.transpose(), mean, total, n);
+      number_in_between += plane.share > 0.1 && plane.share < 0.9;
+      expected = (n + plane.share * plane.normal).normalized();
     }
     worst = (std::max)(worst, (refitted.after[i] - expected).norm());
   }

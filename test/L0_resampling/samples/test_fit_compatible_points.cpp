@@ -46,8 +46,11 @@ Fitted fit(const Oriented_points& input, const std::vector<double>& densities,
   samples.outward_directions.resize(start.points.size());
   Unwatched unwatched;
   fit_compatible_points<CGAL::Parallel_if_available_tag>(
-    Fit_input<T>{sorted.grid, sorted.points, normals, density_weights, radius, squared_sheet_height,
-                 naive_normal_bandwidth(25)},
+    Fit_input<T>{sorted.grid,
+                 sorted.points,
+                 normals,
+                 density_weights,
+                 {radius, bandwidth * bandwidth, naive_normal_bandwidth(25), squared_sheet_height}},
     unwatched.progress, samples);
   CHECK(samples.positions == to_buffer(start.points));
   const auto vector = [](const Buffer<Vector>& b) {

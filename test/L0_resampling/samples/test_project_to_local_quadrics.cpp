@@ -3,6 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "kernels/naive_plane.h"
 #include "normals/naive_normal_filter.h"
 
 #include <CGAL/L0_resampling/internal/samples/project_to_local_quadrics.h>
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 
 using namespace test;
@@ -36,8 +38,9 @@ template <typename ConcurrencyTag = CGAL::Parallel_if_available_tag>
 Samples<double> settled(Samples<double> samples)
 {
   Unwatched unwatched;
-  project_to_local_quadrics<ConcurrencyTag>(
-    {radius, naive_normal_bandwidth(30), squared_sheet_height}, 0, unwatched.progress, samples);
+  project_to_local_quadrics<ConcurrencyTag>({radius, std::numeric_limits<double>::infinity(),
+                                             naive_normal_bandwidth(30), squared_sheet_height},
+                                            0, unwatched.progress, samples);
   return samples;
 }
 
@@ -60,13 +63,6 @@ struct Naively_settled
   Vector position, normal;
   double share_of_quadric, share_of_plane;
 };
-
-double share_of_surface(double number, int unknowns, double leverage, double variance, double noise)
-{
-  const double ratio = variance / (9 * noise);
-  return clamped((number - unknowns) / unknowns) * clamped(2 - leverage / 10)
-         * std::exp(-ratio * ratio);
-}
 
 Naively_settled settled_naively(const Samples<double>& samples, std::size_t i)
 {
@@ -97,16 +93,10 @@ Naively_settled settled_naively(const Samples<double>& samples, std::size_t i)
     squares += w * z * z;
   }
   Naively_settled result = {samples.positions[i], n, 0, 0};
-  if (total <= 6)
+  if (!(total > 0))
     return result;
   mean /= total;
-  covariance = covariance / total - mean * mean.transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(covariance);
-  Vector plane = eigen.eigenvectors().col(0);
-  plane *= plane.dot(n) < 0 ? -1 : 1;
-  const Vector values = eigen.eigenvalues();
-  const double determined = clamped((values[1] - values[0]) / (0.1 * values[2]));
-
+  const double believed = 9 * variance / total;
   // what the support points leave open is as small as can be
   matrix.diagonal() += 1e-6 * total
                        * (Eigen::Matrix<double, 6, 1>() << 0, 1, 1, 1, 0.5, 1).finished();
@@ -114,23 +104,18 @@ Naively_settled settled_naively(const Samples<double>& samples, std::size_t i)
   const Eigen::Matrix<double, 6, 1> quadric = factors.solve(right);
   const double leverage = total * factors.solve(Eigen::Matrix<double, 6, 1>::Unit(0))[0];
   const Vector of_quadric = (n - quadric[1] / radius * u - quadric[2] / radius * v).normalized();
-  if (of_quadric.dot(n) > 0.5)
-    result.share_of_quadric = determined
-                              * share_of_surface(total, 6, leverage,
-                                                 (squares - quadric.dot(right)) / (total - 6),
-                                                 variance / total);
-  const double distance = (mean - plane.dot(mean) * plane).norm();
-  if (plane.dot(n) > 0.5)
-    result.share_of_plane = determined
-                            * share_of_surface(total, 3, 1 + distance * distance / values[1],
-                                               values[0] * total / (total - 3), variance / total);
+  if (total > 5)
+    result.share_of_quadric = naive_share_of_surface(
+      total, 5, leverage, of_quadric.dot(n), (squares - quadric.dot(right)) / total / believed);
+  const Naive_plane plane(covariance / total - mean * mean.transpose(), mean, total, n, believed);
+  result.share_of_plane = plane.share;
 
   const double rest = 1 - result.share_of_plane;
   const double height = rest * result.share_of_quadric * quadric[0]
-                        + result.share_of_plane * plane.dot(mean) / plane.dot(n);
+                        + (plane.share > 0 ? plane.share * plane.height : 0);
   result.position += height * n;
   result.normal = (rest * ((1 - result.share_of_quadric) * n + result.share_of_quadric * of_quadric)
-                   + result.share_of_plane * plane)
+                   + result.share_of_plane * plane.normal)
                     .normalized();
   return result;
 }

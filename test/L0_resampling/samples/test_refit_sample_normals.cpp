@@ -3,12 +3,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "kernels/naive_plane.h"
 #include "normals/naive_normal_filter.h"
 #include "stage_support.h"
 
 #include <CGAL/L0_resampling/internal/samples/refit_sample_normals.h>
-
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +18,8 @@
 using namespace test;
 
 const double radius = 0.3;
-const Sample_refit_kernel kernel(radius, square(1 - std::cos(37.5 * EIGEN_PI / 180)));
+const Fit_kernel<double> kernel = {
+  radius, square(0.6 * radius), square(1 - std::cos(37.5 * EIGEN_PI / 180)), square(0.2 * radius)};
 
 /// The stage, for samples in any order; the result in the order of the grid.
 struct Refitted
@@ -76,17 +76,13 @@ void check_formula(Generator& generator)
       squares += weight * d * d.transpose();
     }
     mean /= total;
-    Eigen::Matrix3d covariance = squares / total - mean * mean.transpose();
     Vector expected = n;
     if (total > 2)
     {
-      covariance = (covariance / covariance.trace() + 0.01 * Eigen::Matrix3d::Identity()).eval();
-      const Vector plane = (covariance.inverse() * (covariance.inverse() * n)).normalized();
-      const double weight = (std::min)((total - 2) / 2, 1.)
-                            * (std::min)((std::max)((plane.dot(n) - 0.5) / 0.1, 0.), 1.);
-      number_halfway += weight > 0.99;
-      number_in_between += weight > 0.1 && weight < 0.9;
-      expected = (n + weight * plane).normalized();
+      const Naive_plane plane(squares / total - mean * mean.transpose(), mean, total, n);
+      number_halfway += plane.share > 0.99;
+      number_in_between += plane.share > 0.1 && plane.share < 0.9;
+      expected = (n + plane.share * plane.normal).normalized();
     }
     worst = (std::max)(worst, (refitted.after[i] - expected).norm());
   }

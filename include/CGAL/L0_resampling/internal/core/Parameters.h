@@ -246,8 +246,8 @@ struct Unsupported_sample
   }
 };
 
-/// The plane or quadric through samples counts in full if the two smaller of their variances differ
-/// by this share of the largest, and the less the nearer they are: a strip has no plane.
+/// A first normal counts in full if the two smaller variances of its points differ by this share of
+/// the largest, and the less the nearer they are: a strip has no plane.
 constexpr double least_gap_of_plane = 0.1;
 
 /// At the end the default method looks for planes and quadrics in balls of this many r_p. In wider
@@ -297,22 +297,6 @@ struct Support_subset
 /// The default method corrects normals by positions: those of the points before each of the last
 /// filter passes, as many times, and those of the samples in as many passes after each fit.
 constexpr std::size_t number_of_normal_refits = 2;
-
-/// What decides how far a self neighbor counts where the normals of the samples are corrected: as
-/// the points do in the ball of a fit.
-struct Sample_refit_kernel
-{
-  double radius; ///< R, of the self neighbors
-  double squared_bandwidth;
-  double normal_bandwidth; ///< \f$ (1 - \cos\sigma_n)^2 \f$
-  double squared_sheet_height;
-
-  Sample_refit_kernel(double self_neighbor_radius, double bandwidth_of_normals)
-    : radius(self_neighbor_radius), squared_bandwidth(square(fit_bandwidth_factor * radius)),
-      normal_bandwidth(bandwidth_of_normals),
-      squared_sheet_height(square(sheet_height_per_radius * radius))
-  {}
-};
 
 /// \f$ \mu \f$ of the default method: fewer turns than the paper's 1.5 makes, each of which fits
 /// anew.

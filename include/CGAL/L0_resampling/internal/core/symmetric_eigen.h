@@ -63,6 +63,13 @@ CGAL_L0_HOST_DEVICE inline Triple multiply(const Symmetric_matrix& a, const Trip
           a.xz * v.x + a.yz * v.y + a.zz * v.z};
 }
 
+/// The inverse times the determinant.
+CGAL_L0_HOST_DEVICE inline Symmetric_matrix adjugate(const Symmetric_matrix& a)
+{
+  return {a.yy * a.zz - a.yz * a.yz, a.xz * a.yz - a.xy * a.zz, a.xy * a.yz - a.xz * a.yy,
+          a.xx * a.zz - a.xz * a.xz, a.xy * a.xz - a.xx * a.yz, a.xx * a.yy - a.xy * a.xy};
+}
+
 /// The unit vector that a - value I takes to zero, where the value is no double one: the longest
 /// cross product of two rows.
 CGAL_L0_HOST_DEVICE inline Triple eigenvector_of_single_value(const Symmetric_matrix& a,

@@ -163,11 +163,8 @@ public:
 
   void refit_normals(const Plan& plan)
   {
-    const Normal_filter<Local> plane{plan.filter_radius, Local(plan.squared_bandwidth),
-                                     Local(plan.compatible_bandwidth)};
-    internal::refit_normals<ConcurrencyTag>(m_input.grid, m_input.points, plane,
-                                            Local(square(plan.sheet_height)), m_progress,
-                                            m_input.normals);
+    internal::refit_normals<ConcurrencyTag>(m_input.grid, m_input.points, plan.kernel_of_points(),
+                                            m_progress, m_input.normals);
   }
 
   void filter_normals(const Plan& plan, std::size_t)
@@ -277,13 +274,8 @@ public:
 
   void fit_compatible_points(const Plan& plan, bool is_last)
   {
-    const Fit_input<Local> fit_input{m_input.grid,
-                                     m_input.points,
-                                     m_input.normals,
-                                     m_input.density_weights,
-                                     plan.radius,
-                                     square(plan.sheet_height),
-                                     plan.compatible_bandwidth};
+    const Fit_input<Local> fit_input{m_input.grid, m_input.points, m_input.normals,
+                                     m_input.density_weights, plan.kernel_of_fit()};
     const bool finds_noises = is_last && plan.finds_noises;
     if (finds_noises)
       fill_buffer(number_of_samples(), 0.f, m_noises);
@@ -293,9 +285,9 @@ public:
 
   void refit_sample_normals(const Plan& plan)
   {
-    const Sample_refit_kernel kernel(plan.self_neighbor_radius, plan.compatible_bandwidth);
     for (std::size_t pass = 0; pass < number_of_normal_refits; ++pass)
-      internal::refit_sample_normals<ConcurrencyTag>(kernel, m_neighbors, m_samples);
+      internal::refit_sample_normals<ConcurrencyTag>(plan.kernel_of_samples(), m_neighbors,
+                                                     m_samples);
   }
 
   /// Forgets what neighbors are found in, but not the neighbors.
@@ -340,8 +332,7 @@ public:
   void project_to_local_quadrics(const Plan& plan)
   {
     internal::project_to_local_quadrics<ConcurrencyTag>(
-      {quadric_radius_factor * plan.radius, plan.compatible_bandwidth, square(plan.sheet_height)},
-      plan.smallest_cell_size, m_progress, m_samples);
+      plan.kernel_of_wide_balls(), plan.smallest_cell_size, m_progress, m_samples);
   }
 
   void estimate_feature_confidences(const Plan& plan)

@@ -69,10 +69,11 @@ struct Border_of_ball
   /// By the integrals over half a disk, with \f$ s = radius / \sigma \f$: for large s the mean is
   /// \f$ \sigma / \sqrt\pi \f$ away, and the points vary by \f$ \sigma^2 (1/2 - 1/\pi) \f$ about
   /// it; times what the cut at the radius leaves.
-  Border_of_ball(double radius, double bandwidth)
+  Border_of_ball(double radius, double squared_bandwidth)
   {
-    const double pi = 3.141592653589793, s = radius / bandwidth, cut = std::exp(-s * s),
-                 second_moment = square(bandwidth) / 2 * (1 - s * s * cut / (1 - cut)),
+    const double bandwidth = std::sqrt(squared_bandwidth), pi = 3.141592653589793,
+                 s = radius / bandwidth, cut = std::exp(-s * s),
+                 second_moment = squared_bandwidth / 2 * (1 - s * s * cut / (1 - cut)),
                  distance = bandwidth * (std::erf(s) / std::sqrt(pi) - 2 / pi * s * cut)
                             / (1 - cut);
     variance = second_moment - square(distance);

@@ -10,6 +10,7 @@
 #include <CGAL/L0_resampling/internal/core/symmetric_eigen.h>
 #include <CGAL/L0_resampling/internal/core/weights.h>
 #include <CGAL/L0_resampling/internal/kernels/Border_of_ball.h>
+#include <CGAL/L0_resampling/internal/kernels/Fit_kernel.h>
 #include <CGAL/L0_resampling/internal/kernels/Plane_moments.h>
 
 #include <cmath>
@@ -17,41 +18,6 @@
 namespace CGAL {
 namespace L0_resampling {
 namespace internal {
-
-/// What weighs the points of a ball around a sample.
-/// \tparam T a floating-point number
-template <typename T>
-struct Fit_kernel
-{
-  T squared_radius, squared_bandwidth;
-  T normal_bandwidth;     ///< \f$ (1 - \cos\sigma_n)^2 \f$
-  T squared_sheet_height; ///< \f$ H^2 \f$
-
-  CGAL_L0_HOST_DEVICE Fit_kernel scaled(T scale) const
-  {
-    const T s = scale * scale;
-    return {squared_radius * s, squared_bandwidth * s, normal_bandwidth, squared_sheet_height * s};
-  }
-};
-
-/// The kernel that the normals of samples are refitted with.
-template <typename T>
-Fit_kernel<T> fit_kernel_of(const Sample_refit_kernel& refit)
-{
-  return {T(square(refit.radius)), T(refit.squared_bandwidth), T(refit.normal_bandwidth),
-          T(refit.squared_sheet_height)};
-}
-
-/// The weight \f$ \theta \psi e^{-h^2/H^2} \f$ of points around a sample.
-/// \tparam A a number, or an array of numbers
-template <typename A, typename T>
-CGAL_L0_HOST_DEVICE A weight_in_ball(const A& squared_distance, const A& cosine, const A& height,
-                                     const Fit_kernel<T>& kernel)
-{
-  return share_in_ball(squared_distance, kernel.squared_radius)
-         * sheet_weight(squared_distance, kernel.squared_bandwidth, cosine, kernel.normal_bandwidth,
-                        height, kernel.squared_sheet_height);
-}
 
 /// Sums over the points of a ball, each with the weight
 /// \f$ w_j = \theta \psi e^{-h_{ij}^2/H^2} / v_j \f$.
@@ -76,14 +42,10 @@ struct Compatible_points
                                const S& px, const S& py, const S& pz, const S& scale, T normal_x,
                                T normal_y, T normal_z, const Fit_kernel<T>& kernel)
   {
-    const S cosine = px * normal_x + py * normal_y + pz * normal_z;
-    const S sign = with_sign_of(cosine, S(T(1)));
-    const S h = symmetric_height(dx * normal_x + dy * normal_y + dz * normal_z,
-                                 sign * (dx * px + dy * py + dz * pz));
-    const S w = scale
-                * sheet_weight(squared_distance, kernel.squared_bandwidth, cosine,
-                               kernel.normal_bandwidth, h, kernel.squared_sheet_height);
-    const S signed_weight = sign * w;
+    const Seen_point<S> point(dx, dy, dz, px, py, pz, normal_x, normal_y, normal_z);
+    const S h = point.height,
+            w = scale * weight_in_sheet(squared_distance, point.cosine, point.height, kernel),
+            signed_weight = point.sign * w;
     all += scale;
     places.add(dx, dy, dz, w);
     squared_weights += w * w;

@@ -111,59 +111,6 @@ struct Plane_moments
   }
 };
 
-/// How much what was fitted to points counts by their number: not at all if they are as many as the
-/// unknowns, through which there always is a fit, and in full if they are twice as many.
-CGAL_L0_HOST_DEVICE inline double share_of_support(double number, int number_of_unknowns)
-{
-  return as_share(number / number_of_unknowns - 1);
-}
-
-/// A unit vector near `own` across the plane of the points whose moments these are: two steps of
-/// inverse iteration from `own` towards the smallest eigenvector of their covariance. Where the
-/// points have no plane, as in a strip, it hardly moves from `own`.
-/// \param own of unit length but for rounding
-/// \pre `moments.sum` is positive
-CGAL_L0_HOST_DEVICE inline Triple normal_of_plane_near(const Plane_moments<double>& moments,
-                                                       const Triple& own)
-{
-  const Plane_moments<double>& m = moments;
-  const double n = m.sum, ridge = 0.01; // of the trace: smaller eigenvalues are rounding
-  double xx = m.xx / n - square(m.x / n), yy = m.yy / n - square(m.y / n),
-         zz = m.zz / n - square(m.z / n);
-  const double trace = xx + yy + zz;
-  if (!(trace > 0))
-    return own;
-  xx = xx / trace + ridge, yy = yy / trace + ridge, zz = zz / trace + ridge;
-  const double xy = (m.xy / n - m.x / n * (m.y / n)) / trace,
-               xz = (m.xz / n - m.x / n * (m.z / n)) / trace;
-  const double yz = (m.yz / n - m.y / n * (m.z / n)) / trace;
-  // the adjugate is the inverse but for a factor
-  const Triple row_x = {yy * zz - yz * yz, xz * yz - xy * zz, xy * yz - xz * yy};
-  const Triple row_y = {row_x.y, xx * zz - xz * xz, xy * xz - xx * yz};
-  const Triple row_z = {row_x.z, row_y.z, xx * yy - xy * xy};
-  Triple v = own;
-  for (int step = 0; step < 2; ++step)
-    v = normalized({dot(row_x, v), dot(row_y, v), dot(row_z, v)});
-  return v;
-}
-
-/// The unit normal halfway between `own` and that of the plane through the points that agree with
-/// it, whose moments these are. The plane counts less where hardly anybody agrees, and not at all
-/// if it lies across.
-/// \param own of unit length but for rounding
-CGAL_L0_HOST_DEVICE inline Triple lean_to_plane(const Plane_moments<double>& moments,
-                                                const Triple& own)
-{
-  const int number_of_unknowns = 2; // of a normal
-  const double least_cosine = 0.5, full_cosine = 0.6;
-  if (!(moments.sum > number_of_unknowns))
-    return own;
-  const Triple unit = normalized(own), n = normal_of_plane_near(moments, unit);
-  const double weight = share_of_support(moments.sum, number_of_unknowns)
-                        * as_share((dot(n, unit) - least_cosine) / (full_cosine - least_cosine));
-  return normalized({unit.x + weight * n.x, unit.y + weight * n.y, unit.z + weight * n.z});
-}
-
 /// The normal of a point whose own ball lies in a strip, such as one ring of a spinning scanner: as
 /// far as that has no plane, the normal of a ball twice as large, as far as that has one.
 /// \param own, wide of the two balls

@@ -110,8 +110,7 @@ struct Quadric_moments
   }
 
   /// The least squares fit.
-  /// \pre `S` is a number, the sum of the weights is more than `number_of_unknowns`, and u and v
-  /// are of the order of 1
+  /// \pre `S` is a number, the sum of the weights is positive, and u and v are of the order of 1
   CGAL_L0_HOST_DEVICE Fitted_quadric quadric() const
   {
     const int powers_of_v[number_of_unknowns] = {0, 0, 1, 0, 1, 2},
@@ -138,9 +137,12 @@ struct Quadric_moments
     double squares = squared_heights;
     for (int i = 0; i < number_of_unknowns; ++i)
       squares -= solutions[0][i] * heights[i];
-    const double variance = squares < 0 ? 0 : squares / (number - number_of_unknowns);
-    return {true,     solutions[0][0],         solutions[0][1], solutions[0][2],
-            variance, solutions[1][0] * number};
+    return {true,
+            solutions[0][0],
+            solutions[0][1],
+            solutions[0][2],
+            squares < 0 ? 0 : squares / number,
+            solutions[1][0] * number};
   }
 };
 

@@ -6,8 +6,9 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_REFIT_NORMALS_H
 #define CGAL_L0_RESAMPLING_INTERNAL_REFIT_NORMALS_H
 
-#include <CGAL/L0_resampling/internal/core/weights.h>
+#include <CGAL/L0_resampling/internal/kernels/Fit_kernel.h>
 #include <CGAL/L0_resampling/internal/kernels/Plane_moments.h>
+#include <CGAL/L0_resampling/internal/kernels/local_surface.h>
 #include <CGAL/L0_resampling/internal/normals/update_normals.h>
 
 namespace CGAL {
@@ -15,43 +16,32 @@ namespace L0_resampling {
 namespace internal {
 
 /*!
-The unit normal halfway between that of a point and that of the plane through the points of its ball
-which agree with it, see `lean_to_plane()`. That is about the smallest eigenvector of
+The normal of a point, leaning to that of the plane through the points of its ball which agree with
+it, see `lean_to_plane()`. That is about the smallest eigenvector of
 
 \f[ \sum_j w_j (q_j - \bar q)(q_j - \bar q)^T, \qquad w_j
 = \theta(\|q_j - q_i\|) \, \psi(n_i, n_j) \, e^{-h_{ij}^2/H^2}, \f]
 
-with the weights of Eq. (1) and (2), and `symmetric_height()` for the points of one sheet. Returns
-the point's own where no plane is near it.
+with the weights of Eq. (1) and (2), and `symmetric_height()` for the points of one sheet.
 */
 template <typename T>
 Eigen::Matrix<T, 3, 1> refitted_normal(const Eigen::Matrix<T, 3, 1>& center,
                                        const Eigen::Matrix<T, 3, 1>& normal,
                                        const Local_points<T>& candidates,
-                                       const Local_normals<T>& normals,
-                                       const Normal_filter<T>& filter, T squared_sheet_height)
+                                       const Local_normals<T>& normals, const Fit_kernel<T>& kernel)
 {
   using L = Lanes<T>;
-  const T squared_radius = T(filter.radius * filter.radius);
-  const T squared_bandwidth = filter.squared_bandwidth, normal_bandwidth = filter.normal_bandwidth;
   const T own_x = normal[0], own_y = normal[1], own_z = normal[2];
   Plane_moments<L> lanes;
   candidates.for_each_run_in_ball(
-    center, squared_radius, [&](std::size_t k, const L& squared_distance) {
+    center, kernel.squared_radius(), [&](std::size_t k, const L& squared_distance) {
       const L dx = L::load(&candidates.x[k]) - center[0];
       const L dy = L::load(&candidates.y[k]) - center[1];
       const L dz = L::load(&candidates.z[k]) - center[2];
-      const L nx = L::load(&normals.x[k]), ny = L::load(&normals.y[k]), nz = L::load(&normals.z[k]);
-      const L cosine = nx * own_x + ny * own_y + nz * own_z;
-      const L height = symmetric_height(dx * own_x + dy * own_y + dz * own_z,
-                                        with_sign_of(cosine, L(T(1)))
-                                          * (dx * nx + dy * ny + dz * nz));
-      lanes.add(dx, dy, dz,
-                where_less(squared_distance, squared_radius,
-                           sheet_weight(squared_distance, squared_bandwidth, cosine,
-                                        normal_bandwidth, height, squared_sheet_height)));
+      const Seen_point<L> point(dx, dy, dz, L::load(&normals.x[k]), L::load(&normals.y[k]),
+                                L::load(&normals.z[k]), own_x, own_y, own_z);
+      lanes.add(dx, dy, dz, weight_in_ball(squared_distance, point.cosine, point.height, kernel));
     });
-
   const Triple refitted = lean_to_plane(sum_of_lanes(lanes), {normal[0], normal[1], normal[2]});
   return {T(refitted.x), T(refitted.y), T(refitted.z)};
 }
@@ -63,20 +53,21 @@ those of its own side, leans the other way, since it lacks their noisiest part. 
 is nearer to the truth than either; filtering once more then spreads it.
 
 \param points sorted for `grid`
-\param squared_sheet_height \f$ H^2 \f$, at scale 1 as the filter
+\param kernel at scale 1
 \param normals in and out, one unit vector a point
 */
 template <typename ConcurrencyTag, typename T>
 void refit_normals(const Search_grid_3& grid, const Buffer<Vector>& points,
-                   const Normal_filter<T>& filter, T squared_sheet_height, Progress& progress,
+                   const Fit_kernel<double>& kernel, Progress& progress,
                    Buffer<Eigen::Matrix<T, 3, 1>>& normals)
 {
+  const Fit_kernel<T> kernel_of_one = kernel.as<T>();
   update_normals<ConcurrencyTag>(
-    grid, points, filter.radius, progress, normals,
+    grid, points, kernel.radius, progress, normals,
     [&](const Eigen::Matrix<T, 3, 1>& center, float scale, const Eigen::Matrix<T, 3, 1>& normal,
         const Local_points<T>& candidates, const Local_normals<T>& candidate_normals) {
-      return refitted_normal(center, normal, candidates, candidate_normals, filter.scaled(T(scale)),
-                             squared_sheet_height * T(scale) * T(scale));
+      return refitted_normal(center, normal, candidates, candidate_normals,
+                             kernel_of_one.scaled(T(scale)));
     });
 }
 

@@ -7,6 +7,7 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_PLAN_H
 
 #include <CGAL/L0_resampling/internal/core/Parameters.h>
+#include <CGAL/L0_resampling/internal/kernels/Fit_kernel.h>
 #include <CGAL/L0_resampling/internal/kernels/chebyshev_steps.h>
 #include <CGAL/L0_resampling/internal/kernels/scale_field.h>
 #include <CGAL/L0_resampling/internal/kernels/scales_of_balls.h>
@@ -176,6 +177,29 @@ struct Plan
   bool refits_before(std::size_t pass) const
   {
     return pass + number_of_refits >= number_of_filter_passes;
+  }
+
+  /// What weighs the points around a point or sample where a surface is fitted to them: where the
+  /// normals of the points are refitted, in the fit of the samples, where their normals are, and
+  /// where planes and quadrics of wide balls are fitted to samples. At scale 1.
+  Fit_kernel<double> kernel_of_points() const
+  {
+    return {filter_radius, squared_bandwidth, compatible_bandwidth, square(sheet_height)};
+  }
+  Fit_kernel<double> kernel_of_fit() const
+  {
+    return {radius, square(fit_bandwidth_factor * radius), compatible_bandwidth,
+            square(sheet_height)};
+  }
+  Fit_kernel<double> kernel_of_samples() const
+  {
+    return {self_neighbor_radius, square(fit_bandwidth_factor * self_neighbor_radius),
+            compatible_bandwidth, square(sheet_height_per_radius * self_neighbor_radius)};
+  }
+  Fit_kernel<double> kernel_of_wide_balls() const
+  {
+    return {quadric_radius_factor * radius, std::numeric_limits<double>::infinity(),
+            compatible_bandwidth, square(sheet_height)};
   }
 
   double area_radius() const { return inner_radius_factor * longest_query(); }

@@ -10,6 +10,7 @@
 #include <CGAL/L0_resampling/internal/core/weights.h>
 #include <CGAL/L0_resampling/internal/kernels/Border_of_ball.h>
 #include <CGAL/L0_resampling/internal/kernels/Compatible_points.h>
+#include <CGAL/L0_resampling/internal/kernels/Fit_kernel.h>
 #include <CGAL/L0_resampling/internal/kernels/Plane_moments.h>
 #include <CGAL/L0_resampling/internal/normals/Local_normals.h>
 #include <CGAL/L0_resampling/internal/samples/Samples.h>
@@ -33,9 +34,7 @@ struct Fit_input
   const Buffer<Vector>& points;
   const Buffer<Eigen::Matrix<T, 3, 1>>& normals;
   const Buffer<T>& density_weights; ///< \f$ v_j \f$
-  double radius;                    ///< \f$ r_p \f$, at scale 1
-  double squared_sheet_height;      ///< \f$ H^2 \f$, at scale 1
-  double normal_bandwidth;          ///< \f$ (1 - \cos\sigma_n)^2 \f$
+  Fit_kernel<double> kernel;        ///< at scale 1
 };
 
 /// \param scales \f$ 1/v_j \f$ of the candidates
@@ -50,11 +49,11 @@ Compatible_points<double> sum_compatible_points(const Eigen::Matrix<T, 3, 1>& ce
   using L = Lanes<T>;
   Compatible_points<L> sums;
   candidates.for_each_run_in_ball(
-    center, kernel.squared_radius, [&](std::size_t k, const L& squared_distance) {
+    center, kernel.squared_radius(), [&](std::size_t k, const L& squared_distance) {
       sums.add(L::load(&candidates.x[k]) - center[0], L::load(&candidates.y[k]) - center[1],
                L::load(&candidates.z[k]) - center[2], squared_distance, L::load(&normals.x[k]),
                L::load(&normals.y[k]), L::load(&normals.z[k]),
-               share_in_ball(squared_distance, kernel.squared_radius) * L::load(&scales[k]),
+               share_in_ball(squared_distance, kernel.squared_radius()) * L::load(&scales[k]),
                normal[0], normal[1], normal[2], kernel);
     });
   return sums.template transformed<double>([](const L& lanes) { return lanes.sum(); });
@@ -71,8 +70,9 @@ Vector normal_of_most(const Eigen::Matrix<T, 3, 1>& center, const Vector& normal
   using L = Lanes<T>;
   Plane_moments<L> lanes;
   candidates.for_each_run_in_ball(
-    center, kernel.squared_radius, [&](std::size_t k, const L& squared_distance) {
-      const L scale = share_in_ball(squared_distance, kernel.squared_radius) * L::load(&scales[k]);
+    center, kernel.squared_radius(), [&](std::size_t k, const L& squared_distance) {
+      const L scale = share_in_ball(squared_distance, kernel.squared_radius())
+                      * L::load(&scales[k]);
       lanes.add(L::load(&normals.x[k]), L::load(&normals.y[k]), L::load(&normals.z[k]),
                 scale * gaussian_weight(squared_distance, kernel.squared_bandwidth));
     });
@@ -112,13 +112,12 @@ template <typename ConcurrencyTag, typename T, typename FT>
 std::size_t fit_compatible_points(const Fit_input<T>& input, Progress& progress,
                                   Samples<FT>& samples, Buffer<float>* noises = nullptr)
 {
-  const double cell_size = input.grid.cell_size(), bandwidth = fit_bandwidth_factor * input.radius;
+  const double cell_size = input.grid.cell_size();
   const Sorted_queries sorted_queries(ConcurrencyTag(), samples.positions,
                                       Cell_sizes(cell_size, samples.scales));
 
-  const Fit_kernel<T> kernel_of_one = {T(input.radius * input.radius), T(bandwidth * bandwidth),
-                                       T(input.normal_bandwidth), T(input.squared_sheet_height)};
-  const Border_of_ball border(input.radius, bandwidth);
+  const Fit_kernel<T> kernel_of_one = input.kernel.template as<T>();
+  const Border_of_ball border(input.kernel.radius, input.kernel.squared_bandwidth);
   std::atomic<std::size_t> number_of_lonely_samples{0};
   const auto make_visitor = [&]() {
     return [&, normals = Local_normals<T>(), scales = Aligned_vector<T>()](
@@ -135,25 +134,23 @@ std::size_t fit_compatible_points(const Fit_input<T>& input, Progress& progress,
         const Eigen::Matrix<T, 3, 1> center =
           (sorted_queries.points[q] - origin).template cast<T>();
         Vector old_normal = samples.normals[i].template cast<double>();
-        const double scale = sorted_queries.grid.scale(q),
-                     squared_radius = square(input.radius * scale),
-                     squared_sheet_height = input.squared_sheet_height * square(scale);
+        const double scale = sorted_queries.grid.scale(q);
         const Fit_kernel<T> kernel = kernel_of_one.scaled(T(scale));
         const auto sums_with = [&](const Fit_kernel<T>& own_kernel) {
           return sum_compatible_points<T>(center, old_normal.cast<T>(), candidates, normals, scales,
                                           own_kernel);
         };
         Compatible_points<double> sums = sums_with(kernel);
-        const Unsupported_sample support(sums.weight(), sums.all, squared_sheet_height,
-                                         squared_radius);
+        const Unsupported_sample support(sums.weight(), sums.all, kernel.squared_sheet_height,
+                                         kernel.squared_radius());
         const double own_sheet_height = squared_height_of_second_look(support, sums,
-                                                                      squared_sheet_height);
+                                                                      kernel.squared_sheet_height);
         if (noises) // now, as a lower sheet has less of it
           (*noises)[i] = float(noise_of_fit(sums, kernel));
         if (support.is_unsupported)
           old_normal = normal_of_most(center, old_normal, support.weight_of_own_normal, candidates,
                                       normals, scales, kernel);
-        if (own_sheet_height != squared_sheet_height)
+        if (own_sheet_height != kernel.squared_sheet_height)
         {
           Fit_kernel<T> own_kernel = kernel;
           own_kernel.squared_sheet_height = T(own_sheet_height);
@@ -181,8 +178,8 @@ std::size_t fit_compatible_points(const Fit_input<T>& input, Progress& progress,
     };
   };
   for_each_cell<T, ConcurrencyTag>(sorted_queries.grid, sorted_queries.points, input.grid,
-                                   input.points, cells_in_reach(input.radius, cell_size), progress,
-                                   make_visitor);
+                                   input.points, cells_in_reach(input.kernel.radius, cell_size),
+                                   progress, make_visitor);
   return number_of_lonely_samples;
 }
 

@@ -8,6 +8,7 @@
 
 #include <CGAL/L0_resampling/internal/core/Parameters.h>
 #include <CGAL/L0_resampling/internal/core/weights.h>
+#include <CGAL/L0_resampling/internal/kernels/Fit_kernel.h>
 #include <CGAL/L0_resampling/internal/kernels/Quadric_moments.h>
 #include <CGAL/L0_resampling/internal/kernels/project_to_local_quadric.h>
 #include <CGAL/L0_resampling/internal/normals/Local_normals.h>
@@ -22,19 +23,6 @@
 namespace CGAL {
 namespace L0_resampling {
 namespace internal {
-
-/// What decides which samples of a wide ball agree with another.
-struct Quadric_kernel
-{
-  double radius;               ///< of the wide ball
-  double normal_bandwidth;     ///< \f$ (1 - \cos\sigma_n)^2 \f$
-  double squared_sheet_height; ///< \f$ H^2 \f$
-
-  Quadric_kernel scaled(double scale) const
-  {
-    return {radius * scale, normal_bandwidth, squared_sheet_height * square(scale)};
-  }
-};
 
 /// The samples that planes and quadrics are fitted to.
 struct Support_points
@@ -75,29 +63,26 @@ inline Agreeing_support_points sum_agreeing_support_points(const Vector& center,
                                                            const Local_points<double>& candidates,
                                                            const Local_normals<double>& normals,
                                                            const Aligned_vector<double>& variances,
-                                                           const Quadric_kernel& kernel)
+                                                           const Fit_kernel<double>& kernel)
 {
   using L = Lanes<double>;
-  const double squared_radius = square(kernel.radius), unit = 1 / kernel.radius;
+  const double unit = 1 / kernel.radius;
+  const Triple& normal = frame.normal;
   const auto dot = [](const L& x, const L& y, const L& z, const Triple& a) {
     return x * a.x + y * a.y + z * a.z;
   };
   Quadric_moments<L> lanes;
   L variance;
   candidates.for_each_run_in_ball(
-    center, squared_radius, [&](std::size_t k, const L& squared_distance) {
+    center, kernel.squared_radius(), [&](std::size_t k, const L& squared_distance) {
       const L dx = L::load(&candidates.x[k]) - center[0];
       const L dy = L::load(&candidates.y[k]) - center[1];
       const L dz = L::load(&candidates.z[k]) - center[2];
-      const L nx = L::load(&normals.x[k]), ny = L::load(&normals.y[k]), nz = L::load(&normals.z[k]);
-      const L cosine = dot(nx, ny, nz, frame.normal), own_height = dot(dx, dy, dz, frame.normal);
-      const L height = symmetric_height(own_height, with_sign_of(cosine, L(1.))
-                                                      * (dx * nx + dy * ny + dz * nz));
-      const L weight = share_in_ball(squared_distance, squared_radius)
-                       * sheet_weight(L(0.), 1., cosine, kernel.normal_bandwidth, height,
-                                      kernel.squared_sheet_height);
-      lanes.add(dot(dx, dy, dz, frame.u) * unit, dot(dx, dy, dz, frame.v) * unit, own_height * unit,
-                weight);
+      const Seen_point<L> point(dx, dy, dz, L::load(&normals.x[k]), L::load(&normals.y[k]),
+                                L::load(&normals.z[k]), normal.x, normal.y, normal.z);
+      const L weight = weight_in_ball(squared_distance, point.cosine, point.height, kernel);
+      lanes.add(dot(dx, dy, dz, frame.u) * unit, dot(dx, dy, dz, frame.v) * unit,
+                point.own_height * unit, weight);
       variance += weight * L::load(&variances[k]);
     });
   return {Quadric_moments<double>(lanes, [](const L& sum) { return sum.sum(); }),
@@ -117,18 +102,18 @@ BOOST_NOINLINE inline Settled_sample settled_sample(const Agreeing_support_point
 Where the surface is flat, or bends evenly, a wider ball tells more of it than the fit's does. A
 sample looks at the samples of a ball \f$ R = 4 r_p \f$ that agree with it, weighted by
 \f$ w_k = \psi \, e^{-h_{ik}^2/H^2} \f$, and at two surfaces through them: the plane of least
-squared distances, and the quadric of least squared heights over the sample's tangent plane. Either
-has d unknowns, 3 or 6. The sample moves along its normal towards it by the share
+squared distances, and the quadric of least squared heights over the sample's tangent plane. The
+sample moves along its normal by the share of `share_of_surface()`, to the quadric first, then to
+the plane, and its normal turns to the surface's by as much. What is believed is a variance of
+\f$ (\rho \tau)^2 \f$, so that one factor of the share is
 
-\f[ b = e^{-(s^2 / (\rho \tau)^2)^2}, \qquad s^2 = \frac{1}{W - d} \sum_k w_k r_k^2,
-\quad \tau^2 = \sum_k w_k u_k / W, \quad W = \sum_k w_k, \f]
+\f[ e^{-(s^2 / (\rho \tau)^2)^2}, \qquad s^2 = \sum_k w_k r_k^2 / W,
+\quad \tau^2 = \sum_k w_k u_k / W, \quad W = \sum_k w_k, \quad \rho = 3. \f]
 
-to the quadric first, \f$ \rho = 2.5 \f$, then to the plane, \f$ \rho = 3 \f$, and its normal turns
-to the surface's by as much. \f$ r_k \f$ are the residuals, so that s is how far they are from it,
-and \f$ \tau \f$ how far the noise of the points lets the fit be: the choice between a small ball
-and a large one is Lepski's (1991), who takes the largest estimate that does not contradict the
-smaller ones. Where detail stands out from the noise, both shares are zero. Clean points have no
-\f$ \tau \f$, and stay.
+\f$ r_k \f$ are the residuals, so that s is how far they are from it, and \f$ \tau \f$ how far the
+noise of the points lets the fit be: the choice between a small ball and a large one is Lepski's
+(1991), who takes the largest estimate that does not contradict the smaller ones. Where detail
+stands out from the noise, both shares are zero. Clean points have no \f$ \tau \f$, and stay.
 
 Neighboring fits share most of their points, so few of the samples tell as much as all do: only
 `Samples::are_support_points` are asked.
@@ -136,7 +121,7 @@ Neighboring fits share most of their points, so few of the samples tell as much 
 \param samples positions and normals, in and out
 */
 template <typename ConcurrencyTag, typename FT>
-void project_to_local_quadrics(const Quadric_kernel& kernel, double smallest_cell_size,
+void project_to_local_quadrics(const Fit_kernel<double>& kernel, double smallest_cell_size,
                                Progress& progress, Samples<FT>& samples)
 {
   const double cell_size = (std::max)(kernel.radius / 2, smallest_cell_size);
@@ -168,7 +153,7 @@ void project_to_local_quadrics(const Quadric_kernel& kernel, double smallest_cel
         const Index i = sorted_queries.order[q];
         const Vector center = sorted_queries.points[q] - origin;
         const Vector normal = samples.normals[i].template cast<double>();
-        const Quadric_kernel own_kernel = kernel.scaled(sorted_queries.grid.scale(q));
+        const Fit_kernel<double> own_kernel = kernel.scaled(sorted_queries.grid.scale(q));
         const Tangent_frame frame({normal.x(), normal.y(), normal.z()});
         const Agreeing_support_points sums =
           sum_agreeing_support_points(center, frame, candidates, normals, variances, own_kernel);

@@ -10,8 +10,9 @@
 #include <CGAL/L0_resampling/internal/core/lanes.h>
 #include <CGAL/L0_resampling/internal/core/parallel_for.h>
 #include <CGAL/L0_resampling/internal/core/weights.h>
-#include <CGAL/L0_resampling/internal/kernels/Compatible_points.h>
+#include <CGAL/L0_resampling/internal/kernels/Fit_kernel.h>
 #include <CGAL/L0_resampling/internal/kernels/Plane_moments.h>
+#include <CGAL/L0_resampling/internal/kernels/local_surface.h>
 #include <CGAL/L0_resampling/internal/samples/Samples.h>
 #include <CGAL/L0_resampling/internal/search/Neighborhoods.h>
 
@@ -38,12 +39,12 @@ over the self neighbors and the sample, with `symmetric_height()`, see `lean_to_
 \param samples normals in and out
 */
 template <typename ConcurrencyTag, typename FT>
-void refit_sample_normals(const Sample_refit_kernel& kernel, const Neighborhoods& neighbors,
+void refit_sample_normals(const Fit_kernel<double>& kernel, const Neighborhoods& neighbors,
                           Samples<FT>& samples)
 {
   using Local_vector = Eigen::Matrix<FT, 3, 1>;
   using Numbers = Lanes<FT, false>;
-  const Fit_kernel<FT> fit_kernel = fit_kernel_of<FT>(kernel);
+  const Fit_kernel<FT> fit_kernel = kernel.as<FT>();
   const Range_of_pairs range = {kernel.radius, view_of_scales(samples.scales),
                                 view_of_scales(samples.spreading_radii)};
   const std::size_t samples_per_block = 1024;
@@ -63,15 +64,15 @@ void refit_sample_normals(const Sample_refit_kernel& kernel, const Neighborhoods
           const Index k = neighbors.indices[e];
           const std::size_t pair = e - first_pair;
           const Local_vector d = (samples.positions[k] - samples.positions[i]).template cast<FT>();
-          const FT cosine = samples.normals[i].dot(samples.normals[k]),
-                   sign = with_sign_of(cosine, FT(1));
+          const Local_vector &own = samples.normals[i], &other = samples.normals[k];
+          const Seen_point<FT> point(d[0], d[1], d[2], other[0], other[1], other[2], own[0], own[1],
+                                     own[2]);
           differences[pair] = d;
           squared_distances[pair] = d.squaredNorm();
-          cosines[pair] = cosine;
-          heights[pair] = symmetric_height(samples.normals[i].dot(d),
-                                           FT(sign * samples.normals[k].dot(d)));
+          cosines[pair] = point.cosine;
+          heights[pair] = point.height;
           if (!range.is_one_for_all())
-            squared_stretches[pair] = fit_kernel.squared_radius / FT(range.squared(i, k));
+            squared_stretches[pair] = fit_kernel.squared_radius() / FT(range.squared(i, k));
         }
       for (std::size_t k = 0; k < size; k += Numbers::size)
       {
