@@ -13,6 +13,7 @@
 
 #include <CGAL/L0_resampling/CUDA_resampler.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/property_map.h>
 
 #include <boost/range/irange.hpp>
 
@@ -86,7 +87,11 @@ private:
         rows = rows_of(*view);
       return rows ? &*rows : nullptr;
     };
-    const auto np = named_parameters_of(m_parameters, callback, m_report);
+    // only asks for noises, which are taken from the device below
+    const auto noise_map = CGAL::make_property_map(static_cast<FT*>(nullptr));
+    const auto np = named_parameters_of(m_parameters, callback, m_report)
+                      .noise_map(m_parameters.noises ? std::make_optional(noise_map)
+                                                     : std::nullopt);
     m_resampler.upload_from_device(rows_of(m_points), m_points.size(),
                                    rows_of_given(m_vectors.normals, rows_of_vectors[0]),
                                    rows_of_given(m_vectors.orientation_hints, rows_of_vectors[1]),
