@@ -63,9 +63,10 @@ CGAL_L0_HOST_DEVICE inline Local_surface fit_local_surface(const Plane_moments<d
   if (!(number > number_of_unknowns))
     return none;
   const Symmetric_matrix c = moments.covariance();
-  const double trace = c.xx + c.yy + c.zz, unit = 1 / trace;
+  const double trace = c.xx + c.yy + c.zz;
   if (!(trace > 0))
     return none;
+  const double unit = 1 / trace;
   const Symmetric_matrix a = {unit * c.xx + ridge, unit * c.xy, unit * c.xz,
                               unit * c.yy + ridge, unit * c.yz, unit * c.zz + ridge},
                          inverse = adjugate(a); // but for the determinant
@@ -99,9 +100,9 @@ CGAL_L0_HOST_DEVICE inline Local_surface fit_local_surface(const Quadric_moments
   if (!quadric.is_determined)
     return none;
   const Triple normal = normalized({-quadric.slope_u, -quadric.slope_v, 1});
-  return {share_of_surface(number, number_of_unknowns, quadric.leverage, normal.z,
-                           quadric.variance / believed),
-          quadric.height, normal};
+  const double share = share_of_surface(number, number_of_unknowns, quadric.leverage, normal.z,
+                                        quadric.variance / believed);
+  return share > 0 ? Local_surface{share, quadric.height, normal} : none;
 }
 
 /// The unit normal halfway between `own` and that of the plane through the points that agree with
