@@ -6,6 +6,7 @@ packages=(g++ cmake make git python3 libcgal-dev libeigen3-dev libtbb-dev libboo
           libcli11-dev nlohmann-json3-dev libpng-dev zlib1g-dev libceres-dev)
 packages+=(pybind11-dev python3-dev python3-numpy python3-pytest mypy)   # for the Python package
 packages+=(python3-pip python3-setuptools python3-wheel)            # for its wheel
+packages+=(python3-distributed python3-mpi4py openmpi-bin)          # for workers of other engines
 packages+=(dpkg-dev file)                                           # for the Debian package
 packages+=(doxygen texlive-binaries libjs-mathjax)                  # for the manual
 packages+=("$@")

@@ -15,6 +15,7 @@ a worker that has died was at is done again; what memory was not enough for is n
 import argparse
 import collections
 import concurrent.futures
+import contextlib
 import os
 import queue
 import re
@@ -227,16 +228,20 @@ def _print_progress(name, done, number):
     print(f"\r\033[K{name} {done} of {number}", end=end, file=sys.stderr, flush=True)
 
 
+@contextlib.contextmanager
 def _executor_of(arguments):
     if arguments.dask:
         from distributed import Client
 
-        return Client(scheduler_file=arguments.dask).get_executor(pure=False)
-    if arguments.mpi:
+        with Client(scheduler_file=arguments.dask) as client:
+            yield client.get_executor(pure=False)
+    elif arguments.mpi:
         from mpi4py.futures import MPIPoolExecutor
 
-        return MPIPoolExecutor()
-    return None
+        with MPIPoolExecutor() as executor:
+            yield executor
+    else:
+        yield None
 
 
 def _devices_of(arguments):
@@ -276,26 +281,23 @@ def main(arguments=None):
             options.append(f"--{name}")
         elif value:
             options.append(f"--{name}={value}")
-    executor = _executor_of(known)
     try:
-        phases = resample_files(
-            known.files,
-            known.output_directory,
-            memory=known.memory,
-            options=options,
-            executor=executor,
-            workers=known.workers,
-            devices=_devices_of(known),
-            resume=known.resume,
-            program=known.program,
-            on_progress=_print_progress if sys.stderr.isatty() else None,
-        )
+        with _executor_of(known) as executor:
+            phases = resample_files(
+                known.files,
+                known.output_directory,
+                memory=known.memory,
+                options=options,
+                executor=executor,
+                workers=known.workers,
+                devices=_devices_of(known),
+                resume=known.resume,
+                program=known.program,
+                on_progress=_print_progress if sys.stderr.isatty() else None,
+            )
     except (TileError, ValueError) as error:
         print(error, file=sys.stderr)
         return 1
-    finally:
-        if executor is not None:
-            executor.shutdown()
     seconds = sum(phase["seconds"] for phase in phases)
     retries = sum(phase["retries"] for phase in phases)
     print(f"{known.output_directory}: {seconds:.2f} s, {retries} tasks done once more")

@@ -9,6 +9,7 @@ import concurrent.futures
 import json
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
 
@@ -120,17 +121,77 @@ def test_a_run_goes_on(files, whole, tmp_path):
     assert results(tmp_path / "out") == results(whole)
 
 
+def command_line(files, folder):
+    command = [*files, "--points", "12000", "--memory", 2 * MEMORY, "--workers", 2]
+    return [str(word) for word in [*command, "--output-directory", folder]]
+
+
 def test_the_command_line(files, whole, tmp_path):
-    command = [sys.executable, "-m", "cgal_l0.tiles", *files, "--points", "12000"]
-    command += ["--memory", str(2 * MEMORY), "--workers", "2", "--output-directory"]
-    command += [tmp_path / "out", "--output", tmp_path / "all.npy"]
-    result = subprocess.run([str(word) for word in command], capture_output=True, text=True)
+    command = [sys.executable, "-m", "cgal_l0.tiles", *command_line(files, tmp_path / "out")]
+    command += ["--output", str(tmp_path / "all.npy")]
+    result = subprocess.run(command, capture_output=True, text=True)
     assert result.returncode == 0, result.stderr
     assert result.stdout.count("\n") == 1 and result.stderr == ""
     assert results(tmp_path / "out") == results(whole)
     assert numpy.load(tmp_path / "all.npy").shape == (12000, 6)
     index = json.loads((tmp_path / "out/index.json").read_text())
     assert sum(tile["output_points"] for tile in index["tiles"]) == 12000
+
+
+def test_a_dask_cluster(files, whole, tmp_path):
+    distributed = pytest.importorskip("distributed")
+    with distributed.LocalCluster(
+        n_workers=2, threads_per_worker=1, dashboard_address=None
+    ) as cluster, distributed.Client(cluster) as client:
+        client.write_scheduler_file(tmp_path / "scheduler.json")
+        command = ["--dask", str(tmp_path / "scheduler.json")]
+        assert tiles.main([*command_line(files, tmp_path / "out"), *command]) == 0
+        ran = client.run(lambda dask_worker: dask_worker.state.executed_count)
+    assert results(tmp_path / "out") == results(whole)
+    assert len(ran) == 2 and sum(ran.values()) > len(results(whole))
+
+
+def test_processes_of_mpi(files, whole, tmp_path):
+    pytest.importorskip("mpi4py")
+    if not shutil.which("mpiexec"):
+        pytest.skip("no mpiexec")
+    command = ["mpiexec", "--oversubscribe", "-n", "3", sys.executable, "-m", "mpi4py.futures"]
+    command += ["-m", "cgal_l0.tiles", *command_line(files, tmp_path / "out"), "--mpi"]
+    as_root = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+    result = subprocess.run(
+        command, env={**os.environ, **as_root}, capture_output=True, text=True
+    )
+    assert result.returncode == 0, result.stderr
+    assert results(tmp_path / "out") == results(whole)
+
+
+def test_arrays_of_slurm(files, whole, tmp_path):
+    """The example, with a program that runs the jobs of an array as Slurm does: in any order."""
+    programs = tmp_path / "programs"
+    programs.mkdir()
+    (programs / "l0_resample").symlink_to(os.environ["L0_RESAMPLE"])
+    sbatch = programs / "sbatch"
+    sbatch.write_text(
+        "#!/bin/bash\n"
+        'for word in "$@"; do case "$word" in\n'
+        '  --array=0-*) last="${word#--array=0-}";;\n'
+        '  --wrap=*) job="${word#--wrap=}";;\n'
+        "esac; done\n"
+        f'echo "$(( last + 1 ))" >> "{tmp_path}/arrays"\n'
+        "for (( k = last; k >= 0; --k )); do\n"
+        '  SLURM_ARRAY_TASK_ID="$k" sh -c "$job" || exit 1\n'
+        "done\n"
+    )
+    sbatch.chmod(0o755)
+    example = pathlib.Path(os.environ["L0_SOURCE"]) / "examples/L0_resampling/slurm_example.sh"
+    command = ["bash", example, "12000", MEMORY, tmp_path / "out", *files]
+    path = f"{programs}{os.pathsep}{os.environ['PATH']}"
+    for _ in range(2):  # the second time there is nothing left to do
+        subprocess.run(
+            [str(word) for word in command], env={**os.environ, "PATH": path}, check=True
+        )
+    assert results(tmp_path / "out") == results(whole)
+    assert str(len(results(whole))) in (tmp_path / "arrays").read_text().split()
 
 
 def test_devices_are_lent_to_one_task_at_a_time(tmp_path):
