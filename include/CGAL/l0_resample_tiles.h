@@ -61,6 +61,7 @@ void l0_resample_tiles(const Source& source, Sink& sink, std::uint64_t maximum_m
   tiles.find_facts(source, maximum_memory, device_memory);
   const std::vector<L0_resampling::internal::Point_in_cloud>& kept = tiles.points_in_cloud();
   tiles.make_tiles((std::min)(maximum_memory - kept.size() * sizeof(kept[0]), device_memory));
+  tiles.choose_how_to_orient(maximum_memory);
   const std::size_t number_of_tiles = tiles.tiles().size();
   if (!tiles.has_all_facts())
   {
@@ -76,13 +77,25 @@ void l0_resample_tiles(const Source& source, Sink& sink, std::uint64_t maximum_m
     evidence.push_back(result.evidence);
     sink.put(tile, std::move(result));
   }
-  L0_resampling::internal::Stitching stitching = tiles.stitching(evidence);
-  for (std::size_t a = 0; a < number_of_tiles && !tiles.are_sides_given(); ++a)
-    for (std::size_t b = 0; b < number_of_tiles; ++b)
-      if (tiles.are_neighbors(a, b))
-        stitching.add_overlap(a, sink.get(a).near_border, b,
-                              tiles.samples_of_owner(sink.get(b).beyond_border, a));
-  const std::vector<std::vector<signed char>> signs = stitching.signs();
+  std::vector<std::vector<signed char>> signs;
+  if (tiles.orients_at_once())
+  {
+    std::vector<L0_resampling::internal::Unoriented_samples> unoriented;
+    for (std::size_t tile = 0; tile < number_of_tiles; ++tile)
+      unoriented.push_back(sink.get(tile).unoriented);
+    Report unwanted_report;
+    signs = tiles.sides(unoriented, unwanted_report);
+  }
+  else
+  {
+    L0_resampling::internal::Stitching stitching = tiles.stitching(evidence);
+    for (std::size_t a = 0; a < number_of_tiles && !tiles.are_sides_given(); ++a)
+      for (std::size_t b = 0; b < number_of_tiles; ++b)
+        if (tiles.are_neighbors(a, b))
+          stitching.add_overlap(a, sink.get(a).near_border, b,
+                                tiles.samples_of_owner(sink.get(b).beyond_border, a));
+    signs = stitching.signs();
+  }
   for (std::size_t tile = 0; tile < number_of_tiles; ++tile)
   {
     std::vector<Tile_sample> samples = sink.get(tile).samples;

@@ -14,6 +14,7 @@
 #include <CGAL/L0_resampling/internal/interface/points_of_range.h>
 #include <CGAL/L0_resampling/internal/search/nearest_input_points.h>
 #include <CGAL/L0_resampling/internal/tiles/resample_tile_impl.h>
+#include <CGAL/L0_resampling/internal/tiles/sides_of_tiles_impl.h>
 
 #include <array>
 #include <functional>
@@ -48,7 +49,10 @@
     Buffer<Vector>&, const Facts_of_cloud&, const Parameters&, const Room_of_tile&,                \
     const Starts_of_runs&, Any_solver<float>&, Progress&, Report&);                                \
   template Samples_of_tile<float> resample_tile<Tag, float>(                                       \
-    Buffer<Vector>&, const std::vector<Point_in_cloud>&, const Facts_of_cloud&, const Parameters&, \
-    Any_solver<float>&, Progress&, Report&);
+    Buffer<Vector>&, const std::vector<Point_in_cloud>&, const Facts_of_cloud&, bool,              \
+    const Parameters&, Any_solver<float>&, Progress&, Report&);                                    \
+  template std::vector<std::vector<signed char>> sides_of_tiles<Tag>(                              \
+    const std::vector<Unoriented_samples>&, const Facts_of_cloud&, const Plan&, const Parameters&, \
+    Progress&, Memory_counter&);
 
 #endif // CGAL_L0_RESAMPLING_COMPILED_TEMPLATES_H

@@ -32,6 +32,8 @@ struct Tile_result
   std::vector<Tile_sample> near_border;   ///< those of them that are near to other tiles
   std::vector<Tile_sample> beyond_border; ///< the same of its halo, which others keep
   std::vector<double> evidence;           ///< of each tree: for the sides of its samples
+  /// If sides are found for all tiles at once: what they follow from. Each of these is a tree.
+  internal::Unoriented_samples unoriented;
   Report report;
 };
 
@@ -62,8 +64,20 @@ void take_samples_of_tile(const Samples_of_tile<FT>& samples,
                           const Buffer<std::array<double, 3>>& positions, const Source_box& box,
                           double overlap_width, Tile_result& result)
 {
+  constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
+  const bool are_sides_found = samples.unoriented.empty();
+  std::vector<Tile_sample>&own = result.unoriented.own,
+                          &elsewhere = result.unoriented.leaders_elsewhere;
   result.samples.reserve(positions.size());
-  std::vector<std::uint32_t> numbers(positions.size(), (std::numeric_limits<std::uint32_t>::max)());
+  std::vector<std::uint32_t> numbers(positions.size(), none); // of the trees
+  for (std::size_t tree = 0; tree < samples.unoriented.size(); ++tree)
+    if (samples.are_trees_own[tree] != 0)
+    {
+      numbers[tree] = std::uint32_t(own.size());
+      own.push_back(samples.unoriented[tree]);
+    }
+  if (!are_sides_found)
+    result.evidence.push_back(0); // samples near the border are of one tree
   for (std::size_t i = 0; i < positions.size(); ++i)
   {
     const auto& normal = samples.points.normals[i];
@@ -72,21 +86,34 @@ void take_samples_of_tile(const Samples_of_tile<FT>& samples,
     if (!is_kept && !is_within(sample, box, overlap_width))
       continue;
     std::uint32_t& number = numbers[samples.trees[i]];
-    if (number == (std::numeric_limits<std::uint32_t>::max)())
+    if (are_sides_found)
     {
-      number = std::uint32_t(result.evidence.size());
-      result.evidence.push_back(0);
+      if (number == none)
+      {
+        number = std::uint32_t(result.evidence.size());
+        result.evidence.push_back(0);
+      }
+      sample.tree = number;
     }
-    sample.tree = number;
     if (!is_kept)
     {
       result.beyond_border.push_back(sample);
       continue;
     }
-    result.evidence[number] += double(samples.confidences[i]) - 0.5;
-    result.samples.push_back(sample);
     if (!is_within(sample, box, -overlap_width))
       result.near_border.push_back(sample);
+    if (are_sides_found)
+      result.evidence[number] += double(samples.confidences[i]) - 0.5;
+    else
+    {
+      if (number == none)
+      {
+        number = std::uint32_t(own.size() + elsewhere.size());
+        elsewhere.push_back(samples.unoriented[samples.trees[i]]);
+      }
+      sample.tree = number;
+    }
+    result.samples.push_back(sample);
   }
 }
 

@@ -21,6 +21,7 @@
 #include <CGAL/L0_resampling/tags.h>
 #ifndef CGAL_L0_LINKED_WITH_COMPILED
 #include <CGAL/L0_resampling/internal/tiles/resample_tile_impl.h>
+#include <CGAL/L0_resampling/internal/tiles/sides_of_tiles_impl.h>
 #endif
 #ifdef CGAL_L0_LINKED_WITH_CUDA
 #include <CGAL/L0_resampling/internal/tiles/tiles_on_device.h>
@@ -85,6 +86,7 @@ class Tiled_resampling
   std::vector<std::vector<internal::Point_in_cloud>> m_points_of_tiles; // if all facts are known
   std::vector<internal::Starts_of_runs> m_starts;                       // of the tiles, if not
   double m_sample_spacing = 0;                                          // in units of the radius
+  bool m_orients_at_once = false;
 
   std::int64_t halo_in_blocks() const
   {
@@ -157,6 +159,8 @@ public:
                                  bytes_per_sample_of_facts = is_on_device ? 0 : 100,
                                  bytes_per_point_of_facts_on_device = is_on_device ? 136 : 0,
                                  bytes_per_sample_of_facts_on_device = is_on_device ? 16 : 0;
+  /// What `sides()` holds for each sample, with what it is given.
+  static constexpr std::uint64_t bytes_per_sample_of_sides = 400;
 
   /// \param counts of all points
   /// \param np as those of `CGAL::l0_resample_point_set()`: `number_of_output_points`,
@@ -260,6 +264,15 @@ public:
       throw std::bad_alloc();
   }
 
+  /// Lets the sides of all samples be found at once, by `sides()`, if `bytes` hold what that takes.
+  /// If not, or with `CUDA_tag`, each tile finds its own, and `stitching()` turns them.
+  void choose_how_to_orient(std::uint64_t bytes)
+  {
+    const std::uint64_t most = limited(bytes) / bytes_per_sample_of_sides;
+    m_orients_at_once = !is_on_device && number_of_samples() <= (std::min)(most, many - 1);
+  }
+  bool orients_at_once() const { return m_orients_at_once; }
+
   /// Where the points that a tile reads stand in `points_in_cloud()`, in their order: the first of
   /// each block, and how many these are.
   std::vector<std::pair<std::uint64_t, std::uint64_t>> ranges_of_tile(std::size_t tile) const
@@ -356,7 +369,23 @@ public:
     return result;
   }
 
-  /// What turns the trees of all tiles to one side.
+  /// If `orients_at_once()`: the sign of each tile and tree.
+  /// \param unoriented of each tile
+  /// \param report out: what it took
+  std::vector<std::vector<signed char>> sides(
+    const std::vector<internal::Unoriented_samples>& unoriented, Report& report) const
+  {
+    std::vector<std::vector<signed char>> signs;
+    watched(report, [&](internal::Progress& progress, internal::Memory_counter& memory) {
+      internal::Plan plan = plan_of(m_facts);
+      plan.set_sample_spacing(m_sample_spacing);
+      signs = internal::sides_of_tiles<Host_tag>(unoriented, m_facts, plan, m_parameters, progress,
+                                                 memory);
+    });
+    return signs;
+  }
+
+  /// If not `orients_at_once()`: what turns the trees of all tiles to one side.
   /// \param evidence of each tile
   internal::Stitching stitching(const std::vector<std::vector<double>>& evidence) const
   {
@@ -393,7 +422,7 @@ public:
   }
 
   /// Whether the sides of all samples are given, so that no tile turns another.
-  bool are_sides_given() const { return m_parameters.has_viewpoint; }
+  bool are_sides_given() const { return m_parameters.has_viewpoint && !m_orients_at_once; }
 
 private:
   static constexpr std::uint64_t bytes_per_point_of_regions = 100;
@@ -435,8 +464,8 @@ private:
     {
       Solver solver;
       internal::Any_solver<FT> any_solver(solver);
-      return internal::resample_tile<Host_tag>(points, known, m_facts, m_parameters, any_solver,
-                                               progress, report);
+      return internal::resample_tile<Host_tag>(points, known, m_facts, !m_orients_at_once,
+                                               m_parameters, any_solver, progress, report);
     }
     else
     {

@@ -142,10 +142,12 @@ std::vector<Tile_phase> Tile_tasks::phases() const
   }
   const bool carries = !tiles.properties().properties.empty();
   const double share_to_carry = carries ? 0.05 : 0;
-  phases.push_back({"solve", number_of_tiles, (needs_shares ? 0.6 : 0.75) - share_to_carry});
+  const double share_of_sides = tiles.resampling.orients_at_once() ? 0.1 : 0.01;
+  phases.push_back({"solve", number_of_tiles,
+                    (needs_shares ? 0.61 : 0.76) - share_to_carry - share_of_sides});
   if (carries)
     phases.push_back({"carry", number_of_tiles, share_to_carry});
-  phases.push_back({"stitch", 1, 0.01});
+  phases.push_back({"stitch", 1, share_of_sides});
   phases.push_back({"write", number_of_tiles, 0.02});
   if (!m_command.merged_output.empty())
     phases.push_back({"merge", 1, 0.02});
@@ -274,6 +276,7 @@ void Tile_tasks::solve(std::size_t tile, const On_progress& on_progress) const
               {std::move(result.near_border),
                std::move(result.beyond_border),
                std::move(result.evidence),
+               std::move(result.unoriented),
                {result.samples.size(), result.report.number_of_outliers, seconds}});
 }
 
@@ -309,7 +312,8 @@ void Tile_tasks::stitch(const On_progress& on_progress) const
   internal::Stitching stitching = resampling.stitching(evidence);
   for (std::size_t a = 0; a < number_of_tiles; ++a) {
     throw_if_interrupted();
-    on_progress(double(a) / double(number_of_tiles));
+    if (!resampling.orients_at_once())
+      on_progress(double(a) / double(number_of_tiles));
     const Found_in_tile owner = read_found(file_of("solve", a), m_key, true);
     for (std::size_t b = 0; b < number_of_tiles; ++b)
       if (resampling.are_neighbors(a, b))
@@ -322,16 +326,25 @@ void Tile_tasks::stitch(const On_progress& on_progress) const
     for (std::vector<signed char>& of_tile : all.signs)
       of_tile.assign(of_tile.size(), 1);
   all.seams = stitching.report(all.signs);
+  if (resampling.orients_at_once()) {
+    std::vector<Unoriented_samples> unoriented;
+    for (std::size_t tile = 0; tile < number_of_tiles; ++tile)
+      unoriented.push_back(read_unoriented(file_of("solve", tile), m_key));
+    CGAL::L0_resampling::Report unwanted_report;
+    all.signs = resampling.sides(unoriented, unwanted_report);
+    all.seams.number_of_opposed = 0; // as one decision holds for all
+  }
   write_signs(file_of("stitch", 0), m_key, all);
 }
 
 void Tile_tasks::write(std::size_t tile) const
 {
-  const Signs_of_tiles all = read_signs(file_of("stitch", 0), m_key);
+  const Summary_of_tile summary = read_summaries(file_of("stitch", 0), m_key).summaries[tile];
   const Input_properties properties = read_counts(file_of("blocks", 0), m_key).properties;
   Tile_rows rows(m_key, properties.table());
-  rows.add(file_of("solve", tile), file_of("carry", tile), all.signs[tile],
-           std::size_t(all.summaries[tile].number_of_samples));
+  rows.add(file_of("solve", tile), file_of("carry", tile),
+           read_signs_of_tile(file_of("stitch", 0), m_key, tile),
+           std::size_t(summary.number_of_samples));
   write_point_rows(result_of(tile), m_options.output_format, rows, properties.las);
 }
 
@@ -353,7 +366,7 @@ void Tile_tasks::finish() const
   tiles.cut();
   tiles.take_sums();
   const Tiled_on_cpu& resampling = tiles.resampling;
-  const Signs_of_tiles all = read_signs(file_of("stitch", 0), m_key);
+  const Signs_of_tiles all = read_summaries(file_of("stitch", 0), m_key);
   const double length = resampling.neighbor_radius();
   const internal::Seam_report& seams = all.seams;
   Json json = {{"program", "l0_resample"},

@@ -109,14 +109,16 @@ void Tile_tasks::check_disk(std::uint64_t number_of_points,
   std::uint64_t of_point = sizeof(std::array<double, 3>); // in its shard
   if (table.row_size() > 0)
     of_point += sizeof(std::uint64_t) + table.row_size();
+  // with those of the overlaps, of which there are fewer
+  std::uint64_t of_sample = 2 * sizeof(Tile_sample) + table.row_size();
   run_on(m_options, [&](auto tag) {
     if (Tiled_resampling<decltype(tag)>::can_find_all_facts(
-          number_of_points, m, memory_for_points(), memory_of_device(m_options)))
+          number_of_points, m, memory_for_points(), memory_of_device(m_options))) {
       of_point += sizeof(Point_in_cloud);
+      of_sample += sizeof(Tile_sample); // what its side follows from
+    }
   });
-  // samples with those of the overlaps, of which there are fewer
-  check_writable(index_file(), number_of_points * of_point
-                                 + m * (2 * sizeof(Tile_sample) + table.row_size())
+  check_writable(index_file(), number_of_points * of_point + m * of_sample
                                  + of_results(m_options.output_format));
   if (!m_command.merged_output.empty())
     check_writable(m_command.merged_output, of_results(*format_of(m_command.merged_output)));

@@ -67,6 +67,7 @@ public:
   {
     resampling.make_tiles(memory, resampling.halo_in_radii,
                           bytes_of_tile(m_tasks.options(), properties().table().row_size()));
+    resampling.choose_how_to_orient(are_tiles_on_device(m_tasks.options()) ? 0 : memory);
   }
 
   /// What is known of the samples of all tiles.

@@ -35,6 +35,14 @@ void read_optional(Task_file& file, std::optional<T>& value)
     value = file.read<T>();
 }
 
+/// What `read_all()` would read.
+template <typename T>
+void skip_all(Task_file& file)
+{
+  const std::uint64_t count = file.read<std::uint64_t>();
+  file.seek(file.position() + count * sizeof(T));
+}
+
 /// Calls `f` for each fact that is plain data, in one order.
 template <typename Facts, typename F>
 void for_each_plain_fact(Facts& facts, const F& f)
@@ -142,10 +150,8 @@ Starts_of_runs read_starts(const std::string& path, std::uint64_t key, std::size
   Task_file file(path, key);
   Starts_of_runs starts;
   starts.all = file.read<Sums_of_tiles>().sums;
-  for (std::size_t before = 0; before < tile; ++before) {
-    const std::uint64_t count = file.read<std::uint64_t>();
-    file.seek(file.position() + count * sizeof(Run_of_cells));
-  }
+  for (std::size_t before = 0; before < tile; ++before)
+    skip_all<Run_of_cells>(file);
   starts.runs = file.read_all<Run_of_cells>();
   return starts;
 }
@@ -186,13 +192,15 @@ void write_found(const std::string& path, std::uint64_t key,
   file.write_all(found.evidence);
   file.write_all(found.near_border);
   file.write_all(found.beyond_border);
+  file.write_all(found.unoriented.own);
+  file.write_all(found.unoriented.leaders_elsewhere);
   file.commit();
 }
 
 Found_in_tile read_found(const std::string& path, std::uint64_t key, bool with_border)
 {
   Task_file file(path, key);
-  file.seek(sizeof(std::uint64_t) + file.read<std::uint64_t>() * sizeof(Tile_sample));
+  skip_all<Tile_sample>(file);
   Found_in_tile found;
   found.summary = file.read<Summary_of_tile>();
   found.evidence = file.read_all<double>();
@@ -201,6 +209,20 @@ Found_in_tile read_found(const std::string& path, std::uint64_t key, bool with_b
     found.beyond_border = file.read_all<Tile_sample>();
   }
   return found;
+}
+
+Unoriented_samples read_unoriented(const std::string& path, std::uint64_t key)
+{
+  Task_file file(path, key);
+  skip_all<Tile_sample>(file);
+  file.read<Summary_of_tile>();
+  skip_all<double>(file);
+  skip_all<Tile_sample>(file);
+  skip_all<Tile_sample>(file);
+  Unoriented_samples unoriented;
+  unoriented.own = file.read_all<Tile_sample>();
+  unoriented.leaders_elsewhere = file.read_all<Tile_sample>();
+  return unoriented;
 }
 
 void write_signs(const std::string& path, std::uint64_t key, const Signs_of_tiles& signs)
@@ -213,15 +235,42 @@ void write_signs(const std::string& path, std::uint64_t key, const Signs_of_tile
   file.commit();
 }
 
-Signs_of_tiles read_signs(const std::string& path, std::uint64_t key)
+namespace {
+
+/// \param file before the signs then
+Signs_of_tiles read_summaries(Task_file& file)
 {
-  Task_file file(path, key);
   Signs_of_tiles result;
   result.summaries = file.read_all<Summary_of_tile>();
   result.seams = file.read<Seam_report>();
+  return result;
+}
+
+} // namespace
+
+Signs_of_tiles read_signs(const std::string& path, std::uint64_t key)
+{
+  Task_file file(path, key);
+  Signs_of_tiles result = read_summaries(file);
   for (std::size_t tile = 0; tile < result.summaries.size(); ++tile)
     result.signs.push_back(file.read_all<signed char>());
   return result;
+}
+
+Signs_of_tiles read_summaries(const std::string& path, std::uint64_t key)
+{
+  Task_file file(path, key);
+  return read_summaries(file);
+}
+
+std::vector<signed char> read_signs_of_tile(const std::string& path, std::uint64_t key,
+                                            std::size_t tile)
+{
+  Task_file file(path, key);
+  read_summaries(file);
+  for (std::size_t before = 0; before < tile; ++before)
+    skip_all<signed char>(file);
+  return file.read_all<signed char>();
 }
 
 } // namespace l0_tool

@@ -31,6 +31,7 @@ using CGAL::L0_resampling::internal::Share_of_tile;
 using CGAL::L0_resampling::internal::Starts_of_runs;
 using CGAL::L0_resampling::internal::Sums_of_tiles;
 using CGAL::L0_resampling::internal::Tile_sample;
+using CGAL::L0_resampling::internal::Unoriented_samples;
 
 /// The points of the inputs, by blocks.
 struct Counted_input
@@ -82,13 +83,16 @@ struct Found_in_tile
 {
   std::vector<Tile_sample> near_border, beyond_border;
   std::vector<double> evidence;
+  Unoriented_samples unoriented;
   Summary_of_tile summary;
 };
 
 void write_found(const std::string& path, std::uint64_t key,
                  const std::vector<Tile_sample>& samples, const Found_in_tile& found);
 /// \param with_border whether to read the samples there
+/// \returns without what is to be oriented
 Found_in_tile read_found(const std::string& path, std::uint64_t key, bool with_border);
+Unoriented_samples read_unoriented(const std::string& path, std::uint64_t key);
 
 /// What all tiles say together.
 struct Signs_of_tiles
@@ -100,6 +104,10 @@ struct Signs_of_tiles
 
 void write_signs(const std::string& path, std::uint64_t key, const Signs_of_tiles& signs);
 Signs_of_tiles read_signs(const std::string& path, std::uint64_t key);
+/// \returns without the signs
+Signs_of_tiles read_summaries(const std::string& path, std::uint64_t key);
+std::vector<signed char> read_signs_of_tile(const std::string& path, std::uint64_t key,
+                                            std::size_t tile);
 
 } // namespace l0_tool
 

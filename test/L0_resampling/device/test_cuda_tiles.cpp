@@ -38,15 +38,15 @@ struct Largest_shares
 };
 
 /// How many of the samples have no sample of `others` within `distance`; both sorted.
-std::size_t number_without(const std::vector<Unsigned_sample>& samples,
-                           const std::vector<Unsigned_sample>& others, double distance)
+std::size_t number_without(const std::vector<Sample>& samples,
+                           const std::vector<Sample>& others, double distance)
 {
   std::size_t number = 0;
-  for (const Unsigned_sample& sample : samples)
+  for (const Sample& sample : samples)
   {
     bool is_found = false;
     for (auto other = std::lower_bound(others.begin(), others.end(),
-                                       Unsigned_sample{sample[0] - distance, -1e300});
+                                       Sample{sample[0] - distance, -1e300});
          other != others.end() && (*other)[0] <= sample[0] + distance && !is_found; ++other)
       is_found = std::hypot((*other)[0] - sample[0], (*other)[1] - sample[1],
                             (*other)[2] - sample[2])
@@ -63,9 +63,9 @@ void check(const std::string& name, const std::vector<Place>& points, const Larg
   const std::size_t n = points.size();
   const double m = double(number_of_samples);
   std::size_t number_of_tiles = 0;
-  const std::vector<Unsigned_sample> whole = in_memory<CUDA_tag>(points, np),
-                                     one = by_tiles<CUDA_tag>(points, 2 * n, 20, number_of_tiles,
-                                                              np);
+  const std::vector<Sample> whole = in_memory<CUDA_tag>(points, np),
+                            one = without_sides(
+                              by_tiles<CUDA_tag>(points, 2 * n, 20, number_of_tiles, np));
   CHECK(number_of_tiles == 1);
   CHECK(whole.size() == number_of_samples && one.size() == number_of_samples);
   const double rounding = 0.02; // a hundredth of the radius or less
@@ -75,8 +75,8 @@ void check(const std::string& name, const std::vector<Place>& points, const Larg
   CHECK(double(number) <= largest.of_whole * m);
   for (const double halo : {40., 20.})
   {
-    const std::vector<Unsigned_sample> several = by_tiles<CUDA_tag>(points, n / 2, halo,
-                                                                    number_of_tiles, np);
+    const std::vector<Sample> several = without_sides(
+      by_tiles<CUDA_tag>(points, n / 2, halo, number_of_tiles, np));
     CHECK(number_of_tiles >= 2 && several.size() == number_of_samples);
     const std::size_t different = number_of_different(several, one);
     std::cout << name << ": " << number_of_tiles << " tiles with halos of " << halo

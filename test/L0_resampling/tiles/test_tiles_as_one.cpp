@@ -3,15 +3,18 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A cloud that is resampled tile by tile gives the bits of a call for all of it, but for the sides.
+// A cloud that is resampled tile by tile gives the bits of a call for all of it.
 
 #include "tiles/tiles_as_one.h"
 
 #include <CGAL/tags.h>
 
 #include <cstddef>
+#include <cstdint>
+#include <cstdlib>
 #include <iostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace test;
@@ -51,21 +54,22 @@ void check_memory_of_facts(const std::vector<Place>& points, std::size_t number_
               << number_of_samples << " samples" << std::endl;
 }
 
-/// \param share of the points that a tile and its halo have at most, unless it is the only one
+/// \param shares of the points that a tile and its halo have at most, one for each way to cut the
+/// cloud into several
 /// \param largest which share of the samples may differ
 template <typename ConcurrencyTag, typename NamedParameters>
-void check(const std::string& name, const std::vector<Place>& points, double share,
-           const Largest_shares& largest, std::size_t number_of_samples, const NamedParameters& np)
+void check(const std::string& name, const std::vector<Place>& points,
+           const std::vector<double>& shares, const Largest_shares& largest,
+           std::size_t number_of_samples, const NamedParameters& np)
 {
   const std::size_t n = points.size();
-  const std::vector<Unsigned_sample> expected = in_memory<CGAL::Parallel_if_available_tag>(points,
-                                                                                           np);
+  const std::vector<Sample> expected = in_memory<CGAL::Parallel_if_available_tag>(points, np);
   CHECK(expected.size() == number_of_samples);
   const double wide_halo = 40, practical_halo = Tiles<ConcurrencyTag>::halo_in_radii;
   std::size_t number_of_tiles = 0;
-  const auto differences = [&](std::size_t points_of_tile, double halo) {
-    const std::vector<Unsigned_sample> found = by_tiles<ConcurrencyTag>(points, points_of_tile,
-                                                                        halo, number_of_tiles, np);
+  const auto differences = [&](double share, double halo) {
+    const std::vector<Sample> found = by_tiles<ConcurrencyTag>(
+      points, std::size_t(share * double(n)), halo, number_of_tiles, np);
     CHECK(found.size() == number_of_samples);
     const std::size_t number = number_of_different(found, expected);
     std::cout << name << ": " << number_of_tiles << " tiles with halos of " << halo
@@ -73,12 +77,14 @@ void check(const std::string& name, const std::vector<Place>& points, double sha
               << std::endl;
     return double(number) / double(number_of_samples);
   };
-  const std::size_t points_of_tile = std::size_t(share * double(n));
-  CHECK(differences(2 * n, practical_halo) == 0 && number_of_tiles == 1);
-  CHECK(differences(points_of_tile, wide_halo) <= largest.with_wide_halo);
-  CHECK(number_of_tiles >= 2);
-  CHECK(differences(points_of_tile, practical_halo) <= largest.with_practical_halo);
-  CHECK(number_of_tiles >= 2);
+  CHECK(differences(2, practical_halo) == 0 && number_of_tiles == 1);
+  for (const double share : shares)
+  {
+    CHECK(differences(share, wide_halo) <= largest.with_wide_halo);
+    CHECK(number_of_tiles >= 2);
+    CHECK(differences(share, practical_halo) <= largest.with_practical_halo);
+    CHECK(number_of_tiles >= 2);
+  }
 }
 
 /// Blocks of cells with too many points are thinned: where, depends on no tile.
@@ -88,12 +94,12 @@ void check_thinned_blocks()
   const Scene strips = scene_of_strips(600);
   const std::size_t m = number_of_samples(strips, 0.5), n = strips.points().size();
   const auto np = CGAL::parameters::neighbor_radius(4).number_of_output_points(m);
-  const std::vector<Unsigned_sample> expected = in_memory<Tag>(strips.points(), np);
+  const std::vector<Sample> expected = in_memory<Tag>(strips.points(), np);
   std::size_t before = 0;
   for (const double share : {2., 0.9, 0.6})
   {
     std::size_t number_of_tiles = 0;
-    const std::vector<Unsigned_sample> found =
+    const std::vector<Sample> found =
       by_tiles<Tag>(strips.points(), std::size_t(share * double(n)), Tiles<Tag>::halo_in_radii,
                     number_of_tiles, np);
     std::cout << "thinned blocks: " << number_of_tiles << " tiles" << std::endl;
@@ -103,30 +109,78 @@ void check_thinned_blocks()
   }
 }
 
-int main()
+/// Followers of a sample that another tile keeps get its side, though their tile found it with the
+/// other one, and hardly elsewhere.
+void check_leaders_elsewhere()
+{
+  using Tag = CGAL::Parallel_if_available_tag;
+  const Scene scene(300);
+  const Points_in_memory source{scene.points()};
+  CGAL::L0_resampling::Tile_counts counts;
+  for (const Place& p : scene.points())
+    counts.add(p);
+  Tiles<Tag> tiles(std::move(counts), CGAL::parameters::number_of_output_points(3000));
+  tiles.find_facts(source, std::uint64_t(1) << 40);
+  tiles.make_tiles(std::uint64_t(1) << 40);
+  tiles.choose_how_to_orient(std::uint64_t(1) << 40);
+  CHECK(tiles.orients_at_once());
+  std::vector<internal::Unoriented_samples> unoriented = {
+    tiles.resample_tile(0, source).unoriented, {}};
+  const std::vector<internal::Tile_sample>& own = unoriented[0].own;
+  CHECK(own.size() == 3000 && unoriented[0].leaders_elsewhere.empty());
+  for (std::size_t i = 0; i < own.size(); i += 100)
+  {
+    internal::Tile_sample leader = own[i];
+    leader.position[2] += 1e-6;
+    for (float& coordinate : leader.normal)
+      coordinate = i % 200 == 0 ? coordinate : -coordinate;
+    unoriented[1].leaders_elsewhere.push_back(leader);
+  }
+  CGAL::L0_resampling::Report report;
+  const std::vector<std::vector<signed char>> signs = tiles.sides(unoriented, report);
+  CHECK(signs[0].size() == own.size() && signs[1].size() == own.size() / 100);
+  for (std::size_t k = 0; k < signs[1].size(); ++k)
+    CHECK(signs[1][k] == (k % 2 == 0 ? 1 : -1) * signs[0][100 * k]);
+}
+
+/// \param argv the length of the scenes: with 50000 they have a million points and more, and are
+/// cut into up to 64 tiles and more, which takes minutes
+int main(int argc, char** argv)
 {
   using CGAL::parameters::keep_density;
-  const auto& [even, uneven, crowds, sheets] = Scenes(1500);
+  const bool are_large = argc > 1;
+  const auto& [even, uneven, crowds, sheets] = Scenes(are_large ? std::atof(argv[1]) : 1500);
+  const auto shares = [&](double of_small_scenes) {
+    return are_large ? std::vector<double>{0.3, 0.07} : std::vector<double>{of_small_scenes};
+  };
   std::size_t m = number_of_samples(even, 0.5);
-  check<CGAL::Sequential_tag>("even", even.points(), 0.5, {0, 0.001}, m,
-                              CGAL::parameters::number_of_output_points(m));
+  const auto check_even = [&, &scene = even](auto tag) {
+    check<decltype(tag)>("even", scene.points(), shares(0.5), {0, 0.001}, m,
+                         CGAL::parameters::number_of_output_points(m));
+  };
+  if (are_large)
+    check_even(CGAL::Parallel_if_available_tag());
+  else
+    check_even(CGAL::Sequential_tag());
   // where radii are larger, the halo is narrower for them
   m = number_of_samples(uneven, 0.4);
-  check<CGAL::Parallel_if_available_tag>("uneven", uneven.points(), 0.7, {0, 0.02}, m,
+  check<CGAL::Parallel_if_available_tag>("uneven", uneven.points(), shares(0.7), {0, 0.02}, m,
                                          CGAL::parameters::number_of_output_points(m));
-  check<CGAL::Parallel_if_available_tag>("uneven, as dense as the input", uneven.points(), 0.7,
-                                         {0, 0.02}, m,
+  check<CGAL::Parallel_if_available_tag>("uneven, as dense as the input", uneven.points(),
+                                         shares(0.7), {0, 0.02}, m,
                                          keep_density(true).number_of_output_points(m));
   m = number_of_samples(crowds, 1.3); // a lone point is the start of several samples
-  check<CGAL::Parallel_if_available_tag>("crowds and outliers", crowds.points(), 0.5, {0, 0.001}, m,
+  check<CGAL::Parallel_if_available_tag>("crowds and outliers", crowds.points(), shares(0.5),
+                                         {0, 0.001}, m,
                                          CGAL::parameters::number_of_output_points(m));
   check<CGAL::Parallel_if_available_tag>(
-    "more outliers", crowds.points(), 0.5, {0, 0.001}, m,
+    "more outliers", crowds.points(), shares(0.5), {0, 0.001}, m,
     CGAL::parameters::outlier_sensitivity(2).number_of_output_points(m));
   m = number_of_samples(sheets, 0.3);
-  check<CGAL::Parallel_if_available_tag>("two sheets", sheets.points(), 0.5, {0, 0.001}, m,
+  check<CGAL::Parallel_if_available_tag>("two sheets", sheets.points(), shares(0.5), {0, 0.001}, m,
                                          CGAL::parameters::number_of_output_points(m));
   check_thinned_blocks();
+  check_leaders_elsewhere();
   for (const Scene* scene : {&even, &uneven, &crowds})
     for (const double share : {0.01, 2.})
       check_memory_of_facts(scene->points(), number_of_samples(*scene, share));

@@ -18,8 +18,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <iostream>
 #include <iterator>
+#include <new>
 #include <random>
 #include <utility>
 #include <vector>
@@ -135,44 +137,44 @@ inline std::size_t number_of_samples(const Scene& scene, double share)
 template <typename ConcurrencyTag>
 using Tiles = CGAL::L0_resampling::Tiled_resampling<ConcurrencyTag>;
 
-/// The position, and the normal with its largest coordinate positive.
-using Unsigned_sample = std::array<double, 6>;
+/// The position and the normal.
+using Sample = std::array<double, 6>;
 
-inline Unsigned_sample unsigned_sample(const Oriented& sample)
-{
-  const auto& [p, n] = sample;
-  const double largest = std::abs(n.x()) > std::abs(n.y()) && std::abs(n.x()) > std::abs(n.z())
-                           ? n.x()
-                         : std::abs(n.y()) > std::abs(n.z()) ? n.y()
-                                                             : n.z();
-  const double sign = largest < 0 ? -1 : 1;
-  return {p.x(), p.y(), p.z(), sign * n.x(), sign * n.y(), sign * n.z()};
-}
-
-inline std::vector<Unsigned_sample> sorted(std::vector<Unsigned_sample> samples)
+inline std::vector<Sample> sorted(std::vector<Sample> samples)
 {
   std::sort(samples.begin(), samples.end());
   return samples;
 }
 
+/// With the largest coordinate of each normal positive.
+inline std::vector<Sample> without_sides(std::vector<Sample> samples)
+{
+  const auto is_shorter = [](double a, double b) { return std::abs(a) < std::abs(b); };
+  for (Sample& sample : samples)
+    if (*std::max_element(sample.begin() + 3, sample.end(), is_shorter) < 0)
+      std::transform(sample.begin() + 3, sample.end(), sample.begin() + 3, std::negate<double>());
+  return sorted(std::move(samples));
+}
+
 template <typename ConcurrencyTag, typename NamedParameters>
-std::vector<Unsigned_sample> in_memory(const std::vector<Place>& points, const NamedParameters& np)
+std::vector<Sample> in_memory(const std::vector<Place>& points, const NamedParameters& np)
 {
   std::vector<Kernel::Point_3> input;
   for (const Place& p : points)
     input.emplace_back(p[0], p[1], p[2]);
   std::vector<Oriented> output;
   CGAL::l0_resample_point_set<ConcurrencyTag>(input, std::back_inserter(output), np);
-  std::vector<Unsigned_sample> samples;
-  for (const Oriented& sample : output)
-    samples.push_back(unsigned_sample(sample));
+  std::vector<Sample> samples;
+  for (const auto& [p, n] : output)
+    samples.push_back({p.x(), p.y(), p.z(), n.x(), n.y(), n.z()});
   return sorted(std::move(samples));
 }
 
-/// \param points_of_tile at most, with its halo
+/// \param points_of_tile at most, with its halo, unless a single block has more
 /// \param halo in radii
+/// \returns with their sides on the CPU; a device finds those of each tile by themselves
 template <typename ConcurrencyTag, typename NamedParameters>
-std::vector<Unsigned_sample> by_tiles(const std::vector<Place>& points, std::size_t points_of_tile,
+std::vector<Sample> by_tiles(const std::vector<Place>& points, std::size_t points_of_tile,
                                       double halo, std::size_t& number_of_tiles,
                                       const NamedParameters& np)
 {
@@ -183,37 +185,64 @@ std::vector<Unsigned_sample> by_tiles(const std::vector<Place>& points, std::siz
   Tiles<ConcurrencyTag> tiles(std::move(counts), np);
   tiles.find_facts(source, std::uint64_t(1) << 40);
   const double samples_per_point = double(tiles.number_of_samples()) / double(points.size());
-  const std::uint64_t bytes = std::uint64_t(
+  std::uint64_t bytes = std::uint64_t(
     double(points_of_tile)
     * (double(tiles.bytes_per_point) + double(tiles.bytes_per_sample) * samples_per_point));
-  tiles.make_tiles(bytes, halo);
+  for (bool is_cut = false; !is_cut;)
+    try
+    {
+      tiles.make_tiles(bytes, halo);
+      is_cut = true;
+    }
+    catch (const std::bad_alloc&) // the largest block and what is around it are more
+    {
+      bytes += bytes / 4;
+    }
+  tiles.choose_how_to_orient(std::uint64_t(1) << 40);
   number_of_tiles = tiles.tiles().size();
   CHECK(tiles.has_all_facts());
-  std::vector<Unsigned_sample> samples;
+  std::vector<CGAL::L0_resampling::Tile_result> results;
+  std::vector<CGAL::L0_resampling::internal::Unoriented_samples> unoriented;
   for (std::size_t tile = 0; tile < number_of_tiles; ++tile)
   {
-    const CGAL::L0_resampling::Tile_result result = tiles.resample_tile(tile, source);
+    const CGAL::L0_resampling::Tile_result& result = results.emplace_back(
+      tiles.resample_tile(tile, source));
+    unoriented.push_back(result.unoriented);
     const std::uint64_t of_known_points = result.report.number_of_input_points
                                           * sizeof(CGAL::L0_resampling::internal::Point_in_cloud);
     const std::uint64_t peak = result.report.peak_bytes + of_known_points;
     if (result.report.device == "cpu" && !CHECK(peak <= bytes))
       std::cerr << "  a tile takes " << peak << " bytes of " << bytes << std::endl;
-    for (const CGAL::L0_resampling::Tile_sample& sample : result.samples)
+  }
+  std::vector<std::vector<signed char>> signs;
+  if (tiles.orients_at_once())
+  {
+    CGAL::L0_resampling::Report report;
+    signs = tiles.sides(unoriented, report);
+    std::uint64_t peak = report.peak_bytes;
+    for (const CGAL::L0_resampling::internal::Unoriented_samples& tile : unoriented)
+      peak += (tile.own.size() + tile.leaders_elsewhere.size()) * (sizeof tile.own[0] + 1);
+    const std::uint64_t bound = tiles.number_of_samples() * tiles.bytes_per_sample_of_sides;
+    if (!CHECK(peak <= bound))
+      std::cerr << "  sides take " << peak << " bytes of " << bound << std::endl;
+  }
+  std::vector<Sample> samples;
+  for (std::size_t tile = 0; tile < number_of_tiles; ++tile)
+    for (const CGAL::L0_resampling::Tile_sample& sample : results[tile].samples)
     {
       const Place& p = sample.position;
-      const Vector unit = Eigen::Vector3f(sample.normal.data()).cast<double>().normalized();
-      samples.push_back(unsigned_sample(
-        {Kernel::Point_3(p[0], p[1], p[2]), Kernel::Vector_3(unit[0], unit[1], unit[2])}));
+      const double sign = signs.empty() ? 1 : signs[tile][sample.tree];
+      const Vector n = sign * Eigen::Vector3f(sample.normal.data()).cast<double>().normalized();
+      samples.push_back({p[0], p[1], p[2], n[0], n[1], n[2]});
     }
-  }
   return sorted(std::move(samples));
 }
 
 /// How many of the samples are not the same ones.
-inline std::size_t number_of_different(const std::vector<Unsigned_sample>& a,
-                                       const std::vector<Unsigned_sample>& b)
+inline std::size_t number_of_different(const std::vector<Sample>& a,
+                                       const std::vector<Sample>& b)
 {
-  std::vector<Unsigned_sample> common;
+  std::vector<Sample> common;
   std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(common));
   return (std::max)(a.size(), b.size()) - common.size();
 }

@@ -21,6 +21,7 @@
 #include <CGAL/L0_resampling/internal/normals/estimate_pca_normals.h>
 #include <CGAL/L0_resampling/internal/normals/filter_normals.h>
 #include <CGAL/L0_resampling/internal/normals/refit_normals.h>
+#include <CGAL/L0_resampling/internal/orientation/order_of_places.h>
 #include <CGAL/L0_resampling/internal/orientation/orient_normals.h>
 #include <CGAL/L0_resampling/internal/orientation/side_hints.h>
 #include <CGAL/L0_resampling/internal/plan/Plan.h>
@@ -317,6 +318,8 @@ public:
   /// \returns the orientation, but for the confidences if these are kept for the result
   Orientation orient_normals(const Plan& plan)
   {
+    if (plan.refines)
+      sort_by_places(plan);
     Orientation orientation = internal::orient_normals<ConcurrencyTag>(
       m_samples.positions, plan.number_of_orientation_neighbors, plan.sample_spacing,
       side_hints(m_parameters, m_frame, m_samples.positions, m_samples.hints), m_progress,
@@ -415,6 +418,16 @@ protected:
     for (std::size_t i = 0; i < rows.offsets.size(); ++i)
       rows.offsets[i] = i;
     return rows;
+  }
+
+  /// Sides are not to depend on where samples were before, nor on what part of a cloud they are,
+  /// where these may be parts.
+  void sort_by_places(const Plan& plan)
+  {
+    const Buffer<Index> order = order_of_places<ConcurrencyTag>(m_samples.positions, plan);
+    apply_order<ConcurrencyTag>(order, m_samples);
+    if (!m_noises.empty())
+      apply_order<ConcurrencyTag>(order, m_noises);
   }
 
   /// Whether other samples repel each other than those that the energy couples.

@@ -37,10 +37,13 @@ class Tile_backend : public Cpu_backend<ConcurrencyTag, FT>
   using Base::m_samples;
 
   const std::vector<Point_in_cloud>& m_points; // in their first order
+  const bool m_finds_sides;
   Buffer<unsigned char> m_are_starts_own;      // of the samples in their first order
   Buffer<unsigned char> m_are_own; // of the samples of the result: whether the tile keeps them
   Buffer<Index> m_trees;           // likewise: those of the orientation
   Buffer<float> m_confidences;     // likewise
+  std::vector<Tile_sample> m_unoriented; // if sides are found later: each tree, which is a sample
+  std::vector<unsigned char> m_are_trees_own;
 
   const Point_in_cloud& known_of(std::size_t sorted) const
   {
@@ -52,12 +55,13 @@ public:
 
   /// \param known of each of the points, not all outliers
   Tile_backend(const Facts_of_cloud& facts, const std::vector<Point_in_cloud>& known,
-               Buffer<Vector>& points, Buffer<Local_vector>& no_normals,
+               bool finds_sides, Buffer<Vector>& points, Buffer<Local_vector>& no_normals,
                Buffer<Local_vector>& no_hints, const Parameters& parameters, Any_solver<FT>& solver,
                Progress& progress, Report& report)
     : Base(points, no_normals, no_hints, parameters, solver, progress, report, facts),
-      m_points(known), m_are_starts_own(points.get_allocator()), m_are_own(points.get_allocator()),
-      m_trees(points.get_allocator()), m_confidences(points.get_allocator())
+      m_points(known), m_finds_sides(finds_sides), m_are_starts_own(points.get_allocator()),
+      m_are_own(points.get_allocator()), m_trees(points.get_allocator()),
+      m_confidences(points.get_allocator())
   {
     m_input.keep_indices();
   }
@@ -128,6 +132,11 @@ public:
 
   void orient_normals(const Plan& plan)
   {
+    if (!m_finds_sides)
+    {
+      keep_unoriented(plan);
+      return;
+    }
     const Orientation orientation = Base::orient_normals(plan);
     m_confidences = copy_of(orientation.confidences);
     m_trees.reserve(m_confidences.size());
@@ -149,9 +158,29 @@ public:
     Base::append_followers();
   }
 
-  const Buffer<unsigned char>& are_own() const { return m_are_own; }
-  const Buffer<Index>& trees() const { return m_trees; }
-  const Buffer<float>& confidences() const { return m_confidences; }
+  /// Of the tile, once it was run.
+  Samples_of_tile<FT> take_found()
+  {
+    return {Base::take_result(),      std::move(m_are_own),    std::move(m_trees),
+            std::move(m_confidences), std::move(m_unoriented), std::move(m_are_trees_own)};
+  }
+
+private:
+  /// Notes what sides follow from. The samples are in the order that they have in a call for the
+  /// whole cloud.
+  void keep_unoriented(const Plan& plan)
+  {
+    Base::sort_by_places(plan);
+    const std::size_t m = m_samples.positions.size();
+    m_trees.reserve(m);
+    for_each_in_order(m, [&](std::size_t i) {
+      const Vector& p = m_samples.positions[i];
+      const auto& n = m_samples.normals[i];
+      m_trees.push_back(Index(i));
+      m_unoriented.push_back({{p[0], p[1], p[2]}, {float(n[0]), float(n[1]), float(n[2])}, 0});
+      m_are_trees_own.push_back(m_are_starts_own[m_samples.start_indices[i]]);
+    });
+  }
 };
 
 } // namespace internal

@@ -16,6 +16,7 @@
 #include <CGAL/L0_resampling/internal/energy/Any_solver.h>
 #include <CGAL/L0_resampling/internal/tiles/Runs_of_cells.h>
 #include <CGAL/L0_resampling/internal/tiles/Tiling.h>
+#include <CGAL/L0_resampling/internal/tiles/stitch_tiles.h>
 
 #include <algorithm>
 #include <functional>
@@ -78,7 +79,9 @@ struct Samples_of_tile
   Oriented_points<FT> points;
   Buffer<unsigned char> are_own; ///< whether the tile keeps each of them
   Buffer<Index> trees;           ///< samples of one have sides relative to each other
-  Buffer<float> confidences;     ///< of their sides
+  Buffer<float> confidences;     ///< of their sides; none if these are not found
+  std::vector<Tile_sample> unoriented;       ///< then: each tree, which is a sample
+  std::vector<unsigned char> are_trees_own; ///< likewise: whether the tile keeps it
 };
 
 /// Whether a sample of a tile, or of its halo, starts on one of the points.
@@ -92,11 +95,24 @@ inline bool are_there_starts(const std::vector<Point_in_cloud>& points)
 /// \param points of both; used up
 /// \param known of each point; samples start on some
 /// \param facts of the cloud, as far as they are known
+/// \param finds_sides if not, each sample is a tree
 /// \param parameters of the call for the whole cloud, checked
 template <typename ConcurrencyTag, typename FT>
 Samples_of_tile<FT> resample_tile(Buffer<Vector>& points, const std::vector<Point_in_cloud>& known,
-                                  const Facts_of_cloud& facts, const Parameters& parameters,
-                                  Any_solver<FT>& solver, Progress& progress, Report& report);
+                                  const Facts_of_cloud& facts, bool finds_sides,
+                                  const Parameters& parameters, Any_solver<FT>& solver,
+                                  Progress& progress, Report& report);
+
+/// The sides of the samples of all tiles, as a call for the whole cloud finds them.
+/// \param tiles what is to be oriented of each
+/// \param plan of the cloud, with the spacing of its samples
+/// \param parameters of the call for the whole cloud, checked
+/// \returns of each tile: the signs of its own samples, and of the leaders that it has elsewhere
+template <typename ConcurrencyTag>
+std::vector<std::vector<signed char>> sides_of_tiles(const std::vector<Unoriented_samples>& tiles,
+                                                     const Facts_of_cloud& facts, const Plan& plan,
+                                                     const Parameters& parameters,
+                                                     Progress& progress, Memory_counter& memory);
 
 } // namespace internal
 } // namespace L0_resampling

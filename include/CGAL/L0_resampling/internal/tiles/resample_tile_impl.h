@@ -95,15 +95,15 @@ std::vector<Point_in_cloud> points_of_tile(Buffer<Vector>& points, const Facts_o
 
 template <typename ConcurrencyTag, typename FT>
 Samples_of_tile<FT> resample_tile(Buffer<Vector>& points, const std::vector<Point_in_cloud>& known,
-                                  const Facts_of_cloud& facts, const Parameters& parameters,
-                                  Any_solver<FT>& solver, Progress& progress, Report& report)
+                                  const Facts_of_cloud& facts, bool finds_sides,
+                                  const Parameters& parameters, Any_solver<FT>& solver,
+                                  Progress& progress, Report& report)
 {
   Buffer<Local_vector> no_normals(points.get_allocator()), no_hints(points.get_allocator());
-  Tile_backend<ConcurrencyTag, FT> backend(facts, known, points, no_normals, no_hints, parameters,
-                                           solver, progress, report);
+  Tile_backend<ConcurrencyTag, FT> backend(facts, known, finds_sides, points, no_normals, no_hints,
+                                           parameters, solver, progress, report);
   run(plan_call(parameters, backend), backend);
-  return {backend.take_result(), copy_of(backend.are_own()), copy_of(backend.trees()),
-          copy_of(backend.confidences())};
+  return backend.take_found();
 }
 
 } // namespace internal

@@ -30,6 +30,14 @@ struct Tile_sample
   std::uint32_t tree; ///< samples of one tree of a tile have sides relative to each other
 };
 
+/// The samples of a tile whose sides are found together with those of all tiles: in the frame of
+/// the cloud, before they are projected.
+struct Unoriented_samples
+{
+  std::vector<Tile_sample> own;
+  std::vector<Tile_sample> leaders_elsewhere; ///< other tiles keep them, this one their followers
+};
+
 /// How well the samples agree that two tiles have both found.
 struct Seam_report
 {
