@@ -8,6 +8,7 @@
 
 #include <CGAL/L0_resampling/Report.h>
 #include <CGAL/L0_resampling/internal/driver/orient_point_set.h>
+#include <CGAL/L0_resampling/internal/interface/Given_parameters.h>
 #include <CGAL/L0_resampling/internal/interface/checked_parameters.h>
 #include <CGAL/L0_resampling/internal/interface/checked_types.h>
 #include <CGAL/L0_resampling/internal/interface/points_of_range.h>
@@ -103,48 +104,51 @@ void write_oriented_normals(PointRange& range, NormalMap normal_map,
   });
 }
 
-/// The whole function, once the property maps are known.
-/// \param normal_map an optional: without a value, all normals are estimated
-/// \param map_to_write called once there is a result; gives the normal map that takes it
-template <typename ConcurrencyTag, typename PointRange, typename PointMap, typename NormalMap,
-          typename MapToWrite, typename NamedParameters>
-void orient_range(PointRange& range, PointMap point_map, const std::optional<NormalMap>& normal_map,
-                  const MapToWrite& map_to_write, const NamedParameters& np)
+/// Where the range is read and written.
+template <typename ConcurrencyTag>
+using Host_tag = std::conditional_t<std::is_same<ConcurrencyTag, CUDA_tag>::value,
+                                    Parallel_if_available_tag, ConcurrencyTag>;
+
+/// What of a call does not depend on the types of its range and maps.
+/// \param size of the range
+/// \param wanted_report may be null
+/// \param read_positions as `read_points()`
+/// \param read_normals_and_hints as far as they are given
+/// \param write called once there is a result
+template <typename ConcurrencyTag>
+void orient_points(std::size_t size, const Given_parameters& given, Report* wanted_report,
+                   const Function_view<Report&, Input&>& read_positions,
+                   const Function_view<Input&>& read_normals_and_hints,
+                   const Function_view<const Oriented_representatives&, const Input&>& write)
 {
   Report unwanted_report;
-  Report& report = report_of_call(np, unwanted_report);
+  Report& report = wanted_report ? *wanted_report : unwanted_report;
   constexpr bool is_on_device = std::is_same<ConcurrencyTag, CUDA_tag>::value;
-  using Host_tag = std::conditional_t<is_on_device, Parallel_if_available_tag, ConcurrencyTag>;
   report.device = is_on_device ? "cuda" : "cpu";
   report.device_reason = is_on_device ? "asked for" : "compiled for the CPU";
 
-  std::function<bool(double)> callback;
-  read_parameter(np, internal_np::callback, callback);
-  bool drop_non_finite = false;
-  read_parameter(np, internal_np::drop_non_finite, drop_non_finite);
-
   // Checked before any point is looked at
-  const std::size_t size = std::size_t(std::distance(range.begin(), range.end()));
-  Parameters parameters = checked_orientation_parameters(np, size);
-  if (!drop_non_finite && least_memory_to_orient(size) > parameters.maximum_memory)
+  Parameters parameters = checked_orientation_parameters(given, size);
+  if (!given.drop_non_finite.value_or(false)
+      && least_memory_to_orient(size) > parameters.maximum_memory)
     throw std::bad_alloc();
   Memory_counter unlimited, limited(parameters.maximum_memory);
   Memory_counter& memory = is_on_device ? unlimited : limited; // the limit is of the device there
   Input input(&memory);
-  Progress progress(is_on_device ? nullptr : callback, report, memory);
+  Progress progress(is_on_device ? nullptr : given.callback, report, memory);
   Oriented_representatives representatives{Buffer<Index>(&memory), Buffer<Local_vector>(&memory),
                                            Buffer<Local_vector>(&memory)};
   try
   {
-    read_points<Host_tag>(range, point_map, drop_non_finite, report, input, orienting_function);
+    read_positions(report, input);
     parameters.number_of_output_points = input.points.size();
     if (input.points.empty())
       return;
     if (least_memory_to_orient(input.points.size()) > parameters.maximum_memory)
       throw std::bad_alloc();
-    read_normals_if_given<Host_tag>(range, normal_map, input);
-    read_hints_if_given<Host_tag>(range, point_map, np, input);
-    representatives = orient_input<ConcurrencyTag>(input, parameters, callback, progress, report);
+    read_normals_and_hints(input);
+    representatives = orient_input<ConcurrencyTag>(input, parameters, given.callback, progress,
+                                                   report);
   }
   catch (const Interrupted&)
   {
@@ -153,8 +157,36 @@ void orient_range(PointRange& range, PointMap point_map, const std::optional<Nor
   }
   if (report.outcome == Outcome::CANCELLED)
     return;
-  write_oriented_normals<Host_tag>(range, map_to_write(), representatives, input);
+  write(representatives, input);
   report.number_of_output_points = representatives.of_points.size();
+}
+
+/// The whole function, once the property maps are known.
+/// \param normal_map an optional: without a value, all normals are estimated
+/// \param map_to_write called once there is a result; gives the normal map that takes it
+template <typename ConcurrencyTag, typename PointRange, typename PointMap, typename NormalMap,
+          typename MapToWrite, typename NamedParameters>
+void orient_range(PointRange& range, PointMap point_map, const std::optional<NormalMap>& normal_map,
+                  const MapToWrite& map_to_write, const NamedParameters& np)
+{
+  using Tag = Host_tag<ConcurrencyTag>;
+  Report* const report = report_of_call(np);
+  const Given_parameters given(np);
+  const auto read_positions = [&](Report& r, Input& input) {
+    read_points<Tag>(range, point_map, given.drop_non_finite.value_or(false), r, input,
+                     orienting_function);
+  };
+  const auto read_normals_and_hints = [&](Input& input) {
+    read_normals_if_given<Tag>(range, normal_map, input);
+    read_hints_if_given<Tag>(range, point_map, np, input);
+  };
+  const auto write = [&](const Oriented_representatives& representatives, const Input& input) {
+    write_oriented_normals<Tag>(range, map_to_write(), representatives, input);
+  };
+  orient_points<ConcurrencyTag>(
+    std::size_t(std::distance(range.begin(), range.end())), given, report,
+    Function_view<Report&, Input&>(read_positions), Function_view<Input&>(read_normals_and_hints),
+    Function_view<const Oriented_representatives&, const Input&>(write));
 }
 
 /// Refuses at compile time what does not fit, and else runs.

@@ -42,7 +42,8 @@ void l0_resample_point_set(const PointRange& range, PointMap point_map, NormalMa
                            std::size_t near_count, const Write& write, const NamedParameters& np)
 {
   if constexpr (!std::is_same<ConcurrencyTag, CUDA_tag>::value)
-    resample_on_cpu<ConcurrencyTag, Kernel, Block_chebyshev_solver_traits<Local, ConcurrencyTag>>(
+    resample_range_on_cpu<ConcurrencyTag, Kernel,
+                          Block_chebyshev_solver_traits<Local, ConcurrencyTag>>(
       range, point_map, normal_map, near_count, write, np);
   else
   {

@@ -12,6 +12,7 @@
 #include <CGAL/L0_resampling/internal/driver/orient_point_set_impl.h>
 #include <CGAL/L0_resampling/internal/driver/resample_impl.h>
 #include <CGAL/L0_resampling/internal/interface/points_of_range.h>
+#include <CGAL/L0_resampling/internal/interface/resample_on_cpu.h>
 #include <CGAL/L0_resampling/internal/search/nearest_input_points.h>
 #include <CGAL/L0_resampling/internal/tiles/resample_tile_impl.h>
 #include <CGAL/L0_resampling/internal/tiles/sides_of_tiles_impl.h>
@@ -30,7 +31,11 @@
   template Buffer<std::array<FT, 3>> rounded_positions<Tag, FT>(const Buffer<Vector>&,             \
                                                                 const Input&, double, bool);       \
   template void nearest_input_points<Tag, FT>(                                                     \
-    const Point_tree_3&, const Buffer<std::array<FT, 3>>&, Progress&, Near_points&);
+    const Point_tree_3&, const Buffer<std::array<FT, 3>>&, Progress&, Near_points&);               \
+  template void resample_on_cpu<Tag, FT, float>(const Call_of_any_types&, Any_solver<float>&,      \
+                                                const Result_function<FT, float>&);                \
+  template void resample_on_cpu<Tag, FT, double>(const Call_of_any_types&, Any_solver<double>&,    \
+                                                 const Result_function<FT, double>&);
 
 /// Those for a concurrency tag alone.
 #define CGAL_L0_COMPILED_TEMPLATES_OF_TAG(Tag)                                                     \

@@ -17,6 +17,7 @@
 #include <CGAL/L0_resampling/internal/device/cuda_answer.h>
 #include <CGAL/L0_resampling/internal/device/cuda_device_arrays.h>
 #include <CGAL/L0_resampling/internal/device/cuda_interface.h>
+#include <CGAL/L0_resampling/internal/interface/Given_parameters.h>
 #include <CGAL/L0_resampling/internal/interface/Point_data.h>
 #include <CGAL/L0_resampling/internal/interface/checked_parameters.h>
 #include <CGAL/L0_resampling/internal/interface/checked_types.h>
@@ -59,7 +60,9 @@ Near_points nearest_input_points_of_range(const PointRange& points, PointMap poi
   Report unwanted_report;
   Memory_counter memory;
   Progress progress(nullptr, unwanted_report, memory);
-  nearest_input_points<Parallel_if_available_tag>(tree_of_range(points, point_map, memory),
+  const std::size_t size = std::size_t(std::distance(points.begin(), points.end()));
+  const auto for_each = [&](const Point_function& f) { for_each_point(points, point_map, f); };
+  nearest_input_points<Parallel_if_available_tag>(tree_of_range(size, Each_point(for_each), memory),
                                                   positions, progress, near_points);
   return near_points;
 }
@@ -194,8 +197,8 @@ public:
     using namespace internal;
     const auto find_near = [&](const Buffer<std::array<FT, 3>>& positions,
                                Near_points& near_points) {
-      near_points = nearest_input_points_of_range(points, point_map, positions,
-                                                  number_of_near_points(np, near_count));
+      near_points = nearest_input_points_of_range(
+        points, point_map, positions, number_of_near_points(Given_parameters(np), near_count));
     };
     resample_and_write(find_near, write, np);
   }
@@ -228,9 +231,9 @@ public:
     m_has_hints = hints != nullptr;
     m_has_viewpoints = viewpoints != nullptr;
     Given_sides{false, false, m_has_viewpoints, m_has_hints}.check_at_most_one();
-    bool drop_non_finite = false;
-    read_parameter(np, internal_np::drop_non_finite, drop_non_finite);
-    const Parameters checked = checked_parameters(np, size);
+    const Given_parameters given(np);
+    const bool drop_non_finite = given.drop_non_finite.value_or(false);
+    const Parameters checked = checked_parameters(given, size);
     if (size == 0)
       return;
     cuda::Device_points taken;
@@ -331,18 +334,24 @@ private:
   template <typename NamedParameters>
   bool compute(const NamedParameters& np, internal::Parameters& parameters, Report& report)
   {
-    using namespace internal;
     static_assert(
       parameters::is_default_parameter<NamedParameters, internal_np::sparse_linear_solver_t>::value,
       "On the device there is one solver. CUDA_least_squares_solver_traits runs beside the stages "
       "of the CPU.");
+    return compute(internal::Given_parameters(np), parameters, report);
+  }
+
+  bool compute(const internal::Given_parameters& given, internal::Parameters& parameters,
+               Report& report)
+  {
+    using namespace internal;
     report = Report();
     report.device = "cuda";
     report.device_reason = "asked for";
     report.number_of_input_points = m_size;
     report.number_of_dropped_points = m_number_of_dropped_points;
-    parameters = checked_parameters(np, m_size);
-    Given_sides sides = given_sides(np);
+    parameters = checked_parameters(given, m_size);
+    Given_sides sides = given_sides(given);
     sides.viewpoint_map = m_has_viewpoints;
     sides.orientation_hint_map = m_has_hints;
     sides.check_at_most_one();
@@ -350,9 +359,7 @@ private:
     if (parameters.number_of_output_points == 0)
       return false;
 
-    std::function<bool(double)> callback;
-    read_parameter(np, internal_np::callback, callback);
-    Device_progress progress(callback);
+    Device_progress progress(given.callback);
     cuda::Call_report call;
     cuda::Answer answer = cuda::resample(*m_session, parameters, progress.as_callback(), call);
     fill_report(call, report);
@@ -377,7 +384,8 @@ private:
   {
     using namespace internal;
     Report unwanted_report;
-    Report& report = report_of_call(np, unwanted_report);
+    Report* const wanted_report = report_of_call(np);
+    Report& report = wanted_report ? *wanted_report : unwanted_report;
     Parameters parameters;
     if (!compute(np, parameters, report))
       return;
@@ -415,13 +423,13 @@ public:
     using namespace internal;
     m_size = 0;
     Report report;
-    bool drop_non_finite = false;
-    read_parameter(np, internal_np::drop_non_finite, drop_non_finite);
+    const Given_parameters given(np);
     // checked before any point is looked at
     const Parameters checked =
-      checked_parameters(np, std::size_t(std::distance(points.begin(), points.end())));
+      checked_parameters(given, std::size_t(std::distance(points.begin(), points.end())));
     Input input;
-    read_points<Parallel_if_available_tag>(points, point_map, drop_non_finite, report, input);
+    read_points<Parallel_if_available_tag>(points, point_map, given.drop_non_finite.value_or(false),
+                                           report, input);
     read_normals_if_given<Parallel_if_available_tag>(points, normal_map, input);
     read_hints_if_given<Parallel_if_available_tag>(points, point_map, np, input);
     m_has_viewpoints = checked.hints_are_viewpoints;

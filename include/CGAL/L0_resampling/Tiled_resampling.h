@@ -11,6 +11,7 @@
 #include <CGAL/L0_resampling/Source_box.h>
 #include <CGAL/L0_resampling/Tile_result.h>
 #include <CGAL/L0_resampling/internal/cloud/areas_of_points.h>
+#include <CGAL/L0_resampling/internal/interface/Given_parameters.h>
 #include <CGAL/L0_resampling/internal/interface/checked_parameters.h>
 #include <CGAL/L0_resampling/internal/interface/points_of_range.h>
 #include <CGAL/L0_resampling/internal/tiles/Blocks_of_tile.h>
@@ -170,9 +171,14 @@ public:
   /// keep to it, and to what they are given
   template <typename NamedParameters>
   Tiled_resampling(Tile_counts counts, const NamedParameters& np)
-    : m_parameters(internal::checked_parameters(np, 1)), m_cloud(std::move(counts))
+    : Tiled_resampling(std::move(counts), internal::Given_parameters(np))
+  {}
+
+  /// \cond SKIP_IN_MANUAL
+  Tiled_resampling(Tile_counts counts, const internal::Given_parameters& given)
+    : m_parameters(internal::checked_parameters(given, 1)), m_callback(given.callback),
+      m_cloud(std::move(counts))
   {
-    internal::read_parameter(np, internal_np::callback, m_callback);
     if (m_parameters.method != Method::DEFAULT)
       throw std::invalid_argument("l0_resample_tiles: only the default method works by tiles");
     if (m_parameters.keep_density
@@ -180,6 +186,7 @@ public:
       throw std::invalid_argument(
         "l0_resample_tiles: keep_density takes fewer than 2^32 points, and gives fewer");
   }
+  /// \endcond
 
   const std::vector<std::pair<internal::Block, std::uint64_t>>& blocks() const
   {

@@ -6,9 +6,8 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_POINT_DATA_H
 #define CGAL_L0_RESAMPLING_INTERNAL_POINT_DATA_H
 
-#include <CGAL/L0_resampling/internal/interface/checked_parameters.h>
+#include <CGAL/L0_resampling/internal/interface/Given_parameters.h>
 #include <CGAL/L0_resampling/internal/search/nearest_input_points.h>
-#include <CGAL/L0_resampling/named_parameters.h>
 
 #include <CGAL/property_map.h>
 
@@ -48,12 +47,11 @@ inline Buffer<float> neighbor_radii(Buffer<float> scales, std::size_t number_of_
   return lengths_of_input(std::move(scales), neighbor_radius);
 }
 
-/// How many near points a call with these named parameters has to find, of which `others` are asked
-/// for elsewhere.
-template <typename NamedParameters>
-std::size_t number_of_near_points(const NamedParameters& np, std::size_t others)
+/// How many near points a call with these parameters has to find, of which `others` are asked for
+/// elsewhere.
+inline std::size_t number_of_near_points(const Given_parameters& given, std::size_t others)
 {
-  return (std::max)(others, std::size_t(is_given(np, internal_np::source_index_map)));
+  return (std::max)(others, std::size_t(given.source_index_map.value));
 }
 
 /// Writes the data to the maps among the named parameters.

@@ -7,7 +7,8 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_POINTS_OF_RANGE_H
 
 #include <CGAL/L0_resampling/internal/cloud/separate_coincident_points.h>
-#include <CGAL/L0_resampling/internal/interface/checked_parameters.h>
+#include <CGAL/L0_resampling/internal/core/parallel_for.h>
+#include <CGAL/L0_resampling/internal/interface/Given_parameters.h>
 #include <CGAL/L0_resampling/internal/search/nearest_input_points.h>
 
 #include <CGAL/property_map.h>
@@ -330,46 +331,54 @@ void read_hints_if_given(const PointRange& range, PointMap point_map, const Name
   });
 }
 
-/// The finite points of the range, each with its place in it.
+/// Of the place of a point in the range, and the point.
+using Point_function = Function_view<std::size_t, const Vector&>;
+
+/// `for_each_point()` of a range and its point map, for functions that do not depend on their
+/// types.
+using Each_point = Function_view<const Point_function&>;
+
+/// Calls `f` for each point of the range, in its order.
 template <typename PointRange, typename PointMap>
-Point_tree_3 tree_of_range(const PointRange& range, PointMap point_map, Memory_counter& memory)
+void for_each_point(const PointRange& range, PointMap point_map, const Point_function& f)
 {
-  Buffer<Vector> points(&memory);
-  Buffer<Index> indices(&memory);
-  const std::size_t size = std::size_t(std::distance(range.begin(), range.end()));
-  points.reserve(size);
-  indices.reserve(size);
-  Index index = 0;
+  std::size_t index = 0;
   for (auto it = range.begin(); it != range.end(); ++it, ++index)
   {
     if (index % points_per_look == 0)
       poll_for_cancellation();
-    const Vector point = as_vector(get(point_map, *it));
-    if (!point.allFinite())
-      continue;
-    points.push_back(point);
-    indices.push_back(index);
+    f(index, as_vector(get(point_map, *it)));
   }
+}
+
+/// The finite points of a range of that size, each with its place in it.
+inline Point_tree_3 tree_of_range(std::size_t size, const Each_point& for_each,
+                                  Memory_counter& memory)
+{
+  Buffer<Vector> points(&memory);
+  Buffer<Index> indices(&memory);
+  points.reserve(size);
+  indices.reserve(size);
+  for_each(Point_function([&](std::size_t index, const Vector& point) {
+    if (!point.allFinite())
+      return;
+    points.push_back(point);
+    indices.push_back(Index(index));
+  }));
   return Point_tree_3(std::move(points), std::move(indices));
 }
 
-/// The number of distinct finite points of the range, counted before any scaling can make two of
-/// them one.
-template <typename PointRange, typename PointMap>
-std::size_t number_of_distinct_points(const PointRange& range, PointMap point_map,
-                                      Memory_counter& memory)
+/// The number of distinct finite points of a range of that size, counted before any scaling can
+/// make two of them one.
+inline std::size_t number_of_distinct_points(std::size_t size, const Each_point& for_each,
+                                             Memory_counter& memory)
 {
   Buffer<Vector> points(&memory);
-  points.reserve(std::size_t(std::distance(range.begin(), range.end())));
-  std::size_t index = 0;
-  for (auto it = range.begin(); it != range.end(); ++it)
-  {
-    if (index++ % points_per_look == 0)
-      poll_for_cancellation();
-    const Vector point = as_vector(get(point_map, *it));
+  points.reserve(size);
+  for_each(Point_function([&](std::size_t, const Vector& point) {
     if (point.allFinite())
       points.push_back(point);
-  }
+  }));
   const auto comes_first = [](const Vector& a, const Vector& b) {
     return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
   };
