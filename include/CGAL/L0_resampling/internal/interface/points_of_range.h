@@ -176,60 +176,47 @@ struct Block_of_points
   Vector low = Vector::Constant(std::numeric_limits<double>::infinity()), high = -low;
 };
 
-/// Reads the points of the range, without the non-finite ones if they are to be dropped.
-/// \throws std::invalid_argument for the first non-finite point if they are not
-template <typename ConcurrencyTag, typename PointRange, typename PointMap>
-void read_points(const PointRange& range, PointMap point_map, bool drop_non_finite, Report& report,
-                 Input& input, const char* function = resampling_function)
+/// What is found in a range.
+struct Found_points
 {
-  const std::size_t size = std::size_t(std::distance(range.begin(), range.end()));
-  input.size_of_range = size;
-  if (drop_non_finite)
-    find_finite_points<ConcurrencyTag>(range, point_map, input);
-
-  std::vector<Block_of_points> blocks(number_of_blocks(size));
-  // What is behind the first point that is not finite need not be read: the call refuses it.
+  std::vector<Block_of_points> blocks;
+  /// What is behind the first point that is not finite need not be read: the call refuses it.
   std::atomic<std::size_t> first_non_finite{(std::numeric_limits<std::size_t>::max)()};
-  const auto read_block = [&](auto& it, std::size_t begin, std::size_t end) {
-    Block_of_points block;
-    std::size_t place = input.place_of_block(begin);
-    if (place > first_non_finite)
-      return;
-    for (std::size_t i = begin; i < end; ++i, ++it)
-    {
-      if (!input.keeps(i))
-        continue;
-      const Vector point = as_vector(get(point_map, *it));
-      if (!point.allFinite())
-      {
-        std::size_t first = first_non_finite;
-        while (place < first && !first_non_finite.compare_exchange_weak(first, place))
-          ;
-        input.points[place] = point;
-        return;
-      }
-      block.low = block.low.cwiseMin(point);
-      block.high = block.high.cwiseMax(point);
-      input.points[place++] = point;
-    }
-    blocks[begin / points_per_look] = block;
-  };
+
+  void note_non_finite(std::size_t place)
+  {
+    std::size_t first = first_non_finite;
+    while (place < first && !first_non_finite.compare_exchange_weak(first, place))
+      ;
+  }
+};
+
+/// Reads the points of a range of which is known which are kept.
+/// \param read_blocks called with the begin and the end of whole blocks of the range, in its order
+/// \throws std::invalid_argument for the first non-finite point
+inline void read_points_by_blocks(
+  const Function_view<std::size_t, std::size_t, Found_points&>& read_blocks, Report& report,
+  Input& input, const char* function)
+{
+  const std::size_t size = input.size_of_range;
+  Found_points found;
+  found.blocks.resize(number_of_blocks(size));
   // The first block alone: a map that throws does so before there is memory for all points, and a
   // point that is not finite is refused.
-  auto it = range.begin();
   std::size_t begin = 0;
   for (const std::size_t end : {(std::min)(size, points_per_look), size})
   {
     input.points.reserve(input.place_of_block(end));
     input.points.resize(input.place_of_block(end));
-    for_each_block_of_range<ConcurrencyTag>(it, begin, end, read_block);
-    if (first_non_finite < input.points.size())
-      refuse_non_finite_point(first_non_finite, input.points[first_non_finite], function);
+    read_blocks(begin, end, found);
+    if (found.first_non_finite < input.points.size())
+      refuse_non_finite_point(found.first_non_finite, input.points[found.first_non_finite],
+                              function);
     begin = end;
   }
 
   Block_of_points all;
-  for (const Block_of_points& block : blocks)
+  for (const Block_of_points& block : found.blocks)
   {
     all.low = all.low.cwiseMin(block.low);
     all.high = all.high.cwiseMax(block.high);
@@ -241,6 +228,45 @@ void read_points(const PointRange& range, PointMap point_map, bool drop_non_fini
   }
   report.number_of_input_points = input.points.size();
   report.number_of_dropped_points = size - input.points.size();
+}
+
+/// Reads the points of the range, without the non-finite ones if they are to be dropped.
+/// \throws std::invalid_argument for the first non-finite point if they are not
+template <typename ConcurrencyTag, typename PointRange, typename PointMap>
+void read_points(const PointRange& range, PointMap point_map, bool drop_non_finite, Report& report,
+                 Input& input, const char* function = resampling_function)
+{
+  input.size_of_range = std::size_t(std::distance(range.begin(), range.end()));
+  if (drop_non_finite)
+    find_finite_points<ConcurrencyTag>(range, point_map, input);
+  auto block_begin = range.begin();
+  const auto read_blocks = [&](std::size_t first, std::size_t last, Found_points& found) {
+    const auto read_block = [&](auto& it, std::size_t begin, std::size_t end) {
+      Block_of_points block;
+      std::size_t place = input.place_of_block(begin);
+      if (place > found.first_non_finite)
+        return;
+      for (std::size_t i = begin; i < end; ++i, ++it)
+      {
+        if (!input.keeps(i))
+          continue;
+        const Vector point = as_vector(get(point_map, *it));
+        if (!point.allFinite())
+        {
+          found.note_non_finite(place);
+          input.points[place] = point;
+          return;
+        }
+        block.low = block.low.cwiseMin(point);
+        block.high = block.high.cwiseMax(point);
+        input.points[place++] = point;
+      }
+      found.blocks[begin / points_per_look] = block;
+    };
+    for_each_block_of_range<ConcurrencyTag>(block_begin, first, last, read_block);
+  };
+  read_points_by_blocks(Function_view<std::size_t, std::size_t, Found_points&>(read_blocks), report,
+                        input, function);
 }
 
 /// Calls `f(element, place)` for each point that is kept, with its element of the range and its
