@@ -275,8 +275,12 @@ public:
   /// If not, or with `CUDA_tag`, each tile finds its own, and `stitching()` turns them.
   void choose_how_to_orient(std::uint64_t bytes)
   {
-    const std::uint64_t most = limited(bytes) / bytes_per_sample_of_sides;
-    m_orients_at_once = !is_on_device && number_of_samples() <= (std::min)(most, many - 1);
+    m_orients_at_once = can_orient_at_once(number_of_samples(), limited(bytes));
+  }
+  static bool can_orient_at_once(std::uint64_t number_of_samples, std::uint64_t bytes)
+  {
+    return !is_on_device
+           && number_of_samples <= (std::min)(bytes / bytes_per_sample_of_sides, many - 1);
   }
   bool orients_at_once() const { return m_orients_at_once; }
 

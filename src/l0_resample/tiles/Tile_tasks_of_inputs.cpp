@@ -112,11 +112,12 @@ void Tile_tasks::check_disk(std::uint64_t number_of_points,
   // with those of the overlaps, of which there are fewer
   std::uint64_t of_sample = 2 * sizeof(Tile_sample) + table.row_size();
   run_on(m_options, [&](auto tag) {
-    if (Tiled_resampling<decltype(tag)>::can_find_all_facts(
-          number_of_points, m, memory_for_points(), memory_of_device(m_options))) {
+    using Tiles = Tiled_resampling<decltype(tag)>;
+    if (Tiles::can_find_all_facts(number_of_points, m, memory_for_points(),
+                                  memory_of_device(m_options)))
       of_point += sizeof(Point_in_cloud);
-      of_sample += sizeof(Tile_sample); // what its side follows from
-    }
+    if (Tiles::can_orient_at_once(m, memory_for_points()))
+      of_sample += sizeof(Tile_sample) + 1; // what its side follows from, and the side
   });
   check_writable(index_file(), number_of_points * of_point + m * of_sample
                                  + of_results(m_options.output_format));

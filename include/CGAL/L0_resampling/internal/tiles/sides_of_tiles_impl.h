@@ -107,7 +107,8 @@ std::vector<std::vector<signed char>> sides_of_tiles(const std::vector<Unoriente
       places.push_back(Vector(sample.position.data()));
       normals.push_back(Normal(sample.normal.data()));
     }
-    signs.emplace_back(tile.own.size() + tile.leaders_elsewhere.size(), static_cast<signed char>(1));
+    const std::size_t size = tile.own.size() + tile.leaders_elsewhere.size();
+    signs.emplace_back(size, static_cast<signed char>(1));
     for (std::size_t k = 0; k < tile.leaders_elsewhere.size(); ++k)
       elsewhere.add(tile.leaders_elsewhere[k], signs.back()[tile.own.size() + k]);
   }
