@@ -143,8 +143,8 @@ std::vector<Tile_phase> Tile_tasks::phases() const
   const bool carries = !tiles.properties().properties.empty();
   const double share_to_carry = carries ? 0.05 : 0;
   const double share_of_sides = tiles.resampling.orients_at_once() ? 0.1 : 0.01;
-  phases.push_back({"solve", number_of_tiles,
-                    (needs_shares ? 0.61 : 0.76) - share_to_carry - share_of_sides});
+  phases.push_back(
+    {"solve", number_of_tiles, (needs_shares ? 0.61 : 0.76) - share_to_carry - share_of_sides});
   if (carries)
     phases.push_back({"carry", number_of_tiles, share_to_carry});
   phases.push_back({"stitch", 1, share_of_sides});

@@ -119,8 +119,8 @@ void Tile_tasks::check_disk(std::uint64_t number_of_points,
     if (Tiles::can_orient_at_once(m, memory_for_points()))
       of_sample += sizeof(Tile_sample) + 1; // what its side follows from, and the side
   });
-  check_writable(index_file(), number_of_points * of_point + m * of_sample
-                                 + of_results(m_options.output_format));
+  check_writable(index_file(),
+                 number_of_points * of_point + m * of_sample + of_results(m_options.output_format));
   if (!m_command.merged_output.empty())
     check_writable(m_command.merged_output, of_results(*format_of(m_command.merged_output)));
 }

@@ -420,9 +420,8 @@ int main()
       CHECK(check_agreement(name + "sensitivity " + std::to_string(sensitivity),
                             with_outliers(noisy_cube(20000, 0.01, 12), 13),
                             np.outlier_sensitivity(sensitivity).select_percentage(60),
-                            sensitivity < 0.5 && method == Method::DEFAULT
-                              ? of_all_but_a_thousandth
-                              : of_all_samples)
+                            sensitivity < 0.5 && method == Method::DEFAULT ? of_all_but_a_thousandth
+                                                                           : of_all_samples)
             > 300);
     // so many that each has others around it
     CHECK(check_agreement(name + "crowd of outliers",

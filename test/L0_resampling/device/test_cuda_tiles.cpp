@@ -38,15 +38,15 @@ struct Largest_shares
 };
 
 /// How many of the samples have no sample of `others` within `distance`; both sorted.
-std::size_t number_without(const std::vector<Sample>& samples,
-                           const std::vector<Sample>& others, double distance)
+std::size_t number_without(const std::vector<Sample>& samples, const std::vector<Sample>& others,
+                           double distance)
 {
   std::size_t number = 0;
   for (const Sample& sample : samples)
   {
     bool is_found = false;
-    for (auto other = std::lower_bound(others.begin(), others.end(),
-                                       Sample{sample[0] - distance, -1e300});
+    for (auto other =
+           std::lower_bound(others.begin(), others.end(), Sample{sample[0] - distance, -1e300});
          other != others.end() && (*other)[0] <= sample[0] + distance && !is_found; ++other)
       is_found = std::hypot((*other)[0] - sample[0], (*other)[1] - sample[1],
                             (*other)[2] - sample[2])

@@ -68,8 +68,8 @@ void check(const std::string& name, const std::vector<Place>& points,
   const double wide_halo = 40, practical_halo = Tiles<ConcurrencyTag>::halo_in_radii;
   std::size_t number_of_tiles = 0;
   const auto differences = [&](double share, double halo) {
-    const std::vector<Sample> found = by_tiles<ConcurrencyTag>(
-      points, std::size_t(share * double(n)), halo, number_of_tiles, np);
+    const std::vector<Sample> found =
+      by_tiles<ConcurrencyTag>(points, std::size_t(share * double(n)), halo, number_of_tiles, np);
     CHECK(found.size() == number_of_samples);
     const std::size_t number = number_of_different(found, expected);
     std::cout << name << ": " << number_of_tiles << " tiles with halos of " << halo
@@ -99,9 +99,8 @@ void check_thinned_blocks()
   for (const double share : {2., 0.9, 0.6})
   {
     std::size_t number_of_tiles = 0;
-    const std::vector<Sample> found =
-      by_tiles<Tag>(strips.points(), std::size_t(share * double(n)), Tiles<Tag>::halo_in_radii,
-                    number_of_tiles, np);
+    const std::vector<Sample> found = by_tiles<Tag>(strips.points(), std::size_t(share * double(n)),
+                                                    Tiles<Tag>::halo_in_radii, number_of_tiles, np);
     std::cout << "thinned blocks: " << number_of_tiles << " tiles" << std::endl;
     CHECK(number_of_tiles > before);
     CHECK(number_of_different(found, expected) == 0);
@@ -124,8 +123,8 @@ void check_leaders_elsewhere()
   tiles.make_tiles(std::uint64_t(1) << 40);
   tiles.choose_how_to_orient(std::uint64_t(1) << 40);
   CHECK(tiles.orients_at_once());
-  std::vector<internal::Unoriented_samples> unoriented = {
-    tiles.resample_tile(0, source).unoriented, {}};
+  std::vector<internal::Unoriented_samples> unoriented = {tiles.resample_tile(0, source).unoriented,
+                                                          {}};
   const std::vector<internal::Tile_sample>& own = unoriented[0].own;
   CHECK(own.size() == 3000 && unoriented[0].leaders_elsewhere.empty());
   for (std::size_t i = 0; i < own.size(); i += 100)

@@ -175,8 +175,7 @@ std::vector<Sample> in_memory(const std::vector<Place>& points, const NamedParam
 /// \returns with their sides on the CPU; a device finds those of each tile by themselves
 template <typename ConcurrencyTag, typename NamedParameters>
 std::vector<Sample> by_tiles(const std::vector<Place>& points, std::size_t points_of_tile,
-                                      double halo, std::size_t& number_of_tiles,
-                                      const NamedParameters& np)
+                             double halo, std::size_t& number_of_tiles, const NamedParameters& np)
 {
   const Points_in_memory source{points};
   CGAL::L0_resampling::Tile_counts counts;
@@ -239,8 +238,7 @@ std::vector<Sample> by_tiles(const std::vector<Place>& points, std::size_t point
 }
 
 /// How many of the samples are not the same ones.
-inline std::size_t number_of_different(const std::vector<Sample>& a,
-                                       const std::vector<Sample>& b)
+inline std::size_t number_of_different(const std::vector<Sample>& a, const std::vector<Sample>& b)
 {
   std::vector<Sample> common;
   std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(common));

@@ -20,8 +20,8 @@ namespace internal {
 template <typename ConcurrencyTag>
 Buffer<Index> order_of_places(const Buffer<Vector>& places, const Plan& plan)
 {
-  return Search_grid_3::sorted_order<ConcurrencyTag>(
-    places, (std::max)(plan.sample_spacing, plan.smallest_cell_size));
+  return Search_grid_3::sorted_order<ConcurrencyTag>(places, (std::max)(plan.sample_spacing,
+                                                                        plan.smallest_cell_size));
 }
 
 } // namespace internal

@@ -6,8 +6,9 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_TILE_BACKEND_H
 #define CGAL_L0_RESAMPLING_INTERNAL_TILE_BACKEND_H
 
-#include <CGAL/L0_resampling/internal/driver/Cpu_backend.h>
 #include <CGAL/L0_resampling/internal/core/Point_in_cloud.h>
+#include <CGAL/L0_resampling/internal/driver/Cpu_backend.h>
+#include <CGAL/L0_resampling/internal/tiles/resample_tile.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -38,7 +39,7 @@ class Tile_backend : public Cpu_backend<ConcurrencyTag, FT>
 
   const std::vector<Point_in_cloud>& m_points; // in their first order
   const bool m_finds_sides;
-  Buffer<unsigned char> m_are_starts_own;      // of the samples in their first order
+  Buffer<unsigned char> m_are_starts_own; // of the samples in their first order
   Buffer<unsigned char> m_are_own; // of the samples of the result: whether the tile keeps them
   Buffer<Index> m_trees;           // likewise: those of the orientation
   Buffer<float> m_confidences;     // likewise

@@ -77,10 +77,10 @@ template <typename FT>
 struct Samples_of_tile
 {
   Oriented_points<FT> points;
-  Buffer<unsigned char> are_own; ///< whether the tile keeps each of them
-  Buffer<Index> trees;           ///< samples of one have sides relative to each other
-  Buffer<float> confidences;     ///< of their sides; none if these are not found
-  std::vector<Tile_sample> unoriented;       ///< then: each tree, which is a sample
+  Buffer<unsigned char> are_own;            ///< whether the tile keeps each of them
+  Buffer<Index> trees;                      ///< samples of one have sides relative to each other
+  Buffer<float> confidences;                ///< of their sides; none if these are not found
+  std::vector<Tile_sample> unoriented;      ///< then: each tree, which is a sample
   std::vector<unsigned char> are_trees_own; ///< likewise: whether the tile keeps it
 };
 

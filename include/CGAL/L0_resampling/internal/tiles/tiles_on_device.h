@@ -140,8 +140,12 @@ inline Samples_of_tile<float> resample_tile_on_device(const Buffer<Vector>& poin
   Oriented_points<float> samples;
   samples.positions.resize(m);
   samples.normals.resize(m);
-  Samples_of_tile<float> result = {std::move(samples), Buffer<unsigned char>(m, 0),
-                                   Buffer<Index>(m, 0), Buffer<float>(m, 0.f), {}, {}};
+  Samples_of_tile<float> result = {std::move(samples),
+                                   Buffer<unsigned char>(m, 0),
+                                   Buffer<Index>(m, 0),
+                                   Buffer<float>(m, 0.f),
+                                   {},
+                                   {}};
   throw_if_failed(cuda::download(*session, coordinates(result.points.positions),
                                  coordinates(result.points.normals)));
   throw_if_failed(cuda::download_tile(*session, result.confidences.data(), result.trees.data(),
