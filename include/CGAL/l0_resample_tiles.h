@@ -60,8 +60,9 @@ void l0_resample_tiles(const Source& source, Sink& sink, std::uint64_t maximum_m
 #endif
   tiles.find_facts(source, maximum_memory, device_memory);
   const std::vector<L0_resampling::internal::Point_in_cloud>& kept = tiles.points_in_cloud();
-  tiles.make_tiles((std::min)(maximum_memory - kept.size() * sizeof(kept[0]), device_memory));
-  tiles.choose_how_to_orient(maximum_memory);
+  const std::uint64_t memory = maximum_memory - kept.size() * sizeof(kept[0]);
+  tiles.make_tiles((std::min)(memory, device_memory));
+  tiles.choose_how_to_orient(memory);
   const std::size_t number_of_tiles = tiles.tiles().size();
   if (!tiles.has_all_facts())
   {

@@ -21,7 +21,8 @@ namespace CGAL {
 namespace L0_resampling {
 
 /// \ingroup PkgL0ResamplingRef
-/// A point of the result, as a tile has found it. `Tiled_resampling::signs()` turns its normal.
+/// A point of the result, as a tile has found it. `Tiled_resampling::sides()` or `stitching()` says
+/// whether its normal has to be turned.
 using Tile_sample = internal::Tile_sample;
 
 /// \ingroup PkgL0ResamplingRef

@@ -77,6 +77,8 @@ check "a single tile, if memory suffices" test "$(number_of_tiles single)" -eq 1
 # Memory for all points once
 run "${with_facts[@]}" --output-directory facts --output facts.xyz --json facts.json
 check "more tiles than one" test "$status" -eq 0 -a "$(number_of_tiles facts)" -ge 2
+check "no more memory than allowed with facts" holds facts.json \
+  "0 < j['peak_bytes'] <= $more_memory"
 check "samples start where the facts say" holds facts.json \
   "[p['name'] for p in j['phases']]
    == 'count blocks shard scales solve stitch write merge finish'.split()"
