@@ -67,8 +67,8 @@ void take_samples_of_tile(const Samples_of_tile<FT>& samples,
 {
   constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
   const bool are_sides_found = samples.unoriented.empty();
-  std::vector<Tile_sample>&own = result.unoriented.own,
-  &elsewhere = result.unoriented.leaders_elsewhere;
+  std::vector<Tile_sample>& own = result.unoriented.own;
+  std::vector<Tile_sample>& elsewhere = result.unoriented.leaders_elsewhere;
   result.samples.reserve(positions.size());
   std::vector<std::uint32_t> numbers(positions.size(), none); // of the trees
   for (std::size_t tree = 0; tree < samples.unoriented.size(); ++tree)
