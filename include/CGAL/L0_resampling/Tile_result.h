@@ -54,31 +54,26 @@ inline bool is_within(const Tile_sample& sample, const Source_box& box, double m
   return true;
 }
 
-/// Shares out the samples that a tile has found.
-/// \param positions of the samples, in the unit of the input
-/// \param box of the tile
-/// \param overlap_width how near to the border of the box samples are compared with those of other
-/// tiles
-/// \param result out
+/// What `share_out_samples()` shares out.
 template <typename FT>
-void take_samples_of_tile(const Samples_of_tile<FT>& samples,
-                          const Buffer<std::array<double, 3>>& positions, const Source_box& box,
-                          double overlap_width, Tile_result& result)
+struct Found_samples
 {
-  constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
-  const bool are_sides_found = samples.unoriented.empty();
-  std::vector<Tile_sample>& own = result.unoriented.own;
-  std::vector<Tile_sample>& elsewhere = result.unoriented.leaders_elsewhere;
+  const Samples_of_tile<FT>& of_tile;
+  const Buffer<std::array<double, 3>>& positions; ///< in the unit of the input
+  Source_box box;                                 ///< of the tile
+  /// How near to the border of the box samples are compared with those of other tiles.
+  double overlap_width;
+};
+
+/// Shares out the samples that a tile has found: those that it keeps, those of them that are near
+/// to its border, and those beyond.
+/// \param tree_of called with a sample and whether the tile keeps it: the number of its tree
+/// \param result out
+template <typename FT, typename TreeOf>
+void share_out_samples(const Found_samples<FT>& found, const TreeOf& tree_of, Tile_result& result)
+{
+  const auto& [samples, positions, box, overlap_width] = found;
   result.samples.reserve(positions.size());
-  std::vector<std::uint32_t> numbers(positions.size(), none); // of the trees
-  for (std::size_t tree = 0; tree < samples.unoriented.size(); ++tree)
-    if (samples.are_trees_own[tree] != 0)
-    {
-      numbers[tree] = std::uint32_t(own.size());
-      own.push_back(samples.unoriented[tree]);
-    }
-  if (!are_sides_found)
-    result.evidence.push_back(0); // samples near the border are of one tree
   for (std::size_t i = 0; i < positions.size(); ++i)
   {
     const auto& normal = samples.points.normals[i];
@@ -86,16 +81,7 @@ void take_samples_of_tile(const Samples_of_tile<FT>& samples,
     const bool is_kept = samples.are_own[i] != 0;
     if (!is_kept && !is_within(sample, box, overlap_width))
       continue;
-    std::uint32_t& number = numbers[samples.trees[i]];
-    if (are_sides_found)
-    {
-      if (number == none)
-      {
-        number = std::uint32_t(result.evidence.size());
-        result.evidence.push_back(0);
-      }
-      sample.tree = number;
-    }
+    sample.tree = tree_of(i, is_kept);
     if (!is_kept)
     {
       result.beyond_border.push_back(sample);
@@ -103,19 +89,61 @@ void take_samples_of_tile(const Samples_of_tile<FT>& samples,
     }
     if (!is_within(sample, box, -overlap_width))
       result.near_border.push_back(sample);
-    if (are_sides_found)
-      result.evidence[number] += double(samples.confidences[i]) - 0.5;
-    else
-    {
-      if (number == none)
-      {
-        number = std::uint32_t(own.size() + elsewhere.size());
-        elsewhere.push_back(samples.unoriented[samples.trees[i]]);
-      }
-      sample.tree = number;
-    }
     result.samples.push_back(sample);
   }
+}
+
+constexpr std::uint32_t no_number = (std::numeric_limits<std::uint32_t>::max)();
+
+/// If the tile has found sides: trees are numbered as they come.
+template <typename FT>
+void take_oriented_samples(const Found_samples<FT>& found, Tile_result& result)
+{
+  std::vector<std::uint32_t> numbers(found.positions.size(), no_number); // of the trees
+  const auto tree_of = [&](std::size_t i, bool is_kept) {
+    std::uint32_t& number = numbers[found.of_tile.trees[i]];
+    if (number == no_number)
+    {
+      number = std::uint32_t(result.evidence.size());
+      result.evidence.push_back(0);
+    }
+    if (is_kept)
+      result.evidence[number] += double(found.of_tile.confidences[i]) - 0.5;
+    return number;
+  };
+  share_out_samples(found, tree_of, result);
+}
+
+/// If sides are found for all tiles at once: each tree is a sample. Those that the tile keeps come
+/// first, and then those that others keep and samples of this tile follow.
+template <typename FT>
+void take_unoriented_samples(const Found_samples<FT>& found, Tile_result& result)
+{
+  std::vector<Tile_sample>& own = result.unoriented.own;
+  std::vector<Tile_sample>& elsewhere = result.unoriented.leaders_elsewhere;
+  const std::vector<Tile_sample>& trees = found.of_tile.unoriented;
+  std::vector<std::uint32_t> numbers(trees.size(), no_number);
+  for (std::size_t tree = 0; tree < trees.size(); ++tree)
+    if (found.of_tile.are_trees_own[tree] != 0)
+    {
+      numbers[tree] = std::uint32_t(own.size());
+      own.push_back(trees[tree]);
+    }
+  const auto tree_of = [&](std::size_t i, bool is_kept) -> std::uint32_t {
+    if (!is_kept)
+      return 0;
+    const std::size_t tree = found.of_tile.trees[i];
+    if (numbers[tree] == no_number)
+    {
+      numbers[tree] = std::uint32_t(own.size() + elsewhere.size());
+      elsewhere.push_back(trees[tree]);
+    }
+    return numbers[tree];
+  };
+  share_out_samples(found, tree_of, result);
+  for (Tile_sample& sample : result.near_border)
+    sample.tree = 0; // these are compared by their places only
+  result.evidence.push_back(0);
 }
 
 } // namespace internal

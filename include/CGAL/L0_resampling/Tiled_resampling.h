@@ -373,8 +373,12 @@ public:
       const internal::Buffer<std::array<double, 3>> positions =
         internal::rounded_positions<Host_tag, double>(samples.points.positions, input, m_radius,
                                                       true);
-      internal::take_samples_of_tile(samples, positions, box_of_tile(tile), overlap_width(),
-                                     result);
+      const internal::Found_samples<FT> found = {samples, positions, box_of_tile(tile),
+                                                 overlap_width()};
+      if (m_orients_at_once)
+        internal::take_unoriented_samples(found, result);
+      else
+        internal::take_oriented_samples(found, result);
     });
     result.report.number_of_output_points = result.samples.size();
     return result;

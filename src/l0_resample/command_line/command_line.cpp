@@ -362,6 +362,13 @@ void add_options_on_machine(CLI::App& app, Arguments& arguments)
                    ->type_name("SIZE")
                    ->needs(as_one);
   as_one->needs(memory);
+  app
+    .add_option("--halo", arguments.tiles.halo,
+                "with --as-one: how far around it a tile sees points")
+    ->check(number_within(1, true, 1000, "a number in [1, 1000]"))
+    ->type_name("RADII")
+    ->needs(as_one)
+    ->capture_default_str();
   app.add_option("--timeout", options.timeout, "fail after so many seconds")
     ->check(number_within(0, false, 1e8, "a number of seconds above 0"))
     ->type_name("SECONDS");
@@ -459,6 +466,7 @@ void add_options(CLI::App& app, Arguments& arguments)
                   "up",
                   "json",
                   "memory",
+                  "halo",
                   "device",
                   "resume",
                   "output",

@@ -99,11 +99,15 @@ is begun. A result never takes the place of an input, or of another result. --sn
 folder, which gets NAME.png of each result NAME.)"},
    {"LARGE CLOUDS",
     R"(--as-one takes all FILES as parts of one cloud, of any size. It is cut into tiles, each of
-which with the points around it takes no more than --memory. --output-directory gets a file for each
-tile, and index.json, which tells of them; --output writes all points to one file too. The number of
-points is that of --points or --percentage. Samples get the properties of the points nearest to them
-in any of FILES, which all need the same ones; normals of the input are not used. With --device
-cuda, tiles are as large as a CUDA device holds too, and are resampled there; else on the processor.
+which with the points around it, within --halo, takes no more than --memory. --output-directory gets
+a file for each tile, and index.json, which tells of them; --output writes all points to one file
+too. The number of points is that of --points or --percentage. Samples get the properties of the
+points nearest to them in any of FILES, which all need the same ones; normals of the input are not
+used. With --device cuda, tiles are as large as a CUDA device holds too, and are resampled there;
+else on the processor.
+
+Where --memory holds the points once, 200 bytes for each, and the samples, 400 bytes for each, tiles
+give what one tile gives: with --halo 50 to the bit, with less but for roundings near borders.
 
 Steps are kept in the folder work of the output directory until all is done. --resume goes on with
 them after a crash, and makes again what is damaged; a run with another input or other options is

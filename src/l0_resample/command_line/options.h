@@ -116,10 +116,13 @@ struct Options
 /// What is asked for if the inputs are parts of one cloud, which is cut into tiles.
 struct Tile_options
 {
-  bool is_as_one = false;   ///< whether they are
-  std::uint64_t memory = 0; ///< that the program may take, in bytes
-  bool resumes = false;     ///< go on where an earlier run has ended
-  std::string task;         ///< to do instead of all; empty for all
+  static constexpr double practical_halo = 20;
+
+  bool is_as_one = false;       ///< whether they are
+  std::uint64_t memory = 0;     ///< that the program may take, in bytes
+  double halo = practical_halo; ///< of a tile, in radii
+  bool resumes = false;         ///< go on where an earlier run has ended
+  std::string task;             ///< to do instead of all; empty for all
 };
 
 /// The command line, checked.

@@ -234,9 +234,7 @@ void Tile_tasks::find_scales(const On_progress& on_progress) const
   } catch (const std::bad_alloc&) {
     throw Failure(NOT_ENOUGH_MEMORY, "--memory: " + std::to_string(memory)
                                        + " bytes do not hold a part of the cloud and what is "
-                                         "around it, within "
-                                       + std::to_string(int(Tiled_on_cpu::halo_in_radii))
-                                       + " radii");
+                                         "around it, within --halo");
   }
   if (tiles.resampling.has_all_facts())
     write_points_in_cloud(file_of("points", 0), m_key, tiles.resampling.points_in_cloud());

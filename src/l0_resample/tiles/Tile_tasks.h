@@ -73,6 +73,7 @@ public:
 
   const Options& options() const { return m_options; }
   std::size_t number_of_inputs() const { return m_command.runs.size(); }
+  double halo() const { return m_command.tiles.halo; }
   /// What files of this run are known by.
   std::uint64_t key() const { return m_key; }
 

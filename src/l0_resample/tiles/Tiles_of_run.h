@@ -65,7 +65,9 @@ public:
   /// \param memory of a tile, in bytes
   void make(std::uint64_t memory)
   {
-    resampling.make_tiles(memory, resampling.halo_in_radii,
+    static_assert(Tile_options::practical_halo == Tiled_resampling::halo_in_radii,
+                  "the default of --halo is that of the package");
+    resampling.make_tiles(memory, m_tasks.halo(),
                           bytes_of_tile(m_tasks.options(), properties().table().row_size()));
     resampling.choose_how_to_orient(are_tiles_on_device(m_tasks.options()) ? 0 : memory);
   }

@@ -108,6 +108,7 @@ std::string describe_run(const Command& command)
   else
     text << options.percentage << " %\n";
   text << "--memory " << command.tiles.memory << "\n"
+       << "--halo " << command.tiles.halo << "\n"
        << "--device " << (are_tiles_on_device(options) ? "cuda" : "cpu") << "\n"
        << "--output-format " << extension_of(options.output_format) << "\n"
        << "properties " << carries_properties(command) << "\n"

@@ -87,6 +87,11 @@ check "the same radius" test "$(value facts/index.json "j['neighbor_radius']")" 
 run single/tile_0.ply single.xyz --convert-only
 check "the same points and sides, but for a few in ten thousand" test \
   "$(comm -23 <(sort facts.xyz) <(sort single.xyz) | wc -l)" -le 12
+run "${with_facts[@]}" --output-directory wide --output wide.xyz --halo 50
+check "more tiles than one with a wide halo" test "$status" -eq 0 -a "$(number_of_tiles wide)" -ge 2
+check "the same bits with a wide halo" cmp <(sort wide.xyz) <(sort single.xyz)
+check_plain_failure 2 "--resume: the run began with --halo 50, now it is --halo 20" \
+  "${with_facts[@]}" --output-directory wide --output wide.xyz --resume
 run "${with_facts[@]}" --output-directory facts_threads --threads 1
 check "one thread gives the same with facts" same_tiles facts_threads facts
 
@@ -110,6 +115,10 @@ check "--force begins anew" test "$status" -eq 0
 
 # Files of others in the folder stay, and no result takes the place of an input
 one_tile=(c.xyz --as-one --points 100 --memory 1GB --output-format xyz)
+for value in 0 1001 wide; do
+  check_failure 2 "--halo" "${one_tile[@]}" --output-directory others --halo "$value"
+done
+check_failure 2 "--halo" c.xyz --output-directory others --halo 30
 cp c.xyz as_it_was.xyz
 for name in index.json tile_0.xyz; do
   rm -rf others; mkdir others; echo old > others/$name
