@@ -240,6 +240,7 @@ def test_refusals(files, tmp_path):
         tiles.resample_files(files, tmp_path / "out", memory="much")
     assert tiles.main([str(files[0]), "--memory", "1G", "--output-directory",
                        str(tmp_path / "out"), "--devices", "0"]) == 1
+    assert tiles.main([*command_line(files, tmp_path / "out"), "--halo", "0"]) == 1
     assert not (tmp_path / "out").exists()
 
 
