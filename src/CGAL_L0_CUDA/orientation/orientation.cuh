@@ -230,10 +230,11 @@ public:
 };
 
 /// What `join_by_field()` takes from the scratch arena beside a number for each sample: two tables
-/// of sets by sets, and the dipoles.
+/// of sets by sets, one of dipoles by sets, and the dipoles.
 constexpr std::size_t bytes_of_field =
   2 * sizeof(long long) * maximum_number_of_sets * maximum_number_of_sets
-  + 80 * std::size_t(maximum_number_of_dipoles) + (std::size_t(1) << 15);
+  + sizeof(float) * maximum_number_of_dipoles * maximum_number_of_sets
+  + 88 * std::size_t(maximum_number_of_dipoles) + (std::size_t(1) << 16);
 
 /// Joins the larger ones of connected sets if their field asks to turn some of them
 /// against the others, as `join_by_field()` on the CPU.

@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "orientation/Field_of_sets.cuh"
+#include "orientation/add_up_by_sets.cuh"
 
 #include <algorithm>
 #include <cmath>
@@ -15,18 +15,13 @@ namespace cuda {
 
 namespace {
 
-__device__ void add_to(long long* sum, long long value)
-{
-  atomicAdd(reinterpret_cast<Wide*>(sum), Wide(value));
-}
-
 __global__ void place_dipoles(Field_of_sets field, Samples samples, const Link* sets)
 {
   const Wide k = thread_index();
   if (k >= field.number_of_dipoles)
     return;
   const Dipole dipole = dipole_of(samples, sets, k, field.number_of_dipoles);
-  field.dipoles[k] = {dipole.position, dipole.normal, no_set, no_set};
+  field.dipoles[k] = {dipole.position, dipole.normal, field.area, no_set, no_set};
   field.roots_of_dipoles[k] = dipole.root;
 }
 
@@ -98,6 +93,7 @@ __global__ void number_sets(Field_of_sets field, const Link* trees)
   field.set_of_root[root] = set;
   field.roots[set] = root;
   field.trees[set] = link.target();
+  field.numbers_of_dipoles[set] = field.sizes_of_sets[k];
   field.signs[set] = link.is_turned() ? -1 : 1;
   atomicAdd(field.number_of_sets, 1u);
 }
@@ -118,6 +114,27 @@ __global__ void find_trees_of_dipoles(Field_of_sets field)
     field.dipoles[k].tree = field.trees[set];
 }
 
+/// Less where the dipoles of a set crowd. One warp for each dipole.
+__global__ void find_areas_of_dipoles(Field_of_sets field)
+{
+  const Wide k = thread_index() / 32;
+  if (k >= field.number_of_dipoles || field.dipoles[k].tree == no_set) // whole warps leave
+    return;
+  const Dipole_of_field& own = field.dipoles[k];
+  const double squared_core = squared_core_of_dipole(field.area);
+  double crowding = 0;
+  for (unsigned other = threadIdx.x % 32; other < field.number_of_dipoles; other += 32)
+    if (field.dipoles[other].set == own.set)
+    {
+      const double3 d = field.dipoles[other].position - own.position;
+      crowding += crowding_of_dipole(dot(field.dipoles[other].normal, own.normal), dot(d, d),
+                                     squared_core);
+    }
+  crowding = group_sum<32>(crowding);
+  if (threadIdx.x % 32 == 0)
+    field.dipoles[k].area = share_of_dipole(crowding) * field.area;
+}
+
 /// One block for each dipole: its agreement with all those behind it.
 __global__ void add_dipoles(Field_of_sets field)
 {
@@ -125,37 +142,15 @@ __global__ void add_dipoles(Field_of_sets field)
   const Dipole_of_field a = field.dipoles[blockIdx.x];
   if (a.tree == no_set)
     return;
-  for (unsigned set = threadIdx.x; set < maximum_number_of_sets; set += blockDim.x)
-    sums[set] = 0;
-  __syncthreads();
-  for (unsigned first = blockIdx.x + 1; first < field.number_of_dipoles; first += blockDim.x)
-  {
-    const unsigned k = first + threadIdx.x;
-    long long units = 0;
-    unsigned set = no_set;
-    if (k < field.number_of_dipoles && field.dipoles[k].tree == a.tree
-        && field.dipoles[k].set != a.set)
-    {
-      const Dipole_of_field& b = field.dipoles[k];
-      const double3 d = {b.position.x - a.position.x, b.position.y - a.position.y,
-                         b.position.z - a.position.z};
-      const double agreement = dipole_agreement(dot(a.normal, b.normal),
-                                                dot(a.normal, d) * dot(b.normal, d), dot(d, d),
-                                                squared_core_of_dipole(field.area))
-                               * (field.area * field.area / field.spacing);
-      set = b.set;
-      if (isfinite(agreement))
-        units = __double2ll_rn(agreement * units_per_vote);
-    }
-    // neighbors in the order are mostly of one set
-    const unsigned peers = __match_any_sync(0xffffffffu, set);
-    if (set == no_set)
-      continue;
-    const long long sum = peer_sum(peers, units);
-    if (is_leader_of(peers))
-      add_to(&sums[set], sum);
-  }
-  __syncthreads();
+  const auto units_of_agreement = [&](const Dipole_of_field& b) {
+    const double3 d = b.position - a.position;
+    const double agreement = dipole_agreement(dot(a.normal, b.normal),
+                                              dot(a.normal, d) * dot(b.normal, d), dot(d, d),
+                                              squared_core_of_dipole(field.area))
+                             * (a.area * b.area / field.spacing);
+    return b.set != a.set && isfinite(agreement) ? __double2ll_rn(agreement * units_per_vote) : 0ll;
+  };
+  add_up_by_sets(field, blockIdx.x + 1, a.tree, units_of_agreement, sums);
   for (unsigned set = threadIdx.x; set < maximum_number_of_sets; set += blockDim.x)
     if (sums[set] != 0)
     {
@@ -222,13 +217,19 @@ bool join_by_field(const Workplace& workplace, const Graph& graph, const Link* t
     &numbers.address()->y,
     workplace.scratch.take<unsigned>(maximum_number_of_sets),
     workplace.scratch.take<unsigned>(maximum_number_of_sets),
+    workplace.scratch.take<unsigned>(maximum_number_of_sets),
     workplace.scratch.take<int>(maximum_number_of_sets),
     workplace.scratch.take<long long>(Wide(maximum_number_of_sets) * maximum_number_of_sets),
-    workplace.scratch.take<long long>(Wide(maximum_number_of_sets) * maximum_number_of_sets)};
+    workplace.scratch.take<long long>(Wide(maximum_number_of_sets) * maximum_number_of_sets),
+    workplace.scratch.take<long long>(maximum_number_of_sets),
+    workplace.scratch.take<float>(Wide(number_of_dipoles) * maximum_number_of_sets),
+    workplace.scratch.take<double>(maximum_number_of_sets)};
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(field.set_of_root, 0xff, m * sizeof(unsigned), stream));
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(
     field.agreements, 0, Wide(maximum_number_of_sets) * maximum_number_of_sets * sizeof(long long),
     stream));
+  CGAL_L0_CUDA_CHECK(
+    cudaMemsetAsync(field.with_signs, 0, maximum_number_of_sets * sizeof(long long), stream));
   place_dipoles<<<blocks_for(number_of_dipoles), threads_per_block, 0, stream>>>(
     field, graph.samples, sets);
   check_launch("place_dipoles");
@@ -241,11 +242,16 @@ bool join_by_field(const Workplace& workplace, const Graph& graph, const Link* t
   check_launch("number_sets");
   find_trees_of_dipoles<<<blocks_for(number_of_dipoles), threads_per_block, 0, stream>>>(field);
   check_launch("find_trees_of_dipoles");
+  find_areas_of_dipoles<<<blocks_for(32ull * number_of_dipoles), threads_per_block, 0, stream>>>(
+    field);
+  check_launch("find_areas_of_dipoles");
   add_dipoles<<<number_of_dipoles, threads_per_block, 0, stream>>>(field);
   check_launch("add_dipoles");
   add_votes_between_sets<<<blocks_for(Wide(m) * lanes_of_edges), threads_per_block, 0, stream>>>(
     field, graph, sets);
   check_launch("add_votes_between_sets");
+  turn_what_disagrees(field, &numbers.address()->z, stream);
+  add_windings(field, m, stream);
   turn_what_disagrees(field, &numbers.address()->z, stream);
   if (numbers.read().z == 0)
     return false;

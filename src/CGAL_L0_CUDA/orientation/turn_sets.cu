@@ -201,7 +201,8 @@ __global__ void turn_sets(Field_of_sets field, unsigned* number_of_turns)
   const auto agreement_with = [&](unsigned b) {
     return turning.signs[a] * turning.signs[b] * field.row(b)[a];
   };
-  long long with_others = 0; // the agreement of the thread's set with all others
+  // the agreement of the thread's set with all others
+  long long with_others = a < size ? turning.signs[a] * field.with_signs[a] : 0;
   for (unsigned b = 0; b < size && a < size; ++b)
     with_others += agreement_with(b);
   for (unsigned turn = 0; turn < 10 * size; ++turn) // rounding might go round in circles

@@ -98,6 +98,48 @@ constexpr double least_disagreement = 1e-6;
 /// the field of few samples is not known to less.
 constexpr double least_disagreement_of_groups = 5;
 
+/// Of a set at a place, from the sum over its dipoles: these may crowd, but no part of a surface
+/// winds more than once around a place.
+CGAL_L0_HOST_DEVICE inline double winding_number_of_set(double sum)
+{
+  return at_least(at_most(sum, 1.), -1.);
+}
+
+/// The square of the mean winding number, per that of the mean square: more than the variance has.
+constexpr double weight_of_mean_winding = 1.4;
+
+/*!
+How far two sets agree by the winding numbers that they have at the dipoles of their tree. Those of
+the right sides are the same everywhere, and large: all sets have the least of
+
+\f[ \sum_i w_i^2 - \frac{c}{n} \left( \sum_i w_i \right)^2 , \f]
+
+which for \f$ c = 1 \f$ is their variance. That is least, too, where all are 0.
+
+\param sum_of_products of the winding numbers of both
+\param sum, other_sum of those of each
+\param number_of_dipoles of the tree
+*/
+CGAL_L0_HOST_DEVICE inline double winding_agreement(double sum_of_products, double sum,
+                                                    double other_sum, double number_of_dipoles)
+{
+  return 2 * (weight_of_mean_winding * sum * other_sum / number_of_dipoles - sum_of_products);
+}
+
+/// What turning a set has to bring at least, for each of its dipoles: winding numbers of sheets
+/// that are nearly one are known to less.
+constexpr double least_gain_of_windings = 0.15;
+
+/// What the winding numbers of a dipole weigh beside edges.
+/// \param number_of_samples that the tree has; it has \f$ \sqrt m \f$ times as many edges across a
+/// line
+CGAL_L0_HOST_DEVICE inline double weight_of_windings(double number_of_samples,
+                                                     double number_of_dipoles)
+{
+  using std::sqrt;
+  return 1000 * sqrt(number_of_samples) / number_of_dipoles;
+}
+
 /// How far two samples are of one sheet, in [0, 1], where each lies near the tangent plane of the
 /// other.
 /// \param squared_heights the sum of the squares of the heights over these planes
@@ -186,6 +228,24 @@ CGAL_L0_HOST_DEVICE inline T winding_number_of_dipole(T height, T squared_distan
 {
   const T inverse = inverse_sqrt(squared_distance + T(squared_core));
   return height * (inverse * inverse * inverse) * Scalar(1 / (4 * 3.141592653589793));
+}
+
+/// How much another dipole of its set crowds a dipole. On a sheet that is evenly covered these sum
+/// up to `crowding_of_even_sheet`, with that of the dipole itself.
+template <typename T, typename Scalar>
+CGAL_L0_HOST_DEVICE inline T crowding_of_dipole(T cosine, T squared_distance, Scalar squared_core)
+{
+  using std::sqrt;
+  const T inverse = inverse_sqrt(squared_distance + T(squared_core));
+  return cosine * (inverse * inverse * inverse) * Scalar(squared_core * sqrt(squared_core));
+}
+constexpr double crowding_of_even_sheet = 2;
+
+/// The share of its area that a dipole stands for where they crowd, and the area is that of the
+/// usual one.
+CGAL_L0_HOST_DEVICE inline double share_of_dipole(double crowding)
+{
+  return crowding > crowding_of_even_sheet ? crowding_of_even_sheet / crowding : 1;
 }
 
 /// \f$ a^2 \f$ of a dipole that stands for a disk of that area: with the radius of the disk for

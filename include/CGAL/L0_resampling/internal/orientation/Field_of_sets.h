@@ -28,6 +28,13 @@ struct Field_of_sets
   std::vector<int> signs;   // relative to the tree
   std::vector<double>
     agreements; // a row for each set, of 0 with itself and with those of other trees
+  std::vector<double> with_signs; // of each set with the sign 1
+
+  bool has(Index root) const { return std::binary_search(roots.begin(), roots.end(), root); }
+  Set place_of(Index root) const
+  {
+    return Set(std::lower_bound(roots.begin(), roots.end(), root) - roots.begin());
+  }
 
   /// Turns the set that disagrees most with all others, one after the other, until none does; and
   /// where none does, the group that does so together, each of which the others of it keep from
@@ -36,10 +43,13 @@ struct Field_of_sets
   bool turn_what_disagrees()
   {
     const Set n = roots.size(), most_turns = 10 * n;
-    std::vector<double> with_others(n, 0);
+    std::vector<double> with_others(n);
     for (Set a = 0; a < n; ++a)
+    {
+      with_others[a] = signs[a] * with_signs[a];
       for (Set b = 0; b < n; ++b)
         with_others[a] += agreement(a, b);
+    }
     for (Set turn = 0; turn < most_turns; ++turn)
     {
       poll_for_cancellation();

@@ -8,10 +8,11 @@
 
 #include <CGAL/L0_resampling/internal/core/parallel_for.h>
 #include <CGAL/L0_resampling/internal/kernels/orientation_agreement.h>
+#include <CGAL/L0_resampling/internal/orientation/Dipoles_of_field.h>
 #include <CGAL/L0_resampling/internal/orientation/Field_of_sets.h>
+#include <CGAL/L0_resampling/internal/orientation/Windings_of_sets.h>
 #include <CGAL/L0_resampling/internal/orientation/dipoles_of_sets.h>
 #include <CGAL/L0_resampling/internal/orientation/orientation_votes.h>
-#include <CGAL/L0_resampling/internal/search/Search_grid_3.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,12 +23,6 @@
 namespace CGAL {
 namespace L0_resampling {
 namespace internal {
-
-/// A sample that stands for those around it.
-struct Dipole
-{
-  Vector position, normal;
-};
 
 /// The sets of the field, of those that have dipoles: the larger ones of the trees that they stand
 /// for.
@@ -56,6 +51,45 @@ inline std::vector<Index> sets_of_field(const Signed_union_find& trees,
   return result;
 }
 
+/// Sets the agreements of the sets of a field to those of their dipoles, if they are of one tree:
+/// those of different trees, parts of a scene, do not know of each other.
+/// \param spacing of the samples
+/// \returns the winding numbers of the sets
+template <typename ConcurrencyTag>
+Windings_of_sets add_dipoles(const Dipoles_of_field& dipoles, double spacing, Field_of_sets& field)
+{
+  using L = Dipole_lanes::L;
+  const std::size_t number_of_sets = field.roots.size();
+  Windings_of_sets windings(dipoles.begins);
+  const float squared_core = float(squared_core_of_dipole(dipoles.area));
+  for_each_block<ConcurrencyTag>(number_of_sets, 1, [&](std::size_t a, std::size_t) {
+    for (std::size_t b = 0; b < number_of_sets; ++b)
+      if (field.trees[a] == field.trees[b])
+      {
+        double agreement = 0; // of two sets, once
+        for (std::size_t i = dipoles.begins[a]; i < dipoles.begins[a + 1]; ++i)
+        {
+          L winding, of_pairs;
+          dipoles.lanes.for_each_pair(
+            dipoles.places[i], dipoles.lanes.groups()[b], [&](const Dipole_lanes::Pairs& pairs) {
+              winding += winding_number_of_dipole(pairs.height_over_others, pairs.squared_distance,
+                                                  squared_core);
+              if (b < a)
+                of_pairs += dipole_agreement(pairs.cosine,
+                                             pairs.height_over_others * pairs.height_over_own,
+                                             pairs.squared_distance, squared_core);
+            });
+          windings.at(b, i) = float(winding_number_of_set(double(winding.sum()) * dipoles.area));
+          agreement += double(of_pairs.sum());
+        }
+        if (b < a)
+          field.agreements[a * number_of_sets + b] = field.agreements[b * number_of_sets + a] =
+            agreement * dipoles.area * dipoles.area / spacing;
+      }
+  });
+  return windings;
+}
+
 /*!
 Joins the larger ones of connected sets if their field asks to turn some of them
 against the others. At an edge between two faces few samples vote, all of them next to the edge,
@@ -78,14 +112,6 @@ bool join_by_field(const Signed_union_find& trees, const Buffer<Vector>& positio
   const std::size_t number_of_sets = field.roots.size();
   if (number_of_sets < 2)
     return false;
-  const auto place_of = [&](Index root) {
-    return std::size_t(std::lower_bound(field.roots.begin(), field.roots.end(), root)
-                       - field.roots.begin());
-  };
-  const auto is_in_field = [&](Index root) {
-    return std::binary_search(field.roots.begin(), field.roots.end(), root);
-  };
-
   for (Index root : field.roots)
   {
     const auto [tree, sign] = trees.find(root);
@@ -93,43 +119,27 @@ bool join_by_field(const Signed_union_find& trees, const Buffer<Vector>& positio
     field.signs.push_back(sign);
   }
 
-  // Sets of different trees, parts of a scene, do not know of each other.
-  std::vector<std::vector<Dipole>> dipoles(number_of_sets);
-  for (Index i : samples)
-    if (const auto [root, sign] = sets.find(i); is_in_field(root))
-      dipoles[place_of(root)].push_back(
-        {positions[i], double(sign) * normals[i].template cast<double>()});
-  const double area = spacing * spacing * double(positions.size()) / double(samples.size());
-  const double squared_core = squared_core_of_dipole(area);
   field.agreements.assign(number_of_sets * number_of_sets, 0);
-  for_each_block<ConcurrencyTag>(number_of_sets, 1, [&](std::size_t a, std::size_t) {
-    for (std::size_t b = 0; b < a; ++b)
-      if (field.trees[a] == field.trees[b])
-      {
-        double sum = 0;
-        for (const Dipole& dipole : dipoles[a])
-          for (const Dipole& other : dipoles[b])
-          {
-            const Vector d = other.position - dipole.position;
-            sum += dipole_agreement(dipole.normal.dot(other.normal),
-                                    dipole.normal.dot(d) * other.normal.dot(d), d.squaredNorm(),
-                                    squared_core);
-          }
-        field.agreements[a * number_of_sets + b] = field.agreements[b * number_of_sets + a] =
-          sum * area * area / spacing;
-      }
-  });
+  field.with_signs.assign(number_of_sets, 0);
+  const double samples_per_dipole = double(positions.size()) / double(samples.size());
+  const Windings_of_sets windings = add_dipoles<ConcurrencyTag>(
+    dipoles_of_field<ConcurrencyTag>(samples, sets, positions, normals,
+                                     spacing * spacing * samples_per_dipole, field),
+    spacing, field);
   for_each_in_order(voting.votes.size(), [&](std::size_t n) {
     const Vote& v = voting.votes[n];
-    if (is_in_field(v.a) && is_in_field(v.b))
+    if (field.has(v.a) && field.has(v.b))
     {
-      const std::size_t a = place_of(v.a), b = place_of(v.b);
+      const std::size_t a = field.place_of(v.a), b = field.place_of(v.b);
       field.agreements[a * number_of_sets + b] += v.agreement;
       field.agreements[b * number_of_sets + a] += v.agreement;
     }
   });
 
-  if (!field.turn_what_disagrees())
+  bool is_turned = field.turn_what_disagrees();
+  windings.add_to<ConcurrencyTag>(field, samples_per_dipole);
+  is_turned = field.turn_what_disagrees() || is_turned;
+  if (!is_turned)
     return false;
   for (std::size_t b = 0; b < number_of_sets; ++b)
   {
