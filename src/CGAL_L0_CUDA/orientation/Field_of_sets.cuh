@@ -52,7 +52,6 @@ struct Field_of_sets
   long long* with_signs; // of each set with the sign 1
   // of each dipole: the winding number of each set there; a row of `maximum_number_of_sets`
   float* windings;
-  double* sums_of_windings; // of each set, over the dipoles
 
   __device__ float* windings_at(Wide dipole) const
   {

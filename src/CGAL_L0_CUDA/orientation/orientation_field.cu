@@ -222,8 +222,7 @@ bool join_by_field(const Workplace& workplace, const Graph& graph, const Link* t
     workplace.scratch.take<long long>(Wide(maximum_number_of_sets) * maximum_number_of_sets),
     workplace.scratch.take<long long>(Wide(maximum_number_of_sets) * maximum_number_of_sets),
     workplace.scratch.take<long long>(maximum_number_of_sets),
-    workplace.scratch.take<float>(Wide(number_of_dipoles) * maximum_number_of_sets),
-    workplace.scratch.take<double>(maximum_number_of_sets)};
+    workplace.scratch.take<float>(Wide(number_of_dipoles) * maximum_number_of_sets)};
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(field.set_of_root, 0xff, m * sizeof(unsigned), stream));
   CGAL_L0_CUDA_CHECK(cudaMemsetAsync(
     field.agreements, 0, Wide(maximum_number_of_sets) * maximum_number_of_sets * sizeof(long long),

@@ -12,8 +12,8 @@ namespace cuda {
 
 namespace {
 
-constexpr unsigned threads_for_sets = 704; // one for each set
-static_assert(threads_for_sets >= maximum_number_of_sets, "too few threads for the sets");
+// of a block that adds up over dipoles: so many sets, and threads for each
+constexpr unsigned sets_of_block = 32, threads_of_set = 16;
 
 /// One block for each dipole: the winding number there of each set of its tree.
 __global__ void find_windings(Field_of_sets field)
@@ -40,41 +40,50 @@ __global__ void find_windings(Field_of_sets field)
     windings[set] = float(winding_number_of_set(double(sums[set]) / units_per_vote));
 }
 
-__global__ void add_up_windings(Field_of_sets field)
-{
-  const unsigned set = unsigned(thread_index());
-  if (set >= *field.number_of_sets)
-    return;
-  double sum = 0;
-  for (unsigned dipole = 0; dipole < field.number_of_dipoles; ++dipole)
-    sum += double(field.windings_at(dipole)[set]);
-  field.sums_of_windings[set] = sum;
-}
-
-/// One block for each set, with a thread for each other one.
+/// One block for each set and some others.
 __global__ void add_windings_of_sets(Field_of_sets field, double samples_per_dipole)
 {
-  const unsigned size = *field.number_of_sets, a = blockIdx.x, b = threadIdx.x;
-  if (a >= size || b >= size || field.trees[a] != field.trees[b])
+  struct Sums
+  {
+    double of_a, of_b, of_products;
+  };
+  __shared__ Sums of_threads[threads_of_set][sets_of_block];
+  const unsigned size = *field.number_of_sets, a = blockIdx.x, first = blockIdx.y * sets_of_block,
+                 b = first + threadIdx.x;
+  if (a >= size || first >= size) // whole blocks leave
     return;
+  Sums sums = {0, 0, 0};
+  const unsigned end = b < size ? field.number_of_dipoles : 0;
+#pragma unroll 4 // so that the memory has several reads to do at once
+  for (unsigned dipole = threadIdx.y; dipole < end; dipole += threads_of_set)
+  {
+    const double of_a = double(field.windings_at(dipole)[a]),
+                 of_b = double(field.windings_at(dipole)[b]);
+    sums.of_a += of_a;
+    sums.of_b += of_b;
+    sums.of_products += of_a * of_b;
+  }
+  of_threads[threadIdx.y][threadIdx.x] = sums;
+  __syncthreads();
+  if (threadIdx.y > 0 || b >= size || field.trees[a] != field.trees[b])
+    return;
+  for (unsigned thread = 1; thread < threads_of_set; ++thread)
+  {
+    const Sums& others = of_threads[thread][threadIdx.x];
+    sums.of_a += others.of_a;
+    sums.of_b += others.of_b;
+    sums.of_products += others.of_products;
+  }
   double count = 0; // of the dipoles of the tree
   for (unsigned set = 0; set < size; ++set)
     count += field.trees[set] == field.trees[a] ? field.numbers_of_dipoles[set] : 0;
   const double weight = weight_of_windings(samples_per_dipole * count, count);
   if (a == b)
-  {
     field.with_signs[a] = __double2ll_rn(weight * least_gain_of_windings / 2 * field.signs[a]
                                          * field.numbers_of_dipoles[a] * units_per_vote);
-    return;
-  }
-  double sum_of_products = 0;
-#pragma unroll 8 // so that the memory has several reads to do at once
-  for (unsigned dipole = 0; dipole < field.number_of_dipoles; ++dipole)
-    sum_of_products += double(field.windings_at(dipole)[a]) * double(field.windings_at(dipole)[b]);
-  field.row(a)[b] += __double2ll_rn(weight
-                                    * winding_agreement(sum_of_products, field.sums_of_windings[a],
-                                                        field.sums_of_windings[b], count)
-                                    * units_per_vote);
+  else
+    field.row(a)[b] += __double2ll_rn(
+      weight * winding_agreement(sums.of_products, sums.of_a, sums.of_b, count) * units_per_vote);
 }
 
 } // namespace
@@ -83,9 +92,9 @@ void add_windings(const Field_of_sets& field, unsigned number_of_samples, cudaSt
 {
   find_windings<<<field.number_of_dipoles, threads_per_block, 0, stream>>>(field);
   check_launch("find_windings");
-  add_up_windings<<<blocks_for(maximum_number_of_sets), threads_per_block, 0, stream>>>(field);
-  check_launch("add_up_windings");
-  add_windings_of_sets<<<maximum_number_of_sets, threads_for_sets, 0, stream>>>(
+  const dim3 blocks(maximum_number_of_sets,
+                    (maximum_number_of_sets + sets_of_block - 1) / sets_of_block);
+  add_windings_of_sets<<<blocks, dim3(sets_of_block, threads_of_set), 0, stream>>>(
     field, double(number_of_samples) / double(field.number_of_dipoles));
   check_launch("add_windings_of_sets");
 }

@@ -137,7 +137,7 @@ CGAL_L0_HOST_DEVICE inline double weight_of_windings(double number_of_samples,
                                                      double number_of_dipoles)
 {
   using std::sqrt;
-  return 1000 * sqrt(number_of_samples) / number_of_dipoles;
+  return 500 * sqrt(number_of_samples) / number_of_dipoles;
 }
 
 /// How far two samples are of one sheet, in [0, 1], where each lies near the tangent plane of the

@@ -8,6 +8,7 @@
 
 #include <CGAL/L0_resampling/Quadratic_problem.h>
 #include <CGAL/L0_resampling/internal/core/lanes.h>
+#include <CGAL/L0_resampling/internal/search/Search_grid_3.h>
 
 #include <cstddef>
 #include <vector>

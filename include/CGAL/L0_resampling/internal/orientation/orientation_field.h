@@ -13,6 +13,7 @@
 #include <CGAL/L0_resampling/internal/orientation/Windings_of_sets.h>
 #include <CGAL/L0_resampling/internal/orientation/dipoles_of_sets.h>
 #include <CGAL/L0_resampling/internal/orientation/orientation_votes.h>
+#include <CGAL/L0_resampling/internal/search/Search_grid_3.h>
 
 #include <algorithm>
 #include <cmath>

@@ -11,6 +11,7 @@
 #include <CGAL/L0_resampling/internal/kernels/orientation_agreement.h>
 #include <CGAL/L0_resampling/internal/kernels/side_confidence.h>
 #include <CGAL/L0_resampling/internal/orientation/Dipole_lanes.h>
+#include <CGAL/L0_resampling/internal/search/Search_grid_3.h>
 
 #include <algorithm>
 #include <cmath>
