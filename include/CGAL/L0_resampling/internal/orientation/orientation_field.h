@@ -63,6 +63,11 @@ Windings_of_sets add_dipoles(const Dipoles_of_field& dipoles, double spacing, Fi
   const std::size_t number_of_sets = field.roots.size();
   Windings_of_sets windings(dipoles.begins);
   const float squared_core = float(squared_core_of_dipole(dipoles.area));
+  // squares of large distances are no numbers of single precision; so far away nothing is known
+  const auto number_or_nothing = [](const L& lanes) {
+    const double sum = double(lanes.sum());
+    return std::isfinite(sum) ? sum : 0;
+  };
   for_each_block<ConcurrencyTag>(number_of_sets, 1, [&](std::size_t a, std::size_t) {
     for (std::size_t b = 0; b < number_of_sets; ++b)
       if (field.trees[a] == field.trees[b])
@@ -80,8 +85,9 @@ Windings_of_sets add_dipoles(const Dipoles_of_field& dipoles, double spacing, Fi
                                              pairs.height_over_others * pairs.height_over_own,
                                              pairs.squared_distance, squared_core);
             });
-          windings.at(b, i) = float(winding_number_of_set(double(winding.sum()) * dipoles.area));
-          agreement += double(of_pairs.sum());
+          const double of_set = winding_number_of_set(number_or_nothing(winding) * dipoles.area);
+          windings.at(b, i) = float(of_set);
+          agreement += number_or_nothing(of_pairs);
         }
         if (b < a)
           field.agreements[a * number_of_sets + b] = field.agreements[b * number_of_sets + a] =
