@@ -101,7 +101,6 @@ void print_constants()
   object.add("repulsion_maximum_step", repulsion.maximum_step);
   object.add("beyond_doubt", beyond_doubt);
   object.add("clear_majority", clear_majority);
-  object.add("weight_of_mean_winding", weight_of_mean_winding);
   object.add("least_certain_cosine", least_certain_cosine);
   object.add("maximum_number_of_candidates", maximum_number_of_candidates);
   std::cout << "\n  }\n";
