@@ -130,9 +130,8 @@ CGAL_L0_HOST_DEVICE inline double winding_agreement(double sum_of_products, doub
 /// that are nearly one are known to less.
 constexpr double least_gain_of_windings = 0.15;
 
-/// What the winding numbers of a dipole weigh beside edges.
-/// \param number_of_samples that the tree has; it has \f$ \sqrt m \f$ times as many edges across a
-/// line
+/// What the winding numbers of a dipole weigh beside edges. As many edges cross a line over a tree
+/// as the square root of its number of samples says, so all its dipoles together weigh that much.
 CGAL_L0_HOST_DEVICE inline double weight_of_windings(double number_of_samples,
                                                      double number_of_dipoles)
 {

@@ -54,8 +54,10 @@ Dipoles_of_field dipoles_of_field(const std::vector<Index>& samples, const Signe
   result.lanes.fill_up();
 
   const float squared_core = float(squared_core_of_dipole(area));
-  std::vector<double> shares(result.places.size());
+  std::vector<double> shares(result.places.size(), 1);
   for_each_block<ConcurrencyTag>(field.roots.size(), 1, [&](std::size_t a, std::size_t) {
+    if (field.is_alone(a))
+      return;
     for (std::size_t i = result.begins[a]; i < result.begins[a + 1]; ++i)
     {
       Dipole_lanes::L crowding;

@@ -36,6 +36,9 @@ struct Field_of_sets
     return Set(std::lower_bound(roots.begin(), roots.end(), root) - roots.begin());
   }
 
+  /// Whether no other set is of its tree, so that there is none to agree with.
+  bool is_alone(Set a) const { return std::count(trees.begin(), trees.end(), trees[a]) == 1; }
+
   /// Turns the set that disagrees most with all others, one after the other, until none does; and
   /// where none does, the group that does so together, each of which the others of it keep from
   /// turning.

@@ -69,6 +69,8 @@ Windings_of_sets add_dipoles(const Dipoles_of_field& dipoles, double spacing, Fi
     return std::isfinite(sum) ? sum : 0;
   };
   for_each_block<ConcurrencyTag>(number_of_sets, 1, [&](std::size_t a, std::size_t) {
+    if (field.is_alone(a))
+      return;
     for (std::size_t b = 0; b < number_of_sets; ++b)
       if (field.trees[a] == field.trees[b])
       {
