@@ -323,6 +323,7 @@ public:
   {
     m_facts.area = sums.area;
     m_facts.number_of_points = std::size_t(sums.sums.points);
+    m_facts.number_of_places = std::size_t(sums.sums.distinct);
     set_spacing();
   }
 

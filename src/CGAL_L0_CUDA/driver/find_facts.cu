@@ -86,6 +86,7 @@ public:
 
   /// Without outliers, and thinned.
   std::size_t number_of_sorted_points() const { return m_grid.size; }
+  std::size_t number_of_places() const { return m_grid.number_of_distinct; }
 
   double mean_number_of_neighbors(const Plan& plan)
   {
@@ -104,15 +105,13 @@ public:
   }
 
   /// \param points out, on the host: what is found of each point of the session
-  /// \returns how many points samples start on
-  std::size_t choose_samples(const Plan& plan, Point_in_cloud* points)
+  void choose_samples(const Plan& plan, Point_in_cloud* points)
   {
     const cudaStream_t stream = m_workplace.stream;
     const unsigned size = m_session.size;
     unsigned* const numbers = m_workplace.arena.take<unsigned>(m_grid.size);
-    const unsigned number_of_point_starts =
-      count_starts(m_workplace, m_grid, plan.starts_evenly ? &m_areas : nullptr,
-                   unsigned(plan.number_of_samples), plan.random_seed, numbers);
+    count_starts(m_workplace, m_grid, plan.starts_evenly ? &m_areas : nullptr,
+                 unsigned(plan.number_of_samples), plan.random_seed, numbers);
     Point_in_cloud* const on_device = m_workplace.arena.take<Point_in_cloud>(size);
     begin_points<<<blocks_for(size), threads_per_block, 0, stream>>>(size, m_input.positions.scales,
                                                                      on_device);
@@ -126,7 +125,6 @@ public:
     CGAL_L0_CUDA_CHECK(
       cudaMemcpyAsync(points, on_device, size * sizeof(*points), cudaMemcpyDeviceToHost, stream));
     CGAL_L0_CUDA_CHECK(cudaStreamSynchronize(stream));
-    return number_of_point_starts;
   }
 };
 
@@ -164,10 +162,10 @@ Answer find_facts(Session& session, const double* points, std::size_t size,
     finder.begin_stage("areas", 0.3, size);
     finder.sort_points(plan);
     facts.number_of_points = finder.number_of_sorted_points();
+    facts.number_of_places = finder.number_of_places();
     facts.mean_number_of_neighbors = finder.mean_number_of_neighbors(plan);
     facts.area = finder.total_area(plan);
-    facts.number_of_starts = plan.number_of_samples;
-    facts.number_of_point_starts = finder.choose_samples(plan, points_in_cloud);
+    finder.choose_samples(plan, points_in_cloud);
     stages.end();
   });
 }

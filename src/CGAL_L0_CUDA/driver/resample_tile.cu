@@ -117,8 +117,7 @@ public:
   void choose_samples(const Plan& plan)
   {
     const Known_starts known = {m_session.points_in_cloud, m_facts.number_of_points,
-                                plan.number_of_samples, m_facts.number_of_starts,
-                                m_facts.number_of_point_starts};
+                                m_facts.number_of_places, plan.number_of_samples};
     Cuda_backend::choose_samples(plan, &known);
   }
 };

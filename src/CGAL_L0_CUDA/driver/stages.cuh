@@ -227,10 +227,9 @@ struct Known_starts
 {
   const Point_in_cloud* points; // of the session, on the device
   // of the cloud:
-  std::size_t number_of_points;       // without outliers, and thinned
-  std::size_t number_of_samples;      // that were asked for
-  std::size_t number_of_starts;       // of samples
-  std::size_t number_of_point_starts; // of those that start on a point
+  std::size_t number_of_points;  // without outliers, and thinned
+  std::size_t number_of_places;  // where these are
+  std::size_t number_of_samples; // that were asked for
 };
 
 /// What the points hand on to the samples that start on them.
@@ -247,9 +246,8 @@ struct Sources_of_samples
 /// How many samples start on each point of the grid, or near it, as they are chosen.
 /// \param areas null if they spread as the points do
 /// \param numbers out: one for each point
-/// \returns how many points these are; waits for the device
-unsigned count_starts(const Workplace& workplace, const Cell_grid& grid, const Areas* areas,
-                      unsigned number_of_samples, std::size_t seed, unsigned* numbers);
+void count_starts(const Workplace& workplace, const Cell_grid& grid, const Areas* areas,
+                  unsigned number_of_samples, std::size_t seed, unsigned* numbers);
 
 /// The first S, chosen as the CPU chooses it, or as it is known.
 /// \param lone_radius of the ball around a point that is alone

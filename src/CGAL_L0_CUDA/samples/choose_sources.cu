@@ -229,8 +229,8 @@ Sources known_sources(const Workplace& workplace, const Known_points& known, con
   return {{on_points, number_on_points}, {near_points, number_near_points}};
 }
 
-unsigned count_starts(const Workplace& workplace, const Cell_grid& grid, const Areas* areas,
-                      unsigned number_of_samples, std::size_t seed, unsigned* numbers)
+void count_starts(const Workplace& workplace, const Cell_grid& grid, const Areas* areas,
+                  unsigned number_of_samples, std::size_t seed, unsigned* numbers)
 {
   const Arena_scope scope(workplace.scratch);
   const Some distinct = distinct_points(workplace, grid);
@@ -243,7 +243,6 @@ unsigned count_starts(const Workplace& workplace, const Cell_grid& grid, const A
         of_kind, distinct, numbers);
       check_launch("add_starts");
     }
-  return sources.on_points.size;
 }
 
 } // namespace cuda

@@ -232,9 +232,9 @@ void initialize_samples(const Workplace& workplace, const Positions& positions,
       heritage, samples);
     check_launch("place_near_points");
   }
-  const Support_subset support_points(
-    seed, radius, spacing, known ? known->number_of_starts : samples.size,
-    known ? known->number_of_point_starts : sources.on_points.size);
+  const Support_subset support_points(seed, radius, spacing,
+                                      known ? known->number_of_samples : samples.size,
+                                      known ? known->number_of_places : distinct.size);
   place_on_points<<<blocks_for(sources.on_points.size), threads_per_block, 0, stream>>>(
     positions, grid, distinct, sources.on_points, number_of_new, heritage, support_points, samples);
   check_launch("place_on_points");

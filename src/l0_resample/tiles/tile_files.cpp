@@ -57,7 +57,7 @@ void for_each_plain_fact(Facts& facts, const F& f)
   f(facts.area);
   f(facts.units_of_starts);
   f(facts.number_of_points);
-  f(facts.numbers_of_starts);
+  f(facts.number_of_places);
 }
 
 } // namespace

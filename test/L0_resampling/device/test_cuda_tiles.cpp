@@ -120,7 +120,7 @@ void check_facts(const std::string& name, const std::vector<Place>& points,
   CHECK(std::abs(*found.mean_number_of_neighbors / *expected.mean_number_of_neighbors - 1) < 1e-4);
   if (expected.number_of_points) // if it was needed
     CHECK(*found.number_of_points == *expected.number_of_points);
-  CHECK(found.numbers_of_starts->all == parameters.number_of_output_points);
+  CHECK(*found.number_of_places == *expected.number_of_places);
   std::size_t different = 0, with_other_scale = 0, number_of_samples = 0;
   for (std::size_t i = 0; i < points.size(); ++i)
   {

@@ -17,12 +17,6 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// Of the samples of a cloud, those that start on a point, and all.
-struct Numbers_of_starts
-{
-  std::size_t on_points, all;
-};
-
 /*!
 All numbers that a call on the CPU takes from the cloud as a whole. A call finds those that it is
 not given, each in one place, and notes them here. A call that is given those of a larger cloud
@@ -47,7 +41,7 @@ struct Facts_of_cloud
   /// In units of `Areas`, of those points that samples start on.
   std::optional<std::uint64_t> units_of_starts;
   std::optional<std::size_t> number_of_points; ///< without outliers, and thinned
-  std::optional<Numbers_of_starts> numbers_of_starts;
+  std::optional<std::size_t> number_of_places; ///< where these are
 };
 
 /// The fact; if it is not known, what `find()` returns, which is noted.

@@ -264,7 +264,8 @@ constexpr double largest_roughness = 3;
 /// further off it grows fast.
 constexpr double largest_leverage = 10;
 
-/// The support subset has at least this many samples in a ball, if the ball has as many.
+/// The support subset has about this many samples in a ball, or up to twice as many, if the ball
+/// has as many.
 constexpr double least_support_points_in_ball = 128;
 
 /// Chooses the support subset among the samples that start on a point each: by that point, so
@@ -275,13 +276,14 @@ struct Support_subset
   std::uint64_t stride = 1; ///< every `stride`-th sample is used
 
   /// \param spacing of an even set of samples
+  /// \param number_of_places where points are: no more samples start on a point
   Support_subset(std::uint64_t random_seed, double radius, double spacing,
-                 std::size_t number_of_samples, std::size_t number_on_points)
+                 std::size_t number_of_samples, std::size_t number_of_places)
     : seed(random_seed)
   {
     const double pi = 3.141592653589793, reach = quadric_radius_factor * radius / spacing;
-    const double in_ball = pi * reach * reach * double(number_on_points)
-                           / double(number_of_samples);
+    const double in_ball = pi * reach * reach
+                           * (std::min)(double(number_of_places) / double(number_of_samples), 1.);
     // a power of two, since few numbers are so near to one that a rounding decides
     while (double(2 * stride) * least_support_points_in_ball <= in_ball
            && stride < (std::uint64_t(1) << 20))

@@ -108,14 +108,15 @@ Placed_samples with_followers(const Plan& plan, const Prepared_points& input, co
 
 /// The points that samples start on, or near.
 /// \param areas that the points stand for, if the plan uses them
-/// \param facts the area that samples start on: given, or found here
+/// \param facts the area that samples start on, and the number of places: given, or found here
 inline Sources choose_sources(const Plan& plan, const Prepared_points& input, const Areas& areas,
                               Facts_of_cloud& facts)
 {
   const Buffer<std::uint64_t> no_areas(input.points.get_allocator());
-  return sources_of_samples(distinct_points(input.points),
-                            plan.starts_evenly ? areas.units : no_areas, plan.number_of_samples,
-                            plan.random_seed, facts.units_of_starts);
+  const Buffer<Index> distinct = distinct_points(input.points);
+  known_or_found(facts.number_of_places, [&]() { return distinct.size(); });
+  return sources_of_samples(distinct, plan.starts_evenly ? areas.units : no_areas,
+                            plan.number_of_samples, plan.random_seed, facts.units_of_starts);
 }
 
 /// Where samples start.
@@ -135,14 +136,15 @@ Placed_samples place_samples(const Plan& plan, const Prepared_points& input, con
 
 /// Section 3.2: the first S, where they are placed.
 /// \param cloud_index of the points
-/// \param facts the numbers of samples that start on a point, and of all: given, or found here
+/// \param facts the number of places is known
 /// \param hints used up
 /// \param samples out: all but what the fit finds
 /// \returns the samples that follow others
 template <typename FT>
 Followers take_samples(const Plan& plan, const Prepared_points& input,
                        const Cloud_indices& cloud_index, Placed_samples placed,
-                       Facts_of_cloud& facts, Buffer<Local_vector>& hints, Samples<FT>& samples)
+                       const Facts_of_cloud& facts, Buffer<Local_vector>& hints,
+                       Samples<FT>& samples)
 {
   const Buffer<Vector>& points = input.points;
   Initial_samples& start = placed.start;
@@ -163,13 +165,8 @@ Followers take_samples(const Plan& plan, const Prepared_points& input,
     const auto starts_on_point = [&](std::size_t i) {
       return samples.positions[i] == points[start.sources[i]];
     };
-    const Numbers_of_starts numbers = known_or_found(facts.numbers_of_starts, [&]() {
-      Numbers_of_starts found = {0, size + placed.followers.leaders.size()};
-      for_each_in_order(size, [&](std::size_t i) { found.on_points += starts_on_point(i); });
-      return found;
-    });
-    const Support_subset choice(plan.random_seed, plan.radius, plan.sample_spacing, numbers.all,
-                                numbers.on_points);
+    const Support_subset choice(plan.random_seed, plan.radius, plan.sample_spacing,
+                                plan.number_of_samples, *facts.number_of_places);
     samples.are_support_points.reserve(size);
     for_each_in_order(size, [&](std::size_t i) {
       samples.are_support_points.push_back(starts_on_point(i)

@@ -33,16 +33,13 @@ inline std::uint64_t device_memory_for_tiles()
   return std::uint64_t(bytes) / 16 * 15;
 }
 
-/// The samples that start on points of a tile and its halo.
-inline Numbers_of_starts numbers_of_starts(const std::vector<Point_in_cloud>& points)
+/// How many samples start on points of a tile and its halo, or near them.
+inline std::size_t number_of_starts(const std::vector<Point_in_cloud>& points)
 {
-  Numbers_of_starts numbers = {0, 0};
+  std::size_t number = 0;
   for (const Point_in_cloud& point : points)
-  {
-    numbers.on_points += point.number_of_samples > 0;
-    numbers.all += point.number_of_samples;
-  }
-  return numbers;
+    number += point.number_of_samples;
+  return number;
 }
 
 inline Range_of_scales range_of_scales(const std::vector<Point_in_cloud>& points)
@@ -64,11 +61,8 @@ inline cuda::Facts_of_tiles facts_for_device(const Facts_of_cloud& facts,
   result.extents.scales = *facts.scales;
   result.area = *facts.area;
   result.number_of_points = facts.number_of_points.value_or(std::size_t(0)); // if it is needed
+  result.number_of_places = *facts.number_of_places;
   result.mean_number_of_neighbors = facts.mean_number_of_neighbors.value_or(0.);
-  const Numbers_of_starts numbers = facts.numbers_of_starts ? *facts.numbers_of_starts
-                                                            : numbers_of_starts(points);
-  result.number_of_starts = numbers.all;
-  result.number_of_point_starts = numbers.on_points;
   result.range_of_scales = facts.range_of_scales ? *facts.range_of_scales : range_of_scales(points);
   return result;
 }
@@ -105,7 +99,7 @@ inline Facts_of_cloud facts_on_device(const Buffer<Vector>& points, const Parame
   facts.mean_number_of_neighbors = found.mean_number_of_neighbors;
   facts.area = found.area;
   facts.number_of_points = found.number_of_points;
-  facts.numbers_of_starts = Numbers_of_starts{found.number_of_point_starts, found.number_of_starts};
+  facts.number_of_places = found.number_of_places;
   return facts;
 }
 
@@ -125,7 +119,7 @@ inline Samples_of_tile<float> resample_tile_on_device(const Buffer<Vector>& poin
   report.device = "cuda";
   report.device_reason = "asked for";
   const Device_session session = new_device_session();
-  const cuda::Tile_of_cloud tile = {known.data(), numbers_of_starts(known).all,
+  const cuda::Tile_of_cloud tile = {known.data(), number_of_starts(known),
                                     facts_for_device(facts, known)};
   Device_progress progress(callback);
   cuda::Call_report call;
