@@ -14,11 +14,12 @@
 #include <CGAL/L0_resampling/internal/interface/points_of_range.h>
 #include <CGAL/L0_resampling/internal/interface/resample_on_cpu.h>
 #include <CGAL/L0_resampling/internal/search/nearest_input_points.h>
+#include <CGAL/L0_resampling/internal/tiles/facts_of_tile_impl.h>
 #include <CGAL/L0_resampling/internal/tiles/resample_tile_impl.h>
 #include <CGAL/L0_resampling/internal/tiles/sides_of_tiles_impl.h>
 
 #include <array>
-#include <functional>
+#include <cstdint>
 #include <vector>
 
 /// The instantiations for a concurrency tag and a number type, of the solver and of the caller's
@@ -42,17 +43,29 @@
   template Oriented_representatives orient_point_set<Tag>(Buffer<Vector>&, Buffer<Local_vector>&,  \
                                                           Buffer<Local_vector>&,                   \
                                                           const Parameters&, Progress&, Report&);  \
-  template Scales scales_of_regions<Tag>(                                                          \
-    Buffer<Vector>&, const std::function<bool(const Vector&)>&, const Facts_of_cloud&, Progress&); \
+  template Places_of_tile count_places<Tag>(Buffer<Vector>&, const Own_blocks&,                    \
+                                            const Facts_of_cloud&);                                \
+  template std::vector<Ranked_balls> look_at_balls<Tag>(Buffer<Vector>&, const Own_blocks&,        \
+                                                        const Facts_of_cloud&,                     \
+                                                        const Ranks_of_runs&, std::size_t,         \
+                                                        Progress&);                                \
+  template std::vector<Placed_seed> look_at_seeds<Tag>(                                            \
+    Buffer<Vector>&, const Own_blocks&, const Facts_of_cloud&, const Ranks_of_runs&, Progress&);   \
+  template std::vector<Placed_seed> seeds_of_outermost<Tag>(                                       \
+    const std::vector<std::uint64_t>&, const Facts_of_cloud&, const Ranks_of_runs&, Progress&);    \
+  template Neighbors_of_tile count_neighbors<Tag>(Buffer<Vector>&, const Own_blocks&,              \
+                                                  const Facts_of_cloud&, const Parameters&,        \
+                                                  Progress&, Report&);                             \
+  template Disks_of_tile count_disks<Tag, float>(Buffer<Vector>&, const Own_blocks&,               \
+                                                 const Facts_of_cloud&, const Parameters&,         \
+                                                 Any_solver<float>&, Progress&, Report&);          \
   template Facts_of_cloud facts_of_points<Tag, float>(Buffer<Vector>&, const Parameters&,          \
                                                       Any_solver<float>&, Progress&, Report&,      \
                                                       std::vector<Point_in_cloud>&);               \
   template Share_of_tile share_of_tile<Tag, float>(Buffer<Vector>&, const Facts_of_cloud&,         \
-                                                   const Parameters&, const Room_of_tile&,         \
-                                                   Any_solver<float>&, Progress&, Report&);        \
-  template std::vector<Point_in_cloud> points_of_tile<Tag, float>(                                 \
-    Buffer<Vector>&, const Facts_of_cloud&, const Parameters&, const Room_of_tile&,                \
-    const Starts_of_runs&, Any_solver<float>&, Progress&, Report&);                                \
+                                                   const Parameters&, const Own_blocks&,           \
+                                                   Any_solver<float>&, Progress&, Report&,         \
+                                                   Points_of_tile&);                               \
   template Samples_of_tile<float> resample_tile<Tag, float>(                                       \
     Buffer<Vector>&, const std::vector<Point_in_cloud>&, const Facts_of_cloud&, bool,              \
     const Parameters&, Any_solver<float>&, Progress&, Report&);                                    \

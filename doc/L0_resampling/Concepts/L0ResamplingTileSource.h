@@ -6,7 +6,8 @@
 /*!
 \ingroup PkgL0ResamplingConcepts
 
-The points of a cloud that is resampled tile by tile, wherever they are.
+The points of a cloud that is resampled tile by tile, wherever they are. Where memory does
+not hold the cloud, all of it is read about ten times.
 
 \cgalConcept
 */

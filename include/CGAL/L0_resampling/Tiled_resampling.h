@@ -16,11 +16,12 @@
 #include <CGAL/L0_resampling/internal/interface/points_of_range.h>
 #include <CGAL/L0_resampling/internal/tiles/Blocks_of_tile.h>
 #include <CGAL/L0_resampling/internal/tiles/Counted_cloud.h>
-#include <CGAL/L0_resampling/internal/tiles/Regions_of_blocks.h>
+#include <CGAL/L0_resampling/internal/tiles/Facts_in_passes.h>
 #include <CGAL/L0_resampling/internal/tiles/resample_tile.h>
 #include <CGAL/L0_resampling/internal/tiles/stitch_tiles.h>
 #include <CGAL/L0_resampling/tags.h>
 #ifndef CGAL_L0_LINKED_WITH_COMPILED
+#include <CGAL/L0_resampling/internal/tiles/facts_of_tile_impl.h>
 #include <CGAL/L0_resampling/internal/tiles/resample_tile_impl.h>
 #include <CGAL/L0_resampling/internal/tiles/sides_of_tiles_impl.h>
 #endif
@@ -84,22 +85,24 @@ class Tiled_resampling
   double m_radius = 0;                            // in the unit of the input
   double m_halo_in_radii = halo_in_radii;
   std::vector<internal::Tile> m_tiles;
-  std::vector<std::vector<internal::Point_in_cloud>> m_points_of_tiles; // if all facts are known
+  std::vector<std::vector<internal::Point_in_cloud>> m_points_of_tiles; // that were set
   std::vector<internal::Starts_of_runs> m_starts;                       // of the tiles, if not
   double m_sample_spacing = 0;                                          // in units of the radius
   bool m_orients_at_once = false;
 
+  /// A tile sees each run of cells as a whole that has a point of its own.
   std::int64_t halo_in_blocks() const
   {
-    const double most = 1e6; // no tile is as wide
-    return 1
-           + std::int64_t(
-             std::ceil((std::min)(m_halo_in_radii * m_radius / m_cloud.lattice().side(), most)));
+    const double radii_of_run =
+      has_all_facts() ? 0.
+                      : double(internal::Search_grid_3::cells_per_run)
+                          * m_facts.range_of_scales.value_or(internal::Range_of_scales()).largest;
+    return m_cloud.halo_in_blocks((std::max)(m_halo_in_radii, radii_of_run) * m_radius);
   }
 
-  internal::Room_of_tile room_of_tile(std::size_t tile) const
+  internal::Own_blocks own_blocks_of(std::size_t tile) const
   {
-    return {m_cloud.lattice(), m_tiles[tile].room};
+    return {m_cloud.lattice(), m_tiles[tile].box};
   }
 
   internal::Blocks_of_tile blocks_of_tile(std::size_t tile) const
@@ -223,20 +226,26 @@ public:
                    bytes_per_sample_of_facts_on_device);
   }
 
-  /// Finds the facts of the whole cloud: those that a call for all of it in memory finds, if
-  /// `bytes` hold all of the points, and `device_bytes` of the device with `CUDA_tag`; else the
-  /// scales, from as many regions all over the cloud as `bytes` hold.
+  /// Finds the facts of the whole cloud, those that a call for all of it in memory finds: at once,
+  /// if memory holds all of the points; else in passes over the cloud, all but what tiles find
+  /// while they share out the samples.
+  /// \param source of the points
+  /// \param bytes of memory
+  /// \param device_bytes of that of the device, with `CUDA_tag`
+  /// \param halo of the tiles in these passes, in radii
+  /// \throws std::bad_alloc if a single block takes more
   template <typename Source>
   const internal::Facts_of_cloud& find_facts(
     const Source& source, std::uint64_t bytes,
-    std::uint64_t device_bytes = (std::numeric_limits<std::uint64_t>::max)())
+    std::uint64_t device_bytes = (std::numeric_limits<std::uint64_t>::max)(),
+    double halo = halo_in_radii)
   {
     std::uint64_t& with_limit = is_on_device ? device_bytes : bytes;
     with_limit = limited(with_limit);
     if (can_find_all_facts(number_of_points(), number_of_samples(), bytes, device_bytes))
       set_facts(facts_of_all_points(source));
     else
-      set_facts(facts_of_regions(source, bytes));
+      set_facts(facts_in_passes(source, bytes, halo));
     return m_facts;
   }
 
@@ -260,12 +269,10 @@ public:
   {
     m_halo_in_radii = halo;
     bytes = limited(bytes);
-    const internal::Tiling tiling(
-      blocks(), halo_in_blocks(),
-      internal::Bytes_of_tile::of_cloud(blocks(), double(of_call.per_point),
-                                        double(number_of_samples()) * double(of_call.per_sample),
-                                        !m_parameters.keep_density),
-      double(bytes));
+    if (!is_on_device && m_facts.field)
+      bytes -= (std::min)(bytes, std::uint64_t(m_facts.field->number_of_bytes()));
+    const internal::Tiling tiling(blocks(), halo_in_blocks(), bytes_of_tile(of_call),
+                                  double(bytes));
     m_tiles = tiling.tiles();
     if (tiling.most_bytes_of_tile() > double(bytes))
       throw std::bad_alloc();
@@ -292,20 +299,27 @@ public:
   }
 
   /// What a tile adds to the sums over all tiles. Not needed if `has_all_facts()`.
+  /// \param tile its number
+  /// \param source of the points
+  /// \param points_of_tile out: what `set_points_of_tile()` takes
   template <typename Source>
-  internal::Share_of_tile share_of_tile(std::size_t tile, const Source& source) const
+  internal::Share_of_tile share_of_tile(std::size_t tile, const Source& source,
+                                        internal::Points_of_tile& points_of_tile) const
   {
     internal::Share_of_tile share;
     Report report;
     watched(report, [&](internal::Progress& progress, internal::Memory_counter& memory) {
       internal::Buffer<internal::Vector> points(&memory);
       blocks_of_tile(tile).read_at_once(source, points);
-      Solver solver;
-      internal::Any_solver<FT> any_solver(solver);
-      share = internal::share_of_tile<Host_tag>(points, m_facts, m_parameters, room_of_tile(tile),
-                                                any_solver, progress, report);
+      share = find_share(tile, points, progress, points_of_tile);
     });
     return share;
+  }
+  template <typename Source>
+  internal::Share_of_tile share_of_tile(std::size_t tile, const Source& source) const
+  {
+    internal::Points_of_tile not_kept;
+    return share_of_tile(tile, source, not_kept);
   }
 
   /// Decides how many samples start where.
@@ -324,6 +338,7 @@ public:
     m_facts.area = sums.area;
     m_facts.number_of_points = std::size_t(sums.sums.points);
     m_facts.number_of_places = std::size_t(sums.sums.distinct);
+    m_facts.mean_number_of_neighbors = double(sums.sums.neighbors) / double(sums.sums.points);
     set_spacing();
   }
 
@@ -332,6 +347,14 @@ public:
   {
     m_starts.resize(m_tiles.size());
     m_starts[tile] = std::move(starts);
+  }
+
+  /// For a tile that is to be resampled, once `set_starts()` was called for it: what
+  /// `share_of_tile()` has found of its points. Else that is found once more.
+  void set_points_of_tile(std::size_t tile, internal::Points_of_tile points)
+  {
+    m_points_of_tiles.resize(m_tiles.size());
+    m_points_of_tiles[tile] = placed(tile, std::move(points));
   }
 
   /// If `has_all_facts()`, instead of `find_facts()`, for a tile that is to be resampled: those of
@@ -355,7 +378,8 @@ public:
         blocks.read_by_blocks(source, input.points);
       else
         blocks.read_at_once(source, input.points);
-      const bool are_points_set = has_all_facts() && m_points.empty();
+      const bool are_points_set = tile < m_points_of_tiles.size()
+                                  && !m_points_of_tiles[tile].empty();
       const std::vector<internal::Point_in_cloud> found_here =
         are_points_set ? std::vector<internal::Point_in_cloud>()
                        : points_of_tile(tile, input.points, progress);
@@ -441,10 +465,40 @@ public:
   bool are_sides_given() const { return m_parameters.has_viewpoint && !m_orients_at_once; }
 
 private:
-  static constexpr std::uint64_t bytes_per_point_of_regions = 100;
+  static constexpr std::uint64_t bytes_per_point_of_share = 200;
   static constexpr std::uint64_t many = std::uint64_t(1) << 32; // more than an index can number
 
+  internal::Bytes_of_tile bytes_of_tile(const internal::Bytes_of_call& of_call) const
+  {
+    internal::Bytes_of_tile bytes = internal::Bytes_of_tile::of_cloud(
+      blocks(), double(of_call.per_point), double(number_of_samples()) * double(of_call.per_sample),
+      !m_parameters.keep_density);
+    if (!has_all_facts())
+      bytes.per_point_before = double(bytes_per_point_of_share);
+    return bytes;
+  }
+
   void set_spacing() { m_sample_spacing = std::sqrt(*m_facts.area / double(number_of_samples())); }
+
+  /// \param points used up
+  internal::Share_of_tile find_share(std::size_t tile, internal::Buffer<internal::Vector>& points,
+                                     internal::Progress& progress,
+                                     internal::Points_of_tile& points_of_tile) const
+  {
+    Report unwanted_report;
+    Solver solver;
+    internal::Any_solver<FT> any_solver(solver);
+    return internal::share_of_tile<Host_tag>(points, m_facts, m_parameters, own_blocks_of(tile),
+                                             any_solver, progress, unwanted_report, points_of_tile);
+  }
+
+  std::vector<internal::Point_in_cloud> placed(std::size_t tile,
+                                               internal::Points_of_tile points) const
+  {
+    const internal::Plan plan = plan_of(m_facts);
+    return std::move(points).placed(m_starts[tile], plan.number_of_samples, plan.random_seed,
+                                    plan.starts_evenly);
+  }
 
   /// What is to be known of the points of a tile and its halo.
   std::vector<internal::Point_in_cloud> points_of_tile(
@@ -454,12 +508,9 @@ private:
     if (!has_all_facts())
     {
       internal::Buffer<internal::Vector> used_up = internal::copy_of(points);
-      Report unwanted_report;
-      Solver solver;
-      internal::Any_solver<FT> any_solver(solver);
-      return internal::points_of_tile<Host_tag>(used_up, m_facts, m_parameters, room_of_tile(tile),
-                                                m_starts[tile], any_solver, progress,
-                                                unwanted_report);
+      internal::Points_of_tile found;
+      find_share(tile, used_up, progress, found);
+      return placed(tile, std::move(found));
     }
     const internal::Blocks_of_tile blocks = blocks_of_tile(tile);
     std::vector<internal::Point_in_cloud> known;
@@ -526,27 +577,18 @@ private:
   }
 
   template <typename Source>
-  internal::Facts_of_cloud facts_of_regions(const Source& source, std::uint64_t bytes) const
+  internal::Facts_of_cloud facts_in_passes(const Source& source, std::uint64_t bytes,
+                                           double halo) const
   {
-    internal::Facts_of_cloud facts = m_cloud.facts();
-    const internal::Regions_of_blocks regions(blocks(), bytes / bytes_per_point_of_regions);
+    internal::Facts_of_cloud facts;
     Report report;
-    watched(report, [&](internal::Progress& progress, internal::Memory_counter& memory) {
-      internal::Buffer<internal::Vector> points(&memory);
-      points.reserve(std::size_t(regions.number_of_points()));
-      for (std::size_t b = 0; b < blocks().size(); ++b)
-        if (regions.is_read(b))
-          m_cloud.read(source, {blocks()[b].first, blocks()[b].first}, points);
-      const auto is_in_middle = [&](const internal::Vector& p) {
-        return regions.is_in_middle(lattice().block_of(p));
-      };
-      facts.scales = internal::scales_of_regions<Host_tag>(points, is_in_middle, facts, progress);
+    watched(report, [&](internal::Progress&, internal::Memory_counter& memory) {
+      Solver solver;
+      internal::Any_solver<FT> any_solver(solver);
+      facts = internal::Facts_in_passes<Host_tag, Source>(m_cloud, source, m_parameters, any_solver,
+                                                          bytes, m_callback, memory)
+                .find(halo);
     });
-    // as many as a cloud of this spacing has
-    const internal::Plan plan = plan_of(facts);
-    facts.units_of_disks = std::uint64_t(internal::square(plan.sample_spacing)
-                                         * double(number_of_samples())
-                                         / internal::Areas::area_per_unit_of(plan.area_radius()));
     return facts;
   }
 };

@@ -58,11 +58,16 @@ public:
 
   /// The number of values, and these.
   template <typename T>
-  void write_all(const std::vector<T>& values)
+  void write_all(const T* values, std::size_t size)
   {
     static_assert(std::is_trivially_copyable<T>::value, "what is no plain data has pointers");
-    write(std::uint64_t(values.size()));
-    write_bytes({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)});
+    write(std::uint64_t(size));
+    write_bytes({reinterpret_cast<const char*>(values), size * sizeof(T)});
+  }
+  template <typename T>
+  void write_all(const std::vector<T>& values)
+  {
+    write_all(values.data(), values.size());
   }
 
   std::uint64_t size() const { return m_size; }

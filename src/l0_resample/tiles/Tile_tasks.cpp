@@ -227,9 +227,8 @@ void Tile_tasks::find_scales(const On_progress& on_progress) const
   Tiles_of_run<ConcurrencyTag> tiles(*this, on_progress);
   const std::uint64_t of_device = memory_of_device(m_options),
                       memory = (std::min)(memory_for_points(), of_device);
-  const internal::Facts_of_cloud& facts =
-    tiles.resampling.find_facts(tiles.shards(), memory_for_points(), of_device);
   try {
+    tiles.resampling.find_facts(tiles.shards(), memory_for_points(), of_device, halo());
     tiles.make(memory);
   } catch (const std::bad_alloc&) {
     throw Failure(NOT_ENOUGH_MEMORY, "--memory: " + std::to_string(memory)
@@ -238,14 +237,16 @@ void Tile_tasks::find_scales(const On_progress& on_progress) const
   }
   if (tiles.resampling.has_all_facts())
     write_points_in_cloud(file_of("points", 0), m_key, tiles.resampling.points_in_cloud());
-  write_facts(file_of("scales", 0), m_key, {facts, memory});
+  write_facts(file_of("scales", 0), m_key, {tiles.resampling.facts(), memory});
 }
 
 void Tile_tasks::find_shares(std::size_t tile, const On_progress& on_progress) const
 {
   Tiles_on_cpu tiles(*this, on_progress);
   tiles.cut();
-  write_share(file_of("share", tile), m_key, tiles.resampling.share_of_tile(tile, tiles.shards()));
+  Points_of_tile points;
+  const Share_of_tile share = tiles.resampling.share_of_tile(tile, tiles.shards(), points);
+  write_share(file_of("share", tile), m_key, share, points);
 }
 
 void Tile_tasks::share_samples() const

@@ -85,8 +85,11 @@ public:
     if (resampling.has_all_facts())
       resampling.set_points(tile, read_points_in_cloud(m_tasks.file_of("points", 0), m_tasks.key(),
                                                        resampling.ranges_of_tile(tile)));
-    else
+    else {
       resampling.set_starts(tile, read_starts(m_tasks.file_of("samples", 0), m_tasks.key(), tile));
+      resampling.set_points_of_tile(tile, read_points_of_tile(m_tasks.file_of("share", tile),
+                                                              m_tasks.key()));
+    }
   }
 
 private:

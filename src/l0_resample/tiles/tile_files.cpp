@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -17,6 +18,7 @@ namespace l0_tool {
 namespace {
 
 namespace internal = CGAL::L0_resampling::internal;
+using internal::Scale_field;
 
 constexpr std::uint64_t begin_of_points = sizeof(std::uint64_t); // after their number
 
@@ -60,6 +62,34 @@ void for_each_plain_fact(Facts& facts, const F& f)
   f(facts.number_of_places);
 }
 
+/// \param field none if it is null
+void write_field(const Scale_field* field, Task_file_writer& file)
+{
+  file.write(field != nullptr);
+  if (!field)
+    return;
+  const internal::Morton_points seeds = field->seeds.view();
+  file.write(seeds.cells);
+  file.write(field->radius);
+  file.write_all(seeds.codes, std::size_t(seeds.size));
+  file.write_all(field->scales.data(), field->scales.size());
+  file.write_all(field->reaches.data(), field->reaches.size());
+}
+
+std::shared_ptr<const Scale_field> read_field(Task_file& file)
+{
+  if (!file.read<bool>())
+    return nullptr;
+  const auto cells = file.read<internal::Morton_cells>();
+  const auto radius = file.read<double>();
+  const auto codes = file.read_all<std::uint64_t>();
+  const auto scales = file.read_all<double>(), reaches = file.read_all<double>();
+  return std::make_shared<const Scale_field>(Scale_field{
+    internal::Morton_places(cells, internal::Buffer<std::uint64_t>(codes.begin(), codes.end())),
+    radius, internal::Buffer<double>(scales.begin(), scales.end()),
+    internal::Buffer<double>(reaches.begin(), reaches.end())});
+}
+
 } // namespace
 
 void write_facts(const std::string& path, std::uint64_t key, const Facts_of_run& facts)
@@ -69,7 +99,9 @@ void write_facts(const std::string& path, std::uint64_t key, const Facts_of_run&
   const internal::Vector& origin = facts.of_cloud.frame->origin;
   file.write(facts.of_cloud.frame->exponent);
   file.write(std::array<double, 3>{origin[0], origin[1], origin[2]});
+  file.write(facts.of_cloud.has_outliers_only);
   for_each_plain_fact(facts.of_cloud, [&](const auto& fact) { write_optional(file, fact); });
+  write_field(facts.of_cloud.field.get(), file);
   file.commit();
 }
 
@@ -81,7 +113,9 @@ Facts_of_run read_facts(const std::string& path, std::uint64_t key)
   const int exponent = file.read<int>();
   const auto origin = file.read<std::array<double, 3>>();
   facts.of_cloud.frame = internal::Place_of_frame{exponent, internal::Vector(origin.data())};
+  facts.of_cloud.has_outliers_only = file.read<bool>();
   for_each_plain_fact(facts.of_cloud, [&](auto& fact) { read_optional(file, fact); });
+  facts.of_cloud.field = read_field(file);
   return facts;
 }
 
@@ -111,12 +145,16 @@ std::vector<Point_in_cloud> read_points_in_cloud(
   return points;
 }
 
-void write_share(const std::string& path, std::uint64_t key, const Share_of_tile& share)
+void write_share(const std::string& path, std::uint64_t key, const Share_of_tile& share,
+                 const Points_of_tile& points)
 {
   Task_file_writer file(path, key);
-  file.write(share.units_of_all);
   file.write(share.area_per_unit);
   file.write_all(share.runs);
+  file.write_all(points.points);
+  file.write_all(points.order);
+  file.write_all(points.are_distinct);
+  file.write_all(points.runs);
   file.commit();
 }
 
@@ -124,10 +162,22 @@ Share_of_tile read_share(const std::string& path, std::uint64_t key)
 {
   Task_file file(path, key);
   Share_of_tile share;
-  share.units_of_all = file.read<std::uint64_t>();
   share.area_per_unit = file.read<double>();
   share.runs = file.read_all<Run_of_cells>();
   return share;
+}
+
+Points_of_tile read_points_of_tile(const std::string& path, std::uint64_t key)
+{
+  Task_file file(path, key);
+  file.read<double>();
+  skip_all<Run_of_cells>(file);
+  Points_of_tile points;
+  points.points = file.read_all<Point_in_cloud>();
+  points.order = file.read_all<CGAL::L0_resampling::Index>();
+  points.are_distinct = file.read_all<unsigned char>();
+  points.runs = file.read_all<Points_of_tile::Run>();
+  return points;
 }
 
 void write_starts(const std::string& path, std::uint64_t key, const Sums_of_tiles& sums,

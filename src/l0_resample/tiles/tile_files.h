@@ -25,6 +25,7 @@ namespace l0_tool {
 using CGAL::L0_resampling::internal::Block_counts;
 using CGAL::L0_resampling::internal::Facts_of_cloud;
 using CGAL::L0_resampling::internal::Point_in_cloud;
+using CGAL::L0_resampling::internal::Points_of_tile;
 using CGAL::L0_resampling::internal::Run_of_cells;
 using CGAL::L0_resampling::internal::Seam_report;
 using CGAL::L0_resampling::internal::Share_of_tile;
@@ -63,8 +64,10 @@ std::vector<Point_in_cloud> read_points_in_cloud(
   const std::vector<std::pair<std::uint64_t, std::uint64_t>>& ranges);
 
 /// What a tile counts.
-void write_share(const std::string& path, std::uint64_t key, const Share_of_tile& share);
+void write_share(const std::string& path, std::uint64_t key, const Share_of_tile& share,
+                 const Points_of_tile& points);
 Share_of_tile read_share(const std::string& path, std::uint64_t key);
+Points_of_tile read_points_of_tile(const std::string& path, std::uint64_t key);
 
 /// What all tiles have counted, and what comes before the runs of each.
 void write_starts(const std::string& path, std::uint64_t key, const Sums_of_tiles& sums,

@@ -198,35 +198,16 @@ void test_bytes_of_tiles()
   CHECK(bytes(1000, 16) == 3000 && bytes(20, 16) == 1620 && bytes(1, 1) == 101);
 }
 
-/// Every place is in the room of one tile, also where no block is.
-void test_rooms()
-{
-  Tile_counts counts = counts_of(ribbon(4000, 40));
-  counts.finish();
-  const auto blocks = counts.blocks();
-  const Tiling tiling(blocks, 2, {1}, 20000);
-  CHECK(tiling.tiles().size() > 4);
-  for (std::int64_t x = -1000; x < 5000; x += 7)
-    for (const std::int64_t y : {-(std::int64_t(1) << 50), std::int64_t(0), std::int64_t(1) << 50})
-    {
-      std::size_t number_of_owners = 0;
-      for (const Tile& tile : tiling.tiles())
-        number_of_owners += tile.room.contains({x, y, -y});
-      CHECK(number_of_owners == 1);
-    }
-  for (const Tile& tile : tiling.tiles())
-    CHECK(tile.room.contains(tile.box.low) && tile.room.contains(tile.box.high));
-}
-
-/// What comes before each run is what the runs of all tiles with smaller keys hold.
+/// What comes before each run is what the runs of all tiles with smaller keys hold, those that
+/// several have counted only once.
 void test_shares()
 {
   std::vector<Share_of_tile> shares(3);
-  shares[0] = {{{3, {}}, {5, {10, 2, 1}}, {9, {}}, {11, {}}}, 12, 0.5};
-  shares[1] = {{{3, {7, 3, 2}}, {5, {}}, {9, {20, 5, 5}}}, 30, 0.5};
+  shares[0] = {{{3, {}}, {5, {10, 2, 1, 12, 3}}, {9, {20, 5, 5, 30, 4}}, {11, {}}}, 0.5};
+  shares[1] = {{{3, {7, 3, 2, 7, 1}}, {5, {}}, {9, {20, 5, 5, 30, 4}}}, 0.5}; // one run in both
   const Sums_of_tiles sums = add_up_shares(shares);
   CHECK(sums.sums.units == 37 && sums.sums.points == 10 && sums.sums.distinct == 8);
-  CHECK(sums.area == 21);
+  CHECK(sums.area == 24.5 && sums.sums.neighbors == 8);
   const auto before = [&](std::size_t tile, std::size_t run) {
     const Run_of_cells& found = shares[tile].runs[run];
     return std::array<std::uint64_t, 4>{found.key, found.sums.units, found.sums.points,
@@ -347,7 +328,6 @@ int main()
   test_negative_blocks();
   test_tiling();
   test_bytes_of_tiles();
-  test_rooms();
   test_shares();
   test_stitching();
   for (const bool keep_density : {false, true})

@@ -87,6 +87,22 @@ void check(const std::string& name, const std::vector<Place>& points,
   }
 }
 
+/// The same where memory holds neither all points nor what is known of them.
+void check_little_memory(const Scene& scene)
+{
+  using Tag = CGAL::Parallel_if_available_tag;
+  const std::vector<Place>& points = scene.points();
+  const auto np = CGAL::parameters::number_of_output_points(number_of_samples(scene, 0.4));
+  std::size_t number_of_tiles = 0;
+  const std::vector<Sample> found = by_tiles<Tag>(points, points.size() / 2, 50, number_of_tiles,
+                                                  np, false);
+  CHECK(number_of_tiles >= 3);
+  const std::size_t different = number_of_different(found, in_memory<Tag>(points, np));
+  std::cout << "little memory: " << number_of_tiles
+            << " tiles with halos of 50 radii, samples that differ: " << different << std::endl;
+  CHECK(different == 0);
+}
+
 /// Blocks of cells with too many points are thinned: where, depends on no tile.
 void check_thinned_blocks()
 {
@@ -178,6 +194,7 @@ int main(int argc, char** argv)
   m = number_of_samples(sheets, 0.3);
   check<CGAL::Parallel_if_available_tag>("two sheets", sheets.points(), shares(0.5), {0, 0.001}, m,
                                          CGAL::parameters::number_of_output_points(m));
+  check_little_memory(uneven);
   check_thinned_blocks();
   check_leaders_elsewhere();
   for (const Scene* scene : {&even, &uneven, &crowds})

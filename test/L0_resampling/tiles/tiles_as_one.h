@@ -12,6 +12,7 @@
 #include <CGAL/l0_resample_tiles.h>
 
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <array>
@@ -170,19 +171,51 @@ std::vector<Sample> in_memory(const std::vector<Place>& points, const NamedParam
   return sorted(std::move(samples));
 }
 
+inline CGAL::L0_resampling::Tile_counts counts_of(const std::vector<Place>& points)
+{
+  CGAL::L0_resampling::Tile_counts counts;
+  for (const Place& p : points)
+    counts.add(p);
+  return counts;
+}
+
+/// The facts of a cloud of which memory holds so many points at a time.
+template <typename NamedParameters>
+CGAL::L0_resampling::internal::Facts_of_cloud facts_in_passes(const std::vector<Place>& points,
+                                                              std::size_t points_at_a_time,
+                                                              double halo,
+                                                              const NamedParameters& np)
+{
+  namespace internal = CGAL::L0_resampling::internal;
+  using Passes = internal::Facts_in_passes<CGAL::Parallel_if_available_tag, Points_in_memory>;
+  const internal::Counted_cloud cloud(counts_of(points));
+  const Points_in_memory source{points};
+  internal::Memory_counter memory;
+  const internal::Parameters parameters = internal::checked_parameters(np, points.size());
+  const std::uint64_t bytes = points.size() * Passes::bytes_per_point_of_cloud
+                              + points_at_a_time * Passes::bytes_per_point;
+  CGAL::L0_resampling::Block_chebyshev_solver_traits<float, CGAL::Parallel_if_available_tag> solver;
+  internal::Any_solver<float> any_solver(solver);
+  const internal::Facts_of_cloud facts =
+    Passes(cloud, source, parameters, any_solver, bytes, nullptr, memory).find(halo);
+  CHECK(memory.peak() <= points_at_a_time * Passes::bytes_per_point);
+  return facts;
+}
+
 /// \param points_of_tile at most, with its halo, unless a single block has more
 /// \param halo in radii
 /// \returns with their sides on the CPU; a device finds those of each tile by themselves
 template <typename ConcurrencyTag, typename NamedParameters>
 std::vector<Sample> by_tiles(const std::vector<Place>& points, std::size_t points_of_tile,
-                             double halo, std::size_t& number_of_tiles, const NamedParameters& np)
+                             double halo, std::size_t& number_of_tiles, const NamedParameters& np,
+                             bool finds_facts_at_once = true)
 {
   const Points_in_memory source{points};
-  CGAL::L0_resampling::Tile_counts counts;
-  for (const Place& p : points)
-    counts.add(p);
-  Tiles<ConcurrencyTag> tiles(std::move(counts), np);
-  tiles.find_facts(source, std::uint64_t(1) << 40);
+  Tiles<ConcurrencyTag> tiles(counts_of(points), np);
+  if (finds_facts_at_once)
+    tiles.find_facts(source, std::uint64_t(1) << 40);
+  else
+    tiles.set_facts(facts_in_passes(points, points_of_tile, halo, np));
   const double samples_per_point = double(tiles.number_of_samples()) / double(points.size());
   std::uint64_t bytes = std::uint64_t(
     double(points_of_tile)
@@ -199,7 +232,14 @@ std::vector<Sample> by_tiles(const std::vector<Place>& points, std::size_t point
     }
   tiles.choose_how_to_orient(std::uint64_t(1) << 40);
   number_of_tiles = tiles.tiles().size();
-  CHECK(tiles.has_all_facts());
+  CHECK(tiles.has_all_facts() == finds_facts_at_once);
+  if (!finds_facts_at_once)
+  {
+    std::vector<CGAL::L0_resampling::internal::Share_of_tile> shares;
+    for (std::size_t tile = 0; tile < number_of_tiles; ++tile)
+      shares.push_back(tiles.share_of_tile(tile, source));
+    tiles.set_shares(std::move(shares));
+  }
   std::vector<CGAL::L0_resampling::Tile_result> results;
   std::vector<CGAL::L0_resampling::internal::Unoriented_samples> unoriented;
   for (std::size_t tile = 0; tile < number_of_tiles; ++tile)

@@ -6,11 +6,13 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_FACTS_OF_CLOUD_H
 #define CGAL_L0_RESAMPLING_INTERNAL_FACTS_OF_CLOUD_H
 
+#include <CGAL/L0_resampling/internal/cloud/estimate_scale_field.h>
 #include <CGAL/L0_resampling/internal/cloud/working_frame.h>
 #include <CGAL/L0_resampling/internal/plan/Plan.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 
 namespace CGAL {
@@ -31,6 +33,9 @@ struct Facts_of_cloud
   std::optional<Scales> scales; ///< in units of `paper_radius()`
   /// Of the radii. If none differs, no field of scales is looked for.
   std::optional<Range_of_scales> range_of_scales;
+  std::shared_ptr<const Scale_field>
+    field;                        ///< of scales; null if each tile gets its points' scales
+  bool has_outliers_only = false; ///< then none is dropped
   std::optional<double> median_number_of_neighbors; ///< in the balls of `find_outliers()`
   std::optional<double> mean_number_of_neighbors;   ///< in the balls of the normal filter
   /// Whether these balls are plain, see `has_plain_blocks_only()`: then sums go over pairs.

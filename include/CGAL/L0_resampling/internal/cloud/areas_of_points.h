@@ -50,21 +50,13 @@ struct Points_of_ball
   Spread_in_ball spread;
 };
 
-/*!
-The area that each point stands for: that of a disk, as far as the points in the ball of that radius
-cover it, shared by these points. The disk is that of the level of the point, so that all areas are
-whole numbers. The points of a cell share theirs evenly, as far from the surface those on it would
-seem to be the denser ones.
-
-\param points sorted for `grid`
-\param radius at scale 1
-\param units_per_length `units_per_length_for()` the grid and its queries
-\param units_of_disks what all points stand for if each disk is covered: given, or found here
-*/
+/// What is found in the ball of each point.
+/// \param points sorted for `grid`
+/// \param radius at scale 1
+/// \param units_per_length `units_per_length_for()` the grid and its queries
 template <typename ConcurrencyTag, typename T>
-Areas areas_of_points(const Search_grid_3& grid, const Buffer<Vector>& points, double radius,
-                      std::size_t number_of_samples, double units_per_length,
-                      std::optional<std::uint64_t>& units_of_disks, Progress& progress)
+Buffer<Points_of_ball> balls_of_points(const Search_grid_3& grid, const Buffer<Vector>& points,
+                                       double radius, double units_per_length, Progress& progress)
 {
   const int reach = cells_in_reach(radius, grid.cell_size());
   const Cell_sizes sizes(grid.cell_size(), grid.scales());
@@ -114,14 +106,38 @@ Areas areas_of_points(const Search_grid_3& grid, const Buffer<Vector>& points, d
     };
   };
   for_each_cell<T, ConcurrencyTag>(grid, points, grid, points, reach, progress, make_visitor);
+  return balls;
+}
 
+/// The area of the disk of a point, shared by those in its ball, as if they covered it.
+inline std::uint64_t units_of_disk(const Points_of_ball& ball, const Cell_sizes& sizes,
+                                   std::size_t i)
+{
+  return area_units_of_point(ball.count, sizes.level_of(i), 1);
+}
+
+/*!
+The area that each point stands for: that of a disk, as far as the points in the ball of that radius
+cover it, shared by these points. The disk is that of the level of the point, so that all areas are
+whole numbers. The points of a cell share theirs evenly, as far from the surface those on it would
+seem to be the denser ones. Parameters are those of `balls_of_points()`.
+
+\param units_of_disks what all points stand for if each disk is covered: given, or found here
+*/
+template <typename ConcurrencyTag, typename T>
+Areas areas_of_points(const Search_grid_3& grid, const Buffer<Vector>& points, double radius,
+                      std::size_t number_of_samples, double units_per_length,
+                      std::optional<std::uint64_t>& units_of_disks, Progress& progress)
+{
+  const Buffer<Points_of_ball> balls =
+    balls_of_points<ConcurrencyTag, T>(grid, points, radius, units_per_length, progress);
+  const Cell_sizes sizes(grid.cell_size(), grid.scales());
   Areas areas{Buffer<std::uint64_t>(points.get_allocator()), Areas::area_per_unit_of(radius)};
   areas.units.reserve(points.size());
   const std::uint64_t of_disks = known_or_found(units_of_disks, [&]() {
     std::uint64_t sum = 0;
-    for_each_in_order(points.size(), [&](std::size_t i) {
-      sum += area_units_of_point(balls[i].count, sizes.level_of(i), 1);
-    });
+    for_each_in_order(points.size(),
+                      [&](std::size_t i) { sum += units_of_disk(balls[i], sizes, i); });
     return sum;
   });
   const double spacing = std::sqrt(double(of_disks) * areas.area_per_unit

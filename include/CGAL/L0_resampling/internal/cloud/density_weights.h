@@ -92,11 +92,29 @@ void sum_weights_by_pairs(const Search_grid_3& grid, const Buffer<Vector>& point
                                                    progress, make_visitor);
 }
 
-/// \f$ v_j \f$ of Eq. (5) for each input point. The sum leaves out the point itself, which the "1
-/// +" of Eq. (5) counts.
+/// The number of others in the ball of each input point, and the sum of Eq. (5) over them.
 /// \param points sorted for `grid`
 /// \param radius, squared_bandwidth at scale 1
-/// \param facts the mean number of neighbors, and whether blocks are plain: given, or found here
+/// \param facts whether blocks are plain: given, or found here
+/// \param counts, sums out: one number a point
+template <typename ConcurrencyTag, typename T>
+void sum_up_density(const Search_grid_3& grid, const Buffer<Vector>& points, double radius,
+                    double squared_bandwidth, Facts_of_cloud& facts, Progress& progress,
+                    Buffer<Index>& counts, Buffer<T>& sums)
+{
+  fill_buffer(points.size(), Index(0), counts);
+  fill_buffer(points.size(), T(0), sums);
+  if (knows_plain_blocks<ConcurrencyTag>(grid, radius, facts))
+    sum_weights_by_pairs<ConcurrencyTag>(grid, points, radius, T(squared_bandwidth), progress,
+                                         counts, sums);
+  else
+    sum_weights_in_balls<ConcurrencyTag>(grid, points, radius, T(squared_bandwidth), progress,
+                                         counts, sums);
+}
+
+/// \f$ v_j \f$ of Eq. (5) for each input point. The sum leaves out the point itself, which the "1
+/// +" of Eq. (5) counts. Parameters are those of `sum_up_density()`.
+/// \param facts also the mean number of neighbors: given, or found here
 /// \param weights out: one number a point, at least 1
 /// \returns the number of points whose balls hold fewer than `fewest_points_of_plane`
 template <typename ConcurrencyTag, typename T>
@@ -105,15 +123,9 @@ std::size_t compute_input_density_weights(const Search_grid_3& grid, const Buffe
                                           Facts_of_cloud& facts, Progress& progress,
                                           Buffer<T>& weights)
 {
-  Buffer<Index> counts = filled_buffer(points.size(), Index(0), points.get_allocator());
-  fill_buffer(points.size(), T(0), weights);
-  if (knows_plain_blocks<T, ConcurrencyTag>(grid, radius, facts))
-    sum_weights_by_pairs<ConcurrencyTag>(grid, points, radius, T(squared_bandwidth), progress,
-                                         counts, weights);
-  else
-    sum_weights_in_balls<ConcurrencyTag>(grid, points, radius, T(squared_bandwidth), progress,
-                                         counts, weights);
-
+  Buffer<Index> counts(points.get_allocator());
+  sum_up_density<ConcurrencyTag>(grid, points, radius, squared_bandwidth, facts, progress, counts,
+                                 weights);
   double total = 0;
   std::size_t number_of_sparse_balls = 0;
   for (Index count : counts)

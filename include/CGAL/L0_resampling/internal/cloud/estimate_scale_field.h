@@ -43,6 +43,11 @@ public:
     return {m_cells, m_codes.size(), m_codes.data(), coordinates(m_places)};
   }
 
+  std::size_t number_of_bytes() const
+  {
+    return m_codes.size() * (sizeof(std::uint64_t) + sizeof(Vector));
+  }
+
   /// Every `stride`-th place.
   Morton_places one_of(std::size_t stride) const
   {
@@ -77,6 +82,12 @@ struct Scale_field
   Buffer<double> scales;  ///< of the seeds; none if all are 1
   Buffer<double> reaches; ///< of the seeds: to those next to them
 
+  bool is_even() const { return scales.empty(); }
+  std::size_t number_of_bytes() const
+  {
+    return seeds.number_of_bytes() + (scales.size() + reaches.size()) * sizeof(double);
+  }
+
   /// The scale of each point; none if all are 1.
   template <typename ConcurrencyTag>
   Buffer<float> of_points(const Buffer<Vector>& points) const
@@ -106,34 +117,43 @@ inline Range_of_scales range_of(const Buffer<float>& scales)
   return range;
 }
 
-/*!
-Estimates the field of scales.
+/// Calls `f(i)` for each of the seeds, for several at a time.
+template <typename ConcurrencyTag, typename F>
+void for_each_seed(std::size_t number_of_seeds, Progress& progress, const F& f)
+{
+  const std::size_t seeds_per_block = 64;
+  for_each_block<ConcurrencyTag>(number_of_seeds, seeds_per_block,
+                                 [&](std::size_t begin, std::size_t end) {
+                                   for (std::size_t i = begin; i < end; ++i)
+                                     f(i);
+                                   progress.advance(0);
+                                 });
+}
 
-\param extent of the points, outliers left out
+/// The cells in which the places of a cloud are told apart.
+/// \param extent of the points, outliers left out
+inline Morton_cells cells_of_places(double extent) { return Morton_cells::of_extent(4 * extent); }
+
+/*!
+The field of scales of a cloud.
+
+\param places_of_seeds every `points_of_seed`-th place of the cloud
+\param known what is known at each of them
 \param usual of the cloud
 */
 template <typename ConcurrencyTag>
-Scale_field estimate_scale_field(const Buffer<Vector>& points, double extent,
-                                 const Usual_scales& usual, Progress& progress)
+Scale_field field_of_seeds(Morton_places places_of_seeds, const Buffer<Seed>& known,
+                           const Usual_scales& usual, Progress& progress)
 {
-  const std::size_t seeds_per_block = 64;
   const double radius = usual.radius;
-  const auto allocator = points.get_allocator();
-  const Morton_places places = places_of<ConcurrencyTag>(points,
-                                                         Morton_cells::of_extent(4 * extent));
-  Scale_field field{places.one_of(points_of_seed), radius, Buffer<double>(allocator),
+  const auto allocator = known.get_allocator();
+  Scale_field field{std::move(places_of_seeds), radius, Buffer<double>(allocator),
                     Buffer<double>(allocator)};
-  const Morton_points view = places.view(), seeds = field.seeds.view();
+  const Morton_points seeds = field.seeds.view();
   const std::size_t size = seeds.size;
-  Buffer<Seed> known(size, allocator);
   const auto for_each_seed = [&](const auto& f) {
-    for_each_block<ConcurrencyTag>(size, seeds_per_block, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
-        f(i);
-      progress.advance(0);
-    });
+    internal::for_each_seed<ConcurrencyTag>(size, progress, f);
   };
-  for_each_seed([&](std::size_t i) { known[i] = seed_at(One_thread(), view, i * points_of_seed); });
   std::vector<Growth_of_deviations> growths;
   for (std::size_t i = 0; i < size; i += stride_of_growth(size))
     growths.push_back(growth_at(known[i]));
@@ -163,6 +183,22 @@ Scale_field estimate_scale_field(const Buffer<Vector>& points, double extent,
     field.scales.swap(limited);
   }
   return field;
+}
+
+/// Estimates the field of scales of points, which are a whole cloud. Parameters are those of
+/// `cells_of_places()` and `field_of_seeds()`.
+template <typename ConcurrencyTag>
+Scale_field estimate_scale_field(const Buffer<Vector>& points, double extent,
+                                 const Usual_scales& usual, Progress& progress)
+{
+  const Morton_places places = places_of<ConcurrencyTag>(points, cells_of_places(extent));
+  Morton_places seeds = places.one_of(points_of_seed);
+  const Morton_points view = places.view();
+  Buffer<Seed> known(seeds.view().size, points.get_allocator());
+  for_each_seed<ConcurrencyTag>(known.size(), progress, [&](std::size_t i) {
+    known[i] = seed_at(One_thread(), view, i * points_of_seed);
+  });
+  return field_of_seeds<ConcurrencyTag>(std::move(seeds), known, usual, progress);
 }
 
 } // namespace internal

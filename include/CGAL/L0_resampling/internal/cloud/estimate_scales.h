@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -39,75 +40,85 @@ Height_moments<double> moments_over_plane(const Eigen::Matrix<T, 3, 1>& center,
   return sum_of_lanes(lanes);
 }
 
-/// The scales of a point set, by `scales_of_growing_balls()` around `queries`.
-/// \param queries some of the points, in units of the initial radius as the points are
-/// \param points sorted for `grid`, all different
-template <typename ConcurrencyTag, typename T>
-Scales scales_around(const Buffer<Vector>& queries, const Search_grid_3& grid,
-                     const Buffer<Vector>& points, Progress& progress)
+/// The points that tell the scales of a point set. Of points at one place one counts, and of those
+/// that all but coincide a few, however many there are: they tell nothing of a plane, and balls
+/// would shrink to a few places.
+class Points_of_scales
 {
-  const double cell_size = grid.cell_size();
-  const Search_grid_3 query_grid(queries, cell_size);
-  std::vector<Ball_of_points> balls(queries.size());
-  return scales_of_growing_balls(cell_size, [&](int reach, double radius) {
-    for_each_cell<T, ConcurrencyTag>(query_grid, queries, grid, points, reach, progress, [&]() {
-      return
-        [&](Search_grid_3::Range range, const Local_points<T>& candidates, const Vector& origin) {
-          for (Index i = range.first; i < range.second; ++i)
-          {
-            const Eigen::Matrix<T, 3, 1> center = (queries[i] - origin).template cast<T>();
-            const Plane_of_ball fit = fit_plane<T>(center, candidates, T(radius * radius));
-            balls[i] = ball_of_points(
-              double(fit.number_of_points), double(candidates.stride), fit.variance,
-              moments_over_plane(center, fit.normal_as<T>(), candidates, T(radius * radius)));
-          }
-        };
-    });
+  Buffer<Vector> m_points;
+  std::optional<Search_grid_3> m_grid;
+
+public:
+  /// \param initial_radius a length; the largest ball is 8 times as large
+  template <typename ConcurrencyTag>
+  Points_of_scales(ConcurrencyTag, const Buffer<Vector>& points, double initial_radius)
+    : m_points(copy_of(points))
+  {
+    const double cell_size = cell_size_of_scales;
+    Working_frame::divide<ConcurrencyTag>(initial_radius, m_points);
+    apply_order<ConcurrencyTag>(Search_grid_3::sorted_order<ConcurrencyTag>(m_points, cell_size),
+                                m_points);
+    m_grid.emplace(m_points, cell_size);
+    thin_crowds<ConcurrencyTag>(*m_grid, m_points, most_points_of_subcell).keep(m_points);
+    m_points.resize(std::size_t(std::unique(m_points.begin(), m_points.end()) - m_points.begin()));
+    if (m_points.size() < m_grid->number_of_points())
+      m_grid.emplace(m_points, cell_size);
+  }
+
+  /// In units of the initial radius, sorted for the grid, all different.
+  const Buffer<Vector>& points() const { return m_points; }
+  const Search_grid_3& grid() const { return *m_grid; }
+
+  /// \param queries some of the points, in their order
+  /// \param query_grid of these
+  /// \param reach of the balls, in cells
+  template <typename ConcurrencyTag, typename T>
+  std::vector<Ball_of_points> balls_around(const Buffer<Vector>& queries,
+                                           const Search_grid_3& query_grid, int reach,
+                                           Progress& progress) const
+  {
+    const double radius = reach * m_grid->cell_size();
+    std::vector<Ball_of_points> balls(queries.size());
+    for_each_cell<T, ConcurrencyTag>(
+      query_grid, queries, *m_grid, m_points, reach, progress, [&]() {
+        return
+          [&](Search_grid_3::Range range, const Local_points<T>& candidates, const Vector& origin) {
+            for (Index i = range.first; i < range.second; ++i)
+            {
+              const Eigen::Matrix<T, 3, 1> center = (queries[i] - origin).template cast<T>();
+              const Plane_of_ball fit = fit_plane<T>(center, candidates, T(radius * radius));
+              balls[i] = ball_of_points(
+                double(fit.number_of_points), double(candidates.stride), fit.variance,
+                moments_over_plane(center, fit.normal_as<T>(), candidates, T(radius * radius)));
+            }
+          };
+      });
     return balls;
-  });
-}
+  }
+};
 
-/*!
-The scales of a point set. Of points at one place one counts, and of those that all but coincide a
-few, however many there are: they tell nothing of a plane, and balls would shrink to a few places.
-
-\param initial_radius a length; the largest ball is 8 times as large. The paper's r_p is a good one
-\param is_core called with a point in the unit of `initial_radius`: whether all points that are
-near to it are there, so that balls may be laid around it. Holds for one of them at least
-\returns spacing and noise in units of `initial_radius`
-*/
-template <typename ConcurrencyTag, typename T, typename IsCore>
-Scales estimate_scales(const Buffer<Vector>& unsorted_points, double initial_radius,
-                       const IsCore& is_core, Progress& progress)
+/// Around one of how many points of `Points_of_scales` balls are looked at.
+inline std::uint64_t stride_of_balls(std::uint64_t number_of_points)
 {
-  const double cell_size = cell_size_of_scales;
-  Buffer<Vector> points = copy_of(unsorted_points);
-  Working_frame::divide<ConcurrencyTag>(initial_radius, points);
-  apply_order<ConcurrencyTag>(Search_grid_3::sorted_order<ConcurrencyTag>(points, cell_size),
-                              points);
-  std::optional<Search_grid_3> grid(std::in_place, points, cell_size);
-  thin_crowds<ConcurrencyTag>(*grid, points, most_points_of_subcell).keep(points);
-  points.resize(std::size_t(std::unique(points.begin(), points.end()) - points.begin()));
-  if (points.size() < grid->number_of_points())
-    grid.emplace(points, cell_size);
-  std::size_t number_in_core = 0;
-  for_each_in_order(points.size(), [&](std::size_t i) { number_in_core += is_core(points[i]); });
-  const std::size_t stride = (std::max)(number_in_core / number_of_balls, std::size_t(1));
-  Buffer<Vector> queries(points.get_allocator());
-  std::size_t place = 0; // among the points of the core
-  for_each_in_order(points.size(), [&](std::size_t i) {
-    if (is_core(points[i]) && place++ % stride == 0)
-      queries.push_back(points[i]);
-  });
-  return scales_around<ConcurrencyTag, T>(queries, *grid, points, progress);
+  return (std::max)(number_of_points / number_of_balls, std::uint64_t(1));
 }
 
-/// The scales of a point set, all of which is there.
+/// The scales of a point set, by `scales_of_growing_balls()`.
+/// \param initial_radius a length. The paper's r_p is a good one
+/// \returns spacing and noise in units of `initial_radius`
 template <typename ConcurrencyTag, typename T>
-Scales estimate_scales(const Buffer<Vector>& points, double initial_radius, Progress& progress)
+Scales estimate_scales(const Buffer<Vector>& unsorted_points, double initial_radius,
+                       Progress& progress)
 {
-  return estimate_scales<ConcurrencyTag, T>(
-    points, initial_radius, [](const Vector&) { return true; }, progress);
+  const Points_of_scales points(ConcurrencyTag(), unsorted_points, initial_radius);
+  const std::size_t size = points.points().size(), stride = std::size_t(stride_of_balls(size));
+  Buffer<Vector> queries(unsorted_points.get_allocator());
+  for (std::size_t i = 0; i < size; i += stride)
+    queries.push_back(points.points()[i]);
+  const Search_grid_3 query_grid(queries, points.grid().cell_size());
+  return scales_of_growing_balls(cell_size_of_scales, [&](int reach, double) {
+    return points.balls_around<ConcurrencyTag, T>(queries, query_grid, reach, progress);
+  });
 }
 
 } // namespace internal

@@ -274,49 +274,97 @@ Buffer<unsigned char> find_outliers_among(const Buffer<Vector>& unsorted_points,
   return is_outlier;
 }
 
-/// The same for points of which any number may be at one place: those that stand for a crowd, as in
-/// `thin_crowds()`, are judged, and the others share their lot. A crowd would otherwise be all that
-/// the median ball and the surroundings of a point are made of.
+/// The points that stand for all of a set, as `thin_crowds()` says: a crowd would otherwise be all
+/// that the median ball and the surroundings of a point are made of.
+class Standing_points
+{
+  Buffer<Index> m_list;            // of them; none if all stand for themselves
+  Buffer<Index> m_representatives; // which of all points stands for each; likewise
+  Buffer<Vector> m_points;         // likewise: where they are
+  Buffer<float> m_scales;          // likewise; also none if all are 1
+  const Buffer<Vector>& m_all_points;
+  Scales_view m_all_scales;
+  std::optional<Sorted_queries> m_sorted;
+
+public:
+  /// \param points, scales outlive this object
+  /// \param radius of the balls, at scale 1
+  template <typename ConcurrencyTag>
+  Standing_points(ConcurrencyTag tag, const Buffer<Vector>& points, double radius,
+                  const Scales_view& scales)
+    : m_list(points.get_allocator()), m_representatives(points.get_allocator()),
+      m_points(points.get_allocator()), m_scales(points.get_allocator()), m_all_points(points),
+      m_all_scales(scales)
+  {
+    const std::size_t n = points.size();
+    m_sorted.emplace(tag, points, Cell_sizes(radius, scales));
+    {
+      const Representatives found = thin_crowds<ConcurrencyTag>(m_sorted->grid, m_sorted->points,
+                                                                most_points_of_subcell);
+      if (found.are_all_points())
+        return;
+      m_representatives = filled_buffer(n, Index(0), points.get_allocator());
+      for_each_in_order(n, [&](std::size_t i) {
+        if (found.is_kept(i))
+          m_list.push_back(m_sorted->order[i]);
+        m_representatives[m_sorted->order[i]] = m_sorted->order[found.of_points[i]];
+      });
+    }
+    m_sorted.reset();
+    m_points.reserve(m_list.size());
+    for (Index i : m_list)
+      m_points.push_back(points[i]);
+    m_scales = listed_scales(scales, m_list);
+    m_sorted.emplace(tag, m_points, Cell_sizes(radius, m_scales));
+  }
+
+  bool are_all_points() const { return m_list.empty(); }
+  const Buffer<Vector>& points() const { return are_all_points() ? m_all_points : m_points; }
+  Scales_view scales() const { return are_all_points() ? m_all_scales : view_of_scales(m_scales); }
+  /// Those points in cells of the radius; may be taken away.
+  std::optional<Sorted_queries>& sorted() { return m_sorted; }
+  /// Which of all points the k-th of them is.
+  Index operator[](std::size_t k) const { return are_all_points() ? Index(k) : m_list[k]; }
+
+  /// For all points what is known of those that stand for them.
+  Buffer<unsigned char> of_all(Buffer<unsigned char> values) const
+  {
+    if (are_all_points())
+      return values;
+    Buffer<unsigned char> result = filled_buffer(m_all_points.size(), static_cast<unsigned char>(0),
+                                                 m_all_points.get_allocator());
+    for_each_in_order(m_list.size(), [&](std::size_t k) { result[m_list[k]] = values[k]; });
+    for_each_in_order(m_all_points.size(),
+                      [&](std::size_t i) { result[i] = result[m_representatives[i]]; });
+    return result;
+  }
+};
+
+/// The same for points of which any number may be at one place: those that stand for others are
+/// judged, and the others share their lot.
 template <typename T, typename ConcurrencyTag>
-Buffer<unsigned char> find_outliers(const Buffer<Vector>& unsorted_points, double radius,
+Buffer<unsigned char> find_outliers(const Buffer<Vector>& points, double radius,
                                     const Outlier_thresholds& thresholds, const Scales_view& scales,
                                     std::optional<double>& known_median, Progress& progress)
 {
-  const auto allocator = unsorted_points.get_allocator();
-  const std::size_t n = unsorted_points.size();
-  std::optional<Sorted_queries> sorted(std::in_place, ConcurrencyTag(), unsorted_points,
-                                       Cell_sizes(radius, scales));
-  Buffer<Index> standing(allocator);        // the points that stand for all
-  Buffer<Index> representatives(allocator); // which of them stands for each point
-  {
-    const Representatives found = thin_crowds<ConcurrencyTag>(sorted->grid, sorted->points,
-                                                              most_points_of_subcell);
-    if (found.are_all_points())
-      return find_outliers_among<T, ConcurrencyTag>(unsorted_points, sorted, radius, thresholds,
-                                                    scales, known_median, progress);
-    representatives = filled_buffer(n, Index(0), allocator);
-    for_each_in_order(n, [&](std::size_t i) {
-      if (found.is_kept(i))
-        standing.push_back(sorted->order[i]);
-      representatives[sorted->order[i]] = sorted->order[found.of_points[i]];
-    });
-  }
-  sorted.reset();
-  Buffer<Vector> standing_points(allocator);
-  standing_points.reserve(standing.size());
-  for (Index i : standing)
-    standing_points.push_back(unsorted_points[i]);
-  const Buffer<float> standing_scales = listed_scales(scales, standing);
-  sorted.emplace(ConcurrencyTag(), standing_points,
-                 Cell_sizes(radius, view_of_scales(standing_scales)));
-  const Buffer<unsigned char> is_standing_outlier =
-    find_outliers_among<T, ConcurrencyTag>(standing_points, sorted, radius, thresholds,
-                                           view_of_scales(standing_scales), known_median, progress);
-  Buffer<unsigned char> is_outlier = filled_buffer(n, static_cast<unsigned char>(0), allocator);
-  for_each_in_order(standing.size(),
-                    [&](std::size_t k) { is_outlier[standing[k]] = is_standing_outlier[k]; });
-  for_each_in_order(n, [&](std::size_t i) { is_outlier[i] = is_outlier[representatives[i]]; });
-  return is_outlier;
+  Standing_points standing(ConcurrencyTag(), points, radius, scales);
+  return standing.of_all(
+    find_outliers_among<T, ConcurrencyTag>(standing.points(), standing.sorted(), radius, thresholds,
+                                           standing.scales(), known_median, progress));
+}
+
+/// Calls `f(i, number)` for each of the points that `find_outliers()` judges, with the number of
+/// points in its ball.
+template <typename T, typename ConcurrencyTag, typename F>
+void for_each_number_of_neighbors(const Buffer<Vector>& points, double radius,
+                                  const Scales_view& scales, Progress& progress, const F& f)
+{
+  Standing_points standing(ConcurrencyTag(), points, radius, scales);
+  const Sorted_queries& sorted = *standing.sorted();
+  const Counts_in_balls counts = count_points_in_balls<T, ConcurrencyTag>(
+    sorted.grid, sorted.points, sorted.grid, sorted.points, radius, progress);
+  for_each_in_order(sorted.order.size(),
+                    [&](std::size_t k) { f(standing[sorted.order[k]], counts.in_ball[k]); });
 }
 
 } // namespace internal

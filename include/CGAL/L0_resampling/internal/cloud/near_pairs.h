@@ -27,11 +27,11 @@ namespace internal {
 // other: looking at each pair once, from the cell that comes first, halves the work.
 
 /// Whether sums over the balls of this radius may go over pairs: given, or found here.
-template <typename T, typename ConcurrencyTag>
+template <typename ConcurrencyTag>
 bool knows_plain_blocks(const Search_grid_3& grid, double radius, Facts_of_cloud& facts)
 {
   return known_or_found(facts.has_plain_blocks, [&]() {
-    return has_plain_blocks_only<T, ConcurrencyTag>(grid, cells_in_reach(radius, grid.cell_size()));
+    return has_plain_blocks_only<ConcurrencyTag>(grid, cells_in_reach(radius, grid.cell_size()));
   });
 }
 

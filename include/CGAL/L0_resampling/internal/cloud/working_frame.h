@@ -177,11 +177,45 @@ private:
   }
 };
 
-/*!
-The diagonal of the bounding box of the points, outliers left out: on each axis, what lies further
-from the middle nine tenths of the points than those are wide, on the widest axis, does not count. A
-cloud without such points has its plain diagonal.
-*/
+/// The bounding box of points, outliers left out: on each axis, what lies further from the middle
+/// nine tenths of the points than those are wide, on the widest axis, does not count.
+class Box_without_outliers
+{
+  Vector m_low, m_high;
+  double m_reach;
+  Vector m_box_low, m_box_high;
+
+  bool is_in_reach(double coordinate, int axis) const
+  {
+    return m_reach == 0
+           || (coordinate >= m_low[axis] - m_reach && coordinate <= m_high[axis] + m_reach);
+  }
+
+public:
+  /// \param low, high of the middle nine tenths, on each axis
+  Box_without_outliers(const Vector& low, const Vector& high)
+    : m_low(low), m_high(high), m_reach((high - low).maxCoeff()), m_box_low(low), m_box_high(high)
+  {}
+
+  bool is_in_reach(const Vector& p) const
+  {
+    return is_in_reach(p[0], 0) && is_in_reach(p[1], 1) && is_in_reach(p[2], 2);
+  }
+
+  void add(const Vector& p)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+      if (is_in_reach(p[axis], axis))
+      {
+        m_box_low[axis] = (std::min)(m_box_low[axis], p[axis]);
+        m_box_high[axis] = (std::max)(m_box_high[axis], p[axis]);
+      }
+  }
+
+  double diagonal() const { return (m_box_high - m_box_low).norm(); }
+};
+
+/// The diagonal of `Box_without_outliers`. A cloud without outliers has its plain diagonal.
 template <typename ConcurrencyTag>
 double robust_diagonal(const Buffer<Vector>& points)
 {
@@ -196,18 +230,9 @@ double robust_diagonal(const Buffer<Vector>& points)
     high[axis] = *last;
   });
 
-  const double reach = (high - low).maxCoeff();
-  Vector box_low = low, box_high = high;
-  for_each_in_order(points.size(), [&](std::size_t i) {
-    const Vector& p = points[i];
-    for (int axis = 0; axis < 3; ++axis)
-      if (reach == 0 || (p[axis] >= low[axis] - reach && p[axis] <= high[axis] + reach))
-      {
-        box_low[axis] = (std::min)(box_low[axis], p[axis]);
-        box_high[axis] = (std::max)(box_high[axis], p[axis]);
-      }
-  });
-  return (box_high - box_low).norm();
+  Box_without_outliers box(low, high);
+  for_each_in_order(points.size(), [&](std::size_t i) { box.add(points[i]); });
+  return box.diagonal();
 }
 
 /// How far the points reach on each axis.

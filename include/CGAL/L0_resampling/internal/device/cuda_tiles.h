@@ -31,9 +31,9 @@ struct Facts_of_tiles
   Facts extents; ///< with the scales
   Range_of_scales range_of_scales;
   double area;
-  std::size_t number_of_points;       ///< of the cloud, without outliers, and thinned
-  std::size_t number_of_places;       ///< where these are
-  double mean_number_of_neighbors;    ///< in the balls of the normal filter; 0 if it is not known
+  std::size_t number_of_points;    ///< of the cloud, without outliers, and thinned
+  std::size_t number_of_places;    ///< where these are
+  double mean_number_of_neighbors; ///< in the balls of the normal filter; 0 if it is not known
 };
 
 /// Finds the facts of a whole cloud, as a call that resamples it does, and as `Fact_finder` on the

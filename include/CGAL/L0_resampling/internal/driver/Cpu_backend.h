@@ -390,12 +390,16 @@ protected:
     release(m_areas.units);
   }
 
+  double units_per_length(const Plan& plan) const
+  {
+    return units_per_length_for(plan.cell_size, plan.longest_query(), !m_input.scales.empty());
+  }
+
   Areas areas_of_points(const Plan& plan)
   {
     return internal::areas_of_points<ConcurrencyTag, Local>(
       m_input.grid, m_input.points, plan.area_radius(), plan.number_of_samples,
-      units_per_length_for(plan.cell_size, plan.longest_query(), !m_input.scales.empty()),
-      m_facts.units_of_disks, m_progress);
+      units_per_length(plan), m_facts.units_of_disks, m_progress);
   }
 
   Neighborhoods no_neighbors() const

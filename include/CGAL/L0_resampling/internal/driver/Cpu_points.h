@@ -86,9 +86,14 @@ public:
   {
     std::optional<Range_of_scales>& known = m_facts.range_of_scales;
     if (!known || known->least != known->largest)
-      m_input.scales = internal::estimate_scale_field<ConcurrencyTag>(
-                         m_input.points, robust_diagonal, usual, m_progress)
-                         .template of_points<ConcurrencyTag>(m_input.points);
+    {
+      const auto scales_by = [&](const Scale_field& field) {
+        return field.of_points<ConcurrencyTag>(m_input.points);
+      };
+      m_input.scales = m_facts.field ? scales_by(*m_facts.field)
+                                     : scales_by(internal::estimate_scale_field<ConcurrencyTag>(
+                                       m_input.points, robust_diagonal, usual, m_progress));
+    }
     return known_or_found(known, [&]() { return range_of(m_input.scales); });
   }
 

@@ -11,6 +11,7 @@
 #include <CGAL/L0_resampling/internal/kernels/deviation_in_ball.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -103,7 +104,9 @@ inline Scales scales_of_balls(const std::vector<Ball_of_points>& balls, double r
 
 constexpr std::size_t number_of_balls = 1000; // about
 constexpr double cell_size_of_scales = 0.25;  // in the radius that is guessed first
-constexpr int largest_reach_of_balls = 32;    // in cells
+/// Of the balls, in cells.
+constexpr std::array<int, 10> reaches_of_balls = {1, 2, 3, 4, 6, 8, 12, 16, 24, 32};
+constexpr int largest_reach_of_balls = reaches_of_balls.back();
 
 /*!
 Estimates the scales from plane fits around a thousand points, in balls that grow until their points
@@ -126,7 +129,7 @@ Scales scales_of_growing_balls(double cell_size, const LookAtBalls& look_at_ball
 {
   const double fewest_points = 30, surely_flat = 0.15;
   Scales scales{cell_size, 0};
-  for (const int reach : {1, 2, 3, 4, 6, 8, 12, 16, 24, largest_reach_of_balls})
+  for (const int reach : reaches_of_balls)
   {
     const double radius = reach * cell_size;
     std::vector<Ball_of_points> balls = look_at_balls(reach, radius);

@@ -118,7 +118,7 @@ void filter_normals(const Search_grid_3& grid, const Buffer<Vector>& points,
 {
   using Local_vector = Eigen::Matrix<T, 3, 1>;
   const int reach = cells_in_reach(filter.radius, grid.cell_size());
-  if (knows_plain_blocks<T, ConcurrencyTag>(grid, filter.radius, facts))
+  if (knows_plain_blocks<ConcurrencyTag>(grid, filter.radius, facts))
     filter_normals_by_pairs<ConcurrencyTag>(grid, points, Tiles_of_rows(grid, reach), reach, filter,
                                             progress, normals);
   else // points that thinning leaves out of one ball are not those that it leaves out of another

@@ -285,13 +285,10 @@ public:
   static constexpr std::int64_t cells_per_run = 4;
   /// Of the run of a cell: ascends with the order of the points.
   std::uint64_t key_of_run(std::size_t c) const { return m_keys[c] / std::uint64_t(cells_per_run); }
-  /// Of the run of a cell.
-  Vector middle_of_run(std::size_t c) const
+  /// Of the run that a point of scale 1 is in.
+  static std::uint64_t key_of_run(const Vector& point, double cell_size)
   {
-    Vector middle = cell_center(c);
-    const std::int64_t first = axis_of(m_keys[c], 0) / cells_per_run * cells_per_run - half_range;
-    middle[0] = size_of_cell(c) * double(first + cells_per_run / 2);
-    return middle;
+    return cell_key(point, cell_size, level_of_one) / std::uint64_t(cells_per_run);
   }
 
   /// Whether the cell is an outermost one, which collects all that lies beyond.

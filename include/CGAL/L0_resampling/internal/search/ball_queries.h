@@ -267,26 +267,34 @@ void for_each_cell_block(const Search_grid_3& query_grid, const Search_grid_3& p
     });
 }
 
-/// Whether all balls are of one size, and `Local_points` takes all points of each block of cells as
-/// they are: no block is thinned, and no cell is an outermost one, whose points may be anywhere.
-template <typename T, typename ConcurrencyTag>
+/// Of how many cells `Local_points` does not take all points of the block around them as they are:
+/// the block is thinned, or the cell is an outermost one, whose points may be anywhere.
+/// \param counts called with a cell: whether it counts
+template <typename ConcurrencyTag, typename Counts>
+std::size_t number_of_blocks_not_plain(const Search_grid_3& grid, int reach, const Counts& counts)
+{
+  return block_sum<ConcurrencyTag>(
+    grid.number_of_rows(), rows_per_block, [&](std::size_t begin, std::size_t end) {
+      Search_grid_3::Block_cursor cursor(grid, reach);
+      std::vector<Search_grid_3::Range> ranges;
+      std::size_t number = 0;
+      for (std::size_t r = begin; r < end; ++r)
+        for_each_cell_of_row(
+          grid, r, cursor, ranges, [&](Index cell, const auto&, std::size_t count) {
+            number += counts(cell)
+                      && (grid.is_unbounded(cell) || count > maximum_number_of_candidates);
+          });
+      return number;
+    });
+}
+
+/// Whether all balls are of one size, and all blocks of cells are plain.
+template <typename ConcurrencyTag>
 bool has_plain_blocks_only(const Search_grid_3& grid, int reach)
 {
-  return grid.has_one_scale()
-         && 0
-              == block_sum<ConcurrencyTag>(
-                grid.number_of_rows(), rows_per_block, [&](std::size_t begin, std::size_t end) {
-                  Search_grid_3::Block_cursor cursor(grid, reach);
-                  std::vector<Search_grid_3::Range> ranges;
-                  std::size_t number_of_others = 0;
-                  for (std::size_t r = begin; r < end; ++r)
-                    for_each_cell_of_row(
-                      grid, r, cursor, ranges, [&](Index cell, const auto&, std::size_t count) {
-                        number_of_others += grid.is_unbounded(cell)
-                                            || count > maximum_number_of_candidates;
-                      });
-                  return number_of_others;
-                });
+  return grid.has_one_scale() && number_of_blocks_not_plain<ConcurrencyTag>(grid, reach, [](Index) {
+                                   return true;
+                                 }) == 0;
 }
 
 template <typename T>

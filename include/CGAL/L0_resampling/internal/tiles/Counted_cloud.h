@@ -7,9 +7,8 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_COUNTED_CLOUD_H
 
 #include <CGAL/L0_resampling/Source_box.h>
-#include <CGAL/L0_resampling/internal/cloud/Facts_of_cloud.h>
-#include <CGAL/L0_resampling/internal/cloud/working_frame.h>
 #include <CGAL/L0_resampling/internal/core/Buffer.h>
+#include <CGAL/L0_resampling/internal/search/Search_grid_3.h>
 #include <CGAL/L0_resampling/internal/tiles/Block_counts.h>
 #include <CGAL/L0_resampling/internal/tiles/Tiling.h>
 
@@ -32,8 +31,6 @@ class Counted_cloud
   std::vector<std::pair<Block, std::uint64_t>> m_blocks;
   std::array<double, 3> m_low, m_high;
   std::uint64_t m_number_of_points;
-  double m_box_diagonal = 0, m_robust_diagonal = 0; // the latter to within a block
-  Vector m_middle = Vector::Zero();                 // of each coordinate, likewise: the median
 
 public:
   explicit Counted_cloud(Block_counts counts)
@@ -44,17 +41,6 @@ public:
     m_low = counts.low();
     m_high = counts.high();
     m_number_of_points = counts.number_of_points();
-    if (m_blocks.empty())
-      return;
-    double sum = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      sum += square(m_high[axis] - m_low[axis]);
-      m_middle[Eigen::Index(axis)] =
-        Quantiles_of_blocks(counts, axis).coordinate_at(m_number_of_points / 2);
-    }
-    m_box_diagonal = std::sqrt(sum);
-    m_robust_diagonal = robust_diagonal_of_blocks(counts);
   }
 
   const Block_lattice& lattice() const { return m_lattice; }
@@ -62,6 +48,26 @@ public:
   std::uint64_t number_of_points() const { return m_number_of_points; }
   const std::array<double, 3>& low() const { return m_low; }
   const std::array<double, 3>& high() const { return m_high; }
+
+  /// So many blocks around a tile hold what is within a length of it.
+  std::int64_t halo_in_blocks(double length) const
+  {
+    const double most = 1e6; // no tile is as wide
+    return 1 + std::int64_t(std::ceil((std::min)(length / m_lattice.side(), most)));
+  }
+
+  /// Of all blocks; there is one at least.
+  Block_box box() const
+  {
+    Block_box box = {m_blocks.front().first, m_blocks.front().first};
+    for (const auto& [block, count] : m_blocks)
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        box.low[axis] = (std::min)(box.low[axis], block[axis]);
+        box.high[axis] = (std::max)(box.high[axis], block[axis]);
+      }
+    return box;
+  }
 
   Source_box source_box(const Block_box& box) const
   {
@@ -81,20 +87,6 @@ public:
     source.for_each_point(source_box(box), [&](const std::array<double, 3>& p) {
       points.push_back(Vector(p[0], p[1], p[2]));
     });
-  }
-
-  /// What is known of the cloud before any point is read again: all but the scales.
-  Facts_of_cloud facts() const
-  {
-    const double largest = (std::max)(Vector(m_low.data()).cwiseAbs().maxCoeff(),
-                                      Vector(m_high.data()).cwiseAbs().maxCoeff());
-    const int exponent = Working_frame::exponent_of(largest);
-    const auto scaled = [&](double x) { return std::ldexp(x, exponent); };
-    Facts_of_cloud facts;
-    facts.frame = Place_of_frame{exponent, m_middle.unaryExpr(scaled)};
-    facts.extents = Facts{std::size_t(m_number_of_points), scaled(m_box_diagonal),
-                          scaled(m_robust_diagonal), exponent};
-    return facts;
   }
 };
 

@@ -24,6 +24,13 @@ class Fact_finder : public Point_finder<ConcurrencyTag, FT>
   using Base::m_areas;
   using Base::m_input;
 
+  void count_samples(const Sources& sources)
+  {
+    for (const Buffer<Index>* list : {&sources.on_points, &sources.near_points})
+      for (const Index source : *list)
+        ++found_of(source).number_of_samples;
+  }
+
 public:
   Fact_finder(Buffer<Vector>& points, const Parameters& parameters, Any_solver<FT>& solver,
               Progress& progress, Report& report)
@@ -33,7 +40,7 @@ public:
   void choose_samples(const Plan& plan)
   {
     Sources sources = Base::choose_sources(plan);
-    this->count_samples(sources);
+    count_samples(sources);
     for_each_in_order(m_input.points.size(), [&](std::size_t i) {
       Point_in_cloud& point = found_of(Index(i));
       point.units = m_areas.units[i];

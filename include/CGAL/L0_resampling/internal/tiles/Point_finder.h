@@ -32,13 +32,6 @@ protected:
 
   Point_in_cloud& found_of(Index sorted) { return m_points[m_input.indices[sorted]]; }
 
-  void count_samples(const Sources& sources)
-  {
-    for (const Buffer<Index>* list : {&sources.on_points, &sources.near_points})
-      for (const Index source : *list)
-        ++found_of(source).number_of_samples;
-  }
-
 public:
   using Base::number_of_points;
 

@@ -21,13 +21,17 @@ struct Sums_over_points
 {
   std::uint64_t units = 0; ///< areas of the distinct points
   std::uint64_t points = 0;
-  std::uint64_t distinct = 0; ///< points, one of each place
+  std::uint64_t distinct = 0;     ///< points, one of each place
+  std::uint64_t units_of_all = 0; ///< areas of all points, also those at one place
+  std::uint64_t neighbors = 0;    ///< of all points, in the balls of the normal filter
 
   Sums_over_points& operator+=(const Sums_over_points& other)
   {
     units += other.units;
     points += other.points;
     distinct += other.distinct;
+    units_of_all += other.units_of_all;
+    neighbors += other.neighbors;
     return *this;
   }
 };
@@ -41,13 +45,13 @@ struct Run_of_cells
   bool operator<(const Run_of_cells& other) const { return key < other.key; }
 };
 
-/// What a tile counts. Each run has one tile that it belongs to, which counts all points in it.
+/// What a tile counts. Each run that has points of its own is counted by it as a whole; so several
+/// tiles may count one run, and find the same.
 struct Share_of_tile
 {
-  /// Ascending: those of the tile with what is in them, and those of its halo with nothing.
+  /// Ascending: those with points of the tile's own, with what is in them, and others with nothing.
   std::vector<Run_of_cells> runs;
-  std::uint64_t units_of_all = 0; ///< areas of all its points, also those at one place
-  double area_per_unit = 0;       ///< in units of \f$ r_p^2 \f$
+  double area_per_unit = 0; ///< in units of \f$ r_p^2 \f$
 };
 
 /// What comes before the runs of cells of a tile, in the order of the whole cloud.
@@ -75,24 +79,26 @@ inline Sums_of_tiles add_up_shares(std::vector<Share_of_tile>& shares)
 {
   Sums_of_tiles result;
   std::vector<Run_of_cells> all;
-  std::uint64_t units_of_all = 0;
   double area_per_unit = 0;
   for (const Share_of_tile& share : shares)
   {
     std::copy_if(share.runs.begin(), share.runs.end(), std::back_inserter(all),
                  [](const Run_of_cells& run) { return run.sums.points > 0; });
-    units_of_all += share.units_of_all;
     area_per_unit = (std::max)(area_per_unit,
                                share.area_per_unit); // all the same, if they are known
   }
-  result.area = double(units_of_all) * area_per_unit;
   std::sort(all.begin(), all.end());
+  all.erase(
+    std::unique(all.begin(), all.end(),
+                [](const Run_of_cells& a, const Run_of_cells& b) { return a.key == b.key; }),
+    all.end());
   for (Run_of_cells& run : all)
   {
     const Sums_over_points own = run.sums;
     run.sums = result.sums;
     result.sums += own;
   }
+  result.area = double(result.sums.units_of_all) * area_per_unit;
   for (Share_of_tile& share : shares)
   {
     auto place = all.begin();

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -49,7 +48,6 @@ struct Block_box
 struct Tile
 {
   Block_box box;                            ///< of its blocks that hold points
-  Block_box room;                           ///< around them: the rooms of all tiles fill the space
   std::uint64_t number_of_points;           ///< of its own blocks
   std::uint64_t number_of_points_with_halo; ///< and of those around
 };
@@ -65,9 +63,10 @@ struct Bytes_of_call
 /// are even, as their share of the area, whichever is more.
 struct Bytes_of_tile
 {
-  double per_point;           ///< with its share of the samples
-  double per_point_alone = 0; ///< without samples
-  double per_area = 0;        ///< of the samples, for each unit of `area_of()`
+  double per_point;            ///< with its share of the samples
+  double per_point_alone = 0;  ///< without samples
+  double per_area = 0;         ///< of the samples, for each unit of `area_of()`
+  double per_point_before = 0; ///< before there are samples
 
   /// Of a block with so many points, roughly: a block that is full of a surface has as much as any
   /// other, and one with a few outliers little.
@@ -98,8 +97,9 @@ struct Bytes_of_tile
 
   double operator()(double number_of_points, double area) const
   {
-    return (std::max)(number_of_points * per_point,
-                      number_of_points * per_point_alone + area * per_area);
+    return (std::max)({number_of_points * per_point,
+                       number_of_points * per_point_alone + area * per_area,
+                       number_of_points * per_point_before});
   }
 };
 
@@ -116,9 +116,9 @@ class Tiling
   std::vector<Tile> m_tiles;
   double m_least_limit = 0;
 
-  Tile tile_of(const std::vector<std::size_t>& own, const Block_box& room) const
+  Tile tile_of(const std::vector<std::size_t>& own) const
   {
-    Tile tile = {{m_blocks[own.front()].first, m_blocks[own.front()].first}, room, 0, 0};
+    Tile tile = {{m_blocks[own.front()].first, m_blocks[own.front()].first}, 0, 0};
     for (const std::size_t i : own)
     {
       const auto& [block, count] = m_blocks[i];
@@ -144,9 +144,9 @@ class Tiling
     return m_bytes_of(double(tile.number_of_points_with_halo), area);
   }
 
-  void split(std::vector<std::size_t> own, const Block_box& room)
+  void split(std::vector<std::size_t> own)
   {
-    const Tile tile = tile_of(own, room);
+    const Tile tile = tile_of(own);
     std::size_t axis = 0;
     const auto length = [&](std::size_t a) { return tile.box.high[a] - tile.box.low[a]; };
     for (std::size_t other = 1; other < 3; ++other)
@@ -174,13 +174,10 @@ class Tiling
                                              [&](std::size_t i) { return place(i) < layer; });
     std::vector<std::size_t> lower(own.begin(), middle), upper(middle, own.end());
     own = {};
-    Block_box lower_room = room, upper_room = room;
-    lower_room.high[axis] = layer - 1;
-    upper_room.low[axis] = layer;
     std::sort(lower.begin(), lower.end());
-    split(std::move(lower), lower_room);
+    split(std::move(lower));
     std::sort(upper.begin(), upper.end());
-    split(std::move(upper), upper_room);
+    split(std::move(upper));
   }
 
 public:
@@ -192,8 +189,7 @@ public:
   {
     std::vector<std::size_t> all(blocks.size());
     std::iota(all.begin(), all.end(), std::size_t(0));
-    const std::int64_t far_away = (std::numeric_limits<std::int64_t>::max)();
-    split(std::move(all), {{-far_away, -far_away, -far_away}, {far_away, far_away, far_away}});
+    split(std::move(all));
   }
 
   const std::vector<Tile>& tiles() const { return m_tiles; }

@@ -14,35 +14,17 @@
 #include <CGAL/L0_resampling/internal/core/Progress.h>
 #include <CGAL/L0_resampling/internal/driver/Oriented_points.h>
 #include <CGAL/L0_resampling/internal/energy/Any_solver.h>
+#include <CGAL/L0_resampling/internal/tiles/Own_blocks.h>
+#include <CGAL/L0_resampling/internal/tiles/Points_of_tile.h>
 #include <CGAL/L0_resampling/internal/tiles/Runs_of_cells.h>
-#include <CGAL/L0_resampling/internal/tiles/Tiling.h>
 #include <CGAL/L0_resampling/internal/tiles/stitch_tiles.h>
 
 #include <algorithm>
-#include <functional>
 #include <vector>
 
 namespace CGAL {
 namespace L0_resampling {
 namespace internal {
-
-/// The part of space that a tile keeps the samples of.
-struct Room_of_tile
-{
-  Block_lattice lattice;
-  Block_box room;
-
-  /// \param place in the unit of the input
-  bool holds(const Vector& place) const { return room.contains(lattice.block_of(place)); }
-};
-
-/// The usual scales of a cloud, from some of its regions.
-/// \param points of the regions, in the unit of the input; used up
-/// \param is_core called with a point in that unit: whether all that is near to it is among them
-/// \param facts the frame and the extents
-template <typename ConcurrencyTag>
-Scales scales_of_regions(Buffer<Vector>& points, const std::function<bool(const Vector&)>& is_core,
-                         const Facts_of_cloud& facts, Progress& progress);
 
 /// All facts of a cloud, as a call for all of it finds them.
 /// \param points all of them, at least one; used up
@@ -57,20 +39,13 @@ Facts_of_cloud facts_of_points(Buffer<Vector>& points, const Parameters& paramet
 /// \param points of the tile and its halo, at least one; used up
 /// \param facts of the cloud, as far as they are known
 /// \param parameters of the call for the whole cloud, checked
+/// \param own the blocks of the tile
+/// \param points_of_tile out
 template <typename ConcurrencyTag, typename FT>
 Share_of_tile share_of_tile(Buffer<Vector>& points, const Facts_of_cloud& facts,
-                            const Parameters& parameters, const Room_of_tile& room,
-                            Any_solver<FT>& solver, Progress& progress, Report& report);
-
-/// What a tile has to know of each point, once all have told their shares. Parameters are those of
-/// `share_of_tile()`.
-/// \param starts what comes before the runs of the tile
-/// \returns in the order of the points
-template <typename ConcurrencyTag, typename FT>
-std::vector<Point_in_cloud> points_of_tile(Buffer<Vector>& points, const Facts_of_cloud& facts,
-                                           const Parameters& parameters, const Room_of_tile& room,
-                                           const Starts_of_runs& starts, Any_solver<FT>& solver,
-                                           Progress& progress, Report& report);
+                            const Parameters& parameters, const Own_blocks& own,
+                            Any_solver<FT>& solver, Progress& progress, Report& report,
+                            Points_of_tile& points_of_tile);
 
 /// The samples of a tile and of its halo.
 template <typename FT>

@@ -12,24 +12,11 @@
 #include <CGAL/L0_resampling/internal/tiles/Tile_backend.h>
 #include <CGAL/L0_resampling/internal/tiles/resample_tile.h>
 
-#include <algorithm>
-#include <functional>
 #include <vector>
 
 namespace CGAL {
 namespace L0_resampling {
 namespace internal {
-
-template <typename ConcurrencyTag>
-Scales scales_of_regions(Buffer<Vector>& points, const std::function<bool(const Vector&)>& is_core,
-                         const Facts_of_cloud& facts, Progress& progress)
-{
-  Working_frame frame;
-  frame.enter<ConcurrencyTag>(points, *facts.frame);
-  const double radius = paper_radius(*facts.extents);
-  return estimate_scales<ConcurrencyTag, Local>(
-    points, radius, [&](const Vector& p) { return is_core(frame.leave(p * radius)); }, progress);
-}
 
 template <typename ConcurrencyTag, typename FT>
 Facts_of_cloud facts_of_points(Buffer<Vector>& points, const Parameters& parameters,
@@ -52,11 +39,15 @@ Facts_of_cloud facts_of_points(Buffer<Vector>& points, const Parameters& paramet
   return finder.facts();
 }
 
-/// Calls the stages that find what a tile adds to the sums over all tiles, and then `f(plan)`.
-/// \returns nothing if none of the points are used
-template <typename Finder, typename F>
-Share_of_tile find_share(const Parameters& parameters, Finder& finder, const F& f)
+template <typename ConcurrencyTag, typename FT>
+Share_of_tile share_of_tile(Buffer<Vector>& points, const Facts_of_cloud& facts,
+                            const Parameters& parameters, const Own_blocks& own,
+                            Any_solver<FT>& solver, Progress& progress, Report& report,
+                            Points_of_tile& points_of_tile)
 {
+  const Buffer<unsigned char> are_own = own.flags_of(points);
+  Share_finder<ConcurrencyTag, FT> finder(facts, are_own, points, parameters, solver, progress,
+                                          report);
   const Plan plan = plan_call(parameters, finder);
   if (plan.drops_outliers())
   {
@@ -65,32 +56,9 @@ Share_of_tile find_share(const Parameters& parameters, Finder& finder, const F& 
   }
   finder.begin_stage("areas", 0.3, finder.number_of_points());
   finder.sort_points(plan);
-  Share_of_tile share = finder.share(plan);
-  f(plan);
+  Share_of_tile share = finder.share(plan, points_of_tile);
   finder.end(plan);
   return share;
-}
-
-template <typename ConcurrencyTag, typename FT>
-Share_of_tile share_of_tile(Buffer<Vector>& points, const Facts_of_cloud& facts,
-                            const Parameters& parameters, const Room_of_tile& room,
-                            Any_solver<FT>& solver, Progress& progress, Report& report)
-{
-  Share_finder<ConcurrencyTag, FT> finder(facts, room, points, parameters, solver, progress,
-                                          report);
-  return find_share(parameters, finder, [](const Plan&) {});
-}
-
-template <typename ConcurrencyTag, typename FT>
-std::vector<Point_in_cloud> points_of_tile(Buffer<Vector>& points, const Facts_of_cloud& facts,
-                                           const Parameters& parameters, const Room_of_tile& room,
-                                           const Starts_of_runs& starts, Any_solver<FT>& solver,
-                                           Progress& progress, Report& report)
-{
-  Share_finder<ConcurrencyTag, FT> finder(facts, room, points, parameters, solver, progress,
-                                          report);
-  find_share(parameters, finder, [&](const Plan& plan) { finder.place_points(plan, starts); });
-  return finder.take_points();
 }
 
 template <typename ConcurrencyTag, typename FT>

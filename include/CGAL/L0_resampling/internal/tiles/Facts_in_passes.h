@@ -1,0 +1,308 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_FACTS_IN_PASSES_H
+#define CGAL_L0_RESAMPLING_INTERNAL_FACTS_IN_PASSES_H
+
+#include <CGAL/L0_resampling/Report.h>
+#include <CGAL/L0_resampling/internal/cloud/estimate_scale_field.h>
+#include <CGAL/L0_resampling/internal/cloud/estimate_scales.h>
+#include <CGAL/L0_resampling/internal/energy/Any_solver.h>
+#include <CGAL/L0_resampling/internal/tiles/Blocks_of_tile.h>
+#include <CGAL/L0_resampling/internal/tiles/Counted_cloud.h>
+#include <CGAL/L0_resampling/internal/tiles/Runs_of_codes.h>
+#include <CGAL/L0_resampling/internal/tiles/extents_of_source.h>
+#include <CGAL/L0_resampling/internal/tiles/facts_of_tile.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <new>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/*!
+Finds the facts of a cloud that is not in memory, as far as its tiles do not find them while they
+share out the samples: in passes over the cloud, tile by tile. They are those that a call for all of
+it in memory finds, as what is around a point is in its tile or the halo of that.
+
+\tparam Source model of `L0ResamplingTileSource`
+*/
+template <typename ConcurrencyTag, typename Source>
+class Facts_in_passes
+{
+  const Counted_cloud& m_cloud;
+  const Source& m_source;
+  const Parameters& m_parameters;
+  Any_solver<float>& m_solver;
+  double m_bytes; // for the points of a tile
+  std::function<bool(double)> m_callback;
+  Memory_counter& m_memory;
+  Facts_of_cloud m_facts;
+  int m_number_of_passes_done = 0;
+
+  /// \param share of the pass that is done
+  bool goes_on(double share) const
+  {
+    return !m_callback || m_callback((m_number_of_passes_done + share) / number_of_passes);
+  }
+
+  /// Calls `f(progress, report)`.
+  /// \param begin, length of this part of the pass, as shares
+  template <typename F>
+  void watched(double begin, double length, const F& f)
+  {
+    Report report;
+    Progress progress([&](double share) { return goes_on(begin + share * length); }, report,
+                      m_memory);
+    try
+    {
+      f(progress, report);
+    }
+    catch (const Interrupted&)
+    {
+      progress.rethrow_exception_of_callback();
+      throw;
+    }
+  }
+
+  /// A pass: calls `f(points, own, progress, report)` for each of some tiles of the cloud, with the
+  /// points of it and around.
+  /// \param halo a length, in the unit of the input
+  template <typename F>
+  void for_each_tile(double halo, const F& f)
+  {
+    const std::int64_t halo_in_blocks = m_cloud.halo_in_blocks(halo);
+    const Tiling tiling(m_cloud.blocks(), halo_in_blocks, {double(bytes_per_point)}, m_bytes);
+    if (tiling.most_bytes_of_tile() > m_bytes)
+      throw std::bad_alloc();
+    const std::size_t number_of_tiles = tiling.tiles().size();
+    for (std::size_t k = 0; k < number_of_tiles; ++k)
+    {
+      const Tile& tile = tiling.tiles()[k];
+      watched(double(k) / double(number_of_tiles), 1 / double(number_of_tiles),
+              [&](Progress& progress, Report& report) {
+                Buffer<Vector> points(&m_memory);
+                Blocks_of_tile(m_cloud, tile, halo_in_blocks).read_at_once(m_source, points);
+                f(points, Own_blocks{m_cloud.lattice(), tile.box}, progress, report);
+              });
+    }
+    ++m_number_of_passes_done;
+  }
+
+  double length_of_input(double length) const
+  {
+    return std::ldexp(length, -m_facts.extents->exponent_of_input);
+  }
+  double paper_radius_of_input() const { return length_of_input(paper_radius(*m_facts.extents)); }
+
+  Plan plan() const
+  {
+    Facts known = *m_facts.extents;
+    known.scales = *m_facts.scales;
+    return make_plan(m_parameters, known);
+  }
+
+  /// The places that tell the scales, in the order of the whole cloud.
+  struct Places
+  {
+    Ranks_of_runs of_balls, of_field;
+    std::vector<std::uint64_t> outermost; // of the field
+  };
+
+  Places find_places()
+  {
+    Places places;
+    for_each_tile(2 * paper_radius_of_input(),
+                  [&](Buffer<Vector>& points, const Own_blocks& own, Progress&, Report&) {
+                    const Places_of_tile found = count_places<ConcurrencyTag>(points, own, m_facts);
+                    places.of_balls.add(found.of_balls);
+                    places.of_field.add(found.of_field);
+                    places.outermost.insert(places.outermost.end(), found.outermost.begin(),
+                                            found.outermost.end());
+                  });
+    std::vector<std::uint64_t>& codes = places.outermost;
+    std::sort(codes.begin(), codes.end());
+    codes.erase(std::unique(codes.begin(), codes.end()), codes.end());
+    Runs_of_codes(*m_facts.extents)
+      .for_each(codes.data(), codes.size(),
+                [&](std::uint64_t key, std::size_t first, std::size_t end) {
+                  places.of_field.add({{key, end - first}});
+                });
+    places.of_balls.add_up();
+    places.of_field.add_up();
+    return places;
+  }
+
+  void find_scales(const Ranks_of_runs& ranks)
+  {
+    const std::size_t few = 6, all = reaches_of_balls.size(); // mostly enough, in narrower halos
+    for (const std::size_t number_of_reaches : {few, all})
+    {
+      std::vector<Ranked_balls> balls;
+      const double halo = (reaches_of_balls[number_of_reaches - 1] + 2) * cell_size_of_scales;
+      for_each_tile(halo * paper_radius_of_input(), [&](Buffer<Vector>& points,
+                                                        const Own_blocks& own, Progress& progress,
+                                                        Report&) {
+        const std::vector<Ranked_balls> found =
+          look_at_balls<ConcurrencyTag>(points, own, m_facts, ranks, number_of_reaches, progress);
+        balls.insert(balls.end(), found.begin(), found.end());
+      });
+      m_facts.scales = scales_of(balls, number_of_reaches);
+      if (m_facts.scales)
+        return;
+      --m_number_of_passes_done;
+    }
+  }
+
+  /// \returns nothing if more reaches are needed
+  static std::optional<Scales> scales_of(std::vector<Ranked_balls>& balls,
+                                         std::size_t number_of_reaches)
+  {
+    std::sort(balls.begin(), balls.end(),
+              [](const Ranked_balls& a, const Ranked_balls& b) { return a.rank < b.rank; });
+    balls.erase(
+      std::unique(balls.begin(), balls.end(),
+                  [](const Ranked_balls& a, const Ranked_balls& b) { return a.rank == b.rank; }),
+      balls.end());
+    std::size_t number_of_looks = 0;
+    const Scales scales = scales_of_growing_balls(cell_size_of_scales, [&](int, double) {
+      const std::size_t k = (std::min)(number_of_looks++, number_of_reaches - 1);
+      std::vector<Ball_of_points> of_reach;
+      for (const Ranked_balls& of_place : balls)
+        of_reach.push_back(of_place.balls[k]);
+      return of_reach;
+    });
+    return number_of_looks <= number_of_reaches ? std::optional<Scales>(scales) : std::nullopt;
+  }
+
+  /// Finds the field of scales.
+  void find_field(const Places& places, double halo)
+  {
+    const Plan plan = this->plan();
+    if (!plan.follows_scales)
+    {
+      ++m_number_of_passes_done;
+      return;
+    }
+    std::vector<Placed_seed> seeds;
+    watched(0, 0, [&](Progress& progress, Report&) {
+      seeds = seeds_of_outermost<ConcurrencyTag>(places.outermost, m_facts, places.of_field,
+                                                 progress);
+    });
+    for_each_tile(halo,
+                  [&](Buffer<Vector>& points, const Own_blocks& own, Progress& progress, Report&) {
+                    const std::vector<Placed_seed> found = look_at_seeds<ConcurrencyTag>(
+                      points, own, m_facts, places.of_field, progress);
+                    seeds.insert(seeds.end(), found.begin(), found.end());
+                  });
+    std::sort(seeds.begin(), seeds.end(),
+              [](const Placed_seed& a, const Placed_seed& b) { return a.code < b.code; });
+    seeds.erase(
+      std::unique(seeds.begin(), seeds.end(),
+                  [](const Placed_seed& a, const Placed_seed& b) { return a.code == b.code; }),
+      seeds.end());
+    Buffer<std::uint64_t> codes; // what is left of them outlives the call
+    Buffer<Seed> known;
+    codes.reserve(seeds.size());
+    known.reserve(seeds.size());
+    for (const Placed_seed& placed : seeds)
+    {
+      codes.push_back(placed.code);
+      known.push_back(placed.seed);
+    }
+    seeds = {};
+    Facts facts = *m_facts.extents;
+    facts.scales = *m_facts.scales;
+    Morton_places of_seeds(cells_of_places(facts.robust_diagonal), std::move(codes));
+    watched(1, 0, [&](Progress& progress, Report&) {
+      m_facts.field = std::make_shared<const Scale_field>(field_of_seeds<ConcurrencyTag>(
+        std::move(of_seeds), known, usual_scales(plan, facts), progress));
+    });
+  }
+
+  void find_neighbors(double halo)
+  {
+    Neighbors_of_tile all;
+    for_each_tile(halo, [&](Buffer<Vector>& points, const Own_blocks& own, Progress& progress,
+                            Report& report) {
+      const Neighbors_of_tile found =
+        count_neighbors<ConcurrencyTag>(points, own, m_facts, m_parameters, progress, report);
+      all.add(found);
+    });
+    if (m_facts.field)
+      m_facts.range_of_scales = {all.least_scale, float(*all.scales.median()), all.largest_scale};
+    m_facts.median_number_of_neighbors = all.numbers.median();
+  }
+
+  /// \returns how many points are no outliers
+  std::size_t find_disks(double halo)
+  {
+    Disks_of_tile all;
+    for_each_tile(halo, [&](Buffer<Vector>& points, const Own_blocks& own, Progress& progress,
+                            Report& report) {
+      const Disks_of_tile found = count_disks<ConcurrencyTag>(points, own, m_facts, m_parameters,
+                                                              m_solver, progress, report);
+      all.units += found.units;
+      all.number_of_others += found.number_of_others;
+      all.number_of_points_left += found.number_of_points_left;
+    });
+    m_facts.units_of_disks = all.units;
+    m_facts.has_plain_blocks = all.number_of_others == 0
+                               && (!m_facts.field || m_facts.field->is_even());
+    return all.number_of_points_left;
+  }
+
+public:
+  /// What a pass holds for each point of a tile and its halo, and for each of the cloud.
+  static constexpr std::uint64_t bytes_per_point = 160, bytes_per_point_of_cloud = 6;
+  static constexpr int number_of_passes = 6;
+
+  /// \param bytes for all
+  /// \param callback of the user, or none
+  /// \throws std::bad_alloc if that is too little for a single tile
+  Facts_in_passes(const Counted_cloud& cloud, const Source& source, const Parameters& parameters,
+                  Any_solver<float>& solver, std::uint64_t bytes,
+                  std::function<bool(double)> callback, Memory_counter& memory)
+    : m_cloud(cloud), m_source(source), m_parameters(parameters), m_solver(solver),
+      m_bytes(double(bytes) - double(bytes_per_point_of_cloud) * double(cloud.number_of_points())),
+      m_callback(std::move(callback)), m_memory(memory)
+  {}
+
+  /// \param halo_in_radii around a tile, once the radius is known
+  Facts_of_cloud find(double halo_in_radii)
+  {
+    m_facts = extents_of_source(m_cloud, m_source, [&](double share) {
+      if (!goes_on(share))
+        throw Interrupted();
+    });
+    ++m_number_of_passes_done;
+    const Places places = find_places();
+    find_scales(places.of_balls);
+    const double halo = halo_in_radii * length_of_input(plan().unit);
+    find_field(places, halo);
+    find_neighbors(halo);
+    if (find_disks(halo) == 0)
+    {
+      m_facts.has_outliers_only = true;
+      find_disks(halo);
+    }
+    return std::move(m_facts);
+  }
+};
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_FACTS_IN_PASSES_H

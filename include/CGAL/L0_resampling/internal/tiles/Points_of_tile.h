@@ -1,0 +1,87 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_POINTS_OF_TILE_H
+#define CGAL_L0_RESAMPLING_INTERNAL_POINTS_OF_TILE_H
+
+#include <CGAL/L0_resampling/internal/core/Buffer.h>
+#include <CGAL/L0_resampling/internal/core/Parameters.h>
+#include <CGAL/L0_resampling/internal/core/Point_in_cloud.h>
+#include <CGAL/L0_resampling/internal/samples/initialize_samples.h>
+#include <CGAL/L0_resampling/internal/tiles/Runs_of_cells.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/// What the first stages find of the points of a tile and its halo, before it is known where
+/// samples start.
+struct Points_of_tile
+{
+  struct Run
+  {
+    std::uint64_t key; ///< `Search_grid_3::key_of_run()`
+    std::uint64_t end; ///< in `order`; the next run begins there
+  };
+
+  std::vector<Point_in_cloud> points; ///< in their first order, but for indices and samples
+  std::vector<Index> order; ///< those that are used, in the order of the whole cloud, run by run
+  std::vector<unsigned char> are_distinct; ///< of these: whether each is the first at its place
+  std::vector<Run> runs;
+
+  static constexpr std::size_t bytes_per_point = sizeof(Point_in_cloud) + sizeof(Index) + 1;
+
+  /// The points, with their place in the order of the cloud and the samples that start on them.
+  /// \param starts what comes before the runs
+  /// \param starts_evenly by area, and not as the points do
+  std::vector<Point_in_cloud> placed(const Starts_of_runs& starts, std::uint64_t number_of_samples,
+                                     std::uint64_t seed, bool starts_evenly) &&
+  {
+    Buffer<std::uint64_t> units;
+    units.reserve(order.size());
+    for (const Index i : order)
+      units.push_back(points[i].units);
+    Sources sources;
+    Buffer<Index> distinct;
+    auto start = starts.runs.begin();
+    std::uint64_t next = 0;
+    for (const Run& run : runs)
+    {
+      const std::uint64_t first = std::exchange(next, run.end);
+      while (start != starts.runs.end() && start->key < run.key)
+        ++start;
+      if (start == starts.runs.end() || start->key != run.key)
+        continue;
+      distinct.clear();
+      for (std::uint64_t k = first; k < run.end; ++k)
+      {
+        points[order[k]].index = Index(start->sums.points + (k - first));
+        if (are_distinct[k] != 0)
+          distinct.push_back(Index(k));
+      }
+      if (starts_evenly)
+        add_sources_by_area(distinct, units, start->sums.units, starts.all.units, number_of_samples,
+                            seed, sources);
+      else
+        add_sources_by_points(distinct, start->sums.distinct, starts.all.distinct,
+                              number_of_samples, seed, sources);
+    }
+    for (const Buffer<Index>* list : {&sources.on_points, &sources.near_points})
+      for (const Index source : *list)
+        ++points[order[source]].number_of_samples;
+    return std::move(points);
+  }
+};
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_POINTS_OF_TILE_H

@@ -1,0 +1,163 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_FACTS_OF_TILE_H
+#define CGAL_L0_RESAMPLING_INTERNAL_FACTS_OF_TILE_H
+
+#include <CGAL/L0_resampling/Report.h>
+#include <CGAL/L0_resampling/internal/cloud/Facts_of_cloud.h>
+#include <CGAL/L0_resampling/internal/core/Buffer.h>
+#include <CGAL/L0_resampling/internal/core/Parameters.h>
+#include <CGAL/L0_resampling/internal/core/Progress.h>
+#include <CGAL/L0_resampling/internal/energy/Any_solver.h>
+#include <CGAL/L0_resampling/internal/kernels/scale_field.h>
+#include <CGAL/L0_resampling/internal/tiles/Own_blocks.h>
+#include <CGAL/L0_resampling/internal/tiles/Ranks_of_runs.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+// What a tile finds in each pass over a cloud that is not in memory, in which its facts are found.
+// Parameters are the same in all of them: the points of the tile and around it, in the unit of the
+// input, which are used up; the blocks whose points are its own; and the facts that were found in
+// the passes before.
+
+/// The places that balls are laid around, and those of the field of scales.
+struct Places_of_tile
+{
+  std::vector<Run_of_places> of_balls, of_field; ///< of runs with points of its own
+  /// Codes of its own points in the outermost runs, which collect what lies beyond.
+  std::vector<std::uint64_t> outermost;
+};
+
+template <typename ConcurrencyTag>
+Places_of_tile count_places(Buffer<Vector>& points, const Own_blocks& own,
+                            const Facts_of_cloud& facts);
+
+/// A place that balls are laid around, by its rank among all such places.
+struct Ranked_balls
+{
+  std::uint64_t rank;
+  std::array<Ball_of_points, reaches_of_balls.size()> balls;
+};
+
+/// The balls of the scales, in runs with points of the tile's own.
+/// \param of_balls the ranks of what `count_places()` has found
+/// \param number_of_reaches so many of the first ones, which have to be within the halo
+template <typename ConcurrencyTag>
+std::vector<Ranked_balls> look_at_balls(Buffer<Vector>& points, const Own_blocks& own,
+                                        const Facts_of_cloud& facts, const Ranks_of_runs& of_balls,
+                                        std::size_t number_of_reaches, Progress& progress);
+
+/// A seed of the field of scales.
+struct Placed_seed
+{
+  std::uint64_t code;
+  Seed seed;
+};
+
+/// The seeds in runs with points of the tile's own.
+/// \param of_field the ranks of what `count_places()` has found
+template <typename ConcurrencyTag>
+std::vector<Placed_seed> look_at_seeds(Buffer<Vector>& points, const Own_blocks& own,
+                                       const Facts_of_cloud& facts, const Ranks_of_runs& of_field,
+                                       Progress& progress);
+
+/// The seeds among the outermost places, which no tile has: found among these alone.
+/// \param codes ascending, all different
+template <typename ConcurrencyTag>
+std::vector<Placed_seed> seeds_of_outermost(const std::vector<std::uint64_t>& codes,
+                                            const Facts_of_cloud& facts,
+                                            const Ranks_of_runs& of_field, Progress& progress);
+
+/// How many numbers are of which size.
+template <typename T>
+class Histogram
+{
+  std::map<T, std::uint64_t> m_counts;
+
+public:
+  void add(T number, std::uint64_t count = 1) { m_counts[number] += count; }
+  void add(const Histogram& other)
+  {
+    for (const auto& [number, count] : other.m_counts)
+      add(number, count);
+  }
+
+  /// As `median_of()`; none if there are no numbers.
+  std::optional<T> median() const
+  {
+    std::uint64_t rank = 0;
+    for (const auto& [number, count] : m_counts)
+      rank += count;
+    rank /= 2;
+    for (const auto& [number, count] : m_counts)
+    {
+      if (rank < count)
+        return number;
+      rank -= count;
+    }
+    return std::nullopt;
+  }
+};
+
+/// What `find_outliers()` compares with, and the range of the scales.
+struct Neighbors_of_tile
+{
+  Histogram<double> numbers; ///< of points in the balls of the tile's own
+  float least_scale = (std::numeric_limits<float>::max)(), largest_scale = 0;
+  Histogram<double> scales; ///< to within half a percent, for the report
+
+  void add_scale(float scale)
+  {
+    const double steps_per_octave = 64;
+    least_scale = (std::min)(least_scale, scale);
+    largest_scale = (std::max)(largest_scale, scale);
+    scales.add(std::exp2(std::round(std::log2(scale) * steps_per_octave) / steps_per_octave));
+  }
+
+  void add(const Neighbors_of_tile& other)
+  {
+    numbers.add(other.numbers);
+    least_scale = (std::min)(least_scale, other.least_scale);
+    largest_scale = (std::max)(largest_scale, other.largest_scale);
+    scales.add(other.scales);
+  }
+};
+
+template <typename ConcurrencyTag>
+Neighbors_of_tile count_neighbors(Buffer<Vector>& points, const Own_blocks& own,
+                                  const Facts_of_cloud& facts, const Parameters& parameters,
+                                  Progress& progress, Report& report);
+
+/// What areas are relative to.
+struct Disks_of_tile
+{
+  std::uint64_t units = 0;               ///< `Facts_of_cloud::units_of_disks`
+  std::size_t number_of_others = 0;      ///< blocks of cells that are not plain
+  std::size_t number_of_points_left = 0; ///< without outliers, and thinned
+};
+
+template <typename ConcurrencyTag, typename FT>
+Disks_of_tile count_disks(Buffer<Vector>& points, const Own_blocks& own,
+                          const Facts_of_cloud& facts, const Parameters& parameters,
+                          Any_solver<FT>& solver, Progress& progress, Report& report);
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_FACTS_OF_TILE_H

@@ -1,0 +1,247 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_FACTS_OF_TILE_IMPL_H
+#define CGAL_L0_RESAMPLING_INTERNAL_FACTS_OF_TILE_IMPL_H
+
+#include <CGAL/L0_resampling/internal/cloud/estimate_scale_field.h>
+#include <CGAL/L0_resampling/internal/cloud/estimate_scales.h>
+#include <CGAL/L0_resampling/internal/cloud/find_outliers.h>
+#include <CGAL/L0_resampling/internal/driver/Cpu_points.h>
+#include <CGAL/L0_resampling/internal/driver/run.h>
+#include <CGAL/L0_resampling/internal/tiles/Disk_finder.h>
+#include <CGAL/L0_resampling/internal/tiles/Runs_of_codes.h>
+#include <CGAL/L0_resampling/internal/tiles/facts_of_tile.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/// The seeds among some places of a cloud.
+/// \param are_wanted called with the key of a run: whether its seeds are to be found
+template <typename ConcurrencyTag, typename Wanted>
+std::vector<Placed_seed> seeds_among(const Morton_places& places, const Runs_of_codes& runs,
+                                     const Ranks_of_runs& ranks, const Wanted& are_wanted,
+                                     Progress& progress)
+{
+  const Morton_points view = places.view();
+  std::vector<std::size_t> seeds; // of the places
+  runs.for_each(view.codes, view.size, [&](std::uint64_t key, std::size_t first, std::size_t end) {
+    if (!are_wanted(key))
+      return;
+    const std::uint64_t rank = *ranks.first_of(key), stride = points_of_seed;
+    for (std::uint64_t i = first + (stride - rank % stride) % stride; i < end; i += stride)
+      seeds.push_back(std::size_t(i));
+  });
+  std::vector<Placed_seed> found(seeds.size());
+  for_each_seed<ConcurrencyTag>(seeds.size(), progress, [&](std::size_t k) {
+    found[k] = {view.codes[seeds[k]], seed_at(One_thread(), view, seeds[k])};
+  });
+  return found;
+}
+
+/// The keys of some runs.
+class Set_of_runs
+{
+  std::vector<std::uint64_t> m_keys;
+
+public:
+  void add(std::uint64_t key)
+  {
+    if (m_keys.empty() || m_keys.back() != key) // as for most points
+      m_keys.push_back(key);
+  }
+
+  /// Once all are there.
+  void sort()
+  {
+    std::sort(m_keys.begin(), m_keys.end());
+    m_keys.erase(std::unique(m_keys.begin(), m_keys.end()), m_keys.end());
+  }
+
+  bool holds(std::uint64_t key) const
+  {
+    return std::binary_search(m_keys.begin(), m_keys.end(), key);
+  }
+};
+
+/// The runs of `Points_of_scales` that have points of a tile's own.
+/// \param points in the frame
+/// \param radius the paper's
+inline Set_of_runs own_runs_of_balls(const Buffer<Vector>& points,
+                                     const Buffer<unsigned char>& are_own, double radius)
+{
+  Set_of_runs runs;
+  for_each_in_order(points.size(), [&](std::size_t i) {
+    if (are_own[i])
+      runs.add(Search_grid_3::key_of_run(points[i].unaryExpr([&](double x) { return x / radius; }),
+                                         cell_size_of_scales));
+  });
+  runs.sort();
+  return runs;
+}
+
+/// The runs of codes that have points of a tile's own, but for the outermost.
+/// \param points in the frame
+/// \param on_outermost called with each code of an outermost run
+template <typename F>
+Set_of_runs own_runs_of_field(const Buffer<Vector>& points, const Buffer<unsigned char>& are_own,
+                              const Runs_of_codes& runs_of_codes, const F& on_outermost)
+{
+  Set_of_runs runs;
+  for_each_in_order(points.size(), [&](std::size_t i) {
+    if (!are_own[i])
+      return;
+    const std::uint64_t code = runs_of_codes.cells().code(points[i].data()),
+                        key = runs_of_codes.key_of(code);
+    if (runs_of_codes.is_outermost(key))
+      on_outermost(code);
+    else
+      runs.add(key);
+  });
+  runs.sort();
+  return runs;
+}
+
+template <typename ConcurrencyTag>
+Places_of_tile count_places(Buffer<Vector>& points, const Own_blocks& own,
+                            const Facts_of_cloud& facts)
+{
+  Places_of_tile found;
+  const double radius = paper_radius(*facts.extents);
+  const Runs_of_codes runs_of_codes(*facts.extents);
+  const Buffer<unsigned char> are_own = own.flags_of(points);
+  Working_frame().enter<ConcurrencyTag>(points, *facts.frame);
+  {
+    const Set_of_runs own_runs = own_runs_of_balls(points, are_own, radius);
+    const Points_of_scales of_scales(ConcurrencyTag(), points, radius);
+    for_each_run(of_scales.grid(), [&](std::uint64_t key, const Search_grid_3::Range& range) {
+      if (own_runs.holds(key))
+        found.of_balls.push_back({key, range.second - range.first});
+    });
+  }
+  const Set_of_runs own_runs = own_runs_of_field(
+    points, are_own, runs_of_codes, [&](std::uint64_t code) { found.outermost.push_back(code); });
+  const Morton_places places = places_of<ConcurrencyTag>(points, runs_of_codes.cells());
+  const Morton_points view = places.view();
+  runs_of_codes.for_each(view.codes, view.size,
+                         [&](std::uint64_t key, std::size_t first, std::size_t end) {
+                           if (own_runs.holds(key))
+                             found.of_field.push_back({key, end - first});
+                         });
+  return found;
+}
+
+template <typename ConcurrencyTag>
+std::vector<Ranked_balls> look_at_balls(Buffer<Vector>& points, const Own_blocks& own,
+                                        const Facts_of_cloud& facts, const Ranks_of_runs& of_balls,
+                                        std::size_t number_of_reaches, Progress& progress)
+{
+  std::vector<Ranked_balls> found;
+  const double radius = paper_radius(*facts.extents);
+  const Buffer<unsigned char> are_own = own.flags_of(points);
+  Working_frame().enter<ConcurrencyTag>(points, *facts.frame);
+  const Set_of_runs own_runs = own_runs_of_balls(points, are_own, radius);
+  const Points_of_scales of_scales(ConcurrencyTag(), points, radius);
+  Buffer<Vector> queries(points.get_allocator());
+  const std::uint64_t stride = stride_of_balls(of_balls.total());
+  for_each_run(of_scales.grid(), [&](std::uint64_t key, const Search_grid_3::Range& range) {
+    if (!own_runs.holds(key))
+      return;
+    std::uint64_t rank = *of_balls.first_of(key);
+    for (Index i = range.first; i < range.second; ++i, ++rank)
+      if (rank % stride == 0)
+      {
+        queries.push_back(of_scales.points()[i]);
+        found.push_back({rank, {}});
+      }
+  });
+  if (queries.empty())
+    return found;
+  const Search_grid_3 query_grid(queries, of_scales.grid().cell_size());
+  for (std::size_t k = 0; k < number_of_reaches; ++k)
+  {
+    const std::vector<Ball_of_points> balls = of_scales.balls_around<ConcurrencyTag, Local>(
+      queries, query_grid, reaches_of_balls[k], progress);
+    for (std::size_t i = 0; i < balls.size(); ++i)
+      found[i].balls[k] = balls[i];
+  }
+  return found;
+}
+
+template <typename ConcurrencyTag>
+std::vector<Placed_seed> look_at_seeds(Buffer<Vector>& points, const Own_blocks& own,
+                                       const Facts_of_cloud& facts, const Ranks_of_runs& of_field,
+                                       Progress& progress)
+{
+  const Runs_of_codes runs_of_codes(*facts.extents);
+  const Buffer<unsigned char> are_own = own.flags_of(points);
+  Working_frame().enter<ConcurrencyTag>(points, *facts.frame);
+  const Set_of_runs own_runs = own_runs_of_field(points, are_own, runs_of_codes,
+                                                 [](std::uint64_t) {});
+  return seeds_among<ConcurrencyTag>(
+    places_of<ConcurrencyTag>(points, runs_of_codes.cells()), runs_of_codes, of_field,
+    [&](std::uint64_t key) { return own_runs.holds(key); }, progress);
+}
+
+template <typename ConcurrencyTag>
+std::vector<Placed_seed> seeds_of_outermost(const std::vector<std::uint64_t>& codes,
+                                            const Facts_of_cloud& facts,
+                                            const Ranks_of_runs& of_field, Progress& progress)
+{
+  const Runs_of_codes runs(*facts.extents);
+  return seeds_among<ConcurrencyTag>(
+    Morton_places(runs.cells(), Buffer<std::uint64_t>(codes.begin(), codes.end())), runs, of_field,
+    [](std::uint64_t) { return true; }, progress);
+}
+
+template <typename ConcurrencyTag>
+Neighbors_of_tile count_neighbors(Buffer<Vector>& points, const Own_blocks& own,
+                                  const Facts_of_cloud& facts, const Parameters& parameters,
+                                  Progress& progress, Report& report)
+{
+  Neighbors_of_tile found;
+  const Buffer<unsigned char> are_own = own.flags_of(points);
+  Cpu_points<ConcurrencyTag> all(points, progress, report, facts);
+  const Plan plan = plan_call(parameters, all);
+  const Buffer<float>& scales = all.scales();
+  for_each_in_order(points.size(), [&](std::size_t i) {
+    if (are_own[i])
+      found.add_scale(scales.empty() ? 1 : scales[i]);
+  });
+  if (plan.drops_outliers())
+    for_each_number_of_neighbors<Local, ConcurrencyTag>(points, plan.radius, view_of_scales(scales),
+                                                        progress, [&](Index i, double number) {
+                                                          if (are_own[i])
+                                                            found.numbers.add(number);
+                                                        });
+  return found;
+}
+
+template <typename ConcurrencyTag, typename FT>
+Disks_of_tile count_disks(Buffer<Vector>& points, const Own_blocks& own,
+                          const Facts_of_cloud& facts, const Parameters& parameters,
+                          Any_solver<FT>& solver, Progress& progress, Report& report)
+{
+  const Buffer<unsigned char> are_own = own.flags_of(points);
+  Disk_finder<ConcurrencyTag, FT> finder(facts, points, parameters, solver, progress, report);
+  const Plan plan = plan_call(parameters, finder);
+  if (plan.drops_outliers())
+    finder.drop_outliers(plan);
+  finder.sort_points(plan);
+  return finder.count(plan, are_own);
+}
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_FACTS_OF_TILE_IMPL_H
