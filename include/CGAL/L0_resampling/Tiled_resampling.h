@@ -93,11 +93,15 @@ class Tiled_resampling
   /// A tile sees each run of cells as a whole that has a point of its own.
   std::int64_t halo_in_blocks() const
   {
-    const double radii_of_run =
-      has_all_facts() ? 0.
-                      : double(internal::Search_grid_3::cells_per_run)
-                          * m_facts.range_of_scales.value_or(internal::Range_of_scales()).largest;
-    return m_cloud.halo_in_blocks((std::max)(m_halo_in_radii, radii_of_run) * m_radius);
+    double radii = m_halo_in_radii;
+    if (!has_all_facts())
+    {
+      const float largest = m_facts.range_of_scales.value_or(internal::Range_of_scales()).largest;
+      const double cell = plan_of(m_facts).cell_size
+                          * internal::size_of_cells(internal::level_of_scale(largest));
+      radii = (std::max)(radii, double(internal::Search_grid_3::cells_per_run) * cell);
+    }
+    return m_cloud.halo_in_blocks(radii * m_radius);
   }
 
   internal::Own_blocks own_blocks_of(std::size_t tile) const

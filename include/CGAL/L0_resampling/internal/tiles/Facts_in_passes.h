@@ -54,7 +54,8 @@ class Facts_in_passes
   /// \param share of the pass that is done
   bool goes_on(double share) const
   {
-    return !m_callback || m_callback((m_number_of_passes_done + share) / number_of_passes);
+    return !m_callback
+           || m_callback((std::min)((m_number_of_passes_done + share) / number_of_passes, 1.));
   }
 
   /// Calls `f(progress, report)`.
