@@ -66,7 +66,7 @@ public:
 
   Range_of_scales estimate_scale_field(double, const Usual_scales&)
   {
-    if (m_facts.range_of_scales.least != m_facts.range_of_scales.largest)
+    if (!m_facts.range_of_scales.is_one())
     {
       float* const scales = m_workplace.arena.take<float>(m_session.size);
       take_scales<<<blocks_for(m_session.size), threads_per_block, 0, m_workplace.stream>>>(

@@ -103,6 +103,24 @@ void check_little_memory(const Scene& scene)
   CHECK(different == 0);
 }
 
+/// All points of a line have one radius, but not that of the cloud: tiles go by it too.
+void check_line()
+{
+  using Tag = CGAL::Parallel_if_available_tag;
+  const std::size_t n = 60000, m = 20000;
+  std::vector<Place> points;
+  for (std::size_t i = 0; i < n; ++i)
+    points.push_back({0.25 * double(i), 0, 0});
+  const auto np = CGAL::parameters::number_of_output_points(m);
+  std::size_t number_of_tiles = 0;
+  CHECK(number_of_different(by_tiles<Tag>(points, 2 * n, 20, number_of_tiles, np),
+                            in_memory<Tag>(points, np))
+        == 0);
+  CHECK(number_of_tiles == 1);
+  CHECK(by_tiles<Tag>(points, n / 2, 5, number_of_tiles, np).size() == m);
+  CHECK(number_of_tiles >= 2);
+}
+
 /// Blocks of cells with too many points are thinned: where, depends on no tile.
 void check_thinned_blocks()
 {
@@ -195,6 +213,7 @@ int main(int argc, char** argv)
   check<CGAL::Parallel_if_available_tag>("two sheets", sheets.points(), shares(0.5), {0, 0.001}, m,
                                          CGAL::parameters::number_of_output_points(m));
   check_little_memory(uneven);
+  check_line();
   check_thinned_blocks();
   check_leaders_elsewhere();
   for (const Scene* scene : {&even, &uneven, &crowds})

@@ -31,7 +31,7 @@ struct Facts_of_cloud
   std::optional<Place_of_frame> frame;
   std::optional<Facts> extents; ///< all but the scales
   std::optional<Scales> scales; ///< in units of `paper_radius()`
-  /// Of the radii. If none differs, no field of scales is looked for.
+  /// Of the radii. If all are 1, no field of scales is looked for.
   std::optional<Range_of_scales> range_of_scales;
   std::shared_ptr<const Scale_field>
     field;                        ///< of scales; null if each tile gets its points' scales

@@ -51,6 +51,9 @@ CGAL_L0_HOST_DEVICE inline int level_of_scale(double scale)
 struct Range_of_scales
 {
   float least = 1, median = 1, largest = 1;
+
+  /// Whether all scales are 1, so that no point needs one of its own.
+  bool is_one() const { return least == 1 && largest == 1; }
 };
 
 /// The scales of some points or samples, which are all 1 if none are given.

@@ -71,8 +71,7 @@ public:
   {
     const auto has_scale = [](const Point_in_cloud& point) { return point.scale != 1; };
     const std::optional<Range_of_scales>& known = m_facts.range_of_scales;
-    if (known ? known->least != known->largest
-              : std::any_of(m_points.begin(), m_points.end(), has_scale))
+    if (known ? !known->is_one() : std::any_of(m_points.begin(), m_points.end(), has_scale))
     {
       m_input.scales.reserve(number_of_points());
       for_each_in_order(number_of_points(),
