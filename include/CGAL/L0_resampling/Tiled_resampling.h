@@ -86,8 +86,8 @@ class Tiled_resampling
   double m_halo_in_radii = halo_in_radii;
   std::vector<internal::Tile> m_tiles;
   std::vector<std::vector<internal::Point_in_cloud>> m_points_of_tiles; // that were set
-  std::vector<internal::Starts_of_runs> m_starts;                       // of the tiles, if not
-  double m_sample_spacing = 0;                                          // in units of the radius
+  std::vector<internal::Starts_of_runs> m_starts; // of the tiles, if not all facts were found
+  double m_sample_spacing = 0;                    // in units of the radius
   bool m_orients_at_once = false;
 
   /// A tile sees each run of cells as a whole that has a point of its own.

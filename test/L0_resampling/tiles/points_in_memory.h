@@ -56,6 +56,14 @@ public:
   }
 };
 
+inline CGAL::L0_resampling::Tile_counts counts_of(const std::vector<Place>& points)
+{
+  CGAL::L0_resampling::Tile_counts counts;
+  for (const Place& p : points)
+    counts.add(p);
+  return counts;
+}
+
 } // namespace test
 
 #endif // L0_TEST_POINTS_IN_MEMORY_H

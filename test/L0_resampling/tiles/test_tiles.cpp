@@ -56,14 +56,6 @@ struct Results_in_memory
   }
 };
 
-Tile_counts counts_of(const std::vector<Place>& points)
-{
-  Tile_counts counts;
-  for (const Place& p : points)
-    counts.add(p);
-  return counts;
-}
-
 /// Blocks depend neither on the order of the points nor on who has counted them.
 void test_counts()
 {

@@ -171,14 +171,6 @@ std::vector<Sample> in_memory(const std::vector<Place>& points, const NamedParam
   return sorted(std::move(samples));
 }
 
-inline CGAL::L0_resampling::Tile_counts counts_of(const std::vector<Place>& points)
-{
-  CGAL::L0_resampling::Tile_counts counts;
-  for (const Place& p : points)
-    counts.add(p);
-  return counts;
-}
-
 /// The facts of a cloud of which memory holds so many points at a time.
 template <typename NamedParameters>
 CGAL::L0_resampling::internal::Facts_of_cloud facts_in_passes(const std::vector<Place>& points,

@@ -9,6 +9,7 @@
 #include <CGAL/L0_resampling/Report.h>
 #include <CGAL/L0_resampling/internal/cloud/estimate_scale_field.h>
 #include <CGAL/L0_resampling/internal/cloud/estimate_scales.h>
+#include <CGAL/L0_resampling/internal/core/keep_one_of_each.h>
 #include <CGAL/L0_resampling/internal/energy/Any_solver.h>
 #include <CGAL/L0_resampling/internal/tiles/Blocks_of_tile.h>
 #include <CGAL/L0_resampling/internal/tiles/Counted_cloud.h>
@@ -133,8 +134,7 @@ class Facts_in_passes
                                             found.outermost.end());
                   });
     std::vector<std::uint64_t>& codes = places.outermost;
-    std::sort(codes.begin(), codes.end());
-    codes.erase(std::unique(codes.begin(), codes.end()), codes.end());
+    keep_one_of_each(codes);
     Runs_of_codes(*m_facts.extents)
       .for_each(codes.data(), codes.size(),
                 [&](std::uint64_t key, std::size_t first, std::size_t end) {
@@ -170,12 +170,7 @@ class Facts_in_passes
   static std::optional<Scales> scales_of(std::vector<Ranked_balls>& balls,
                                          std::size_t number_of_reaches)
   {
-    std::sort(balls.begin(), balls.end(),
-              [](const Ranked_balls& a, const Ranked_balls& b) { return a.rank < b.rank; });
-    balls.erase(
-      std::unique(balls.begin(), balls.end(),
-                  [](const Ranked_balls& a, const Ranked_balls& b) { return a.rank == b.rank; }),
-      balls.end());
+    keep_one_of_each([](const Ranked_balls& of_place) { return of_place.rank; }, balls);
     std::size_t number_of_looks = 0;
     const Scales scales = scales_of_growing_balls(cell_size_of_scales, [&](int, double) {
       const std::size_t k = (std::min)(number_of_looks++, number_of_reaches - 1);
@@ -207,12 +202,7 @@ class Facts_in_passes
                       points, own, m_facts, places.of_field, progress);
                     seeds.insert(seeds.end(), found.begin(), found.end());
                   });
-    std::sort(seeds.begin(), seeds.end(),
-              [](const Placed_seed& a, const Placed_seed& b) { return a.code < b.code; });
-    seeds.erase(
-      std::unique(seeds.begin(), seeds.end(),
-                  [](const Placed_seed& a, const Placed_seed& b) { return a.code == b.code; }),
-      seeds.end());
+    keep_one_of_each([](const Placed_seed& seed) { return seed.code; }, seeds);
     Buffer<std::uint64_t> codes; // what is left of them outlives the call
     Buffer<Seed> known;
     codes.reserve(seeds.size());

@@ -6,6 +6,8 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_RANKS_OF_RUNS_H
 #define CGAL_L0_RESAMPLING_INTERNAL_RANKS_OF_RUNS_H
 
+#include <CGAL/L0_resampling/internal/core/keep_one_of_each.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <optional>
@@ -40,12 +42,7 @@ public:
   /// Once all are there.
   void add_up()
   {
-    std::sort(m_runs.begin(), m_runs.end(),
-              [](const Run_of_places& a, const Run_of_places& b) { return precedes(a, b.key); });
-    m_runs.erase(
-      std::unique(m_runs.begin(), m_runs.end(),
-                  [](const Run_of_places& a, const Run_of_places& b) { return a.key == b.key; }),
-      m_runs.end());
+    keep_one_of_each([](const Run_of_places& run) { return run.key; }, m_runs);
     for (Run_of_places& run : m_runs)
     {
       const std::uint64_t count = run.count;

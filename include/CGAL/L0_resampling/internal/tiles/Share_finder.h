@@ -66,6 +66,8 @@ public:
       sum_up_density<ConcurrencyTag>(m_input.grid, m_input.points, plan.filter_radius,
                                      plan.squared_bandwidth, m_facts, m_progress, neighbors,
                                      unwanted);
+      points_of_tile.order.reserve(number_of_points());
+      points_of_tile.are_distinct.reserve(number_of_points());
       for_each_run(m_input.grid, [&](std::uint64_t key, const Search_grid_3::Range& points) {
         Sums_over_points sums;
         bool has_own = false;

@@ -9,6 +9,7 @@
 #include <CGAL/L0_resampling/internal/cloud/estimate_scale_field.h>
 #include <CGAL/L0_resampling/internal/cloud/estimate_scales.h>
 #include <CGAL/L0_resampling/internal/cloud/find_outliers.h>
+#include <CGAL/L0_resampling/internal/core/keep_one_of_each.h>
 #include <CGAL/L0_resampling/internal/driver/Cpu_points.h>
 #include <CGAL/L0_resampling/internal/driver/run.h>
 #include <CGAL/L0_resampling/internal/tiles/Disk_finder.h>
@@ -61,11 +62,7 @@ public:
   }
 
   /// Once all are there.
-  void sort()
-  {
-    std::sort(m_keys.begin(), m_keys.end());
-    m_keys.erase(std::unique(m_keys.begin(), m_keys.end()), m_keys.end());
-  }
+  void sort() { keep_one_of_each(m_keys); }
 
   bool holds(std::uint64_t key) const
   {
