@@ -62,7 +62,7 @@ void l0_resample_tiles(const Source& source, Sink& sink, std::uint64_t maximum_m
   const std::vector<L0_resampling::internal::Point_in_cloud>& kept = tiles.points_in_cloud();
   const std::uint64_t memory = maximum_memory - kept.size() * sizeof(kept[0]);
   tiles.make_tiles((std::min)(memory, device_memory));
-  tiles.choose_how_to_orient(memory);
+  tiles.choose_how_to_orient((std::min)(memory, device_memory));
   const std::size_t number_of_tiles = tiles.tiles().size();
   if (!tiles.has_all_facts())
   {
@@ -85,7 +85,7 @@ void l0_resample_tiles(const Source& source, Sink& sink, std::uint64_t maximum_m
     for (std::size_t tile = 0; tile < number_of_tiles; ++tile)
       unoriented.push_back(sink.get(tile).unoriented);
     Report unwanted_report;
-    signs = tiles.sides(unoriented, unwanted_report);
+    signs = tiles.sides(std::move(unoriented), unwanted_report);
   }
   else
   {

@@ -15,8 +15,8 @@
 #include <CGAL/L0_resampling/internal/interface/resample_on_cpu.h>
 #include <CGAL/L0_resampling/internal/search/nearest_input_points.h>
 #include <CGAL/L0_resampling/internal/tiles/facts_of_tile_impl.h>
+#include <CGAL/L0_resampling/internal/tiles/orient_tiles_impl.h>
 #include <CGAL/L0_resampling/internal/tiles/resample_tile_impl.h>
-#include <CGAL/L0_resampling/internal/tiles/sides_of_tiles_impl.h>
 
 #include <array>
 #include <cstdint>
@@ -69,8 +69,7 @@
   template Samples_of_tile<float> resample_tile<Tag, float>(                                       \
     Buffer<Vector>&, const std::vector<Point_in_cloud>&, const Facts_of_cloud&, bool,              \
     const Parameters&, Any_solver<float>&, Progress&, Report&);                                    \
-  template std::vector<std::vector<signed char>> sides_of_tiles<Tag>(                              \
-    const std::vector<Unoriented_samples>&, const Facts_of_cloud&, const Plan&, const Parameters&, \
-    Progress&, Memory_counter&);
+  template void orient_tiles<Tag>(const Facts_of_cloud&, const Plan&, const Parameters&,           \
+                                  Progress&, Samples_to_orient&);
 
 #endif // CGAL_L0_RESAMPLING_COMPILED_TEMPLATES_H

@@ -17,13 +17,14 @@
 #include <CGAL/L0_resampling/internal/tiles/Blocks_of_tile.h>
 #include <CGAL/L0_resampling/internal/tiles/Counted_cloud.h>
 #include <CGAL/L0_resampling/internal/tiles/Facts_in_passes.h>
+#include <CGAL/L0_resampling/internal/tiles/Samples_to_orient.h>
 #include <CGAL/L0_resampling/internal/tiles/resample_tile.h>
 #include <CGAL/L0_resampling/internal/tiles/stitch_tiles.h>
 #include <CGAL/L0_resampling/tags.h>
 #ifndef CGAL_L0_LINKED_WITH_COMPILED
 #include <CGAL/L0_resampling/internal/tiles/facts_of_tile_impl.h>
+#include <CGAL/L0_resampling/internal/tiles/orient_tiles_impl.h>
 #include <CGAL/L0_resampling/internal/tiles/resample_tile_impl.h>
-#include <CGAL/L0_resampling/internal/tiles/sides_of_tiles_impl.h>
 #endif
 #ifdef CGAL_L0_LINKED_WITH_CUDA
 #include <CGAL/L0_resampling/internal/tiles/tiles_on_device.h>
@@ -65,8 +66,8 @@ A source is a class with a function `for_each_point(box, f)`, which calls `f` wi
 `Source_box`, as a `std::array<double, 3>`: concept `L0ResamplingTileSource`.
 
 \tparam ConcurrencyTag as for `CGAL::l0_resample_point_set()`. With `CUDA_tag`, `resample_tile()`
-works on the current device, and `find_facts()` if it finds all; the other steps work on the CPU, by
-all of its threads.
+and `sides()` work on the current device, and `find_facts()` if it finds all; the other steps work
+on the CPU, by all of its threads.
 */
 template <typename ConcurrencyTag>
 class Tiled_resampling
@@ -167,8 +168,9 @@ public:
                                  bytes_per_sample_of_facts = is_on_device ? 0 : 100,
                                  bytes_per_point_of_facts_on_device = is_on_device ? 136 : 0,
                                  bytes_per_sample_of_facts_on_device = is_on_device ? 16 : 0;
-  /// What `sides()` holds for each sample, with what it is given.
-  static constexpr std::uint64_t bytes_per_sample_of_sides = 400;
+  /// What `sides()` holds for each sample, with what it is given; with `CUDA_tag`, on the device,
+  /// and less than that here.
+  static constexpr std::uint64_t bytes_per_sample_of_sides = is_on_device ? 300 : 220;
 
   /// \param counts of all points
   /// \param np as those of `CGAL::l0_resample_point_set()`: `number_of_output_points`,
@@ -282,16 +284,20 @@ public:
       throw std::bad_alloc();
   }
 
-  /// Lets the sides of all samples be found at once, by `sides()`, if `bytes` hold what that takes.
-  /// If not, or with `CUDA_tag`, each tile finds its own, and `stitching()` turns them.
-  void choose_how_to_orient(std::uint64_t bytes)
+  /// Lets the sides of all samples be found at once, by `sides()`, if `bytes`, and with `CUDA_tag`
+  /// the device as well, hold what that takes. If not, each tile finds its own, and `stitching()`
+  /// turns them.
+  /// \param bytes of memory, and of the device
+  /// \param per_sample of the `sides()` of this class, or for another processor
+  void choose_how_to_orient(std::uint64_t bytes,
+                            std::uint64_t per_sample = bytes_per_sample_of_sides)
   {
-    m_orients_at_once = can_orient_at_once(number_of_samples(), limited(bytes));
+    m_orients_at_once = can_orient_at_once(number_of_samples(), limited(bytes), per_sample);
   }
-  static bool can_orient_at_once(std::uint64_t number_of_samples, std::uint64_t bytes)
+  static bool can_orient_at_once(std::uint64_t number_of_samples, std::uint64_t bytes,
+                                 std::uint64_t per_sample = bytes_per_sample_of_sides)
   {
-    return !is_on_device
-           && number_of_samples <= (std::min)(bytes / bytes_per_sample_of_sides, many - 1);
+    return number_of_samples <= (std::min)(bytes / per_sample, most_samples_to_orient);
   }
   bool orients_at_once() const { return m_orients_at_once; }
 
@@ -414,17 +420,19 @@ public:
   }
 
   /// If `orients_at_once()`: the sign of each tile and tree.
-  /// \param unoriented of each tile
+  /// \param unoriented of each tile; used up
   /// \param report out: what it took
-  std::vector<std::vector<signed char>> sides(
-    const std::vector<internal::Unoriented_samples>& unoriented, Report& report) const
+  std::vector<std::vector<signed char>> sides(std::vector<internal::Unoriented_samples> unoriented,
+                                              Report& report) const
   {
     std::vector<std::vector<signed char>> signs;
     watched(report, [&](internal::Progress& progress, internal::Memory_counter& memory) {
       internal::Plan plan = plan_of(m_facts);
       plan.set_sample_spacing(m_sample_spacing);
-      signs = internal::sides_of_tiles<Host_tag>(unoriented, m_facts, plan, m_parameters, progress,
-                                                 memory);
+      internal::Samples_to_orient samples(std::move(unoriented), plan.sample_spacing, memory);
+      if (!samples.places.empty())
+        orient(plan, progress, report, samples);
+      signs = samples.signs();
     });
     return signs;
   }
@@ -470,7 +478,8 @@ public:
 
 private:
   static constexpr std::uint64_t bytes_per_point_of_share = 200;
-  static constexpr std::uint64_t many = std::uint64_t(1) << 32; // more than an index can number
+  static constexpr std::uint64_t many = std::uint64_t(1) << 32, // more than an index can number
+    most_samples_to_orient = is_on_device ? many / 2 - 1 : many - 1;
 
   internal::Bytes_of_tile bytes_of_tile(const internal::Bytes_of_call& of_call) const
   {
@@ -541,14 +550,26 @@ private:
     else
     {
 #ifdef CGAL_L0_LINKED_WITH_CUDA
-      return internal::resample_tile_on_device(points, known, m_facts, m_parameters, m_callback,
-                                               report);
+      return internal::resample_tile_on_device(points, known, m_facts, !m_orients_at_once,
+                                               m_parameters, m_callback, report);
 #else
       static_assert(
         !is_on_device,
         "CUDA_tag needs a compiled library: link with the CMake target CGAL::L0_CUDA_support.");
 #endif
     }
+  }
+
+  void orient(const internal::Plan& plan, internal::Progress& progress, Report& report,
+              internal::Samples_to_orient& samples) const
+  {
+#ifdef CGAL_L0_LINKED_WITH_CUDA
+    if constexpr (is_on_device)
+      return internal::orient_tiles_on_device(m_facts, plan, {m_cloud.low(), m_cloud.high()},
+                                              m_parameters, m_callback, report, samples);
+#endif
+    (void)report;
+    internal::orient_tiles<Host_tag>(m_facts, plan, m_parameters, progress, samples);
   }
 
   /// \param points used up

@@ -336,6 +336,9 @@ void Cuda_backend::repel_tangentially(const Plan& plan)
 
 void Cuda_backend::orient_normals(const Plan& plan)
 {
+  if (plan.refines)
+    sort_by_places(m_workplace, m_box.low, m_box.high, plan.cell_size_of_places(), m_samples,
+                   nullptr);
   cuda::orient_normals(m_workplace, m_box.low, m_box.high,
                        unsigned(plan.number_of_orientation_neighbors), plan.sample_spacing,
                        side_hints(), m_samples, m_counts);

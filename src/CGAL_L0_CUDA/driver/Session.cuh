@@ -36,6 +36,15 @@ struct Oriented_representatives
   unsigned size = 0;
 };
 
+/// The samples of a tile that has found no sides, before they were projected, in the arena.
+struct Unoriented_samples
+{
+  double* positions = nullptr; // xyz interleaved, in the frame
+  float* normals = nullptr;    // likewise
+  unsigned char* are_own = nullptr;
+  unsigned size = 0;
+};
+
 struct Session
 {
   std::mutex mutex;
@@ -67,6 +76,7 @@ struct Session
   float* sample_noises = nullptr;           // null unless they are asked for
   unsigned* trees = nullptr;                // of a tile
   unsigned char* are_own = nullptr;         // likewise
+  Unoriented_samples unoriented;            // likewise
   Oriented_representatives representatives; // the result of a call that only orients
   std::vector<Iteration> iterations;
   std::vector<cudaEvent_t> events;
@@ -97,6 +107,7 @@ struct Session
   void forget_result()
   {
     number_of_samples = 0;
+    unoriented = Unoriented_samples();
     representatives = Oriented_representatives();
     arena.clear();
     scratch.clear();

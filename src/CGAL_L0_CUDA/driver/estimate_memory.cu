@@ -73,6 +73,13 @@ std::size_t estimate_memory_to_orient(std::size_t n, const Parameters& parameter
                                           * parameters.number_of_orientation_neighbors));
 }
 
+std::size_t estimate_memory_to_orient_tiles(std::size_t m, const Parameters& parameters)
+{
+  const std::size_t of_samples = 60 * m, of_order = 4 * m, of_sorting = 19 * m + 5 * m + 64 * m;
+  return megabyte + of_samples + of_order
+         + (std::max)(of_sorting, of_orientation(m, parameters.number_of_orientation_neighbors));
+}
+
 } // namespace cuda
 } // namespace internal
 } // namespace L0_resampling

@@ -24,6 +24,9 @@ std::size_t estimate_memory(std::size_t n, std::size_t m, const Parameters& para
 std::size_t estimate_memory_to_orient(std::size_t n, const Parameters& parameters, bool has_normals,
                                       bool has_hints);
 
+/// The same for a call that finds the sides of m samples of tiles.
+std::size_t estimate_memory_to_orient_tiles(std::size_t m, const Parameters& parameters);
+
 } // namespace cuda
 } // namespace internal
 } // namespace L0_resampling

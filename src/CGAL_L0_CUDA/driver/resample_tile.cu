@@ -44,16 +44,34 @@ __global__ void take_units(Cell_grid grid, const Point_in_cloud* points, const u
   units_of_cells[cell] = points[list ? list[before] : before].units;
 }
 
+/// Each sample is a tree, which has no side yet.
+__global__ void copy_unoriented(Samples samples, Unoriented_samples unoriented)
+{
+  const Wide i = thread_index();
+  if (i >= samples.size)
+    return;
+  const float3 normal = xyz(samples.normals[i]);
+  for (int axis = 0; axis < 3; ++axis)
+    unoriented.positions[3 * i + axis] = samples.positions[3 * i + axis];
+  unoriented.normals[3 * i] = normal.x;
+  unoriented.normals[3 * i + 1] = normal.y;
+  unoriented.normals[3 * i + 2] = normal.z;
+  unoriented.are_own[i] = samples.are_own[i];
+  samples.trees[i] = unsigned(i);
+  samples.side_confidences[i] = 0;
+}
+
 /// The stages for a part of a cloud, as `Tile_backend` on the CPU.
 class Tile_backend : public Cuda_backend
 {
   const Facts_of_tiles& m_facts;
+  const bool m_finds_sides;
 
 public:
   Tile_backend(Session& session, const Parameters& parameters, const Tile_of_cloud& tile,
                Stages& stages, Call_report& report)
     : Cuda_backend(session, parameters, unsigned(tile.number_of_samples), stages, report),
-      m_facts(tile.facts)
+      m_facts(tile.facts), m_finds_sides(tile.finds_sides)
   {}
 
   Facts find_facts()
@@ -120,6 +138,26 @@ public:
                                 m_facts.number_of_places, plan.number_of_samples};
     Cuda_backend::choose_samples(plan, &known);
   }
+
+  void orient_normals(const Plan& plan)
+  {
+    if (m_finds_sides)
+      Cuda_backend::orient_normals(plan);
+    else
+      keep_unoriented();
+  }
+
+private:
+  void keep_unoriented()
+  {
+    const unsigned m = m_samples.size;
+    Device_arena& arena = m_workplace.arena;
+    m_session.unoriented = {arena.take<double>(3 * std::size_t(m)),
+                            arena.take<float>(3 * std::size_t(m)), arena.take<unsigned char>(m), m};
+    copy_unoriented<<<blocks_for(m), threads_per_block, 0, m_workplace.stream>>>(
+      m_samples, m_session.unoriented);
+    check_launch("copy_unoriented");
+  }
 };
 
 /// Brings a tile to the device, in place of the points of the session.
@@ -158,9 +196,11 @@ Answer free_memory(std::size_t& bytes)
 
 Answer resample_tile(Session& session, const double* points, std::size_t size,
                      const Tile_of_cloud& tile, const Parameters& parameters,
-                     Progress_callback progress, Call_report& report)
+                     Progress_callback progress, Call_report& report,
+                     std::size_t& number_of_unoriented)
 {
   report = Call_report();
+  number_of_unoriented = 0;
   return guarded(&session, [&]() {
     session.memory_limit.limit = parameters.maximum_memory;
     const std::size_t of_tile = sizeof(unsigned) + sizeof(unsigned char); // of each sample
@@ -170,6 +210,7 @@ Answer resample_tile(Session& session, const double* points, std::size_t size,
     Stages stages(session, progress, report);
     Tile_backend backend(session, parameters, tile, stages, report);
     run(plan_call(parameters, backend), backend);
+    number_of_unoriented = session.unoriented.size;
   });
 }
 
@@ -185,6 +226,23 @@ Answer download_tile(Session& session, float* side_confidences, std::uint32_t* t
     copy(side_confidences, session.side_confidences);
     copy(trees, session.trees);
     copy(are_own, session.are_own);
+    CGAL_L0_CUDA_CHECK(cudaStreamSynchronize(session.stream));
+  });
+}
+
+Answer download_unoriented(Session& session, double* positions, float* normals,
+                           unsigned char* are_own)
+{
+  return guarded(&session, [&]() {
+    const Unoriented_samples& from = session.unoriented;
+    const std::size_t m = from.size;
+    const auto copy = [&](auto* to, const auto* array, std::size_t count) {
+      CGAL_L0_CUDA_CHECK(
+        cudaMemcpyAsync(to, array, count * sizeof(*to), cudaMemcpyDeviceToHost, session.stream));
+    };
+    copy(positions, from.positions, 3 * m);
+    copy(normals, from.normals, 3 * m);
+    copy(are_own, from.are_own, m);
     CGAL_L0_CUDA_CHECK(cudaStreamSynchronize(session.stream));
   });
 }

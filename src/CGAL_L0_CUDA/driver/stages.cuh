@@ -219,6 +219,13 @@ Samples take_samples(Device_arena& arena, unsigned size, const Kinds_of_sample_d
 /// Puts sample `order[i]` in place `i`; outward directions are forgotten.
 void reorder(const Workplace& workplace, const unsigned* order, const Samples& samples);
 
+/// Puts the samples in the order that they have when their sides are found, as `order_of_places()`
+/// on the CPU: it follows from the set of their places alone. Waits for the device.
+/// \param low, high corners of a box that holds the samples, but for a few
+/// \param order out, if not null: where each sample was before
+void sort_by_places(const Workplace& workplace, const double (&low)[3], const double (&high)[3],
+                    double cell_size, const Samples& samples, unsigned* order);
+
 /// Keeps those samples only that are listed, in the order of the list.
 void keep_listed(const Workplace& workplace, const unsigned* list, unsigned size, Samples& samples);
 

@@ -60,6 +60,8 @@ __global__ void reorder_samples(const unsigned* order, Samples from, Samples to)
     to.hints[i] = from.hints[k];
   if (to.start_indices)
     to.start_indices[i] = from.start_indices[k];
+  if (to.noises)
+    to.noises[i] = from.noises[k];
   if (to.are_own)
     to.are_own[i] = from.are_own[k];
 }
@@ -216,11 +218,25 @@ void keep_listed(const Workplace& workplace, const unsigned* list, unsigned size
   copy(before.spreading_radii, m);
   copy(before.hints, m);
   copy(before.start_indices, m);
+  copy(before.noises, m);
   copy(before.are_own, m);
   samples.size = size;
   reorder_samples<<<blocks_for(size), threads_per_block, 0, workplace.stream>>>(list, before,
                                                                                 samples);
   check_launch("reorder_samples");
+}
+
+void sort_by_places(const Workplace& workplace, const double (&low)[3], const double (&high)[3],
+                    double cell_size, const Samples& samples, unsigned* order)
+{
+  const Arena_scope arena_scope(workplace.arena);
+  const Cell_grid grid = build_grid({samples.positions, samples.size, Frame(), true}, nullptr,
+                                    Cell_frame::around(low, high, cell_size, cell_size, false),
+                                    workplace.arena, workplace.scratch, workplace.stream);
+  reorder(workplace, grid.order, samples);
+  if (order)
+    CGAL_L0_CUDA_CHECK(cudaMemcpyAsync(order, grid.order, grid.size * sizeof(*order),
+                                       cudaMemcpyDeviceToDevice, workplace.stream));
 }
 
 void collapse_fit_term(const Workplace& workplace, const Cell_grid& sample_grid,

@@ -294,6 +294,19 @@ void Tile_tasks::carry(std::size_t tile, const On_progress& on_progress) const
   file.commit();
 }
 
+template <typename ConcurrencyTag>
+std::vector<std::vector<signed char>> Tile_tasks::find_sides(const On_progress& on_progress) const
+{
+  Tiles_of_run<ConcurrencyTag> tiles(*this, on_progress);
+  tiles.cut();
+  tiles.take_sums();
+  std::vector<Unoriented_samples> unoriented;
+  for (std::size_t tile = 0; tile < tiles.resampling.tiles().size(); ++tile)
+    unoriented.push_back(read_unoriented(file_of("solve", tile), m_key));
+  CGAL::L0_resampling::Report unwanted_report;
+  return tiles.resampling.sides(std::move(unoriented), unwanted_report);
+}
+
 void Tile_tasks::stitch(const On_progress& on_progress) const
 {
   Tiles_on_cpu tiles(*this, on_progress);
@@ -326,11 +339,7 @@ void Tile_tasks::stitch(const On_progress& on_progress) const
       of_tile.assign(of_tile.size(), 1);
   all.seams = stitching.report(all.signs);
   if (resampling.orients_at_once()) {
-    std::vector<Unoriented_samples> unoriented;
-    for (std::size_t tile = 0; tile < number_of_tiles; ++tile)
-      unoriented.push_back(read_unoriented(file_of("solve", tile), m_key));
-    CGAL::L0_resampling::Report unwanted_report;
-    all.signs = resampling.sides(unoriented, unwanted_report);
+    run_on(m_options, [&](auto tag) { all.signs = find_sides<decltype(tag)>(on_progress); });
     all.seams.number_of_opposed = 0; // as one decision holds for all
   }
   write_signs(file_of("stitch", 0), m_key, all);

@@ -105,6 +105,8 @@ private:
   template <typename ConcurrencyTag>
   void solve(std::size_t tile, const On_progress& on_progress) const;
   void carry(std::size_t tile, const On_progress& on_progress) const;
+  template <typename ConcurrencyTag>
+  std::vector<std::vector<signed char>> find_sides(const On_progress& on_progress) const;
   void stitch(const On_progress& on_progress) const;
   void write(std::size_t tile) const;
   void merge() const;

@@ -20,6 +20,7 @@
 
 #include <CGAL/l0_resample_tiles.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <utility>
@@ -113,12 +114,12 @@ void Tile_tasks::check_disk(std::uint64_t number_of_points,
   std::uint64_t of_sample = 2 * sizeof(Tile_sample) + table.row_size();
   run_on(m_options, [&](auto tag) {
     using Tiles = Tiled_resampling<decltype(tag)>;
-    if (Tiles::can_find_all_facts(number_of_points, m, memory_for_points(),
-                                  memory_of_device(m_options)))
+    const std::uint64_t of_device = memory_of_device(m_options);
+    if (Tiles::can_find_all_facts(number_of_points, m, memory_for_points(), of_device))
       of_point += sizeof(Point_in_cloud);
     else
       of_point += 2 * Points_of_tile::bytes_per_point; // with those of halos, mostly fewer
-    if (Tiles::can_orient_at_once(m, memory_for_points()))
+    if (Tiles::can_orient_at_once(m, (std::min)(memory_for_points(), of_device)))
       of_sample += sizeof(Tile_sample) + 1; // what its side follows from, and the side
   });
   check_writable(index_file(),

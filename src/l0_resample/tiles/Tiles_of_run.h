@@ -69,7 +69,7 @@ public:
                   "the default of --halo is that of the package");
     resampling.make_tiles(memory, m_tasks.halo(),
                           bytes_of_tile(m_tasks.options(), properties().table().row_size()));
-    resampling.choose_how_to_orient(are_tiles_on_device(m_tasks.options()) ? 0 : memory);
+    resampling.choose_how_to_orient(memory, bytes_per_sample_of_sides(m_tasks.options()));
   }
 
   /// What is known of the samples of all tiles.

@@ -40,6 +40,15 @@ inline Bytes_of_call bytes_of_tile(const Options& options, std::size_t row_size)
   return bytes;
 }
 
+/// What it takes to find the sides of all samples at once, in bytes for each.
+inline std::uint64_t bytes_per_sample_of_sides(const Options& options)
+{
+  using CGAL::L0_resampling::Tiled_resampling;
+  return are_tiles_on_device(options)
+           ? Tiled_resampling<CGAL::CUDA_tag>::bytes_per_sample_of_sides
+           : Tiled_resampling<CGAL::Parallel_if_available_tag>::bytes_per_sample_of_sides;
+}
+
 /// What tiles may take of the device of this machine, in bytes; without one all that there is.
 /// \throws Device_error if it cannot be used
 inline std::uint64_t memory_of_device(const Options& options)

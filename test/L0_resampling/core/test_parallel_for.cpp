@@ -21,6 +21,8 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -246,9 +248,31 @@ void test_selections()
       test_selection(values, n);
 }
 
+/// None of a block, all of one, and some.
+template <typename ConcurrencyTag>
+void test_values_are_kept_in_order()
+{
+  const std::size_t n = 1003, block_size = 10;
+  const auto triple = [](std::size_t i) -> std::optional<std::size_t> {
+    const std::size_t block = i / block_size;
+    return block % 3 == 0 || (block % 3 == 1 && i % 2 == 0) ? std::nullopt : std::optional(3 * i);
+  };
+  CGAL::L0_resampling::internal::Buffer<std::size_t> values(n), none;
+  std::iota(values.begin(), values.end(), std::size_t(0));
+  std::vector<std::size_t> expected;
+  for (std::size_t i = 0; i < n; ++i)
+    if (const std::optional<std::size_t> value = triple(i))
+      expected.push_back(*value);
+  CGAL::L0_resampling::internal::keep_by_blocks<ConcurrencyTag>(block_size, triple, values);
+  CHECK(std::equal(values.begin(), values.end(), expected.begin(), expected.end()));
+  CGAL::L0_resampling::internal::keep_by_blocks<ConcurrencyTag>(block_size, triple, none);
+  CHECK(none.empty());
+}
+
 template <typename ConcurrencyTag>
 void test_all()
 {
+  test_values_are_kept_in_order<ConcurrencyTag>();
   test_loops_are_watched<ConcurrencyTag>();
   test_every_index_once_in_fixed_blocks<ConcurrencyTag>();
   test_sum_is_in_the_order_of_the_blocks<ConcurrencyTag>();

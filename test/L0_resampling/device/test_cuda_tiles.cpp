@@ -29,61 +29,30 @@ using CGAL::CUDA_tag;
 
 constexpr std::uint64_t most = std::uint64_t(1) << 40; // bytes: no limit
 
-/// Samples that may differ, as shares.
-struct Largest_shares
-{
-  double of_whole;            ///< one tile from the whole cloud, by more than a rounding
-  double with_wide_halo;      ///< several tiles from one, by a bit
-  double with_practical_halo; ///< likewise
-};
-
-/// How many of the samples have no sample of `others` within `distance`; both sorted.
-std::size_t number_without(const std::vector<Sample>& samples, const std::vector<Sample>& others,
-                           double distance)
-{
-  std::size_t number = 0;
-  for (const Sample& sample : samples)
-  {
-    bool is_found = false;
-    for (auto other =
-           std::lower_bound(others.begin(), others.end(), Sample{sample[0] - distance, -1e300});
-         other != others.end() && (*other)[0] <= sample[0] + distance && !is_found; ++other)
-      is_found = std::hypot((*other)[0] - sample[0], (*other)[1] - sample[1],
-                            (*other)[2] - sample[2])
-                 <= distance;
-    number += !is_found;
-  }
-  return number;
-}
-
+/// \param largest_share of the samples that may differ with the practical halo
 template <typename NamedParameters>
-void check(const std::string& name, const std::vector<Place>& points, const Largest_shares& largest,
+void check(const std::string& name, const std::vector<Place>& points, double largest_share,
            std::size_t number_of_samples, const NamedParameters& np)
 {
   const std::size_t n = points.size();
-  const double m = double(number_of_samples);
   std::size_t number_of_tiles = 0;
-  const std::vector<Sample> whole = in_memory<CUDA_tag>(points, np),
-                            one = without_sides(
-                              by_tiles<CUDA_tag>(points, 2 * n, 20, number_of_tiles, np));
+  const std::vector<Sample> whole = in_memory<CUDA_tag>(points, np);
+  CHECK(whole.size() == number_of_samples);
+  CHECK(by_tiles<CUDA_tag>(points, 2 * n, 20, number_of_tiles, np) == whole);
   CHECK(number_of_tiles == 1);
-  CHECK(whole.size() == number_of_samples && one.size() == number_of_samples);
-  const double rounding = 0.02; // a hundredth of the radius or less
-  const std::size_t number = number_without(one, whole, rounding);
-  std::cout << name << ": samples of one tile that the whole cloud does not have: " << number
-            << " of " << number_of_samples << std::endl;
-  CHECK(double(number) <= largest.of_whole * m);
   for (const double halo : {40., 20.})
   {
-    const std::vector<Sample> several = without_sides(
-      by_tiles<CUDA_tag>(points, n / 2, halo, number_of_tiles, np));
+    const std::vector<Sample> several = by_tiles<CUDA_tag>(points, n / 2, halo, number_of_tiles,
+                                                           np);
     CHECK(number_of_tiles >= 2 && several.size() == number_of_samples);
-    const std::size_t different = number_of_different(several, one);
+    const std::size_t different = number_of_different(several, whole);
     std::cout << name << ": " << number_of_tiles << " tiles with halos of " << halo
               << " radii, samples that differ: " << different << std::endl;
-    CHECK(double(different)
-          <= (halo > 20 ? largest.with_wide_halo : largest.with_practical_halo) * m);
+    CHECK(double(different) <= (halo > 20 ? 0 : largest_share) * double(number_of_samples));
   }
+  const std::vector<Sample> with_own_sides = by_tiles<CUDA_tag>(points, n / 2, 40, number_of_tiles,
+                                                                np, true, false);
+  CHECK(without_sides(with_own_sides) == without_sides(whole));
 }
 
 internal::Buffer<Vector> vectors_of(const std::vector<Place>& points)
@@ -170,6 +139,10 @@ void check_memory(const std::string& name, const std::vector<Place>& scene)
                On_device::bytes_per_sample);
     check_peak("facts", report.peak_bytes, On_device::bytes_per_point_of_facts_on_device,
                On_device::bytes_per_sample_of_facts_on_device);
+    tiles.choose_how_to_orient(most);
+    tiles.sides({tiles.resample_tile(0, source).unoriented}, report);
+    if (m >= 2 * n) // fewer take less than the field of their sets
+      check_peak("sides", report.peak_bytes, 0, On_device::bytes_per_sample_of_sides);
   }
 }
 
@@ -213,20 +186,19 @@ int main()
     return test_cuda::number_of_skip;
   const auto& [even, uneven, crowds, sheets] = Scenes(1500);
   std::size_t m = number_of_samples(even, 0.5);
-  check("even", even.points(), {0, 0, 0.001}, m, CGAL::parameters::number_of_output_points(m));
+  check("even", even.points(), 0.001, m, CGAL::parameters::number_of_output_points(m));
   m = number_of_samples(uneven, 0.4);
-  check("uneven", uneven.points(), {0, 0, 0.02}, m, CGAL::parameters::number_of_output_points(m));
-  check("uneven, as dense as the input", uneven.points(), {0, 0, 0.02}, m,
+  check("uneven", uneven.points(), 0.02, m, CGAL::parameters::number_of_output_points(m));
+  check("uneven, as dense as the input", uneven.points(), 0.02, m,
         keep_density(true).number_of_output_points(m));
   m = number_of_samples(crowds, 1.3);
-  check("crowds and outliers", crowds.points(), {0, 0, 0.001}, m,
+  check("crowds and outliers", crowds.points(), 0.001, m,
         CGAL::parameters::number_of_output_points(m));
   m = number_of_samples(sheets, 0.3);
-  check("two sheets", sheets.points(), {0, 0, 0.001}, m,
-        CGAL::parameters::number_of_output_points(m));
+  check("two sheets", sheets.points(), 0.001, m, CGAL::parameters::number_of_output_points(m));
   const Scene strips = scene_of_strips(1500);
   m = number_of_samples(strips, 0.5);
-  check("thinned blocks", strips.points(), {0, 0, 0.001}, m,
+  check("thinned blocks", strips.points(), 0.001, m,
         CGAL::parameters::neighbor_radius(4).number_of_output_points(m));
   check_facts("even", even.points(), CGAL::parameters::number_of_output_points(9000));
   check_facts("uneven", uneven.points(), CGAL::parameters::number_of_output_points(9000));

@@ -236,10 +236,11 @@ void check_forest(Generator& generator)
       if (doubtful_share == 0 && i > columns) // less sure than all others, and wrong
         edges.push_back({float(-0.981 * signs[i] * signs[i - columns - 1]), i, i - columns - 1});
     }
+    Buffer<Edge> left = copy_of(edges), left_again = copy_of(edges);
     const Signed_union_find sets =
-      grow_forest<CGAL::Parallel_if_available_tag>(edges, Signed_union_find(n, {}));
-    const Signed_union_find again = grow_forest<CGAL::Sequential_tag>(edges,
-                                                                      Signed_union_find(n, {}));
+      grow_forest<CGAL::Parallel_if_available_tag>(Signed_union_find(n, {}), left);
+    const Signed_union_find again = grow_forest<CGAL::Sequential_tag>(Signed_union_find(n, {}),
+                                                                      left_again);
     bool are_signs_right = true, are_within_whole = true, are_whole = true, are_same = true;
     for (Index i = 0; i < n; ++i)
     {
@@ -249,6 +250,20 @@ void check_forest(Generator& generator)
       are_whole = are_whole && sets.size_of_set(root) == whole.size_of_set(whole.find(i).first);
       are_same = are_same && again.find(i) == sets.find(i);
     }
+    // between the sets: those that led from one to another, with their signs
+    std::size_t e = 0;
+    bool are_left = true;
+    for (const Edge& edge : edges)
+    {
+      const auto [root_i, sign_i] = sets.find(edge.i);
+      const auto [root_k, sign_k] = sets.find(edge.k);
+      if (root_i == root_k)
+        continue;
+      are_left = are_left && e < left.size() && left[e].i == root_i && left[e].k == root_k
+                 && left[e].agreement == float(sign_i * sign_k) * edge.agreement;
+      ++e;
+    }
+    CHECK(are_left && e == left.size() && e == left_again.size());
     CHECK(are_signs_right);
     CHECK(are_within_whole);
     CHECK(are_same);

@@ -24,6 +24,7 @@
 #include <iterator>
 #include <new>
 #include <random>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -196,12 +197,13 @@ CGAL::L0_resampling::internal::Facts_of_cloud facts_in_passes(const std::vector<
 
 /// \param points_of_tile at most, with its halo, unless a single block has more
 /// \param halo in radii
-/// \returns with their sides on the CPU; a device finds those of each tile by themselves
+/// \param orients_at_once if not, samples have the sides that their tiles have found
 template <typename ConcurrencyTag, typename NamedParameters>
 std::vector<Sample> by_tiles(const std::vector<Place>& points, std::size_t points_of_tile,
                              double halo, std::size_t& number_of_tiles, const NamedParameters& np,
-                             bool finds_facts_at_once = true)
+                             bool finds_facts_at_once = true, bool orients_at_once = true)
 {
+  const bool is_on_device = std::is_same<ConcurrencyTag, CGAL::CUDA_tag>::value;
   const Points_in_memory source{points};
   Tiles<ConcurrencyTag> tiles(counts_of(points), np);
   if (finds_facts_at_once)
@@ -222,7 +224,7 @@ std::vector<Sample> by_tiles(const std::vector<Place>& points, std::size_t point
     {
       bytes += bytes / 4;
     }
-  tiles.choose_how_to_orient(std::uint64_t(1) << 40);
+  tiles.choose_how_to_orient(orients_at_once ? std::uint64_t(1) << 40 : 0);
   number_of_tiles = tiles.tiles().size();
   CHECK(tiles.has_all_facts() == finds_facts_at_once);
   if (!finds_facts_at_once)
@@ -249,12 +251,11 @@ std::vector<Sample> by_tiles(const std::vector<Place>& points, std::size_t point
   if (tiles.orients_at_once())
   {
     CGAL::L0_resampling::Report report;
-    signs = tiles.sides(unoriented, report);
-    std::uint64_t peak = report.peak_bytes;
-    for (const CGAL::L0_resampling::internal::Unoriented_samples& tile : unoriented)
-      peak += (tile.own.size() + tile.leaders_elsewhere.size()) * (sizeof tile.own[0] + 1);
-    const std::uint64_t bound = tiles.number_of_samples() * tiles.bytes_per_sample_of_sides;
-    if (!CHECK(peak <= bound))
+    signs = tiles.sides(std::move(unoriented), report);
+    // of the counted arrays, and of the signs
+    const std::uint64_t peak = report.peak_bytes + tiles.number_of_samples(),
+                        bound = tiles.number_of_samples() * tiles.bytes_per_sample_of_sides;
+    if (!is_on_device && !CHECK(peak <= bound))
       std::cerr << "  sides take " << peak << " bytes of " << bound << std::endl;
   }
   std::vector<Sample> samples;
@@ -263,7 +264,11 @@ std::vector<Sample> by_tiles(const std::vector<Place>& points, std::size_t point
     {
       const Place& p = sample.position;
       const double sign = signs.empty() ? 1 : signs[tile][sample.tree];
-      const Vector n = sign * Eigen::Vector3f(sample.normal.data()).cast<double>().normalized();
+      const Eigen::Vector3f normal(sample.normal.data());
+      Vector n = normal.cast<double>();
+      if (!is_on_device) // which gives unit vectors of single precision
+        n = normal.cast<double>().normalized();
+      n *= sign;
       samples.push_back({p[0], p[1], p[2], n[0], n[1], n[2]});
     }
   return sorted(std::move(samples));

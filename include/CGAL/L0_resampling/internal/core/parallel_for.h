@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <type_traits>
 #include <vector>
 
@@ -247,6 +248,30 @@ Buffer<T> append_by_blocks(std::size_t n, std::size_t block_size,
     release(parts[k]);
   });
   return all;
+}
+
+/// Keeps what `f` makes of the values, in their order and in their place: nothing, of some.
+/// \param f called with a value, at the same time for several; returns an optional one
+template <typename ConcurrencyTag, typename T, typename F>
+void keep_by_blocks(std::size_t block_size, const F& f, Buffer<T>& values)
+{
+  const std::size_t n = values.size();
+  std::vector<std::size_t> sizes(n / block_size + std::size_t(n % block_size != 0));
+  for_each_block<ConcurrencyTag>(n, block_size, [&](std::size_t begin, std::size_t end) {
+    std::size_t kept = begin;
+    for (std::size_t i = begin; i < end; ++i)
+      if (const std::optional<T> value = f(values[i]))
+        values[kept++] = *value;
+    sizes[begin / block_size] = kept - begin;
+  });
+  auto end = values.begin();
+  for (std::size_t k = 0; k < sizes.size(); ++k)
+  {
+    const auto first = values.begin() + std::ptrdiff_t(k * block_size);
+    end = std::copy(first, first + std::ptrdiff_t(sizes[k]), end);
+    poll_for_cancellation();
+  }
+  values.resize(std::size_t(end - values.begin()));
 }
 
 } // namespace internal

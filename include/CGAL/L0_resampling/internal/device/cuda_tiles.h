@@ -51,6 +51,7 @@ struct Tile_of_cloud
 {
   const Point_in_cloud* points;  ///< one for each point, in their order
   std::size_t number_of_samples; ///< that start in the tile or its halo, at least 1
+  bool finds_sides;              ///< if not, what they follow from is kept
   Facts_of_tiles facts;
 };
 
@@ -59,15 +60,42 @@ struct Tile_of_cloud
 /// \param points xyz interleaved, finite
 /// \param size from 1 to 2^32 - 2
 /// \param parameters checked, of the cloud; `maximum_memory` is of the device
+/// \param number_of_unoriented out: of the samples that `download_unoriented()` brings
 Answer resample_tile(Session& session, const double* points, std::size_t size,
                      const Tile_of_cloud& tile, const Parameters& parameters,
-                     Progress_callback progress, Call_report& report);
+                     Progress_callback progress, Call_report& report,
+                     std::size_t& number_of_unoriented);
 
 /// Brings to the host what a tile has beside the result that `download()` brings.
 /// \param trees out: samples of one have sides relative to each other
 /// \param are_own out: whether the tile keeps each of the samples
 Answer download_tile(Session& session, float* side_confidences, std::uint32_t* trees,
                      unsigned char* are_own);
+
+/// Brings the samples to the host that are to be oriented, if the tile has found no sides: each is
+/// the tree of its place.
+/// \param positions, normals out: xyz interleaved, in the frame of the cloud
+/// \param are_own out: whether the tile keeps each
+Answer download_unoriented(Session& session, double* positions, float* normals,
+                           unsigned char* are_own);
+
+/// Where a cloud is.
+struct Place_of_cloud
+{
+  int exponent_of_frame;
+  double origin_of_frame[3];
+  double low[3], high[3]; ///< corners of the box of its points, in the unit of the input
+};
+
+/// Turns the normals of the samples of all tiles, as `orient_tiles()` on the CPU.
+/// \param positions xyz interleaved, in the frame of the plan
+/// \param size from 1 to 2^31 - 1
+/// \param plan of the cloud, with the spacing of its samples
+/// \param parameters checked, of the cloud; `maximum_memory` is of the device
+/// \param normals in and out: unit vectors, xyz interleaved
+Answer orient_tiles(Session& session, const double* positions, std::size_t size,
+                    const Place_of_cloud& place, const Plan& plan, const Parameters& parameters,
+                    Progress_callback progress, Call_report& report, float* normals);
 
 } // namespace cuda
 } // namespace internal

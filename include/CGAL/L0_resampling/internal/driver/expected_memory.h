@@ -129,7 +129,7 @@ double bytes_at_peak(const Plan& plan, double bytes_of_input, const Expected_sam
   // Of the k neighbors of a sample, every second is an edge that the other one does not list too,
   // or a few more.
   const double k = (std::min)(double(plan.number_of_orientation_neighbors), m - 1),
-               of_orientation = ((k + 1) * index + 2 * 0.6 * k * sizeof(Edge)) * m;
+               of_orientation = ((k + 1) * index + 0.6 * k * sizeof(Edge)) * m;
   return of_samples + (std::max)(of_minimization, of_orientation);
 }
 

@@ -9,8 +9,6 @@
 #include <CGAL/L0_resampling/internal/plan/Plan.h>
 #include <CGAL/L0_resampling/internal/search/Search_grid_3.h>
 
-#include <algorithm>
-
 namespace CGAL {
 namespace L0_resampling {
 namespace internal {
@@ -20,8 +18,7 @@ namespace internal {
 template <typename ConcurrencyTag>
 Buffer<Index> order_of_places(const Buffer<Vector>& places, const Plan& plan)
 {
-  return Search_grid_3::sorted_order<ConcurrencyTag>(places, (std::max)(plan.sample_spacing,
-                                                                        plan.smallest_cell_size));
+  return Search_grid_3::sorted_order<ConcurrencyTag>(places, plan.cell_size_of_places());
 }
 
 } // namespace internal

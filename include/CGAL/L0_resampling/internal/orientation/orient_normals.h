@@ -21,6 +21,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -72,25 +73,34 @@ Buffer<Edge> rated_edges(const Buffer<Vector>& positions,
     return squared_tolerances.empty() ? T(spacing * spacing)
                                       : (std::max)(squared_tolerances[i], squared_tolerances[k]);
   };
-  const auto append_edges_of = [&](Index i, Buffer<Edge>& edges) {
+  const auto for_each_edge_of = [&](Index i, const auto& f) {
     for (const Index* other = nearest.begin(i); other != nearest.end_of_first(i); ++other)
-    {
-      const Index k = *other;
-      if (k < i && nearest.is_one_of_first(k, i))
-        continue;
-      const Eigen::Matrix<T, 3, 1> to_other = (positions[k] - positions[i]).template cast<T>();
-      const T agreement = orientation_agreement(normals[i].dot(normals[k]),
-                                                normals[i].dot(to_other), -normals[k].dot(to_other),
-                                                squared_tolerance_of(i, k));
-      edges.push_back({float(agreement), i, k});
-    }
+      if (*other >= i || !nearest.is_one_of_first(*other, i))
+        f(*other);
   };
-  return append_by_blocks<ConcurrencyTag>(
-    positions.size(), 4096, Counting_allocator<Edge>(positions.get_allocator()),
-    [&](std::size_t begin, std::size_t end, Buffer<Edge>& edges) {
-      for (std::size_t i = begin; i < end; ++i)
-        append_edges_of(Index(i), edges);
-    });
+  // counted first, as there is no more of anything at any other time
+  const std::size_t samples_per_block = 4096, m = positions.size();
+  std::vector<std::size_t> begins(m / samples_per_block + 2, 0);
+  for_each_block<ConcurrencyTag>(m, samples_per_block, [&](std::size_t begin, std::size_t end) {
+    std::size_t count = 0;
+    for (Index i = Index(begin); i < end; ++i)
+      for_each_edge_of(i, [&](Index) { ++count; });
+    begins[begin / samples_per_block + 1] = count;
+  });
+  std::partial_sum(begins.begin(), begins.end(), begins.begin());
+  Buffer<Edge> edges(begins.back(), Counting_allocator<Edge>(positions.get_allocator()));
+  for_each_block<ConcurrencyTag>(m, samples_per_block, [&](std::size_t begin, std::size_t end) {
+    std::size_t e = begins[begin / samples_per_block];
+    for (Index i = Index(begin); i < end; ++i)
+      for_each_edge_of(i, [&](Index k) {
+        const Eigen::Matrix<T, 3, 1> to_other = (positions[k] - positions[i]).template cast<T>();
+        const T agreement =
+          orientation_agreement(normals[i].dot(normals[k]), normals[i].dot(to_other),
+                                -normals[k].dot(to_other), squared_tolerance_of(i, k));
+        edges[e++] = {float(agreement), i, k};
+      });
+  });
+  return edges;
 }
 
 /// What the caller says of the sides that normals point to.
@@ -211,21 +221,44 @@ struct Tree
   }
 };
 
-/// The sums over the trees, each of which stands at its root.
+/// The trees of samples, found by their roots.
+class Trees
+{
+  Buffer<Index> m_numbers; // of the samples that are roots
+  Buffer<Tree> m_trees;
+
+public:
+  explicit Trees(const Signed_union_find& sets, const Counting_allocator<Tree>& allocator)
+    : m_numbers(sets.size(), allocator), m_trees(allocator)
+  {
+    Index number = 0;
+    for_each_in_order(sets.size(), [&](std::size_t i) {
+      m_numbers[i] = number;
+      number += sets.find(Index(i)).first == i;
+    });
+    fill_buffer(number, Tree(), m_trees);
+  }
+
+  Tree& operator[](Index root) { return m_trees[m_numbers[root]]; }
+  const Tree& operator[](Index root) const { return m_trees[m_numbers[root]]; }
+};
+
+/// The sums over the trees.
 /// \param sure_set_sizes of each sample: the size of its set once all that is sure was joined
 /// \param number_of_oriented out: samples that are joined to the largest part of their tree
 template <typename T>
-Buffer<Tree> trees_of_samples(const Signed_union_find& sets, const Buffer<Index>& sure_set_sizes,
-                              const Buffer<Vector>& positions,
-                              const Buffer<Eigen::Matrix<T, 3, 1>>& normals,
-                              const Side_hints& hints, std::size_t& number_of_oriented)
+Trees trees_of_samples(const Signed_union_find& sets, const Buffer<Index>& sure_set_sizes,
+                       const Buffer<Vector>& positions,
+                       const Buffer<Eigen::Matrix<T, 3, 1>>& normals, const Side_hints& hints,
+                       std::size_t& number_of_oriented)
 {
   const std::size_t m = positions.size();
-  Buffer<Tree> trees = filled_buffer(m, Tree(), positions.get_allocator());
+  Trees trees(sets, positions.get_allocator());
   for_each_in_order(m, [&](std::size_t i) {
     const Index root = sets.find(Index(i)).first;
-    trees[root].center += positions[i] / double(sets.size_of_set(root));
-    trees[root].largest_sure_set = (std::max)(trees[root].largest_sure_set, sure_set_sizes[i]);
+    Tree& tree = trees[root];
+    tree.center += positions[i] / double(sets.size_of_set(root));
+    tree.largest_sure_set = (std::max)(tree.largest_sure_set, sure_set_sizes[i]);
   });
   number_of_oriented = 0;
   for_each_in_order(m, [&](std::size_t place) {
@@ -255,7 +288,7 @@ std::vector<double> confidences_of_dipoles(const std::vector<Index>& samples,
                                            const Signed_union_find& sets,
                                            const Buffer<Vector>& positions,
                                            const Buffer<Eigen::Matrix<T, 3, 1>>& normals,
-                                           double spacing, Buffer<Tree>& trees)
+                                           double spacing, Trees& trees)
 {
   const std::vector<Side_evidence> evidence =
     evidence_of_dipoles<ConcurrencyTag>(samples, sets, positions, normals, spacing);
@@ -339,12 +372,12 @@ Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_o
     squared_tolerances = squared_height_tolerances<ConcurrencyTag>(positions, normals, nearest,
                                                                    spacing, *noise_of_heights);
   Voting faces = [&] {
-    const Buffer<Edge> edges = rated_edges<ConcurrencyTag>(positions, normals, nearest, spacing,
-                                                           squared_tolerances);
+    Buffer<Edge> edges = rated_edges<ConcurrencyTag>(positions, normals, nearest, spacing,
+                                                     squared_tolerances);
     if (!noise_of_heights)
       nearest.release();
     Signed_union_find sets = grow_forest<ConcurrencyTag>(
-      edges, sets_of_viewpoints(m, hints, normal, positions.get_allocator()));
+      sets_of_viewpoints(m, hints, normal, positions.get_allocator()), edges);
     Buffer<Vote> votes = votes_of_edges<ConcurrencyTag>(edges, sets);
     return Voting{std::move(sets), std::move(votes)};
   }();
@@ -376,8 +409,8 @@ Orientation orient_normals(const Buffer<Vector>& positions, std::size_t number_o
   }
 
   std::size_t number_of_oriented = 0;
-  Buffer<Tree> trees = trees_of_samples(sets, sure_set_sizes, positions, normals, hints,
-                                        number_of_oriented);
+  Trees trees = trees_of_samples(sets, sure_set_sizes, positions, normals, hints,
+                                 number_of_oriented);
   const std::vector<Index> dipoles = samples_of_dipoles(m);
   const std::vector<double> confidences_within_trees =
     confidences_of_dipoles<ConcurrencyTag>(dipoles, sets, positions, normals, spacing, trees);

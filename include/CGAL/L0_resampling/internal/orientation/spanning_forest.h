@@ -13,29 +13,25 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// The edges beyond doubt from one set to another, between the representatives of the sets.
+/// Leaves the edges from one set to another only, in their order, between the representatives.
 template <typename ConcurrencyTag>
-Buffer<Edge> sure_edges_between_sets(const Buffer<Edge>& edges, const Signed_union_find& sets)
+void keep_edges_between_sets(const Signed_union_find& sets, Buffer<Edge>& edges)
 {
-  return append_by_blocks<ConcurrencyTag>(
-    edges.size(), edges_per_block, edges.get_allocator(),
-    [&](std::size_t begin, std::size_t end, Buffer<Edge>& sure_ones) {
-      for (std::size_t e = begin; e < end; ++e)
-      {
-        if (!(std::abs(edges[e].agreement) >= float(beyond_doubt)))
-          continue;
-        const auto [root_i, sign_i] = sets.find(edges[e].i);
-        const auto [root_k, sign_k] = sets.find(edges[e].k);
-        if (root_i != root_k)
-          sure_ones.push_back({float(sign_i * sign_k) * edges[e].agreement, root_i, root_k});
-      }
-    });
+  const auto between_sets = [&](const Edge& edge) -> std::optional<Edge> {
+    const auto [root_i, sign_i] = sets.find(edge.i);
+    const auto [root_k, sign_k] = sets.find(edge.k);
+    if (root_i == root_k)
+      return std::nullopt;
+    return Edge{float(sign_i * sign_k) * edge.agreement, root_i, root_k};
+  };
+  keep_by_blocks<ConcurrencyTag>(edges_per_block, between_sets, edges);
 }
 
 /// Whether large sets hold most of the samples, see `are_sets_large()`.
@@ -55,36 +51,46 @@ surest edge that leads out of it, the first one of those that are equally sure. 
 until no such edge is left, this would be the maximum spanning forest of Hoppe et al.; they end once
 sets are large.
 
-\param edges between the samples, which are sorted by place
 \param sets what is joined from the start
-\returns the sets that have grown
+\param edges in: between the samples, which are sorted by place; out: between the sets that have
+grown
+\returns these
 */
 template <typename ConcurrencyTag>
-Signed_union_find grow_forest(const Buffer<Edge>& edges, Signed_union_find sets)
+Signed_union_find grow_forest(Signed_union_find sets, Buffer<Edge>& edges)
 {
   const std::size_t number_of_samples = sets.size();
   const std::vector<Index> dipoles = samples_of_dipoles(number_of_samples);
-  Buffer<Edge> outer = sure_edges_between_sets<ConcurrencyTag>(edges, sets);
   const std::size_t none = (std::numeric_limits<std::size_t>::max)();
   Buffer<std::size_t> surest = filled_buffer(number_of_samples, none,
                                              edges.get_allocator()); // edge of each set
-  while (!outer.empty() && !are_sets_large(dipoles, sets))
+  keep_edges_between_sets<ConcurrencyTag>(sets, edges);
+  const auto for_each_sure_edge = [&](const auto& f) {
+    for_each_in_order(edges.size(), [&](std::size_t e) {
+      if (std::abs(edges[e].agreement) >= float(beyond_doubt))
+        f(edges[e], e);
+    });
+  };
+  for (bool is_joined = true; is_joined && !are_sets_large(dipoles, sets);)
   {
-    for_each_in_order(outer.size(),
-                      [&](std::size_t e) { surest[outer[e].i] = surest[outer[e].k] = none; });
-    for_each_in_order(outer.size(), [&](std::size_t e) {
-      for (const Index set : {outer[e].i, outer[e].k})
+    is_joined = false;
+    for_each_sure_edge(
+      [&](const Edge& edge, std::size_t) { surest[edge.i] = surest[edge.k] = none; });
+    for_each_sure_edge([&](const Edge& edge, std::size_t e) {
+      for (const Index set : {edge.i, edge.k})
         if (surest[set] == none
-            || step_of_agreement(outer[e].agreement)
-                 < step_of_agreement(outer[surest[set]].agreement))
+            || step_of_agreement(edge.agreement) < step_of_agreement(edges[surest[set]].agreement))
           surest[set] = e;
     });
-    for_each_in_order(outer.size(), [&](std::size_t e) {
-      if (surest[outer[e].i] == e || surest[outer[e].k] == e)
-        sets.join(outer[e].i, outer[e].k, outer[e].agreement < 0 ? -1 : 1);
+    for_each_sure_edge([&](const Edge& edge, std::size_t e) {
+      if (surest[edge.i] == e || surest[edge.k] == e)
+      {
+        sets.join(edge.i, edge.k, edge.agreement < 0 ? -1 : 1);
+        is_joined = true;
+      }
     });
     sets.compress();
-    outer = sure_edges_between_sets<ConcurrencyTag>(outer, sets);
+    keep_edges_between_sets<ConcurrencyTag>(sets, edges);
   }
   return sets;
 }

@@ -216,6 +216,9 @@ struct Plan
     return refines && range <= cell_size && 3 * range >= cell_size;
   }
 
+  /// Of the cells by which samples are sorted before their sides are found.
+  double cell_size_of_places() const { return (std::max)(sample_spacing, smallest_cell_size); }
+
   /// Of the grid of the samples in which neighbors are found: those that the energy couples, and
   /// those that repel each other.
   /// \param have_scales whether the samples have scales, so that more of them repel each other

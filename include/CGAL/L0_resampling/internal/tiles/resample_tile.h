@@ -17,6 +17,7 @@
 #include <CGAL/L0_resampling/internal/tiles/Own_blocks.h>
 #include <CGAL/L0_resampling/internal/tiles/Points_of_tile.h>
 #include <CGAL/L0_resampling/internal/tiles/Runs_of_cells.h>
+#include <CGAL/L0_resampling/internal/tiles/Samples_to_orient.h>
 #include <CGAL/L0_resampling/internal/tiles/stitch_tiles.h>
 
 #include <algorithm>
@@ -78,16 +79,12 @@ Samples_of_tile<FT> resample_tile(Buffer<Vector>& points, const std::vector<Poin
                                   const Parameters& parameters, Any_solver<FT>& solver,
                                   Progress& progress, Report& report);
 
-/// The sides of the samples of all tiles, as a call for the whole cloud finds them.
-/// \param tiles what is to be oriented of each
+/// Turns the normals of the samples of all tiles, as a call for the whole cloud does.
 /// \param plan of the cloud, with the spacing of its samples
 /// \param parameters of the call for the whole cloud, checked
-/// \returns of each tile: the signs of its own samples, and of the leaders that it has elsewhere
 template <typename ConcurrencyTag>
-std::vector<std::vector<signed char>> sides_of_tiles(const std::vector<Unoriented_samples>& tiles,
-                                                     const Facts_of_cloud& facts, const Plan& plan,
-                                                     const Parameters& parameters,
-                                                     Progress& progress, Memory_counter& memory);
+void orient_tiles(const Facts_of_cloud& facts, const Plan& plan, const Parameters& parameters,
+                  Progress& progress, Samples_to_orient& samples);
 
 } // namespace internal
 } // namespace L0_resampling

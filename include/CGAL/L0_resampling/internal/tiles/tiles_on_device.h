@@ -6,6 +6,7 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_TILES_ON_DEVICE_H
 #define CGAL_L0_RESAMPLING_INTERNAL_TILES_ON_DEVICE_H
 
+#include <CGAL/L0_resampling/Source_box.h>
 #include <CGAL/L0_resampling/internal/cloud/estimate_scale_field.h>
 #include <CGAL/L0_resampling/internal/device/Device_progress.h>
 #include <CGAL/L0_resampling/internal/device/Device_session.h>
@@ -103,6 +104,24 @@ inline Facts_of_cloud facts_on_device(const Buffer<Vector>& points, const Parame
   return facts;
 }
 
+/// What a tile has found, if its sides are found later: each tree, which is a sample.
+inline void take_unoriented(cuda::Session& session, std::size_t number_of_trees,
+                            Samples_of_tile<float>& samples)
+{
+  Buffer<Vector> positions(number_of_trees, Vector::Zero());
+  Buffer<Local_vector> normals(number_of_trees, Local_vector::Zero());
+  samples.are_trees_own.resize(number_of_trees);
+  throw_if_failed(cuda::download_unoriented(session, coordinates(positions), coordinates(normals),
+                                            samples.are_trees_own.data()));
+  samples.unoriented.reserve(number_of_trees);
+  for (std::size_t i = 0; i < number_of_trees; ++i)
+  {
+    const Vector& p = positions[i];
+    const Local_vector& n = normals[i];
+    samples.unoriented.push_back({{p[0], p[1], p[2]}, {n[0], n[1], n[2]}, 0});
+  }
+}
+
 /// As `resample_tile()`, on the current CUDA device.
 /// \param points of a tile and its halo, in the unit of the input
 /// \param callback of the user, or none
@@ -111,7 +130,7 @@ inline Facts_of_cloud facts_on_device(const Buffer<Vector>& points, const Parame
 /// \throws Interrupted if the callback cancels
 inline Samples_of_tile<float> resample_tile_on_device(const Buffer<Vector>& points,
                                                       const std::vector<Point_in_cloud>& known,
-                                                      const Facts_of_cloud& facts,
+                                                      const Facts_of_cloud& facts, bool finds_sides,
                                                       const Parameters& parameters,
                                                       const std::function<bool(double)>& callback,
                                                       Report& report)
@@ -119,12 +138,14 @@ inline Samples_of_tile<float> resample_tile_on_device(const Buffer<Vector>& poin
   report.device = "cuda";
   report.device_reason = "asked for";
   const Device_session session = new_device_session();
-  const cuda::Tile_of_cloud tile = {known.data(), number_of_starts(known),
+  const cuda::Tile_of_cloud tile = {known.data(), number_of_starts(known), finds_sides,
                                     facts_for_device(facts, known)};
+  std::size_t number_of_unoriented = 0;
   Device_progress progress(callback);
   cuda::Call_report call;
   const cuda::Answer answer = cuda::resample_tile(*session, coordinates(points), points.size(),
-                                                  tile, parameters, progress.as_callback(), call);
+                                                  tile, parameters, progress.as_callback(), call,
+                                                  number_of_unoriented);
   fill_report(call, report);
   progress.rethrow_exception_of_callback();
   throw_if_failed(answer);
@@ -144,7 +165,38 @@ inline Samples_of_tile<float> resample_tile_on_device(const Buffer<Vector>& poin
                                  coordinates(result.points.normals)));
   throw_if_failed(cuda::download_tile(*session, result.confidences.data(), result.trees.data(),
                                       result.are_own.data()));
+  if (!finds_sides)
+    take_unoriented(*session, number_of_unoriented, result);
   return result;
+}
+
+/// As `orient_tiles()`, on the current CUDA device.
+/// \param box of the points of the cloud, in the unit of the input
+/// \param callback of the user, or none
+/// \throws Device_error if no device can be used, or it fails
+/// \throws std::bad_alloc if memory of the device does not suffice
+/// \throws Interrupted if the callback cancels
+inline void orient_tiles_on_device(const Facts_of_cloud& facts, const Plan& plan,
+                                   const Source_box& box, const Parameters& parameters,
+                                   const std::function<bool(double)>& callback, Report& report,
+                                   Samples_to_orient& samples)
+{
+  const Device_session session = new_device_session();
+  cuda::Place_of_cloud place = {};
+  place.exponent_of_frame = facts.frame->exponent;
+  std::copy_n(facts.frame->origin.data(), 3, place.origin_of_frame);
+  std::copy_n(box.low.data(), 3, place.low);
+  std::copy_n(box.high.data(), 3, place.high);
+  Device_progress progress(callback);
+  cuda::Call_report call;
+  const cuda::Answer answer =
+    cuda::orient_tiles(*session, coordinates(samples.places), samples.places.size(), place, plan,
+                       parameters, progress.as_callback(), call, coordinates(samples.normals));
+  fill_report(call, report);
+  progress.rethrow_exception_of_callback();
+  throw_if_failed(answer);
+  if (answer.status == cuda::Status::CANCELLED)
+    throw Interrupted();
 }
 
 } // namespace internal

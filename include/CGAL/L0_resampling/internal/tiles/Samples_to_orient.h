@@ -1,0 +1,166 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_SAMPLES_TO_ORIENT_H
+#define CGAL_L0_RESAMPLING_INTERNAL_SAMPLES_TO_ORIENT_H
+
+#include <CGAL/L0_resampling/internal/core/Buffer.h>
+#include <CGAL/L0_resampling/internal/core/parallel_for.h>
+#include <CGAL/L0_resampling/internal/search/Search_grid_3.h>
+#include <CGAL/L0_resampling/internal/tiles/stitch_tiles.h>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/// The signs of samples that were found a second time, in a halo: those of the samples nearest to
+/// them, which mostly are the same to the last bit.
+class Signs_elsewhere
+{
+  struct Nearest
+  {
+    const Tile_sample* sample;
+    double squared_distance;
+    signed char* sign;
+  };
+  using Cell = std::array<std::int64_t, 3>;
+
+  double m_spacing;
+  std::vector<Nearest> m_nearest;
+  std::map<Cell, std::vector<std::size_t>> m_cells; // and those around the cell of each
+
+  Cell cell_of(const Vector& p) const
+  {
+    Cell cell;
+    for (int axis = 0; axis < 3; ++axis)
+      cell[std::size_t(axis)] = std::int64_t(std::floor(p[axis] / m_spacing));
+    return cell;
+  }
+
+public:
+  /// \param spacing of the samples: how far off the nearest is looked for
+  explicit Signs_elsewhere(double spacing) : m_spacing(spacing) {}
+
+  bool is_empty() const { return m_nearest.empty(); }
+
+  /// \param sign out, once all samples have been looked at; kept if none is near
+  void add(const Tile_sample& sample, signed char& sign)
+  {
+    const Cell middle = cell_of(Vector(sample.position.data()));
+    for (int k = 0; k < 27; ++k)
+      m_cells[{middle[0] + k % 3 - 1, middle[1] + k / 3 % 3 - 1, middle[2] + k / 9 - 1}].push_back(
+        m_nearest.size());
+    m_nearest.push_back({&sample, m_spacing * m_spacing, &sign});
+  }
+
+  /// \param normal on its side
+  void look_at(const Vector& place, const Eigen::Vector3f& normal)
+  {
+    const auto found = m_cells.find(cell_of(place));
+    if (found == m_cells.end())
+      return;
+    for (const std::size_t k : found->second)
+    {
+      Nearest& nearest = m_nearest[k];
+      const double distance = (place - Vector(nearest.sample->position.data())).squaredNorm();
+      if (!(distance < nearest.squared_distance))
+        continue;
+      nearest.squared_distance = distance;
+      const Eigen::Vector3f own(nearest.sample->normal.data());
+      *nearest.sign = normal.dot(own) < 0 ? -1 : 1;
+    }
+  }
+};
+
+/// The samples of all tiles whose sides are to be found. Whoever finds them turns `normals`, and
+/// leaves each sample in its place.
+class Samples_to_orient
+{
+  std::vector<std::size_t> m_sizes;                          // of the tiles
+  std::vector<std::vector<Tile_sample>> m_leaders_elsewhere; // of each
+  Buffer<unsigned char> m_were_negative; // of the samples, before they were turned
+  double m_spacing;
+
+  /// Tells a vector from its opposite.
+  static bool is_negative(const Eigen::Vector3f& v)
+  {
+    for (int axis = 0; axis < 2; ++axis)
+      if (v[axis] != 0)
+        return v[axis] < 0;
+    return v[2] < 0;
+  }
+
+public:
+  Buffer<Vector> places;           ///< in the frame of the cloud, tile by tile
+  Buffer<Eigen::Vector3f> normals; ///< unit vectors of any sign, on their sides in the end
+
+  /// \param tiles what is to be oriented of each; used up
+  /// \param spacing of the samples
+  Samples_to_orient(std::vector<Unoriented_samples> tiles, double spacing, Memory_counter& memory)
+    : m_were_negative(&memory), m_spacing(spacing), places(&memory), normals(&memory)
+  {
+    std::size_t m = 0;
+    for (const Unoriented_samples& tile : tiles)
+      m += tile.own.size();
+    places.reserve(m);
+    normals.reserve(m);
+    m_were_negative.reserve(m);
+    for (Unoriented_samples& tile : tiles)
+    {
+      for_each_in_order(tile.own.size(), [&](std::size_t i) {
+        const Tile_sample& sample = tile.own[i];
+        places.push_back(Vector(sample.position.data()));
+        normals.push_back(Eigen::Vector3f(sample.normal.data()));
+        m_were_negative.push_back(is_negative(normals.back()));
+      });
+      m_sizes.push_back(tile.own.size());
+      std::vector<Tile_sample>().swap(tile.own);
+      m_leaders_elsewhere.push_back(std::move(tile.leaders_elsewhere));
+    }
+  }
+
+  /// Once normals are on their sides.
+  /// \returns of each tile: the signs of its own samples, and of the leaders that it has elsewhere
+  std::vector<std::vector<signed char>> signs() const
+  {
+    std::vector<std::vector<signed char>> signs;
+    Signs_elsewhere elsewhere(m_spacing);
+    std::size_t first = 0;
+    for (std::size_t tile = 0; tile < m_sizes.size(); ++tile)
+    {
+      std::vector<signed char>& of_tile = signs.emplace_back();
+      const std::vector<Tile_sample>& leaders = m_leaders_elsewhere[tile];
+      of_tile.reserve(m_sizes[tile] + leaders.size());
+      for_each_in_order(m_sizes[tile], [&](std::size_t i) {
+        const bool is_turned = is_negative(normals[first + i]) != (m_were_negative[first + i] != 0);
+        of_tile.push_back(static_cast<signed char>(is_turned ? -1 : 1));
+      });
+      first += m_sizes[tile];
+      of_tile.resize(m_sizes[tile] + leaders.size(), 1);
+      for (std::size_t k = 0; k < leaders.size(); ++k)
+        elsewhere.add(leaders[k], of_tile[m_sizes[tile] + k]);
+    }
+    if (!elsewhere.is_empty())
+      for_each_in_order(places.size(),
+                        [&](std::size_t i) { elsewhere.look_at(places[i], normals[i]); });
+    return signs;
+  }
+};
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_SAMPLES_TO_ORIENT_H
