@@ -155,40 +155,41 @@ Buffer<unsigned char> fill_space(const Buffer<Vector>& unsorted_points, const Sc
   return result;
 }
 
-/// The number of points of the connected part that each point is in, where cells that touch are
+/// The number of points of the connected part that each cell is in, where cells that touch are
 /// connected.
-template <typename ConcurrencyTag>
-Buffer<Index> sizes_of_parts(const Buffer<Vector>& unsorted_points, double cell_size,
-                             const Scales_view& scales, Progress& progress)
+inline Buffer<Index> sizes_of_parts(const Search_grid_3& grid,
+                                    const Counting_allocator<Index>& allocator, Progress& progress)
 {
-  const Counting_allocator<Index> allocator = unsorted_points.get_allocator();
-  const std::size_t n = unsorted_points.size();
-  const Sorted_queries sorted(ConcurrencyTag(), unsorted_points, Cell_sizes(cell_size, scales));
-  const Search_grid_3& grid = sorted.grid;
-  Buffer<Index> ranks = filled_buffer(n, Index(0), allocator),
-                parents = filled_buffer(n, Index(0), allocator),
-                sizes = filled_buffer(n, Index(0), allocator),
-                sizes_of_points = filled_buffer(n, Index(0), allocator);
+  const std::size_t number_of_cells = grid.number_of_cells();
+  Buffer<Index> cell_of_points(grid.number_of_points(), allocator),
+    ranks = filled_buffer(number_of_cells, Index(0), allocator),
+    parents = filled_buffer(number_of_cells, Index(0), allocator),
+    sizes = filled_buffer(number_of_cells, Index(0), allocator);
   boost::disjoint_sets<Index*, Index*> parts(ranks.data(), parents.data());
-  for_each_in_order(n, [&](std::size_t i) { parts.make_set(Index(i)); });
+  for_each_in_order(number_of_cells, [&](std::size_t cell) {
+    parts.make_set(Index(cell));
+    const Search_grid_3::Range own = grid.points_of_cell(cell);
+    std::fill(cell_of_points.begin() + own.first, cell_of_points.begin() + own.second, Index(cell));
+  });
   for_each_cell_block<Sequential_tag>(grid, grid, 1, progress, [&]() {
     return [&](Index cell, const std::vector<Search_grid_3::Range>& ranges, std::size_t) {
-      const Search_grid_3::Range own = grid.points_of_cell(cell);
-      for (Index i = own.first + 1; i < own.second; ++i)
-        parts.union_set(own.first, i);
       for (const Search_grid_3::Range& range : ranges)
       {
         // the cells of a run, three at most, touch their neighbors in it
-        parts.union_set(own.first, range.first);
-        parts.union_set(own.first, range.second - 1);
+        parts.union_set(cell, cell_of_points[range.first]);
+        parts.union_set(cell, cell_of_points[range.second - 1]);
       }
     };
   });
-  for_each_in_order(n, [&](std::size_t i) { ++sizes[parts.find_set(Index(i))]; });
-  for_each_in_order(n, [&](std::size_t i) {
-    sizes_of_points[sorted.order[i]] = sizes[parts.find_set(Index(i))];
+  for_each_in_order(number_of_cells, [&](std::size_t cell) {
+    const Search_grid_3::Range own = grid.points_of_cell(cell);
+    sizes[parts.find_set(Index(cell))] += own.second - own.first;
   });
-  return sizes_of_points;
+  Buffer<Index> sizes_of_cells(number_of_cells, allocator);
+  for_each_in_order(number_of_cells, [&](std::size_t cell) {
+    sizes_of_cells[cell] = sizes[parts.find_set(Index(cell))];
+  });
+  return sizes_of_cells;
 }
 
 /*!
@@ -214,7 +215,7 @@ Buffer<unsigned char> find_outliers_among(const Buffer<Vector>& unsorted_points,
                                           std::optional<double>& known_median, Progress& progress)
 {
   const auto allocator = unsorted_points.get_allocator();
-  const std::size_t n = unsorted_points.size();
+  const std::size_t n = unsorted_points.size(), points_per_block = 4096;
   const bool is_part = known_median.has_value();
   Buffer<unsigned char> is_outlier(n, 1, allocator);
   Buffer<Index> sparse(allocator);
@@ -242,6 +243,7 @@ Buffer<unsigned char> find_outliers_among(const Buffer<Vector>& unsorted_points,
       }
     });
   }
+  Buffer<Index> rest = std::move(sorted->order);
   sorted.reset();
   if (is_any_sparse_kept)
   {
@@ -253,21 +255,19 @@ Buffer<unsigned char> find_outliers_among(const Buffer<Vector>& unsorted_points,
     });
   }
 
-  Buffer<Index> rest(allocator);
-  Buffer<Vector> rest_points(allocator);
-  for_each_in_order(n, [&](std::size_t i) {
-    if (is_outlier[i])
-      return;
-    rest.push_back(Index(i));
-    rest_points.push_back(unsorted_points[i]);
-  });
-  const Buffer<float> rest_scales = listed_scales(scales, rest);
-  const Buffer<Index> sizes = sizes_of_parts<ConcurrencyTag>(rest_points, radius,
-                                                             view_of_scales(rest_scales), progress);
+  keep_by_blocks<ConcurrencyTag>(
+    points_per_block,
+    [&](Index i) { return is_outlier[i] ? std::nullopt : std::optional<Index>(i); }, rest);
+  const Sorted_queries sorted_rest(ConcurrencyTag(), unsorted_points, Cell_sizes(radius, scales),
+                                   std::move(rest)); // which are sorted as all points were
+  const Buffer<Index> sizes = sizes_of_parts(sorted_rest.grid, allocator, progress);
   bool is_any_left = false;
-  for_each_in_order(rest.size(), [&](std::size_t k) {
-    is_outlier[rest[k]] = is_part_small(sizes[k], thresholds.share_of_part, median);
-    is_any_left = is_any_left || !is_outlier[rest[k]];
+  for_each_in_order(sizes.size(), [&](std::size_t cell) {
+    const bool is_small = is_part_small(sizes[cell], thresholds.share_of_part, median);
+    const Search_grid_3::Range own = sorted_rest.grid.points_of_cell(cell);
+    for (Index k = own.first; k < own.second; ++k)
+      is_outlier[sorted_rest.order[k]] = is_small;
+    is_any_left = is_any_left || !is_small;
   });
   if (!is_any_left && !is_part)
     is_outlier.assign(n, 0);

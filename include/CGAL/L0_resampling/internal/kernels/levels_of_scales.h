@@ -42,8 +42,14 @@ CGAL_L0_HOST_DEVICE inline double size_of_cells(int level)
 CGAL_L0_HOST_DEVICE inline int level_of_scale(double scale)
 {
   int level = 0;
-  while (level + 1 < number_of_levels && size_of_cells(level) < scale)
+  double size = size_of_cells(0), next_size = size_of_cells(1);
+  while (level + 1 < number_of_levels && size < scale)
+  {
+    const double size_after_next = 2 * size;
+    size = next_size;
+    next_size = size_after_next;
     ++level;
+  }
   return level;
 }
 

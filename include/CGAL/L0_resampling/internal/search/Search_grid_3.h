@@ -437,9 +437,9 @@ private:
   }
 };
 
-/// Puts `values[order[i]]` in place `i`.
-template <typename ConcurrencyTag = Sequential_tag, typename T>
-void apply_order(const Buffer<Index>& order, Buffer<T>& values)
+/// `values[order[i]]`, for each i.
+template <typename ConcurrencyTag, typename T>
+Buffer<T> values_in_order(const Buffer<Index>& order, const Buffer<T>& values)
 {
   const std::size_t values_per_block = 4096;
   Buffer<T> sorted(order.size(), values.get_allocator());
@@ -448,6 +448,14 @@ void apply_order(const Buffer<Index>& order, Buffer<T>& values)
                                    for (std::size_t i = begin; i < end; ++i)
                                      sorted[i] = values[order[i]];
                                  });
+  return sorted;
+}
+
+/// Puts `values[order[i]]` in place `i`.
+template <typename ConcurrencyTag = Sequential_tag, typename T>
+void apply_order(const Buffer<Index>& order, Buffer<T>& values)
+{
+  Buffer<T> sorted = values_in_order<ConcurrencyTag>(order, values);
   values.swap(sorted);
 }
 

@@ -186,27 +186,26 @@ private:
 class Sorted_queries
 {
 public:
-  const Buffer<Index> order; ///< which query stands where
+  Buffer<Index> order; ///< which query stands where
   const Buffer<Vector> points;
   const Buffer<float> scales; ///< none if all are 1
   const Search_grid_3 grid;
 
   /// \param sizes of cells, with the scales of the unsorted points
   template <typename ConcurrencyTag>
-  Sorted_queries(ConcurrencyTag, const Buffer<Vector>& unsorted_points, const Cell_sizes& sizes)
-    : order(Search_grid_3::sorted_order<ConcurrencyTag>(unsorted_points, sizes)),
-      points(points_in_order(unsorted_points, order)), scales(listed_scales(sizes.scales, order)),
-      grid(points, Cell_sizes(sizes.base, scales))
+  Sorted_queries(ConcurrencyTag tag, const Buffer<Vector>& unsorted_points, const Cell_sizes& sizes)
+    : Sorted_queries(tag, unsorted_points, sizes,
+                     Search_grid_3::sorted_order<ConcurrencyTag>(unsorted_points, sizes))
   {}
 
-private:
-  static Buffer<Vector> points_in_order(const Buffer<Vector>& unsorted_points,
-                                        const Buffer<Index>& order)
-  {
-    Buffer<Vector> points = copy_of(unsorted_points);
-    apply_order(order, points);
-    return points;
-  }
+  /// \param known_order which of the points to take, and where each stands
+  template <typename ConcurrencyTag>
+  Sorted_queries(ConcurrencyTag, const Buffer<Vector>& unsorted_points, const Cell_sizes& sizes,
+                 Buffer<Index> known_order)
+    : order(std::move(known_order)),
+      points(values_in_order<ConcurrencyTag>(order, unsorted_points)),
+      scales(listed_scales(sizes.scales, order)), grid(points, Cell_sizes(sizes.base, scales))
+  {}
 };
 
 /// Calls `visitor(cell, ranges, count)` for each occupied cell of a row, with the runs of points
