@@ -66,9 +66,17 @@ void l0_resample_tiles(const Source& source, Sink& sink, std::uint64_t maximum_m
   const std::size_t number_of_tiles = tiles.tiles().size();
   if (!tiles.has_all_facts())
   {
+    // found again for each step: there may be no room for what is found of all points
+    std::vector<L0_resampling::internal::Disks_of_tile> disks;
+    for (std::size_t tile = 0; tile < number_of_tiles; ++tile)
+      disks.push_back(tiles.find_points_of_tile(tile, source).disks);
+    tiles.set_disks(L0_resampling::internal::add_up_disks(disks));
     std::vector<L0_resampling::internal::Share_of_tile> shares;
     for (std::size_t tile = 0; tile < number_of_tiles; ++tile)
-      shares.push_back(tiles.share_of_tile(tile, source));
+    {
+      L0_resampling::internal::Points_of_tile points = tiles.find_points_of_tile(tile, source);
+      shares.push_back(tiles.share_of_tile(points));
+    }
     tiles.set_shares(std::move(shares));
   }
   std::vector<std::vector<double>> evidence;

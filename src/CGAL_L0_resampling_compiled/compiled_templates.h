@@ -56,16 +56,12 @@
   template Neighbors_of_tile count_neighbors<Tag>(Buffer<Vector>&, const Own_blocks&,              \
                                                   const Facts_of_cloud&, const Parameters&,        \
                                                   Progress&, Report&);                             \
-  template Disks_of_tile count_disks<Tag, float>(Buffer<Vector>&, const Own_blocks&,               \
-                                                 const Facts_of_cloud&, const Parameters&,         \
-                                                 Any_solver<float>&, Progress&, Report&);          \
   template Facts_of_cloud facts_of_points<Tag, float>(Buffer<Vector>&, const Parameters&,          \
                                                       Any_solver<float>&, Progress&, Report&,      \
                                                       std::vector<Point_in_cloud>&);               \
-  template Share_of_tile share_of_tile<Tag, float>(Buffer<Vector>&, const Facts_of_cloud&,         \
-                                                   const Parameters&, const Own_blocks&,           \
-                                                   Any_solver<float>&, Progress&, Report&,         \
-                                                   Points_of_tile&);                               \
+  template Points_of_tile find_points_of_tile<Tag, float>(Buffer<Vector>&, const Facts_of_cloud&,  \
+                                                          const Parameters&, const Own_blocks&,    \
+                                                          Any_solver<float>&, Progress&, Report&); \
   template Samples_of_tile<float> resample_tile<Tag, float>(                                       \
     Buffer<Vector>&, const std::vector<Point_in_cloud>&, const Facts_of_cloud&, bool,              \
     const Parameters&, Any_solver<float>&, Progress&, Report&);                                    \

@@ -39,6 +39,9 @@ _FLAGS = "keep-density keep-outliers drop-non-finite first-returns force".split(
 
 _UNITS = {"": 1, "K": 1 << 10, "M": 1 << 20, "G": 1 << 30, "T": 1 << 40}
 
+# Tasks that take all of the memory that a worker, or a device, has got.
+_TASKS_OF_TILES = ("scales:", "balls:", "share:", "solve:", "carry:", "stitch:")
+
 
 class TileError(RuntimeError):
     """A task has failed; the message is that of the program."""
@@ -77,8 +80,8 @@ class _Devices:
             self._free.put(number)
 
     def run_task(self, command, task):
-        # "carry" needs no device, but as much of the memory as a task with one
-        if not task.startswith(("scales:", "solve:", "carry:")):
+        # some need no device, but as much of the memory as a task with one
+        if not task.startswith(_TASKS_OF_TILES):
             return run_task(command, task)
         device = self._free.get()
         try:

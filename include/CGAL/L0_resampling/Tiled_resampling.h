@@ -87,7 +87,8 @@ class Tiled_resampling
   double m_halo_in_radii = halo_in_radii;
   std::vector<internal::Tile> m_tiles;
   std::vector<std::vector<internal::Point_in_cloud>> m_points_of_tiles; // that were set
-  std::vector<internal::Starts_of_runs> m_starts; // of the tiles, if not all facts were found
+  internal::Disks_of_tile m_disks;                // of the cloud, if not all facts were found
+  std::vector<internal::Starts_of_runs> m_starts; // of the tiles, likewise
   double m_sample_spacing = 0;                    // in units of the radius
   bool m_orients_at_once = false;
 
@@ -233,8 +234,8 @@ public:
   }
 
   /// Finds the facts of the whole cloud, those that a call for all of it in memory finds: at once,
-  /// if memory holds all of the points; else in passes over the cloud, all but what tiles find
-  /// while they share out the samples.
+  /// if memory holds all of the points; else in passes over the cloud, all but what tiles find of
+  /// their points and while they share out the samples.
   /// \param source of the points
   /// \param bytes of memory
   /// \param device_bytes of that of the device, with `CUDA_tag`
@@ -308,35 +309,45 @@ public:
     return blocks_of_tile(tile).ranges();
   }
 
-  /// What a tile adds to the sums over all tiles. Not needed if `has_all_facts()`.
+  /// What is found of the points of a tile and around it, before it is known where samples start.
+  /// Not needed if `has_all_facts()`, as what follows until `set_starts()`.
   /// \param tile its number
   /// \param source of the points
-  /// \param points_of_tile out: what `set_points_of_tile()` takes
   template <typename Source>
-  internal::Share_of_tile share_of_tile(std::size_t tile, const Source& source,
-                                        internal::Points_of_tile& points_of_tile) const
+  internal::Points_of_tile find_points_of_tile(std::size_t tile, const Source& source) const
   {
-    internal::Share_of_tile share;
+    internal::Points_of_tile found;
     Report report;
     watched(report, [&](internal::Progress& progress, internal::Memory_counter& memory) {
       internal::Buffer<internal::Vector> points(&memory);
       blocks_of_tile(tile).read_at_once(source, points);
-      share = find_share(tile, points, progress, points_of_tile);
+      found = find_points(tile, points, progress);
     });
-    return share;
+    return found;
   }
-  template <typename Source>
-  internal::Share_of_tile share_of_tile(std::size_t tile, const Source& source) const
+
+  /// \param disks sum over what `find_points_of_tile()` has given for each tile
+  void set_disks(const internal::Disks_of_tile& disks)
   {
-    internal::Points_of_tile not_kept;
-    return share_of_tile(tile, source, not_kept);
+    m_disks = disks;
+    m_facts.units_of_disks = m_disks.units;
+    m_facts.has_plain_blocks = m_disks.number_of_others == 0
+                               && (!m_facts.field || m_facts.field->is_even());
+  }
+
+  /// What a tile adds to the sums over all tiles, once `set_disks()` was called.
+  /// \param points what `find_points_of_tile()` has given; areas are noted there
+  internal::Share_of_tile share_of_tile(internal::Points_of_tile& points) const
+  {
+    return points.share(m_disks, plan_of(m_facts).area_radius(), number_of_samples());
   }
 
   /// Decides how many samples start where.
   /// \param shares what `share_of_tile()` has given for each tile
   void set_shares(std::vector<internal::Share_of_tile> shares)
   {
-    const internal::Sums_of_tiles sums = internal::add_up_shares(shares);
+    internal::Sums_of_tiles sums = internal::add_up_shares(shares);
+    sums.disks = m_disks;
     set_sums(sums);
     for (std::size_t tile = 0; tile < shares.size(); ++tile)
       set_starts(tile, {std::move(shares[tile].runs), sums.sums});
@@ -345,6 +356,7 @@ public:
   /// Instead of `set_shares()`: what it has found another time.
   void set_sums(const internal::Sums_of_tiles& sums)
   {
+    set_disks(sums.disks);
     m_facts.area = sums.area;
     m_facts.number_of_points = std::size_t(sums.sums.points);
     m_facts.number_of_places = std::size_t(sums.sums.distinct);
@@ -359,8 +371,8 @@ public:
     m_starts[tile] = std::move(starts);
   }
 
-  /// For a tile that is to be resampled, once `set_starts()` was called for it: what
-  /// `share_of_tile()` has found of its points. Else that is found once more.
+  /// For a tile that is to be resampled, after `set_disks()`, and `set_starts()` for it: what
+  /// `find_points_of_tile()` has given. Else that is found once more.
   void set_points_of_tile(std::size_t tile, internal::Points_of_tile points)
   {
     m_points_of_tiles.resize(m_tiles.size());
@@ -477,7 +489,7 @@ public:
   bool are_sides_given() const { return m_parameters.has_viewpoint && !m_orients_at_once; }
 
 private:
-  static constexpr std::uint64_t bytes_per_point_of_share = 200;
+  static constexpr std::uint64_t bytes_per_point_to_find = 200;
   static constexpr std::uint64_t many = std::uint64_t(1) << 32, // more than an index can number
     most_samples_to_orient = is_on_device ? many / 2 - 1 : many - 1;
 
@@ -487,27 +499,27 @@ private:
       blocks(), double(of_call.per_point), double(number_of_samples()) * double(of_call.per_sample),
       !m_parameters.keep_density);
     if (!has_all_facts())
-      bytes.per_point_before = double(bytes_per_point_of_share);
+      bytes.per_point_before = double(bytes_per_point_to_find);
     return bytes;
   }
 
   void set_spacing() { m_sample_spacing = std::sqrt(*m_facts.area / double(number_of_samples())); }
 
   /// \param points used up
-  internal::Share_of_tile find_share(std::size_t tile, internal::Buffer<internal::Vector>& points,
-                                     internal::Progress& progress,
-                                     internal::Points_of_tile& points_of_tile) const
+  internal::Points_of_tile find_points(std::size_t tile, internal::Buffer<internal::Vector>& points,
+                                       internal::Progress& progress) const
   {
     Report unwanted_report;
     Solver solver;
     internal::Any_solver<FT> any_solver(solver);
-    return internal::share_of_tile<Host_tag>(points, m_facts, m_parameters, own_blocks_of(tile),
-                                             any_solver, progress, unwanted_report, points_of_tile);
+    return internal::find_points_of_tile<Host_tag>(
+      points, m_facts, m_parameters, own_blocks_of(tile), any_solver, progress, unwanted_report);
   }
 
   std::vector<internal::Point_in_cloud> placed(std::size_t tile,
                                                internal::Points_of_tile points) const
   {
+    share_of_tile(points);
     const internal::Plan plan = plan_of(m_facts);
     return std::move(points).placed(m_starts[tile], plan.number_of_samples, plan.random_seed,
                                     plan.starts_evenly);
@@ -521,9 +533,7 @@ private:
     if (!has_all_facts())
     {
       internal::Buffer<internal::Vector> used_up = internal::copy_of(points);
-      internal::Points_of_tile found;
-      find_share(tile, used_up, progress, found);
-      return placed(tile, std::move(found));
+      return placed(tile, find_points(tile, used_up, progress));
     }
     const internal::Blocks_of_tile blocks = blocks_of_tile(tile);
     std::vector<internal::Point_in_cloud> known;
@@ -608,10 +618,8 @@ private:
     internal::Facts_of_cloud facts;
     Report report;
     watched(report, [&](internal::Progress&, internal::Memory_counter& memory) {
-      Solver solver;
-      internal::Any_solver<FT> any_solver(solver);
-      facts = internal::Facts_in_passes<Host_tag, Source>(m_cloud, source, m_parameters, any_solver,
-                                                          bytes, m_callback, memory)
+      facts = internal::Facts_in_passes<Host_tag, Source>(m_cloud, source, m_parameters, bytes,
+                                                          m_callback, memory)
                 .find(halo);
     });
     return facts;

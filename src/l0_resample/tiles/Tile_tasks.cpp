@@ -137,7 +137,8 @@ std::vector<Tile_phase> Tile_tasks::phases() const
   const std::size_t number_of_tiles = tiles.resampling.tiles().size();
   const bool needs_shares = !tiles.resampling.has_all_facts();
   if (needs_shares) {
-    phases.push_back({"share", number_of_tiles, 0.15});
+    phases.push_back({"balls", number_of_tiles, 0.14});
+    phases.push_back({"share", number_of_tiles, 0.01});
     phases.push_back({"samples", 1, 0});
   }
   const bool carries = !tiles.properties().properties.empty();
@@ -194,8 +195,10 @@ void Tile_tasks::run(const std::string& phase, std::size_t number, const On_prog
       shard(number, on_progress, at_once);
     else if (phase == "scales")
       run_on(m_options, [&](auto tag) { find_scales<decltype(tag)>(on_progress); });
+    else if (phase == "balls")
+      find_balls(number, on_progress);
     else if (phase == "share")
-      find_shares(number, on_progress);
+      find_share(number);
     else if (phase == "samples")
       share_samples();
     else if (phase == "solve")
@@ -240,13 +243,21 @@ void Tile_tasks::find_scales(const On_progress& on_progress) const
   write_facts(file_of("scales", 0), m_key, {tiles.resampling.facts(), memory});
 }
 
-void Tile_tasks::find_shares(std::size_t tile, const On_progress& on_progress) const
+void Tile_tasks::find_balls(std::size_t tile, const On_progress& on_progress) const
 {
   Tiles_on_cpu tiles(*this, on_progress);
   tiles.cut();
-  Points_of_tile points;
-  const Share_of_tile share = tiles.resampling.share_of_tile(tile, tiles.shards(), points);
-  write_share(file_of("share", tile), m_key, share, points);
+  write_points_of_tile(file_of("balls", tile), m_key,
+                       tiles.resampling.find_points_of_tile(tile, tiles.shards()));
+}
+
+void Tile_tasks::find_share(std::size_t tile) const
+{
+  Tiles_on_cpu tiles(*this, [](double) {});
+  tiles.cut();
+  tiles.resampling.set_disks(tiles.disks());
+  Points_of_tile points = read_points_of_tile(file_of("balls", tile), m_key);
+  write_share(file_of("share", tile), m_key, tiles.resampling.share_of_tile(points));
 }
 
 void Tile_tasks::share_samples() const
@@ -256,7 +267,8 @@ void Tile_tasks::share_samples() const
   std::vector<Share_of_tile> shares;
   for (std::size_t tile = 0; tile < tiles.resampling.tiles().size(); ++tile)
     shares.push_back(read_share(file_of("share", tile), m_key));
-  const Sums_of_tiles sums = internal::add_up_shares(shares);
+  Sums_of_tiles sums = internal::add_up_shares(shares);
+  sums.disks = tiles.disks();
   write_starts(file_of("samples", 0), m_key, sums, shares);
 }
 

@@ -72,6 +72,15 @@ public:
     resampling.choose_how_to_orient(memory, bytes_per_sample_of_sides(m_tasks.options()));
   }
 
+  /// What all tiles have found of their points.
+  Disks_of_tile disks() const
+  {
+    std::vector<Disks_of_tile> disks;
+    for (std::size_t tile = 0; tile < resampling.tiles().size(); ++tile)
+      disks.push_back(read_disks(m_tasks.file_of("balls", tile), m_tasks.key()));
+    return CGAL::L0_resampling::internal::add_up_disks(disks);
+  }
+
   /// What is known of the samples of all tiles.
   void take_sums()
   {
@@ -87,7 +96,7 @@ public:
                                                        resampling.ranges_of_tile(tile)));
     else {
       resampling.set_starts(tile, read_starts(m_tasks.file_of("samples", 0), m_tasks.key(), tile));
-      resampling.set_points_of_tile(tile, read_points_of_tile(m_tasks.file_of("share", tile),
+      resampling.set_points_of_tile(tile, read_points_of_tile(m_tasks.file_of("balls", tile),
                                                               m_tasks.key()));
     }
   }

@@ -99,7 +99,6 @@ void write_facts(const std::string& path, std::uint64_t key, const Facts_of_run&
   const internal::Vector& origin = facts.of_cloud.frame->origin;
   file.write(facts.of_cloud.frame->exponent);
   file.write(std::array<double, 3>{origin[0], origin[1], origin[2]});
-  file.write(facts.of_cloud.has_outliers_only);
   for_each_plain_fact(facts.of_cloud, [&](const auto& fact) { write_optional(file, fact); });
   write_field(facts.of_cloud.field.get(), file);
   file.commit();
@@ -113,7 +112,6 @@ Facts_of_run read_facts(const std::string& path, std::uint64_t key)
   const int exponent = file.read<int>();
   const auto origin = file.read<std::array<double, 3>>();
   facts.of_cloud.frame = internal::Place_of_frame{exponent, internal::Vector(origin.data())};
-  facts.of_cloud.has_outliers_only = file.read<bool>();
   for_each_plain_fact(facts.of_cloud, [&](auto& fact) { read_optional(file, fact); });
   facts.of_cloud.field = read_field(file);
   return facts;
@@ -145,16 +143,43 @@ std::vector<Point_in_cloud> read_points_in_cloud(
   return points;
 }
 
-void write_share(const std::string& path, std::uint64_t key, const Share_of_tile& share,
-                 const Points_of_tile& points)
+void write_points_of_tile(const std::string& path, std::uint64_t key, const Points_of_tile& points)
+{
+  Task_file_writer file(path, key);
+  file.write(points.disks);
+  file.write_all(points.points);
+  file.write_all(points.order);
+  file.write_all(points.are_distinct);
+  file.write_all(points.are_first);
+  file.write_all(points.balls);
+  file.write_all(points.runs);
+  file.commit();
+}
+
+Disks_of_tile read_disks(const std::string& path, std::uint64_t key)
+{
+  return Task_file(path, key).read<Disks_of_tile>();
+}
+
+Points_of_tile read_points_of_tile(const std::string& path, std::uint64_t key)
+{
+  Task_file file(path, key);
+  Points_of_tile points;
+  points.disks = file.read<Disks_of_tile>();
+  points.points = file.read_all<Point_in_cloud>();
+  points.order = file.read_all<CGAL::L0_resampling::Index>();
+  points.are_distinct = file.read_all<unsigned char>();
+  points.are_first = file.read_all<unsigned char>();
+  points.balls = file.read_all<internal::Points_of_ball>();
+  points.runs = file.read_all<Points_of_tile::Run>();
+  return points;
+}
+
+void write_share(const std::string& path, std::uint64_t key, const Share_of_tile& share)
 {
   Task_file_writer file(path, key);
   file.write(share.area_per_unit);
   file.write_all(share.runs);
-  file.write_all(points.points);
-  file.write_all(points.order);
-  file.write_all(points.are_distinct);
-  file.write_all(points.runs);
   file.commit();
 }
 
@@ -165,19 +190,6 @@ Share_of_tile read_share(const std::string& path, std::uint64_t key)
   share.area_per_unit = file.read<double>();
   share.runs = file.read_all<Run_of_cells>();
   return share;
-}
-
-Points_of_tile read_points_of_tile(const std::string& path, std::uint64_t key)
-{
-  Task_file file(path, key);
-  file.read<double>();
-  skip_all<Run_of_cells>(file);
-  Points_of_tile points;
-  points.points = file.read_all<Point_in_cloud>();
-  points.order = file.read_all<CGAL::L0_resampling::Index>();
-  points.are_distinct = file.read_all<unsigned char>();
-  points.runs = file.read_all<Points_of_tile::Run>();
-  return points;
 }
 
 void write_starts(const std::string& path, std::uint64_t key, const Sums_of_tiles& sums,

@@ -9,7 +9,7 @@
 #include "tiles/Input_properties.h"
 
 #include <CGAL/L0_resampling/internal/tiles/Block_counts.h>
-#include <CGAL/L0_resampling/internal/tiles/Share_finder.h>
+#include <CGAL/L0_resampling/internal/tiles/Points_of_tile.h>
 #include <CGAL/L0_resampling/internal/tiles/stitch_tiles.h>
 
 #include <cstddef>
@@ -23,6 +23,7 @@
 namespace l0_tool {
 
 using CGAL::L0_resampling::internal::Block_counts;
+using CGAL::L0_resampling::internal::Disks_of_tile;
 using CGAL::L0_resampling::internal::Facts_of_cloud;
 using CGAL::L0_resampling::internal::Point_in_cloud;
 using CGAL::L0_resampling::internal::Points_of_tile;
@@ -63,11 +64,14 @@ std::vector<Point_in_cloud> read_points_in_cloud(
   const std::string& path, std::uint64_t key,
   const std::vector<std::pair<std::uint64_t, std::uint64_t>>& ranges);
 
-/// What a tile counts.
-void write_share(const std::string& path, std::uint64_t key, const Share_of_tile& share,
-                 const Points_of_tile& points);
-Share_of_tile read_share(const std::string& path, std::uint64_t key);
+/// What a tile finds of its points.
+void write_points_of_tile(const std::string& path, std::uint64_t key, const Points_of_tile& points);
+Disks_of_tile read_disks(const std::string& path, std::uint64_t key);
 Points_of_tile read_points_of_tile(const std::string& path, std::uint64_t key);
+
+/// What a tile counts.
+void write_share(const std::string& path, std::uint64_t key, const Share_of_tile& share);
+Share_of_tile read_share(const std::string& path, std::uint64_t key);
 
 /// What all tiles have counted, and what comes before the runs of each.
 void write_starts(const std::string& path, std::uint64_t key, const Sums_of_tiles& sums,

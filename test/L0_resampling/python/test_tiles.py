@@ -200,9 +200,11 @@ def test_devices_are_lent_to_one_task_at_a_time(tmp_path):
         "#!/bin/sh\n"
         'device="$CUDA_VISIBLE_DEVICES"\n'
         'case "$*" in\n'
-        '*list) echo "count 2"; echo "solve 6"; echo "carry 6"; echo "finish 1";;\n'
+        '*list) for phase in "count 2" "scales 1" "balls 6" "share 6" "solve 6" "carry 6"'
+        ' "stitch 1" "finish 1"; do echo "$phase"; done;;\n'
         "*count:*) sleep 0.1;;\n"
-        f'*solve:*|*carry:*) mkdir "{tmp_path}/used_$device" && sleep 0.1'
+        "*scales:*|*balls:*|*share:*|*solve:*|*carry:*|*stitch:*)"
+        f' mkdir "{tmp_path}/used_$device" && sleep 0.1'
         f' && rmdir "{tmp_path}/used_$device" && echo "$device" >> "{tmp_path}/devices";;\n'
         "esac\n"
     )
@@ -210,9 +212,9 @@ def test_devices_are_lent_to_one_task_at_a_time(tmp_path):
     phases = tiles.resample_files(
         [], tmp_path / "out", memory="1G", workers=4, devices=[3, 5], program=program
     )
-    assert [phase["retries"] for phase in phases] == [0, 0, 0, 0]
+    assert [phase["retries"] for phase in phases] == 8 * [0]
     used = (tmp_path / "devices").read_text().split()
-    assert len(used) == 12 and set(used) == {"3", "5"}
+    assert len(used) == 26 and set(used) == {"3", "5"}
     with pytest.raises(ValueError, match="of their own"):
         with concurrent.futures.ThreadPoolExecutor(1) as executor:
             tiles.resample_files([], tmp_path / "out", memory="1G", devices=[0], executor=executor)

@@ -79,7 +79,8 @@ bool is_same(const internal::Point_in_cloud& a, const internal::Point_in_cloud& 
 /// \returns the facts found in passes
 template <typename NamedParameters>
 internal::Facts_of_cloud check(const std::string& name, const std::vector<Place>& points,
-                               double share, double halo, const NamedParameters& np)
+                               double share, double halo, const NamedParameters& np,
+                               bool has_outliers_only = false)
 {
   const Points_in_memory source{points};
   const std::uint64_t much = std::uint64_t(1) << 40;
@@ -95,11 +96,21 @@ internal::Facts_of_cloud check(const std::string& name, const std::vector<Place>
                    halo);
   const std::size_t number_of_tiles = tiles.tiles().size();
   CHECK(number_of_tiles >= 3);
-  std::vector<internal::Share_of_tile> shares;
-  std::vector<internal::Points_of_tile> points_of_tiles(number_of_tiles);
+  std::vector<internal::Points_of_tile> points_of_tiles;
+  std::vector<internal::Disks_of_tile> disks;
   for (std::size_t tile = 0; tile < number_of_tiles; ++tile)
-    shares.push_back(tiles.share_of_tile(tile, source, points_of_tiles[tile]));
-  const internal::Sums_of_tiles sums = internal::add_up_shares(shares);
+  {
+    points_of_tiles.push_back(tiles.find_points_of_tile(tile, source));
+    disks.push_back(points_of_tiles.back().disks);
+  }
+  const internal::Disks_of_tile all_disks = internal::add_up_disks(disks);
+  CHECK((all_disks.keeps_outliers != 0) == has_outliers_only);
+  tiles.set_disks(all_disks);
+  std::vector<internal::Share_of_tile> shares;
+  for (internal::Points_of_tile& of_tile : points_of_tiles)
+    shares.push_back(tiles.share_of_tile(of_tile));
+  internal::Sums_of_tiles sums = internal::add_up_shares(shares);
+  sums.disks = all_disks;
   tiles.set_sums(sums);
   check_same(tiles.facts(), in_memory.facts());
 
@@ -184,11 +195,11 @@ int main(int argc, char** argv)
           number_of_samples(uneven, 0.4)));
   check("crowds and outliers", crowds.points(), 0.3, 20, samples(crowds, 1.3));
   check("two sheets", sheets.points(), 0.3, 20, samples(sheets, 0.3));
-  CHECK(check("clusters, all too small", clusters(), 0.5, 10,
-              CGAL::parameters::outlier_sensitivity(3)
-                .number_of_output_points(std::size_t(20000))
-                .neighbor_radius(5))
-          .has_outliers_only);
+  check("clusters, all too small", clusters(), 0.5, 10,
+        CGAL::parameters::outlier_sensitivity(3)
+          .number_of_output_points(std::size_t(20000))
+          .neighbor_radius(5),
+        true);
   const std::vector<Place> separate = separate_sheets();
   const internal::Facts_of_cloud facts = check("separate sheets", separate, 0.6, 30,
                                                number_of_output_points(std::size_t(30000)));

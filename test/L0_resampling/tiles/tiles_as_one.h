@@ -187,10 +187,8 @@ CGAL::L0_resampling::internal::Facts_of_cloud facts_in_passes(const std::vector<
   const internal::Parameters parameters = internal::checked_parameters(np, points.size());
   const std::uint64_t bytes = points.size() * Passes::bytes_per_point_of_cloud
                               + points_at_a_time * Passes::bytes_per_point;
-  CGAL::L0_resampling::Block_chebyshev_solver_traits<float, CGAL::Parallel_if_available_tag> solver;
-  internal::Any_solver<float> any_solver(solver);
   const internal::Facts_of_cloud facts =
-    Passes(cloud, source, parameters, any_solver, bytes, nullptr, memory).find(halo);
+    Passes(cloud, source, parameters, bytes, nullptr, memory).find(halo);
   CHECK(memory.peak() <= points_at_a_time * Passes::bytes_per_point);
   return facts;
 }
@@ -229,9 +227,17 @@ std::vector<Sample> by_tiles(const std::vector<Place>& points, std::size_t point
   CHECK(tiles.has_all_facts() == finds_facts_at_once);
   if (!finds_facts_at_once)
   {
-    std::vector<CGAL::L0_resampling::internal::Share_of_tile> shares;
+    std::vector<CGAL::L0_resampling::internal::Points_of_tile> found;
+    std::vector<CGAL::L0_resampling::internal::Disks_of_tile> disks;
     for (std::size_t tile = 0; tile < number_of_tiles; ++tile)
-      shares.push_back(tiles.share_of_tile(tile, source));
+    {
+      found.push_back(tiles.find_points_of_tile(tile, source));
+      disks.push_back(found.back().disks);
+    }
+    tiles.set_disks(CGAL::L0_resampling::internal::add_up_disks(disks));
+    std::vector<CGAL::L0_resampling::internal::Share_of_tile> shares;
+    for (CGAL::L0_resampling::internal::Points_of_tile& of_tile : found)
+      shares.push_back(tiles.share_of_tile(of_tile));
     tiles.set_shares(std::move(shares));
   }
   std::vector<CGAL::L0_resampling::Tile_result> results;

@@ -34,8 +34,7 @@ struct Facts_of_cloud
   /// Of the radii. If all are 1, no field of scales is looked for.
   std::optional<Range_of_scales> range_of_scales;
   std::shared_ptr<const Scale_field>
-    field;                        ///< of scales; null if each tile gets its points' scales
-  bool has_outliers_only = false; ///< then none is dropped
+    field; ///< of scales; null if each tile gets its points' scales
   std::optional<double> median_number_of_neighbors; ///< in the balls of `find_outliers()`
   std::optional<double> mean_number_of_neighbors;   ///< in the balls of the normal filter
   /// Whether these balls are plain, see `has_plain_blocks_only()`: then sums go over pairs.

@@ -109,6 +109,33 @@ Buffer<Points_of_ball> balls_of_points(const Search_grid_3& grid, const Buffer<V
   return balls;
 }
 
+/// The areas that the points of cells stand for, once it is known what all disks are.
+class Areas_of_cells
+{
+  double m_radius, m_spacing;
+
+public:
+  /// \param radius of the disk at scale 1
+  /// \param units_of_disks what all points of the cloud stand for if each disk is covered
+  /// \param number_of_samples of the cloud
+  Areas_of_cells(double radius, std::uint64_t units_of_disks, std::size_t number_of_samples)
+    : m_radius(radius), m_spacing(std::sqrt(double(units_of_disks) * Areas::area_per_unit_of(radius)
+                                            / double(number_of_samples)))
+  {}
+
+  /// What each point of a cell stands for.
+  /// \param balls of its points, so many
+  std::uint64_t units_of_each(const Points_of_ball* balls, std::size_t count, int level) const
+  {
+    const double spacing_per_radius = m_spacing / (m_radius * size_of_cells(level));
+    std::uint64_t sum = 0;
+    for (std::size_t i = 0; i < count; ++i)
+      sum += area_units_of_point(balls[i].count, level,
+                                 balls[i].spread.share_of_disk(spacing_per_radius));
+    return area_units_in_cell(sum, count);
+  }
+};
+
 /// The area of the disk of a point, shared by those in its ball, as if they covered it.
 inline std::uint64_t units_of_disk(const Points_of_ball& ball, const Cell_sizes& sizes,
                                    std::size_t i)
@@ -140,18 +167,13 @@ Areas areas_of_points(const Search_grid_3& grid, const Buffer<Vector>& points, d
                       [&](std::size_t i) { sum += units_of_disk(balls[i], sizes, i); });
     return sum;
   });
-  const double spacing = std::sqrt(double(of_disks) * areas.area_per_unit
-                                   / double(number_of_samples));
+  const Areas_of_cells of_cells(radius, of_disks, number_of_samples);
   for_each_in_order(grid.number_of_cells(), [&](std::size_t cell) {
     const Search_grid_3::Range of_cell = grid.points_of_cell(cell);
-    const int level = sizes.level_of(of_cell.first);
-    const double spacing_per_radius = spacing / (radius * size_of_cells(level));
-    std::uint64_t sum = 0;
-    for (Index i = of_cell.first; i < of_cell.second; ++i)
-      sum += area_units_of_point(balls[i].count, level,
-                                 balls[i].spread.share_of_disk(spacing_per_radius));
-    const std::uint64_t count = of_cell.second - of_cell.first;
-    areas.units.insert(areas.units.end(), count, area_units_in_cell(sum, count));
+    const std::size_t count = of_cell.second - of_cell.first;
+    areas.units.insert(areas.units.end(), count,
+                       of_cells.units_of_each(&balls[of_cell.first], count,
+                                              sizes.level_of(of_cell.first)));
   });
   return areas;
 }

@@ -109,8 +109,6 @@ std::size_t drop_outliers(double radius, const Outlier_thresholds& thresholds,
                           Prepared_points& input, Buffer<Local_vector>& given_normals,
                           Buffer<Local_vector>& hints, Facts_of_cloud& facts, Progress& progress)
 {
-  if (facts.has_outliers_only)
-    return 0;
   return drop_points(find_outliers<Local, ConcurrencyTag>(
                        input.points, radius, thresholds, view_of_scales(input.scales),
                        facts.median_number_of_neighbors, progress),

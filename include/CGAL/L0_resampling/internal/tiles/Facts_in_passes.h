@@ -10,7 +10,6 @@
 #include <CGAL/L0_resampling/internal/cloud/estimate_scale_field.h>
 #include <CGAL/L0_resampling/internal/cloud/estimate_scales.h>
 #include <CGAL/L0_resampling/internal/core/keep_one_of_each.h>
-#include <CGAL/L0_resampling/internal/energy/Any_solver.h>
 #include <CGAL/L0_resampling/internal/tiles/Blocks_of_tile.h>
 #include <CGAL/L0_resampling/internal/tiles/Counted_cloud.h>
 #include <CGAL/L0_resampling/internal/tiles/Runs_of_codes.h>
@@ -45,7 +44,6 @@ class Facts_in_passes
   const Counted_cloud& m_cloud;
   const Source& m_source;
   const Parameters& m_parameters;
-  Any_solver<float>& m_solver;
   double m_bytes; // for the points of a tile
   std::function<bool(double)> m_callback;
   Memory_counter& m_memory;
@@ -236,36 +234,17 @@ class Facts_in_passes
     m_facts.median_number_of_neighbors = all.numbers.median();
   }
 
-  /// \returns how many points are no outliers
-  std::size_t find_disks(double halo)
-  {
-    Disks_of_tile all;
-    for_each_tile(halo, [&](Buffer<Vector>& points, const Own_blocks& own, Progress& progress,
-                            Report& report) {
-      const Disks_of_tile found = count_disks<ConcurrencyTag>(points, own, m_facts, m_parameters,
-                                                              m_solver, progress, report);
-      all.units += found.units;
-      all.number_of_others += found.number_of_others;
-      all.number_of_points_left += found.number_of_points_left;
-    });
-    m_facts.units_of_disks = all.units;
-    m_facts.has_plain_blocks = all.number_of_others == 0
-                               && (!m_facts.field || m_facts.field->is_even());
-    return all.number_of_points_left;
-  }
-
 public:
   /// What a pass holds for each point of a tile and its halo, and for each of the cloud.
   static constexpr std::uint64_t bytes_per_point = 160, bytes_per_point_of_cloud = 6;
-  static constexpr int number_of_passes = 6;
+  static constexpr int number_of_passes = 5;
 
   /// \param bytes for all
   /// \param callback of the user, or none
   /// \throws std::bad_alloc if that is too little for a single tile
   Facts_in_passes(const Counted_cloud& cloud, const Source& source, const Parameters& parameters,
-                  Any_solver<float>& solver, std::uint64_t bytes,
-                  std::function<bool(double)> callback, Memory_counter& memory)
-    : m_cloud(cloud), m_source(source), m_parameters(parameters), m_solver(solver),
+                  std::uint64_t bytes, std::function<bool(double)> callback, Memory_counter& memory)
+    : m_cloud(cloud), m_source(source), m_parameters(parameters),
       m_bytes(double(bytes) - double(bytes_per_point_of_cloud) * double(cloud.number_of_points())),
       m_callback(std::move(callback)), m_memory(memory)
   {}
@@ -283,11 +262,6 @@ public:
     const double halo = halo_in_radii * length_of_input(plan().unit);
     find_field(places, halo);
     find_neighbors(halo);
-    if (find_disks(halo) == 0)
-    {
-      m_facts.has_outliers_only = true;
-      find_disks(halo);
-    }
     return std::move(m_facts);
   }
 };

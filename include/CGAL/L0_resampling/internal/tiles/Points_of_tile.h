@@ -6,10 +6,13 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_POINTS_OF_TILE_H
 #define CGAL_L0_RESAMPLING_INTERNAL_POINTS_OF_TILE_H
 
+#include <CGAL/L0_resampling/internal/cloud/areas_of_points.h>
 #include <CGAL/L0_resampling/internal/core/Buffer.h>
 #include <CGAL/L0_resampling/internal/core/Parameters.h>
 #include <CGAL/L0_resampling/internal/core/Point_in_cloud.h>
+#include <CGAL/L0_resampling/internal/kernels/levels_of_scales.h>
 #include <CGAL/L0_resampling/internal/samples/initialize_samples.h>
+#include <CGAL/L0_resampling/internal/tiles/Disks_of_tile.h>
 #include <CGAL/L0_resampling/internal/tiles/Runs_of_cells.h>
 
 #include <cstddef>
@@ -27,18 +30,66 @@ struct Points_of_tile
 {
   struct Run
   {
-    std::uint64_t key; ///< `Search_grid_3::key_of_run()`
-    std::uint64_t end; ///< in `order`; the next run begins there
+    std::uint64_t key;       ///< `Search_grid_3::key_of_run()`
+    std::uint64_t end;       ///< in `order`; the next run begins there
+    std::uint64_t neighbors; ///< of its points, in the balls of the normal filter
   };
 
-  std::vector<Point_in_cloud> points; ///< in their first order, but for indices and samples
+  Disks_of_tile disks;
+  /// In their first order, but for indices, samples and areas: outliers stand for nothing.
+  std::vector<Point_in_cloud> points;
   std::vector<Index> order; ///< those that are used, in the order of the whole cloud, run by run
-  std::vector<unsigned char> are_distinct; ///< of these: whether each is the first at its place
+  // Of these:
+  std::vector<unsigned char> are_distinct; ///< whether each is the first at its place
+  std::vector<unsigned char> are_first;    ///< whether each is the first in its cell
+  std::vector<Points_of_ball> balls;       ///< `balls_of_points()`
   std::vector<Run> runs;
 
-  static constexpr std::size_t bytes_per_point = sizeof(Point_in_cloud) + sizeof(Index) + 1;
+  static constexpr std::size_t bytes_per_point = sizeof(Point_in_cloud) + sizeof(Index) + 2
+                                                 + sizeof(Points_of_ball);
 
-  /// The points, with their place in the order of the cloud and the samples that start on them.
+  /// Notes the areas that the points stand for.
+  /// \param of_cloud what `add_up_disks()` says
+  /// \param radius of the disk at scale 1
+  /// \param number_of_samples of the cloud
+  /// \returns what the tile adds to the sums over all tiles
+  Share_of_tile share(const Disks_of_tile& of_cloud, double radius, std::size_t number_of_samples)
+  {
+    if (disks.keeps_outliers > of_cloud.keeps_outliers)
+      drop_all();
+    const Areas_of_cells areas(radius, of_cloud.units, number_of_samples);
+    Share_of_tile share;
+    share.area_per_unit = Areas::area_per_unit_of(radius);
+    std::uint64_t k = 0;
+    for (const Run& run : runs)
+    {
+      Sums_over_points sums;
+      bool has_own = false;
+      while (k < run.end)
+      {
+        const std::uint64_t first = k;
+        do
+          ++k;
+        while (k < run.end && are_first[k] == 0);
+        const std::uint64_t units = areas.units_of_each(&balls[first], k - first,
+                                                        level_of_scale(points[order[first]].scale));
+        for (std::uint64_t i = first; i < k; ++i)
+        {
+          Point_in_cloud& point = points[order[i]];
+          point.units = units;
+          has_own = has_own || point.is_own != 0;
+          const bool is_distinct = are_distinct[i] != 0;
+          sums += {is_distinct ? units : 0, 1, is_distinct, units, 0};
+        }
+      }
+      sums.neighbors = run.neighbors;
+      share.runs.push_back({run.key, has_own ? sums : Sums_over_points()});
+    }
+    return share;
+  }
+
+  /// Once the areas were noted: the points, with their place in the order of the cloud and the
+  /// samples that start on them.
   /// \param starts what comes before the runs
   /// \param starts_evenly by area, and not as the points do
   std::vector<Point_in_cloud> placed(const Starts_of_runs& starts, std::uint64_t number_of_samples,
@@ -77,6 +128,15 @@ struct Points_of_tile
       for (const Index source : *list)
         ++points[order[source]].number_of_samples;
     return std::move(points);
+  }
+
+private:
+  void drop_all()
+  {
+    for (const Index i : order)
+      points[i].units = 0;
+    order.clear();
+    runs.clear();
   }
 };
 

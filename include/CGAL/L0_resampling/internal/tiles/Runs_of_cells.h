@@ -6,6 +6,8 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_RUNS_OF_CELLS_H
 #define CGAL_L0_RESAMPLING_INTERNAL_RUNS_OF_CELLS_H
 
+#include <CGAL/L0_resampling/internal/tiles/Disks_of_tile.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -64,6 +66,7 @@ struct Starts_of_runs
 /// What all tiles have counted.
 struct Sums_of_tiles
 {
+  Disks_of_tile disks; ///< of the cloud, as shares were found with them
   Sums_over_points sums;
   double area = 0; ///< in units of \f$ r_p^2 \f$
 };

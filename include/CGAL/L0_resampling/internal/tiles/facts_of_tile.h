@@ -11,7 +11,6 @@
 #include <CGAL/L0_resampling/internal/core/Buffer.h>
 #include <CGAL/L0_resampling/internal/core/Parameters.h>
 #include <CGAL/L0_resampling/internal/core/Progress.h>
-#include <CGAL/L0_resampling/internal/energy/Any_solver.h>
 #include <CGAL/L0_resampling/internal/kernels/scale_field.h>
 #include <CGAL/L0_resampling/internal/tiles/Own_blocks.h>
 #include <CGAL/L0_resampling/internal/tiles/Ranks_of_runs.h>
@@ -142,19 +141,6 @@ template <typename ConcurrencyTag>
 Neighbors_of_tile count_neighbors(Buffer<Vector>& points, const Own_blocks& own,
                                   const Facts_of_cloud& facts, const Parameters& parameters,
                                   Progress& progress, Report& report);
-
-/// What areas are relative to.
-struct Disks_of_tile
-{
-  std::uint64_t units = 0;               ///< `Facts_of_cloud::units_of_disks`
-  std::size_t number_of_others = 0;      ///< blocks of cells that are not plain
-  std::size_t number_of_points_left = 0; ///< without outliers, and thinned
-};
-
-template <typename ConcurrencyTag, typename FT>
-Disks_of_tile count_disks(Buffer<Vector>& points, const Own_blocks& own,
-                          const Facts_of_cloud& facts, const Parameters& parameters,
-                          Any_solver<FT>& solver, Progress& progress, Report& report);
 
 } // namespace internal
 } // namespace L0_resampling

@@ -12,7 +12,6 @@
 #include <CGAL/L0_resampling/internal/core/keep_one_of_each.h>
 #include <CGAL/L0_resampling/internal/driver/Cpu_points.h>
 #include <CGAL/L0_resampling/internal/driver/run.h>
-#include <CGAL/L0_resampling/internal/tiles/Disk_finder.h>
 #include <CGAL/L0_resampling/internal/tiles/Runs_of_codes.h>
 #include <CGAL/L0_resampling/internal/tiles/facts_of_tile.h>
 
@@ -221,20 +220,6 @@ Neighbors_of_tile count_neighbors(Buffer<Vector>& points, const Own_blocks& own,
                                                             found.numbers.add(number);
                                                         });
   return found;
-}
-
-template <typename ConcurrencyTag, typename FT>
-Disks_of_tile count_disks(Buffer<Vector>& points, const Own_blocks& own,
-                          const Facts_of_cloud& facts, const Parameters& parameters,
-                          Any_solver<FT>& solver, Progress& progress, Report& report)
-{
-  const Buffer<unsigned char> are_own = own.flags_of(points);
-  Disk_finder<ConcurrencyTag, FT> finder(facts, points, parameters, solver, progress, report);
-  const Plan plan = plan_call(parameters, finder);
-  if (plan.drops_outliers())
-    finder.drop_outliers(plan);
-  finder.sort_points(plan);
-  return finder.count(plan, are_own);
 }
 
 } // namespace internal

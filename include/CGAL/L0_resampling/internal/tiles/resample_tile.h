@@ -36,17 +36,15 @@ Facts_of_cloud facts_of_points(Buffer<Vector>& points, const Parameters& paramet
                                Any_solver<FT>& solver, Progress& progress, Report& report,
                                std::vector<Point_in_cloud>& points_in_cloud);
 
-/// What a tile adds to the sums over all tiles.
+/// What is found of the points of a tile and its halo, before it is known where samples start.
 /// \param points of the tile and its halo, at least one; used up
 /// \param facts of the cloud, as far as they are known
 /// \param parameters of the call for the whole cloud, checked
 /// \param own the blocks of the tile
-/// \param points_of_tile out
 template <typename ConcurrencyTag, typename FT>
-Share_of_tile share_of_tile(Buffer<Vector>& points, const Facts_of_cloud& facts,
-                            const Parameters& parameters, const Own_blocks& own,
-                            Any_solver<FT>& solver, Progress& progress, Report& report,
-                            Points_of_tile& points_of_tile);
+Points_of_tile find_points_of_tile(Buffer<Vector>& points, const Facts_of_cloud& facts,
+                                   const Parameters& parameters, const Own_blocks& own,
+                                   Any_solver<FT>& solver, Progress& progress, Report& report);
 
 /// The samples of a tile and of its halo.
 template <typename FT>

@@ -8,8 +8,8 @@
 
 #include <CGAL/L0_resampling/internal/driver/run.h>
 #include <CGAL/L0_resampling/internal/tiles/Fact_finder.h>
-#include <CGAL/L0_resampling/internal/tiles/Share_finder.h>
 #include <CGAL/L0_resampling/internal/tiles/Tile_backend.h>
+#include <CGAL/L0_resampling/internal/tiles/Tile_point_finder.h>
 #include <CGAL/L0_resampling/internal/tiles/resample_tile.h>
 
 #include <vector>
@@ -40,14 +40,13 @@ Facts_of_cloud facts_of_points(Buffer<Vector>& points, const Parameters& paramet
 }
 
 template <typename ConcurrencyTag, typename FT>
-Share_of_tile share_of_tile(Buffer<Vector>& points, const Facts_of_cloud& facts,
-                            const Parameters& parameters, const Own_blocks& own,
-                            Any_solver<FT>& solver, Progress& progress, Report& report,
-                            Points_of_tile& points_of_tile)
+Points_of_tile find_points_of_tile(Buffer<Vector>& points, const Facts_of_cloud& facts,
+                                   const Parameters& parameters, const Own_blocks& own,
+                                   Any_solver<FT>& solver, Progress& progress, Report& report)
 {
   const Buffer<unsigned char> are_own = own.flags_of(points);
-  Share_finder<ConcurrencyTag, FT> finder(facts, are_own, points, parameters, solver, progress,
-                                          report);
+  Tile_point_finder<ConcurrencyTag, FT> finder(facts, are_own, points, parameters, solver, progress,
+                                               report);
   const Plan plan = plan_call(parameters, finder);
   if (plan.drops_outliers())
   {
@@ -56,9 +55,9 @@ Share_of_tile share_of_tile(Buffer<Vector>& points, const Facts_of_cloud& facts,
   }
   finder.begin_stage("areas", 0.3, finder.number_of_points());
   finder.sort_points(plan);
-  Share_of_tile share = finder.share(plan, points_of_tile);
+  Points_of_tile found = finder.find(plan);
   finder.end(plan);
-  return share;
+  return found;
 }
 
 template <typename ConcurrencyTag, typename FT>

@@ -1,0 +1,131 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_TILE_POINT_FINDER_H
+#define CGAL_L0_RESAMPLING_INTERNAL_TILE_POINT_FINDER_H
+
+#include <CGAL/L0_resampling/internal/cloud/areas_of_points.h>
+#include <CGAL/L0_resampling/internal/cloud/density_weights.h>
+#include <CGAL/L0_resampling/internal/cloud/find_outliers.h>
+#include <CGAL/L0_resampling/internal/tiles/Own_blocks.h>
+#include <CGAL/L0_resampling/internal/tiles/Point_finder.h>
+#include <CGAL/L0_resampling/internal/tiles/Points_of_tile.h>
+#include <CGAL/L0_resampling/internal/tiles/Runs_of_cells.h>
+#include <CGAL/L0_resampling/internal/tiles/resample_tile.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/// The first stages for a tile and its halo, where memory does not hold the whole cloud.
+template <typename ConcurrencyTag, typename FT>
+class Tile_point_finder : public Point_finder<ConcurrencyTag, FT>
+{
+  using Base = Point_finder<ConcurrencyTag, FT>;
+  using Base::m_facts;
+  using Base::m_given_normals;
+  using Base::m_hints;
+  using Base::m_input;
+  using Base::m_progress;
+  using Base::m_report;
+
+  const Buffer<unsigned char>& m_are_own; // of the points in their first order
+  bool m_keeps_outliers = false;
+
+  bool is_own(Index i) const { return m_are_own[m_input.indices[i]] != 0; }
+
+  bool is_first_of_its_place(Index i) const
+  {
+    return i == 0 || m_input.points[i] != m_input.points[i - 1];
+  }
+
+public:
+  using Base::number_of_points;
+
+  /// \param are_own which of the points are the tile's, and not of its halo
+  Tile_point_finder(const Facts_of_cloud& facts, const Buffer<unsigned char>& are_own,
+                    Buffer<Vector>& points, const Parameters& parameters, Any_solver<FT>& solver,
+                    Progress& progress, Report& report)
+    : Base(facts, points, parameters, solver, progress, report), m_are_own(are_own)
+  {}
+
+  /// But for a tile all of whose own points are outliers.
+  void drop_outliers(const Plan& plan)
+  {
+    const Buffer<unsigned char> are_outliers = find_outliers<Local, ConcurrencyTag>(
+      m_input.points, plan.radius, Outlier_thresholds(plan.outlier_sensitivity),
+      view_of_scales(m_input.scales), m_facts.median_number_of_neighbors, m_progress);
+    m_keeps_outliers = true;
+    for_each_in_order(number_of_points(), [&](std::size_t i) {
+      m_keeps_outliers = m_keeps_outliers && (!is_own(Index(i)) || are_outliers[i] != 0);
+    });
+    if (!m_keeps_outliers)
+      m_report.number_of_outliers = drop_points(are_outliers, m_input, m_given_normals, m_hints);
+  }
+
+  /// For the points as they are once they are sorted.
+  Points_of_tile find(const Plan& plan)
+  {
+    Points_of_tile found;
+    found.disks.keeps_outliers = m_keeps_outliers;
+    find_runs(plan, found);
+    find_balls(plan, found);
+    found.points = Base::take_points();
+    for (std::size_t i = 0; i < found.points.size(); ++i)
+      found.points[i].is_own = m_are_own[i];
+    return found;
+  }
+
+private:
+  void find_runs(const Plan& plan, Points_of_tile& found)
+  {
+    const Search_grid_3& grid = m_input.grid;
+    Buffer<Index> neighbors(m_input.points.get_allocator());
+    Buffer<Local> unwanted(m_input.points.get_allocator());
+    sum_up_density<ConcurrencyTag>(grid, m_input.points, plan.filter_radius, plan.squared_bandwidth,
+                                   m_facts, m_progress, neighbors, unwanted);
+    found.order.assign(m_input.indices.begin(), m_input.indices.end());
+    for_each_run(grid, [&](std::uint64_t key, const Search_grid_3::Range& points) {
+      std::uint64_t sum = 0;
+      for (Index i = points.first; i < points.second; ++i)
+        sum += neighbors[i];
+      found.runs.push_back({key, points.second, sum});
+    });
+    // a block around a cell beyond the halo is not whole
+    found.disks.number_of_others = number_of_blocks_not_plain<ConcurrencyTag>(
+      grid, cells_in_reach(plan.filter_radius, grid.cell_size()),
+      [&](Index cell) { return is_own(grid.points_of_cell(cell).first); });
+  }
+
+  void find_balls(const Plan& plan, Points_of_tile& found)
+  {
+    const Search_grid_3& grid = m_input.grid;
+    const Cell_sizes sizes(grid.cell_size(), grid.scales());
+    const Buffer<Points_of_ball> balls = balls_of_points<ConcurrencyTag, Local>(
+      grid, m_input.points, plan.area_radius(), Base::units_per_length(plan), m_progress);
+    found.balls.assign(balls.begin(), balls.end());
+    found.are_first.assign(number_of_points(), 0);
+    for_each_in_order(grid.number_of_cells(), [&](std::size_t cell) {
+      found.are_first[grid.points_of_cell(cell).first] = 1;
+    });
+    found.are_distinct.reserve(number_of_points());
+    for_each_in_order(number_of_points(), [&](std::size_t k) {
+      const Index i = Index(k);
+      found.are_distinct.push_back(is_first_of_its_place(i));
+      if (is_own(i))
+        found.disks.units += units_of_disk(balls[i], sizes, i);
+    });
+  }
+};
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_TILE_POINT_FINDER_H
