@@ -102,6 +102,17 @@ inline std::size_t drop_points(const Buffer<unsigned char>& are_dropped, Prepare
   return n - input.points.size();
 }
 
+/// Whether each of the points is an outlier.
+template <typename ConcurrencyTag>
+Buffer<unsigned char> outliers_among(const Prepared_points& input, double radius,
+                                     const Outlier_thresholds& thresholds, Facts_of_cloud& facts,
+                                     Progress& progress)
+{
+  return find_outliers<Local, ConcurrencyTag>(input.points, radius, thresholds,
+                                              view_of_scales(input.scales),
+                                              facts.median_number_of_neighbors, progress);
+}
+
 /// Removes the outliers from the points and what belongs to them.
 /// \returns their number
 template <typename ConcurrencyTag>
@@ -109,9 +120,7 @@ std::size_t drop_outliers(double radius, const Outlier_thresholds& thresholds,
                           Prepared_points& input, Buffer<Local_vector>& given_normals,
                           Buffer<Local_vector>& hints, Facts_of_cloud& facts, Progress& progress)
 {
-  return drop_points(find_outliers<Local, ConcurrencyTag>(
-                       input.points, radius, thresholds, view_of_scales(input.scales),
-                       facts.median_number_of_neighbors, progress),
+  return drop_points(outliers_among<ConcurrencyTag>(input, radius, thresholds, facts, progress),
                      input, given_normals, hints);
 }
 

@@ -8,12 +8,9 @@
 
 #include <CGAL/L0_resampling/internal/cloud/areas_of_points.h>
 #include <CGAL/L0_resampling/internal/cloud/density_weights.h>
-#include <CGAL/L0_resampling/internal/cloud/find_outliers.h>
-#include <CGAL/L0_resampling/internal/tiles/Own_blocks.h>
+#include <CGAL/L0_resampling/internal/cloud/prepare_points.h>
 #include <CGAL/L0_resampling/internal/tiles/Point_finder.h>
 #include <CGAL/L0_resampling/internal/tiles/Points_of_tile.h>
-#include <CGAL/L0_resampling/internal/tiles/Runs_of_cells.h>
-#include <CGAL/L0_resampling/internal/tiles/resample_tile.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -58,9 +55,8 @@ public:
   /// But for a tile all of whose own points are outliers.
   void drop_outliers(const Plan& plan)
   {
-    const Buffer<unsigned char> are_outliers = find_outliers<Local, ConcurrencyTag>(
-      m_input.points, plan.radius, Outlier_thresholds(plan.outlier_sensitivity),
-      view_of_scales(m_input.scales), m_facts.median_number_of_neighbors, m_progress);
+    const Buffer<unsigned char> are_outliers = outliers_among<ConcurrencyTag>(
+      m_input, plan.radius, Outlier_thresholds(plan.outlier_sensitivity), m_facts, m_progress);
     m_keeps_outliers = true;
     for_each_in_order(number_of_points(), [&](std::size_t i) {
       m_keeps_outliers = m_keeps_outliers && (!is_own(Index(i)) || are_outliers[i] != 0);

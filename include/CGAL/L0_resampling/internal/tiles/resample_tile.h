@@ -16,7 +16,6 @@
 #include <CGAL/L0_resampling/internal/energy/Any_solver.h>
 #include <CGAL/L0_resampling/internal/tiles/Own_blocks.h>
 #include <CGAL/L0_resampling/internal/tiles/Points_of_tile.h>
-#include <CGAL/L0_resampling/internal/tiles/Runs_of_cells.h>
 #include <CGAL/L0_resampling/internal/tiles/Samples_to_orient.h>
 #include <CGAL/L0_resampling/internal/tiles/stitch_tiles.h>
 

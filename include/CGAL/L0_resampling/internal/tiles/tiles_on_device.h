@@ -34,6 +34,19 @@ inline std::uint64_t device_memory_for_tiles()
   return std::uint64_t(bytes) / 16 * 15;
 }
 
+/// After a call on the device.
+/// \throws what the callback has thrown, Interrupted if it has cancelled the call, and what
+/// `throw_if_failed()` does
+inline void take_report(const cuda::Answer& answer, const cuda::Call_report& call,
+                        Device_progress& progress, Report& report)
+{
+  fill_report(call, report);
+  progress.rethrow_exception_of_callback();
+  throw_if_failed(answer);
+  if (answer.status == cuda::Status::CANCELLED)
+    throw Interrupted();
+}
+
 /// How many samples start on points of a tile and its halo, or near them.
 inline std::size_t number_of_starts(const std::vector<Point_in_cloud>& points)
 {
@@ -86,11 +99,7 @@ inline Facts_of_cloud facts_on_device(const Buffer<Vector>& points, const Parame
   const cuda::Answer answer = cuda::find_facts(*session, coordinates(points), points.size(),
                                                parameters, progress.as_callback(), call, found,
                                                found_points.data());
-  fill_report(call, report);
-  progress.rethrow_exception_of_callback();
-  throw_if_failed(answer);
-  if (answer.status == cuda::Status::CANCELLED)
-    throw Interrupted();
+  take_report(answer, call, progress, report);
   points_in_cloud = std::move(found_points);
   Facts_of_cloud facts;
   facts.frame = Place_of_frame{found.exponent_of_frame, Vector(found.origin_of_frame)};
@@ -146,11 +155,7 @@ inline Samples_of_tile<float> resample_tile_on_device(const Buffer<Vector>& poin
   const cuda::Answer answer = cuda::resample_tile(*session, coordinates(points), points.size(),
                                                   tile, parameters, progress.as_callback(), call,
                                                   number_of_unoriented);
-  fill_report(call, report);
-  progress.rethrow_exception_of_callback();
-  throw_if_failed(answer);
-  if (answer.status == cuda::Status::CANCELLED)
-    throw Interrupted();
+  take_report(answer, call, progress, report);
   const std::size_t m = tile.number_of_samples;
   Oriented_points<float> samples;
   samples.positions.resize(m);
@@ -192,11 +197,7 @@ inline void orient_tiles_on_device(const Facts_of_cloud& facts, const Plan& plan
   const cuda::Answer answer =
     cuda::orient_tiles(*session, coordinates(samples.places), samples.places.size(), place, plan,
                        parameters, progress.as_callback(), call, coordinates(samples.normals));
-  fill_report(call, report);
-  progress.rethrow_exception_of_callback();
-  throw_if_failed(answer);
-  if (answer.status == cuda::Status::CANCELLED)
-    throw Interrupted();
+  take_report(answer, call, progress, report);
 }
 
 } // namespace internal
