@@ -74,13 +74,21 @@ bool is_same(const internal::Point_in_cloud& a, const internal::Point_in_cloud& 
          && a.scale == b.scale;
 }
 
+/// Where all points are outliers.
+enum class Only_outliers
+{
+  NOWHERE,
+  IN_TILES,
+  EVERYWHERE
+};
+
 /// \param share of the points that memory holds at a time
 /// \param halo of tiles, in radii
 /// \returns the facts found in passes
 template <typename NamedParameters>
 internal::Facts_of_cloud check(const std::string& name, const std::vector<Place>& points,
                                double share, double halo, const NamedParameters& np,
-                               bool has_outliers_only = false)
+                               Only_outliers only_outliers = Only_outliers::NOWHERE)
 {
   const Points_in_memory source{points};
   const std::uint64_t much = std::uint64_t(1) << 40;
@@ -104,7 +112,10 @@ internal::Facts_of_cloud check(const std::string& name, const std::vector<Place>
     disks.push_back(points_of_tiles.back().disks);
   }
   const internal::Disks_of_tile all_disks = internal::add_up_disks(disks);
-  CHECK((all_disks.keeps_outliers != 0) == has_outliers_only);
+  CHECK((all_disks.keeps_outliers != 0) == (only_outliers == Only_outliers::EVERYWHERE));
+  CHECK(std::any_of(disks.begin(), disks.end(),
+                    [](const auto& of_tile) { return of_tile.keeps_outliers != 0; })
+        == (only_outliers != Only_outliers::NOWHERE));
   tiles.set_disks(all_disks);
   std::vector<internal::Share_of_tile> shares;
   for (internal::Points_of_tile& of_tile : points_of_tiles)
@@ -159,6 +170,17 @@ std::vector<Place> clusters()
   return points;
 }
 
+/// Beside a part that is larger.
+std::vector<Place> clusters_and_sheet()
+{
+  std::mt19937 generator(11);
+  std::uniform_real_distribution<double> place(0, 2);
+  std::vector<Place> points = clusters();
+  for (int i = 0; i < 20000; ++i)
+    points.push_back({43 * place(generator), 1000 + 43 * place(generator), place(generator)});
+  return points;
+}
+
 /// Sheets in an L, far apart, so that tiles are next to each other only beyond what they hold; and
 /// a few points so far away that they do not count for the extent.
 std::vector<Place> separate_sheets()
@@ -195,11 +217,12 @@ int main(int argc, char** argv)
           number_of_samples(uneven, 0.4)));
   check("crowds and outliers", crowds.points(), 0.3, 20, samples(crowds, 1.3));
   check("two sheets", sheets.points(), 0.3, 20, samples(sheets, 0.3));
-  check("clusters, all too small", clusters(), 0.5, 10,
-        CGAL::parameters::outlier_sensitivity(3)
-          .number_of_output_points(std::size_t(20000))
-          .neighbor_radius(5),
-        true);
+  const auto few_samples = CGAL::parameters::outlier_sensitivity(3)
+                             .number_of_output_points(std::size_t(20000))
+                             .neighbor_radius(5);
+  check("clusters, all too small", clusters(), 0.5, 10, few_samples, Only_outliers::EVERYWHERE);
+  check("clusters and a sheet", clusters_and_sheet(), 0.5, 10, few_samples,
+        Only_outliers::IN_TILES);
   const std::vector<Place> separate = separate_sheets();
   const internal::Facts_of_cloud facts = check("separate sheets", separate, 0.6, 30,
                                                number_of_output_points(std::size_t(30000)));
