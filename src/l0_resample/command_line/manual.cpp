@@ -107,8 +107,8 @@ used. With --device cuda, tiles are as large as a CUDA device holds too, and are
 else on the processor.
 
 Tiles give what one tile gives: with --halo 50 to the bit in all that was tried, with less but for
-roundings near borders; but for the signs of normals, where --memory does not hold the samples once,
-400 bytes for each. Where it holds the points once, 200 bytes for each, that takes less time.
+roundings near borders; but for the signs of normals, where --memory does not hold all samples at
+once, with what their sides are found from. Where it holds all points, that takes less time.
 
 Steps are kept in the folder work of the output directory until all is done. --resume goes on with
 them after a crash, and makes again what is damaged; a run with another input or other options is

@@ -19,7 +19,10 @@ Shard_writer::Shard_writer(const std::string& path, const std::string& path_of_r
     m_file_of_rows(row_size > 0 ? std::make_unique<Task_file_writer>(path_of_rows, key) : nullptr),
     m_lattice(lattice), m_row_size(row_size),
     m_most_points(std::size_t((std::min)(bytes, most_bytes) / (sizeof(Sorted_point) + row_size)))
-{}
+{
+  m_run.reserve(m_most_points); // a long array takes memory where it is written only
+  m_rows.reserve(m_most_points * row_size);
+}
 
 void Shard_writer::add(const std::array<double, 3>& point, const std::vector<char>& row)
 {

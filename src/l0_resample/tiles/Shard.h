@@ -8,6 +8,7 @@
 
 #include "tiles/Task_file.h"
 
+#include <CGAL/L0_resampling/internal/core/Buffer.h>
 #include <CGAL/L0_resampling/internal/tiles/Block_counts.h>
 
 #include <array>
@@ -23,6 +24,7 @@ namespace l0_tool {
 
 using CGAL::L0_resampling::internal::Block;
 using CGAL::L0_resampling::internal::Block_lattice;
+using CGAL::L0_resampling::internal::Buffer;
 
 /// Where points of a block stand in a shard.
 struct Block_run
@@ -47,8 +49,8 @@ class Shard_writer
   std::unique_ptr<Task_file_writer> m_file_of_rows; // if there are properties
   Block_lattice m_lattice;
   std::size_t m_row_size, m_most_points;
-  std::vector<Sorted_point> m_run;
-  std::vector<char> m_rows;                // of the run, in the order of the input
+  Buffer<Sorted_point> m_run;
+  Buffer<char> m_rows;                     // of the run, in the order of the input
   std::map<Block, std::uint32_t> m_places; // of the blocks of the run, as they came
   std::vector<Block> m_blocks;             // likewise
   std::vector<Block_run> m_runs;

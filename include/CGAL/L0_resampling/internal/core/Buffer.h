@@ -6,6 +6,8 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_BUFFER_H
 #define CGAL_L0_RESAMPLING_INTERNAL_BUFFER_H
 
+#include <CGAL/L0_resampling/internal/core/huge_pages.h>
+
 #include <atomic>
 #include <cstddef>
 #include <limits>
@@ -78,7 +80,9 @@ struct Counting_allocator
       counter->acquire(n * sizeof(T));
     try
     {
-      return std::allocator<T>().allocate(n);
+      T* const array = std::allocator<T>().allocate(n);
+      prefer_huge_pages(array, n * sizeof(T));
+      return array;
     }
     catch (...)
     {
