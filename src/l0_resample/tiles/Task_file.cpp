@@ -64,27 +64,17 @@ std::uint64_t Checksum::value() const
 
 void Task_file_writer::write_bytes(std::string_view bytes)
 {
-  constexpr std::size_t at_once = std::size_t(1) << 18;
-  m_size += bytes.size();
-  while (!bytes.empty()) {
-    const std::string_view next = bytes.substr(0, at_once - m_buffer.size());
-    m_buffer += next;
-    bytes.remove_prefix(next.size());
-    if (m_buffer.size() == at_once)
-      flush();
+  constexpr std::size_t at_once = std::size_t(1) << 20;
+  for (; !bytes.empty(); bytes.remove_prefix((std::min)(at_once, bytes.size()))) {
+    const std::string_view next = bytes.substr(0, at_once);
+    m_checksum.add(next);
+    m_file.write(next);
+    m_size += next.size();
   }
-}
-
-void Task_file_writer::flush()
-{
-  m_checksum.add(m_buffer);
-  m_file.write(m_buffer);
-  m_buffer.clear();
 }
 
 void Task_file_writer::commit()
 {
-  flush();
   const Footer footer = {m_key, m_size, m_checksum.value(), magic};
   m_file.write({reinterpret_cast<const char*>(&footer), sizeof footer});
   m_file.commit();

@@ -42,9 +42,6 @@ class Task_file_writer
   std::uint64_t m_key;
   std::uint64_t m_size = 0;
   Checksum m_checksum;
-  std::string m_buffer; // not summed up and written yet
-
-  void flush();
 
 public:
   /// \param key of the run
