@@ -383,7 +383,7 @@ void check_choice()
     {
       const Support_subset choice(7, 1, spacing, 1000, std::size_t(1000 * share_on_points));
       const double asked = in_ball * share_on_points / double(choice.stride);
-      CHECK((choice.stride == 1 && asked < 256) || (asked >= 128 && asked < 256));
+      CHECK((choice.stride == 1 && asked < 320) || (asked >= 160 && asked < 320));
       std::size_t taken = 0;
       const std::size_t count = 4000 * choice.stride;
       for (std::size_t source = 0; source < (std::min)(count, std::size_t(20000000)); ++source)

@@ -264,9 +264,9 @@ constexpr double largest_roughness = 3;
 /// further off it grows fast.
 constexpr double largest_leverage = 10;
 
-/// The support subset has about this many samples in a ball, or up to twice as many, if the ball
-/// has as many.
-constexpr double least_support_points_in_ball = 128;
+/// The support subset is of at least this many places in a ball, if the ball has as many, and of
+/// less than twice as many. On a tenth or two of them no sample starts.
+constexpr double least_support_points_in_ball = 160;
 
 /// Chooses the support subset among the samples that start on a point each: by that point, so
 /// that no rounding of where they are now has a part in it.
