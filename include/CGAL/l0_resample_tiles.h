@@ -59,7 +59,7 @@ void l0_resample_tiles(const Source& source, Sink& sink, std::uint64_t maximum_m
     device_memory = L0_resampling::internal::device_memory_for_tiles();
 #endif
   tiles.find_facts(source, maximum_memory, device_memory);
-  const std::vector<L0_resampling::internal::Point_in_cloud>& kept = tiles.points_in_cloud();
+  const auto& kept = tiles.points_in_cloud();
   const std::uint64_t memory = maximum_memory - kept.size() * sizeof(kept[0]);
   tiles.make_tiles((std::min)(memory, device_memory));
   tiles.choose_how_to_orient((std::min)(memory, device_memory));

@@ -58,12 +58,12 @@
                                                   Progress&, Report&);                             \
   template Facts_of_cloud facts_of_points<Tag, float>(Buffer<Vector>&, const Parameters&,          \
                                                       Any_solver<float>&, Progress&, Report&,      \
-                                                      std::vector<Point_in_cloud>&);               \
+                                                      Buffer<Point_in_cloud>&);                    \
   template Points_of_tile find_points_of_tile<Tag, float>(Buffer<Vector>&, const Facts_of_cloud&,  \
                                                           const Parameters&, const Own_blocks&,    \
                                                           Any_solver<float>&, Progress&, Report&); \
   template Samples_of_tile<float> resample_tile<Tag, float>(                                       \
-    Buffer<Vector>&, const std::vector<Point_in_cloud>&, const Facts_of_cloud&, bool,              \
+    Buffer<Vector>&, const Buffer<Point_in_cloud>&, const Facts_of_cloud&, bool,                   \
     const Parameters&, Any_solver<float>&, Progress&, Report&);                                    \
   template void orient_tiles<Tag>(const Facts_of_cloud&, const Plan&, const Parameters&,           \
                                   Progress&, Samples_to_orient&);

@@ -227,7 +227,7 @@ l0_tool::Property_table table_of(const py::array& records)
   const auto* bytes = static_cast<const char*>(records.data());
   table.reserve(std::size_t(records.size()));
   for (std::size_t i = 0; i < std::size_t(records.size()); ++i)
-    table.append(std::vector<char>(bytes + i * row_size, bytes + (i + 1) * row_size));
+    table.append(bytes + i * row_size);
   return table;
 }
 

@@ -47,7 +47,7 @@ inline l0_tool::Point_cloud cloud_of_points(const Scene_stream& stream, std::uin
     cloud.points.push_back(point.position);
     if (with_truth)
       cloud.normals.push_back(point.exact.normal);
-    cloud.properties.append(row);
+    cloud.properties.append(row.data());
   });
 
   // All blocks are on one lattice.

@@ -62,8 +62,9 @@ Near_points nearest_input_points_of_range(const PointRange& points, PointMap poi
   Progress progress(nullptr, unwanted_report, memory);
   const std::size_t size = std::size_t(std::distance(points.begin(), points.end()));
   const auto for_each = [&](const Point_function& f) { for_each_point(points, point_map, f); };
-  nearest_input_points<Parallel_if_available_tag>(tree_of_range(size, Each_point(for_each), memory),
-                                                  positions, progress, near_points);
+  using Host_tag = Parallel_if_available_tag;
+  nearest_input_points<Host_tag>(tree_of_range<Host_tag>(size, Each_point(for_each), memory),
+                                 positions, progress, near_points);
   return near_points;
 }
 

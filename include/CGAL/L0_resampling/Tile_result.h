@@ -121,7 +121,7 @@ void take_unoriented_samples(const Found_samples<FT>& found, Tile_result& result
 {
   std::vector<Tile_sample>& own = result.unoriented.own;
   std::vector<Tile_sample>& elsewhere = result.unoriented.leaders_elsewhere;
-  const std::vector<Tile_sample>& trees = found.of_tile.unoriented;
+  const Buffer<Tile_sample>& trees = found.of_tile.unoriented;
   std::vector<std::uint32_t> numbers(trees.size(), no_number);
   for (std::size_t tree = 0; tree < trees.size(); ++tree)
     if (found.of_tile.are_trees_own[tree] != 0)

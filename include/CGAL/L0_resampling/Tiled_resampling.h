@@ -82,11 +82,11 @@ class Tiled_resampling
   internal::Counted_cloud m_cloud;
   internal::Facts_of_cloud m_facts;
   bool m_has_all_facts = false;
-  std::vector<internal::Point_in_cloud> m_points; // of all blocks, if all facts were found here
-  double m_radius = 0;                            // in the unit of the input
+  internal::Buffer<internal::Point_in_cloud> m_points; // of all blocks, if all facts are from here
+  double m_radius = 0;                                 // in the unit of the input
   double m_halo_in_radii = halo_in_radii;
   std::vector<internal::Tile> m_tiles;
-  std::vector<std::vector<internal::Point_in_cloud>> m_points_of_tiles; // that were set
+  std::vector<internal::Buffer<internal::Point_in_cloud>> m_points_of_tiles; // that were set
   internal::Disks_of_tile m_disks;                // of the cloud, if not all facts were found
   std::vector<internal::Starts_of_runs> m_starts; // of the tiles, likewise
   double m_sample_spacing = 0;                    // in units of the radius
@@ -213,7 +213,7 @@ public:
   bool has_all_facts() const { return m_has_all_facts; }
   /// What `find_facts()` has found of each point, block after block; none if it has not found all
   /// facts.
-  const std::vector<internal::Point_in_cloud>& points_in_cloud() const { return m_points; }
+  const internal::Buffer<internal::Point_in_cloud>& points_in_cloud() const { return m_points; }
   const std::vector<internal::Tile>& tiles() const { return m_tiles; }
   Source_box box_of_tile(std::size_t tile) const { return m_cloud.source_box(m_tiles[tile].box); }
 
@@ -381,7 +381,7 @@ public:
 
   /// If `has_all_facts()`, instead of `find_facts()`, for a tile that is to be resampled: those of
   /// `points_in_cloud()` that are in its ranges.
-  void set_points(std::size_t tile, std::vector<internal::Point_in_cloud> points)
+  void set_points(std::size_t tile, internal::Buffer<internal::Point_in_cloud> points)
   {
     blocks_of_tile(tile).mark_own(points);
     m_points_of_tiles.resize(m_tiles.size());
@@ -402,11 +402,12 @@ public:
         blocks.read_at_once(source, input.points);
       const bool are_points_set = tile < m_points_of_tiles.size()
                                   && !m_points_of_tiles[tile].empty();
-      const std::vector<internal::Point_in_cloud> found_here =
-        are_points_set ? std::vector<internal::Point_in_cloud>()
+      const internal::Buffer<internal::Point_in_cloud> found_here =
+        are_points_set ? internal::Buffer<internal::Point_in_cloud>()
                        : points_of_tile(tile, input.points, progress);
-      const std::vector<internal::Point_in_cloud>& known = are_points_set ? m_points_of_tiles[tile]
-                                                                          : found_here;
+      const internal::Buffer<internal::Point_in_cloud>& known = are_points_set
+                                                                  ? m_points_of_tiles[tile]
+                                                                  : found_here;
       result.report.number_of_input_points = input.points.size();
       if (!internal::are_there_starts(known))
         return;
@@ -516,8 +517,8 @@ private:
       points, m_facts, m_parameters, own_blocks_of(tile), any_solver, progress, unwanted_report);
   }
 
-  std::vector<internal::Point_in_cloud> placed(std::size_t tile,
-                                               internal::Points_of_tile points) const
+  internal::Buffer<internal::Point_in_cloud> placed(std::size_t tile,
+                                                    internal::Points_of_tile points) const
   {
     share_of_tile(points);
     const internal::Plan plan = plan_of(m_facts);
@@ -526,7 +527,7 @@ private:
   }
 
   /// What is to be known of the points of a tile and its halo.
-  std::vector<internal::Point_in_cloud> points_of_tile(
+  internal::Buffer<internal::Point_in_cloud> points_of_tile(
     std::size_t tile, const internal::Buffer<internal::Vector>& points,
     internal::Progress& progress) const
   {
@@ -536,7 +537,7 @@ private:
       return placed(tile, find_points(tile, used_up, progress));
     }
     const internal::Blocks_of_tile blocks = blocks_of_tile(tile);
-    std::vector<internal::Point_in_cloud> known;
+    internal::Buffer<internal::Point_in_cloud> known;
     known.reserve(blocks.number_of_points());
     for (const auto& [first, count] : blocks.ranges())
       known.insert(known.end(), m_points.begin() + std::ptrdiff_t(first),
@@ -546,9 +547,10 @@ private:
   }
 
   /// \param points used up
-  internal::Samples_of_tile<FT> resample_points(internal::Buffer<internal::Vector>& points,
-                                                const std::vector<internal::Point_in_cloud>& known,
-                                                internal::Progress& progress, Report& report) const
+  internal::Samples_of_tile<FT> resample_points(
+    internal::Buffer<internal::Vector>& points,
+    const internal::Buffer<internal::Point_in_cloud>& known, internal::Progress& progress,
+    Report& report) const
   {
     if constexpr (!is_on_device)
     {

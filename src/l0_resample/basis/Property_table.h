@@ -8,6 +8,8 @@
 
 #include "basis/Number_type.h"
 
+#include <CGAL/L0_resampling/internal/core/Buffer.h>
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -28,7 +30,7 @@ class Property_table
 {
   std::vector<Property> m_properties;
   std::size_t m_row_size = 0;
-  std::vector<char> m_rows;
+  CGAL::L0_resampling::internal::Buffer<char> m_rows;
 
 public:
   /// Only before the first row.
@@ -48,8 +50,12 @@ public:
   std::size_t row_size() const { return m_row_size; }
 
   void reserve(std::size_t number_of_rows) { m_rows.reserve(number_of_rows * m_row_size); }
-  void append(const std::vector<char>& row) { m_rows.insert(m_rows.end(), row.begin(), row.end()); }
+  /// \param row of `row_size()` bytes
+  void append(const char* row) { m_rows.insert(m_rows.end(), row, row + m_row_size); }
+  /// New rows are to be written.
+  void resize(std::size_t number_of_rows) { m_rows.resize(number_of_rows * m_row_size); }
   const char* row(std::size_t i) const { return m_rows.data() + i * m_row_size; }
+  char* row(std::size_t i) { return m_rows.data() + i * m_row_size; }
 
   double value(std::size_t row_index, const Property& property) const
   {

@@ -99,7 +99,7 @@ void Point_collector::add(const Point_row& row)
   m_cloud.points.emplace_back(row[0], row[1], row[2]);
   if (m_has_normals && m_options.with_normals)
     m_cloud.normals.emplace_back(row[3], row[4], row[5]);
-  m_cloud.properties.append(m_next_properties);
+  m_cloud.properties.append(m_next_properties.data());
 }
 
 void Point_collector::set_types(const std::vector<Number_type>& types,

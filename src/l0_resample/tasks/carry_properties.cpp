@@ -6,6 +6,8 @@
 #include "tasks/carry_properties.h"
 
 #include <CGAL/L0_resampling/internal/core/attribute_kinds.h>
+#include <CGAL/L0_resampling/internal/core/parallel_for.h>
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cstring>
@@ -14,7 +16,8 @@
 namespace l0_tool {
 namespace {
 
-using CGAL::L0_resampling::internal::Near_points;
+namespace internal = CGAL::L0_resampling::internal;
+using internal::Near_points;
 
 /// What LAS tells of one pulse; a mean of two passes of the scanner would belong to none.
 bool is_of_one_pulse(const std::string& name) { return name == "gps_time" || name == "scan_angle"; }
@@ -24,7 +27,7 @@ bool is_averaged(const Property& property)
   if (is_of_one_pulse(property.name))
     return false;
   return property.type == Number_type::FLOAT32 || property.type == Number_type::FLOAT64
-         || CGAL::L0_resampling::internal::is_color_channel(property.name);
+         || internal::is_color_channel(property.name);
 }
 
 } // namespace
@@ -40,39 +43,47 @@ Property_table carried_properties(const Property_table& properties, const Near_p
                           [&](const Result_column& column) { return column.name == name; });
   };
   Property_table result;
-  std::vector<Property> origins; // of the first columns of the result
+  struct Origin
+  {
+    Property property;
+    bool is_averaged;
+  };
+  std::vector<Origin> origins; // of the first columns of the result
   for (const Property& property : properties.properties())
     if (!is_replaced(property.name)) {
       result.add_property(property.name, property.type);
-      origins.push_back(property);
+      origins.push_back({property, is_averaged(property)});
     }
   if (!source_indices.empty())
     result.add_property(source_name, Number_type::UINT32);
   for (const Result_column& column : columns)
     result.add_property(column.name, Number_type::FLOAT32);
 
-  result.reserve(size);
-  std::vector<char> row(result.row_size());
-  for (std::size_t i = 0; i < size; ++i) {
-    for (std::size_t k = 0; k < origins.size(); ++k) {
-      const Property& from = origins[k];
-      char* const bytes = row.data() + result.properties()[k].offset;
-      if (is_averaged(from))
+  result.resize(size);
+  const auto write_row = [&](std::size_t i) {
+    char* const row = result.row(i);
+    auto column = result.properties().begin();
+    for (const Origin& origin : origins) {
+      const Property& from = origin.property;
+      char* const bytes = row + column++->offset;
+      if (origin.is_averaged)
         encode(near_points.mean(i, [&](std::size_t j) { return properties.value(j, from); }),
                from.type, bytes);
       else
         std::memcpy(bytes, properties.row(near_points.nearest(i)) + from.offset,
                     size_of(from.type));
     }
-    std::size_t next = origins.size();
     if (!source_indices.empty())
-      encode(double(source_indices[i]), Number_type::UINT32,
-             row.data() + result.properties()[next++].offset);
-    for (const Result_column& column : columns)
-      encode(double(column.values[i]), Number_type::FLOAT32,
-             row.data() + result.properties()[next++].offset);
-    result.append(row);
-  }
+      encode(double(source_indices[i]), Number_type::UINT32, row + column++->offset);
+    for (const Result_column& of_result : columns)
+      encode(double(of_result.values[i]), Number_type::FLOAT32, row + column++->offset);
+  };
+  const std::size_t rows_per_block = 4096;
+  internal::for_each_block<CGAL::Parallel_if_available_tag>(
+    size, rows_per_block, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        write_row(i);
+    });
   return result;
 }
 

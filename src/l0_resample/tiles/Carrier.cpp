@@ -126,8 +126,8 @@ Carrier::Points Carrier::read(const std::vector<char>& wanted, std::size_t numbe
   std::vector<std::uint64_t> numbers; // of the points in their file
   numbers.reserve(number_of_points);
   std::vector<std::size_t> ends; // of the points of each shard
-  std::vector<char> records, row(m_properties.row_size());
-  const std::size_t record_size = sizeof(std::uint64_t) + row.size();
+  std::vector<char> records;
+  const std::size_t record_size = sizeof(std::uint64_t) + m_properties.row_size();
   for (std::size_t shard = 0; shard < m_shards.size(); ++shard) {
     Task_file rows(m_paths_of_rows[shard], m_key);
     const auto add = [&](const Block_run& run, const std::vector<std::array<double, 3>>& places) {
@@ -142,9 +142,8 @@ Carrier::Points Carrier::read(const std::vector<char>& wanted, std::size_t numbe
         std::uint64_t number;
         std::memcpy(&number, record, sizeof number);
         numbers.push_back(number);
-        row.assign(record + sizeof number, record + record_size);
         points.places.push_back(internal::Vector(places[i].data()));
-        points.properties.append(row);
+        points.properties.append(record + sizeof number);
       }
     };
     m_shards.for_each_run_of(shard, low, last, is_wanted, add);
@@ -180,7 +179,8 @@ void Carrier::carry_from(Points points, std::size_t begin, std::size_t end)
   internal::Memory_counter memory;
   internal::Progress progress([](double) { return !is_interrupted(); }, unwanted_report, memory);
   try {
-    const internal::Point_tree_3 tree(std::move(points.places), std::move(points.ranks));
+    const internal::Point_tree_3 tree(CGAL::Parallel_if_available_tag(), std::move(points.places),
+                                      std::move(points.ranks));
     internal::nearest_input_points<CGAL::Parallel_if_available_tag>(tree, positions, progress,
                                                                     near);
   } catch (const internal::Interrupted&) {

@@ -99,7 +99,8 @@ void write_string(const std::string& text, Task_file_writer& file)
 
 std::string read_string(Task_file& file)
 {
-  const std::vector<char> text = file.read_all<char>();
+  std::vector<char> text;
+  file.read_all(text);
   return {text.begin(), text.end()};
 }
 

@@ -95,7 +95,8 @@ Shards::Shards(const std::vector<std::string>& paths, std::uint64_t key,
     auto file = std::make_unique<Task_file>(path, key);
     file->seek(file->size() - sizeof(std::uint64_t));
     file->seek(file->read<std::uint64_t>());
-    std::vector<Block_run> runs = file->read_all<Block_run>();
+    std::vector<Block_run> runs;
+    file->read_all(runs);
     m_shards.push_back({std::move(file), std::move(runs)});
   }
 }

@@ -64,8 +64,8 @@ public:
     write(std::uint64_t(size));
     write_bytes({reinterpret_cast<const char*>(values), size * sizeof(T)});
   }
-  template <typename T>
-  void write_all(const std::vector<T>& values)
+  template <typename T, typename Allocator>
+  void write_all(const std::vector<T, Allocator>& values)
   {
     write_all(values.data(), values.size());
   }
@@ -111,15 +111,16 @@ public:
     return value;
   }
 
-  template <typename T>
-  std::vector<T> read_all()
+  /// What `write_all()` has written.
+  /// \param values out
+  template <typename T, typename Allocator>
+  void read_all(std::vector<T, Allocator>& values)
   {
     const std::uint64_t count = read<std::uint64_t>();
     if (count > (m_size - m_position) / sizeof(T))
       fail("is damaged");
-    std::vector<T> values(static_cast<std::size_t>(count));
+    values.resize(static_cast<std::size_t>(count));
     read_bytes(count * sizeof(T), reinterpret_cast<char*>(values.data()));
-    return values;
   }
 };
 

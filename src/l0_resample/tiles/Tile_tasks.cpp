@@ -300,7 +300,8 @@ void Tile_tasks::carry(std::size_t tile, const On_progress& on_progress) const
     paths_of_rows.push_back(file_of("rows", k));
   Carrier carrier(shards, paths_of_rows, m_key, tiles.resampling.lattice(),
                   tiles.resampling.blocks(), tiles.properties().table(), memory_for_points());
-  const auto samples = Task_file(file_of("solve", tile), m_key).read_all<Tile_sample>();
+  std::vector<Tile_sample> samples;
+  Task_file(file_of("solve", tile), m_key).read_all(samples);
   Task_file_writer file(file_of("carry", tile), m_key);
   file.write_all(carrier.carry(samples, on_progress));
   file.commit();

@@ -82,12 +82,14 @@ std::shared_ptr<const Scale_field> read_field(Task_file& file)
     return nullptr;
   const auto cells = file.read<internal::Morton_cells>();
   const auto radius = file.read<double>();
-  const auto codes = file.read_all<std::uint64_t>();
-  const auto scales = file.read_all<double>(), reaches = file.read_all<double>();
-  return std::make_shared<const Scale_field>(Scale_field{
-    internal::Morton_places(cells, internal::Buffer<std::uint64_t>(codes.begin(), codes.end())),
-    radius, internal::Buffer<double>(scales.begin(), scales.end()),
-    internal::Buffer<double>(reaches.begin(), reaches.end())});
+  internal::Buffer<std::uint64_t> codes;
+  internal::Buffer<double> scales, reaches;
+  file.read_all(codes);
+  file.read_all(scales);
+  file.read_all(reaches);
+  return std::make_shared<const Scale_field>(
+    Scale_field{internal::Morton_places(cells, std::move(codes)), radius, std::move(scales),
+                std::move(reaches)});
 }
 
 } // namespace
@@ -118,14 +120,14 @@ Facts_of_run read_facts(const std::string& path, std::uint64_t key)
 }
 
 void write_points_in_cloud(const std::string& path, std::uint64_t key,
-                           const std::vector<Point_in_cloud>& points)
+                           const internal::Buffer<Point_in_cloud>& points)
 {
   Task_file_writer file(path, key);
   file.write_all(points);
   file.commit();
 }
 
-std::vector<Point_in_cloud> read_points_in_cloud(
+internal::Buffer<Point_in_cloud> read_points_in_cloud(
   const std::string& path, std::uint64_t key,
   const std::vector<std::pair<std::uint64_t, std::uint64_t>>& ranges)
 {
@@ -133,7 +135,7 @@ std::vector<Point_in_cloud> read_points_in_cloud(
   std::uint64_t number = 0;
   for (const auto& range : ranges)
     number += range.second;
-  std::vector<Point_in_cloud> points(static_cast<std::size_t>(number));
+  internal::Buffer<Point_in_cloud> points(static_cast<std::size_t>(number));
   Point_in_cloud* target = points.data();
   for (const auto& [first, count] : ranges) {
     file.seek(begin_of_points + first * sizeof(Point_in_cloud));
@@ -166,12 +168,12 @@ Points_of_tile read_points_of_tile(const std::string& path, std::uint64_t key)
   Task_file file(path, key);
   Points_of_tile points;
   points.disks = file.read<Disks_of_tile>();
-  points.points = file.read_all<Point_in_cloud>();
-  points.order = file.read_all<CGAL::L0_resampling::Index>();
-  points.are_distinct = file.read_all<unsigned char>();
-  points.are_first = file.read_all<unsigned char>();
-  points.balls = file.read_all<internal::Points_of_ball>();
-  points.runs = file.read_all<Points_of_tile::Run>();
+  file.read_all(points.points);
+  file.read_all(points.order);
+  file.read_all(points.are_distinct);
+  file.read_all(points.are_first);
+  file.read_all(points.balls);
+  file.read_all(points.runs);
   return points;
 }
 
@@ -188,7 +190,7 @@ Share_of_tile read_share(const std::string& path, std::uint64_t key)
   Task_file file(path, key);
   Share_of_tile share;
   share.area_per_unit = file.read<double>();
-  share.runs = file.read_all<Run_of_cells>();
+  file.read_all(share.runs);
   return share;
 }
 
@@ -214,7 +216,7 @@ Starts_of_runs read_starts(const std::string& path, std::uint64_t key, std::size
   starts.all = file.read<Sums_of_tiles>().sums;
   for (std::size_t before = 0; before < tile; ++before)
     skip_all<Run_of_cells>(file);
-  starts.runs = file.read_all<Run_of_cells>();
+  file.read_all(starts.runs);
   return starts;
 }
 
@@ -240,7 +242,10 @@ Counted_input read_counts(const std::string& path, std::uint64_t key)
   const auto low = file.read<std::array<double, 3>>(), high = file.read<std::array<double, 3>>();
   const std::uint64_t number_of_dropped = file.read<std::uint64_t>();
   std::vector<std::pair<Block, std::uint64_t>> blocks;
-  for (const Block_run& counted : file.read_all<Block_run>())
+  std::vector<Block_run> all;
+  file.read_all(all);
+  blocks.reserve(all.size());
+  for (const Block_run& counted : all)
     blocks.emplace_back(counted.block, counted.count);
   return {Block_counts(exponent, blocks, low, high), number_of_dropped, read_properties(file)};
 }
@@ -265,10 +270,10 @@ Found_in_tile read_found(const std::string& path, std::uint64_t key, bool with_b
   skip_all<Tile_sample>(file);
   Found_in_tile found;
   found.summary = file.read<Summary_of_tile>();
-  found.evidence = file.read_all<double>();
+  file.read_all(found.evidence);
   if (with_border) {
-    found.near_border = file.read_all<Tile_sample>();
-    found.beyond_border = file.read_all<Tile_sample>();
+    file.read_all(found.near_border);
+    file.read_all(found.beyond_border);
   }
   return found;
 }
@@ -282,8 +287,8 @@ Unoriented_samples read_unoriented(const std::string& path, std::uint64_t key)
   skip_all<Tile_sample>(file);
   skip_all<Tile_sample>(file);
   Unoriented_samples unoriented;
-  unoriented.own = file.read_all<Tile_sample>();
-  unoriented.leaders_elsewhere = file.read_all<Tile_sample>();
+  file.read_all(unoriented.own);
+  file.read_all(unoriented.leaders_elsewhere);
   return unoriented;
 }
 
@@ -303,7 +308,7 @@ namespace {
 Signs_of_tiles read_summaries(Task_file& file)
 {
   Signs_of_tiles result;
-  result.summaries = file.read_all<Summary_of_tile>();
+  file.read_all(result.summaries);
   result.seams = file.read<Seam_report>();
   return result;
 }
@@ -315,7 +320,7 @@ Signs_of_tiles read_signs(const std::string& path, std::uint64_t key)
   Task_file file(path, key);
   Signs_of_tiles result = read_summaries(file);
   for (std::size_t tile = 0; tile < result.summaries.size(); ++tile)
-    result.signs.push_back(file.read_all<signed char>());
+    file.read_all(result.signs.emplace_back());
   return result;
 }
 
@@ -332,7 +337,9 @@ std::vector<signed char> read_signs_of_tile(const std::string& path, std::uint64
   read_summaries(file);
   for (std::size_t before = 0; before < tile; ++before)
     skip_all<signed char>(file);
-  return file.read_all<signed char>();
+  std::vector<signed char> signs;
+  file.read_all(signs);
+  return signs;
 }
 
 } // namespace l0_tool

@@ -23,6 +23,7 @@
 namespace l0_tool {
 
 using CGAL::L0_resampling::internal::Block_counts;
+using CGAL::L0_resampling::internal::Buffer;
 using CGAL::L0_resampling::internal::Disks_of_tile;
 using CGAL::L0_resampling::internal::Facts_of_cloud;
 using CGAL::L0_resampling::internal::Point_in_cloud;
@@ -58,9 +59,9 @@ Facts_of_run read_facts(const std::string& path, std::uint64_t key);
 
 /// What is known of each point, if all facts are.
 void write_points_in_cloud(const std::string& path, std::uint64_t key,
-                           const std::vector<Point_in_cloud>& points);
+                           const Buffer<Point_in_cloud>& points);
 /// \param ranges of points: the first, and how many
-std::vector<Point_in_cloud> read_points_in_cloud(
+Buffer<Point_in_cloud> read_points_in_cloud(
   const std::string& path, std::uint64_t key,
   const std::vector<std::pair<std::uint64_t, std::uint64_t>>& ranges);
 

@@ -77,7 +77,7 @@ void check_facts(const std::string& name, const std::vector<Place>& points,
   CGAL::L0_resampling::Block_chebyshev_solver_traits<float, Tag> solver;
   internal::Any_solver<float> any_solver(solver);
   internal::Buffer<Vector> used_up = vectors_of(points);
-  std::vector<internal::Point_in_cloud> on_cpu, on_device;
+  internal::Buffer<internal::Point_in_cloud> on_cpu, on_device;
   const internal::Facts_of_cloud expected =
     internal::facts_of_points<Tag>(used_up, parameters, any_solver, progress, report, on_cpu);
   const internal::Facts_of_cloud found =
@@ -125,7 +125,7 @@ void check_memory(const std::string& name, const std::vector<Place>& scene)
     const CGAL::L0_resampling::Tile_result result = tiles.resample_tile(0, source);
     CHECK(result.report.device == "cuda");
     CGAL::L0_resampling::Report report;
-    std::vector<internal::Point_in_cloud> points;
+    internal::Buffer<internal::Point_in_cloud> points;
     internal::facts_on_device(vectors_of(scene), internal::checked_parameters(np, n), nullptr,
                               report, points);
     const auto check_peak = [&](const char* what, std::size_t peak, std::uint64_t per_point,

@@ -21,12 +21,13 @@ namespace {
 
 using Candidate = Point_tree_3::Candidate;
 
+template <typename ConcurrencyTag = CGAL::Sequential_tag>
 Point_tree_3 tree_of(const std::vector<Vector>& points)
 {
   Buffer<Index> indices;
   for (Index i = 0; i < points.size(); ++i)
     indices.push_back(i);
-  return Point_tree_3(to_buffer(points), indices);
+  return Point_tree_3(ConcurrencyTag(), to_buffer(points), indices);
 }
 
 void check_nearest(const std::vector<Vector>& points, const std::vector<Vector>& queries,
@@ -55,6 +56,29 @@ std::vector<Vector> random_points(std::size_t n, Generator& generator)
   for (std::size_t i = 0; i < n; ++i)
     points.push_back(random_number(0.1, 1, generator) * random_unit_vector(generator));
   return points;
+}
+
+/// More than one thread builds alone.
+void test_tree_of_all_threads(Generator& generator)
+{
+  const std::vector<Vector> points = random_points(100000, generator),
+                            queries = random_points(2000, generator);
+  const Point_tree_3 by_one = tree_of(points),
+                     by_all = tree_of<CGAL::Parallel_if_available_tag>(points);
+  const std::size_t k = 5;
+  std::vector<Candidate> expected(k), found(k);
+  std::size_t number_of_others = 0;
+  for (const Vector& query : queries)
+  {
+    by_one.find_nearest(query, k, expected.data());
+    number_of_others += by_all.find_nearest(query, k, found.data()) != k || found != expected;
+  }
+  CHECK(number_of_others == 0);
+  bool are_all_there = true;
+  for (Index i = 0; i < points.size(); ++i)
+    are_all_there = are_all_there && by_all.find_nearest(points[i], 1, found.data()) == 1
+                    && found[0] == Candidate(0, i);
+  CHECK(are_all_there);
 }
 
 /// Small integers, so that many distances are equal; not in the order of their coordinates.
@@ -166,6 +190,7 @@ int main()
                   && found == Candidate(0, i);
     CHECK(is_itself);
   }
+  test_tree_of_all_threads(generator);
   test_crowd(generator);
   test_means();
   return result();

@@ -182,6 +182,28 @@ void check_sizes()
   }
 }
 
+/// Cells begin where blocks of points do that threads look at, and elsewhere.
+template <typename ConcurrencyTag>
+void check_cells_of_many_points(std::size_t points_per_cell)
+{
+  const std::size_t number_of_cells = 40000, cells_per_row = 100;
+  Buffer<Vector> points;
+  for (std::size_t cell = 0; cell < number_of_cells; ++cell)
+    for (std::size_t k = 0; k < points_per_cell; ++k)
+      points.push_back(
+        {double(cell % cells_per_row) + 0.5, double(cell / cells_per_row) + 0.5, 0.5});
+  const Search_grid_3 grid(ConcurrencyTag(), points, 1.);
+  CHECK(grid.number_of_points() == points.size());
+  CHECK(grid.number_of_cells() == number_of_cells);
+  CHECK(grid.number_of_rows() == number_of_cells / cells_per_row);
+  bool are_ranges_right = grid.number_of_cells() == number_of_cells;
+  for (std::size_t cell = 0; are_ranges_right && cell < number_of_cells; ++cell)
+    are_ranges_right = grid.points_of_cell(cell)
+                       == Search_grid_3::Range(Index(cell * points_per_cell),
+                                               Index((cell + 1) * points_per_cell));
+  CHECK(are_ranges_right);
+}
+
 int main()
 {
   Generator generator(1);
@@ -230,5 +252,10 @@ int main()
   check_order(far, 1, generator);
   check_order({Vector(1e300, -1e300, 0), Vector(-1e20, 1e20, 1e300), Vector(0, 0, 1)}, 1e-3,
               generator); // cells beyond all integers
+  for (const std::size_t points_per_cell : {1u, 3u, 4u})
+  {
+    check_cells_of_many_points<CGAL::Sequential_tag>(points_per_cell);
+    check_cells_of_many_points<CGAL::Parallel_if_available_tag>(points_per_cell);
+  }
   return result();
 }

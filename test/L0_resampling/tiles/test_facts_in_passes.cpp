@@ -125,13 +125,13 @@ internal::Facts_of_cloud check(const std::string& name, const std::vector<Place>
   tiles.set_sums(sums);
   check_same(tiles.facts(), in_memory.facts());
 
-  const std::vector<internal::Point_in_cloud>& expected = in_memory.points_in_cloud();
+  const internal::Buffer<internal::Point_in_cloud>& expected = in_memory.points_in_cloud();
   const internal::Parameters parameters = internal::checked_parameters(np, points.size());
   const std::vector<std::uint64_t> places = places_block_by_block(points);
   std::size_t number_of_own = 0, different = 0, different_around = 0;
   for (std::size_t tile = 0; tile < number_of_tiles; ++tile)
   {
-    const std::vector<internal::Point_in_cloud> found =
+    const internal::Buffer<internal::Point_in_cloud> found =
       std::move(points_of_tiles[tile])
         .placed({shares[tile].runs, sums.sums}, parameters.number_of_output_points,
                 parameters.random_seed, !parameters.keep_density);

@@ -41,7 +41,7 @@ void check_memory_of_facts(const std::vector<Place>& points, std::size_t number_
   internal::Any_solver<float> any_solver(solver);
   const internal::Parameters parameters = internal::checked_parameters(
     CGAL::parameters::number_of_output_points(number_of_samples), points.size());
-  std::vector<internal::Point_in_cloud> points_in_cloud;
+  internal::Buffer<internal::Point_in_cloud> points_in_cloud;
   CHECK(internal::facts_of_points<Tag>(buffer, parameters, any_solver, progress, report,
                                        points_in_cloud)
           .area

@@ -85,7 +85,7 @@ Cloud random_cloud()
     encode(double(random() % 256), properties[0].type, row.data() + properties[0].offset);
     encode(double(i), properties[1].type, row.data() + properties[1].offset);
     encode(inside(random), properties[2].type, row.data() + properties[2].offset);
-    cloud.properties.append(row);
+    cloud.properties.append(row.data());
   }
   return cloud;
 }
@@ -127,7 +127,8 @@ std::vector<char> rows_in_memory(const Cloud& cloud, const std::vector<Tile_samp
   internal::Near_points near;
   near.count = internal::number_of_averaged_points;
   internal::nearest_input_points<CGAL::Sequential_tag>(
-    internal::Point_tree_3(std::move(points), std::move(indices)), positions, progress, near);
+    internal::Point_tree_3(CGAL::Sequential_tag(), std::move(points), std::move(indices)),
+    positions, progress, near);
   const Property_table table = carried_properties(cloud.properties, near, {}, {}, samples.size());
   return {table.row(0), table.row(0) + samples.size() * table.row_size()};
 }

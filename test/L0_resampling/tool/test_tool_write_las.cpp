@@ -128,7 +128,7 @@ void test_properties_of_others()
   many.points = {Point(1, 2, 3)};
   for (int k = 0; k < 400; ++k)
     many.properties.add_property("p" + std::to_string(k), Number_type::FLOAT64);
-  many.properties.append(std::vector<char>(many.properties.row_size()));
+  many.properties.append(std::vector<char>(many.properties.row_size()).data());
   std::vector<std::string> rest;
   for (int k = 341; k < 400; ++k)
     rest.push_back("p" + std::to_string(k));

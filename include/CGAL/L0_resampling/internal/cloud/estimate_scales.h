@@ -51,18 +51,18 @@ class Points_of_scales
 public:
   /// \param initial_radius a length; the largest ball is 8 times as large
   template <typename ConcurrencyTag>
-  Points_of_scales(ConcurrencyTag, const Buffer<Vector>& points, double initial_radius)
+  Points_of_scales(ConcurrencyTag tag, const Buffer<Vector>& points, double initial_radius)
     : m_points(copy_of(points))
   {
     const double cell_size = cell_size_of_scales;
     Working_frame::divide<ConcurrencyTag>(initial_radius, m_points);
     apply_order<ConcurrencyTag>(Search_grid_3::sorted_order<ConcurrencyTag>(m_points, cell_size),
                                 m_points);
-    m_grid.emplace(m_points, cell_size);
+    m_grid.emplace(tag, m_points, cell_size);
     thin_crowds<ConcurrencyTag>(*m_grid, m_points, most_points_of_subcell).keep(m_points);
     m_points.resize(std::size_t(std::unique(m_points.begin(), m_points.end()) - m_points.begin()));
     if (m_points.size() < m_grid->number_of_points())
-      m_grid.emplace(m_points, cell_size);
+      m_grid.emplace(tag, m_points, cell_size);
   }
 
   /// In units of the initial radius, sorted for the grid, all different.

@@ -162,7 +162,7 @@ std::size_t sort_and_thin_points(double cell_size, Prepared_points& input,
 {
   const std::size_t number_of_distinct_points = sort_points<ConcurrencyTag>(cell_size, input,
                                                                             given_normals, hints);
-  input.grid = Search_grid_3(input.points, Cell_sizes(cell_size, input.scales));
+  input.grid = Search_grid_3(ConcurrencyTag(), input.points, Cell_sizes(cell_size, input.scales));
   const Representatives kept = thin_crowds<ConcurrencyTag>(input.grid, input.points,
                                                            most_points_of_subcell);
   if (!kept.are_all_points())
@@ -173,7 +173,7 @@ std::size_t sort_and_thin_points(double cell_size, Prepared_points& input,
     kept.keep(input.indices);
     kept.keep(given_normals);
     kept.keep(hints);
-    input.grid = Search_grid_3(input.points, Cell_sizes(cell_size, input.scales));
+    input.grid = Search_grid_3(ConcurrencyTag(), input.points, Cell_sizes(cell_size, input.scales));
   }
   return number_of_distinct_points;
 }

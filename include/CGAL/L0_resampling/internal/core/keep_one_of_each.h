@@ -14,8 +14,8 @@ namespace L0_resampling {
 namespace internal {
 
 /// Sorts the values by their keys, and keeps one of those that have the same key.
-template <typename T, typename KeyOf>
-void keep_one_of_each(const KeyOf& key_of, std::vector<T>& values)
+template <typename T, typename Allocator, typename KeyOf>
+void keep_one_of_each(const KeyOf& key_of, std::vector<T, Allocator>& values)
 {
   std::sort(values.begin(), values.end(),
             [&](const T& a, const T& b) { return key_of(a) < key_of(b); });
@@ -25,8 +25,8 @@ void keep_one_of_each(const KeyOf& key_of, std::vector<T>& values)
 }
 
 /// The same for values that are keys.
-template <typename T>
-void keep_one_of_each(std::vector<T>& values)
+template <typename T, typename Allocator>
+void keep_one_of_each(std::vector<T, Allocator>& values)
 {
   keep_one_of_each([](const T& value) { return value; }, values);
 }

@@ -204,7 +204,7 @@ public:
 
   void collapse_fit_term(const Plan& plan)
   {
-    const Search_grid_3 sample_grid(m_samples.positions, plan.cell_size);
+    const Search_grid_3 sample_grid(ConcurrencyTag(), m_samples.positions, plan.cell_size);
     m_report.number_of_lonely_samples = internal::collapse_fit_term<ConcurrencyTag>(
       sample_grid, m_samples.positions, m_input.grid, m_input.points, m_input.density_weights,
       plan.radius, m_followers.numbers_of_samples, m_progress, m_samples.fit_weights,
@@ -215,7 +215,7 @@ public:
 
   void gather_fit_rows(const Plan& plan)
   {
-    const Search_grid_3 sample_grid(m_samples.positions, plan.cell_size);
+    const Search_grid_3 sample_grid(ConcurrencyTag(), m_samples.positions, plan.cell_size);
     m_fit_rows = internal::gather_fit_rows<ConcurrencyTag>(
       sample_grid, m_samples.positions, m_input.grid, m_input.points, m_input.density_weights,
       plan.radius, plan.number_of_half_samplings, m_progress);
@@ -236,7 +236,7 @@ public:
 
   void find_self_neighbors(const Plan& plan)
   {
-    m_sample_grid.emplace(m_samples.positions, sample_cells(plan));
+    m_sample_grid.emplace(ConcurrencyTag(), m_samples.positions, sample_cells(plan));
     m_neighbors = internal::find_self_neighbors<ConcurrencyTag>(
       *m_sample_grid, m_samples.positions,
       {plan.self_neighbor_radius, view_of_scales(m_samples.scales), spreading_radii()}, m_progress);

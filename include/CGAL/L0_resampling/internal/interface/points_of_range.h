@@ -378,8 +378,8 @@ void for_each_point(const PointRange& range, PointMap point_map, const Point_fun
 }
 
 /// The finite points of a range of that size, each with its place in it.
-inline Point_tree_3 tree_of_range(std::size_t size, const Each_point& for_each,
-                                  Memory_counter& memory)
+template <typename ConcurrencyTag>
+Point_tree_3 tree_of_range(std::size_t size, const Each_point& for_each, Memory_counter& memory)
 {
   Buffer<Vector> points(&memory);
   Buffer<Index> indices(&memory);
@@ -391,7 +391,7 @@ inline Point_tree_3 tree_of_range(std::size_t size, const Each_point& for_each,
     points.push_back(point);
     indices.push_back(Index(index));
   }));
-  return Point_tree_3(std::move(points), std::move(indices));
+  return Point_tree_3(ConcurrencyTag(), std::move(points), std::move(indices));
 }
 
 /// The number of distinct finite points of a range of that size, counted before any scaling can

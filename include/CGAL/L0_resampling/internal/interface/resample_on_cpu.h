@@ -156,9 +156,9 @@ void resample_on_cpu(const Call_of_any_types& call, Any_solver<SolverFT>& solver
     if (data.near_points.count > 0)
     {
       progress.begin_stage("near points", 0.05, result.positions.size());
-      nearest_input_points<ConcurrencyTag>(tree_of_range(call.size_of_range, call.for_each_point,
-                                                         memory),
-                                           result.positions, progress, data.near_points);
+      const Point_tree_3 tree = tree_of_range<ConcurrencyTag>(call.size_of_range,
+                                                              call.for_each_point, memory);
+      nearest_input_points<ConcurrencyTag>(tree, result.positions, progress, data.near_points);
       progress.end_stage();
     }
   }

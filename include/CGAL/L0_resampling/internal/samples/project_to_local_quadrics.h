@@ -135,7 +135,7 @@ void project_to_local_quadrics(const Fit_kernel<double>& kernel, double smallest
     if (!support_points.scales.empty())
       apply_order(order, support_points.scales);
   }
-  const Search_grid_3 support_grid(support_points.positions,
+  const Search_grid_3 support_grid(ConcurrencyTag(), support_points.positions,
                                    Cell_sizes(cell_size, support_points.scales));
   const Sorted_queries sorted_queries(ConcurrencyTag(), samples.positions,
                                       Cell_sizes(cell_size, samples.scales));

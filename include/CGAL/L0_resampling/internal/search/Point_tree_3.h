@@ -28,6 +28,7 @@ class Point_tree_3
 {
   static constexpr std::size_t points_per_leaf = 8;
   static constexpr std::size_t points_per_look = 65536; // at the loop
+  static constexpr std::size_t too_few_for_threads = 16384;
   static constexpr unsigned char no_axis = 3; // of a node whose points are all at one place,
                                               // in the order of their indices
 
@@ -44,7 +45,8 @@ public:
 
   /// \param points finite
   /// \param indices one for each point
-  Point_tree_3(Buffer<Vector> points, Buffer<Index> indices)
+  template <typename ConcurrencyTag>
+  Point_tree_3(ConcurrencyTag, Buffer<Vector> points, Buffer<Index> indices)
     : m_points(std::move(points)), m_indices(std::move(indices)),
       m_axes(m_points.size(), no_axis, m_points.get_allocator())
   {
@@ -59,9 +61,9 @@ public:
     Buffer<Index> order(m_indices.get_allocator());
     order.reserve(m_points.size());
     for_each_in_order(m_points.size(), [&](std::size_t i) { order.push_back(Index(i)); });
-    build(0, order.size(), order);
-    apply_order(order, m_points);
-    apply_order(order, m_indices);
+    build<ConcurrencyTag>(0, order.size(), order);
+    apply_order<ConcurrencyTag>(order, m_points);
+    apply_order<ConcurrencyTag>(order, m_indices);
   }
 
   /// Finds the `k` points nearest to `query`, by distance and, where distances are equal, by index;
@@ -111,6 +113,7 @@ private:
     return begin + (end - begin) / 2;
   }
 
+  template <typename ConcurrencyTag>
   void build(std::size_t begin, std::size_t end, Buffer<Index>& order)
   {
     if (end - begin <= points_per_leaf)
@@ -140,8 +143,15 @@ private:
     std::nth_element(at(begin), at(middle), at(end),
                      watched_order(is_lower, number_of_comparisons));
     m_axes[middle] = static_cast<unsigned char>(axis);
-    build(begin, middle, order);
-    build(middle + 1, end, order);
+    if (end - begin < too_few_for_threads)
+    {
+      build<Sequential_tag>(begin, middle, order);
+      build<Sequential_tag>(middle + 1, end, order);
+      return;
+    }
+    for_each_block<ConcurrencyTag>(2, 1, [&](std::size_t half, std::size_t) {
+      build<ConcurrencyTag>(half == 0 ? begin : middle + 1, half == 0 ? middle : end, order);
+    });
   }
 
   void add(std::size_t i, Search& search) const

@@ -111,25 +111,45 @@ public:
 
   /// \param sizes with the scales in the order of the points
   /// \param points sorted as `sorted_order()` gives for the same sizes of cells
-  Search_grid_3(const Buffer<Vector>& points, const Cell_sizes& sizes)
+  template <typename ConcurrencyTag>
+  Search_grid_3(ConcurrencyTag, const Buffer<Vector>& points, const Cell_sizes& sizes)
     : m_sizes(sizes), m_keys(points.get_allocator()), m_begins(points.get_allocator()),
       m_rows(points.get_allocator())
   {
-    for_each_in_order(points.size(), [&](std::size_t i) {
-      const std::uint64_t key = cell_key(points[i], sizes.base, sizes.level_of(i));
-      if (m_keys.empty() || key != m_keys.back())
-      {
-        if (m_keys.empty() || row_of(key) != row_of(m_keys.back()))
-          m_rows.push_back(Index(m_keys.size()));
-        if (m_levels.empty() || m_levels.back() != level_of(key))
-          m_levels.push_back(level_of(key));
-        m_keys.push_back(key);
-        m_begins.push_back(Index(i));
-      }
+    const std::size_t points_per_block = 16384;
+    const auto key_of = [&](std::size_t i) {
+      return cell_key(points[i], sizes.base, sizes.level_of(i));
+    };
+    m_begins = append_by_blocks<ConcurrencyTag, Index>(
+      points.size(), points_per_block, points.get_allocator(),
+      [&](std::size_t begin, std::size_t end, Buffer<Index>& begins) {
+        std::uint64_t last = key_of(begin > 0 ? begin - 1 : 0);
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          const std::uint64_t key = key_of(i);
+          if (i == 0 || key != last)
+            begins.push_back(Index(i));
+          last = key;
+        }
+      });
+    m_keys.resize(m_begins.size());
+    for_each_block<ConcurrencyTag>(m_keys.size(), points_per_block,
+                                   [&](std::size_t begin, std::size_t end) {
+                                     for (std::size_t cell = begin; cell < end; ++cell)
+                                       m_keys[cell] = key_of(m_begins[cell]);
+                                   });
+    for_each_in_order(m_keys.size(), [&](std::size_t cell) {
+      if (cell == 0 || row_of(m_keys[cell]) != row_of(m_keys[cell - 1]))
+        m_rows.push_back(Index(cell));
+      if (m_levels.empty() || m_levels.back() != level_of(m_keys[cell]))
+        m_levels.push_back(level_of(m_keys[cell]));
     });
     m_begins.push_back(Index(points.size()));
     m_rows.push_back(Index(m_keys.size()));
   }
+  Search_grid_3(const Buffer<Vector>& points, const Cell_sizes& sizes)
+    : Search_grid_3(Sequential_tag(), points, sizes)
+  {}
 
   /// Of the cells of points of scale 1.
   double cell_size() const { return m_sizes.base; }

@@ -200,11 +200,11 @@ public:
 
   /// \param known_order which of the points to take, and where each stands
   template <typename ConcurrencyTag>
-  Sorted_queries(ConcurrencyTag, const Buffer<Vector>& unsorted_points, const Cell_sizes& sizes,
+  Sorted_queries(ConcurrencyTag tag, const Buffer<Vector>& unsorted_points, const Cell_sizes& sizes,
                  Buffer<Index> known_order)
     : order(std::move(known_order)),
       points(values_in_order<ConcurrencyTag>(order, unsorted_points)),
-      scales(listed_scales(sizes.scales, order)), grid(points, Cell_sizes(sizes.base, scales))
+      scales(listed_scales(sizes.scales, order)), grid(tag, points, Cell_sizes(sizes.base, scales))
   {}
 };
 

@@ -6,8 +6,9 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_BLOCKS_OF_TILE_H
 #define CGAL_L0_RESAMPLING_INTERNAL_BLOCKS_OF_TILE_H
 
-#include <CGAL/L0_resampling/internal/tiles/Counted_cloud.h>
+#include <CGAL/L0_resampling/internal/core/Buffer.h>
 #include <CGAL/L0_resampling/internal/core/Point_in_cloud.h>
+#include <CGAL/L0_resampling/internal/tiles/Counted_cloud.h>
 #include <CGAL/L0_resampling/internal/tiles/Tiling.h>
 
 #include <cstddef>
@@ -80,7 +81,7 @@ public:
   }
 
   /// Notes which of the points, in the order of `ranges()`, the tile keeps the samples of.
-  void mark_own(std::vector<Point_in_cloud>& points) const
+  void mark_own(Buffer<Point_in_cloud>& points) const
   {
     auto point = points.begin();
     for_each([&](const Block& block, std::uint64_t count, std::uint64_t) {

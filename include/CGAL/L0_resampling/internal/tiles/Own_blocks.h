@@ -7,6 +7,7 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_OWN_BLOCKS_H
 
 #include <CGAL/L0_resampling/internal/core/Buffer.h>
+#include <CGAL/L0_resampling/internal/core/parallel_for.h>
 #include <CGAL/L0_resampling/internal/search/Search_grid_3.h>
 #include <CGAL/L0_resampling/internal/tiles/Tiling.h>
 
@@ -27,11 +28,16 @@ struct Own_blocks
   bool hold(const Vector& place) const { return box.contains(lattice.block_of(place)); }
 
   /// Which of the points are in them.
+  template <typename ConcurrencyTag>
   Buffer<unsigned char> flags_of(const Buffer<Vector>& points) const
   {
-    Buffer<unsigned char> flags(points.get_allocator());
-    flags.reserve(points.size());
-    for_each_in_order(points.size(), [&](std::size_t i) { flags.push_back(hold(points[i])); });
+    Buffer<unsigned char> flags(points.size(), points.get_allocator());
+    const std::size_t points_per_block = 16384;
+    for_each_block<ConcurrencyTag>(points.size(), points_per_block,
+                                   [&](std::size_t begin, std::size_t end) {
+                                     for (std::size_t i = begin; i < end; ++i)
+                                       flags[i] = hold(points[i]);
+                                   });
     return flags;
   }
 };

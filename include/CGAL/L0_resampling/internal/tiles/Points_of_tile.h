@@ -37,12 +37,12 @@ struct Points_of_tile
 
   Disks_of_tile disks;
   /// In their first order, but for indices, samples and areas: outliers stand for nothing.
-  std::vector<Point_in_cloud> points;
-  std::vector<Index> order; ///< those that are used, in the order of the whole cloud, run by run
+  Buffer<Point_in_cloud> points;
+  Buffer<Index> order; ///< those that are used, in the order of the whole cloud, run by run
   // Of these:
-  std::vector<unsigned char> are_distinct; ///< whether each is the first at its place
-  std::vector<unsigned char> are_first;    ///< whether each is the first in its cell
-  std::vector<Points_of_ball> balls;       ///< `balls_of_points()`
+  Buffer<unsigned char> are_distinct; ///< whether each is the first at its place
+  Buffer<unsigned char> are_first;    ///< whether each is the first in its cell
+  Buffer<Points_of_ball> balls;       ///< `balls_of_points()`
   std::vector<Run> runs;
 
   static constexpr std::size_t bytes_per_point = sizeof(Point_in_cloud) + sizeof(Index) + 2
@@ -92,8 +92,8 @@ struct Points_of_tile
   /// samples that start on them.
   /// \param starts what comes before the runs
   /// \param starts_evenly by area, and not as the points do
-  std::vector<Point_in_cloud> placed(const Starts_of_runs& starts, std::uint64_t number_of_samples,
-                                     std::uint64_t seed, bool starts_evenly) &&
+  Buffer<Point_in_cloud> placed(const Starts_of_runs& starts, std::uint64_t number_of_samples,
+                                std::uint64_t seed, bool starts_evenly) &&
   {
     Buffer<std::uint64_t> units;
     units.reserve(order.size());

@@ -6,7 +6,9 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_TILE_BACKEND_H
 #define CGAL_L0_RESAMPLING_INTERNAL_TILE_BACKEND_H
 
+#include <CGAL/L0_resampling/internal/core/Buffer.h>
 #include <CGAL/L0_resampling/internal/core/Point_in_cloud.h>
+#include <CGAL/L0_resampling/internal/core/parallel_for.h>
 #include <CGAL/L0_resampling/internal/driver/Cpu_backend.h>
 #include <CGAL/L0_resampling/internal/tiles/resample_tile.h>
 
@@ -14,7 +16,6 @@
 #include <cstddef>
 #include <optional>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace L0_resampling {
@@ -37,26 +38,52 @@ class Tile_backend : public Cpu_backend<ConcurrencyTag, FT>
   using Base::m_report;
   using Base::m_samples;
 
-  const std::vector<Point_in_cloud>& m_points; // in their first order
+  const Buffer<Point_in_cloud>& m_points; // in their first order
   const bool m_finds_sides;
   Buffer<unsigned char> m_are_starts_own; // of the samples in their first order
-  Buffer<unsigned char> m_are_own; // of the samples of the result: whether the tile keeps them
-  Buffer<Index> m_trees;           // likewise: those of the orientation
-  Buffer<float> m_confidences;     // likewise
-  std::vector<Tile_sample> m_unoriented; // if sides are found later: each tree, which is a sample
-  std::vector<unsigned char> m_are_trees_own;
+  Buffer<unsigned char> m_are_own;  // of the samples of the result: whether the tile keeps them
+  Buffer<Index> m_trees;            // likewise: those of the orientation
+  Buffer<float> m_confidences;      // likewise
+  Buffer<Tile_sample> m_unoriented; // if sides are found later: each tree, which is a sample
+  Buffer<unsigned char> m_are_trees_own;
+
+  static constexpr std::size_t points_per_block = 16384;
 
   const Point_in_cloud& known_of(std::size_t sorted) const
   {
     return m_points[m_input.indices[sorted]];
   }
 
+  /// Makes `values` what `f` says of what is known of each point, in the order that these have now.
+  template <typename T, typename F>
+  void list_known(const F& f, Buffer<T>& values) const
+  {
+    resize_to_overwrite(number_of_points(), values);
+    for_each_block<ConcurrencyTag>(values.size(), points_per_block,
+                                   [&](std::size_t begin, std::size_t end) {
+                                     for (std::size_t i = begin; i < end; ++i)
+                                       values[i] = f(known_of(i));
+                                   });
+  }
+
+  /// Each point so many times as `f` says of what is known of it.
+  template <typename F>
+  Buffer<Index> repeated(const F& f) const
+  {
+    return append_by_blocks<ConcurrencyTag, Index>(
+      number_of_points(), points_per_block, m_input.points.get_allocator(),
+      [&](std::size_t begin, std::size_t end, Buffer<Index>& points) {
+        for (std::size_t i = begin; i < end; ++i)
+          points.insert(points.end(), f(known_of(i)), Index(i));
+      });
+  }
+
 public:
   using Base::number_of_points;
 
   /// \param known of each of the points, not all outliers
-  Tile_backend(const Facts_of_cloud& facts, const std::vector<Point_in_cloud>& known,
-               bool finds_sides, Buffer<Vector>& points, Buffer<Local_vector>& no_normals,
+  Tile_backend(const Facts_of_cloud& facts, const Buffer<Point_in_cloud>& known, bool finds_sides,
+               Buffer<Vector>& points, Buffer<Local_vector>& no_normals,
                Buffer<Local_vector>& no_hints, const Parameters& parameters, Any_solver<FT>& solver,
                Progress& progress, Report& report)
     : Base(points, no_normals, no_hints, parameters, solver, progress, report, facts),
@@ -72,44 +99,33 @@ public:
     const auto has_scale = [](const Point_in_cloud& point) { return point.scale != 1; };
     const std::optional<Range_of_scales>& known = m_facts.range_of_scales;
     if (known ? !known->is_one() : std::any_of(m_points.begin(), m_points.end(), has_scale))
-    {
-      m_input.scales.reserve(number_of_points());
-      for_each_in_order(number_of_points(),
-                        [&](std::size_t i) { m_input.scales.push_back(known_of(i).scale); });
-    }
+      list_known([](const Point_in_cloud& point) { return point.scale; }, m_input.scales);
     return known ? *known : range_of(m_input.scales);
   }
 
   void drop_outliers(const Plan&)
   {
     Buffer<unsigned char> are_dropped(m_input.points.get_allocator());
-    are_dropped.reserve(number_of_points());
-    for_each_in_order(number_of_points(),
-                      [&](std::size_t i) { are_dropped.push_back(known_of(i).units == 0); });
+    list_known([](const Point_in_cloud& point) { return point.units == 0; }, are_dropped);
     m_report.number_of_outliers = drop_points(are_dropped, m_input, m_given_normals, m_hints);
   }
 
   double total_area(const Plan& plan)
   {
     m_areas.area_per_unit = Areas::area_per_unit_of(plan.area_radius());
-    m_areas.units.reserve(number_of_points());
-    for_each_in_order(number_of_points(),
-                      [&](std::size_t i) { m_areas.units.push_back(known_of(i).units); });
+    list_known([](const Point_in_cloud& point) { return point.units; }, m_areas.units);
     return *m_facts.area;
   }
 
   void choose_samples(const Plan& plan)
   {
     const auto allocator = m_input.points.get_allocator();
-    Sources sources{Buffer<Index>(allocator), Buffer<Index>(allocator)};
+    Sources sources{
+      repeated([](const Point_in_cloud& point) { return (std::min)(point.number_of_samples, 1u); }),
+      repeated(
+        [](const Point_in_cloud& point) { return (std::max)(point.number_of_samples, 1u) - 1u; })};
     Cloud_indices cloud_index{Buffer<Index>(allocator)};
-    cloud_index.of_points.reserve(number_of_points());
-    for_each_in_order(number_of_points(), [&](std::size_t i) {
-      const Point_in_cloud& point = known_of(i);
-      cloud_index.of_points.push_back(point.index);
-      for (Index k = 0; k < point.number_of_samples; ++k)
-        (k == 0 ? sources.on_points : sources.near_points).push_back(Index(i));
-    });
+    list_known([](const Point_in_cloud& point) { return point.index; }, cloud_index.of_points);
     Initial_samples initial = start_samples<ConcurrencyTag>(
       m_input.grid, m_input.points, m_input.normals, cloud_index, std::move(sources), plan.radius,
       plan.lone_radius, plan.random_seed, m_progress);
@@ -172,13 +188,18 @@ private:
   {
     Base::sort_by_places(plan);
     const std::size_t m = m_samples.positions.size();
-    m_trees.reserve(m);
-    for_each_in_order(m, [&](std::size_t i) {
-      const Vector& p = m_samples.positions[i];
-      const auto& n = m_samples.normals[i];
-      m_trees.push_back(Index(i));
-      m_unoriented.push_back({{p[0], p[1], p[2]}, {float(n[0]), float(n[1]), float(n[2])}, 0});
-      m_are_trees_own.push_back(m_are_starts_own[m_samples.start_indices[i]]);
+    m_trees.resize(m);
+    m_unoriented.resize(m);
+    m_are_trees_own.resize(m);
+    for_each_block<ConcurrencyTag>(m, points_per_block, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const Vector& p = m_samples.positions[i];
+        const auto& n = m_samples.normals[i];
+        m_trees[i] = Index(i);
+        m_unoriented[i] = {{p[0], p[1], p[2]}, {float(n[0]), float(n[1]), float(n[2])}, 0};
+        m_are_trees_own[i] = m_are_starts_own[m_samples.start_indices[i]];
+      }
     });
   }
 };

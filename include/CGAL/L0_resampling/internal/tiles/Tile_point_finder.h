@@ -9,12 +9,13 @@
 #include <CGAL/L0_resampling/internal/cloud/areas_of_points.h>
 #include <CGAL/L0_resampling/internal/cloud/density_weights.h>
 #include <CGAL/L0_resampling/internal/cloud/prepare_points.h>
+#include <CGAL/L0_resampling/internal/core/Buffer.h>
+#include <CGAL/L0_resampling/internal/core/parallel_for.h>
 #include <CGAL/L0_resampling/internal/tiles/Point_finder.h>
 #include <CGAL/L0_resampling/internal/tiles/Points_of_tile.h>
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 namespace CGAL {
 namespace L0_resampling {
@@ -106,16 +107,24 @@ private:
     const Buffer<Points_of_ball> balls = balls_of_points<ConcurrencyTag, Local>(
       grid, m_input.points, plan.area_radius(), Base::units_per_length(plan), m_progress);
     found.balls.assign(balls.begin(), balls.end());
-    found.are_first.assign(number_of_points(), 0);
+    found.are_first.resize(number_of_points());
+    found.are_distinct.resize(number_of_points());
+    const std::size_t points_per_block = 16384;
+    found.disks.units += block_sum<ConcurrencyTag>(
+      number_of_points(), points_per_block, [&](std::size_t begin, std::size_t end) {
+        std::uint64_t units = 0;
+        for (std::size_t k = begin; k < end; ++k)
+        {
+          const Index i = Index(k);
+          found.are_first[k] = 0;
+          found.are_distinct[k] = is_first_of_its_place(i);
+          if (is_own(i))
+            units += units_of_disk(balls[i], sizes, i);
+        }
+        return units;
+      });
     for_each_in_order(grid.number_of_cells(), [&](std::size_t cell) {
       found.are_first[grid.points_of_cell(cell).first] = 1;
-    });
-    found.are_distinct.reserve(number_of_points());
-    for_each_in_order(number_of_points(), [&](std::size_t k) {
-      const Index i = Index(k);
-      found.are_distinct.push_back(is_first_of_its_place(i));
-      if (is_own(i))
-        found.disks.units += units_of_disk(balls[i], sizes, i);
     });
   }
 };

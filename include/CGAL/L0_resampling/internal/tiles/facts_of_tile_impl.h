@@ -9,7 +9,9 @@
 #include <CGAL/L0_resampling/internal/cloud/estimate_scale_field.h>
 #include <CGAL/L0_resampling/internal/cloud/estimate_scales.h>
 #include <CGAL/L0_resampling/internal/cloud/find_outliers.h>
+#include <CGAL/L0_resampling/internal/core/Buffer.h>
 #include <CGAL/L0_resampling/internal/core/keep_one_of_each.h>
+#include <CGAL/L0_resampling/internal/core/parallel_for.h>
 #include <CGAL/L0_resampling/internal/driver/Cpu_points.h>
 #include <CGAL/L0_resampling/internal/driver/run.h>
 #include <CGAL/L0_resampling/internal/tiles/Runs_of_codes.h>
@@ -18,6 +20,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -48,20 +51,38 @@ std::vector<Placed_seed> seeds_among(const Morton_places& places, const Runs_of_
   return found;
 }
 
+/// The values of some points, mostly each of them once.
+/// \param value_of called with the index of a point; gives nothing for some
+template <typename ConcurrencyTag, typename ValueOf>
+Buffer<std::uint64_t> values_of_points(std::size_t number_of_points, const ValueOf& value_of)
+{
+  const std::size_t points_per_block = 65536;
+  return append_by_blocks<ConcurrencyTag>(
+    number_of_points, points_per_block, Counting_allocator<std::uint64_t>(),
+    [&](std::size_t begin, std::size_t end, Buffer<std::uint64_t>& values) {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const std::optional<std::uint64_t> value = value_of(i);
+        if (value && (values.empty() || values.back() != *value)) // as for most points
+          values.push_back(*value);
+      }
+      keep_one_of_each(values);
+    });
+}
+
 /// The keys of some runs.
 class Set_of_runs
 {
-  std::vector<std::uint64_t> m_keys;
+  Buffer<std::uint64_t> m_keys; // ascending
 
 public:
-  void add(std::uint64_t key)
+  /// \param key_of called with the index of a point; gives the key of its run, if that is wanted
+  template <typename ConcurrencyTag, typename KeyOf>
+  Set_of_runs(ConcurrencyTag, std::size_t number_of_points, const KeyOf& key_of)
+    : m_keys(values_of_points<ConcurrencyTag>(number_of_points, key_of))
   {
-    if (m_keys.empty() || m_keys.back() != key) // as for most points
-      m_keys.push_back(key);
+    keep_one_of_each(m_keys);
   }
-
-  /// Once all are there.
-  void sort() { keep_one_of_each(m_keys); }
 
   bool holds(std::uint64_t key) const
   {
@@ -72,39 +93,46 @@ public:
 /// The runs of `Points_of_scales` that have points of a tile's own.
 /// \param points in the frame
 /// \param radius the paper's
-inline Set_of_runs own_runs_of_balls(const Buffer<Vector>& points,
-                                     const Buffer<unsigned char>& are_own, double radius)
+template <typename ConcurrencyTag>
+Set_of_runs own_runs_of_balls(const Buffer<Vector>& points, const Buffer<unsigned char>& are_own,
+                              double radius)
 {
-  Set_of_runs runs;
-  for_each_in_order(points.size(), [&](std::size_t i) {
-    if (are_own[i])
-      runs.add(Search_grid_3::key_of_run(points[i].unaryExpr([&](double x) { return x / radius; }),
-                                         cell_size_of_scales));
-  });
-  runs.sort();
-  return runs;
+  return {ConcurrencyTag(), points.size(), [&](std::size_t i) -> std::optional<std::uint64_t> {
+            if (are_own[i] == 0)
+              return std::nullopt;
+            return Search_grid_3::key_of_run(
+              points[i].unaryExpr([&](double x) { return x / radius; }), cell_size_of_scales);
+          }};
 }
 
-/// The runs of codes that have points of a tile's own, but for the outermost.
+/// The runs of codes that have points of a tile's own.
 /// \param points in the frame
-/// \param on_outermost called with each code of an outermost run
-template <typename F>
+template <typename ConcurrencyTag>
 Set_of_runs own_runs_of_field(const Buffer<Vector>& points, const Buffer<unsigned char>& are_own,
-                              const Runs_of_codes& runs_of_codes, const F& on_outermost)
+                              const Runs_of_codes& runs)
 {
-  Set_of_runs runs;
-  for_each_in_order(points.size(), [&](std::size_t i) {
-    if (!are_own[i])
-      return;
-    const std::uint64_t code = runs_of_codes.cells().code(points[i].data()),
-                        key = runs_of_codes.key_of(code);
-    if (runs_of_codes.is_outermost(key))
-      on_outermost(code);
-    else
-      runs.add(key);
-  });
-  runs.sort();
-  return runs;
+  return {ConcurrencyTag(), points.size(), [&](std::size_t i) -> std::optional<std::uint64_t> {
+            if (are_own[i] == 0)
+              return std::nullopt;
+            return runs.key_of(runs.cells().code(points[i].data()));
+          }};
+}
+
+/// The codes of a tile's own points in the outermost runs.
+/// \param points in the frame
+template <typename ConcurrencyTag>
+Buffer<std::uint64_t> own_outermost_codes(const Buffer<Vector>& points,
+                                          const Buffer<unsigned char>& are_own,
+                                          const Runs_of_codes& runs)
+{
+  return values_of_points<ConcurrencyTag>(
+    points.size(), [&](std::size_t i) -> std::optional<std::uint64_t> {
+      if (are_own[i] == 0)
+        return std::nullopt;
+      const std::uint64_t code = runs.cells().code(points[i].data());
+      return runs.is_outermost(runs.key_of(code)) ? std::optional<std::uint64_t>(code)
+                                                  : std::nullopt;
+    });
 }
 
 template <typename ConcurrencyTag>
@@ -114,23 +142,25 @@ Places_of_tile count_places(Buffer<Vector>& points, const Own_blocks& own,
   Places_of_tile found;
   const double radius = paper_radius(*facts.extents);
   const Runs_of_codes runs_of_codes(*facts.extents);
-  const Buffer<unsigned char> are_own = own.flags_of(points);
+  const Buffer<unsigned char> are_own = own.flags_of<ConcurrencyTag>(points);
   Working_frame().enter<ConcurrencyTag>(points, *facts.frame);
   {
-    const Set_of_runs own_runs = own_runs_of_balls(points, are_own, radius);
+    const Set_of_runs own_runs = own_runs_of_balls<ConcurrencyTag>(points, are_own, radius);
     const Points_of_scales of_scales(ConcurrencyTag(), points, radius);
     for_each_run(of_scales.grid(), [&](std::uint64_t key, const Search_grid_3::Range& range) {
       if (own_runs.holds(key))
         found.of_balls.push_back({key, range.second - range.first});
     });
   }
-  const Set_of_runs own_runs = own_runs_of_field(
-    points, are_own, runs_of_codes, [&](std::uint64_t code) { found.outermost.push_back(code); });
+  const Buffer<std::uint64_t> outermost = own_outermost_codes<ConcurrencyTag>(points, are_own,
+                                                                              runs_of_codes);
+  found.outermost.assign(outermost.begin(), outermost.end());
+  const Set_of_runs own_runs = own_runs_of_field<ConcurrencyTag>(points, are_own, runs_of_codes);
   const Morton_places places = places_of<ConcurrencyTag>(points, runs_of_codes.cells());
   const Morton_points view = places.view();
   runs_of_codes.for_each(view.codes, view.size,
                          [&](std::uint64_t key, std::size_t first, std::size_t end) {
-                           if (own_runs.holds(key))
+                           if (own_runs.holds(key) && !runs_of_codes.is_outermost(key))
                              found.of_field.push_back({key, end - first});
                          });
   return found;
@@ -143,9 +173,9 @@ std::vector<Ranked_balls> look_at_balls(Buffer<Vector>& points, const Own_blocks
 {
   std::vector<Ranked_balls> found;
   const double radius = paper_radius(*facts.extents);
-  const Buffer<unsigned char> are_own = own.flags_of(points);
+  const Buffer<unsigned char> are_own = own.flags_of<ConcurrencyTag>(points);
   Working_frame().enter<ConcurrencyTag>(points, *facts.frame);
-  const Set_of_runs own_runs = own_runs_of_balls(points, are_own, radius);
+  const Set_of_runs own_runs = own_runs_of_balls<ConcurrencyTag>(points, are_own, radius);
   const Points_of_scales of_scales(ConcurrencyTag(), points, radius);
   Buffer<Vector> queries(points.get_allocator());
   const std::uint64_t stride = stride_of_balls(of_balls.total());
@@ -179,13 +209,13 @@ std::vector<Placed_seed> look_at_seeds(Buffer<Vector>& points, const Own_blocks&
                                        Progress& progress)
 {
   const Runs_of_codes runs_of_codes(*facts.extents);
-  const Buffer<unsigned char> are_own = own.flags_of(points);
+  const Buffer<unsigned char> are_own = own.flags_of<ConcurrencyTag>(points);
   Working_frame().enter<ConcurrencyTag>(points, *facts.frame);
-  const Set_of_runs own_runs = own_runs_of_field(points, are_own, runs_of_codes,
-                                                 [](std::uint64_t) {});
+  const Set_of_runs own_runs = own_runs_of_field<ConcurrencyTag>(points, are_own, runs_of_codes);
   return seeds_among<ConcurrencyTag>(
     places_of<ConcurrencyTag>(points, runs_of_codes.cells()), runs_of_codes, of_field,
-    [&](std::uint64_t key) { return own_runs.holds(key); }, progress);
+    [&](std::uint64_t key) { return own_runs.holds(key) && !runs_of_codes.is_outermost(key); },
+    progress);
 }
 
 template <typename ConcurrencyTag>
@@ -205,7 +235,7 @@ Neighbors_of_tile count_neighbors(Buffer<Vector>& points, const Own_blocks& own,
                                   Progress& progress, Report& report)
 {
   Neighbors_of_tile found;
-  const Buffer<unsigned char> are_own = own.flags_of(points);
+  const Buffer<unsigned char> are_own = own.flags_of<ConcurrencyTag>(points);
   Cpu_points<ConcurrencyTag> all(points, progress, report, facts);
   const Plan plan = plan_call(parameters, all);
   const Buffer<float>& scales = all.scales();

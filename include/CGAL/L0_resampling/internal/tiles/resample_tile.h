@@ -20,7 +20,6 @@
 #include <CGAL/L0_resampling/internal/tiles/stitch_tiles.h>
 
 #include <algorithm>
-#include <vector>
 
 namespace CGAL {
 namespace L0_resampling {
@@ -33,7 +32,7 @@ namespace internal {
 template <typename ConcurrencyTag, typename FT>
 Facts_of_cloud facts_of_points(Buffer<Vector>& points, const Parameters& parameters,
                                Any_solver<FT>& solver, Progress& progress, Report& report,
-                               std::vector<Point_in_cloud>& points_in_cloud);
+                               Buffer<Point_in_cloud>& points_in_cloud);
 
 /// What is found of the points of a tile and its halo, before it is known where samples start.
 /// \param points of the tile and its halo, at least one; used up
@@ -50,15 +49,15 @@ template <typename FT>
 struct Samples_of_tile
 {
   Oriented_points<FT> points;
-  Buffer<unsigned char> are_own;            ///< whether the tile keeps each of them
-  Buffer<Index> trees;                      ///< samples of one have sides relative to each other
-  Buffer<float> confidences;                ///< of their sides; none if these are not found
-  std::vector<Tile_sample> unoriented;      ///< then: each tree, which is a sample
-  std::vector<unsigned char> are_trees_own; ///< likewise: whether the tile keeps it
+  Buffer<unsigned char> are_own;       ///< whether the tile keeps each of them
+  Buffer<Index> trees;                 ///< samples of one have sides relative to each other
+  Buffer<float> confidences;           ///< of their sides; none if these are not found
+  Buffer<Tile_sample> unoriented;      ///< then: each tree, which is a sample
+  Buffer<unsigned char> are_trees_own; ///< likewise: whether the tile keeps it
 };
 
 /// Whether a sample of a tile, or of its halo, starts on one of the points.
-inline bool are_there_starts(const std::vector<Point_in_cloud>& points)
+inline bool are_there_starts(const Buffer<Point_in_cloud>& points)
 {
   return std::any_of(points.begin(), points.end(),
                      [](const Point_in_cloud& point) { return point.number_of_samples > 0; });
@@ -71,7 +70,7 @@ inline bool are_there_starts(const std::vector<Point_in_cloud>& points)
 /// \param finds_sides if not, each sample is a tree
 /// \param parameters of the call for the whole cloud, checked
 template <typename ConcurrencyTag, typename FT>
-Samples_of_tile<FT> resample_tile(Buffer<Vector>& points, const std::vector<Point_in_cloud>& known,
+Samples_of_tile<FT> resample_tile(Buffer<Vector>& points, const Buffer<Point_in_cloud>& known,
                                   const Facts_of_cloud& facts, bool finds_sides,
                                   const Parameters& parameters, Any_solver<FT>& solver,
                                   Progress& progress, Report& report);

@@ -6,13 +6,12 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_RESAMPLE_TILE_IMPL_H
 #define CGAL_L0_RESAMPLING_INTERNAL_RESAMPLE_TILE_IMPL_H
 
+#include <CGAL/L0_resampling/internal/core/Buffer.h>
 #include <CGAL/L0_resampling/internal/driver/run.h>
 #include <CGAL/L0_resampling/internal/tiles/Fact_finder.h>
 #include <CGAL/L0_resampling/internal/tiles/Tile_backend.h>
 #include <CGAL/L0_resampling/internal/tiles/Tile_point_finder.h>
 #include <CGAL/L0_resampling/internal/tiles/resample_tile.h>
-
-#include <vector>
 
 namespace CGAL {
 namespace L0_resampling {
@@ -21,7 +20,7 @@ namespace internal {
 template <typename ConcurrencyTag, typename FT>
 Facts_of_cloud facts_of_points(Buffer<Vector>& points, const Parameters& parameters,
                                Any_solver<FT>& solver, Progress& progress, Report& report,
-                               std::vector<Point_in_cloud>& points_in_cloud)
+                               Buffer<Point_in_cloud>& points_in_cloud)
 {
   Fact_finder<ConcurrencyTag, FT> finder(points, parameters, solver, progress, report);
   Plan plan = plan_call(parameters, finder);
@@ -44,7 +43,7 @@ Points_of_tile find_points_of_tile(Buffer<Vector>& points, const Facts_of_cloud&
                                    const Parameters& parameters, const Own_blocks& own,
                                    Any_solver<FT>& solver, Progress& progress, Report& report)
 {
-  const Buffer<unsigned char> are_own = own.flags_of(points);
+  const Buffer<unsigned char> are_own = own.flags_of<ConcurrencyTag>(points);
   Tile_point_finder<ConcurrencyTag, FT> finder(facts, are_own, points, parameters, solver, progress,
                                                report);
   const Plan plan = plan_call(parameters, finder);
@@ -61,7 +60,7 @@ Points_of_tile find_points_of_tile(Buffer<Vector>& points, const Facts_of_cloud&
 }
 
 template <typename ConcurrencyTag, typename FT>
-Samples_of_tile<FT> resample_tile(Buffer<Vector>& points, const std::vector<Point_in_cloud>& known,
+Samples_of_tile<FT> resample_tile(Buffer<Vector>& points, const Buffer<Point_in_cloud>& known,
                                   const Facts_of_cloud& facts, bool finds_sides,
                                   const Parameters& parameters, Any_solver<FT>& solver,
                                   Progress& progress, Report& report)

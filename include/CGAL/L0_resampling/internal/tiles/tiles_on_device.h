@@ -8,6 +8,7 @@
 
 #include <CGAL/L0_resampling/Source_box.h>
 #include <CGAL/L0_resampling/internal/cloud/estimate_scale_field.h>
+#include <CGAL/L0_resampling/internal/core/Buffer.h>
 #include <CGAL/L0_resampling/internal/device/Device_progress.h>
 #include <CGAL/L0_resampling/internal/device/Device_session.h>
 #include <CGAL/L0_resampling/internal/device/cuda_tiles.h>
@@ -18,7 +19,6 @@
 #include <cstdint>
 #include <functional>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace L0_resampling {
@@ -48,7 +48,7 @@ inline void take_report(const cuda::Answer& answer, const cuda::Call_report& cal
 }
 
 /// How many samples start on points of a tile and its halo, or near them.
-inline std::size_t number_of_starts(const std::vector<Point_in_cloud>& points)
+inline std::size_t number_of_starts(const Buffer<Point_in_cloud>& points)
 {
   std::size_t number = 0;
   for (const Point_in_cloud& point : points)
@@ -56,7 +56,7 @@ inline std::size_t number_of_starts(const std::vector<Point_in_cloud>& points)
   return number;
 }
 
-inline Range_of_scales range_of_scales(const std::vector<Point_in_cloud>& points)
+inline Range_of_scales range_of_scales(const Buffer<Point_in_cloud>& points)
 {
   Buffer<float> scales;
   scales.reserve(points.size());
@@ -66,7 +66,7 @@ inline Range_of_scales range_of_scales(const std::vector<Point_in_cloud>& points
 }
 
 inline cuda::Facts_of_tiles facts_for_device(const Facts_of_cloud& facts,
-                                             const std::vector<Point_in_cloud>& points)
+                                             const Buffer<Point_in_cloud>& points)
 {
   cuda::Facts_of_tiles result = {};
   result.exponent_of_frame = facts.frame->exponent;
@@ -89,10 +89,10 @@ inline cuda::Facts_of_tiles facts_for_device(const Facts_of_cloud& facts,
 /// \throws Interrupted if the callback cancels
 inline Facts_of_cloud facts_on_device(const Buffer<Vector>& points, const Parameters& parameters,
                                       const std::function<bool(double)>& callback, Report& report,
-                                      std::vector<Point_in_cloud>& points_in_cloud)
+                                      Buffer<Point_in_cloud>& points_in_cloud)
 {
   const Device_session session = new_device_session();
-  std::vector<Point_in_cloud> found_points(points.size());
+  Buffer<Point_in_cloud> found_points(points.size());
   Device_progress progress(callback);
   cuda::Call_report call;
   cuda::Facts_of_tiles found;
@@ -138,7 +138,7 @@ inline void take_unoriented(cuda::Session& session, std::size_t number_of_trees,
 /// \throws std::bad_alloc if memory of the device does not suffice
 /// \throws Interrupted if the callback cancels
 inline Samples_of_tile<float> resample_tile_on_device(const Buffer<Vector>& points,
-                                                      const std::vector<Point_in_cloud>& known,
+                                                      const Buffer<Point_in_cloud>& known,
                                                       const Facts_of_cloud& facts, bool finds_sides,
                                                       const Parameters& parameters,
                                                       const std::function<bool(double)>& callback,
