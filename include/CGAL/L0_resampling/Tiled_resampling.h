@@ -92,7 +92,8 @@ class Tiled_resampling
   double m_sample_spacing = 0;                    // in units of the radius
   bool m_orients_at_once = false;
 
-  /// A tile sees each run of cells as a whole that has a point of its own.
+  /// A tile sees each run of cells as a whole that has a point of its own, with the balls of all of
+  /// its points, which reach two cells at most.
   std::int64_t halo_in_blocks() const
   {
     double radii = m_halo_in_radii;
@@ -101,7 +102,7 @@ class Tiled_resampling
       const float largest = m_facts.range_of_scales.value_or(internal::Range_of_scales()).largest;
       const double cell = plan_of(m_facts).cell_size
                           * internal::size_of_cells(internal::level_of_scale(largest));
-      radii = (std::max)(radii, double(internal::Search_grid_3::cells_per_run) * cell);
+      radii = (std::max)(radii, double(internal::Search_grid_3::cells_per_run + 2) * cell);
     }
     return m_cloud.halo_in_blocks(radii * m_radius);
   }
@@ -268,7 +269,7 @@ public:
 
   /// Cuts the cloud into tiles.
   /// \param bytes that a tile and its halo may take, beside what is kept of all blocks
-  /// \param halo in radii; one more block is added
+  /// \param halo in radii, rounded up to whole blocks
   /// \param of_call that resamples them, of this class or for another processor
   /// \throws std::bad_alloc if a single block takes more
   void make_tiles(std::uint64_t bytes, double halo = halo_in_radii,

@@ -220,7 +220,7 @@ int main(int argc, char** argv)
   const auto few_samples = CGAL::parameters::outlier_sensitivity(3)
                              .number_of_output_points(std::size_t(20000))
                              .neighbor_radius(5);
-  check("clusters, all too small", clusters(), 0.5, 10, few_samples, Only_outliers::EVERYWHERE);
+  check("clusters, all too small", clusters(), 0.4, 10, few_samples, Only_outliers::EVERYWHERE);
   check("clusters and a sheet", clusters_and_sheet(), 0.5, 10, few_samples,
         Only_outliers::IN_TILES);
   const std::vector<Place> separate = separate_sheets();

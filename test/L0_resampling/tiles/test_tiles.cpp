@@ -131,6 +131,26 @@ void test_order_at_limit()
   CHECK(in_order.lattice().exponent() == shuffled.lattice().exponent());
 }
 
+/// So many blocks around a place hold what is within a length of it, and one block less does not.
+void test_halo()
+{
+  const Counted_cloud cloud(square_of_blocks(30, Tile_counts::fewest_points_per_block));
+  const Block_lattice& lattice = cloud.lattice();
+  CHECK(lattice.side() == 1);
+  for (const double length : {0.1, 0.7, 1.3, 2., 7.9, 20.4})
+  {
+    std::int64_t farthest = 0;
+    for (double x = -2; x < 2; x += 1. / 64)
+    {
+      const Block from = lattice.block_of(Place{x, 0, 0}),
+                  to = lattice.block_of(Place{x + length, 0, 0});
+      farthest = (std::max)(farthest, to[0] - from[0]);
+    }
+    CHECK(cloud.halo_in_blocks(length) >= farthest);
+    CHECK(cloud.halo_in_blocks(0.999 * length) <= farthest);
+  }
+}
+
 /// Blocks below zero are as large as those above.
 void test_negative_blocks()
 {
@@ -317,6 +337,7 @@ int main()
   test_counts();
   test_limit_of_blocks();
   test_order_at_limit();
+  test_halo();
   test_negative_blocks();
   test_tiling();
   test_bytes_of_tiles();

@@ -72,6 +72,8 @@ void check(const std::string& name, const std::vector<Place>& points,
       by_tiles<ConcurrencyTag>(points, std::size_t(share * double(n)), halo, number_of_tiles, np);
     CHECK(found.size() == number_of_samples);
     const std::size_t number = number_of_different(found, expected);
+    // what a number of single precision does not hold, as samples are about one apart
+    CHECK(largest_difference(expected, found) < 1e-6);
     std::cout << name << ": " << number_of_tiles << " tiles with halos of " << halo
               << " radii, samples that differ: " << number << " of " << number_of_samples
               << std::endl;
@@ -197,10 +199,10 @@ int main(int argc, char** argv)
     check_even(CGAL::Sequential_tag());
   // where radii are larger, the halo is narrower for them
   m = number_of_samples(uneven, 0.4);
-  check<CGAL::Parallel_if_available_tag>("uneven", uneven.points(), shares(0.7), {0, 0.02}, m,
+  check<CGAL::Parallel_if_available_tag>("uneven", uneven.points(), shares(0.7), {0, 0.05}, m,
                                          CGAL::parameters::number_of_output_points(m));
   check<CGAL::Parallel_if_available_tag>("uneven, as dense as the input", uneven.points(),
-                                         shares(0.7), {0, 0.02}, m,
+                                         shares(0.7), {0, 0.05}, m,
                                          keep_density(true).number_of_output_points(m));
   m = number_of_samples(crowds, 1.3); // a lone point is the start of several samples
   check<CGAL::Parallel_if_available_tag>("crowds and outliers", crowds.points(), shares(0.5),

@@ -22,6 +22,7 @@
 #include <functional>
 #include <iostream>
 #include <iterator>
+#include <limits>
 #include <new>
 #include <random>
 #include <type_traits>
@@ -286,6 +287,29 @@ inline std::size_t number_of_different(const std::vector<Sample>& a, const std::
   std::vector<Sample> common;
   std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(common));
   return (std::max)(a.size(), b.size()) - common.size();
+}
+
+/// How far the samples that are not the same ones are from each other at most, by any coordinate of
+/// their positions and normals.
+inline double largest_difference(const std::vector<Sample>& a, const std::vector<Sample>& b)
+{
+  std::vector<Sample> of_a, of_b;
+  std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(of_a));
+  std::set_difference(b.begin(), b.end(), a.begin(), a.end(), std::back_inserter(of_b));
+  double largest = 0;
+  for (const Sample& sample : of_a)
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Sample& other : of_b)
+    {
+      double difference = 0;
+      for (std::size_t k = 0; k < sample.size(); ++k)
+        difference = (std::max)(difference, std::abs(sample[k] - other[k]));
+      least = (std::min)(least, difference);
+    }
+    largest = (std::max)(largest, least);
+  }
+  return largest;
 }
 
 } // namespace test

@@ -52,8 +52,8 @@ public:
   /// So many blocks around a tile hold what is within a length of it.
   std::int64_t halo_in_blocks(double length) const
   {
-    const double most = 1e6; // no tile is as wide
-    return 1 + std::int64_t(std::ceil((std::min)(length / m_lattice.side(), most)));
+    const double roundings = 1 + 1e-6, most = 1e6; // no tile is as wide
+    return std::int64_t(std::ceil((std::min)(length * roundings / m_lattice.side(), most)));
   }
 
   /// Of all blocks; there is one at least.
