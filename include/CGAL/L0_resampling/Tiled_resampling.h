@@ -93,16 +93,18 @@ class Tiled_resampling
   bool m_orients_at_once = false;
 
   /// A tile sees each run of cells as a whole that has a point of its own, with the balls of all of
-  /// its points, which reach two cells at most.
+  /// its points.
   std::int64_t halo_in_blocks() const
   {
     double radii = m_halo_in_radii;
     if (!has_all_facts())
     {
       const float largest = m_facts.range_of_scales.value_or(internal::Range_of_scales()).largest;
-      const double cell = plan_of(m_facts).cell_size
+      const internal::Plan plan = plan_of(m_facts);
+      const double cell = plan.cell_size
                           * internal::size_of_cells(internal::level_of_scale(largest));
-      radii = (std::max)(radii, double(internal::Search_grid_3::cells_per_run + 2) * cell);
+      radii = (std::max)(radii, double(internal::Search_grid_3::cells_per_run) * cell
+                                  + plan.longest_query() * double(largest));
     }
     return m_cloud.halo_in_blocks(radii * m_radius);
   }
