@@ -11,10 +11,14 @@
 #include <CGAL/L0_resampling/internal/core/attribute_kinds.h>
 #include <CGAL/tags.h>
 
+#include <tbb/parallel_sort.h>
+
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <cstring>
-#include <numeric>
+#include <utility>
 
 namespace l0_tool {
 namespace {
@@ -52,7 +56,7 @@ std::vector<char> Carrier::carry(const std::vector<Tile_sample>& samples,
   m_order.reserve(samples.size());
   for (const Tile_sample& sample : samples)
     m_order.emplace_back(m_lattice.block_of(sample.position), std::uint32_t(m_order.size()));
-  std::sort(m_order.begin(), m_order.end());
+  tbb::parallel_sort(m_order.begin(), m_order.end());
   m_result.resize(samples.size() * m_properties.row_size());
   carry_to(0, samples.size());
   return std::move(m_result);
@@ -123,8 +127,8 @@ Carrier::Points Carrier::read(const std::vector<char>& wanted, std::size_t numbe
   points.properties = m_properties;
   points.places.reserve(number_of_points);
   points.properties.reserve(number_of_points);
-  std::vector<std::uint64_t> numbers; // of the points in their file
-  numbers.reserve(number_of_points);
+  internal::Buffer<std::pair<std::uint64_t, Index>> order; // by the number of a point in its file
+  order.reserve(number_of_points);
   std::vector<std::size_t> ends; // of the points of each shard
   std::vector<char> records;
   const std::size_t record_size = sizeof(std::uint64_t) + m_properties.row_size();
@@ -141,26 +145,23 @@ Carrier::Points Carrier::read(const std::vector<char>& wanted, std::size_t numbe
         const char* const record = records.data() + of_these * record_size;
         std::uint64_t number;
         std::memcpy(&number, record, sizeof number);
-        numbers.push_back(number);
+        order.emplace_back(number, Index(order.size()));
         points.places.push_back(internal::Vector(places[i].data()));
         points.properties.append(record + sizeof number);
       }
     };
     m_shards.for_each_run_of(shard, low, last, is_wanted, add);
-    ends.push_back(numbers.size());
+    ends.push_back(order.size());
   }
 
-  internal::Buffer<Index> order(numbers.size());
-  std::iota(order.begin(), order.end(), Index(0));
   std::size_t begin = 0;
   for (const std::size_t end : ends) {
-    std::sort(order.begin() + std::ptrdiff_t(begin), order.begin() + std::ptrdiff_t(end),
-              [&](Index a, Index b) { return numbers[a] < numbers[b]; });
+    tbb::parallel_sort(order.begin() + std::ptrdiff_t(begin), order.begin() + std::ptrdiff_t(end));
     begin = end;
   }
   points.ranks.resize(order.size());
   for (std::size_t rank = 0; rank < order.size(); ++rank)
-    points.ranks[order[rank]] = Index(rank);
+    points.ranks[order[rank].second] = Index(rank);
   return points;
 }
 

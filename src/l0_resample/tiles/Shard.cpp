@@ -8,7 +8,6 @@
 #include "basis/signals.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace l0_tool {
 
@@ -18,64 +17,67 @@ Shard_writer::Shard_writer(const std::string& path, const std::string& path_of_r
   : m_file(path, key),
     m_file_of_rows(row_size > 0 ? std::make_unique<Task_file_writer>(path_of_rows, key) : nullptr),
     m_lattice(lattice), m_row_size(row_size),
-    m_most_points(std::size_t((std::min)(bytes, most_bytes) / (sizeof(Sorted_point) + row_size)))
+    m_most_points(std::size_t((std::min)(bytes, most_bytes) / (bytes_per_point + row_size)))
 {
-  m_run.reserve(m_most_points); // a long array takes memory where it is written only
+  // a long array takes memory where it is written only
+  m_points.reserve(m_most_points);
+  m_block_numbers.reserve(m_most_points);
   m_rows.reserve(m_most_points * row_size);
 }
 
 void Shard_writer::add(const std::array<double, 3>& point, const std::vector<char>& row)
 {
   const Block block = m_lattice.block_of(point);
-  std::uint32_t place;
-  if (!m_run.empty() && m_blocks[m_run.back().place] == block)
-    place = m_run.back().place;
+  std::uint32_t number;
+  if (!m_points.empty() && m_last_block == block)
+    number = m_block_numbers.back();
   else {
-    const auto [found, is_new] = m_places.emplace(block, std::uint32_t(m_blocks.size()));
-    if (is_new)
-      m_blocks.push_back(block);
-    place = found->second;
+    number = m_blocks.emplace(block, std::uint32_t(m_counts.size())).first->second;
+    if (number == m_counts.size())
+      m_counts.push_back(0);
+    m_last_block = block;
   }
-  m_run.push_back({point, place, std::uint32_t(m_run.size())});
+  ++m_counts[number];
+  m_points.push_back(point);
+  m_block_numbers.push_back(number);
   m_rows.insert(m_rows.end(), row.begin(), row.end());
-  if (m_run.size() >= m_most_points)
+  if (m_points.size() >= m_most_points)
     write_run();
 }
 
 void Shard_writer::write_run()
 {
   throw_if_interrupted();
-  std::vector<std::uint32_t> ranks(m_blocks.size());
-  std::uint32_t rank = 0;
-  for (const auto& [block, place] : m_places)
-    ranks[place] = rank++;
-  std::sort(m_run.begin(), m_run.end(), [&](const Sorted_point& a, const Sorted_point& b) {
-    return a.place != b.place ? ranks[a.place] < ranks[b.place] : a.sequence < b.sequence;
-  });
   const std::uint64_t first = m_number_of_points;
-  for (std::size_t i = 0; i < m_run.size(); ++i) {
-    if (i == 0 || m_run[i].place != m_run[i - 1].place)
-      m_runs.push_back({m_blocks[m_run[i].place], m_number_of_points, 0});
-    ++m_runs.back().count;
-    ++m_number_of_points;
-    m_file.write(m_run[i].point);
+  std::vector<std::uint32_t> next(m_counts.size()); // where the next point of each block goes
+  for (const auto& [block, number] : m_blocks) {
+    m_runs.push_back({block, m_number_of_points, m_counts[number]});
+    next[number] = std::uint32_t(m_number_of_points - first);
+    m_number_of_points += m_counts[number];
+  }
+  Buffer<std::uint32_t> order(m_points.size());
+  for (std::size_t i = 0; i < m_points.size(); ++i)
+    order[next[m_block_numbers[i]]++] = std::uint32_t(i);
+  for (const std::uint32_t i : order) {
+    m_file.write(m_points[i]);
     if (m_file_of_rows) {
-      const std::uint32_t sequence = m_run[i].sequence;
-      m_file_of_rows->write(first + sequence);
-      m_file_of_rows->write_bytes({m_rows.data() + sequence * m_row_size, m_row_size});
+      m_file_of_rows->write(first + i);
+      m_file_of_rows->write_bytes({m_rows.data() + i * m_row_size, m_row_size});
     }
   }
-  m_run.clear();
+  m_points.clear();
+  m_block_numbers.clear();
   m_rows.clear();
-  m_places.clear();
   m_blocks.clear();
+  m_counts.clear();
 }
 
 void Shard_writer::commit()
 {
-  if (!m_run.empty())
+  if (!m_points.empty())
     write_run();
-  m_run = {};
+  m_points = {};
+  m_block_numbers = {};
   m_rows = {};
   const std::uint64_t begin_of_runs = m_file.size();
   std::stable_sort(m_runs.begin(), m_runs.end(),

@@ -38,23 +38,22 @@ struct Block_run
 /// each point the number that it has in the input, in 8 bytes, and its row of properties.
 class Shard_writer
 {
-  struct Sorted_point
-  {
-    std::array<double, 3> point;
-    std::uint32_t place;    // of its block in the run
-    std::uint32_t sequence; // keeps the order of the input within a block
-  };
-
   Task_file_writer m_file;
   std::unique_ptr<Task_file_writer> m_file_of_rows; // if there are properties
   Block_lattice m_lattice;
   std::size_t m_row_size, m_most_points;
-  Buffer<Sorted_point> m_run;
-  Buffer<char> m_rows;                     // of the run, in the order of the input
-  std::map<Block, std::uint32_t> m_places; // of the blocks of the run, as they came
-  std::vector<Block> m_blocks;             // likewise
+  // Of a run, in the order of the input
+  Buffer<std::array<double, 3>> m_points;
+  Buffer<std::uint32_t> m_block_numbers; // of the points
+  Buffer<char> m_rows;
+  std::map<Block, std::uint32_t> m_blocks; // and the number of each, as they came
+  std::vector<std::uint32_t> m_counts;     // of the points in them
+  Block m_last_block = {};
   std::vector<Block_run> m_runs;
   std::uint64_t m_number_of_points = 0;
+
+  static constexpr std::size_t bytes_per_point = sizeof(std::array<double, 3>)
+                                                 + 2 * sizeof(std::uint32_t); // and its row
 
   void write_run();
 
