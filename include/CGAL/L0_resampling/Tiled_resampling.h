@@ -92,20 +92,12 @@ class Tiled_resampling
   double m_sample_spacing = 0;                    // in units of the radius
   bool m_orients_at_once = false;
 
-  /// A tile sees each run of cells as a whole that has a point of its own, with the balls of all of
-  /// its points.
+  /// Around the blocks of a tile, and the points beyond them of runs of cells that are its own.
   std::int64_t halo_in_blocks() const
   {
     double radii = m_halo_in_radii;
     if (!has_all_facts())
-    {
-      const float largest = m_facts.range_of_scales.value_or(internal::Range_of_scales()).largest;
-      const internal::Plan plan = plan_of(m_facts);
-      const double cell = plan.cell_size
-                          * internal::size_of_cells(internal::level_of_scale(largest));
-      radii = (std::max)(radii, double(internal::Search_grid_3::cells_per_run) * cell
-                                  + plan.longest_query() * double(largest));
-    }
+      radii += internal::Search_grid_3::longest_run * plan_of(m_facts).cell_size;
     return m_cloud.halo_in_blocks(radii * m_radius);
   }
 
@@ -271,7 +263,8 @@ public:
 
   /// Cuts the cloud into tiles.
   /// \param bytes that a tile and its halo may take, beside what is kept of all blocks
-  /// \param halo in radii, rounded up to whole blocks
+  /// \param halo in radii, rounded up to whole blocks; longer by a run of cells, 5.7 radii, if not
+  /// `has_all_facts()`
   /// \param of_call that resamples them, of this class or for another processor
   /// \throws std::bad_alloc if a single block takes more
   void make_tiles(std::uint64_t bytes, double halo = halo_in_radii,

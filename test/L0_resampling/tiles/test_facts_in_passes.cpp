@@ -74,6 +74,19 @@ bool is_same(const internal::Point_in_cloud& a, const internal::Point_in_cloud& 
          && a.scale == b.scale;
 }
 
+/// So that samples are neither lost nor there twice, whatever tiles find of a run.
+void check_each_run_is_of_one_tile(const std::vector<internal::Share_of_tile>& shares)
+{
+  std::vector<std::uint64_t> keys;
+  for (const internal::Share_of_tile& share : shares)
+    for (const internal::Run_of_cells& run : share.runs)
+      if (run.sums.points > 0)
+        keys.push_back(run.key);
+  std::sort(keys.begin(), keys.end());
+  CHECK(!keys.empty());
+  CHECK(std::adjacent_find(keys.begin(), keys.end()) == keys.end());
+}
+
 /// Where all points are outliers.
 enum class Only_outliers
 {
@@ -120,6 +133,7 @@ internal::Facts_of_cloud check(const std::string& name, const std::vector<Place>
   std::vector<internal::Share_of_tile> shares;
   for (internal::Points_of_tile& of_tile : points_of_tiles)
     shares.push_back(tiles.share_of_tile(of_tile));
+  check_each_run_is_of_one_tile(shares);
   internal::Sums_of_tiles sums = internal::add_up_shares(shares);
   sums.disks = all_disks;
   tiles.set_sums(sums);

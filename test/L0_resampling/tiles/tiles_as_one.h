@@ -188,8 +188,15 @@ CGAL::L0_resampling::internal::Facts_of_cloud facts_in_passes(const std::vector<
   const internal::Parameters parameters = internal::checked_parameters(np, points.size());
   const std::uint64_t bytes = points.size() * Passes::bytes_per_point_of_cloud
                               + points_at_a_time * Passes::bytes_per_point;
+  double last_share = 0;
+  const auto callback = [&](double share) {
+    CHECK(share >= last_share && share <= 1);
+    last_share = share;
+    return true;
+  };
   const internal::Facts_of_cloud facts =
-    Passes(cloud, source, parameters, bytes, nullptr, memory).find(halo);
+    Passes(cloud, source, parameters, bytes, callback, memory).find(halo);
+  CHECK(last_share > 0);
   CHECK(memory.peak() <= points_at_a_time * Passes::bytes_per_point);
   return facts;
 }

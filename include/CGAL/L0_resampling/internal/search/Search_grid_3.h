@@ -301,14 +301,16 @@ public:
 
   std::uint64_t key_of_cell(std::size_t c) const { return m_keys[c]; }
 
-  /// Where a row is cut into runs of cells, whichever of them are occupied.
-  static constexpr std::int64_t cells_per_run = 4;
+  /// Rows are cut into runs of at most four cells, whichever of them are occupied: of fewer where
+  /// cells are larger, so that none is longer than this, in cells of scale 1.
+  static constexpr double longest_run = 4 * 1.4142135623730951;
   /// Of the run of a cell: ascends with the order of the points.
-  std::uint64_t key_of_run(std::size_t c) const { return m_keys[c] / std::uint64_t(cells_per_run); }
-  /// Of the run that a point of scale 1 is in.
-  static std::uint64_t key_of_run(const Vector& point, double cell_size)
+  std::uint64_t key_of_run(std::size_t c) const { return run_of(m_keys[c]); }
+  /// Of the run that a point is in.
+  /// \param cell_size of points of scale 1
+  static std::uint64_t key_of_run(const Vector& point, double cell_size, int level = level_of_one)
   {
-    return cell_key(point, cell_size, level_of_one) / std::uint64_t(cells_per_run);
+    return run_of(cell_key(point, cell_size, level));
   }
 
   /// Whether the cell is an outermost one, which collects all that lies beyond.
@@ -441,6 +443,13 @@ private:
   }
 
   static int level_of(std::uint64_t key) { return int(key >> (3 * axis_bits)); }
+
+  /// The first cell that a run may have.
+  static std::uint64_t run_of(std::uint64_t key)
+  {
+    const int octave = (level_of(key) - level_of_one) / 2;
+    return key & ~((std::uint64_t(4) >> (std::clamp)(octave, 0, 2)) - 1);
+  }
 
   double size_of_level(int level) const { return m_sizes.base * size_of_cells(level); }
 

@@ -214,7 +214,7 @@ class Facts_in_passes
     Facts facts = *m_facts.extents;
     facts.scales = *m_facts.scales;
     Morton_places of_seeds(cells_of_places(facts.robust_diagonal), std::move(codes));
-    watched(1, 0, [&](Progress& progress, Report&) {
+    watched(0, 0, [&](Progress& progress, Report&) {
       m_facts.field = std::make_shared<const Scale_field>(field_of_seeds<ConcurrencyTag>(
         std::move(of_seeds), known, usual_scales(plan, facts), progress));
     });

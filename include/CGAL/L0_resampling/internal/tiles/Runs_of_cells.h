@@ -47,11 +47,10 @@ struct Run_of_cells
   bool operator<(const Run_of_cells& other) const { return key < other.key; }
 };
 
-/// What a tile counts. Each run that has points of its own is counted by it as a whole; so several
-/// tiles may count one run, and find the same.
+/// What a tile counts.
 struct Share_of_tile
 {
-  /// Ascending: those with points of the tile's own, with what is in them, and others with nothing.
+  /// Ascending: those that are the tile's own, with what is in them, and others with nothing.
   std::vector<Run_of_cells> runs;
   double area_per_unit = 0; ///< in units of \f$ r_p^2 \f$
 };

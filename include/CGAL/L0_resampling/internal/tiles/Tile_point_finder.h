@@ -11,11 +11,16 @@
 #include <CGAL/L0_resampling/internal/cloud/prepare_points.h>
 #include <CGAL/L0_resampling/internal/core/Buffer.h>
 #include <CGAL/L0_resampling/internal/core/parallel_for.h>
+#include <CGAL/L0_resampling/internal/core/parallel_sort.h>
+#include <CGAL/L0_resampling/internal/tiles/Own_blocks.h>
 #include <CGAL/L0_resampling/internal/tiles/Point_finder.h>
 #include <CGAL/L0_resampling/internal/tiles/Points_of_tile.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace L0_resampling {
@@ -27,13 +32,14 @@ class Tile_point_finder : public Point_finder<ConcurrencyTag, FT>
 {
   using Base = Point_finder<ConcurrencyTag, FT>;
   using Base::m_facts;
+  using Base::m_frame;
   using Base::m_given_normals;
   using Base::m_hints;
   using Base::m_input;
   using Base::m_progress;
   using Base::m_report;
 
-  const Buffer<unsigned char>& m_are_own; // of the points in their first order
+  Buffer<unsigned char> m_are_own; // of the points in their first order
   bool m_keeps_outliers = false;
 
   bool is_own(Index i) const { return m_are_own[m_input.indices[i]] != 0; }
@@ -46,12 +52,45 @@ class Tile_point_finder : public Point_finder<ConcurrencyTag, FT>
 public:
   using Base::number_of_points;
 
-  /// \param are_own which of the points are the tile's, and not of its halo
-  Tile_point_finder(const Facts_of_cloud& facts, const Buffer<unsigned char>& are_own,
+  /// \param are_own which of the points are in the blocks of the tile, and not of its halo
+  Tile_point_finder(const Facts_of_cloud& facts, Buffer<unsigned char> are_own,
                     Buffer<Vector>& points, const Parameters& parameters, Any_solver<FT>& solver,
                     Progress& progress, Report& report)
-    : Base(facts, points, parameters, solver, progress, report), m_are_own(are_own)
+    : Base(facts, points, parameters, solver, progress, report), m_are_own(std::move(are_own))
   {}
+
+  /// Gives each run of cells that is in blocks of several tiles to the one that has its first point
+  /// by coordinates. So each point is of one tile, and a run is counted once, as its tile finds it.
+  /// For the points in their first order.
+  void share_runs(const Plan& plan, const Own_blocks& own)
+  {
+    const Buffer<Vector>& points = m_input.points;
+    const Cell_sizes sizes(plan.cell_size, m_input.scales);
+    struct Entry
+    {
+      std::uint64_t run;
+      Index point;
+    };
+    Buffer<Entry> entries = append_by_blocks<ConcurrencyTag, Entry>(
+      points.size(), points_per_block, points.get_allocator(),
+      [&](std::size_t begin, std::size_t end, Buffer<Entry>& of_block) {
+        for (const Index i : points_near_border(plan, own, begin, end))
+          of_block.push_back(
+            {Search_grid_3::key_of_run(points[i], sizes.base, sizes.level_of(i)), i});
+      });
+    sort_by_key<ConcurrencyTag>(
+      entries, [](const Entry& entry) { return entry.run; },
+      [&](const Entry& a, const Entry& b) {
+        const Vector &p = points[a.point], &q = points[b.point];
+        return std::tie(p[0], p[1], p[2], a.point) < std::tie(q[0], q[1], q[2], b.point);
+      });
+    for (std::size_t k = 0, first = 0; k < entries.size(); ++k)
+    {
+      if (entries[k].run != entries[first].run)
+        first = k;
+      m_are_own[entries[k].point] = m_are_own[entries[first].point];
+    }
+  }
 
   /// But for a tile all of whose own points are outliers.
   void drop_outliers(const Plan& plan)
@@ -80,6 +119,29 @@ public:
   }
 
 private:
+  static constexpr std::size_t points_per_block = 16384;
+
+  /// Those of some points that may be in one run with others on the other side of the border.
+  std::vector<Index> points_near_border(const Plan& plan, const Own_blocks& own, std::size_t begin,
+                                        std::size_t end) const
+  {
+    const double roundings = 1 + 1e-6,
+                 width = Search_grid_3::longest_run * plan.cell_size * roundings;
+    const Vector low = m_frame.point_in_frame(own.low()), high = m_frame.point_in_frame(own.high());
+    const auto is_within = [&](const Vector& p, double margin) {
+      return (p.array() >= low.array() - margin).all()
+             && (p.array() <= high.array() + margin).all();
+    };
+    std::vector<Index> found;
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      const Vector& p = m_input.points[i];
+      if (is_within(p, width) && !is_within(p, -width))
+        found.push_back(Index(i));
+    }
+    return found;
+  }
+
   void find_runs(const Plan& plan, Points_of_tile& found)
   {
     const Search_grid_3& grid = m_input.grid;
@@ -109,7 +171,6 @@ private:
     found.balls.assign(balls.begin(), balls.end());
     found.are_first.resize(number_of_points());
     found.are_distinct.resize(number_of_points());
-    const std::size_t points_per_block = 16384;
     found.disks.units += block_sum<ConcurrencyTag>(
       number_of_points(), points_per_block, [&](std::size_t begin, std::size_t end) {
         std::uint64_t units = 0;

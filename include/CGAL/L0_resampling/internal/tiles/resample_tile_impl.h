@@ -13,6 +13,8 @@
 #include <CGAL/L0_resampling/internal/tiles/Tile_point_finder.h>
 #include <CGAL/L0_resampling/internal/tiles/resample_tile.h>
 
+#include <utility>
+
 namespace CGAL {
 namespace L0_resampling {
 namespace internal {
@@ -43,10 +45,11 @@ Points_of_tile find_points_of_tile(Buffer<Vector>& points, const Facts_of_cloud&
                                    const Parameters& parameters, const Own_blocks& own,
                                    Any_solver<FT>& solver, Progress& progress, Report& report)
 {
-  const Buffer<unsigned char> are_own = own.flags_of<ConcurrencyTag>(points);
-  Tile_point_finder<ConcurrencyTag, FT> finder(facts, are_own, points, parameters, solver, progress,
-                                               report);
+  Buffer<unsigned char> are_own = own.flags_of<ConcurrencyTag>(points);
+  Tile_point_finder<ConcurrencyTag, FT> finder(facts, std::move(are_own), points, parameters,
+                                               solver, progress, report);
   const Plan plan = plan_call(parameters, finder);
+  finder.share_runs(plan, own);
   if (plan.drops_outliers())
   {
     finder.begin_stage("find outliers", 0.4, finder.number_of_points());
