@@ -18,7 +18,7 @@ from pathlib import Path
 from quality_tables import table
 
 # --memory and --halo, by the number of points
-RUNS = {1_000_000: (("4GB", 20), ("320MB", 20), ("320MB", 60), ("220MB", 60), ("180MB", 20), ("155MB", 20)), 60_000: (("4GB", 20),)}
+RUNS = {1_000_000: (("4GB", 20), ("320MB", 20), ("320MB", 60), ("235MB", 60), ("180MB", 20), ("142MB", 20)), 60_000: (("4GB", 20),)}
 SAMPLES_PER_POINT = 0.3
 MEASURES = {"samples": "samples", "mean_distance": "mean distance of six", "variation": "its variation", "doubled_percent": "doubled, %",
             "gap_percent": "gaps, %", "angle": "angle, degrees", "opposed_percent": "opposed, %"}
