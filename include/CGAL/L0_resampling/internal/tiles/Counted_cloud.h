@@ -69,16 +69,7 @@ public:
     return box;
   }
 
-  Source_box source_box(const Block_box& box) const
-  {
-    Source_box source;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      source.low[axis] = double(box.low[axis]) * m_lattice.side();
-      source.high[axis] = double(box.high[axis] + 1) * m_lattice.side();
-    }
-    return source;
-  }
+  Source_box source_box(const Block_box& box) const { return source_box_of(m_lattice, box); }
 
   /// Appends the points of some blocks.
   template <typename Source>

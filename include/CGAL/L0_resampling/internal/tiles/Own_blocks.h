@@ -27,10 +27,6 @@ struct Own_blocks
   /// \param place in the unit of the input
   bool hold(const Vector& place) const { return box.contains(lattice.block_of(place)); }
 
-  /// The corners of the box, in the unit of the input.
-  Vector low() const { return corner(box.low, 0); }
-  Vector high() const { return corner(box.high, 1); }
-
   /// Which of the points are in them.
   template <typename ConcurrencyTag>
   Buffer<unsigned char> flags_of(const Buffer<Vector>& points) const
@@ -43,15 +39,6 @@ struct Own_blocks
                                        flags[i] = hold(points[i]);
                                    });
     return flags;
-  }
-
-private:
-  Vector corner(const Block& block, double offset) const
-  {
-    Vector result;
-    for (std::size_t axis = 0; axis < block.size(); ++axis)
-      result[Eigen::Index(axis)] = (double(block[axis]) + offset) * lattice.side();
-    return result;
   }
 };
 

@@ -6,6 +6,7 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_TILE_POINT_FINDER_H
 #define CGAL_L0_RESAMPLING_INTERNAL_TILE_POINT_FINDER_H
 
+#include <CGAL/L0_resampling/Source_box.h>
 #include <CGAL/L0_resampling/internal/cloud/areas_of_points.h>
 #include <CGAL/L0_resampling/internal/cloud/density_weights.h>
 #include <CGAL/L0_resampling/internal/cloud/prepare_points.h>
@@ -127,7 +128,9 @@ private:
   {
     const double roundings = 1 + 1e-6,
                  width = Search_grid_3::longest_run * plan.cell_size * roundings;
-    const Vector low = m_frame.point_in_frame(own.low()), high = m_frame.point_in_frame(own.high());
+    const Source_box box = source_box_of(own.lattice, own.box);
+    const Vector low = m_frame.point_in_frame(Vector(box.low.data())),
+                 high = m_frame.point_in_frame(Vector(box.high.data()));
     const auto is_within = [&](const Vector& p, double margin) {
       return (p.array() >= low.array() - margin).all()
              && (p.array() <= high.array() + margin).all();

@@ -6,6 +6,7 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_TILING_H
 #define CGAL_L0_RESAMPLING_INTERNAL_TILING_H
 
+#include <CGAL/L0_resampling/Source_box.h>
 #include <CGAL/L0_resampling/internal/tiles/Block_counts.h>
 
 #include <algorithm>
@@ -43,6 +44,18 @@ struct Block_box
     return box;
   }
 };
+
+/// The same box in the unit of the input.
+inline Source_box source_box_of(const Block_lattice& lattice, const Block_box& box)
+{
+  Source_box source;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    source.low[axis] = double(box.low[axis]) * lattice.side();
+    source.high[axis] = double(box.high[axis] + 1) * lattice.side();
+  }
+  return source;
+}
 
 /// The blocks whose samples one task finds, and how many points it looks at for that.
 struct Tile
