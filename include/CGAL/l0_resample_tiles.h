@@ -67,6 +67,10 @@ void l0_resample_tiles(const Source& source, Sink& sink, std::uint64_t maximum_m
   if (!tiles.has_all_facts())
   {
     // found again for each step: there may be no room for what is found of all points
+    L0_resampling::internal::Neighbor_counts neighbors;
+    for (std::size_t tile = 0; tile < number_of_tiles; ++tile)
+      neighbors += tiles.find_neighbors_of_tile(tile, source).counts;
+    tiles.set_medians(neighbors.medians());
     std::vector<L0_resampling::internal::Disks_of_tile> disks;
     for (std::size_t tile = 0; tile < number_of_tiles; ++tile)
       disks.push_back(tiles.find_points_of_tile(tile, source).disks);

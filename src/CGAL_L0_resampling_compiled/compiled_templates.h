@@ -53,13 +53,14 @@
     Buffer<Vector>&, const Own_blocks&, const Facts_of_cloud&, const Ranks_of_runs&, Progress&);   \
   template std::vector<Placed_seed> seeds_of_outermost<Tag>(                                       \
     const std::vector<std::uint64_t>&, const Facts_of_cloud&, const Ranks_of_runs&, Progress&);    \
-  template Neighbors_of_tile count_neighbors<Tag>(Buffer<Vector>&, const Own_blocks&,              \
-                                                  const Facts_of_cloud&, const Parameters&,        \
-                                                  Progress&, Report&);                             \
+  template Neighbors_of_tile find_neighbors_of_tile<Tag>(Buffer<Vector>&, const Facts_of_cloud&,   \
+                                                         const Parameters&, const Own_blocks&,     \
+                                                         Progress&, Report&);                      \
   template Facts_of_cloud facts_of_points<Tag, float>(Buffer<Vector>&, const Parameters&,          \
                                                       Any_solver<float>&, Progress&, Report&,      \
                                                       Buffer<Point_in_cloud>&);                    \
-  template Points_of_tile find_points_of_tile<Tag, float>(Buffer<Vector>&, const Facts_of_cloud&,  \
+  template Points_of_tile find_points_of_tile<Tag, float>(Buffer<Vector>&, Buffer<float>,          \
+                                                          const Facts_of_cloud&,                   \
                                                           const Parameters&, const Own_blocks&,    \
                                                           Any_solver<float>&, Progress&, Report&); \
   template Samples_of_tile<float> resample_tile<Tag, float>(                                       \

@@ -40,7 +40,7 @@ _FLAGS = "keep-density keep-outliers drop-non-finite first-returns force".split(
 _UNITS = {"": 1, "K": 1 << 10, "M": 1 << 20, "G": 1 << 30, "T": 1 << 40}
 
 # Tasks that take all of the memory that a worker, or a device, has got.
-_TASKS_OF_TILES = ("scales:", "balls:", "share:", "solve:", "carry:", "stitch:")
+_TASKS_OF_TILES = ("scales:", "neighbors:", "balls:", "share:", "solve:", "carry:", "stitch:")
 
 
 class TileError(RuntimeError):

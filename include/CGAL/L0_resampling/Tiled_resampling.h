@@ -229,8 +229,8 @@ public:
   }
 
   /// Finds the facts of the whole cloud, those that a call for all of it in memory finds: at once,
-  /// if memory holds all of the points; else in passes over the cloud, all but what tiles find of
-  /// their points and while they share out the samples.
+  /// if memory holds all of the points; else in passes over the cloud, all but what follows from
+  /// what tiles find of their points.
   /// \param source of the points
   /// \param bytes of memory
   /// \param device_bytes of that of the device, with `CUDA_tag`
@@ -305,19 +305,48 @@ public:
     return blocks_of_tile(tile).ranges();
   }
 
-  /// What is found of the points of a tile and around it, before it is known where samples start.
-  /// Not needed if `has_all_facts()`, as what follows until `set_starts()`.
+  /// The scales of the points of a tile and around it, and how many neighbors those of the tile
+  /// have. Not needed if `has_all_facts()`, as what follows until `set_starts()`.
   /// \param tile its number
   /// \param source of the points
   template <typename Source>
-  internal::Points_of_tile find_points_of_tile(std::size_t tile, const Source& source) const
+  internal::Neighbors_of_tile find_neighbors_of_tile(std::size_t tile, const Source& source) const
+  {
+    internal::Neighbors_of_tile found;
+    Report report;
+    watched(report, [&](internal::Progress& progress, internal::Memory_counter& memory) {
+      internal::Buffer<internal::Vector> points(&memory);
+      blocks_of_tile(tile).read_at_once(source, points);
+      internal::Neighbors_of_tile counted = internal::find_neighbors_of_tile<Host_tag>(
+        points, m_facts, m_parameters, own_blocks_of(tile), progress, report);
+      found.counts = std::move(counted.counts);
+      found.scales.assign(counted.scales.begin(), counted.scales.end()); // outlives the counter
+    });
+    return found;
+  }
+
+  /// \param medians of the sum of what `find_neighbors_of_tile()` has counted for each tile
+  void set_medians(const internal::Medians_of_cloud& medians)
+  {
+    m_facts.range_of_scales = medians.scales;
+    m_facts.median_number_of_neighbors = medians.number_of_neighbors;
+  }
+
+  /// What else is found of these points before it is known where samples start, once
+  /// `set_medians()` was called.
+  /// \param tile its number
+  /// \param source of the points
+  /// \param scales as `find_neighbors_of_tile()` has given; if none, they are found once more
+  template <typename Source>
+  internal::Points_of_tile find_points_of_tile(std::size_t tile, const Source& source,
+                                               internal::Buffer<float> scales = {}) const
   {
     internal::Points_of_tile found;
     Report report;
     watched(report, [&](internal::Progress& progress, internal::Memory_counter& memory) {
       internal::Buffer<internal::Vector> points(&memory);
       blocks_of_tile(tile).read_at_once(source, points);
-      found = find_points(tile, points, progress);
+      found = find_points(tile, points, std::move(scales), progress);
     });
     return found;
   }
@@ -349,7 +378,7 @@ public:
       set_starts(tile, {std::move(shares[tile].runs), sums.sums});
   }
 
-  /// Instead of `set_shares()`: what it has found another time.
+  /// Instead of `set_disks()` and `set_shares()`: what these have found another time.
   void set_sums(const internal::Sums_of_tiles& sums)
   {
     set_disks(sums.disks);
@@ -503,14 +532,17 @@ private:
   void set_spacing() { m_sample_spacing = std::sqrt(*m_facts.area / double(number_of_samples())); }
 
   /// \param points used up
+  /// \param scales of them; none if they are to be found
   internal::Points_of_tile find_points(std::size_t tile, internal::Buffer<internal::Vector>& points,
+                                       internal::Buffer<float> scales,
                                        internal::Progress& progress) const
   {
     Report unwanted_report;
     Solver solver;
     internal::Any_solver<FT> any_solver(solver);
-    return internal::find_points_of_tile<Host_tag>(
-      points, m_facts, m_parameters, own_blocks_of(tile), any_solver, progress, unwanted_report);
+    return internal::find_points_of_tile<Host_tag>(points, std::move(scales), m_facts, m_parameters,
+                                                   own_blocks_of(tile), any_solver, progress,
+                                                   unwanted_report);
   }
 
   internal::Buffer<internal::Point_in_cloud> placed(std::size_t tile,
@@ -530,7 +562,7 @@ private:
     if (!has_all_facts())
     {
       internal::Buffer<internal::Vector> used_up = internal::copy_of(points);
-      return placed(tile, find_points(tile, used_up, progress));
+      return placed(tile, find_points(tile, used_up, {}, progress));
     }
     const internal::Blocks_of_tile blocks = blocks_of_tile(tile);
     internal::Buffer<internal::Point_in_cloud> known;

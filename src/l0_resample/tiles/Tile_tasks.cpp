@@ -128,7 +128,7 @@ std::vector<Tile_phase> Tile_tasks::phases() const
 {
   const std::size_t n = m_command.runs.size();
   std::vector<Tile_phase> phases = {
-    {"count", n, 0.05}, {"blocks", 1, 0}, {"shard", n, 0.05}, {"scales", 1, 0.1}};
+    {"count", n, 0.05}, {"blocks", 1, 0}, {"shard", n, 0.05}, {"scales", 1, 0.07}};
   std::string reason;
   if (!is_task_file(file_of("scales", 0), m_key, reason))
     return phases;
@@ -137,7 +137,9 @@ std::vector<Tile_phase> Tile_tasks::phases() const
   const std::size_t number_of_tiles = tiles.resampling.tiles().size();
   const bool needs_shares = !tiles.resampling.has_all_facts();
   if (needs_shares) {
-    phases.push_back({"balls", number_of_tiles, 0.14});
+    phases.push_back({"neighbors", number_of_tiles, 0.07});
+    phases.push_back({"medians", 1, 0});
+    phases.push_back({"balls", number_of_tiles, 0.1});
     phases.push_back({"share", number_of_tiles, 0.01});
     phases.push_back({"samples", 1, 0});
   }
@@ -145,7 +147,7 @@ std::vector<Tile_phase> Tile_tasks::phases() const
   const double share_to_carry = carries ? 0.05 : 0;
   const double share_of_sides = tiles.resampling.orients_at_once() ? 0.1 : 0.01;
   phases.push_back(
-    {"solve", number_of_tiles, (needs_shares ? 0.61 : 0.76) - share_to_carry - share_of_sides});
+    {"solve", number_of_tiles, (needs_shares ? 0.61 : 0.79) - share_to_carry - share_of_sides});
   if (carries)
     phases.push_back({"carry", number_of_tiles, share_to_carry});
   phases.push_back({"stitch", 1, share_of_sides});
@@ -195,6 +197,10 @@ void Tile_tasks::run(const std::string& phase, std::size_t number, const On_prog
       shard(number, on_progress, at_once);
     else if (phase == "scales")
       run_on(m_options, [&](auto tag) { find_scales<decltype(tag)>(on_progress); });
+    else if (phase == "neighbors")
+      find_neighbors(number, on_progress);
+    else if (phase == "medians")
+      find_medians();
     else if (phase == "balls")
       find_balls(number, on_progress);
     else if (phase == "share")
@@ -243,12 +249,32 @@ void Tile_tasks::find_scales(const On_progress& on_progress) const
   write_facts(file_of("scales", 0), m_key, {tiles.resampling.facts(), memory});
 }
 
+void Tile_tasks::find_neighbors(std::size_t tile, const On_progress& on_progress) const
+{
+  Tiles_on_cpu tiles(*this, on_progress);
+  tiles.cut();
+  write_neighbors(file_of("neighbors", tile), m_key,
+                  tiles.resampling.find_neighbors_of_tile(tile, tiles.shards()));
+}
+
+void Tile_tasks::find_medians() const
+{
+  Tiles_on_cpu tiles(*this, [](double) {});
+  tiles.cut();
+  internal::Neighbor_counts counts;
+  for (std::size_t tile = 0; tile < tiles.resampling.tiles().size(); ++tile)
+    counts += read_neighbor_counts(file_of("neighbors", tile), m_key);
+  write_medians(file_of("medians", 0), m_key, counts.medians());
+}
+
 void Tile_tasks::find_balls(std::size_t tile, const On_progress& on_progress) const
 {
   Tiles_on_cpu tiles(*this, on_progress);
   tiles.cut();
+  tiles.take_medians();
   write_points_of_tile(file_of("balls", tile), m_key,
-                       tiles.resampling.find_points_of_tile(tile, tiles.shards()));
+                       tiles.resampling.find_points_of_tile(
+                         tile, tiles.shards(), read_scales(file_of("neighbors", tile), m_key)));
 }
 
 void Tile_tasks::find_share(std::size_t tile) const

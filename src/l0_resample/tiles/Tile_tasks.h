@@ -100,6 +100,8 @@ private:
   void shard(std::size_t number, const On_progress& on_progress, std::size_t at_once) const;
   template <typename ConcurrencyTag>
   void find_scales(const On_progress& on_progress) const;
+  void find_neighbors(std::size_t tile, const On_progress& on_progress) const;
+  void find_medians() const;
   void find_balls(std::size_t tile, const On_progress& on_progress) const;
   void find_share(std::size_t tile) const;
   void share_samples() const;

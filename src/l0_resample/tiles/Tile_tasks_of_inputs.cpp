@@ -118,7 +118,8 @@ void Tile_tasks::check_disk(std::uint64_t number_of_points,
     if (Tiles::can_find_all_facts(number_of_points, m, memory_for_points(), of_device))
       of_point += sizeof(Point_in_cloud);
     else
-      of_point += 2 * Points_of_tile::bytes_per_point; // with those of halos, mostly fewer
+      // with those of halos, mostly fewer
+      of_point += 2 * (Points_of_tile::bytes_per_point + Neighbors_of_tile::bytes_per_point);
     if (Tiles::can_orient_at_once(m, (std::min)(memory_for_points(), of_device)))
       of_sample += sizeof(Tile_sample) + 1; // what its side follows from, and the side
   });

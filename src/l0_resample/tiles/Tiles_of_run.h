@@ -72,6 +72,12 @@ public:
     resampling.choose_how_to_orient(memory, bytes_per_sample_of_sides(m_tasks.options()));
   }
 
+  /// What the points of all tiles are compared with.
+  void take_medians()
+  {
+    resampling.set_medians(read_medians(m_tasks.file_of("medians", 0), m_tasks.key()));
+  }
+
   /// What all tiles have found of their points.
   Disks_of_tile disks() const
   {
@@ -84,8 +90,10 @@ public:
   /// What is known of the samples of all tiles.
   void take_sums()
   {
-    if (!resampling.has_all_facts())
-      resampling.set_sums(read_sums(m_tasks.file_of("samples", 0), m_tasks.key()));
+    if (resampling.has_all_facts())
+      return;
+    take_medians();
+    resampling.set_sums(read_sums(m_tasks.file_of("samples", 0), m_tasks.key()));
   }
 
   /// What a tile has to know of them.

@@ -18,7 +18,15 @@ namespace l0_tool {
 namespace {
 
 namespace internal = CGAL::L0_resampling::internal;
+using internal::Histogram;
 using internal::Scale_field;
+
+/// How often a number of a histogram was there.
+struct Count_of_number
+{
+  double number;
+  std::uint64_t count;
+};
 
 constexpr std::uint64_t begin_of_points = sizeof(std::uint64_t); // after their number
 
@@ -92,6 +100,24 @@ std::shared_ptr<const Scale_field> read_field(Task_file& file)
                 std::move(reaches)});
 }
 
+void write_histogram(const Histogram& histogram, Task_file_writer& file)
+{
+  std::vector<Count_of_number> counts;
+  for (const auto& [number, count] : histogram.counts())
+    counts.push_back({number, count});
+  file.write_all(counts);
+}
+
+Histogram read_histogram(Task_file& file)
+{
+  std::vector<Count_of_number> counts;
+  file.read_all(counts);
+  Histogram histogram;
+  for (const auto& [number, count] : counts)
+    histogram.add(number, count);
+  return histogram;
+}
+
 } // namespace
 
 void write_facts(const std::string& path, std::uint64_t key, const Facts_of_run& facts)
@@ -143,6 +169,53 @@ internal::Buffer<Point_in_cloud> read_points_in_cloud(
     target += count;
   }
   return points;
+}
+
+void write_neighbors(const std::string& path, std::uint64_t key, const Neighbors_of_tile& found)
+{
+  Task_file_writer file(path, key);
+  file.write_all(found.scales);
+  file.write(found.counts.least_scale);
+  file.write(found.counts.largest_scale);
+  write_histogram(found.counts.scales, file);
+  write_histogram(found.counts.neighbors, file);
+  file.commit();
+}
+
+Neighbor_counts read_neighbor_counts(const std::string& path, std::uint64_t key)
+{
+  Task_file file(path, key);
+  skip_all<float>(file);
+  Neighbor_counts counts;
+  counts.least_scale = file.read<float>();
+  counts.largest_scale = file.read<float>();
+  counts.scales = read_histogram(file);
+  counts.neighbors = read_histogram(file);
+  return counts;
+}
+
+Buffer<float> read_scales(const std::string& path, std::uint64_t key)
+{
+  Buffer<float> scales;
+  Task_file(path, key).read_all(scales);
+  return scales;
+}
+
+void write_medians(const std::string& path, std::uint64_t key, const Medians_of_cloud& medians)
+{
+  Task_file_writer file(path, key);
+  write_optional(file, medians.scales);
+  write_optional(file, medians.number_of_neighbors);
+  file.commit();
+}
+
+Medians_of_cloud read_medians(const std::string& path, std::uint64_t key)
+{
+  Task_file file(path, key);
+  Medians_of_cloud medians;
+  read_optional(file, medians.scales);
+  read_optional(file, medians.number_of_neighbors);
+  return medians;
 }
 
 void write_points_of_tile(const std::string& path, std::uint64_t key, const Points_of_tile& points)

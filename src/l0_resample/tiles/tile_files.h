@@ -9,6 +9,7 @@
 #include "tiles/Input_properties.h"
 
 #include <CGAL/L0_resampling/internal/tiles/Block_counts.h>
+#include <CGAL/L0_resampling/internal/tiles/Neighbors_of_tile.h>
 #include <CGAL/L0_resampling/internal/tiles/Points_of_tile.h>
 #include <CGAL/L0_resampling/internal/tiles/stitch_tiles.h>
 
@@ -26,6 +27,9 @@ using CGAL::L0_resampling::internal::Block_counts;
 using CGAL::L0_resampling::internal::Buffer;
 using CGAL::L0_resampling::internal::Disks_of_tile;
 using CGAL::L0_resampling::internal::Facts_of_cloud;
+using CGAL::L0_resampling::internal::Medians_of_cloud;
+using CGAL::L0_resampling::internal::Neighbor_counts;
+using CGAL::L0_resampling::internal::Neighbors_of_tile;
 using CGAL::L0_resampling::internal::Point_in_cloud;
 using CGAL::L0_resampling::internal::Points_of_tile;
 using CGAL::L0_resampling::internal::Run_of_cells;
@@ -64,6 +68,15 @@ void write_points_in_cloud(const std::string& path, std::uint64_t key,
 Buffer<Point_in_cloud> read_points_in_cloud(
   const std::string& path, std::uint64_t key,
   const std::vector<std::pair<std::uint64_t, std::uint64_t>>& ranges);
+
+/// What a tile finds of the scales and neighbors of its points.
+void write_neighbors(const std::string& path, std::uint64_t key, const Neighbors_of_tile& found);
+Neighbor_counts read_neighbor_counts(const std::string& path, std::uint64_t key);
+Buffer<float> read_scales(const std::string& path, std::uint64_t key);
+
+/// What all tiles have found of these together.
+void write_medians(const std::string& path, std::uint64_t key, const Medians_of_cloud& medians);
+Medians_of_cloud read_medians(const std::string& path, std::uint64_t key);
 
 /// What a tile finds of its points.
 void write_points_of_tile(const std::string& path, std::uint64_t key, const Points_of_tile& points);

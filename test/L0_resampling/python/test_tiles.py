@@ -200,10 +200,10 @@ def test_devices_are_lent_to_one_task_at_a_time(tmp_path):
         "#!/bin/sh\n"
         'device="$CUDA_VISIBLE_DEVICES"\n'
         'case "$*" in\n'
-        '*list) for phase in "count 2" "scales 1" "balls 6" "share 6" "solve 6" "carry 6"'
-        ' "stitch 1" "finish 1"; do echo "$phase"; done;;\n'
+        '*list) for phase in "count 2" "scales 1" "neighbors 6" "balls 6" "share 6" "solve 6"'
+        ' "carry 6" "stitch 1" "finish 1"; do echo "$phase"; done;;\n'
         "*count:*) sleep 0.1;;\n"
-        "*scales:*|*balls:*|*share:*|*solve:*|*carry:*|*stitch:*)"
+        "*scales:*|*neighbors:*|*balls:*|*share:*|*solve:*|*carry:*|*stitch:*)"
         f' mkdir "{tmp_path}/used_$device" && sleep 0.1'
         f' && rmdir "{tmp_path}/used_$device" && echo "$device" >> "{tmp_path}/devices";;\n'
         "esac\n"
@@ -212,7 +212,7 @@ def test_devices_are_lent_to_one_task_at_a_time(tmp_path):
     phases = tiles.resample_files(
         [], tmp_path / "out", memory="1G", workers=4, devices=[3, 5], program=program
     )
-    assert [phase["retries"] for phase in phases] == 8 * [0]
+    assert [phase["retries"] for phase in phases] == 9 * [0]
     used = (tmp_path / "devices").read_text().split()
     assert len(used) == 26 and set(used) == {"3", "5"}
     with pytest.raises(ValueError, match="of their own"):

@@ -117,11 +117,23 @@ internal::Facts_of_cloud check(const std::string& name, const std::vector<Place>
                    halo);
   const std::size_t number_of_tiles = tiles.tiles().size();
   CHECK(number_of_tiles >= 3);
+  std::vector<internal::Neighbors_of_tile> neighbors_of_tiles;
+  internal::Neighbor_counts neighbors;
+  for (std::size_t tile = 0; tile < number_of_tiles; ++tile)
+  {
+    neighbors_of_tiles.push_back(tiles.find_neighbors_of_tile(tile, source));
+    neighbors += neighbors_of_tiles.back().counts;
+  }
+  tiles.set_medians(neighbors.medians());
   std::vector<internal::Points_of_tile> points_of_tiles;
   std::vector<internal::Disks_of_tile> disks;
   for (std::size_t tile = 0; tile < number_of_tiles; ++tile)
   {
-    points_of_tiles.push_back(tiles.find_points_of_tile(tile, source));
+    points_of_tiles.push_back(
+      tiles.find_points_of_tile(tile, source, neighbors_of_tiles[tile].scales));
+    const internal::Points_of_tile found_once_more = tiles.find_points_of_tile(tile, source);
+    CHECK(std::equal(points_of_tiles[tile].points.begin(), points_of_tiles[tile].points.end(),
+                     found_once_more.points.begin(), found_once_more.points.end(), is_same));
     disks.push_back(points_of_tiles.back().disks);
   }
   const internal::Disks_of_tile all_disks = internal::add_up_disks(disks);

@@ -235,6 +235,10 @@ std::vector<Sample> by_tiles(const std::vector<Place>& points, std::size_t point
   CHECK(tiles.has_all_facts() == finds_facts_at_once);
   if (!finds_facts_at_once)
   {
+    CGAL::L0_resampling::internal::Neighbor_counts neighbors;
+    for (std::size_t tile = 0; tile < number_of_tiles; ++tile)
+      neighbors += tiles.find_neighbors_of_tile(tile, source).counts;
+    tiles.set_medians(neighbors.medians());
     std::vector<CGAL::L0_resampling::internal::Points_of_tile> found;
     std::vector<CGAL::L0_resampling::internal::Disks_of_tile> disks;
     for (std::size_t tile = 0; tile < number_of_tiles; ++tile)

@@ -59,7 +59,8 @@ check "where tiles overlap they agree" holds whole/index.json \
    and j['overlap']['root_mean_square_distance'] < 0.01 * j['sample_spacing']"
 check "a report of the phases" holds whole.json \
   "[p['name'] for p in j['phases']]
-   == 'count blocks shard scales balls share samples solve stitch write merge finish'.split()
+   == ('count blocks shard scales neighbors medians balls share samples solve stitch write merge'
+       ' finish').split()
    and all(p['kept'] == 0 for p in j['phases']) and j['exit_status'] == 0"
 check "no more memory than allowed" holds whole.json "0 < j['peak_bytes'] <= $memory"
 run merged.ply merged.xyz --convert-only

@@ -85,7 +85,7 @@ public:
   Range_of_scales estimate_scale_field(double robust_diagonal, const Usual_scales& usual)
   {
     std::optional<Range_of_scales>& known = m_facts.range_of_scales;
-    if (!known || !known->is_one())
+    if (m_input.scales.empty() && (!known || !known->is_one()))
     {
       const auto scales_by = [&](const Scale_field& field) {
         return field.of_points<ConcurrencyTag>(m_input.points);

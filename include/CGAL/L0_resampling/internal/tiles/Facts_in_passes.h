@@ -32,9 +32,9 @@ namespace L0_resampling {
 namespace internal {
 
 /*!
-Finds the facts of a cloud that is not in memory, as far as its tiles do not find them while they
-share out the samples: in passes over the cloud, tile by tile. They are those that a call for all of
-it in memory finds, as what is around a point is in its tile or the halo of that.
+Finds the facts of a cloud that is not in memory which its tiles have to know before they look at
+its points: in passes over the cloud, tile by tile. They are those that a call for all of it in
+memory finds, as what is around a point is in its tile or the halo of that.
 
 \tparam Source model of `L0ResamplingTileSource`
 */
@@ -220,24 +220,10 @@ class Facts_in_passes
     });
   }
 
-  void find_neighbors(double halo)
-  {
-    Neighbors_of_tile all;
-    for_each_tile(halo, [&](Buffer<Vector>& points, const Own_blocks& own, Progress& progress,
-                            Report& report) {
-      const Neighbors_of_tile found =
-        count_neighbors<ConcurrencyTag>(points, own, m_facts, m_parameters, progress, report);
-      all.add(found);
-    });
-    if (m_facts.field)
-      m_facts.range_of_scales = {all.least_scale, float(*all.scales.median()), all.largest_scale};
-    m_facts.median_number_of_neighbors = all.numbers.median();
-  }
-
 public:
   /// What a pass holds for each point of a tile and its halo, and for each of the cloud.
-  static constexpr std::uint64_t bytes_per_point = 160, bytes_per_point_of_cloud = 6;
-  static constexpr int number_of_passes = 5;
+  static constexpr std::uint64_t bytes_per_point = 110, bytes_per_point_of_cloud = 6;
+  static constexpr int number_of_passes = 4;
 
   /// \param bytes for all
   /// \param callback of the user, or none
@@ -259,9 +245,7 @@ public:
     ++m_number_of_passes_done;
     const Places places = find_places();
     find_scales(places.of_balls);
-    const double halo = halo_in_radii * length_of_input(plan().unit);
-    find_field(places, halo);
-    find_neighbors(halo);
+    find_field(places, halo_in_radii * length_of_input(plan().unit));
     return std::move(m_facts);
   }
 };

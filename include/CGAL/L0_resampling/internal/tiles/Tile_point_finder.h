@@ -54,11 +54,14 @@ public:
   using Base::number_of_points;
 
   /// \param are_own which of the points are in the blocks of the tile, and not of its halo
+  /// \param scales of the points; none if they are to be found, or all are 1
   Tile_point_finder(const Facts_of_cloud& facts, Buffer<unsigned char> are_own,
-                    Buffer<Vector>& points, const Parameters& parameters, Any_solver<FT>& solver,
-                    Progress& progress, Report& report)
+                    Buffer<Vector>& points, Buffer<float> scales, const Parameters& parameters,
+                    Any_solver<FT>& solver, Progress& progress, Report& report)
     : Base(facts, points, parameters, solver, progress, report), m_are_own(std::move(are_own))
-  {}
+  {
+    m_input.scales = std::move(scales);
+  }
 
   /// Gives each run of cells that is in blocks of several tiles to the one that has its first point
   /// by coordinates. So each point is of one tile, and a run is counted once, as its tile finds it.

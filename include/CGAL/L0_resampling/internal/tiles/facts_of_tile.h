@@ -6,23 +6,16 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_FACTS_OF_TILE_H
 #define CGAL_L0_RESAMPLING_INTERNAL_FACTS_OF_TILE_H
 
-#include <CGAL/L0_resampling/Report.h>
 #include <CGAL/L0_resampling/internal/cloud/Facts_of_cloud.h>
 #include <CGAL/L0_resampling/internal/core/Buffer.h>
-#include <CGAL/L0_resampling/internal/core/Parameters.h>
 #include <CGAL/L0_resampling/internal/core/Progress.h>
 #include <CGAL/L0_resampling/internal/kernels/scale_field.h>
 #include <CGAL/L0_resampling/internal/tiles/Own_blocks.h>
 #include <CGAL/L0_resampling/internal/tiles/Ranks_of_runs.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <map>
-#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -81,66 +74,6 @@ template <typename ConcurrencyTag>
 std::vector<Placed_seed> seeds_of_outermost(const std::vector<std::uint64_t>& codes,
                                             const Facts_of_cloud& facts,
                                             const Ranks_of_runs& of_field, Progress& progress);
-
-/// How many numbers are of which size.
-template <typename T>
-class Histogram
-{
-  std::map<T, std::uint64_t> m_counts;
-
-public:
-  void add(T number, std::uint64_t count = 1) { m_counts[number] += count; }
-  void add(const Histogram& other)
-  {
-    for (const auto& [number, count] : other.m_counts)
-      add(number, count);
-  }
-
-  /// As `median_of()`; none if there are no numbers.
-  std::optional<T> median() const
-  {
-    std::uint64_t rank = 0;
-    for (const auto& [number, count] : m_counts)
-      rank += count;
-    rank /= 2;
-    for (const auto& [number, count] : m_counts)
-    {
-      if (rank < count)
-        return number;
-      rank -= count;
-    }
-    return std::nullopt;
-  }
-};
-
-/// What `find_outliers()` compares with, and the range of the scales.
-struct Neighbors_of_tile
-{
-  Histogram<double> numbers; ///< of points in the balls of the tile's own
-  float least_scale = (std::numeric_limits<float>::max)(), largest_scale = 0;
-  Histogram<double> scales; ///< to within half a percent, for the report
-
-  void add_scale(float scale)
-  {
-    const double steps_per_octave = 64;
-    least_scale = (std::min)(least_scale, scale);
-    largest_scale = (std::max)(largest_scale, scale);
-    scales.add(std::exp2(std::round(std::log2(scale) * steps_per_octave) / steps_per_octave));
-  }
-
-  void add(const Neighbors_of_tile& other)
-  {
-    numbers.add(other.numbers);
-    least_scale = (std::min)(least_scale, other.least_scale);
-    largest_scale = (std::max)(largest_scale, other.largest_scale);
-    scales.add(other.scales);
-  }
-};
-
-template <typename ConcurrencyTag>
-Neighbors_of_tile count_neighbors(Buffer<Vector>& points, const Own_blocks& own,
-                                  const Facts_of_cloud& facts, const Parameters& parameters,
-                                  Progress& progress, Report& report);
 
 } // namespace internal
 } // namespace L0_resampling

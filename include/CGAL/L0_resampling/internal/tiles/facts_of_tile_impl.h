@@ -8,12 +8,10 @@
 
 #include <CGAL/L0_resampling/internal/cloud/estimate_scale_field.h>
 #include <CGAL/L0_resampling/internal/cloud/estimate_scales.h>
-#include <CGAL/L0_resampling/internal/cloud/find_outliers.h>
+#include <CGAL/L0_resampling/internal/cloud/working_frame.h>
 #include <CGAL/L0_resampling/internal/core/Buffer.h>
 #include <CGAL/L0_resampling/internal/core/keep_one_of_each.h>
 #include <CGAL/L0_resampling/internal/core/parallel_for.h>
-#include <CGAL/L0_resampling/internal/driver/Cpu_points.h>
-#include <CGAL/L0_resampling/internal/driver/run.h>
 #include <CGAL/L0_resampling/internal/tiles/Runs_of_codes.h>
 #include <CGAL/L0_resampling/internal/tiles/facts_of_tile.h>
 
@@ -227,29 +225,6 @@ std::vector<Placed_seed> seeds_of_outermost(const std::vector<std::uint64_t>& co
   return seeds_among<ConcurrencyTag>(
     Morton_places(runs.cells(), Buffer<std::uint64_t>(codes.begin(), codes.end())), runs, of_field,
     [](std::uint64_t) { return true; }, progress);
-}
-
-template <typename ConcurrencyTag>
-Neighbors_of_tile count_neighbors(Buffer<Vector>& points, const Own_blocks& own,
-                                  const Facts_of_cloud& facts, const Parameters& parameters,
-                                  Progress& progress, Report& report)
-{
-  Neighbors_of_tile found;
-  const Buffer<unsigned char> are_own = own.flags_of<ConcurrencyTag>(points);
-  Cpu_points<ConcurrencyTag> all(points, progress, report, facts);
-  const Plan plan = plan_call(parameters, all);
-  const Buffer<float>& scales = all.scales();
-  for_each_in_order(points.size(), [&](std::size_t i) {
-    if (are_own[i])
-      found.add_scale(scales.empty() ? 1 : scales[i]);
-  });
-  if (plan.drops_outliers())
-    for_each_number_of_neighbors<Local, ConcurrencyTag>(points, plan.radius, view_of_scales(scales),
-                                                        progress, [&](Index i, double number) {
-                                                          if (are_own[i])
-                                                            found.numbers.add(number);
-                                                        });
-  return found;
 }
 
 } // namespace internal

@@ -14,6 +14,7 @@
 #include <CGAL/L0_resampling/internal/core/Progress.h>
 #include <CGAL/L0_resampling/internal/driver/Oriented_points.h>
 #include <CGAL/L0_resampling/internal/energy/Any_solver.h>
+#include <CGAL/L0_resampling/internal/tiles/Neighbors_of_tile.h>
 #include <CGAL/L0_resampling/internal/tiles/Own_blocks.h>
 #include <CGAL/L0_resampling/internal/tiles/Points_of_tile.h>
 #include <CGAL/L0_resampling/internal/tiles/Samples_to_orient.h>
@@ -34,15 +35,24 @@ Facts_of_cloud facts_of_points(Buffer<Vector>& points, const Parameters& paramet
                                Any_solver<FT>& solver, Progress& progress, Report& report,
                                Buffer<Point_in_cloud>& points_in_cloud);
 
-/// What is found of the points of a tile and its halo, before it is known where samples start.
+/// The scales of the points of a tile and its halo, and the neighbors of its own.
 /// \param points of the tile and its halo, at least one; used up
 /// \param facts of the cloud, as far as they are known
 /// \param parameters of the call for the whole cloud, checked
 /// \param own the blocks of the tile
+template <typename ConcurrencyTag>
+Neighbors_of_tile find_neighbors_of_tile(Buffer<Vector>& points, const Facts_of_cloud& facts,
+                                         const Parameters& parameters, const Own_blocks& own,
+                                         Progress& progress, Report& report);
+
+/// What is found of these points once the medians are known, and before it is known where samples
+/// start. Parameters are the same, but for one.
+/// \param scales those that were found; if there are none, they are found once more
 template <typename ConcurrencyTag, typename FT>
-Points_of_tile find_points_of_tile(Buffer<Vector>& points, const Facts_of_cloud& facts,
-                                   const Parameters& parameters, const Own_blocks& own,
-                                   Any_solver<FT>& solver, Progress& progress, Report& report);
+Points_of_tile find_points_of_tile(Buffer<Vector>& points, Buffer<float> scales,
+                                   const Facts_of_cloud& facts, const Parameters& parameters,
+                                   const Own_blocks& own, Any_solver<FT>& solver,
+                                   Progress& progress, Report& report);
 
 /// The samples of a tile and of its halo.
 template <typename FT>
