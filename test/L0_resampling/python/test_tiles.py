@@ -214,7 +214,7 @@ def test_devices_are_lent_to_one_task_at_a_time(tmp_path):
     )
     assert [phase["retries"] for phase in phases] == 9 * [0]
     used = (tmp_path / "devices").read_text().split()
-    assert len(used) == 26 and set(used) == {"3", "5"}
+    assert len(used) == 32 and set(used) == {"3", "5"}
     with pytest.raises(ValueError, match="of their own"):
         with concurrent.futures.ThreadPoolExecutor(1) as executor:
             tiles.resample_files([], tmp_path / "out", memory="1G", devices=[0], executor=executor)
