@@ -54,9 +54,9 @@ public:
   using Base::number_of_points;
 
   /// \param are_own which of the points are in the blocks of the tile, and not of its halo
-  /// \param scales of the points; none if they are to be found, or all are 1
+  /// \param scales of the points, used up; none if they are to be found, or all are 1
   Tile_point_finder(const Facts_of_cloud& facts, Buffer<unsigned char> are_own,
-                    Buffer<Vector>& points, Buffer<float> scales, const Parameters& parameters,
+                    Buffer<Vector>& points, Buffer<float>&& scales, const Parameters& parameters,
                     Any_solver<FT>& solver, Progress& progress, Report& report)
     : Base(facts, points, parameters, solver, progress, report), m_are_own(std::move(are_own))
   {
