@@ -467,10 +467,11 @@ public:
     watched(report, [&](internal::Progress& progress, internal::Memory_counter& memory) {
       internal::Plan plan = plan_of(m_facts);
       plan.set_sample_spacing(m_sample_spacing);
-      internal::Samples_to_orient samples(std::move(unoriented), plan.sample_spacing, memory);
+      internal::Samples_to_orient samples(Host_tag(), std::move(unoriented), plan.sample_spacing,
+                                          memory);
       if (!samples.places.empty())
         orient(plan, progress, report, samples);
-      signs = samples.signs();
+      signs = samples.template signs<Host_tag>();
     });
     return signs;
   }

@@ -22,6 +22,7 @@
 #include <CGAL/l0_resample_tiles.h>
 
 #include <nlohmann/json.hpp>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -339,9 +340,10 @@ std::vector<std::vector<signed char>> Tile_tasks::find_sides(const On_progress& 
   Tiles_of_run<ConcurrencyTag> tiles(*this, on_progress);
   tiles.cut();
   tiles.take_sums();
-  std::vector<Unoriented_samples> unoriented;
-  for (std::size_t tile = 0; tile < tiles.resampling.tiles().size(); ++tile)
-    unoriented.push_back(read_unoriented(file_of("solve", tile), m_key));
+  std::vector<Unoriented_samples> unoriented(tiles.resampling.tiles().size());
+  tbb::parallel_for(std::size_t(0), unoriented.size(), [&](std::size_t tile) {
+    unoriented[tile] = read_unoriented(file_of("solve", tile), m_key);
+  });
   CGAL::L0_resampling::Report unwanted_report;
   return tiles.resampling.sides(std::move(unoriented), unwanted_report);
 }

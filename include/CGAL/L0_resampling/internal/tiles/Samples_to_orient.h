@@ -55,6 +55,9 @@ public:
 
   bool is_empty() const { return m_nearest.empty(); }
 
+  /// Whether `look_at()` would compare a sample there with any.
+  bool are_any_near(const Vector& place) const { return m_cells.count(cell_of(place)) > 0; }
+
   /// \param sign out, once all samples have been looked at; kept if none is near
   void add(const Tile_sample& sample, signed char& sign)
   {
@@ -93,6 +96,8 @@ class Samples_to_orient
   Buffer<unsigned char> m_were_negative; // of the samples, before they were turned
   double m_spacing;
 
+  static constexpr std::size_t samples_per_block = 16384;
+
   /// Tells a vector from its opposite.
   static bool is_negative(const Eigen::Vector3f& v)
   {
@@ -108,23 +113,31 @@ public:
 
   /// \param tiles what is to be oriented of each; used up
   /// \param spacing of the samples
-  Samples_to_orient(std::vector<Unoriented_samples> tiles, double spacing, Memory_counter& memory)
+  template <typename ConcurrencyTag>
+  Samples_to_orient(ConcurrencyTag, std::vector<Unoriented_samples> tiles, double spacing,
+                    Memory_counter& memory)
     : m_were_negative(&memory), m_spacing(spacing), places(&memory), normals(&memory)
   {
     std::size_t m = 0;
     for (const Unoriented_samples& tile : tiles)
       m += tile.own.size();
-    places.reserve(m);
-    normals.reserve(m);
-    m_were_negative.reserve(m);
+    resize_to_overwrite(m, places);
+    resize_to_overwrite(m, normals);
+    resize_to_overwrite(m, m_were_negative);
+    std::size_t first = 0;
     for (Unoriented_samples& tile : tiles)
     {
-      for_each_in_order(tile.own.size(), [&](std::size_t i) {
-        const Tile_sample& sample = tile.own[i];
-        places.push_back(Vector(sample.position.data()));
-        normals.push_back(Eigen::Vector3f(sample.normal.data()));
-        m_were_negative.push_back(is_negative(normals.back()));
-      });
+      for_each_block<ConcurrencyTag>(
+        tile.own.size(), samples_per_block, [&](std::size_t begin, std::size_t end) {
+          for (std::size_t i = begin; i < end; ++i)
+          {
+            const Tile_sample& sample = tile.own[i];
+            places[first + i] = Vector(sample.position.data());
+            normals[first + i] = Eigen::Vector3f(sample.normal.data());
+            m_were_negative[first + i] = is_negative(normals[first + i]);
+          }
+        });
+      first += tile.own.size();
       m_sizes.push_back(tile.own.size());
       std::vector<Tile_sample>().swap(tile.own);
       m_leaders_elsewhere.push_back(std::move(tile.leaders_elsewhere));
@@ -133,28 +146,41 @@ public:
 
   /// Once normals are on their sides.
   /// \returns of each tile: the signs of its own samples, and of the leaders that it has elsewhere
+  template <typename ConcurrencyTag>
   std::vector<std::vector<signed char>> signs() const
   {
-    std::vector<std::vector<signed char>> signs;
+    std::vector<std::vector<signed char>> signs(m_sizes.size());
     Signs_elsewhere elsewhere(m_spacing);
     std::size_t first = 0;
     for (std::size_t tile = 0; tile < m_sizes.size(); ++tile)
     {
-      std::vector<signed char>& of_tile = signs.emplace_back();
+      std::vector<signed char>& of_tile = signs[tile];
       const std::vector<Tile_sample>& leaders = m_leaders_elsewhere[tile];
-      of_tile.reserve(m_sizes[tile] + leaders.size());
-      for_each_in_order(m_sizes[tile], [&](std::size_t i) {
-        const bool is_turned = is_negative(normals[first + i]) != (m_were_negative[first + i] != 0);
-        of_tile.push_back(static_cast<signed char>(is_turned ? -1 : 1));
-      });
+      of_tile.assign(m_sizes[tile] + leaders.size(), 1);
+      for_each_block<ConcurrencyTag>(
+        m_sizes[tile], samples_per_block, [&](std::size_t begin, std::size_t end) {
+          for (std::size_t i = begin; i < end; ++i)
+          {
+            const bool is_turned = is_negative(normals[first + i])
+                                   != (m_were_negative[first + i] != 0);
+            of_tile[i] = static_cast<signed char>(is_turned ? -1 : 1);
+          }
+        });
       first += m_sizes[tile];
-      of_tile.resize(m_sizes[tile] + leaders.size(), 1);
       for (std::size_t k = 0; k < leaders.size(); ++k)
         elsewhere.add(leaders[k], of_tile[m_sizes[tile] + k]);
     }
-    if (!elsewhere.is_empty())
-      for_each_in_order(places.size(),
-                        [&](std::size_t i) { elsewhere.look_at(places[i], normals[i]); });
+    if (elsewhere.is_empty())
+      return signs;
+    const Buffer<std::size_t> near = append_by_blocks<ConcurrencyTag, std::size_t>(
+      places.size(), samples_per_block, places.get_allocator(),
+      [&](std::size_t begin, std::size_t end, Buffer<std::size_t>& of_block) {
+        for (std::size_t i = begin; i < end; ++i)
+          if (elsewhere.are_any_near(places[i]))
+            of_block.push_back(i);
+      });
+    for (const std::size_t i : near)
+      elsewhere.look_at(places[i], normals[i]);
     return signs;
   }
 };
