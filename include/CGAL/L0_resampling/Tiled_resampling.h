@@ -313,12 +313,10 @@ public:
   internal::Neighbors_of_tile find_neighbors_of_tile(std::size_t tile, const Source& source) const
   {
     internal::Neighbors_of_tile found;
-    Report report;
-    watched(report, [&](internal::Progress& progress, internal::Memory_counter& memory) {
-      internal::Buffer<internal::Vector> points(&memory);
-      blocks_of_tile(tile).read_at_once(source, points);
+    with_points(tile, source, [&](auto& points, internal::Progress& progress) {
+      Report unwanted_report;
       internal::Neighbors_of_tile counted = internal::find_neighbors_of_tile<Host_tag>(
-        points, m_facts, m_parameters, own_blocks_of(tile), progress, report);
+        points, m_facts, m_parameters, own_blocks_of(tile), progress, unwanted_report);
       found.counts = std::move(counted.counts);
       found.scales.assign(counted.scales.begin(), counted.scales.end()); // outlives the counter
     });
@@ -342,10 +340,7 @@ public:
                                                internal::Buffer<float> scales = {}) const
   {
     internal::Points_of_tile found;
-    Report report;
-    watched(report, [&](internal::Progress& progress, internal::Memory_counter& memory) {
-      internal::Buffer<internal::Vector> points(&memory);
-      blocks_of_tile(tile).read_at_once(source, points);
+    with_points(tile, source, [&](auto& points, internal::Progress& progress) {
       found = find_points(tile, points, std::move(scales), progress);
     });
     return found;
@@ -531,6 +526,18 @@ private:
   }
 
   void set_spacing() { m_sample_spacing = std::sqrt(*m_facts.area / double(number_of_samples())); }
+
+  /// Calls `f(points, progress)` with the points of a tile and around it, to be used up.
+  template <typename Source, typename F>
+  void with_points(std::size_t tile, const Source& source, const F& f) const
+  {
+    Report unwanted_report;
+    watched(unwanted_report, [&](internal::Progress& progress, internal::Memory_counter& memory) {
+      internal::Buffer<internal::Vector> points(&memory);
+      blocks_of_tile(tile).read_at_once(source, points);
+      f(points, progress);
+    });
+  }
 
   /// \param points used up
   /// \param scales of them; none if they are to be found

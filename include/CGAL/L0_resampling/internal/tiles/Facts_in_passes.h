@@ -57,17 +57,17 @@ class Facts_in_passes
            || m_callback((std::min)((m_number_of_passes_done + share) / number_of_passes, 1.));
   }
 
-  /// Calls `f(progress, report)`.
+  /// Calls `f(progress)`.
   /// \param begin, length of this part of the pass, as shares
   template <typename F>
   void watched(double begin, double length, const F& f)
   {
-    Report report;
-    Progress progress([&](double share) { return goes_on(begin + share * length); }, report,
-                      m_memory);
+    Report unwanted_report;
+    Progress progress([&](double share) { return goes_on(begin + share * length); },
+                      unwanted_report, m_memory);
     try
     {
-      f(progress, report);
+      f(progress);
     }
     catch (const Interrupted&)
     {
@@ -76,8 +76,8 @@ class Facts_in_passes
     }
   }
 
-  /// A pass: calls `f(points, own, progress, report)` for each of some tiles of the cloud, with the
-  /// points of it and around.
+  /// A pass: calls `f(points, own, progress)` for each of some tiles of the cloud, with the points
+  /// of it and around.
   /// \param halo a length, in the unit of the input
   template <typename F>
   void for_each_tile(double halo, const F& f)
@@ -91,10 +91,10 @@ class Facts_in_passes
     {
       const Tile& tile = tiling.tiles()[k];
       watched(double(k) / double(number_of_tiles), 1 / double(number_of_tiles),
-              [&](Progress& progress, Report& report) {
+              [&](Progress& progress) {
                 Buffer<Vector> points(&m_memory);
                 Blocks_of_tile(m_cloud, tile, halo_in_blocks).read_at_once(m_source, points);
-                f(points, Own_blocks{m_cloud.lattice(), tile.box}, progress, report);
+                f(points, Own_blocks{m_cloud.lattice(), tile.box}, progress);
               });
     }
     ++m_number_of_passes_done;
@@ -124,7 +124,7 @@ class Facts_in_passes
   {
     Places places;
     for_each_tile(2 * paper_radius_of_input(),
-                  [&](Buffer<Vector>& points, const Own_blocks& own, Progress&, Report&) {
+                  [&](Buffer<Vector>& points, const Own_blocks& own, Progress&) {
                     const Places_of_tile found = count_places<ConcurrencyTag>(points, own, m_facts);
                     places.of_balls.add(found.of_balls);
                     places.of_field.add(found.of_field);
@@ -150,13 +150,12 @@ class Facts_in_passes
     {
       std::vector<Ranked_balls> balls;
       const double halo = (reaches_of_balls[number_of_reaches - 1] + 2) * cell_size_of_scales;
-      for_each_tile(halo * paper_radius_of_input(), [&](Buffer<Vector>& points,
-                                                        const Own_blocks& own, Progress& progress,
-                                                        Report&) {
-        const std::vector<Ranked_balls> found =
-          look_at_balls<ConcurrencyTag>(points, own, m_facts, ranks, number_of_reaches, progress);
-        balls.insert(balls.end(), found.begin(), found.end());
-      });
+      for_each_tile(halo * paper_radius_of_input(),
+                    [&](Buffer<Vector>& points, const Own_blocks& own, Progress& progress) {
+                      const std::vector<Ranked_balls> found = look_at_balls<ConcurrencyTag>(
+                        points, own, m_facts, ranks, number_of_reaches, progress);
+                      balls.insert(balls.end(), found.begin(), found.end());
+                    });
       m_facts.scales = scales_of(balls, number_of_reaches);
       if (m_facts.scales)
         return;
@@ -190,16 +189,15 @@ class Facts_in_passes
       return;
     }
     std::vector<Placed_seed> seeds;
-    watched(0, 0, [&](Progress& progress, Report&) {
+    watched(0, 0, [&](Progress& progress) {
       seeds = seeds_of_outermost<ConcurrencyTag>(places.outermost, m_facts, places.of_field,
                                                  progress);
     });
-    for_each_tile(halo,
-                  [&](Buffer<Vector>& points, const Own_blocks& own, Progress& progress, Report&) {
-                    const std::vector<Placed_seed> found = look_at_seeds<ConcurrencyTag>(
-                      points, own, m_facts, places.of_field, progress);
-                    seeds.insert(seeds.end(), found.begin(), found.end());
-                  });
+    for_each_tile(halo, [&](Buffer<Vector>& points, const Own_blocks& own, Progress& progress) {
+      const std::vector<Placed_seed> found =
+        look_at_seeds<ConcurrencyTag>(points, own, m_facts, places.of_field, progress);
+      seeds.insert(seeds.end(), found.begin(), found.end());
+    });
     keep_one_of_each([](const Placed_seed& seed) { return seed.code; }, seeds);
     Buffer<std::uint64_t> codes; // what is left of them outlives the call
     Buffer<Seed> known;
@@ -214,7 +212,7 @@ class Facts_in_passes
     Facts facts = *m_facts.extents;
     facts.scales = *m_facts.scales;
     Morton_places of_seeds(cells_of_places(facts.robust_diagonal), std::move(codes));
-    watched(0, 0, [&](Progress& progress, Report&) {
+    watched(0, 0, [&](Progress& progress) {
       m_facts.field = std::make_shared<const Scale_field>(field_of_seeds<ConcurrencyTag>(
         std::move(of_seeds), known, usual_scales(plan, facts), progress));
     });
