@@ -18,7 +18,7 @@ for word in "$@"; do
   esac
 done
 
-scripts/install_dependencies.sh python3-matplotlib python3-jinja2 libjs-three
+scripts/install_dependencies.sh user python3-matplotlib python3-jinja2 libjs-three
 cmake -S . -B build -DCMAKE_BUILD_TYPE=Release -DPython_EXECUTABLE=/usr/bin/python3
 cmake --build build -j "$(nproc)" --target benchmark_programs
 

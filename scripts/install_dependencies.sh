@@ -1,14 +1,28 @@
 #!/usr/bin/env bash
-# Installs from Debian 12 what building and testing needs and the machine lacks, and the packages that are named.
+# Installs from Debian 12 what the machine lacks:
+#   scripts/install_dependencies.sh [core|user|full] [PACKAGE...]
+# `core` is what the package and its tests need, `user`, which is taken if none is named, what tool
+# and Python package need too, and `full` what scripts/test_all.sh needs; then packages by name.
 set -euo pipefail
 
-packages=(g++ cmake make git python3 libcgal-dev libeigen3-dev libtbb-dev libboost-dev libgmp-dev libmpfr-dev
-          libcli11-dev nlohmann-json3-dev libpng-dev zlib1g-dev libceres-dev)
-packages+=(pybind11-dev python3-dev python3-numpy python3-pytest mypy)   # for the Python package
-packages+=(python3-pip python3-setuptools python3-wheel)            # for its wheel
-packages+=(python3-distributed python3-mpi4py openmpi-bin)          # for workers of other engines
-packages+=(dpkg-dev file)                                           # for the Debian package
-packages+=(doxygen texlive-binaries libjs-mathjax)                  # for the manual
+tier=user
+case ${1:-} in core | user | full) tier=$1; shift ;; esac
+packages=(g++ cmake make ninja-build git python3 libcgal-dev libeigen3-dev libtbb-dev libboost-dev
+          libgmp-dev libmpfr-dev libceres-dev)
+if [ "$tier" != core ]; then
+  packages+=(libcli11-dev nlohmann-json3-dev libpng-dev zlib1g-dev)
+  packages+=(pybind11-dev python3-dev python3-numpy python3-pytest mypy)   # for the Python package
+  packages+=(python3-pip python3-setuptools python3-wheel)                 # for its wheel
+  packages+=(python3-distributed python3-mpi4py openmpi-bin)   # for workers of other engines
+  packages+=(clang-format)
+fi
+if [ "$tier" = full ]; then
+  packages+=(dpkg-dev file python3-yaml)                       # for the packages
+  packages+=(doxygen texlive-binaries libjs-mathjax)           # for the manual
+  packages+=(python3-matplotlib python3-scipy python3-jinja2 libjs-three)   # for the benchmarks
+  packages+=(chromium chromium-driver python3-selenium)        # to look at pages
+  packages+=(valgrind clang libclang-rt-dev)
+fi
 packages+=("$@")
 missing=()
 for package in "${packages[@]}"; do

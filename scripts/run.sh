@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-scripts/install_dependencies.sh
+scripts/install_dependencies.sh user
 # The same build folder as that of scripts/test.sh; of it, what `cmake --install build` needs is built, and what makes the noisy part
 # and the comparison.
 cmake -S . -B build -DCMAKE_BUILD_TYPE=Release -DPython_EXECUTABLE=/usr/bin/python3

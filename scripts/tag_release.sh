@@ -7,7 +7,7 @@
 #
 # For a release, set the version in CMakeLists.txt and where scripts/project_version.sh says, the
 # date in the first section of CHANGES.md ("## 1.2.3, 2030-12-31") and, in CITATION.cff,
-# `date-released`, `repository-code` and the authors. Then commit, and run scripts/test.sh.
+# `date-released`, `repository-code` and the authors. Then commit, and run scripts/test_all.sh.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 

@@ -1,9 +1,11 @@
 #!/usr/bin/env bash
-# Attacks one reader with libFuzzer, under AddressSanitizer and UndefinedBehaviorSanitizer, packs
-# the files that reached new paths, and notes the number of executions in executions.csv.
+# Attacks one reader with libFuzzer, under AddressSanitizer and UndefinedBehaviorSanitizer.
 #
-#   run.sh CORPUS [EXECUTIONS]     CORPUS is csv, las, npy, obj, off, pcd, ply_ascii, ply_binary
-#                                  or xyz; 100000 executions if none are given
+#   run.sh [--keep] CORPUS [EXECUTIONS]
+#
+# CORPUS is csv, las, npy, obj, off, pcd, ply_ascii, ply_binary or xyz; 100000 executions if none are
+# given. With --keep, the files that reached new paths are packed into the corpus, and the number of
+# executions is noted in executions.csv.
 #
 # Needs clang with its run-time library for fuzzing (Debian: clang, libclang-rt-dev). Ends with 0 if
 # no file was found that breaks a reader; such a file is left in the folder that is named.
@@ -11,6 +13,8 @@ set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 tool=$here/../../../src/l0_resample
+keep=OFF
+if [ "$1" = --keep ]; then keep=ON; shift; fi
 corpus=$1 executions=${2:-100000}
 format=${corpus%_*}
 scratch=$here/../../../build-fuzz
@@ -41,6 +45,7 @@ ASAN_OPTIONS=malloc_context_size=0:quarantine_size_mb=1 \
   -artifact_prefix="$scratch/" -print_final_stats=1 \
   2>&1 | tee "$scratch/$corpus.log"
 
+[ $keep = ON ] || exit 0
 mkdir -p "$scratch/merged/$corpus" "$here/corpora"
 "$scratch/fuzz_readers" -merge=1 --format="$format" -max_len=1024 "$scratch/merged/$corpus" \
   "$scratch/$corpus"

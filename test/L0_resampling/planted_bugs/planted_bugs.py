@@ -7,6 +7,7 @@
 
   planted_bugs.py check            fails unless each row of the tables *.toml fits the source tree
   planted_bugs.py run [NAME...]    plants these bugs, or all of them, one at a time
+  planted_bugs.py run --draw N     plants N bugs, others for each commit
 
 A table has rows
 
@@ -28,6 +29,7 @@ bug that does not compile is not caught.
 import argparse
 import csv
 import os
+import random
 import re
 import shlex
 import shutil
@@ -148,9 +150,13 @@ def record(name, verdict, code):
         writer.writerows(verdicts[bug] for bug in sorted(verdicts) if bug in known)
 
 
+def current_commit():
+    return subprocess.run(["git", "-C", ROOT, "rev-parse", "--short", "HEAD"], text=True,
+                          stdout=subprocess.PIPE).stdout.strip() or "unknown"
+
+
 def run(bugs, arguments):
-    commit = subprocess.run(["git", "-C", ROOT, "rev-parse", "--short", "HEAD"], text=True,
-                            stdout=subprocess.PIPE).stdout.strip() or "unknown"
+    commit = current_commit()
     missed = 0
     with tempfile.TemporaryDirectory() as folder:
         scratch = Scratch(Path(folder), arguments.cmake, arguments.time_limit)
@@ -176,6 +182,7 @@ def main():
                         help="for CMake, such as --cmake=-DCMAKE_CXX_FLAGS_RELEASE=-O1")
     parser.add_argument("--time-limit", type=int, default=600, metavar="SECONDS",
                         help="a test that takes longer has caught a hang")
+    parser.add_argument("--draw", type=int, metavar="N", help="N of all bugs, drawn by the commit")
     parser.add_argument("--record", action="store_true", help="put the verdicts into verdicts.csv")
     arguments = parser.parse_intermixed_args()
 
@@ -188,6 +195,8 @@ def main():
     if unknown:
         parser.error(f"there is no bug {', '.join(sorted(unknown))}")
     chosen = [bug for bug in bugs if not arguments.names or bug.name in arguments.names]
+    if arguments.draw is not None:
+        chosen = random.Random(current_commit()).sample(chosen, min(arguments.draw, len(chosen)))
     return run(chosen, arguments)
 
 
