@@ -7,7 +7,7 @@
 
   planted_bugs.py check            fails unless each row of the tables *.toml fits the source tree
   planted_bugs.py run [NAME...]    plants these bugs, or all of them, one at a time
-  planted_bugs.py run --draw N     plants N bugs, others for each commit
+  planted_bugs.py run --draw N     plants N of those that can be judged here, others for each commit
 
 A table has rows
 
@@ -22,8 +22,8 @@ A table has rows
 `find` has to occur once in its file; blanks, line breaks and comments do not matter (see
 scripts/source_edits.py). `test` is a test of CTest, or a program of the build folder's bin/ with
 its arguments; a list of several means that each of them has to fail. What a test runs is built
-before it; `targets` names what else has to be. A test counts only if it passes without the bug. A
-bug that does not compile is not caught.
+before it; `targets` names what else has to be. A test counts only if it runs and passes without the
+bug. A bug that does not compile is not caught.
 """
 
 import argparse
@@ -114,7 +114,8 @@ class Scratch:
 
     def is_sound(self, test, targets):
         if test not in self.sound:
-            self.sound[test] = self.builds(test, targets) and self.run(test)[0] == 0
+            status, text = self.run(test) if self.builds(test, targets) else (None, "")
+            self.sound[test] = status == 0 and "***Skipped" not in text
         return self.sound[test]
 
     def verdict(self, bug):
@@ -150,27 +151,30 @@ def record(name, verdict, code):
         writer.writerows(verdicts[bug] for bug in sorted(verdicts) if bug in known)
 
 
-def current_commit():
-    return subprocess.run(["git", "-C", ROOT, "rev-parse", "--short", "HEAD"], text=True,
-                          stdout=subprocess.PIPE).stdout.strip() or "unknown"
-
-
 def run(bugs, arguments):
-    commit = current_commit()
-    missed = 0
+    commit = subprocess.run(["git", "-C", ROOT, "rev-parse", "--short", "HEAD"], text=True,
+                            stdout=subprocess.PIPE).stdout.strip() or "unknown"
+    if arguments.draw is not None:
+        bugs = random.Random(commit).sample(bugs, len(bugs))
+    planted, missed = 0, 0
     with tempfile.TemporaryDirectory() as folder:
         scratch = Scratch(Path(folder), arguments.cmake, arguments.time_limit)
         for bug in bugs:
+            if planted == arguments.draw:
+                break
             try:
                 verdict = scratch.verdict(bug)
             except Edit_error as error:
                 verdict = f"cannot be planted: {error}"
             print(f"{bug.name}: {verdict}", flush=True)
+            if arguments.draw is not None and verdict.startswith("cannot be"):
+                continue
+            planted += 1
             missed += not verdict.startswith("caught")
             if arguments.record:
                 record(bug.name, verdict, commit)
-    print(f"{len(bugs)} planted, {missed} not caught")
-    return 1 if missed else 0
+    print(f"{planted} planted, {missed} not caught")
+    return 1 if missed or planted == 0 else 0
 
 
 def main():
@@ -182,7 +186,7 @@ def main():
                         help="for CMake, such as --cmake=-DCMAKE_CXX_FLAGS_RELEASE=-O1")
     parser.add_argument("--time-limit", type=int, default=600, metavar="SECONDS",
                         help="a test that takes longer has caught a hang")
-    parser.add_argument("--draw", type=int, metavar="N", help="N of all bugs, drawn by the commit")
+    parser.add_argument("--draw", type=int, metavar="N", help="plant so many of the bugs")
     parser.add_argument("--record", action="store_true", help="put the verdicts into verdicts.csv")
     arguments = parser.parse_intermixed_args()
 
@@ -195,8 +199,6 @@ def main():
     if unknown:
         parser.error(f"there is no bug {', '.join(sorted(unknown))}")
     chosen = [bug for bug in bugs if not arguments.names or bug.name in arguments.names]
-    if arguments.draw is not None:
-        chosen = random.Random(current_commit()).sample(chosen, min(arguments.draw, len(chosen)))
     return run(chosen, arguments)
 
 
