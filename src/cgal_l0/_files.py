@@ -78,9 +78,10 @@ def read_points(
     format: str, one of these extensions without the dot, for a file with another one.
         Default: None, by the extension.
     columns: str such as "x,y,z,red,green,blue", or a sequence of names: what the columns of a
-        text, of a table or of an array are. nx, ny and nz are a normal, other names those of properties, and "-" is
-        a column to leave out. Default: None; of a text the first three are coordinates, and of six
-        the others a normal if they have unit length; a table has a line of names.
+        text, of a table or of an array are. nx, ny and nz are a normal, other names those of
+        properties, and "-" is a column to leave out. Default: None; without names in the file the
+        first three are coordinates, and of six the others a normal if they have unit length; a
+        table has a line of names.
     decimal_comma: bool. True: numbers of a text are written as 0,5. Default: False.
     drop_non_finite: bool. True: points with a coordinate that is not finite are left out and
         counted. False (default): they raise ValueError.

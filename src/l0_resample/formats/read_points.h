@@ -93,9 +93,10 @@ so, unless the names are of `columns`.
   the file has is skipped.
 - LAS 1.0 to 1.4, point data record formats 0 to 10: the coordinates in double precision, and as
   properties the fields of `las_fields()` and the extra bytes that the file describes, but for
-  integers of 64 bits. Extra bytes in floating-point numbers may be normals. Colors get 8 bits a channel, unless `with_wide_colors`; a file whose channels are all
-  below 256 has them already. Points that are flagged as withheld are left out. LAZ is refused
-  without a command that decompresses it.
+  integers of 64 bits. Extra bytes in floating-point numbers may be normals. Colors get 8 bits a
+  channel, unless `with_wide_colors`; a file whose channels are all below 256 has them already. What
+  says that x and y are degrees is told. Points that are flagged as withheld are left out. LAZ is
+  refused without a command that decompresses it.
 
 The filters `classes` and `only_first_returns` need `with_properties`, and act in all formats.
 

@@ -96,7 +96,8 @@ for options in "--viewpoint 0,0,0.1 cube.xyz" "--viewpoint none cube.xyz" "--up 
     seen.pcd; do
   # shellcheck disable=SC2086
   run $options out.xyz
-  check "and not said beside: $options" test "$status" -eq 0 -a "$(grep -cF "$outwards" stdout)" -eq 0
+  check "and not said beside: $options" \
+    test "$status" -eq 0 -a "$(grep -cF "$outwards" stdout)" -eq 0
 done
 
 run cube.xyz down.xyz --up 0,0,-3

@@ -348,7 +348,8 @@ echo notes > scans/notes.txt; echo old > scans/z.e57
 run_plainly scans/* --output-directory batch --points 40 --json batch.json
 check "status of a batch with strays" test "$status" -eq 3
 check "the others of a batch with strays" test "$(ls batch)" = "$(printf 'a1.xyz\na2.xyz')"
-check "the line of a stray" grep -q '^l0_resample: scans/notes.txt: line 1: a point needs 3 numbers' stderr
+check "the line of a stray" \
+  grep -q '^l0_resample: scans/notes.txt: line 1: a point needs 3 numbers' stderr
 check "the line of a folder of strays" grep -q '^l0_resample: scans/pictures: the folder has' stderr
 check "the number of strays" test "$(wc -l < stderr)" -eq 4 \
   -a "$(tail -n 1 stderr)" = "l0_resample: 3 of 5 files failed"

@@ -338,8 +338,8 @@ void test_degrees()
     for (const unsigned encoding : {0u, 16u})
     {
       file.encoding = encoding;
-      for (const std::string& wkt :
-           {globe, "COMPD_CS[\"both\"," + globe + ",VERT_CS[\"NN\"]]", recent, "geogcs(\"x\")"})
+      for (const std::string& wkt : {globe, "COMPD_CS[\"both\"," + globe + ",VERT_CS[\"NN\"]]",
+                                     recent, std::string("geogcs(\"x\")")})
         CHECK(is_refused_with(2112, wkt));
       for (const std::string& wkt : {town, recent_town, geocentric, std::string("GEOCCS[\"x\"]"),
                                      std::string("LOCAL_CS[\"GEOGCS[\"]"), std::string()})
