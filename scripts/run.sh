@@ -8,8 +8,8 @@ scripts/install_dependencies.sh user
 # The same build folder as that of scripts/test.sh; of it, what `cmake --install build` needs is built, and what makes the noisy part
 # and the comparison.
 cmake -S . -B build -DCMAKE_BUILD_TYPE=Release -DPython_EXECUTABLE=/usr/bin/python3
-cmake --build build -j "$(nproc)" --target l0_resample cgal_l0 sample_mesh run_l0 baseline_wlop baseline_ear \
-                                       evaluate_point_set
+cmake --build build -j "$(nproc)" --target l0_resample l0_resample_manual cgal_l0 CGAL_L0_resampling_compiled \
+                                       sample_mesh run_l0 baseline_wlop baseline_ear evaluate_point_set
 
 mkdir -p output
 data=$(scripts/fetch_demo_data.sh)
@@ -19,7 +19,7 @@ tool=(build/bin/l0_resample --force)   # what an earlier run has left is replace
 # the most noise and the most edges of all scans in the package.
 "${tool[@]}" "$data/points_3/hippo1.ply" output/hippo_resampled.ply --percentage 100 --snapshot output/hippo.png --json output/hippo.json
 "${tool[@]}" "$data/points_3/building.ply" output/building_resampled.ply --percentage 60 \
-        --snapshot output/building.png --view 1,-1,0.8 --json output/building.json
+        --snapshot output/building.png --json output/building.json
 
 # A mechanical part with known truth: 110000 points, noise of 0.5 % of the diagonal.
 build/bin/sample_mesh "$data/meshes/fandisk.off" output/fandisk_noisy.ply --points 110000 --noise 0.5 --seed 1

@@ -199,6 +199,7 @@ def read_points(
     *,
     format: str | None = None,
     columns: str | Sequence[str] | None = None,
+    decimal_comma: bool = False,
     drop_non_finite: bool = False,
     decompress: str | None = None,
     callback: Callable[[float], object] | None = None,

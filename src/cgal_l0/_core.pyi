@@ -151,6 +151,7 @@ def read_points(
     path: bytes,
     format: str | None,
     columns: str | None,
+    decimal_comma: bool,
     drop_non_finite: bool,
     decompression: str,
     callback: Callable[[float], object] | None,

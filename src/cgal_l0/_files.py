@@ -59,7 +59,14 @@ def _distinct(names):
 
 
 def read_points(
-    path, *, format=None, columns=None, drop_non_finite=False, decompress=None, callback=None
+    path,
+    *,
+    format=None,
+    columns=None,
+    decimal_comma=False,
+    drop_non_finite=False,
+    decompress=None,
+    callback=None,
 ):
     """Read the points of a file.
 
@@ -67,13 +74,15 @@ def read_points(
     positions, normals = cgal_l0.l0_resample_point_set(cloud.points)
 
     path: str or path. The extension tells the format: .ply, .pcd, .las, .off, .xyz, .xyzn, .pwn,
-        .npy, .csv or .obj, maybe before .gz.
+        .pts, .txt, .asc, .npy, .csv or .obj, maybe before .gz.
     format: str, one of these extensions without the dot, for a file with another one.
         Default: None, by the extension.
-    columns: str such as "x,y,z,red,green,blue", or a sequence of names: what the columns of a text
-        or of a table are. nx, ny and nz are a normal, other names those of properties, and "-" is
-        a column to leave out. Default: None; of a text the first three are coordinates, and of six
-        the others a normal if they have unit length; a table has a line of names.
+    columns: str such as "x,y,z,red,green,blue", or a sequence of names: what the columns of a
+        text, of a table or of an array are. nx, ny and nz are a normal, other names those of
+        properties, and "-" is a column to leave out. Default: None; without names in the file the
+        first three are coordinates, and of six the others a normal if they have unit length; a
+        table has a line of names.
+    decimal_comma: bool. True: numbers of a text are written as 0,5. Default: False.
     drop_non_finite: bool. True: points with a coordinate that is not finite are left out and
         counted. False (default): they raise ValueError.
     decompress: str, a command that writes a .laz file, for which {} stands, as LAS to its standard
@@ -85,7 +94,7 @@ def read_points(
 
     Raises ValueError with the line or byte where the file is not what it should be, OSError if
     there is no such file, MemoryError, and Cancelled. Warns of what was not read, as of points that
-    LAS flags as withheld.
+    LAS flags as withheld, and of x and y in degrees, which are no lengths as heights are.
     """
     os.stat(path)   # raises FileNotFoundError and its like
     if columns is not None and not isinstance(columns, str):
@@ -95,6 +104,7 @@ def read_points(
         os.fsencode(path),
         format,
         columns,
+        bool(decimal_comma),
         bool(drop_non_finite),
         decompress or "",
         callback,
@@ -192,7 +202,8 @@ def snapshot(
     colors: "shaded" (default), gray surfaces that are blue where normals are turned away from the
         eye, or "normals", which colors points by the direction of their normals.
     view: three floats, the direction from the points towards the eye, not zero. Default: from the
-        front right, a little above, with y pointing up.
+        front right or the broad side, a little above. z points up if most points lie in a few
+        planes, as of buildings, else y.
     path: str or path of a PNG file to write, or None (default).
 
     Returns the picture, an array of uint8 of shape (height, width, 3), which

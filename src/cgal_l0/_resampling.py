@@ -37,6 +37,8 @@ def in_python_words(message):
     message = re.sub(r"\b(\w+)\((true|false)\)", lambda m: f"{m[1]}={m[2].capitalize()}", message)
     message = message.replace("--drop-non-finite", "drop_non_finite=True")
     message = message.replace("--columns", "columns")
+    message = message.replace("--decimal-comma", "decimal_comma=True")
+    message = message.replace("--input-format xyz", "format='xyz'")
     message = message.replace("orientation_hint_map", "orientation_hints")
     return message.replace("viewpoint_map", "viewpoints").replace("2^32", "2**32")
 

@@ -9,7 +9,7 @@
 #include "run_beside_python.h"
 
 #include "basis/Failure.h"
-#include "formats/Text_columns.h"
+#include "formats/Named_columns.h"
 #include "formats/read_points.h"
 #include "formats/write_points.h"
 #include "pictures/render_snapshot.h"
@@ -154,18 +154,25 @@ py::array records_of(l0_tool::Property_table&& table, std::size_t size)
 /// \returns points, normals or None, the names of the properties and their records, the number of
 /// points dropped, and warnings; or None if cancelled
 py::object read_points(const std::string& path, const std::optional<std::string>& format_name,
-                       const std::optional<std::string>& columns, bool drop_non_finite,
-                       const std::string& decompression, const py::object& callback)
+                       const std::optional<std::string>& columns, bool decimal_comma,
+                       bool drop_non_finite, const std::string& decompression,
+                       const py::object& callback)
 {
   const l0_tool::File_format format = format_of(path, format_name);
   l0_tool::Read_options options;
-  if (columns && format != l0_tool::File_format::XYZ && format != l0_tool::File_format::CSV)
-    raise(PyExc_ValueError, "columns are given, but " + path + " is no text (XYZ or CSV)");
+  const bool is_text = format == l0_tool::File_format::XYZ || format == l0_tool::File_format::CSV;
+  if (columns && !is_text && format != l0_tool::File_format::NPY)
+    raise(PyExc_ValueError,
+          "columns are given, but " + path + " is no text (XYZ or CSV) and no array (NPY)");
+  if (decimal_comma && !is_text)
+    raise(PyExc_ValueError, "decimal_comma is given, but " + path + " is no text (XYZ or CSV)");
   if (columns)
     options.columns = with_python_exceptions(
       [&]() { return l0_tool::parse_column_names(*columns); });
   options.drop_non_finite = drop_non_finite;
   options.decompression = decompression;
+  options.has_decimal_commas = decimal_comma;
+  options.degrees = l0_tool::Read_options::Degrees::WARN;
   options.with_normals = true;
   options.with_properties = true;
   Point_cloud cloud;
@@ -283,8 +290,8 @@ py::array snapshot(const py::array& points, const std::optional<py::array>& inpu
     std::vector<py::ssize_t> shape;
     {
       const py::gil_scoped_release without_lock;
-      const l0_tool::Image image = l0_tool::render_snapshot(input, result, view, confidences,
-                                                            colors);
+      const l0_tool::Image image = l0_tool::render_snapshot(
+        input, result, l0_tool::choose_view(result, {view, {}, {}}), {}, confidences, colors);
       bytes = l0_tool::srgb_bytes(image);
       shape = {image.height, image.width, 3};
       if (path)
@@ -300,7 +307,8 @@ py::array snapshot(const py::array& points, const std::optional<py::array>& inpu
 void bind_files(py::module_& module)
 {
   module.def("read_points", &read_points, py::arg("path"), py::arg("format"), py::arg("columns"),
-             py::arg("drop_non_finite"), py::arg("decompression"), py::arg("callback"));
+             py::arg("decimal_comma"), py::arg("drop_non_finite"), py::arg("decompression"),
+             py::arg("callback"));
   module.def("write_points", &write_points, py::arg("path"), py::arg("format"), py::arg("points"),
              py::arg("normals"), py::arg("properties"));
   module.def("snapshot", &snapshot, py::arg("points"), py::arg("input_normals"),

@@ -107,6 +107,11 @@ bool parse_number_of(Number_type type, std::string_view word, char* target)
   return parse<double>(word, target);
 }
 
+bool is_floating(Number_type type)
+{
+  return type == Number_type::FLOAT32 || type == Number_type::FLOAT64;
+}
+
 bool fits_single_precision(Number_type type)
 {
   return type == Number_type::FLOAT32 || size_of(type) <= 2;

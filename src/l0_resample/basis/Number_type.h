@@ -43,6 +43,8 @@ void copy_number(const char* bytes, Number_type type, bool swap, char* target);
 /// \returns whether it is one of that type
 bool parse_number_of(Number_type type, std::string_view word, char* target);
 
+bool is_floating(Number_type type);
+
 /// Whether `float` holds all numbers of `type`.
 bool fits_single_precision(Number_type type);
 

@@ -30,24 +30,26 @@ using Oriented_point = std::pair<Point, Vector>;
 struct Narrowed_property
 {
   Number_type type; ///< before
-  double factor;    ///< of the values before
+  unsigned shift;   ///< the bits that values have lost at their lower end
 };
 
 /// What a file held.
 struct Point_cloud
 {
-  std::vector<Point> points;     ///< all finite
-  std::vector<Vector> normals;   ///< as in the file, unchecked: one for each point, or none at all
-  bool file_has_normals = false; ///< also if they are not kept
-  Property_table properties;     ///< all others, if asked for
+  std::vector<Point> points;               ///< all finite
+  std::vector<Vector> normals;             ///< as in the file: one for each point, or none at all
+  bool file_has_normals = false;           ///< also if they are not kept
+  Property_table properties;               ///< all others, if asked for
   std::vector<Narrowed_property> narrowed; ///< of all properties, or none if they are as read
   Number_type coordinate_type =
     Number_type::FLOAT64; ///< FLOAT32 if that held all coordinates and normals
-  std::optional<std::array<double, 3>> viewpoint; ///< of PCD, if it is not the origin
-  std::size_t number_of_dropped_points = 0;       ///< those with a coordinate that is not finite
-  std::optional<Las_origin> las;                  ///< of LAS
-  std::vector<std::string> warnings;              ///< one line each, with the name of the file
-  std::vector<std::string> notes;                 ///< as `warnings`, of what is as it should be
+  std::optional<std::array<double, 3>>
+    viewpoint; ///< of PCD or of the camera in PLY, if it is not the origin
+  std::size_t number_of_dropped_points = 0; ///< those with a coordinate that is not finite
+  std::optional<Las_origin> las;            ///< of LAS
+  std::string degrees; ///< what says that x and y are longitude and latitude; empty if nothing does
+  std::vector<std::string> warnings; ///< one line each, with the name of the file
+  std::vector<std::string> notes;    ///< as `warnings`, of what is as it should be
 };
 
 /// What is written.

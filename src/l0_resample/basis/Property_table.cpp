@@ -12,18 +12,21 @@
 namespace l0_tool {
 
 void Property_table::narrow(const std::vector<Number_type>& types,
-                            const std::vector<double>& factors)
+                            const std::vector<unsigned>& shifts)
 {
   Property_table narrow;
-  for (std::size_t k = 0; k < m_properties.size(); ++k)
+  for (std::size_t k = 0; k < m_properties.size(); ++k) {
     narrow.add_property(m_properties[k].name, types[k]);
+    if (!m_properties[k].has_fractions)
+      narrow.set_whole(k);
+  }
 
   // In place, as no row begins later than before
   const std::size_t number_of_rows = m_row_size == 0 ? 0 : m_rows.size() / m_row_size;
   std::vector<char> next(narrow.m_row_size);
   for (std::size_t i = 0; i < number_of_rows; ++i) {
     for (std::size_t k = 0; k < m_properties.size(); ++k)
-      encode(value(i, m_properties[k]) * (factors.empty() ? 1 : factors[k]), types[k],
+      encode(shifted(value(i, m_properties[k]), shifts.empty() ? 0 : shifts[k]), types[k],
              next.data() + narrow.m_properties[k].offset);
     std::copy(next.begin(), next.end(), m_rows.begin() + std::ptrdiff_t(i * narrow.m_row_size));
   }

@@ -10,6 +10,7 @@
 
 #include <CGAL/L0_resampling/internal/core/Buffer.h>
 
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -21,7 +22,8 @@ struct Property
 {
   std::string name;
   Number_type type;
-  std::size_t offset; ///< of its value in a row, in bytes
+  std::size_t offset;        ///< of its value in a row, in bytes
+  bool has_fractions = true; ///< whether a value may have digits behind the point; a label has none
 };
 
 /// The values of all further properties, one row for each point, in the types of the file and the
@@ -33,16 +35,20 @@ class Property_table
   CGAL::L0_resampling::internal::Buffer<char> m_rows;
 
 public:
-  /// Only before the first row.
+  /// Only before the first row. Numbers of floating-point types may have fractions until somebody
+  /// says that they have none.
   void add_property(const std::string& name, Number_type type)
   {
-    m_properties.push_back({name, type, m_row_size});
+    m_properties.push_back({name, type, m_row_size, is_floating(type)});
     m_row_size += size_of(type);
   }
 
   /// Gives the properties other types, none of them wider than before, and rounds as encode() does.
-  /// \param factors of the values; empty for 1
-  void narrow(const std::vector<Number_type>& types, const std::vector<double>& factors = {});
+  /// \param shifts the bits that values lose at their lower end; empty for none
+  void narrow(const std::vector<Number_type>& types, const std::vector<unsigned>& shifts = {});
+
+  /// Says that all values of a property of a floating-point type are whole numbers.
+  void set_whole(std::size_t index) { m_properties[index].has_fractions = false; }
 
   const std::vector<Property>& properties() const { return m_properties; }
 
@@ -62,6 +68,12 @@ public:
     return decode(row(row_index) + property.offset, property.type, false);
   }
 };
+
+/// A whole number without its lowest bits.
+inline double shifted(double value, unsigned shift)
+{
+  return shift == 0 ? value : std::floor(std::ldexp(value, -int(shift)));
+}
 
 } // namespace l0_tool
 

@@ -8,7 +8,7 @@
 #include "basis/Failure.h"
 #include "basis/parse_numbers.h"
 #include "files/Command_output.h"
-#include "formats/Text_columns.h"
+#include "formats/Named_columns.h"
 
 #include <CGAL/L0_resampling/internal/core/Parameters.h>
 #include <CGAL/version.h>
@@ -207,8 +207,12 @@ void add_options_on_input(CLI::App& app, Arguments& arguments)
   const auto set_names = [&](const std::string& all) { options.columns = parse_column_names(all); };
   app
     .add_option_function<std::string>("--columns", set_names,
-                                      "names of the columns of a text, - to leave one out")
+                                      "names of the columns of a text or array, - to leave one out")
     ->type_name("x,y,z,red,...");
+  app.add_flag("--decimal-comma", options.has_decimal_commas,
+               "numbers of a text have a comma for the point: 0,5");
+  app.add_flag("--allow-degrees", options.allows_degrees,
+               "read x and y though they are degrees, which are no lengths");
   app.add_flag("--drop-non-finite", options.drop_non_finite,
                "leave out points with a NaN or infinite coordinate");
   const auto set_classes = [&](const std::string& all) {
@@ -289,22 +293,20 @@ void add_options_on_normals(CLI::App& app, Arguments& arguments)
   auto* viewpoint = app
                       .add_option_function<std::string>(
                         "--viewpoint", set_viewpoint,
-                        "what normals face: where all was seen from [VIEWPOINT of PCD]")
+                        "what normals face: where all was seen from [that of PCD, PLY]")
                       ->type_name("X,Y,Z|none")
                       ->excludes(by_normals);
   auto* viewpoints = app
                        .add_option("--viewpoints", options.viewpoints,
-                                   "several places that points were seen from, in lines x y z")
+                                   "places that points were seen from, in lines x y z: the nearest")
                        ->type_name("FILE")
                        ->excludes(by_normals)
                        ->excludes(viewpoint);
-  auto* view_property =
-    app
-      .add_option("--view-property", options.view_property,
-                  "the property of INPUT that says from which line, counted from 0")
-      ->type_name("NAME")
-      ->needs(viewpoints);
-  viewpoints->needs(view_property);
+  app
+    .add_option("--view-property", options.view_property,
+                "the property of INPUT that says which line it is, from 0")
+    ->type_name("NAME")
+    ->needs(viewpoints);
   const auto set_up = [&options](const std::string& text) {
     options.up_direction = parse_direction("--up", text);
   };
@@ -405,10 +407,11 @@ void add_other_tasks(CLI::App& app, Arguments& arguments)
 void exclude_others(CLI::App& app, const std::string& task,
                     const std::vector<std::string_view>& useful)
 {
-  static constexpr std::array<std::string_view, 15> always = {
-    "help",    "version",         "config",       "FILES",         "input-format",
-    "columns", "drop-non-finite", "quiet",        "max-points",    "max-memory",
-    "timeout", "threads",         "keep-classes", "first-returns", "decompress"};
+  static constexpr std::array<std::string_view, 17> always = {
+    "help",          "version",         "config",       "FILES",         "input-format",
+    "columns",       "drop-non-finite", "quiet",        "max-points",    "max-memory",
+    "timeout",       "threads",         "keep-classes", "first-returns", "decompress",
+    "decimal-comma", "allow-degrees"};
   const auto has = [](const auto& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };

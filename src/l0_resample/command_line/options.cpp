@@ -56,13 +56,16 @@ void check_effects(const CLI::App& app, const Options& options)
       refuse_usage(std::string(option) + ": there is no --snapshot to look at");
 }
 
-// Only a text has columns to name.
+// Only a text and an array have columns to name.
 void check_columns(const Options& options)
 {
   const bool is_text = options.input_format == File_format::XYZ
                        || options.input_format == File_format::CSV || !options.refusal.empty();
-  if (!options.columns.empty() && !is_text)
-    refuse_usage("--columns: " + options.input_name() + " is no text (XYZ or CSV)");
+  if (!options.columns.empty() && !is_text && options.input_format != File_format::NPY)
+    refuse_usage("--columns: " + options.input_name()
+                 + " is no text (XYZ or CSV) and no array (NPY)");
+  if (options.has_decimal_commas && !is_text)
+    refuse_usage("--decimal-comma: " + options.input_name() + " is no text (XYZ or CSV)");
 }
 
 void check_no_file_is_replaced(const std::vector<Options>& runs)

@@ -44,7 +44,9 @@ struct Options
   File_format input_format = File_format::PLY;
   File_format output_format = File_format::PLY;
   std::string refusal;              ///< of a batch: why the input is not opened; empty if it is
-  std::vector<std::string> columns; ///< names of those of a text, empty if nobody names them
+  std::vector<std::string> columns; ///< names of those of a table, empty if nobody names them
+  bool has_decimal_commas = false;  ///< of a text
+  bool allows_degrees = false;      ///< as coordinates, beside heights that are none
   bool force = false;               ///< replace files
 
   std::optional<std::uint64_t> number_of_points; ///< goes before `percentage`
@@ -59,7 +61,7 @@ struct Options
   std::optional<std::array<double, 3>> viewpoint;
   bool ignore_viewpoint_of_file = false;
   std::string viewpoints;    ///< a file; empty for none
-  std::string view_property; ///< which of these each point was seen from
+  std::string view_property; ///< which of these each point was seen from; else the nearest
   std::optional<std::array<double, 3>> up_direction;
   bool keep_density = false;
   bool with_source_indices = false;

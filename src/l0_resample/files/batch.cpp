@@ -34,7 +34,9 @@ std::vector<std::string> files_of(const std::string& folder)
   std::error_code error;
   for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
     std::error_code unknown; // what cannot be looked at is no regular file
-    if (it->is_regular_file(unknown) && format_of(it->path().string()))
+    // what stands in texts beside scans are mostly notes
+    const bool may_be_notes = it->path().extension() == ".txt";
+    if (it->is_regular_file(unknown) && !may_be_notes && format_of(it->path().string()))
       files.push_back(it->path().string());
   }
   if (error)

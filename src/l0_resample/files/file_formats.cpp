@@ -41,7 +41,8 @@ std::optional<File_format> format_of(const std::string& path)
     return File_format::PLY;
   if (extension == ".off")
     return File_format::OFF;
-  if (extension == ".xyz" || extension == ".xyzn" || extension == ".pwn")
+  if (extension == ".xyz" || extension == ".xyzn" || extension == ".pwn" || extension == ".pts"
+      || extension == ".txt" || extension == ".asc")
     return File_format::XYZ;
   if (extension == ".pcd")
     return File_format::PCD;
@@ -86,7 +87,9 @@ std::string reason_against_output(const std::string& path, File_format format)
 std::string unknown_extension(const std::string& path, const std::string& option)
 {
   return path
-         + ": the extension is not .ply, .off, .xyz, .xyzn, .pwn, .pcd, .npy, .csv, .obj or .las; "
+         + ": the extension is not .ply, .off, .xyz, .xyzn, .pwn, .pts, .txt, .asc, .pcd, .npy, "
+           ".csv, .obj or "
+           ".las; "
          + option + " tells what the file is";
 }
 

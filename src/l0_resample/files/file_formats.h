@@ -33,7 +33,7 @@ bool is_compressed(const std::string& path);
 bool is_laz(const std::string& path);
 
 /// By the extension of `path`, maybe before .gz, in lower or upper case: .ply, .off, .xyz, .xyzn,
-/// .pwn, .pcd, .npy, .csv, .obj, .las or .laz.
+/// .pwn, .pts, .txt, .asc, .pcd, .npy, .csv, .obj, .las or .laz.
 std::optional<File_format> format_of(const std::string& path);
 
 /// The usual one, with its dot.

@@ -38,7 +38,7 @@ class Pcd_lines
   std::map<std::string, std::vector<std::string>> m_lines;
 
 public:
-  /// Reads to the line DATA.
+  /// Reads to the line DATA. PCL takes COLUMNS, of older versions, for FIELDS.
   explicit Pcd_lines(Input_file& file)
   {
     static constexpr std::string_view keywords[] = {"VERSION", "FIELDS", "SIZE",   "TYPE",
@@ -51,13 +51,14 @@ public:
       length += line->size() + 1;
 
       std::string_view rest = *line;
-      const std::string_view keyword = next_word(rest);
+      std::string_view keyword = next_word(rest);
+      if (keyword == "COLUMNS")
+        keyword = "FIELDS";
       if (keyword.empty() || keyword[0] == '#')
         continue;
-      if (m_lines.empty() && keyword != "VERSION")
-        file.refuse("the file does not begin with the line VERSION of a PCD header");
       if (std::find(std::begin(keywords), std::end(keywords), keyword) == std::end(keywords))
-        file.refuse(printable(keyword) + " is not a keyword of a PCD header");
+        file.refuse(printable(keyword) + " is not a keyword of a PCD header"
+                    + (m_lines.empty() ? ", with which the file should begin" : ""));
       const auto [words, is_new] = m_lines.try_emplace(std::string(keyword));
       if (!is_new)
         file.refuse("a second line " + std::string(keyword));
@@ -132,7 +133,7 @@ std::vector<Pcd_field> parse_fields(const Input_file& file, const Pcd_lines& lin
       file.refuse(printable(sizes[k]) + " is not a size of PCD");
     field.type = type_of(file, types[k], field.size);
     if (lines.has("COUNT"))
-      field.count = parse_count(file, lines.column(file, "COUNT", names.size())[k], 1, max_count,
+      field.count = parse_count(file, lines.column(file, "COUNT", names.size())[k], 0, max_count,
                                 "a number of values");
     fields.push_back(field);
   }
@@ -142,12 +143,25 @@ std::vector<Pcd_field> parse_fields(const Input_file& file, const Pcd_lines& lin
 std::uint64_t parse_number_of_points(const Input_file& file, const Pcd_lines& lines)
 {
   constexpr std::uint64_t any = (std::numeric_limits<std::uint64_t>::max)();
-  const std::uint64_t points = parse_count(file, lines.word(file, "POINTS"), 0, any,
-                                           "a number of points");
-  const std::uint64_t width = parse_count(file, lines.word(file, "WIDTH"), 0, any,
-                                          "a number of columns");
-  const std::uint64_t height = parse_count(file, lines.word(file, "HEIGHT"), 0, any,
-                                           "a number of rows");
+  // PCL does not need all of them either
+  const bool has_points = lines.has("POINTS"), has_width = lines.has("WIDTH");
+  if (!has_points && !has_width)
+    file.refuse("the header has no line POINTS and no line WIDTH");
+  const std::uint64_t height = lines.has("HEIGHT") ? parse_count(file, lines.word(file, "HEIGHT"),
+                                                                 0, any, "a number of rows")
+                                                   : 1;
+  std::uint64_t points = 0, width = 0;
+  if (has_points)
+    points = parse_count(file, lines.word(file, "POINTS"), 0, any, "a number of points");
+  if (has_width)
+    width = parse_count(file, lines.word(file, "WIDTH"), 0, any, "a number of columns");
+  if (!has_points) {
+    if (height > 0 && width > any / height)
+      file.refuse("WIDTH times HEIGHT is more than a file can hold");
+    return width * height;
+  }
+  if (!has_width)
+    return points;
   const bool is_product = height == 0 || width == 0
                             ? points == 0
                             : points / width == height && points % width == 0;
@@ -161,8 +175,7 @@ std::optional<std::array<double, 3>> parse_viewpoint(const Input_file& file, con
 {
   if (!lines.has("VIEWPOINT"))
     return std::nullopt;
-  const auto place = first_coordinates(lines.words(file, "VIEWPOINT"));
-  return place == std::array<double, 3>{} ? std::nullopt : place;
+  return first_coordinates(lines.words(file, "VIEWPOINT"));
 }
 
 } // namespace
@@ -186,7 +199,7 @@ std::uint64_t Pcd_header::row_size() const
 Pcd_header read_pcd_header(Input_file& file)
 {
   const Pcd_lines lines(file);
-  std::string version = lines.word(file, "VERSION");
+  std::string version = lines.has("VERSION") ? lines.word(file, "VERSION") : "0.7";
   if (version.substr(0, 1) == ".")
     version = "0" + version;
   if (version != "0.5" && version != "0.6" && version != "0.7")
@@ -196,7 +209,7 @@ Pcd_header read_pcd_header(Input_file& file)
   header.fields = parse_fields(file, lines);
   header.number_of_points = parse_number_of_points(file, lines);
   header.viewpoint = parse_viewpoint(file, lines);
-  header.is_organized = lines.word(file, "HEIGHT") != "1";
+  header.is_organized = lines.has("HEIGHT") && lines.word(file, "HEIGHT") != "1";
   const std::string data = lines.word(file, "DATA");
   if (data == "ascii")
     header.encoding = Pcd_header::Encoding::ASCII;

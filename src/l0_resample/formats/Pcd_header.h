@@ -21,7 +21,7 @@ struct Pcd_field
 {
   std::string name;
   std::uint64_t size = 0;          ///< of each value, in bytes
-  std::uint64_t count = 1;         ///< of values in a row
+  std::uint64_t count = 1;         ///< of values in a row; 0 for padding that is none
   std::optional<Number_type> type; ///< not for integers of 64 bits
 };
 
@@ -38,8 +38,7 @@ struct Pcd_header
   std::uint64_t number_of_points = 0;
   bool is_organized = false; ///< an image, which has points without a measurement too
   Encoding encoding = Encoding::ASCII;
-  std::optional<std::array<double, 3>>
-    viewpoint; ///< unless it is the origin, as where nobody knows, or no place
+  std::optional<std::array<double, 3>> viewpoint; ///< unless it is no place
 
   /// Of values in a row.
   std::uint64_t number_of_values() const;

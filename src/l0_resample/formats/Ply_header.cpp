@@ -19,7 +19,7 @@ constexpr std::size_t max_ply_header_length = 1024 * 1024;
 constexpr std::size_t max_number_of_properties = 1000;
 constexpr std::size_t max_number_of_elements = 100;
 
-Number_type parse_type(const Input_file& file, std::string_view word)
+Ply_type parse_type(const Input_file& file, std::string_view word)
 {
   static constexpr std::pair<std::string_view, Number_type> types[] = {
     {"char", Number_type::INT8},      {"int8", Number_type::INT8},
@@ -32,7 +32,14 @@ Number_type parse_type(const Input_file& file, std::string_view word)
     {"double", Number_type::FLOAT64}, {"float64", Number_type::FLOAT64}};
   for (const auto& [name, type] : types)
     if (name == word)
-      return type;
+      return {type, size_of(type), name};
+  // What some programs write beside the types of PLY; not kept, but no obstacle to the others
+  static constexpr std::pair<std::string_view, std::size_t> sizes[] = {
+    {"bool", 1},      {"int64", 8}, {"uint64", 8}, {"longlong", 8},
+    {"ulonglong", 8}, {"half", 2},  {"float16", 2}};
+  for (const auto& [name, size] : sizes)
+    if (name == word)
+      return {std::nullopt, size, name};
   file.refuse(printable(word) + " is not a type of PLY");
 }
 
@@ -68,9 +75,10 @@ Ply_property parse_property(const Input_file& file, std::string_view words)
   if (word == "list") {
     property.is_list = true;
     property.length_type = parse_type(file, next_word(words));
-    if (property.length_type == Number_type::FLOAT32
-        || property.length_type == Number_type::FLOAT64)
-      file.refuse("the length of a list is of a floating-point type");
+    const Ply_type& length = property.length_type;
+    if (length.number ? is_floating(*length.number) : length.size != sizeof(std::uint64_t))
+      file.refuse("the length of a list is of type " + std::string(length.name)
+                  + ", which is no integer");
     word = next_word(words);
   }
   property.type = parse_type(file, word);
@@ -92,14 +100,14 @@ std::uint64_t Ply_element::least_binary_size() const
 {
   std::uint64_t size = 0;
   for (const Ply_property& property : properties)
-    size += size_of(property.is_list ? property.length_type : property.type);
+    size += (property.is_list ? property.length_type : property.type).size;
   return size;
 }
 
 Ply_header read_ply_header(Input_file& file)
 {
   std::optional<std::string_view> line = file.read_line();
-  if (line != "ply")
+  if (!line || trimmed(*line) != "ply")
     file.refuse("the file does not begin with the line \"ply\"");
 
   Ply_header header;

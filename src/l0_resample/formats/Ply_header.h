@@ -11,17 +11,27 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace l0_tool {
 
+/// Of a number.
+struct Ply_type
+{
+  std::optional<Number_type> number; ///< not for a bool, nor for integers of 64 bits
+  std::size_t size = 0;              ///< in a binary file, in bytes
+  std::string_view name;
+};
+
 struct Ply_property
 {
   std::string name;
-  Number_type type; ///< of the value, or of each entry of a list
+  Ply_type type; ///< of the value, or of each entry of a list
   bool is_list = false;
-  Number_type length_type = Number_type::UINT8; ///< only of a list; no floating-point type
+  Ply_type length_type = {}; ///< only of a list; no floating-point type
 };
 
 struct Ply_element

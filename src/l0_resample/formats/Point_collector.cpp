@@ -6,7 +6,9 @@
 #include "formats/Point_collector.h"
 
 #include "basis/Failure.h"
+#include "formats/degrees.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -32,13 +34,11 @@ void Point_collector::check_limits(std::uint64_t number_of_points) const
       refuse_memory();
     return;
   }
-  const std::uint64_t point_size = sizeof(Point)
-                                   + (m_has_normals && m_options.with_normals ? sizeof(Vector) : 0)
+  const bool has_normals = m_vectors && m_options.with_normals;
+  const std::uint64_t point_size = sizeof(Point) + (has_normals ? sizeof(Vector) : 0)
                                    + m_cloud.properties.row_size();
-  const std::uint64_t others =
-    m_buffer_size + (m_are_normals_apart ? m_cloud.normals.size() : 0) * sizeof(Vector);
-  if (others > m_options.max_memory
-      || number_of_points > (m_options.max_memory - others) / point_size)
+  if (m_buffer_size > m_options.max_memory
+      || number_of_points > (m_options.max_memory - m_buffer_size) / point_size)
     refuse_memory();
 }
 
@@ -46,6 +46,8 @@ std::size_t Point_collector::add_property(const std::string& name, Number_type t
 {
   m_cloud.properties.add_property(name, type);
   m_next_properties.resize(m_cloud.properties.row_size());
+  if (is_floating(type))
+    m_whole_properties.push_back(number_of_properties() - 1);
   return number_of_properties() - 1;
 }
 
@@ -63,12 +65,24 @@ void Point_collector::announce_buffer(std::uint64_t count, std::uint64_t buffer_
   check_limits(count);
 }
 
+void Point_collector::set_buffer_size(std::uint64_t size)
+{
+  m_buffer_size = size;
+  check_limits(m_cloud.points.size());
+}
+
+void Point_collector::leave_out()
+{
+  if (m_are_normals_behind && m_options.with_normals)
+    m_missing_rows.push_back(m_number_of_rows - 1);
+}
+
 void Point_collector::reserve(std::uint64_t count)
 {
   if (m_options.on_point)
     return;
   m_cloud.points.reserve(count);
-  if (m_has_normals && m_options.with_normals)
+  if (m_vectors && m_options.with_normals)
     m_cloud.normals.reserve(count);
   m_cloud.properties.reserve(count);
 }
@@ -83,84 +97,119 @@ void Point_collector::add(const Point_row& row)
         + (m_is_organized ? ", as an organized cloud has it where nothing was measured" : "")
         + "; --drop-non-finite leaves such points out");
     ++m_cloud.number_of_dropped_points;
-    if (m_are_normals_apart)
-      m_dropped_rows.push_back(std::size_t(m_number_of_rows - 1));
-    return;
+    return leave_out();
   }
   if (!m_filter.keeps(m_file, m_cloud.properties, m_next_properties.data()))
-    return;
+    return leave_out();
   check_limits(m_cloud.points.size() + 1);
-  if (m_are_normals_unnamed)
-    measure_vector(row);
+  if (m_vectors)
+    measure_vector(Vector(row[3], row[4], row[5]));
+  look_at_properties();
+  const Point point(row[0], row[1], row[2]);
+  m_box += point.bbox();
   if (m_options.on_point) {
-    m_options.on_point(Point(row[0], row[1], row[2]), m_cloud.properties, m_next_properties.data());
+    m_options.on_point(point, m_cloud.properties, m_next_properties.data());
     return;
   }
-  m_cloud.points.emplace_back(row[0], row[1], row[2]);
-  if (m_has_normals && m_options.with_normals)
+  m_cloud.points.push_back(point);
+
+  if (m_vectors && m_options.with_normals)
     m_cloud.normals.emplace_back(row[3], row[4], row[5]);
   m_cloud.properties.append(m_next_properties.data());
 }
 
 void Point_collector::set_types(const std::vector<Number_type>& types,
-                                const std::vector<double>& factors)
+                                const std::vector<unsigned>& shifts)
 {
   for (std::size_t k = 0; k < properties().size(); ++k)
-    m_cloud.narrowed.push_back({properties()[k].type, factors.empty() ? 1 : factors[k]});
-  m_cloud.properties.narrow(types, factors);
+    m_cloud.narrowed.push_back({properties()[k].type, shifts.empty() ? 0 : shifts[k]});
+  m_cloud.properties.narrow(types, shifts);
 }
 
-void Point_collector::add_normal(const Vector& normal)
+void Point_collector::look_at_properties()
 {
-  ++m_number_of_normals_apart;
-  if (!m_options.with_normals)
-    return;
-  m_cloud.normals.push_back(normal);
-  check_limits(m_cloud.points.size());
+  const auto has_fraction = [&](std::size_t k) {
+    const Property& property = properties()[k];
+    const double value = decode(m_next_properties.data() + property.offset, property.type, false);
+    return std::isfinite(value) && std::floor(value) != value;
+  };
+  m_whole_properties.erase(std::remove_if(m_whole_properties.begin(), m_whole_properties.end(),
+                                          has_fraction),
+                           m_whole_properties.end());
 }
 
-void Point_collector::measure_vector(const Point_row& row)
+void Point_collector::measure_vector(const Vector& vector)
 {
   constexpr double tolerance = 0.01;
-  const double length = std::sqrt(row[3] * row[3] + row[4] * row[4] + row[5] * row[5]);
+  const double length = std::sqrt(vector.squared_length());
   if (std::abs(length - 1) <= tolerance)
     ++m_number_of_unit_vectors;
   else if (length != 0)
     ++m_number_of_other_vectors; // NaN too
 }
 
-void Point_collector::drop_other_vectors()
+void Point_collector::check_vectors()
 {
   constexpr std::uint64_t least_ratio = 19; // of unit vectors to others
-  const bool are_normals = m_number_of_unit_vectors > 0
-                           && m_number_of_unit_vectors / least_ratio >= m_number_of_other_vectors;
+  const bool is_empty = m_number_of_rows == m_cloud.number_of_dropped_points;
+  const bool are_normals =
+    *m_vectors == Vectors::NAMED_BY_CALLER || (*m_vectors == Vectors::NAMED_BY_FILE && is_empty)
+    || (m_number_of_unit_vectors > 0
+        && m_number_of_unit_vectors / least_ratio >= m_number_of_other_vectors);
   m_cloud.file_has_normals = are_normals;
-  if (are_normals || m_cloud.points.empty())
+  if (are_normals || is_empty)
     return;
   m_cloud.normals = {};
   if (m_options.with_normals || m_options.with_properties)
-    warn("columns 4 to 6 are no unit vectors and not taken for normals; --columns can name them");
+    warn(*m_vectors == Vectors::UNNAMED
+           ? "columns 4 to 6 are no unit vectors and not taken for normals; --columns can name them"
+           : "the normals are left out, as they are no unit vectors");
 }
 
-void Point_collector::match_normals()
+void Point_collector::set_normals(std::vector<Vector>&& normals)
 {
-  std::vector<Vector>& normals = m_cloud.normals;
-  m_cloud.file_has_normals = m_number_of_normals_apart > 0
-                             && m_number_of_normals_apart == m_number_of_rows;
-  if (m_cloud.file_has_normals) {
-    std::size_t end = 0, next_dropped = 0;
-    for (std::size_t i = 0; i < normals.size(); ++i)
-      if (next_dropped < m_dropped_rows.size() && m_dropped_rows[next_dropped] == i)
-        ++next_dropped;
-      else
-        normals[end++] = normals[i];
-    normals.resize(end);
+  m_vectors = Vectors::NAMED_BY_FILE;
+  if (!m_options.with_normals)
     return;
-  }
-  normals = {};
-  if (m_number_of_normals_apart > 0 && (m_options.with_normals || m_options.with_properties))
-    warn("the " + std::to_string(m_number_of_normals_apart) + " normals are left out, as there are "
-         + std::to_string(m_number_of_rows) + " points");
+  std::size_t end = 0;
+  auto next_missing = m_missing_rows.begin();
+  for (std::size_t i = 0; i < normals.size(); ++i)
+    if (next_missing != m_missing_rows.end() && *next_missing == i)
+      ++next_missing;
+    else
+      normals[end++] = normals[i];
+  normals.resize(end);
+  m_cloud.normals = std::move(normals);
+}
+
+void Point_collector::check_viewpoint()
+{
+  if (!m_cloud.viewpoint)
+    return;
+  // Writers turn the origin, which tells nothing, forth and back
+  constexpr double least_distance = 1e-6; // from the origin, in diagonals of the box
+  const auto& [x, y, z] = *m_cloud.viewpoint;
+  const bool has_points = m_box.xmin() <= m_box.xmax();
+  const double diagonal = has_points
+                            ? std::hypot(m_box.xmax() - m_box.xmin(), m_box.ymax() - m_box.ymin(),
+                                         m_box.zmax() - m_box.zmin())
+                            : 0;
+  if (!(std::hypot(x, y, z) > least_distance * diagonal))
+    m_cloud.viewpoint.reset();
+}
+
+void Point_collector::set_degrees(const std::string& reason)
+{
+  using Degrees = Read_options::Degrees;
+  const std::string fault = m_file.path() + ": x and y are degrees of longitude and latitude, as "
+                            + reason
+                            + ", so that they are no lengths as heights are; project "
+                              "them first (PDAL: filters.reprojection)";
+  if (m_options.degrees == Degrees::REFUSE)
+    throw Failure(INPUT_REFUSED, fault + ", or give --allow-degrees");
+  if (m_options.degrees == Degrees::WARN && m_cloud.degrees.empty())
+    m_cloud.warnings.push_back(fault);
+  m_cloud.degrees = reason;
 }
 
 Point_cloud Point_collector::take()
@@ -168,10 +217,15 @@ Point_cloud Point_collector::take()
   if (m_filter.number_left_out() > 0)
     note(std::to_string(m_filter.number_left_out())
          + " points are left out by --keep-classes or --first-returns");
-  if (m_are_normals_apart)
-    match_normals();
-  if (m_are_normals_unnamed)
-    drop_other_vectors();
+  if (m_vectors)
+    check_vectors();
+  check_viewpoint();
+  if (!m_cloud.las && m_options.degrees != Read_options::Degrees::ACCEPT
+      && look_like_degrees(m_box))
+    warn("x and y look like degrees of longitude and latitude, which are no lengths as heights "
+         "are; project them first (PDAL: filters.reprojection)");
+  for (const std::size_t k : m_whole_properties)
+    m_cloud.properties.set_whole(k);
   return std::move(m_cloud);
 }
 

@@ -11,8 +11,11 @@
 #include "formats/Point_filter.h"
 #include "formats/read_points.h"
 
+#include <CGAL/Bbox_3.h>
+
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,46 +24,60 @@ namespace l0_tool {
 /// x, y, z and, where the file has them, nx, ny, nz.
 using Point_row = std::array<double, 6>;
 
+/// What three numbers of a row that may be a normal are.
+enum class Vectors
+{
+  UNNAMED,         ///< of columns without names
+  NAMED_BY_FILE,   ///< said to be normals
+  NAMED_BY_CALLER, ///< the same, and not to be questioned
+};
+
 /// Takes the points that a reader finds and keeps the limits of `Read_options`.
 class Point_collector
 {
   const Input_file& m_file;
   Read_options m_options;
   Point_filter m_filter;
-  bool m_has_normals = false;
+  std::optional<Vectors> m_vectors; // that come with the rows
   bool m_is_organized = false;
-  bool m_are_normals_unnamed = false;
-  std::uint64_t m_number_of_unit_vectors = 0;  // of those without a name
+  std::uint64_t m_number_of_unit_vectors = 0;
   std::uint64_t m_number_of_other_vectors = 0; // that are not 0
   std::uint64_t m_number_of_rows = 0;
   std::uint64_t m_buffer_size = 0;
-  bool m_are_normals_apart = false;
-  std::uint64_t m_number_of_normals_apart = 0;
-  std::vector<std::size_t> m_dropped_rows; // if normals are apart
-  std::vector<char> m_next_properties;     // of the next row
+  std::vector<std::uint64_t> m_missing_rows; // of which no point was kept, if normals come behind
+  bool m_are_normals_behind = false;
+  std::vector<char> m_next_properties;         // of the next row
+  std::vector<std::size_t> m_whole_properties; // of floating-point types, so far
+  CGAL::Bbox_3 m_box;                          // of the points
   Point_cloud m_cloud;
 
   [[noreturn]] void refuse_memory() const;
   void check_limits(std::uint64_t number_of_points) const;
-  void measure_vector(const Point_row& row);
-  void drop_other_vectors();
-  void match_normals();
+  void look_at_properties();
+  void leave_out();
+  void check_vectors();
+  void check_viewpoint();
 
 public:
   Point_collector(const Input_file& file, const Read_options& options)
     : m_file(file), m_options(options), m_filter(options)
   {}
 
-  /// Says that from the first row on there are normals.
-  void set_has_normals() { m_has_normals = m_cloud.file_has_normals = true; }
+  /// Says that from the first row on there are three numbers that may be a normal. They are normals
+  /// if at least 95 % of these vectors, not counting those that are 0, have length 1 within 1 %, or
+  /// if the caller says so.
+  void set_vectors(Vectors vectors) { m_vectors = vectors; }
 
-  /// Says that from the first row on there are three more numbers without names. They are normals
-  /// if at least 95 % of these vectors, not counting those that are 0, have length 1 within 1 %.
-  void set_may_have_normals() { m_has_normals = m_are_normals_unnamed = true; }
+  /// Says that the normals of all rows come behind the last row, by `set_normals()`.
+  void set_normals_behind() { m_are_normals_behind = true; }
 
-  /// Says that normals do not come with points, but by `add_normal()`. They are kept if in the end
-  /// there are as many as rows.
-  void set_normals_apart() { m_are_normals_apart = true; }
+  /// Looks at the length of a vector that is to be one of the normals.
+  void measure_vector(const Vector& vector);
+
+  /// \param normals one for each row, or none if the caller does not want them
+  void set_normals(std::vector<Vector>&& normals);
+
+  bool wants_normals() const { return m_options.with_normals; }
 
   /// Says that `float` holds all coordinates and normals.
   void set_single_precision() { m_cloud.coordinate_type = Number_type::FLOAT32; }
@@ -70,7 +87,13 @@ public:
   /// Says that the points are an image, for messages.
   void set_organized() { m_is_organized = true; }
 
+  /// Says what tells that x and y are degrees.
+  /// \throws Failure if the options refuse these
+  void set_degrees(const std::string& reason);
+
   bool wants_properties() const { return m_options.with_properties; }
+
+  bool has_decimal_commas() const { return m_options.has_decimal_commas; }
 
   bool wants_wide_colors() const { return m_options.with_wide_colors; }
 
@@ -94,12 +117,13 @@ public:
   /// \throws Failure if the limits forbid that
   void announce_buffer(std::uint64_t count, std::uint64_t buffer_size);
 
+  /// Says of how many bytes the buffer of the reader is by now.
+  void set_buffer_size(std::uint64_t size);
+
   /// Makes room for `count` points, which the file is known to hold.
   void reserve(std::uint64_t count);
 
   void add(const Point_row& row);
-
-  void add_normal(const Vector& normal);
 
   void warn(const std::string& what) { m_cloud.warnings.push_back(m_file.path() + ": " + what); }
 
@@ -110,9 +134,12 @@ public:
   std::uint64_t number_of_rows() const { return m_number_of_rows; }
 
   /// After the last row; see `Property_table::narrow()`.
-  void set_types(const std::vector<Number_type>& types, const std::vector<double>& factors = {});
+  void set_types(const std::vector<Number_type>& types, const std::vector<unsigned>& shifts = {});
 
   const std::vector<Property>& properties() const { return m_cloud.properties.properties(); }
+
+  /// Of the points so far.
+  const CGAL::Bbox_3& box() const { return m_box; }
 
   Point_cloud take();
 };

@@ -7,11 +7,12 @@
 
 #include "basis/parse_numbers.h"
 #include "formats/Las_header.h"
+#include "formats/degrees.h"
+#include "formats/usual_names.h"
 
 #include <CGAL/L0_resampling/internal/core/attribute_kinds.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -20,10 +21,6 @@
 
 namespace l0_tool {
 namespace {
-
-/// The names that a normal may have among the extra bytes.
-constexpr std::array<std::array<std::string_view, 3>, 2> names_of_normals = {
-  {las_normal_names, {"nx", "ny", "nz"}}};
 
 /// What is made of the bytes of a point.
 struct Point_plan
@@ -36,17 +33,21 @@ struct Point_plan
 /// Of extra bytes.
 std::vector<Las_field> find_normal(const std::vector<Las_field>& fields)
 {
-  for (const auto& names : names_of_normals) {
-    std::vector<Las_field> normal;
-    for (const std::string_view name : names) {
-      const Las_field* const field = find_las_field(fields, name);
-      if (field && field->kind == Las_field::Kind::FLOATING)
-        normal.push_back(*field);
-    }
-    if (normal.size() == names.size())
-      return normal;
-  }
-  return {};
+  std::vector<std::string> names;
+  for (const Las_field& field : fields)
+    names.push_back(field.name);
+  names = usual_names(std::move(names));
+  std::vector<Las_field> normal;
+  for (std::size_t axis = 3; axis < row_names.size(); ++axis)
+    for (std::size_t k = 0; k < fields.size(); ++k)
+      if (names[k] == row_names[axis]) {
+        normal.push_back(fields[k]);
+        break; // the first one of that name
+      }
+  const auto is_floating = [](const Las_field& f) { return f.kind == Las_field::Kind::FLOATING; };
+  if (normal.size() != 3 || !std::all_of(normal.begin(), normal.end(), is_floating))
+    return {};
+  return normal;
 }
 
 /// The extra bytes that lie within a point.
@@ -78,7 +79,7 @@ Point_plan plan_points(const Las_header& header, Point_collector& collector)
   const std::vector<Las_field> extra = usable_extra_fields(header, collector);
   plan.normal = find_normal(extra);
   if (!plan.normal.empty())
-    collector.set_has_normals();
+    collector.set_vectors(Vectors::NAMED_BY_FILE);
   if (!collector.wants_properties())
     return plan;
   // Where both have a name, the format's field held less than what was to be written
@@ -119,16 +120,18 @@ public:
   {
     if (m_channels.empty())
       return;
-    constexpr double highest_byte = 255, bytes_per_byte = 257;
+    constexpr double highest_byte = 255;
+    // Exact for files that have a byte times 256, and for those that have it times 257
+    constexpr unsigned bits_of_byte = 8;
     std::vector<Number_type> types;
     for (const Property& property : collector.properties())
       types.push_back(property.type);
-    std::vector<double> factors(types.size(), 1);
+    std::vector<unsigned> shifts(types.size(), 0);
     for (const std::size_t k : m_channels) {
       types[k] = Number_type::UINT8;
-      factors[k] = m_highest > highest_byte ? 1 / bytes_per_byte : 1;
+      shifts[k] = m_highest > highest_byte ? bits_of_byte : 0;
     }
-    collector.set_types(types, factors);
+    collector.set_types(types, shifts);
   }
 };
 
@@ -179,6 +182,14 @@ void read_late_records(Input_file& file, Las_header& header, Point_collector& co
                    "a file that is no pipe and not compressed is read with them");
 }
 
+/// As soon as the records are read, and by the coordinates at the end.
+void check_system(const Las_header& header, Point_collector& collector)
+{
+  const Horizontal_system system = horizontal_system_of(header.origin);
+  if (system.is_geographic)
+    collector.set_degrees(system.told_by);
+}
+
 } // namespace
 
 void read_las(Input_file& file, Point_collector& collector)
@@ -188,10 +199,16 @@ void read_las(Input_file& file, Point_collector& collector)
   const bool has_records = header.number_of_extended_records > 0;
   const bool is_complete = !has_records
                            || file.look_ahead(header.first_extended_record, read_records);
+  check_system(header, collector);
   file.skip_bytes(header.offset_to_points - file.position());
   read_rows(file, header, collector);
-  if (!is_complete)
+  if (!is_complete) {
     read_late_records(file, header, collector);
+    check_system(header, collector);
+  }
+  if (!horizontal_system_of(header.origin).is_told
+      && look_like_degrees(collector.box(), header.origin))
+    collector.set_degrees("its coordinates tell");
   collector.set_las_origin(header.origin);
 
   if (!collector.wants_properties())

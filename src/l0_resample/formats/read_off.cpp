@@ -103,7 +103,7 @@ void read_off(Input_file& file, Point_collector& collector)
   if (keyword != "OFF")
     file.refuse("the file does not begin with OFF, with no prefix but ST, C or N");
   if (has_normals)
-    collector.set_has_normals();
+    collector.set_vectors(Vectors::NAMED_BY_FILE);
 
   std::string_view word = next_word(line);
   if (word == "BINARY")

@@ -9,6 +9,7 @@
 #include "formats/Row_targets.h"
 #include "formats/decompress_lzf.h"
 #include "formats/readers.h"
+#include "formats/usual_names.h"
 
 #include <algorithm>
 #include <array>
@@ -18,6 +19,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace l0_tool {
@@ -25,33 +27,12 @@ namespace {
 
 constexpr std::size_t max_number_of_pcd_properties = 1000;
 
-Targets find_targets(const Input_file& file, const Pcd_header& header)
+std::vector<std::string> names_of(const Pcd_header& header)
 {
-  static constexpr std::array<std::string_view, 6> names = {"x",        "y",        "z",
-                                                            "normal_x", "normal_y", "normal_z"};
-  Targets targets;
-  std::array<bool, 6> found = {};
-  for (const Pcd_field& field : header.fields) {
-    const std::size_t target = std::size_t(std::find(names.begin(), names.end(), field.name)
-                                           - names.begin());
-    targets.push_back(target);
-    if (target == unused)
-      continue;
-    if (field.count != 1)
-      file.refuse("the field " + field.name + " has " + std::to_string(field.count) + " values");
-    if (!field.type)
-      file.refuse("the field " + field.name + " is an integer of 64 bits");
-    if (found[target])
-      file.refuse("two fields " + field.name);
-    found[target] = true;
-  }
-  for (std::size_t k = 0; k < 3; ++k)
-    if (!found[k])
-      file.refuse("there is no field " + std::string(names[k]));
-  if (!found[3] || !found[4] || !found[5])
-    std::replace_if(
-      targets.begin(), targets.end(), [](std::size_t target) { return target >= 3; }, unused);
-  return targets;
+  std::vector<std::string> names;
+  for (const Pcd_field& field : header.fields)
+    names.push_back(field.name);
+  return usual_names(std::move(names));
 }
 
 bool is_single_precision(const Pcd_header& header, const Targets& targets)
@@ -71,11 +52,12 @@ bool is_packed_color(const Pcd_field& field)
   return (field.name == "rgb" || field.name == "rgba") && field.size == 4 && field.count == 1;
 }
 
-void keep_fields(const Pcd_header& header, Targets& targets, Point_collector& collector)
+void keep_fields(const Pcd_header& header, const std::vector<std::string>& names, Targets& targets,
+                 Point_collector& collector)
 {
   for (std::size_t k = 0; k < targets.size(); ++k) {
     const Pcd_field& field = header.fields[k];
-    if (targets[k] != unused || is_padding(field))
+    if (targets[k] != unused || is_padding(field) || field.count == 0)
       continue;
     if (!field.type
         || field.count > max_number_of_pcd_properties - collector.number_of_properties()) {
@@ -93,7 +75,7 @@ void keep_fields(const Pcd_header& header, Targets& targets, Point_collector& co
       continue;
     }
     for (std::uint64_t i = 0; i < field.count; ++i)
-      collector.add_property(field.count == 1 ? field.name : field.name + "_" + std::to_string(i),
+      collector.add_property(field.count == 1 ? names[k] : names[k] + "_" + std::to_string(i),
                              *field.type);
   }
 }
@@ -251,9 +233,16 @@ void read_rows(Input_file& file, const Pcd_header& header, const Targets& target
 void read_pcd(Input_file& file, Point_collector& collector)
 {
   const Pcd_header header = read_pcd_header(file);
-  Targets targets = find_targets(file, header);
-  if (std::count(targets.begin(), targets.end(), std::size_t(3)) > 0)
-    collector.set_has_normals();
+  const std::vector<std::string> names = names_of(header);
+  const auto reason_against = [&](std::size_t k) -> std::string {
+    const Pcd_field& field = header.fields[k];
+    return field.count != 1 ? "one of " + std::to_string(field.count) + " values"
+           : !field.type    ? "an integer of 64 bits"
+                            : "";
+  };
+  Targets targets = find_targets(file, names, "field", reason_against);
+  if (have_normals(targets))
+    collector.set_vectors(Vectors::NAMED_BY_FILE);
   if (header.viewpoint)
     collector.set_viewpoint(*header.viewpoint);
   if (header.is_organized)
@@ -261,15 +250,13 @@ void read_pcd(Input_file& file, Point_collector& collector)
   if (is_single_precision(header, targets))
     collector.set_single_precision();
   if (collector.wants_properties())
-    keep_fields(header, targets, collector);
+    keep_fields(header, names, targets, collector);
 
   if (header.encoding == Pcd_header::Encoding::COMPRESSED_BINARY)
     read_compressed_rows(file, header, targets, collector);
   else
     read_rows(file, header, targets, collector);
-  if (file.bytes_left() > std::uint64_t(0))
-    collector.warn(std::to_string(*file.bytes_left())
-                   + " bytes after the last point are not looked at");
+  warn_of_rest(file, "point", collector);
 }
 
 } // namespace l0_tool

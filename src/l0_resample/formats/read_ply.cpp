@@ -3,10 +3,12 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "basis/little_endian.h"
 #include "basis/parse_numbers.h"
 #include "formats/Ply_header.h"
 #include "formats/Row_targets.h"
 #include "formats/readers.h"
+#include "formats/usual_names.h"
 
 #include <algorithm>
 #include <array>
@@ -16,12 +18,14 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace l0_tool {
 namespace {
 
-void keep_properties(const Ply_element& vertex, Targets& targets, Point_collector& collector)
+void keep_properties(const Ply_element& vertex, const std::vector<std::string>& names,
+                     Targets& targets, Point_collector& collector)
 {
   for (std::size_t k = 0; k < targets.size(); ++k) {
     const Ply_property& property = vertex.properties[k];
@@ -29,41 +33,26 @@ void keep_properties(const Ply_element& vertex, Targets& targets, Point_collecto
       continue;
     if (property.is_list)
       collector.warn("the lists " + printable(property.name) + " of the vertices are left out");
+    else if (!property.type.number)
+      collector.warn("the property " + printable(property.name) + " is left out: numbers of type "
+                     + std::string(property.type.name));
     else
-      targets[k] = first_property + collector.add_property(property.name, property.type);
+      targets[k] = first_property + collector.add_property(names[k], *property.type.number);
   }
 }
 
-Targets find_targets(const Input_file& file, const Ply_element& vertex)
+std::vector<std::string> names_of(const Ply_element& element)
 {
-  static constexpr std::array<std::string_view, 6> names = {"x", "y", "z", "nx", "ny", "nz"};
-  Targets targets;
-  std::array<bool, 6> found = {};
-  for (const Ply_property& property : vertex.properties) {
-    const std::size_t target = std::size_t(std::find(names.begin(), names.end(), property.name)
-                                           - names.begin());
-    targets.push_back(target);
-    if (target == unused)
-      continue;
-    if (property.is_list)
-      file.refuse("the property " + property.name + " of the vertices is a list");
-    if (found[target])
-      file.refuse("the vertices have two properties " + property.name);
-    found[target] = true;
-  }
-  for (std::size_t k = 0; k < 3; ++k)
-    if (!found[k])
-      file.refuse("the vertices have no property " + std::string(names[k]));
-  if (!found[3] || !found[4] || !found[5])
-    std::replace_if(
-      targets.begin(), targets.end(), [](std::size_t target) { return target >= 3; }, unused);
-  return targets;
+  std::vector<std::string> names;
+  for (const Ply_property& property : element.properties)
+    names.push_back(property.name);
+  return usual_names(std::move(names));
 }
 
 bool is_single_precision(const Ply_element& vertex, const Targets& targets)
 {
   for (std::size_t k = 0; k < targets.size(); ++k)
-    if (targets[k] < unused && !fits_single_precision(vertex.properties[k].type))
+    if (targets[k] < unused && !fits_single_precision(*vertex.properties[k].type.number))
       return false;
   return true;
 }
@@ -94,11 +83,14 @@ public:
         skip_list(property);
         continue;
       }
-      const char* bytes = m_file.read_bytes(size_of(property.type));
+      const char* bytes = m_file.read_bytes(property.type.size);
+      if (targets[k] == unused)
+        continue;
+      const Number_type type = *property.type.number;
       if (targets[k] >= first_property)
-        copy_number(bytes, property.type, m_swap, collector.property(targets[k] - first_property));
+        copy_number(bytes, type, m_swap, collector.property(targets[k] - first_property));
       else
-        row[targets[k]] = decode(bytes, property.type, m_swap);
+        row[targets[k]] = decode(bytes, type, m_swap);
     }
   }
 
@@ -113,17 +105,24 @@ public:
         if (property.is_list)
           skip_list(property);
         else
-          m_file.read_bytes(size_of(property.type));
+          m_file.read_bytes(property.type.size);
   }
 
 private:
   void skip_list(const Ply_property& property)
   {
-    const double length = decode(m_file.read_bytes(size_of(property.length_type)),
-                                 property.length_type, m_swap);
-    if (length < 0)
-      m_file.refuse("a list of negative length");
-    m_file.skip_bytes(std::uint64_t(length) * size_of(property.type)); // below 2^32 times 8
+    const Ply_type& type = property.length_type;
+    char bytes[8];
+    std::copy_n(m_file.read_bytes(type.size), type.size, bytes);
+    const bool is_big_endian = m_swap == is_little_endian_machine();
+    if (!type.number && is_big_endian)
+      std::reverse(bytes, bytes + type.size);
+    const double length = type.number ? decode(bytes, *type.number, m_swap)
+                                      : double(std::int64_t(little_endian_at(bytes, type.size)));
+    constexpr double largest = 1e15; // far from the end of 64 bits
+    if (length < 0 || length > largest)
+      m_file.refuse("a list of a length that cannot be");
+    m_file.skip_bytes(std::uint64_t(length) * property.type.size);
   }
 };
 
@@ -182,7 +181,8 @@ public:
       if (targets[k] == unused)
         continue;
       if (targets[k] >= first_property) {
-        if (!parse_number_of(property.type, word, collector.property(targets[k] - first_property)))
+        if (!parse_number_of(*property.type.number, word,
+                             collector.property(targets[k] - first_property)))
           m_file.refuse(printable(word) + " is not a number of the type of "
                         + printable(property.name));
         continue;
@@ -209,40 +209,84 @@ public:
 };
 
 template <typename Rows>
+void read_vertices(Input_file& file, const Ply_element& vertex, Rows& rows,
+                   Point_collector& collector)
+{
+  const std::vector<std::string> names = names_of(vertex);
+  const auto reason_against = [&](std::size_t k) -> std::string {
+    const Ply_property& property = vertex.properties[k];
+    return property.is_list        ? "a list"
+           : !property.type.number ? "of type " + std::string(property.type.name)
+                                   : "";
+  };
+  Targets targets = find_targets(file, names, "property", reason_against);
+  if (have_normals(targets))
+    collector.set_vectors(Vectors::NAMED_BY_FILE);
+  if (is_single_precision(vertex, targets))
+    collector.set_single_precision();
+  if (collector.wants_properties())
+    keep_properties(vertex, names, targets, collector);
+  collector.announce(vertex.count, rows.least_row_size(vertex));
+  std::array<double, unused + 1> row = {};
+  for (std::uint64_t i = 0; i < vertex.count; ++i) {
+    rows.read(vertex, targets, row, collector);
+    collector.add({row[0], row[1], row[2], row[3], row[4], row[5]});
+  }
+}
+
+/// The place of a camera: as PCL and others write it, who give the points the coordinates of a
+/// scanner. A camera without one, and one of several, tell nothing of all points.
+std::optional<Targets> find_camera(const Ply_element& element)
+{
+  static constexpr std::array<std::string_view, 3> names = {"view_px", "view_py", "view_pz"};
+  Targets targets;
+  for (const Ply_property& property : element.properties) {
+    const bool is_number = !property.is_list && property.type.number;
+    targets.push_back(
+      is_number ? std::size_t(std::find(names.begin(), names.end(), property.name) - names.begin())
+                : unused);
+    if (targets.back() == names.size())
+      targets.back() = unused;
+  }
+  for (std::size_t k = 0; k < names.size(); ++k)
+    if (std::count(targets.begin(), targets.end(), k) != 1)
+      return std::nullopt;
+  if (element.name != "camera" || element.count != 1)
+    return std::nullopt;
+  return targets;
+}
+
+template <typename Rows>
 void read_elements(Input_file& file, const Ply_header& header, Rows rows,
                    Point_collector& collector)
 {
-  for (const Ply_element& element : header.elements) {
-    if (element.name != "vertex") {
-      rows.skip(element);
-      continue;
-    }
-    Targets targets = find_targets(file, element);
-    if (std::count(targets.begin(), targets.end(), unused) + 6 == std::ptrdiff_t(targets.size()))
-      collector.set_has_normals();
-    if (is_single_precision(element, targets))
-      collector.set_single_precision();
-    if (collector.wants_properties())
-      keep_properties(element, targets, collector);
-    collector.announce(element.count, rows.least_row_size(element));
-    std::array<double, unused + 1> row = {};
-    for (std::uint64_t i = 0; i < element.count; ++i) {
-      rows.read(element, targets, row, collector);
-      collector.add({row[0], row[1], row[2], row[3], row[4], row[5]});
-    }
+  const auto is_vertex = [](const Ply_element& element) { return element.name == "vertex"; };
+  const auto is_camera = [](const Ply_element& element) {
+    return find_camera(element).has_value();
+  };
+  const auto begin = header.elements.begin(), end = header.elements.end();
+  const auto vertex = std::find_if(begin, end, is_vertex);
+  if (vertex == end)
+    file.refuse("the header has no element \"vertex\"");
+  const auto camera = std::find_if(begin, end, is_camera);
+  const auto last = camera == end ? vertex : (std::max)(vertex, camera);
+  for (auto element = begin; element <= last; ++element)
+    if (element == vertex)
+      read_vertices(file, *vertex, rows, collector);
+    else if (element == camera) {
+      std::array<double, unused + 1> row = {};
+      rows.read(*camera, *find_camera(*camera), row, collector);
+      collector.set_viewpoint({row[0], row[1], row[2]});
+    } else
+      rows.skip(*element);
 
-    if (collector.wants_properties())
-      for (const Ply_element& other : header.elements)
-        if (&other != &element && other.count > 0)
-          collector.warn("what is no vertex is left out: " + std::to_string(other.count) + " of "
-                         + printable(other.name));
-    const bool is_last = &element == &header.elements.back();
-    if (is_last && file.bytes_left() > std::uint64_t(0))
-      collector.warn(std::to_string(*file.bytes_left())
-                     + " bytes after the last vertex are not looked at");
-    return;
-  }
-  file.refuse("the header has no element \"vertex\"");
+  if (collector.wants_properties())
+    for (auto element = begin; element != end; ++element)
+      if (element != vertex && element != camera && element->count > 0)
+        collector.warn("what is no vertex is left out: " + std::to_string(element->count) + " of "
+                       + printable(element->name));
+  if (last + 1 == end)
+    warn_of_rest(file, last == vertex ? "vertex" : "camera", collector);
 }
 
 } // namespace

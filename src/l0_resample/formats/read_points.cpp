@@ -10,7 +10,10 @@
 #include "formats/readers.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
 
 namespace l0_tool {
@@ -31,6 +34,17 @@ Point_row parse_row(const Input_file& file, std::string_view line, bool has_norm
   return row;
 }
 
+void warn_of_rest(Input_file& file, const std::string& last, Point_collector& collector)
+{
+  const std::uint64_t left = file.bytes_left().value_or(0);
+  const bool are_few = left <= Input_file::max_block_length;
+  const std::size_t size = are_few ? std::size_t(left) : 0;
+  const std::string_view rest(size > 0 ? file.read_bytes(size) : "", size);
+  if (are_few && rest.find_first_not_of(" \t\r\n") == std::string_view::npos)
+    return;
+  collector.warn(std::to_string(left) + " bytes after the last " + last + " are not looked at");
+}
+
 Point_cloud read_points(const std::string& path, File_format format, const Read_options& options,
                         Input_file::On_progress on_progress)
 {
@@ -40,12 +54,12 @@ Point_cloud read_points(const std::string& path, File_format format, const Read_
   switch (format) {
   case File_format::PLY: read_ply(file, collector); break;
   case File_format::OFF: read_off(file, collector); break;
-  case File_format::XYZ: read_xyz(file, collector, options.columns); break;
+  case File_format::XYZ: read_text(file, collector, options.columns, false); break;
   case File_format::PCD: read_pcd(file, collector); break;
-  case File_format::NPY: read_npy(file, collector); break;
+  case File_format::NPY: read_npy(file, collector, options.columns); break;
   case File_format::OBJ: read_obj(file, collector); break;
   case File_format::LAS: read_las(file, collector); break;
-  case File_format::CSV: read_csv(file, collector, options.columns); break;
+  case File_format::CSV: read_text(file, collector, options.columns, true); break;
   }
   file.check_end();
   return collector.take();

@@ -38,7 +38,16 @@ struct Read_options
   bool only_first_returns = false; ///< keep the points whose property `return_number` is at most 1
   std::string decompression; ///< command whose output is read in place of a file of LAZ, as of
                              ///< `Command_output`; empty if there is none
-  Column_names columns;      ///< of XYZ and CSV, as from `parse_column_names()`; empty if unnamed
+  Column_names columns; ///< of XYZ, CSV and NPY, as from `parse_column_names()`; empty if unnamed
+  /// What becomes of a file whose x and y are degrees, so that they are no lengths as heights are.
+  enum class Degrees
+  {
+    REFUSE,
+    WARN,
+    ACCEPT
+  };
+  Degrees degrees = Degrees::ACCEPT;
+  bool has_decimal_commas = false; ///< texts have them in place of points
   /// Gets each point as it is read, with its properties in the types that `Point_cloud::narrowed`
   /// has in the end; then the cloud stays empty, and `max_memory` is for what a reader holds of a
   /// file
@@ -51,37 +60,43 @@ take more memory than the file's size justifies.
 
 What gzip has compressed, of any of these formats, is read as what it stands for.
 
+The columns of tables of all formats have the names of `usual_names()`. Normals are unit vectors: if
+more than 5 % of those that are not 0 have another length than 1, they are none, and a warning says
+so, unless the names are of `columns`.
+
 - PLY, ASCII or binary of either byte order: one element `vertex` with the scalar properties x, y, z
-  and maybe nx, ny, nz, of any type. Its other scalar properties can be kept. Elements before it are
-  skipped, those after it are not looked at.
+  and maybe nx, ny, nz, of any type but bool and integers of 64 bits. Its other scalar properties of
+  these types can be kept. One element `camera` with view_px, view_py, view_pz is the viewpoint.
+  Other elements are skipped, as far as one of these comes behind them.
 - OFF with its optional prefixes ST, C, N: the vertices. Only N says that there are normals, and
   only C that there are colors, which become the properties red, green, blue and maybe alpha.
-- XYZ: one point a line, the same number of columns in all of them. The first line may hold the
-  number of points, and without it there has to be a point; empty lines and those that begin with #
-  are skipped. The first three columns are coordinates, and if there are exactly six, the others are
-  normals, unless more than 5 % of them have another length than 1: then a warning says so. Columns
-  with names are read as `Text_columns` does.
+- XYZ: one point a line, the same number of columns in all of them, separated by blanks and tabs,
+  or by commas or semicolons. Before the points may be a line that names the columns, maybe behind #
+  or //, and one that holds their number; without it there has to be a point. If there were as many,
+  another number may follow, with the points of another block. Empty lines and others that begin
+  with # or // are skipped. Of columns without names the first three are coordinates, and if there
+  are exactly six, the others are normals.
+- CSV: the same, where a line or `columns` has to name the columns. Names may stand in quotes. Other
+  columns of numbers are properties, as `Named_columns` has them. Names of `columns` go before those
+  of the file, which then needs none. An empty value is NaN.
 - PCD, ASCII, binary or compressed, of version 0.5 to 0.7: the fields x, y, z and maybe normal_x,
   normal_y, normal_z, of any type but integers of 64 bits, and the place of the viewpoint. Of the
   other fields that can be kept, one of several values becomes as many properties, and the packed
   colors rgb and rgba become the properties red, green, blue and alpha.
-- NPY: an array of float32, float64 or integers, of shape (n, 3), or (n, 6) for points with
-  normals, in the order of C or Fortran. Integers of 64 bits are rounded to double precision.
-- CSV: a table with a header line, whose columns are separated by commas, semicolons, tabs or
-  blanks. The line names them, maybe in quotes or behind # or //: x, y, z and maybe nx, ny, nz or
-  normal_x, normal_y, normal_z, in upper or lower case, and r, g, b for a color. Other columns of
-  numbers are properties, as `Text_columns` has them. Names of `columns` go before those of the
-  file, which then needs none. An empty value is NaN.
-- OBJ: the vertices (v) and, if there are as many of them, the vertex normals (vn), of which the
-  i-th is taken for that of the i-th vertex. Three numbers behind x, y, z (and maybe w) are a
-  color. What else the file has is skipped.
-
+- NPY: an array of floating-point numbers or integers, of shape (n, 3), or (n, 6) for points with
+  normals, in the order of C or Fortran, or of more columns, which `columns` names. Or an array of
+  records, of any shape, whose fields are numbers, several of them or other records; `columns` names
+  all their numbers. Integers of 64 bits are rounded to double precision.
+- OBJ: the vertices (v) and the vertex normals (vn) that the faces (f) give them. A vertex with
+  several gets their mean, with length 1. Where faces give none, the i-th normal is that of the i-th
+  vertex, if there are as many. Three numbers behind x, y, z (and maybe w) are a color. What else
+  the file has is skipped.
 - LAS 1.0 to 1.4, point data record formats 0 to 10: the coordinates in double precision, and as
   properties the fields of `las_fields()` and the extra bytes that the file describes, but for
-  integers of 64 bits. Extra bytes nx, ny, nz or NormalX, NormalY, NormalZ in floating-point numbers
-  are normals. Colors get 8 bits a channel, unless `with_wide_colors`; a file whose channels are all
-  below 256 has them already. Points that are flagged as withheld are left out. LAZ is refused
-  without a command that decompresses it.
+  integers of 64 bits. Extra bytes in floating-point numbers may be normals. Colors get 8 bits a
+  channel, unless `with_wide_colors`; a file whose channels are all below 256 has them already. What
+  says that x and y are degrees is told. Points that are flagged as withheld are left out. LAZ is
+  refused without a command that decompresses it.
 
 The filters `classes` and `only_first_returns` need `with_properties`, and act in all formats.
 

@@ -34,14 +34,16 @@ std::pair<double, double> sensible_range(std::vector<double>& values)
 
 } // namespace
 
-Camera::Camera(const Vector& towards_eye, int width, int height)
+Camera::Camera(const Vector& towards_eye, int width, int height, const Vector& up)
   : m_middle_x(width / 2.), m_middle_y(height / 2.)
 {
   m_towards_eye = normalized(towards_eye
                              / (std::max)({std::abs(towards_eye.x()), std::abs(towards_eye.y()),
                                            std::abs(towards_eye.z())}));
-  const bool looks_down = std::abs(m_towards_eye.y()) > 0.99;
-  const Vector above = looks_down ? Vector(0, 0, -1) : Vector(0, 1, 0);
+  const Vector upwards = normalized(up);
+  const bool looks_along = std::abs(m_towards_eye * upwards) > 0.99;
+  const bool is_z_up = std::abs(upwards.z()) > 0.5;
+  const Vector above = !looks_along ? upwards : is_z_up ? Vector(0, 1, 0) : Vector(0, 0, -1);
   m_right = normalized(CGAL::cross_product(above, m_towards_eye));
   m_up = CGAL::cross_product(m_towards_eye, m_right);
 }

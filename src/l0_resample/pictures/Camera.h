@@ -28,8 +28,9 @@ class Camera
   double m_middle_x, m_middle_y;
 
 public:
-  /// \param towards_eye not zero
-  Camera(const Vector& towards_eye, int width, int height);
+  /// \param towards_eye not zero, nor is `up`, which points upwards in the picture unless the eye
+  /// looks along it
+  Camera(const Vector& towards_eye, int width, int height, const Vector& up = Vector(0, 1, 0));
 
   /// Takes the position and scale from which all points are seen, but for a few that lie far away
   /// from the others.

@@ -68,6 +68,17 @@ struct Panel
   const std::vector<float>& confidences; ///< likewise
   Snapshot_colors colors;
   bool as_dots;
+  bool is_cut_open = false;
+  const std::vector<Point>* viewpoints = nullptr; ///< of a panel without normals
+
+  /// Whether the surface that was seen at a point, of this normal or its opposite, is turned away.
+  bool is_turned_away(std::size_t i, const Vector& normal, double towards_eye) const
+  {
+    const Vector side = !normals.empty() ? normals[i]
+                        : viewpoints ? (*viewpoints)[viewpoints->size() == 1 ? 0 : i] - points[i]
+                                     : normal;
+    return (side * normal < 0) != (towards_eye < 0);
+  }
 
   /// Of a disc, lit.
   /// \param normal of the surface at that point
@@ -109,6 +120,8 @@ Image render_panel(const Panel& panel, const Camera& camera)
                                                      : seen_by(camera, place.normal);
     if (splat.normal[2] < 0 && lies_behind_edge(place, surroundings, camera))
       continue;
+    if (panel.is_cut_open && panel.is_turned_away(i, place.normal, double(splat.normal[2])))
+      continue;
     splat.center = camera.project(points[i]);
     const double spacings = place.across_edges[0] ? radius_at_edges : radius_in_spacings;
     splat.radius = float(
@@ -127,12 +140,10 @@ Image render_panel(const Panel& panel, const Camera& camera)
   return render_splats(splats, panel_width, panel_height);
 }
 
-} // namespace
-
-Image render_snapshot(const Point_cloud& input, const std::vector<Oriented_point>& result,
-                      const std::optional<std::array<double, 3>>& towards_eye,
-                      const std::vector<float>& feature_confidences, Snapshot_colors colors,
-                      bool as_dots)
+Image render_both(const Point_cloud& input, const std::vector<Oriented_point>& result,
+                  const View& view, const std::vector<Point>& viewpoints,
+                  const std::vector<float>& feature_confidences, Snapshot_colors colors,
+                  bool as_dots)
 {
   std::vector<Point> result_points;
   std::vector<Vector> result_normals;
@@ -141,19 +152,46 @@ Image render_snapshot(const Point_cloud& input, const std::vector<Oriented_point
     result_normals.push_back(point.second);
   }
 
-  const std::array<double, 3> eye = towards_eye.value_or(std::array<double, 3>{0.6, 0.55, 1});
-  Camera camera(Vector(eye[0], eye[1], eye[2]), panel_width, panel_height);
+  Camera camera(view.towards_eye, panel_width, panel_height, view.up);
   camera.fit({&input.points, &result_points});
 
-  const Image left = render_panel({input.points, input.normals, {}, colors, as_dots}, camera);
-  const Image right =
-    render_panel({result_points, result_normals, feature_confidences, colors, as_dots}, camera);
+  const Image left = render_panel({input.points,
+                                   input.normals,
+                                   {},
+                                   colors,
+                                   as_dots,
+                                   view.is_cut_open,
+                                   viewpoints.empty() ? nullptr : &viewpoints},
+                                  camera);
+  const Image right = render_panel({result_points, result_normals, feature_confidences, colors,
+                                    as_dots, view.is_cut_open, nullptr},
+                                   camera);
   Image image(2 * panel_width, panel_height, {1, 1, 1});
   for (int y = 0; y < panel_height; ++y) {
     std::copy_n(&left.at(0, y), panel_width, &image.at(0, y));
     std::copy_n(&right.at(0, y), panel_width, &image.at(panel_width, y));
   }
   return image;
+}
+
+} // namespace
+
+Image render_snapshot(const Point_cloud& input, const std::vector<Oriented_point>& result,
+                      const std::optional<std::array<double, 3>>& towards_eye,
+                      const std::vector<float>& feature_confidences, Snapshot_colors colors,
+                      bool as_dots)
+{
+  View view;
+  if (towards_eye)
+    view.towards_eye = Vector((*towards_eye)[0], (*towards_eye)[1], (*towards_eye)[2]);
+  return render_both(input, result, view, {}, feature_confidences, colors, as_dots);
+}
+
+Image render_snapshot(const Point_cloud& input, const std::vector<Oriented_point>& result,
+                      const View& view, const std::vector<Point>& viewpoints,
+                      const std::vector<float>& feature_confidences, Snapshot_colors colors)
+{
+  return render_both(input, result, view, viewpoints, feature_confidences, colors, false);
 }
 
 } // namespace l0_tool

@@ -9,6 +9,7 @@
 #include "basis/Point_cloud.h"
 #include "pictures/Image.h"
 #include "pictures/Snapshot_colors.h"
+#include "pictures/View.h"
 
 #include <array>
 #include <optional>
@@ -22,7 +23,14 @@ namespace l0_tool {
 /// \param feature_confidences of the result, in [0, 1], or none; with some, the shaded result is
 /// the redder the higher they are
 /// \param as_dots whether a white surface has a dot for each point, which shows how they lie
-/// \param towards_eye not zero; by default from the front right, a little above, with y pointing up
+/// \param viewpoints of the points of the input, one for all or one for each: of a view that is cut
+/// open they tell what of the input is turned away from the eye
+Image render_snapshot(const Point_cloud& input, const std::vector<Oriented_point>& result,
+                      const View& view, const std::vector<Point>& viewpoints,
+                      const std::vector<float>& feature_confidences, Snapshot_colors colors);
+
+/// The same, not cut open, and with y pointing up.
+/// \param towards_eye not zero; by default from the front right, a little above
 Image render_snapshot(const Point_cloud& input, const std::vector<Oriented_point>& result,
                       const std::optional<std::array<double, 3>>& towards_eye,
                       const std::vector<float>& feature_confidences = {},

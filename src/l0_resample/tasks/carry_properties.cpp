@@ -26,8 +26,7 @@ bool is_averaged(const Property& property)
 {
   if (is_of_one_pulse(property.name))
     return false;
-  return property.type == Number_type::FLOAT32 || property.type == Number_type::FLOAT64
-         || internal::is_color_channel(property.name);
+  return property.has_fractions || internal::is_color_channel(property.name);
 }
 
 } // namespace

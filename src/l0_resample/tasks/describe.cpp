@@ -96,6 +96,8 @@ std::string describe(const Point_cloud& cloud, const Options& options)
   text += line("normals", cloud.file_has_normals ? "yes" : "no");
   if (cloud.las)
     text += line("LAS", las_version(*cloud.las));
+  if (!cloud.degrees.empty())
+    text += line("degrees", "x and y are longitude and latitude, as " + cloud.degrees);
   text += line("properties", names_of(cloud.properties));
   text += line("viewpoint",
                cloud.viewpoint

@@ -25,6 +25,11 @@ Point_cloud read_input(const Options& options, bool with_normals,
   read_options.only_first_returns = options.only_first_returns;
   read_options.decompression = options.decompression;
   read_options.columns = options.columns;
+  read_options.has_decimal_commas = options.has_decimal_commas;
+  // Where no length is measured, they do no harm
+  const bool may_have_degrees = options.allows_degrees || options.info || options.convert_only;
+  if (!may_have_degrees)
+    read_options.degrees = Read_options::Degrees::REFUSE;
   Point_cloud cloud = read_points(options.input, options.input_format, read_options,
                                   std::move(on_progress));
   record.warnings = cloud.warnings;

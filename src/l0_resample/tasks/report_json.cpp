@@ -156,8 +156,11 @@ std::string summary_line(const Options& options, const Run_record& record)
                 record.seconds_to_resample, std::floor(100 * report.right_side_share));
   line += numbers;
   const double well_known_share = 0.9;
+  const bool has_hints = options.have_side() || record.viewpoint_of_file;
   if (report.right_side_share < well_known_share && report.hinted_share < 0.5)
     line += " (--viewpoint, --up or --orient-by-normals would tell)";
+  else if (!has_hints) // so that only the shape tells
+    line += ", taking outwards for right (--viewpoint for a room seen from within)";
   if (!report.converged)
     line += ", not converged";
   return line + "\n";

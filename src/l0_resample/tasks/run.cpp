@@ -89,16 +89,22 @@ Sides find_sides(const Point_cloud& cloud, const std::vector<Point>& viewpoints,
 {
   Sides sides;
   sides.viewpoint = options.viewpoint;
-  if (!options.viewpoints.empty())
+  if (!options.view_property.empty())
     sides.viewpoints = viewpoints_of_points(cloud, options.view_property, viewpoints,
                                             options.input_name());
+  else if (!options.viewpoints.empty()) {
+    sides.viewpoints = nearest_viewpoints(cloud, viewpoints, options.viewpoints);
+    record.notes.push_back(options.input + ": each point is taken for seen from the nearest of the "
+                           + std::to_string(viewpoints.size())
+                           + " viewpoints, as no --view-property says which");
+  }
   if (options.have_side())
     return sides;
   if (cloud.viewpoint) {
     sides.viewpoint = record.viewpoint_of_file = cloud.viewpoint;
     const auto& [x, y, z] = *cloud.viewpoint;
     std::ostringstream note;
-    note << options.input << ": normals face the VIEWPOINT of the file, " << x << "," << y << ","
+    note << options.input << ": normals face the viewpoint of the file, " << x << "," << y << ","
          << z << ", unless --viewpoint none is given";
     record.notes.push_back(note.str());
   } else if (cloud.file_has_normals)
@@ -126,6 +132,20 @@ void warn_of_left_out(const Options& options, const std::vector<std::string>& pr
   for (const std::string& property : properties)
     record.warnings.push_back(options.output + ": the format has no place for the property "
                               + printable(property));
+}
+
+Image picture_of(const Point_cloud& cloud, const Resampled_points& result, const Sides& sides,
+                 const Options& options)
+{
+  Known_sides known = {options.view, options.up_direction, sides.viewpoints};
+  if (sides.viewpoint) {
+    const auto& [x, y, z] = *sides.viewpoint;
+    known.viewpoints = {Point(x, y, z)};
+  }
+  if (!known.up && cloud.las)
+    known.up = {0, 0, 1};
+  return render_snapshot(cloud, result.points, choose_view(result.points, known), known.viewpoints,
+                         result.feature_confidences, options.snapshot_colors);
 }
 
 void resample_file(const Options& options, Run_record& record)
@@ -170,9 +190,7 @@ void resample_file(const Options& options, Run_record& record)
   record.seconds_to_write = stopwatch.seconds();
   warn_of_left_out(options, left_out, record);
   if (!options.snapshot.empty())
-    write_png(options.snapshot,
-              render_snapshot(cloud, result.points, options.view, result.feature_confidences,
-                              options.snapshot_colors));
+    write_png(options.snapshot, picture_of(cloud, result, sides, options));
 }
 
 void orient_file(const Options& options, Run_record& record)

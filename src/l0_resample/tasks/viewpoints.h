@@ -26,6 +26,13 @@ std::vector<Point> viewpoints_of_points(const Point_cloud& cloud, const std::str
                                         const std::vector<Point>& viewpoints,
                                         const std::string& name);
 
+/// The viewpoint that is the nearest to each point, which most scanners saw it from. Of equal
+/// distances that of the first line counts.
+/// \throws Failure with INPUT_REFUSED if there is none, and with the status of an interrupt
+std::vector<Point> nearest_viewpoints(const Point_cloud& cloud,
+                                      const std::vector<Point>& viewpoints,
+                                      const std::string& path);
+
 } // namespace l0_tool
 
 #endif // L0_RESAMPLE_VIEWPOINTS_H

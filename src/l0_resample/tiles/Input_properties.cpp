@@ -144,8 +144,11 @@ Las_origin read_las_origin(Task_file& file)
 Property_table Input_properties::table() const
 {
   Property_table table;
-  for (const Input_property& property : properties)
+  for (const Input_property& property : properties) {
     table.add_property(property.name, property.type);
+    if (!property.has_fractions)
+      table.set_whole(table.properties().size() - 1);
+  }
   return table;
 }
 
@@ -164,8 +167,10 @@ Input_properties properties_of_input(const std::string& input, const Point_cloud
       continue; // as no reader of the result could tell which it is
     const bool is_narrowed = k < cloud.narrowed.size();
     const Number_type given = is_narrowed ? cloud.narrowed[k].type : property.type;
-    result.properties.push_back(
-      {property.name, property.type, {{given, is_narrowed ? cloud.narrowed[k].factor : 1}}});
+    result.properties.push_back({property.name,
+                                 property.type,
+                                 {{given, is_narrowed ? cloud.narrowed[k].shift : 0}},
+                                 property.has_fractions});
   }
   return result;
 }
@@ -187,10 +192,11 @@ void add_input(const Input_properties& other, Input_properties& all)
     if (!same)
       refuse(other.input, property.name, all.input);
     property.type = type_for_both(property.type, same->type);
-    for (const auto& [type, factor] : same->factors) {
-      const auto [known, is_new] = property.factors.emplace(type, factor);
-      known->second = (std::min)(known->second, factor);
+    for (const auto& [type, shift] : same->shifts) {
+      const auto [known, is_new] = property.shifts.emplace(type, shift);
+      known->second = (std::max)(known->second, shift);
     }
+    property.has_fractions = property.has_fractions || same->has_fractions;
   }
   for (const Input_property& property : properties)
     if (!find_property(all.properties, property.name))
@@ -211,9 +217,9 @@ void Row_converter::find_columns(const Property_table& given)
     for (const Property& from : given.properties()) {
       if (from.name != property.name)
         continue;
-      const auto factor = property.factors.find(from.type);
-      if (factor != property.factors.end())
-        m_columns.push_back({from, table.properties()[k], factor->second});
+      const auto shift = property.shifts.find(from.type);
+      if (shift != property.shifts.end())
+        m_columns.push_back({from, table.properties()[k], shift->second});
       break;
     }
   }
@@ -227,7 +233,7 @@ const std::vector<char>& Row_converter::operator()(const Property_table& given, 
   if (!m_is_complete)
     find_columns(given);
   for (const Column& column : m_columns)
-    encode(decode(row + column.from.offset, column.from.type, false) * column.factor,
+    encode(shifted(decode(row + column.from.offset, column.from.type, false), column.shift),
            column.to.type, m_row.data() + column.to.offset);
   return m_row;
 }
@@ -239,11 +245,12 @@ void write_properties(const Input_properties& properties, Task_file_writer& file
   for (const Input_property& property : properties.properties) {
     write_string(property.name, file);
     file.write(property.type);
-    file.write(std::uint64_t(property.factors.size()));
-    for (const auto& [type, factor] : property.factors) {
+    file.write(std::uint64_t(property.shifts.size()));
+    for (const auto& [type, shift] : property.shifts) {
       file.write(type);
-      file.write(factor);
+      file.write(shift);
     }
+    file.write(property.has_fractions);
   }
   file.write(properties.have_one_system);
   file.write(properties.las.has_value());
@@ -264,8 +271,9 @@ Input_properties read_properties(Task_file& file)
     property.type = file.read<Number_type>();
     for (std::uint64_t m = file.read<std::uint64_t>(); m > 0; --m) {
       const Number_type type = file.read<Number_type>();
-      property.factors[type] = file.read<double>();
+      property.shifts[type] = file.read<unsigned>();
     }
+    property.has_fractions = file.read<bool>();
     properties.properties.push_back(std::move(property));
   }
   properties.have_one_system = file.read<bool>();

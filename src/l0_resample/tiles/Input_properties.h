@@ -23,8 +23,9 @@ namespace l0_tool {
 struct Input_property
 {
   std::string name;
-  Number_type type;                      ///< which holds the values of all inputs
-  std::map<Number_type, double> factors; ///< of values that a reader gives in a type
+  Number_type type;                       ///< which holds the values of all inputs
+  std::map<Number_type, unsigned> shifts; ///< of values that a reader gives in a type
+  bool has_fractions = true;              ///< those of any input; as of `Property`
 };
 
 /// What goes along with the points of an input, or of several.
@@ -57,7 +58,7 @@ class Row_converter
   struct Column
   {
     Property from, to;
-    double factor;
+    unsigned shift;
   };
 
   const Input_properties& m_all;

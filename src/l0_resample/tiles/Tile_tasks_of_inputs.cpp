@@ -47,6 +47,9 @@ Point_cloud Tile_tasks::read_input(std::size_t number, const On_point& f, std::u
   read_options.with_wide_colors = options.output_format == File_format::LAS;
   read_options.decompression = options.decompression;
   read_options.columns = options.columns;
+  read_options.has_decimal_commas = options.has_decimal_commas;
+  if (!options.allows_degrees)
+    read_options.degrees = Read_options::Degrees::REFUSE;
   read_options.on_point = [&](const Point& p, const Property_table& properties, const char* row) {
     f({p.x(), p.y(), p.z()}, properties, row);
   };

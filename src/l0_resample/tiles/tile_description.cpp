@@ -128,7 +128,9 @@ std::string describe_run(const Command& command)
   text << "\n--columns";
   for (const std::string& column : options.columns)
     text << " " << column;
-  text << "\n";
+  text << "\n"
+       << "--decimal-comma " << options.has_decimal_commas << "\n"
+       << "--allow-degrees " << options.allows_degrees << "\n";
   put_vector("--viewpoint", options.viewpoint, text);
   put_vector("--up", options.up_direction, text);
   for (const Options& input : command.runs)

@@ -27,7 +27,8 @@ flags=(-std=c++17 -O2 -g1 -D_GLIBCXX_SANITIZE_VECTOR
 objects=()
 parts=(basis/{Number_type,Property_table,signals} files/{Command_output,Gzip_decoder,Input_file}
        files/file_formats formats/{Las_extra_bytes,Las_fields,Las_header,Pcd_header,Ply_header}
-       formats/{Point_collector,Point_filter,Text_columns,decompress_lzf})
+       formats/{Named_columns,Normals_of_faces,Point_collector,Point_filter,Row_targets}
+       formats/{decompress_lzf,degrees,usual_names})
 parts=("${parts[@]/#/$tool/}")
 for source in "${parts[@]/%/.cpp}" "$tool"/formats/read_*.cpp "$here/fuzz_readers.cpp"; do
   object=$scratch/objects/$(basename "$source" .cpp).o

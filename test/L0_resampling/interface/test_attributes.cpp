@@ -178,6 +178,7 @@ void test_properties()
   const auto height = add_map(points, "height", 0.);
   const auto weight = add_map(points, "weight", 0.f);
   const auto label = add_map(points, "label", 0);
+  const auto float_label = add_map(points, "float_label", 0.f);
   const auto red = add_map<std::uint8_t>(points, "red", 0);
   const auto green = add_map<std::uint8_t>(points, "green", 0);
   const auto byte = add_map<std::uint8_t>(points, "class", 0);
@@ -190,6 +191,7 @@ void test_properties()
     height[i] = p.z();
     weight[i] = 0.1f;
     label[i] = p.x() > 0 ? -7 : 1000000;
+    float_label[i] = float(label[i]);
     red[i] = std::uint8_t(p.x() > 0 ? 200 : 100);
     green[i] = 77;
     byte[i] = std::uint8_t(p.x() > 0 ? 200 : 100);
@@ -218,6 +220,7 @@ void test_properties()
   const auto result_height = map_of(result.property_map<double>("height"));
   const auto result_weight = map_of(result.property_map<float>("weight"));
   const auto result_label = map_of(result.property_map<int>("label"));
+  const auto result_float_label = map_of(result.property_map<float>("float_label"));
   const auto result_red = map_of(result.property_map<std::uint8_t>("red"));
   const auto result_green = map_of(result.property_map<std::uint8_t>("green"));
   const auto result_byte = map_of(result.property_map<std::uint8_t>("class"));
@@ -233,7 +236,8 @@ void test_properties()
                            j = *(points.begin() + std::ptrdiff_t(source[i]));
     are_same = are_same && result.point(i) == plain.point(k - 1)
                && result.normal(i) == plain.normal(k - 1) && confidence[i] >= 0;
-    are_nearest = are_nearest && result_label[i] == label[j] && result_byte[i] == byte[j]
+    are_nearest = are_nearest && result_label[i] == label[j]
+                  && result_float_label[i] == float_label[j] && result_byte[i] == byte[j]
                   && result_word[i] == word[j] && result_flag[i] == flag[j];
     const CGAL::IO::Color& c = result_color[i];
     are_constant = are_constant && result_weight[i] == 0.1f && result_green[i] == 77 && c.g() == 20

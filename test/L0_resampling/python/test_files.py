@@ -207,6 +207,61 @@ def test_columns_have_names(tmp_path):
     cgal_l0.write_points(tmp_path / "cloud.ply", found.points)
     with pytest.raises(ValueError, match="cloud.ply is no text"):
         cgal_l0.read_points(tmp_path / "cloud.ply", columns="x,y,z")
+    with pytest.raises(ValueError, match="decimal_comma is given, but .*cloud.ply is no text"):
+        cgal_l0.read_points(tmp_path / "cloud.ply", decimal_comma=True)
+
+
+def test_arrays_in_files(tmp_path):
+    path = tmp_path / "cloud.npy"
+    rows = numpy.array([[1, 2, 3, 255, 128, 0], [4, 5, 6, 1, 2, 3]], float)
+    for order in "CF":
+        numpy.save(path, numpy.array(rows, order=order))
+        with pytest.warns(UserWarning, match="columns 4 to 6 are no unit vectors"):
+            found = cgal_l0.read_points(path)
+        assert found.points.tolist() == rows[:, :3].tolist() and found.normals is None
+        found = cgal_l0.read_points(path, columns="x,y,z,red,green,blue")
+        assert found.properties["green"].tolist() == [128, 2]
+    numpy.save(path, numpy.float16(rows[:, :3]))
+    assert cgal_l0.read_points(path).points.tolist() == rows[:, :3].tolist()
+    records = numpy.zeros(
+        2,
+        numpy.dtype(
+            [
+                ("position", [("x", "f4"), ("y", "f4"), ("z", "f4")]),
+                ("normal", "f4", (3,)),
+                ("class", "u1"),
+                ("label", "i8"),
+                ("is_good", "?"),
+            ],
+            align=True,
+        ),
+    )
+    for axis, name in enumerate("xyz"):
+        records["position"][name] = rows[:, axis]
+    records["normal"] = 0, 0, -1
+    records["class"], records["label"] = [2, 6], [7, -8]
+    for shape in ((2,), (1, 2)):
+        numpy.save(path, records.reshape(shape))
+        found = cgal_l0.read_points(path)
+        assert found.points.tolist() == rows[:, :3].tolist()
+        assert found.normals.tolist() == [[0, 0, -1]] * 2
+        assert found.properties["class"].tolist() == [2, 6]
+        assert found.properties["label"].tolist() == [7, -8]
+        assert found.properties["is_good"].tolist() == [0, 0]
+
+
+def test_files_of_strangers(tmp_path):
+    path = tmp_path / "cloud.txt"
+    path.write_text("X;Y;Z;Red\n1,5;2;3;4\n")
+    with pytest.raises(ValueError, match="decimal_comma=True reads numbers such as 0,5"):
+        cgal_l0.read_points(path)
+    assert cgal_l0.read_points(path, decimal_comma=True).points.tolist() == [[1.5, 2, 3]]
+    with pytest.warns(UserWarning, match="x and y look like degrees"):
+        path.write_text("7.1 50.7 100\n7.101 50.701 120\n")
+        cgal_l0.read_points(path)
+    path = tmp_path / "cloud.obj"
+    path.write_text("v 1 2 3\nv 4 5 6\nvn 0 0 1\nvn 0 1 0\nf 1//2 2//1 2//1\n")
+    assert cgal_l0.read_points(path).normals.tolist() == [[0, 1, 0], [0, 0, 1]]
 
 
 def test_bad_files(tmp_path):

@@ -15,6 +15,7 @@
     colored_ribbon.py nearest MANY.ply...
         whether each of their rows has all labels of one point of whole.ply, and some of them those
         of the nearest one
+    colored_ribbon.py values NAME MANY.ply...   the different values of a property
 """
 
 import math
@@ -131,6 +132,15 @@ def nearest(many):
             assert number == min(points, key=lambda p: (math.dist(p[:3], row[:3]), p[9]))[9], row
 
 
+def values(name, many):
+    found = set()
+    for path in many:
+        names, rows = read_ply(path)
+        found.update(row[names.index(name)] for row in rows)
+    print(*sorted(found))
+
+
 if __name__ == "__main__":
     {"make": make, "split": split, "compare": lambda one, *many: compare(one, many),
-     "nearest": lambda *many: nearest(many)}[sys.argv[1]](*sys.argv[2:])
+     "nearest": lambda *many: nearest(many),
+     "values": lambda name, *many: values(name, many)}[sys.argv[1]](*sys.argv[2:])

@@ -78,6 +78,36 @@ check "many tiles" test "$status" -eq 0 -a "$(number_of_tiles more)" -ge 8
 check "samples have the labels of the nearest points" python3 "$helper" nearest more/tile_*.ply
 check "no more memory than allowed" holds more.json "0 < j['peak_bytes'] <= $memory_for_more"
 
+# Labels in floating-point numbers are those of near points, and no means of them, if all files have
+# whole numbers alone; if one has others, no file has labels
+label_parts() # folder, what is added to the labels of the second part
+{
+  mkdir -p "$1"
+  for part in 0 1; do
+    {
+      printf 'ply\nformat ascii 1.0\nelement vertex 4800\n'
+      printf 'property float %s\n' x y z label
+      printf 'end_header\n'
+      awk -v part=$part -v more="$2" \
+        'NR % 2 == part { print $0, ($1 > 0 ? 1000 : 7) + part * more }' cube.xyz
+    } > "$1/$part.ply"
+  done
+}
+label_parts labels 0
+label_parts fractions 0.25
+for folder in labels fractions; do
+  run "$folder" --as-one --points 3000 --memory 1GB --output-directory "of_$folder"
+  check "tiles of $folder" test "$status" -eq 0
+done
+check "labels are those of points" \
+  test "$(python3 "$helper" values label of_labels/tile_*.ply)" = "7.0 1000.0"
+check "means are no labels" \
+  test "$(python3 "$helper" values label of_fractions/tile_*.ply | wc -w)" -gt 4
+cat labels/0.ply > one.ply
+run one.ply one_labeled.ply
+check "and so are those of one file" \
+  test "$(python3 "$helper" values label one_labeled.ply)" = "7.0 1000.0"
+
 # LAS, whose colors have 16 bits
 run whole.ply whole.las --convert-only
 check "parts in LAS" python3 "$helper" split whole.las las_parts

@@ -19,7 +19,8 @@ check "files of a batch" test "$(ls batch/new)" = "$(printf 'a.ply\nb.ply')"
 check "a result of a batch" test "$(number_of_points batch/new/b.ply)" -eq 30
 check "a line for each success" test "$(grep -c '30 out' stdout)" -eq 2 -a "$(wc -l < stdout)" -eq 2
 check "a line for each failure, and their number" cmp <(grep -v ': note: ' stderr) <(printf '%s\n' \
-  "l0_resample: scans/c.xyz: line 2: '0,5' is not a number" \
+  "l0_resample: scans/c.xyz: line 2: '0,5' is not a number; $(echo \
+    '--decimal-comma reads numbers such as 0,5')" \
   "l0_resample: missing.ply: cannot be opened: No such file or directory" \
   "l0_resample: 2 of 4 files failed")
 run scans/a.xyz batch_alone.ply --points 30 --quiet

@@ -236,7 +236,7 @@ void test_fewer_points_than_neighbors()
   CHECK(rows_by_tiles(cloud, samples, 4, -1, 1 << 20, 1 << 20) == rows_in_memory(cloud, samples));
 }
 
-/// \param narrowed the type that a reader gives, and the factor; as `type` without
+/// \param narrowed the type that a reader gives, and the shift; as `type` without
 Input_properties of_file(const std::string& input, const std::string& name, Number_type type,
                          const std::vector<Narrowed_property>& narrowed = {})
 {
@@ -263,8 +263,8 @@ void test_types_of_several_files()
 
   // Dark colors of 16 bits look like bytes, and are none if another file says so
   Input_properties all;
-  add_input(of_file("dark", "red", Number_type::UINT8, {{Number_type::UINT16, 1}}), all);
-  add_input(of_file("light", "red", Number_type::UINT8, {{Number_type::UINT16, 1. / 257}}), all);
+  add_input(of_file("dark", "red", Number_type::UINT8, {{Number_type::UINT16, 0}}), all);
+  add_input(of_file("light", "red", Number_type::UINT8, {{Number_type::UINT16, 8}}), all);
   add_input(of_file("bytes", "red", Number_type::UINT8), all);
   Property_table given;
   given.add_property("other", Number_type::UINT8);
@@ -276,6 +276,28 @@ void test_types_of_several_files()
   Property_table bytes;
   bytes.add_property("red", Number_type::UINT8);
   CHECK(Row_converter(all, "bytes")(bytes, expected.data()) == expected);
+}
+
+// A property is one of labels if no file has a fraction.
+void test_whole_numbers_of_several_files()
+{
+  const auto of_numbers = [](const std::string& input, bool are_whole) {
+    Input_properties properties = of_file(input, "kind", Number_type::FLOAT32);
+    properties.properties[0].has_fractions = !are_whole;
+    return properties;
+  };
+  for (const bool first : {false, true})
+    for (const bool second : {false, true})
+    {
+      Input_properties all;
+      add_input(of_numbers("a", first), all);
+      add_input(of_numbers("b", second), all);
+      CHECK(all.table().properties().at(0).has_fractions == !(first && second));
+    }
+  Input_properties all;
+  add_input(of_file("bytes", "kind", Number_type::UINT8), all);
+  add_input(of_numbers("floats", true), all);
+  CHECK(!all.table().properties().at(0).has_fractions);
 }
 
 template <typename F>
@@ -301,7 +323,7 @@ void test_refusals()
   {
     Input_properties other = of_file("b.ply", is_more ? "kind" : "height", Number_type::UINT8);
     if (is_more)
-      other.properties.push_back({"height", Number_type::UINT8, {{Number_type::UINT8, 1}}});
+      other.properties.push_back({"height", Number_type::UINT8, {{Number_type::UINT8, 0}}});
     const std::string message = refusal_of([&]() { add_input(other, all); });
     CHECK(message.find(is_more ? "a.ply: the points have no property 'height', as those of b.ply"
                                : "b.ply: the points have no property 'kind', as those of a.ply")
@@ -349,6 +371,7 @@ int main()
   test_bits_of_memory();
   test_fewer_points_than_neighbors();
   test_types_of_several_files();
+  test_whole_numbers_of_several_files();
   test_refusals();
   test_coordinate_systems();
   return test::result();

@@ -65,10 +65,45 @@ for options in "cube.xyz in.xyz --viewpoint 0,0,0.1" "inward.xyz in.xyz --orient
     test "$(awk '$1 * $4 + $2 * $5 + $3 * $6 > 0' in.xyz | wc -l)" -eq 0
   check "the report says so" grep -q '"hinted_share": 1' in.json
 done
+# Without a property that says from where, it is the nearest place
+run cube.xyz in.xyz --viewpoints views.txt
+check "all normals to the nearest viewpoints" \
+  test "$(awk '$1 * $4 + $2 * $5 + $3 * $6 > 0' in.xyz | wc -l)" -eq 0
+check "a note says so" grep -q "seen from the nearest of the 2 viewpoints" stderr
+{ awk '{ print $1, $2, $3 }' cube.xyz; awk '{ print $1 + 9, $2, $3 }' cube.xyz; } > two.xyz
+printf '0 0 0\n8 0 0\n' > two.txt
+run two.xyz two_seen.xyz --viewpoints two.txt
+check "one cube from within" \
+  test "$(awk '$1 < 4 && $1 * $4 + $2 * $5 + $3 * $6 > 0' two_seen.xyz | wc -l)" -eq 0
+check "the other one from the left" \
+  test "$(awk '$1 > 9.4 && $2 ^ 2 < .1 && $3 ^ 2 < .1 && $4 > 0' two_seen.xyz | wc -l)" -eq 0
+echo '# nothing' > none.txt
+check_failure 3 "none.txt: the file has no viewpoint" cube.xyz in.xyz --viewpoints none.txt
+awk 'BEGIN { print "ply\nformat ascii 1.0\nelement vertex 9600"
+             for (k = 0; k < 3; ++k) print "property float " substr("xyz", k + 1, 1)
+             print "element camera 1"
+             for (k = 0; k < 3; ++k) print "property float view_p" substr("xyz", k + 1, 1)
+             print "end_header" } { print } END { print "0 0 0.1" }' cube.xyz > camera.ply
+run camera.ply in.xyz
+check "all normals to the camera" \
+  test "$(awk '$1 * $4 + $2 * $5 + $3 * $6 > 0' in.xyz | wc -l)" -eq 0
+
+# What a closed surface alone tells is said to be taken for right
+outwards="taking outwards for right (--viewpoint for a room seen from within)"
+run cube.xyz out.xyz
+check "outwards is assumed" grep -qF "$outwards" stdout
+for options in "--viewpoint 0,0,0.1 cube.xyz" "--viewpoint none cube.xyz" "--up 0,0,1 cube.xyz" \
+    seen.pcd; do
+  # shellcheck disable=SC2086
+  run $options out.xyz
+  check "and not said beside: $options" \
+    test "$status" -eq 0 -a "$(grep -cF "$outwards" stdout)" -eq 0
+done
+
 run cube.xyz down.xyz --up 0,0,-3
 check "all normals down, but of the sides" test "$(awk '$6 > 0.2' down.xyz | wc -l)" -eq 0
 run seen.pcd seen.xyz
-note="seen.pcd: normals face the VIEWPOINT of the file, 0,0,0.1, unless --viewpoint none is given"
+note="seen.pcd: normals face the viewpoint of the file, 0,0,0.1, unless --viewpoint none is given"
 check "a note on the viewpoint of the file" grep -qx "l0_resample: note: $note" stderr
 run seen.pcd outward.xyz --viewpoint none
 check "no viewpoint if none is asked for" test "$status" -eq 0 -a ! -s stderr
@@ -105,7 +140,7 @@ check "half of the points by default" test "$(number_of_points out.ply)" -eq 480
 check "nothing on stderr" test ! -s stderr
 check "one line on stdout" test "$(wc -l < stdout)" -eq 1
 summary="9600 points in, 4800 out, method default, [0-9.]+ s, [0-9]+ % of the normals expected \
-on the right side"
+on the right side, taking outwards for right \(--viewpoint for a room seen from within\)"
 check "the summary" grep -qE "^cube.xyz: $summary\$" stdout
 run cube.xyz out.ply --neighbor-radius 0.0001 --json small.json
 check "a radius with hardly a point in it warns" \

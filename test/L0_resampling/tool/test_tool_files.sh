@@ -181,7 +181,7 @@ check "its numbers" test "$(tail -c 27 colors.ply | od -An -t u1 -j 24)" = " 200
 run_plainly colors.xyz carried.ply "${names[@]}"
 normal="double nx,double ny,double nz,"
 check "colors go along" test "$(properties carried.ply)" = "$coordinates$normal$color"
-awk '{ print "p" NR, $3, $2, $1, -9, 0, 0, NR, NR / 2 }' a1.xyz > odd.xyz
+awk '{ print "p" NR, $3, $2, $1, -1, 0, 0, NR, NR / 2 }' a1.xyz > odd.xyz
 run_plainly odd.xyz odd.ply --convert-only --columns -,z,y,x,nx,ny,nz,label,_
 check "columns in another order" test "$status" -eq 0 \
   -a "$(properties odd.ply)" = "$coordinates${normal}int label,"
@@ -189,7 +189,7 @@ run_plainly odd.ply odd_again.xyz --convert-only
 awk '{ printf "%.6f %.6f %.6f\n", $1, $2, $3 }' odd_again.xyz > positions.xyz
 check "coordinates in another order" cmp positions.xyz a1.xyz
 check "normals with names are taken as they are" \
-  test "$(awk '$4 == -9 && $5 == 0' odd_again.xyz | wc -l)" -eq 3000
+  test "$(awk '$4 == -1 && $5 == 0' odd_again.xyz | wc -l)" -eq 3000
 check_plain_failure 2 "--columns x,y,red: x, y and z have" colors.xyz none.ply --columns x,y,red
 check_plain_failure 2 "--columns: a1.ply is no text" a1.ply none.ply --columns x,y,z
 check_plain_failure 3 "colors.xyz: line 1: --columns names 3, found 6" \
@@ -197,6 +197,14 @@ check_plain_failure 3 "colors.xyz: line 1: --columns names 3, found 6" \
 check_plain_failure 3 "line 1: 'p1' is not a number" odd.xyz none.ply --columns x,y,z,a,b,c,d,e,f
 run_plainly a1.xyz a2.xyz --output-directory named --columns x,y,z --output-format ply
 check "columns of a batch" test "$status" -eq 0 -a "$(ls named)" = "$(printf 'a1.ply\na2.ply')"
+
+# Decimal commas, if an option says so
+sed 's/\./,/g' a1.xyz > commas.txt
+check_plain_failure 3 "--decimal-comma reads numbers such as 0,5" commas.txt none.ply
+run_plainly commas.txt commas.xyz --convert-only --decimal-comma
+awk '{ printf "%.6f %.6f %.6f\n", $1, $2, $3 }' commas.xyz > positions.xyz
+check "decimal commas" cmp positions.xyz a1.xyz
+check_plain_failure 2 "--decimal-comma: a1.ply is no text" a1.ply none.ply --decimal-comma
 
 # A table with a header, which is read and not written
 awk 'BEGIN { print "X;Y;Z;class" } { print $1 ";" $2 ";" $3 ";" NR % 3 }' a1.xyz > table.csv
@@ -208,6 +216,10 @@ awk '{ printf "%.6f %.6f %.6f\n", $1, $2, $3 }' table.xyz > positions.xyz
 check "the points of a table" cmp positions.xyz a1.xyz
 run_plainly table.csv another.ply --convert-only --columns z,y,x,-
 check "names for the columns of a table" test "$(properties another.ply)" = "$coordinates"
+run_plainly table.csv labeled.xyz --quiet
+run_plainly table.csv labeled.ply
+check "labels of a table stay labels" test "$(properties labeled.ply)" = \
+  "$coordinates${normal}int class,"
 check_plain_failure 2 "none.csv: CSV and OBJ are read, but not written" a1.xyz none.csv
 check_plain_failure 2 "--output-format" a1.xyz none.ply --output-format csv
 run_plainly table.csv --output-directory tables --points 20
@@ -336,7 +348,8 @@ echo notes > scans/notes.txt; echo old > scans/z.e57
 run_plainly scans/* --output-directory batch --points 40 --json batch.json
 check "status of a batch with strays" test "$status" -eq 3
 check "the others of a batch with strays" test "$(ls batch)" = "$(printf 'a1.xyz\na2.xyz')"
-check "the line of a stray" grep -q '^l0_resample: scans/notes.txt: the extension is not' stderr
+check "the line of a stray" \
+  grep -q '^l0_resample: scans/notes.txt: line 1: a point needs 3 numbers' stderr
 check "the line of a folder of strays" grep -q '^l0_resample: scans/pictures: the folder has' stderr
 check "the number of strays" test "$(wc -l < stderr)" -eq 4 \
   -a "$(tail -n 1 stderr)" = "l0_resample: 3 of 5 files failed"

@@ -214,18 +214,20 @@ void test_normals()
                                  + extra_bytes(names[2], type))};
     return read_las(file.bytes());
   };
-  const std::string doubles = le(0.1) + le(0.2) + le(0.3), floats = le(1.f) + le(2.f) + le(-3.f);
+  const std::string doubles = le(0.6) + le(0.) + le(0.8), floats = le(0.f) + le(0.6f) + le(-0.8f);
   const Point_cloud of_doubles = cloud_of({"nx", "ny", "nz"}, 10, doubles);
-  CHECK(of_doubles.normals.size() == 2 && of_doubles.normals[1] == Vector(0.1, 0.2, 0.3));
+  CHECK(of_doubles.normals.size() == 2 && of_doubles.normals[1] == Vector(0.6, 0, 0.8));
   const Point_cloud of_floats = cloud_of({"NormalX", "NormalY", "NormalZ"}, 9, floats);
   CHECK(of_floats.file_has_normals && of_floats.normals.size() == 2
-        && of_floats.normals[0] == Vector(1, 2, -3));
+        && of_floats.normals[0] == Vector(0, double(0.6f), double(-0.8f)));
   CHECK(values(of_floats, 0) == expected_values(Las_point(), 6));
   CHECK(written(of_floats).find(padded("NormalX", 32)) != std::string::npos);
   CHECK(read_las(written(of_floats)).normals == of_floats.normals);
-  // No normals: a name is missing, or they are integers
+  CHECK(cloud_of({"normal_x", "normal_y", "normal_z"}, 9, floats).normals == of_floats.normals);
+  // No normals: a name is missing, or they are integers, or of another length
   CHECK(cloud_of({"nx", "ny", "n"}, 9, floats).normals.empty());
   CHECK(cloud_of({"nx", "NormalY", "nz"}, 9, floats).normals.empty());
+  CHECK(cloud_of({"nx", "ny", "nz"}, 9, le(9.f) + floats.substr(4)).normals.empty());
   const Point_cloud integers = cloud_of({"nx", "ny", "nz"}, 6, floats);
   CHECK(integers.normals.empty() && values(integers, 0).count("nx") == 1);
 }
@@ -275,6 +277,110 @@ void test_coordinate_system()
   CHECK(integer_at(written(read_las(file.bytes())), 6, 2) == 0);
 }
 
+/// Keys of GeoTIFF: each with a value in the directory itself.
+std::string geo_keys(const std::vector<std::array<unsigned, 2>>& keys)
+{
+  std::string data = le(std::uint16_t(1)) + le(std::uint16_t(1)) + le(std::uint16_t(0))
+                     + le(std::uint16_t(keys.size()));
+  for (const auto& [key, value] : keys)
+    data += le(std::uint16_t(key)) + le(std::uint16_t(0)) + le(std::uint16_t(1))
+            + le(std::uint16_t(value));
+  return data;
+}
+
+// x and y in degrees are no lengths, as heights are: what tells it, wherever that stands
+void test_degrees()
+{
+  const std::string user = "LASF_Projection";
+  const std::string globe =
+                      "GEOGCS[\"WGS 84\",DATUM[\"WGS_1984\",SPHEROID[\"WGS 84\",6378137,298.25]],"
+                      "UNIT[\"degree\",0.0174]]",
+                    town = "PROJCS[\"UTM\"," + globe + ",PROJECTION[\"Transverse_Mercator\"]]";
+  const std::string recent = "GEOGCRS [\"a PROJCS in name only\", CS[ellipsoidal,2]]",
+                    recent_town = "PROJCRS[\"UTM\",BASEGEOGCRS[\"WGS 84\"],CS[Cartesian,2]]",
+                    geocentric = "GEODCRS[\"earth\",CS[Cartesian,3]]";
+  Read_options options = everything();
+  options.degrees = Read_options::Degrees::REFUSE;
+  Las_file file;
+  file.minor = 4;
+  file.format = 6;
+  Las_point far;
+  far.x = far.y = far.z = 100;
+  file.points = {Las_point().bytes(6), far.bytes(6)};
+  const auto is_refused = [&]() {
+    const Failure_seen seen = failure_of([&]() { read_las(file.bytes(), options); });
+    CHECK(
+      seen.status == 0
+      || (seen.status == INPUT_REFUSED && seen.says("degrees") && seen.says("--allow-degrees")));
+    // from begin to end, as of a pipe, too
+    CHECK(failure_of([&]() { read_las(gzip(file.bytes()), options); }).status == seen.status);
+    CHECK(read_las(file.bytes()).degrees.empty() == (seen.status == 0));
+    return seen.status != 0;
+  };
+  for (const bool is_behind : {false, true})
+  {
+    const auto record = [&](unsigned id, const std::string& data) {
+      auto& records = is_behind ? file.extended_records : file.records;
+      records.push_back(is_behind ? las_extended_record(user, id, data)
+                                  : las_record(user, id, data));
+    };
+    const auto is_refused_with = [&](unsigned id, const std::string& data) {
+      file.records = file.extended_records = {};
+      record(id, data);
+      return is_refused();
+    };
+    CHECK(is_refused_with(34735, geo_keys({{1024, 2}, {2048, 4326}})));
+    CHECK(is_refused_with(34735, geo_keys({{2048, 4326}})));
+    CHECK(!is_refused_with(34735, geo_keys({{1024, 1}, {2048, 4326}, {3072, 32632}})));
+    CHECK(!is_refused_with(34735, geo_keys({{2048, 4326}, {3072, 32632}})));
+    CHECK(!is_refused_with(34735, geo_keys({{1024, 3}, {2048, 4978}})));
+    CHECK(!is_refused_with(34735, geo_keys({{1024, 2}}).substr(0, 13)));
+    for (const unsigned encoding : {0u, 16u})
+    {
+      file.encoding = encoding;
+      for (const std::string& wkt : {globe, "COMPD_CS[\"both\"," + globe + ",VERT_CS[\"NN\"]]",
+                                     recent, std::string("geogcs(\"x\")")})
+        CHECK(is_refused_with(2112, wkt));
+      for (const std::string& wkt : {town, recent_town, geocentric, std::string("GEOCCS[\"x\"]"),
+                                     std::string("LOCAL_CS[\"GEOGCS[\"]"), std::string()})
+        CHECK(!is_refused_with(2112, wkt));
+      // Of two the one that the file means
+      file.records = file.extended_records = {};
+      record(34735, geo_keys({{1024, 2}}));
+      record(2112, town);
+      CHECK(is_refused() == (encoding == 0));
+    }
+    file.encoding = 0;
+  }
+
+  // Coordinates alone: the scale of degrees, or hills far higher than wide
+  file.records = file.extended_records = {};
+  CHECK(!is_refused());
+  file.scale = {1e-7, 1e-7, 1e-3};
+  file.offset = {7.1, 50.7, 100};
+  CHECK(is_refused());
+  file.offset = {500, 50.7, 100};
+  CHECK(!is_refused());
+  file.scale = {1e-7, 1e-7, 1e-7};
+  file.offset = {7.1, 50.7, 100};
+  far.z = 1000000;
+  file.points = {Las_point().bytes(6), far.bytes(6)};
+  CHECK(is_refused());
+  far.z = 1000;
+  file.points = {Las_point().bytes(6), far.bytes(6)};
+  CHECK(!is_refused());
+  file.records = {las_record(user, 2112, town)};
+  far.z = 1000000;
+  file.points = {Las_point().bytes(6), far.bytes(6)};
+  CHECK(!is_refused()); // as it says what it is
+
+  // Other formats warn of such hills
+  Read_options warning;
+  warning.degrees = Read_options::Degrees::WARN;
+  CHECK(tool_test::read(".xyz", "7.1 50.7 100\n7.101 50.701 120\n", warning).warnings.size() == 1);
+  CHECK(tool_test::read(".xyz", "7.1 50.7 100\n7.4 50.9 120\n", warning).warnings.empty());
+}
+
 void test_colors()
 {
   Las_file file;
@@ -289,11 +395,20 @@ void test_colors()
     return std::array<double, 3>{all["red"], all["green"], all["blue"]};
   };
   const Point_cloud narrow = read_las(file.bytes(), options);
-  CHECK((color_of(narrow) == std::array<double, 3>{255, 200, 1})); // rounded
+  CHECK((color_of(narrow) == std::array<double, 3>{255, 200, 0}));
   for (const Property& property : narrow.properties.properties())
     CHECK(property.name != "red" || property.type == Number_type::UINT8);
   CHECK((color_of(read_las(file.bytes())) == std::array<double, 3>{65535, 257 * 200, 129}));
-  CHECK((color_of(read_las(written(narrow))) == std::array<double, 3>{65535, 257 * 200, 257}));
+  CHECK((color_of(read_las(written(narrow))) == std::array<double, 3>{65535, 257 * 200, 0}));
+  // Exact for both ways to make 16 bits of a byte
+  for (const unsigned factor : {256u, 257u})
+    for (unsigned byte = 0; byte < 256; ++byte)
+    {
+      point.color = {255 * factor, byte * factor, 0};
+      file.points = {point.bytes(2)};
+      CHECK(
+        (color_of(read_las(file.bytes(), options)) == std::array<double, 3>{255, double(byte), 0}));
+    }
   // Of bytes that nobody has scaled
   point.color = {255, 0, 7};
   file.points = {point.bytes(2)};
@@ -376,6 +491,7 @@ int main()
   test_extra_bytes();
   test_normals();
   test_coordinate_system();
+  test_degrees();
   test_colors();
   test_filters();
   return test::result();

@@ -35,8 +35,8 @@ check_failure 2 "--orient-by-normals" cube.xyz old.ply --viewpoint 0,0,9 --orien
 check_failure 2 "--up: '0,0,0' is not a direction" cube.xyz old.ply --up 0,0,0
 check_failure 2 "--up: '0,1' is not three numbers" cube.xyz old.ply --up 0,1
 check_failure 2 "--viewpoint" cube.xyz old.ply --viewpoint 0,0,9 --up 0,0,1
-check_failure 2 "--viewpoints" cube.xyz old.ply --viewpoints views.txt
 check_failure 2 "--view-property" cube.xyz old.ply --view-property view
+check_failure 2 "--viewpoints" cube.xyz old.ply --viewpoints views.txt --up 0,0,1
 by_views=(--viewpoints views.txt --view-property view)
 check_failure 2 "--viewpoint" cube.xyz old.ply "${by_views[@]}" --viewpoint 0,0,9
 check_failure 2 "--viewpoints" cube.xyz old.ply "${by_views[@]}" --up 0,0,1
@@ -84,7 +84,7 @@ check_failure 2 "--snapshot-colors" cube.xyz old.ply --snapshot p.png --snapshot
 check_failure 2 "--output: one INPUT expected, found 2" cube.xyz old.ply -o out.ply
 check_failure 2 "excludes" cube.xyz -o old.ply --output-directory batch
 check_failure 2 "INPUT is required" -o old.ply
-check_failure 2 "cube.txt: the extension" cube.txt old.ply
+check_failure 2 "cube.doc: the extension" cube.doc old.ply
 check_failure 2 "old.e57: the extension" cube.xyz old.e57
 check_failure 2 "the extension of a snapshot" cube.xyz old.ply --snapshot picture.jpg
 check_failure 2 "is named twice" cube.xyz old.ply --json ./old.ply

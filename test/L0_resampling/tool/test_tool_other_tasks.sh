@@ -53,7 +53,7 @@ check "a batch of conversions" test "$status" -eq 3 \
 # Normals get their side, and nothing else changes
 awk '{ a = $1; b = $2; c = $3; for (k = 1; k <= 3; ++k) n[k] = 0
   m = a * a > b * b ? 1 : 2; if (c * c > $m * $m) m = 3
-  n[m] = ($m > 0 ? 1 : -1) * (NR % 3 ? 2 : -2);
+  n[m] = ($m > 0 ? 1 : -1) * (NR % 3 ? 1 : -1);
   print $0, n[1], n[2], n[3], NR }' cube.xyz > signs.csv
 sed -i '1i x,y,z,nx,ny,nz,time' signs.csv && sed -i 's/ /,/g' signs.csv
 run --orient-only signs.csv oriented.ply

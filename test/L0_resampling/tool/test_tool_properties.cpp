@@ -9,7 +9,7 @@
 #include "test_support.h"
 #include "tool/test_tool_reading.h"
 
-#include "formats/Text_columns.h"
+#include "formats/Named_columns.h"
 #include "formats/write_points.h"
 
 #include <cstdint>

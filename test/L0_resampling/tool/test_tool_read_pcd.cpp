@@ -40,12 +40,12 @@ void test_pcd()
     for (const float number : {1.f, 2.f, 3.f + float(k)})
       body += bytes_of(number, false);
     body += "pad." + bytes_of(std::uint32_t(0xff00ff), false);
-    for (const float number : {0.f, -1.f, float(k), 9.f})
+    for (const float number : {0.f, float(k) - 1, float(k), 9.f})
       body += bytes_of(number, false);
   }
   const Point_cloud cloud = read(".pcd", header + body, with_normals());
   CHECK(cloud.points == (std::vector<Point>{Point(1, 2, 3), Point(1, 2, 4)}));
-  CHECK(cloud.normals == (std::vector<Vector>{Vector(0, -1, 0), Vector(0, -1, 1)}));
+  CHECK(cloud.normals == (std::vector<Vector>{Vector(0, -1, 0), Vector(0, 0, 1)}));
   CHECK(cloud.warnings.empty());
   CHECK(read(".pcd", header + body + "more").warnings.size() == 1);
 
@@ -159,6 +159,61 @@ void test_compressed_pcd()
   CHECK(refusal(".pcd", file, options).status == RUN_TIME_FAILURE);
 }
 
+// What other programs write, and PCL reads.
+void test_pcd_of_others()
+{
+  const std::vector<Point> one = {Point(1, 2, 3)};
+  const std::string fields = "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\n";
+  for (const char* numbers : {"WIDTH 1\nHEIGHT 1\nPOINTS 1\n", "POINTS 1\n", "WIDTH 1\nHEIGHT 1\n",
+                              "WIDTH 1\n", "HEIGHT 1\nPOINTS 1\n"})
+    CHECK(read(".pcd", "# .PCD v.5\n" + fields + numbers + "DATA ascii\n1 2 3\n").points == one);
+  CHECK(read(".pcd", "COLUMNS x y z\nSIZE 4 4 4\nTYPE F F F\nPOINTS 1\nDATA ascii\n1 2 3\n").points
+        == one);
+
+  // Fields without values, in binary, text and compressed columns
+  const std::string padded = "VERSION .7\nFIELDS x y _ z _ i\nSIZE 1 1 1 1 4 1\nTYPE U U U U U U\n"
+                             "COUNT 1 1 0 1 0 1\nPOINTS 1\nDATA ";
+  Read_options options;
+  options.with_properties = true;
+  for (const std::string& file : {padded + "binary\n" + "\1\2\3\4", padded + "ascii\n1 2 3 4\n",
+                                  padded + "binary_compressed\n" + pcd_block(4, "\3\1\2\3\4")})
+  {
+    const Point_cloud cloud = read(".pcd", file, options);
+    CHECK(cloud.points == one && cloud.warnings.empty());
+    CHECK(cloud.properties.properties().size() == 1
+          && cloud.properties.value(0, cloud.properties.properties()[0]) == 4);
+  }
+
+  // Names as elsewhere
+  const Point_cloud named =
+    read(".pcd",
+         "VERSION .7\nFIELDS X Y Z NX NY NZ R G B\nSIZE 4 4 4 4 4 4 1 1 1\nTYPE F F F F F F U U "
+         "U\nPOINTS 1\nDATA ascii\n1 2 3 0 -1 0 255 9 0\n",
+         with_everything());
+  CHECK(named.points == one && named.normals == std::vector<Vector>{Vector(0, -1, 0)});
+  CHECK(named.properties.properties().size() == 3);
+  CHECK(named.properties.properties()[0].name == "red");
+
+  // Empty lines at the end are nothing that is left out
+  const std::string text = pcd_header("", "4 4 4", "F F F", "1", "ascii") + "1 2 3\n";
+  CHECK(read(".pcd", text + "\n \r\n").warnings.empty());
+  CHECK(read(".pcd", text + "\n4 5 6\n").warnings.size() == 1);
+}
+
+// A viewpoint that differs from the origin by rounding tells nothing either.
+void test_rounded_viewpoint()
+{
+  const auto viewpoint_of = [](const std::string& place, const std::string& points) {
+    return read(".pcd", "VERSION .7\nFIELDS x y z\nSIZE 8 8 8\nTYPE F F F\nVIEWPOINT " + place
+                          + " 1 0 0 0\nPOINTS 2\nDATA ascii\n" + points)
+      .viewpoint;
+  };
+  for (const char* place : {"-1.45519e-11 0 0", "0 0 0", "-0 1e-300 0", "0 9e-7 0"})
+    CHECK(!viewpoint_of(place, "1 0 0\n0 0 0\n"));
+  CHECK(viewpoint_of("0 2e-6 0", "1 0 0\n0 0 0\n"));
+  CHECK(viewpoint_of("-1.45519e-11 0 0", "1e-11 0 0\n0 0 0\n")); // of a thing that is as small
+}
+
 // What is written has the viewpoint, bit by bit, and the origin where nobody knows one.
 void test_written_viewpoint()
 {
@@ -222,6 +277,8 @@ int main()
 {
   test_pcd();
   test_compressed_pcd();
+  test_pcd_of_others();
+  test_rounded_viewpoint();
   test_written_viewpoint();
   test_precision_of_pcd();
   return test::result();

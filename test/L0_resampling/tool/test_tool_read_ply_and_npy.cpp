@@ -8,8 +8,11 @@
 #include "test_support.h"
 #include "tool/test_tool_reading.h"
 
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -64,10 +67,10 @@ void test_ply()
                                  "nx\r\n"
                                  "property double ny\r\nelement face 1\r\nproperty list uchar int "
                                  "v\r\nend_header\r\n50\r\n60\r\n"
-                                 "6 1 2 7 7 2 3 4 5\r\n-6 +1.5 0 -2e3 .5 -4 -5\r\n3 0 1 0\r\n",
+                                 "-.6 1 2 7 7 2 3 .8 0\r\n-1 +1.5 0 -2e3 .5 0 0\r\n3 0 1 0\r\n",
                                  with_normals());
   CHECK(cloud.points == (std::vector<Point>{Point(1, 2, 3), Point(1.5, -2000, .5)}));
-  CHECK(cloud.normals == (std::vector<Vector>{Vector(4, 5, 6), Vector(-4, -5, -6)}));
+  CHECK(cloud.normals == (std::vector<Vector>{Vector(.8, 0, -.6), Vector(0, 0, -1)}));
 
   // The same before binary vertices
   const std::string bytes =
@@ -89,14 +92,144 @@ void test_ply()
           .normals.empty());
 }
 
+// Names as other programs give them, and types that PLY has not
+void test_ply_of_others()
+{
+  const std::vector<Point> one = {Point(1, 2, 3)};
+  const std::vector<Vector> down = {Vector(0, 0, -1)};
+  for (const char* names : {"X Y Z nx ny nz", "x y z normal_x normal_y normal_z",
+                            "x y z NormalX NormalY NormalZ", "x y z Nx Ny Nz"})
+  {
+    std::string header = "element vertex 1\n";
+    std::istringstream words(names);
+    for (std::string name; words >> name;)
+      header += "property float " + name + "\n";
+    header += "property uchar Red\nproperty uchar Green\nproperty uchar Blue\n";
+    const Point_cloud cloud = read(".ply", ply_header("ascii", header) + "1 2 3 0 0 -1 9 8 7\n",
+                                   with_everything());
+    CHECK(cloud.points == one && cloud.normals == down && cloud.warnings.empty());
+    CHECK(cloud.properties.properties().size() == 3);
+    CHECK(cloud.properties.properties()[2].name == "blue");
+  }
+  // x goes before X, and a red alone is no color
+  const Point_cloud both = read(".ply",
+                                ply_header("ascii", "element vertex 1\n" + float_xyz
+                                                      + "property float X\nproperty int R\n")
+                                  + "1 2 3 4 5\n",
+                                with_everything());
+  CHECK(both.points == one && both.properties.properties()[0].name == "X");
+  CHECK(both.properties.properties()[1].name == "R");
+
+  for (const bool big : {false, true})
+  {
+    const std::string header =
+      "element vertex 2\nproperty bool inlier\n" + float_xyz
+      + "property int64 id\nproperty list uint64 int64 all\nproperty uint64 time\n"
+        "property uchar kind\n";
+    std::string body;
+    for (const std::uint8_t kind : {3, 4})
+      body += bytes_of(std::uint8_t(1), big) + bytes_of(1.f, big) + bytes_of(2.f, big)
+              + bytes_of(3.f, big) + bytes_of(std::int64_t(-1), big)
+              + bytes_of(std::uint64_t(kind - 3), big)
+              + (kind == 4 ? bytes_of(std::int64_t(7), big) : "") + bytes_of(std::uint64_t(5), big)
+              + bytes_of(kind, big);
+    const Point_cloud cloud =
+      read(".ply", ply_header(big ? "binary_big_endian" : "binary_little_endian", header) + body,
+           with_everything());
+    CHECK(cloud.points == (std::vector<Point>{one[0], one[0]}) && cloud.warnings.size() == 4);
+    CHECK(cloud.warnings[0].find("'inlier' is left out: numbers of type bool")
+          != std::string::npos);
+    CHECK(cloud.properties.properties().size() == 1
+          && cloud.properties.value(1, cloud.properties.properties()[0]) == 4);
+    CHECK(read(".ply", ply_header("ascii", header)
+                         + "true 1 2 3 -1 1 9 5 3\nfalse 1 2 3 18446744073709551615 0 5 4\n")
+            .points.size()
+          == 2);
+  }
+  CHECK(refusal(".ply", ply_header("ascii", "element vertex 1\nproperty int64 x\nproperty int "
+                                            "y\nproperty int z\n")
+                          + "1 2 3\n")
+          .says("the property x is of type int64"));
+
+  const std::string text = ply_header("ascii", "element vertex 1\n" + float_xyz) + "1 2 3\n";
+  CHECK(read(".ply", "ply \t\n" + text.substr(4)).points == one);
+  CHECK(read(".ply", text + "\n").warnings.empty());
+  CHECK(read(".ply", text + "\r\n \n").warnings.empty());
+  CHECK(read(".ply", text + "\n4 5 6\n").warnings.size() == 1);
+}
+
+// Bytes and numbers of other lengths are no normals, in either byte order.
+void test_normals_of_ply_that_are_none()
+{
+  for (const bool big : {false, true})
+    for (const bool are_bytes : {false, true})
+    {
+      const std::string type = are_bytes ? "uchar" : "float";
+      std::string header = "element vertex 20\n" + float_xyz, body;
+      for (const char* name : {"nx", "ny", "nz"})
+        header += "property " + type + " " + name + "\n";
+      for (int i = 0; i < 20; ++i)
+      {
+        for (int k = 0; k < 3; ++k)
+          body += bytes_of(float(i), big);
+        for (const int channel : {255, 128, i})
+          body += are_bytes ? bytes_of(std::uint8_t(channel), big) : bytes_of(float(channel), big);
+      }
+      const Point_cloud cloud =
+        read(".ply", ply_header(big ? "binary_big_endian" : "binary_little_endian", header) + body,
+             with_everything());
+      CHECK(cloud.points.size() == 20 && cloud.normals.empty() && !cloud.file_has_normals);
+      CHECK(cloud.warnings.size() == 1
+            && cloud.warnings[0].find("they are no unit vectors") != std::string::npos);
+      CHECK(cloud.properties.properties().empty());
+    }
+}
+
+// The camera of a file is the viewpoint, as that of PCD is.
+void test_camera_of_ply()
+{
+  const std::string vertices = "element vertex 2\n" + float_xyz,
+                    faces = "element face 1\nproperty list uchar int v\n";
+  const auto camera = [](int count, const std::string& last) {
+    return "element camera " + std::to_string(count)
+           + "\nproperty float view_px\nproperty float view_py\nproperty float " + last
+           + "\nproperty int viewportx\n";
+  };
+  const std::string points = "1 2 3\n4 5 6\n", triangle = "3 0 1 0\n", place = "7 -8 9 640\n";
+  const auto read_ascii = [](const std::string& elements, const std::string& rows) {
+    return read(".ply", ply_header("ascii", elements) + rows, with_everything());
+  };
+  const std::array<double, 3> expected = {7, -8, 9};
+  for (const Point_cloud& cloud :
+       {read_ascii(vertices + camera(1, "view_pz"), points + place),
+        read_ascii(camera(1, "view_pz") + vertices, place + points),
+        read_ascii(vertices + faces + camera(1, "view_pz"), points + triangle + place)})
+  {
+    CHECK(cloud.viewpoint == expected && cloud.points.size() == 2);
+    CHECK(cloud.points[1] == Point(4, 5, 6));
+  }
+  CHECK(read_ascii(vertices + camera(1, "view_pz"), points + place).warnings.empty());
+  CHECK(!read_ascii(vertices + camera(1, "view_pz"), points + "0 0 0 640\n").viewpoint);
+  CHECK(!read_ascii(vertices + camera(1, "view_pz"), points + "0 1e-9 0 640\n").viewpoint);
+  CHECK(!read_ascii(vertices + camera(2, "view_pz"), points + place + place).viewpoint);
+  CHECK(!read_ascii(vertices + camera(1, "view_xz"), points + place).viewpoint);
+  const std::string binary = ply_header("binary_big_endian", vertices + camera(1, "view_pz"));
+  std::string body;
+  for (const float number : {1.f, 2.f, 3.f, 4.f, 5.f, 6.f, 7.f, -8.f, 9.f})
+    body += bytes_of(number, true);
+  CHECK(read(".ply", binary + body + "size").viewpoint == expected);
+}
+
 void test_npy()
 {
   for (const bool big : {false, true})
   {
     const std::string order = big ? ">" : "<";
-    std::string singles, doubles;
+    std::string singles, doubles, units;
+    const double unit[] = {0, 1. / 3, 2. / 3, .6, 0, -.8};
     for (int k = 0; k < 6; ++k)
     {
+      units += bytes_of(unit[k], big);
       singles += bytes_of(float(k) / 3, big);
       doubles += bytes_of(double(k) / 3, big);
     }
@@ -105,10 +238,10 @@ void test_npy()
           == (std::vector<Point>{Point(0, single(1), single(2)), Point(1, single(4), single(5))}));
     CHECK(read(".npy", npy_file(npy_header(order + "f8", "(2,3)"), doubles), with_normals())
             .normals.empty());
-    const Point_cloud cloud = read(".npy", npy_file(npy_header(order + "f8", "(1, 6)"), doubles),
+    const Point_cloud cloud = read(".npy", npy_file(npy_header(order + "f8", "(1, 6)"), units),
                                    with_normals());
     CHECK(cloud.points == std::vector<Point>{Point(0, 1. / 3, 2. / 3)});
-    CHECK(cloud.normals == std::vector<Vector>{Vector(1, 4. / 3, 5. / 3)});
+    CHECK(cloud.normals == std::vector<Vector>{Vector(.6, 0, -.8)});
     CHECK(read(".npy", npy_file(npy_header(order + "f8", "(1, 3)"), doubles)).warnings.size() == 1);
   }
   // another order of the names, no comma at the end, a long header of version 2
@@ -148,9 +281,17 @@ void test_npy_in_the_order_of_fortran()
   const std::string points = npy_file(header("(4, 3)"), doubles);
   CHECK(read(".npy", points).points
         == (std::vector<Point>{Point(0, 4, 8), Point(1, 5, 9), Point(2, 6, 10), Point(3, 7, 11)}));
-  const Point_cloud cloud = read(".npy", npy_file(header("(2, 6)"), doubles), with_normals());
+  std::string units = doubles.substr(0, 48);
+  for (const double number : {1., 0., 0., .6, 0., .8})
+    units += bytes_of(number, false);
+  const Point_cloud cloud = read(".npy", npy_file(header("(2, 6)"), units), with_normals());
   CHECK(cloud.points == (std::vector<Point>{Point(0, 2, 4), Point(1, 3, 5)}));
-  CHECK(cloud.normals == (std::vector<Vector>{Vector(6, 8, 10), Vector(7, 9, 11)}));
+  CHECK(cloud.normals == (std::vector<Vector>{Vector(1, 0, 0), Vector(0, .6, .8)}));
+  const Point_cloud colored = read(".npy", npy_file(header("(2, 6)"), doubles), with_everything());
+  CHECK(colored.points == cloud.points && colored.normals.empty());
+  CHECK(colored.warnings.size() == 1
+        && colored.warnings[0].find("no unit vectors and not taken for normals; --columns")
+             != std::string::npos);
   CHECK(read(".npy", npy_file(header("(0, 3)"))).points.empty());
   CHECK(read(".npy", points + "more").warnings.size() == 1);
 
@@ -169,11 +310,112 @@ void test_npy_in_the_order_of_fortran()
   CHECK(refusal(".npy", points, options).status == RUN_TIME_FAILURE);
 }
 
+// Columns that the caller names, and numbers of 16 bits
+void test_npy_with_more_columns()
+{
+  std::string body;
+  for (const double number : {1., 2., 3., 7., 4., 5., 6., 8.})
+    body += bytes_of(number, false);
+  const std::string four = npy_file(npy_header("<f8", "(2, 4)"), body);
+  const std::vector<Point> two = {Point(1, 2, 3), Point(4, 5, 6)};
+  Read_options options = with_everything();
+  const Point_cloud unnamed = read(".npy", four, options);
+  CHECK(unnamed.points == two && unnamed.properties.properties().empty());
+  CHECK(unnamed.warnings.size() == 1
+        && unnamed.warnings[0].find("--columns can name them") != std::string::npos);
+  options.columns = {"x", "y", "z", "label"};
+  const Point_cloud named = read(".npy", four, options);
+  CHECK(named.points == two && named.warnings.empty());
+  CHECK(named.properties.properties().at(0).name == "label");
+  CHECK(named.properties.value(1, named.properties.properties()[0]) == 8);
+  options.columns = {"x", "y", "z"};
+  CHECK(refusal(".npy", four, options).says("--columns names 3, found 4 columns"));
+  CHECK(refusal(".npy", npy_file(npy_header("<f8", "(4, 2)"), body)).says("not of shape (n, 3)"));
+
+  // 1, -2, 65504, the least one above 0, infinity
+  const auto half = [](std::uint16_t bits, bool big) { return bytes_of(bits, big); };
+  for (const bool big : {false, true})
+  {
+    const std::string halves = half(0x3c00, big) + half(0xc000, big) + half(0x7bff, big)
+                               + half(0x0001, big) + half(0x3555, big) + half(0x8000, big);
+    const Point_cloud cloud = read(".npy",
+                                   npy_file(npy_header(big ? ">f2" : "<f2", "(2, 3)"), halves));
+    CHECK(
+      cloud.points
+      == (std::vector<Point>{Point(1, -2, 65504), Point(std::ldexp(1, -24), 0.333251953125, 0)}));
+    CHECK(cloud.coordinate_type == Number_type::FLOAT32);
+    CHECK(refusal(".npy", npy_file(npy_header(big ? ">f2" : "<f2", "(1, 3)"),
+                                   half(0x7c00, big) + half(0, big) + half(0, big)))
+            .says("not finite"));
+  }
+}
+
+void test_npy_of_records()
+{
+  const auto file = [](const std::string& fields, const std::string& shape,
+                       const std::string& body) {
+    return npy_file(
+      "{'descr': [" + fields + "], 'fortran_order': False, 'shape': " + shape + ", }\n", body);
+  };
+  const auto f = [](float number) { return bytes_of(number, false); };
+  const std::string xyz = f(1) + f(2) + f(3);
+  const std::vector<Point> one = {Point(1, 2, 3)};
+  const auto value = [](const Point_cloud& cloud, std::size_t k) {
+    return cloud.properties.value(0, cloud.properties.properties().at(k));
+  };
+
+  // Names, a color of three values, padding, an integer of 64 bits, a text, a title
+  const Point_cloud cloud = read(
+    ".npy",
+    file("('X', '<f4'), ('Y', '<f4'), ('Z', '<f4'), ('normals', '<f4', (3,)), ('', '|V2'), "
+         "('rgb', '|u1', (3,)), ('label', '>i8'), ('note', '<U2'), (('a title', 'time'), '<f8')",
+         "(1,)",
+         xyz + f(0) + f(0) + f(1) + "pp" + "\x09\x08\x07" + bytes_of(std::int64_t(-5), true)
+           + "12345678" + bytes_of(.5, false)),
+    with_everything());
+  CHECK(cloud.points == one && cloud.normals == std::vector<Vector>{Vector(0, 0, 1)});
+  CHECK(cloud.warnings.size() == 1
+        && cloud.warnings[0].find("'note' is left out: of type <U2") != std::string::npos);
+  CHECK(cloud.properties.properties().size() == 5);
+  CHECK(cloud.properties.properties()[0].name == "red" && value(cloud, 0) == 9);
+  CHECK(cloud.properties.properties()[3].type == Number_type::INT32 && value(cloud, 3) == -5);
+  CHECK(cloud.properties.properties()[4].type == Number_type::FLOAT64 && value(cloud, 4) == .5);
+
+  // Records within records, whose names are there twice
+  for (const char* fields : {"('position', [('x', '<f4'), ('y', '<f4'), ('z', '<f4')]), "
+                             "('normal', [('x', '<f4'), ('y', '<f4'), ('z', '<f4')])",
+                             "('xyz', '<f4', (3,)), ('normal', '<f4', 3)"})
+  {
+    const bool has_plain_shape = std::string(fields).find(", 3)") != std::string::npos;
+    const std::string bytes = file(fields, "(1, 1)", xyz + f(0) + f(-1) + f(0));
+    if (has_plain_shape)
+    {
+      CHECK(refusal(".npy", bytes).says("is expected"));
+      continue;
+    }
+    const Point_cloud nested = read(".npy", bytes, with_everything());
+    CHECK(nested.points == one && nested.normals == std::vector<Vector>{Vector(0, -1, 0)});
+    CHECK(nested.properties.properties().empty());
+  }
+
+  // Names of the caller, of all numbers
+  Read_options options = with_everything();
+  options.columns = {"x", "y", "z", "height"};
+  const std::string odd = file("('a', '<f4', (2,)), ('b', '<f4'), ('c', '|u1')", "(1,)",
+                               xyz + "\5");
+  CHECK(read(".npy", odd, options).points == one && value(read(".npy", odd, options), 0) == 5);
+  CHECK(
+    refusal(".npy", odd).says("no fields x, y and z; --columns can name theirs, which are 'a_0'"));
+}
+
 } // namespace
 
 int main()
 {
   test_ply();
+  test_ply_of_others();
+  test_normals_of_ply_that_are_none();
+  test_camera_of_ply();
   test_npy();
   test_npy_integers<std::int8_t>("i1");
   test_npy_integers<std::uint8_t>("u1");
@@ -184,5 +426,7 @@ int main()
   test_npy_integers<std::int64_t>("i8");
   test_npy_integers<std::uint64_t>("u8");
   test_npy_in_the_order_of_fortran();
+  test_npy_with_more_columns();
+  test_npy_of_records();
   return test::result();
 }

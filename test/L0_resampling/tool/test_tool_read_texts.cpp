@@ -8,6 +8,7 @@
 #include "test_support.h"
 #include "tool/test_tool_reading.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -23,8 +24,8 @@ void test_off()
         == (std::vector<Point>{Point(0, 0, .5), Point(1, 2, 3)}));
   CHECK(read(".OFF", "OFF 1 0 0 # on one line\n1 2 3").points
         == std::vector<Point>{Point(1, 2, 3)});
-  CHECK(read(".off", "STCNOFF\n1 0 0\n1 2 3 4 5 6 7 8 9\n", with_normals()).normals
-        == std::vector<Vector>{Vector(4, 5, 6)});
+  CHECK(read(".off", "STCNOFF\n1 0 0\n1 2 3 0 0 -1 7 8 9\n", with_normals()).normals
+        == std::vector<Vector>{Vector(0, 0, -1)});
   CHECK(read(".off", "OFF\n1 0 0\n1 2 3 4 5 6\n", with_normals()).normals.empty());
 }
 
@@ -138,16 +139,16 @@ void test_obj()
 {
   Read_options everything = with_everything();
   const std::vector<Point> two = {Point(1, 2, 3), Point(-10, .5, 4)};
-  const std::vector<Vector> normals = {Vector(0, 0, 1), Vector(0, 2, 0)};
+  const std::vector<Vector> normals = {Vector(0, 0, 1), Vector(0, 1, 0)};
   const Point_cloud cloud =
     read(".obj",
          "# a mesh\r\nmtllib a.mtl\no part\nv 1 2 3\nvt 0 0\n\nv  -1e1\t+.5 4 1\n"
-         "vn 0 0 1\nvn 0 2 0\nvp 1 2\nf 1//1 2//2 1//1\n",
+         "vn 0 0 1\nvn 0 1 0\nvp 1 2\nf 1//1 2//2 1//1\n",
          everything);
   CHECK(cloud.points == two && cloud.normals == normals && cloud.file_has_normals);
   CHECK(cloud.warnings.empty() && cloud.properties.properties().empty());
   CHECK(read(".obj", "vn 0 0 1\nv 1 2 3\nvn 0 2 0\nv -10 .5 4").normals.empty());
-  CHECK(read(".obj", "vn 0 0 1\nv 1 2 3\nvn 0 2 0\nv -10 .5 4", with_normals()).normals == normals);
+  CHECK(read(".obj", "vn 0 0 1\nv 1 2 3\nvn 0 1 0\nv -10 .5 4", with_normals()).normals == normals);
 
   const Point_cloud fewer = read(".obj", "v 1 2 3\nv -10 .5 4\nvn 0 0 1\n", everything);
   CHECK(fewer.points == two && fewer.normals.empty() && !fewer.file_has_normals);
@@ -160,7 +161,7 @@ void test_obj()
   everything.drop_non_finite = true;
   const Point_cloud dropped = read(".obj",
                                    "v nan 0 0\nv 1 2 3\nv 0 inf 0\nv -10 .5 4\nvn 1 0 0\n"
-                                   "vn 0 0 1\nvn 3 0 0\nvn 0 2 0\n",
+                                   "vn 0 0 1\nvn -1 0 0\nvn 0 1 0\n",
                                    everything);
   CHECK(dropped.points == two && dropped.normals == normals);
   CHECK(dropped.number_of_dropped_points == 2);
@@ -180,6 +181,132 @@ void test_obj()
         == RUN_TIME_FAILURE);
 }
 
+// Faces say which normal is that of which vertex, in all the ways that they have for it.
+void test_normals_of_obj_faces()
+{
+  const auto normals_of = [](const std::string& text) {
+    return read(".obj", text, with_normals()).normals;
+  };
+  const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n",
+                    normals = "vn 0 0 1\nvn 0 1 0\nvn 1 0 0\n";
+  const std::vector<Vector> turned = {Vector(1, 0, 0), Vector(0, 0, 1), Vector(0, 1, 0)};
+  CHECK(normals_of(vertices + normals + "f 1//3 2//1 3//2\n") == turned);
+  CHECK(normals_of(vertices + normals + "f 1/7/3 2/8/1 3/9/2\n") == turned);
+  CHECK(normals_of(vertices + normals + "f -3//-1 -2//-3 -1//-2\n") == turned);
+  CHECK(normals_of(vertices + "f 1//3 2//1 3//2\n" + normals) == turned); // named before they come
+  CHECK(normals_of(vertices + normals + "f 1//3 \\\n2//1 3//2\n") == turned);
+  CHECK(normals_of("v 9 9 9\nvn 0 0 -1\n" + vertices + normals
+                   + "f -3//-1 -2//-3 -1//-2\nf 1//1 1//1 1//1\n")
+        == (std::vector<Vector>{Vector(0, 0, -1), turned[0], turned[1], turned[2]}));
+
+  // Each normal of a vertex counts once, however many faces name it
+  const double half = std::sqrt(.5);
+  const std::vector<Vector> means = normals_of(
+    vertices + normals + "f 1//1 2//1 3//1\nf 1//1 2//1 3//1\nf 1//2 2//1 3//1\n");
+  CHECK(means.size() == 3 && std::abs(means[0].y() - half) < 1e-15
+        && std::abs(means[0].z() - half) < 1e-15 && means[1] == Vector(0, 0, 1));
+
+  // Corners that name what is not there give nothing, nor do opposite normals
+  const Point_cloud wrong = read(
+    ".obj", vertices + "vn 0 0 1\nvn 0 0 -1\n" + "f 1//1 2//7 9//1 2//-9 3//1 3//2 1//x 1//0\n",
+    with_everything());
+  CHECK(wrong.normals
+        == (std::vector<Vector>{Vector(0, 0, 1), CGAL::NULL_VECTOR, CGAL::NULL_VECTOR}));
+  CHECK(wrong.warnings.size() == 1
+        && wrong.warnings[0].find("corners of faces are left out") != std::string::npos);
+  CHECK(read(".obj", vertices + normals + "f 1//3 2//1 3//2\n").file_has_normals);
+
+  // Many corners, which are put together while they are read
+  std::string many = "vn 0 0 1\nvn 0 1 0\n";
+  for (int i = 0; i < 40000; ++i)
+    many += "v " + std::to_string(i) + " 0 0\n";
+  for (int i = 1; i < 39999; ++i)
+    many += "f " + std::to_string(i) + "//2 " + std::to_string(i + 1) + "//2 "
+            + std::to_string(i + 2) + "//2\n";
+  const std::vector<Vector> all = normals_of(many);
+  CHECK(all.size() == 40000);
+  CHECK(std::all_of(all.begin(), all.end(), [](const Vector& n) { return n == Vector(0, 1, 0); }));
+}
+
+// Named vectors too are normals only if they have unit length, unless the caller names them.
+void test_named_vectors()
+{
+  const std::string table = "x,y,z,nx,ny,nz\n1,2,3,0,200,100\n4,5,6,10,20,30\n";
+  const Point_cloud cloud = read(".csv", table, with_everything());
+  CHECK(cloud.normals.empty() && !cloud.file_has_normals && cloud.warnings.size() == 1);
+  CHECK(cloud.warnings[0].find("the normals are left out, as they are no unit vectors")
+        != std::string::npos);
+  Read_options options = with_everything();
+  options.columns = {"x", "y", "z", "nx", "ny", "nz"};
+  CHECK(read(".csv", table, options).normals.size() == 2);
+  CHECK(read(".obj", "v 1 2 3\nvn 0 0 2\n", with_normals()).normals.empty());
+  CHECK(read(".off", "NOFF\n1 0 0\n1 2 3 4 5 6\n", with_normals()).normals.empty());
+}
+
+// Lines that name columns, with the number of points or without, in all kinds of texts
+void test_headers_of_texts()
+{
+  const std::vector<Point> two = {Point(1, 2, 3), Point(-10, .5, 4)};
+  const auto names_of = [](const Point_cloud& cloud) {
+    std::string names;
+    for (const Property& property : cloud.properties.properties())
+      names += property.name + " ";
+    return names;
+  };
+  for (const char* extension : {".xyz", ".txt", ".asc", ".pts", ".csv"})
+    for (const char* header :
+         {"//X Y Z R G B\n", "//X Y Z R G B\n2\n", "2\n//X Y Z R G B\n", "# x y z r g b\n",
+          "x y z Red GREEN blue\n", "# x y z of a scanner\n# X Y Z Red Green Blue\n# units: m\n"})
+    {
+      const Point_cloud cloud =
+        read(extension, header + std::string("1 2 3 255 0 7\n-10 .5 4 1 2 3\n"), with_everything());
+      CHECK(cloud.points == two && cloud.warnings.empty());
+      CHECK(names_of(cloud) == "red green blue ");
+    }
+  CHECK(read(".xyz", "# x y z of a scanner\n1 2 3\n-10 .5 4\n").points == two); // no header
+  CHECK(read(".txt", "X;Y;Z\n1;2;3\n-10;.5;4\n").points == two);
+  CHECK(read(".txt", "1, 2, 3\n-10, .5, 4\n").points == two);
+  CHECK(read(".xyz", "//X Y Z Nx Ny Nz\n1 2 3 0 0 1\n", with_normals()).normals.size() == 1);
+  CHECK(refusal(".txt", "east north up\n1 2 3\n").says("--columns can name them"));
+  CHECK(refusal(".csv", "1,2,3\n").says("--input-format xyz"));
+
+  Read_options options = with_everything();
+  options.columns = {"z", "-", "y", "x"};
+  CHECK(read(".txt", "height id north east\n3 1 2 1\n4 2 .5 -10\n", options).points == two);
+}
+
+void test_blocks_of_pts()
+{
+  const std::vector<Point> three = {Point(1, 2, 3), Point(4, 5, 6), Point(7, 8, 9)};
+  const Point_cloud cloud = read(".pts", "2\n1 2 3 9\n4 5 6 9\n\n1\n7 8 9 9\n0\n");
+  CHECK(cloud.points == three && cloud.warnings.empty());
+  CHECK(read(".pts", "1\n1 2 3\n4 5 6\n1\n7 8 9\n").warnings.size() == 1);
+  CHECK(refusal(".pts", "2\n1 2 3\n1\n4 5 6\n7 8 9\n").says("3 columns expected"));
+  CHECK(refusal(".pts", "1\n1 2 3\n2\n4.5 5.5 6.5\n").says("after 1 points"));
+  CHECK(refusal(".pts", "1\n1 2 3\n999\n4 5 6\n").says("999 points are announced"));
+}
+
+void test_decimal_commas()
+{
+  Read_options options = with_everything();
+  options.has_decimal_commas = true;
+  const std::vector<Point> two = {Point(1.5, 2, -.25), Point(4, 5e-3, 6)};
+  for (const char* text :
+       {"1,5 2 -,25\n4,0 5e-3 6\n", "1,5;2;-0,25\n4;0,005;6\n", "1,5\t2\t-0,25\n4\t0,005\t6\n",
+        "X;Y;Z\n1,5;2;-0,25\n4;0,005;6\n", "x y z\n1.5 2 -0.25\n4 0.005 6\n",
+        "\"1,5\",\"2\",\"-0,25\"\n\"4\",\"0,005\",\"6\"\n"})
+    CHECK(read(".txt", text, options).points == two);
+  const Point_cloud cloud = read(".csv", "x;y;z;height;class\n1,5;2;-0,25;0,5;2\n4;0,005;6;1;3\n",
+                                 options);
+  CHECK(cloud.points == two);
+  CHECK(cloud.properties.value(0, cloud.properties.properties()[0]) == .5);
+  CHECK(cloud.properties.properties()[1].type == Number_type::INT32);
+  CHECK(refusal(".txt", "1.234,5 2 3\n", options).says("'1.234,5' is not a number"));
+  for (const char* text : {"1,5 2,5 3,5\n", "1,5;2,5;3,5\n", "1 2 3\n1 2 0,5\n", "1,5 2 3\n"})
+    CHECK(refusal(".txt", text).says("--decimal-comma"));
+  CHECK(!refusal(".txt", "1 2 x\n").says("--decimal-comma"));
+}
+
 } // namespace
 
 int main()
@@ -189,5 +316,10 @@ int main()
   test_vectors_of_xyz();
   test_csv();
   test_obj();
+  test_normals_of_obj_faces();
+  test_named_vectors();
+  test_headers_of_texts();
+  test_blocks_of_pts();
+  test_decimal_commas();
   return test::result();
 }

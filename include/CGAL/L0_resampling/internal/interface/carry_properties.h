@@ -11,11 +11,13 @@
 
 #include <CGAL/IO/Color.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <typeindex>
 #include <utility>
 
@@ -45,8 +47,18 @@ bool has_other_properties(const PointSet& points)
   return false;
 }
 
+/// Whether no value has a fraction: then they may be labels, of which there is no mean.
+template <typename PointSet, typename Map>
+bool are_all_whole(const PointSet& points, const Map& map)
+{
+  return std::all_of(points.begin(), points.end(), [&](const typename PointSet::Index& i) {
+    const auto value = map[i];
+    return !std::isfinite(value) || std::floor(value) == value;
+  });
+}
+
 /// Replaces the property of the nearest points by the mean of the near ones, if it has the type
-/// `T`.
+/// `T`, unless it may be a label.
 /// \param mean_of called with a point of `carried` and a function that gives a number for a
 /// property value
 template <typename T, typename PointSet, typename MeanOf>
@@ -57,6 +69,9 @@ void average_if_of_type(const PointSet& points,
   if (property.second != std::type_index(typeid(T)))
     return;
   const auto from = map_of(points.template property_map<T>(property.first));
+  if constexpr (std::is_floating_point<T>::value)
+    if (!is_color_channel(property.first) && are_all_whole(points, from))
+      return;
   auto to = map_of(carried.template property_map<T>(property.first));
   for (std::size_t i = 0; i < carried.size(); ++i)
     to[typename PointSet::Index(i)] = mean_of(i, from);

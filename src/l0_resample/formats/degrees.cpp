@@ -1,0 +1,133 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "formats/degrees.h"
+
+#include "basis/little_endian.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace l0_tool {
+namespace {
+
+constexpr std::uint16_t geo_key_directory = 34735, wkt_of_coordinate_system = 2112;
+
+/// The value of a key that stands in the directory itself.
+std::optional<unsigned> geo_key(std::string_view directory, unsigned key)
+{
+  constexpr std::size_t size = 8; // of an entry: key, where its value is, count, value
+  for (std::size_t at = size; at + size <= directory.size(); at += size) {
+    const auto part = [&](std::size_t k) {
+      return unsigned(little_endian_at(directory.data() + at + 2 * k, 2));
+    };
+    if (part(0) == key && part(1) == 0)
+      return part(3);
+  }
+  return std::nullopt;
+}
+
+Horizontal_system system_of_keys(std::string_view directory)
+{
+  constexpr unsigned model_type = 1024, geographic_type = 2048, projected_type = 3072;
+  constexpr unsigned projected = 1, geographic = 2, geocentric = 3;
+  const unsigned model = geo_key(directory, model_type).value_or(0);
+  const bool names_projection = geo_key(directory, projected_type).has_value(),
+             names_globe = geo_key(directory, geographic_type).has_value();
+  Horizontal_system system = {false, false, "its GeoTIFF keys say"};
+  system.is_geographic = model == geographic
+                         || (model != projected && model != geocentric && names_globe
+                             && !names_projection);
+  system.is_told = system.is_geographic || model == projected || model == geocentric
+                   || names_projection;
+  return system;
+}
+
+/// The keywords of WKT, which stand before brackets, in upper case; what is in quotes is none.
+std::vector<std::string> keywords_of(std::string_view wkt)
+{
+  std::vector<std::string> keywords;
+  std::string word;
+  bool is_quoted = false;
+  for (const char c : wkt) {
+    is_quoted = is_quoted != (c == '"');
+    const bool is_letter = (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_';
+    if (!is_quoted && (is_letter || (c >= '0' && c <= '9')))
+      word += c >= 'a' && c <= 'z' ? char(c - 'a' + 'A') : c;
+    else if (!is_quoted && (c == '[' || c == '(') && !word.empty())
+      keywords.push_back(std::move(word));
+    if (is_quoted || (!is_letter && !(c >= '0' && c <= '9') && c != ' ' && c != '\n' && c != '\t'))
+      word.clear();
+  }
+  return keywords;
+}
+
+Horizontal_system system_of_wkt(std::string_view wkt)
+{
+  const std::vector<std::string> keywords = keywords_of(wkt);
+  const auto has_any = [&](const std::vector<std::string_view>& names) {
+    return std::any_of(names.begin(), names.end(), [&](std::string_view name) {
+      return std::find(keywords.begin(), keywords.end(), name) != keywords.end();
+    });
+  };
+  // A projected system has a geographic one within, and GEODCRS may be one of lengths too
+  const bool has_lengths =
+    has_any({"PROJCS", "PROJCRS", "PROJECTEDCRS", "GEOCCS", "LOCAL_CS", "ENGCRS", "ENGINEERINGCRS"})
+    || wkt.find("Cartesian,3") != std::string_view::npos
+    || wkt.find("Cartesian, 3") != std::string_view::npos;
+  const bool has_globe = has_any({"GEOGCS", "GEOGCRS", "GEOGRAPHICCRS", "GEODCRS", "GEODETICCRS"});
+  return {has_lengths || has_globe, has_globe && !has_lengths, "its WKT says"};
+}
+
+constexpr double largest_longitude = 360, largest_latitude = 90;
+
+bool is_on_globe(const CGAL::Bbox_3& box)
+{
+  const bool is_empty = box.xmin() > box.xmax();
+  return !is_empty && box.xmin() >= -largest_longitude && box.xmax() <= largest_longitude
+         && box.ymin() >= -largest_latitude && box.ymax() <= largest_latitude;
+}
+
+} // namespace
+
+Horizontal_system horizontal_system_of(const Las_origin& origin)
+{
+  Horizontal_system by_keys, by_wkt;
+  for (const Las_record& record : origin.coordinate_system)
+    if (record.id == geo_key_directory)
+      by_keys = system_of_keys(record.data);
+    else if (record.id == wkt_of_coordinate_system)
+      by_wkt = system_of_wkt(record.data);
+  const bool is_wkt_meant = (origin.global_encoding & Las_origin::wkt) != 0;
+  return by_wkt.is_told && (is_wkt_meant || !by_keys.is_told) ? by_wkt : by_keys;
+}
+
+bool look_like_degrees(const CGAL::Bbox_3& box)
+{
+  // A metre is 0.00001 degrees: hills of a part in a thousand are 100 times as high as wide
+  constexpr double least_slope = 100, least_distance = 20;
+  const double width = (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
+  const double narrow = (std::min)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
+  const double distance = std::hypot((box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2);
+  return is_on_globe(box) && narrow > 0 && distance > least_distance * width
+         && box.zmax() - box.zmin() > least_slope * width;
+}
+
+bool look_like_degrees(const CGAL::Bbox_3& box, const Las_origin& origin)
+{
+  constexpr double largest_scale = 1e-5, least_ratio = 100;
+  const double scale = (std::max)(std::abs(origin.scale[0]), std::abs(origin.scale[1]));
+  const bool is_scale_of_degrees = scale <= largest_scale
+                                   && std::abs(origin.scale[2]) >= least_ratio * scale;
+  return is_on_globe(box) && (is_scale_of_degrees || look_like_degrees(box));
+}
+
+} // namespace l0_tool

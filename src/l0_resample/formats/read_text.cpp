@@ -1,0 +1,404 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "basis/parse_numbers.h"
+#include "formats/Named_columns.h"
+#include "formats/readers.h"
+#include "formats/usual_names.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace l0_tool {
+namespace {
+
+using Cells = std::vector<std::string_view>;
+
+void remove_prefix(std::string_view& text, std::string_view prefix)
+{
+  if (text.substr(0, prefix.size()) == prefix)
+    text.remove_prefix(prefix.size());
+}
+
+/// The one that the line has most of outside quotes, or a blank: then any number of them separates
+/// two cells.
+char find_separator(std::string_view line, bool has_decimal_commas)
+{
+  const bool has_quotes = line.find('"') != std::string_view::npos;
+  std::string candidates = ";\t";
+  if (!has_decimal_commas || has_quotes)
+    candidates += ',';
+  std::array<std::size_t, 3> counts = {};
+  bool is_quoted = false;
+  for (const char c : line) {
+    is_quoted = is_quoted != (c == '"');
+    const std::size_t k = candidates.find(c);
+    if (!is_quoted && k != std::string::npos)
+      ++counts[k];
+  }
+  const auto most = std::max_element(counts.begin(), counts.end());
+  return *most == 0 ? ' ' : candidates[std::size_t(most - counts.begin())];
+}
+
+/// Cuts a cell in quotes off `line`; nothing if it does not end.
+std::optional<std::string_view> take_quoted_cell(std::string_view& line)
+{
+  std::size_t end = line.find('"', 1);
+  while (end != std::string_view::npos && line.substr(end + 1, 1) == "\"")
+    end = line.find('"', end + 2); // two of them stand for one
+  if (end == std::string_view::npos)
+    return std::nullopt;
+  const std::string_view cell = line.substr(1, end - 1);
+  line.remove_prefix(end + 1);
+  return cell;
+}
+
+/// Finds the cells of a line, without their quotes and blanks.
+/// \returns what is wrong with the line, or nothing
+std::string split_cells(std::string_view line, char separator, Cells& cells)
+{
+  if (separator == ' ' && line.find('"') == std::string_view::npos) {
+    split_words(line, cells);
+    return cells.size() > max_number_of_columns
+             ? "more than " + std::to_string(max_number_of_columns) + " columns"
+             : "";
+  }
+  cells.clear();
+  line = separator == '\t' ? line : trimmed(line);
+  for (;;) {
+    line.remove_prefix((std::min)(line.find_first_not_of(' '), line.size()));
+    std::optional<std::string_view> quoted;
+    if (line.substr(0, 1) == "\"") {
+      quoted = take_quoted_cell(line);
+      if (!quoted)
+        return "a cell in quotes does not end in its line";
+    }
+    const std::size_t end = line.find(separator);
+    const std::string_view plain = trimmed(line.substr(0, end));
+    if (quoted && !plain.empty())
+      return printable(plain) + " stands behind a cell in quotes";
+    if (cells.size() == max_number_of_columns)
+      return "more than " + std::to_string(max_number_of_columns) + " columns";
+    cells.push_back(quoted.value_or(plain));
+    if (end == std::string_view::npos)
+      return "";
+    line.remove_prefix(end + 1);
+  }
+}
+
+/// A line that names columns x, y and z.
+struct Header
+{
+  Column_names names;
+  char separator;
+  bool is_comment; ///< so that it may be one that has these words by chance
+};
+
+/// The names in the line, or nothing if it is no header.
+std::optional<Header> parse_header(std::string_view line, bool is_comment, bool has_decimal_commas)
+{
+  Header header = {{}, find_separator(line, has_decimal_commas), is_comment};
+  Cells cells;
+  if (!split_cells(line, header.separator, cells).empty())
+    return std::nullopt;
+  header.names = usual_names(Column_names(cells.begin(), cells.end()));
+  for (std::string& name : header.names) {
+    std::replace_if(
+      name.begin(), name.end(), [](char c) { return c <= ' ' || c > '~' || c == '"'; }, '_');
+    if (name.empty())
+      name = "-";
+  }
+  if (have_coordinates(header.names))
+    return header;
+  return std::nullopt;
+}
+
+/// Takes off what begins a comment, if the line is one.
+bool remove_comment_mark(std::string_view& line)
+{
+  const std::string_view text = trimmed(line);
+  for (const std::string_view mark : {"#", "//"})
+    if (text.substr(0, mark.size()) == mark) {
+      line = text.substr(mark.size());
+      return true;
+    }
+  return false;
+}
+
+class Text_reader
+{
+  Input_file& m_file;
+  Point_collector& m_collector;
+  Column_names m_names;
+  const bool m_are_names_given; // by the caller
+  const bool m_needs_names;
+  std::vector<Header> m_headers; // that may be that of the rows
+  bool m_has_header = false;     // a line without the mark of a comment
+  char m_separator = ' ';
+  Vectors m_vectors = Vectors::NAMED_BY_FILE;
+  Cells m_cells;
+  std::vector<double> m_values;
+  std::optional<std::uint64_t> m_announced; // of the block
+  std::uint64_t m_rows_before = 0;          // the block
+
+  bool has_decimal_commas() const { return m_collector.has_decimal_commas(); }
+
+  [[noreturn]] void refuse(std::string_view line, const std::string& what) const
+  {
+    const bool may_have_commas = !has_decimal_commas() && line.find(',') != std::string_view::npos;
+    m_file.refuse(what + (may_have_commas ? "; --decimal-comma reads numbers such as 0,5" : ""));
+  }
+
+  std::optional<double> parse(std::string_view cell) const
+  {
+    if (!has_decimal_commas() || cell.find('.') != std::string_view::npos)
+      return parse_number<double>(cell);
+    std::string with_point(cell);
+    std::replace(with_point.begin(), with_point.end(), ',', '.');
+    return parse_number<double>(with_point);
+  }
+
+  /// The next line that is neither empty nor a comment.
+  std::optional<std::string_view> read_row()
+  {
+    while (std::optional<std::string_view> line = m_file.read_line()) {
+      std::string_view text = *line;
+      if (!trimmed(text).empty() && !remove_comment_mark(text))
+        return line;
+    }
+    return std::nullopt;
+  }
+
+  /// Whether the line is the number of points of a block.
+  std::optional<std::uint64_t> parse_count(std::string_view line) const
+  {
+    return parse_number<std::uint64_t>(trimmed(line));
+  }
+
+  void begin_block(std::uint64_t count)
+  {
+    const bool is_first = m_collector.number_of_rows() == 0;
+    m_announced = count;
+    m_rows_before = m_collector.number_of_rows();
+    const std::size_t columns = (std::max)(m_names.size(), std::size_t(3));
+    const std::uint64_t least_row_size = 2 * columns; // digits, blanks, a line end
+    if (is_first)
+      m_collector.announce(count, least_row_size);
+    else
+      m_file.check_count(count, least_row_size, "points");
+  }
+
+  void end_block()
+  {
+    const std::uint64_t n = m_collector.number_of_rows() - m_rows_before;
+    if (!m_announced && n == 0 && !m_needs_names)
+      m_file.refuse("the file has no points");
+    if (m_announced && n < *m_announced)
+      m_file.refuse("the file ends after " + std::to_string(n)
+                    + " points, its first line announced " + std::to_string(*m_announced));
+    if (m_announced && n > *m_announced)
+      m_collector.warn("more points than the " + std::to_string(*m_announced)
+                       + ", which the first line announced; all of them are used");
+  }
+
+  /// Whether the line has as many cells as there are names, and none of them is a number.
+  bool is_line_of_names(std::string_view line)
+  {
+    const char separator = find_separator(line, has_decimal_commas());
+    if (!split_cells(line, separator, m_cells).empty() || m_cells.size() != m_names.size()
+        || std::any_of(m_cells.begin(), m_cells.end(),
+                       [&](std::string_view cell) { return parse(cell).has_value(); }))
+      return false;
+    m_headers.push_back({m_names, separator, false});
+    return true;
+  }
+
+  /// Reads to behind the header, which may look like a comment, and the number of points.
+  /// \returns the first row
+  std::optional<std::string_view> read_to_first_row()
+  {
+    bool is_first_line = true;
+    while (std::optional<std::string_view> line = m_file.read_line()) {
+      if (is_first_line)
+        remove_prefix(*line, "\xef\xbb\xbf"); // the mark of UTF-8
+      is_first_line = false;
+      std::string_view text = *line;
+      if (trimmed(text).empty())
+        continue;
+      const bool is_comment = remove_comment_mark(text);
+      std::optional<Header> header = m_has_header
+                                       ? std::nullopt
+                                       : parse_header(text, is_comment, has_decimal_commas());
+      if (header) {
+        m_has_header = !is_comment;
+        constexpr std::size_t most = 16;
+        if (m_headers.size() < most)
+          m_headers.push_back(std::move(*header));
+        continue;
+      }
+      if (is_comment)
+        continue;
+      const std::optional<std::uint64_t> count = parse_count(text);
+      if (count && !m_announced) {
+        begin_block(*count);
+        continue;
+      }
+      if (m_are_names_given && !m_has_header && is_line_of_names(text)) {
+        m_has_header = true;
+        continue;
+      }
+      return line;
+    }
+    return std::nullopt;
+  }
+
+  /// Of the rows, whose first one is given.
+  void find_columns(std::string_view row)
+  {
+    for (auto header = m_headers.rbegin(); header != m_headers.rend(); ++header) {
+      const std::string fault = split_cells(row, header->separator, m_cells);
+      const bool fits = fault.empty() && m_cells.size() == header->names.size();
+      if (!fits && header->is_comment)
+        continue;
+      m_separator = header->separator;
+      if (m_are_names_given)
+        return;
+      m_names = header->names;
+      return check_column_names(m_file, m_names, m_collector);
+    }
+    m_separator = find_separator(row, has_decimal_commas());
+    if (m_separator == '\t' && !m_needs_names)
+      m_separator = ' '; // which may stand beside others
+    if (!m_are_names_given)
+      guess_names(row);
+  }
+
+  void guess_names(std::string_view row)
+  {
+    if (m_needs_names)
+      m_file.refuse("the line does not name columns x, y and z; --columns can name them, and "
+                    "--input-format xyz needs no names");
+    const std::string fault = split_cells(row, m_separator, m_cells);
+    const std::size_t n = m_cells.size();
+    if (!fault.empty() || n < 3)
+      refuse(row, fault.empty() ? "a point needs 3 numbers, found " + std::to_string(n) : fault);
+    for (std::size_t k = 0; k < n; ++k)
+      m_names.emplace_back(k < 3 || n == 6 ? row_names[k] : "-");
+    m_vectors = Vectors::UNNAMED;
+    if (n > 3 && n != 6 && m_collector.wants_properties())
+      m_collector.warn("the columns behind the third are left out; --columns can name them");
+  }
+
+  void split(std::string_view line)
+  {
+    const std::string fault = split_cells(line, m_separator, m_cells);
+    if (!fault.empty())
+      refuse(line, fault);
+    if (m_cells.size() == m_names.size())
+      return;
+    const std::string found = ", found " + std::to_string(m_cells.size()),
+                      expected = std::to_string(m_names.size());
+    if (m_are_names_given)
+      refuse(line, "--columns names " + expected + found);
+    refuse(line, m_vectors == Vectors::UNNAMED
+                   ? expected + " columns expected as in the lines before" + found
+                   : expected + " columns have names" + found);
+  }
+
+  /// Those whose first value is a text.
+  void leave_out_texts()
+  {
+    for (std::size_t k = 0; k < m_names.size(); ++k) {
+      const bool is_needed = std::find(row_names.begin(), row_names.end(), m_names[k])
+                             != row_names.end();
+      if (!is_needed && !is_left_out(m_names[k]) && !m_cells[k].empty() && !parse(m_cells[k]))
+        leave_out_column(m_names[k], printable(m_cells[k]) + " is not a number", m_collector);
+    }
+  }
+
+  void add_row(std::string_view line, Named_columns& columns)
+  {
+    m_values.resize(columns.size());
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      if (!columns.is_wanted(k))
+        continue;
+      constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+      const std::optional<double> number = m_cells[k].empty() ? missing : parse(m_cells[k]);
+      if (!number)
+        refuse(line,
+               printable(m_cells[k]) + " is not a number"
+                 + (m_collector.number_of_rows() == 0 && k == 0 && m_vectors == Vectors::UNNAMED
+                      ? ", and no line names columns x, y and z; --columns can name them"
+                      : ""));
+      m_values[k] = *number;
+    }
+    columns.add(m_values);
+  }
+
+  void read_rows(std::string_view first)
+  {
+    split(first);
+    if (m_needs_names || !m_are_names_given)
+      leave_out_texts();
+    std::vector<Named_column> columns;
+    for (const std::string& name : m_names)
+      columns.push_back({name, std::nullopt});
+    Named_columns rows(columns, m_vectors, m_collector);
+    add_row(first, rows);
+    while (const std::optional<std::string_view> line = read_row()) {
+      const bool may_end = m_announced
+                           && m_collector.number_of_rows() - m_rows_before >= *m_announced;
+      const std::optional<std::uint64_t> count = may_end ? parse_count(*line) : std::nullopt;
+      if (count) {
+        end_block();
+        begin_block(*count);
+        continue;
+      }
+      split(*line);
+      add_row(*line, rows);
+    }
+    rows.choose_types();
+  }
+
+public:
+  /// \param needs_names whether somebody has to name the columns
+  Text_reader(Input_file& file, Point_collector& collector, const Column_names& names,
+              bool needs_names)
+    : m_file(file), m_collector(collector), m_names(names), m_are_names_given(!names.empty()),
+      m_needs_names(needs_names)
+  {
+    if (m_are_names_given)
+      m_vectors = Vectors::NAMED_BY_CALLER;
+  }
+
+  void read()
+  {
+    const std::optional<std::string_view> first = read_to_first_row();
+    if (first) {
+      const std::string row(*first);
+      find_columns(row);
+      read_rows(row);
+    } else if (m_needs_names && m_headers.empty())
+      m_file.refuse("the file has no line that names columns x, y and z");
+    end_block();
+  }
+};
+
+} // namespace
+
+void read_text(Input_file& file, Point_collector& collector, const Column_names& names,
+               bool needs_names)
+{
+  Text_reader(file, collector, names, needs_names).read();
+}
+
+} // namespace l0_tool

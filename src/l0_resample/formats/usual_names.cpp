@@ -1,0 +1,115 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "formats/usual_names.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+
+namespace l0_tool {
+namespace {
+
+constexpr std::size_t least_size = 3; // of a kind; a color may have a fourth channel
+using Spelling = std::array<std::string_view, 4>;
+
+/// Other spellings of the names that its first one has, as `folded()` leaves them: first come those
+/// which go before others.
+struct Kind_of_name
+{
+  Spelling names;
+  std::vector<Spelling> spellings;
+  std::vector<std::string_view> names_of_all; ///< of a column of three or four values
+};
+
+const std::vector<Kind_of_name>& kinds()
+{
+  // points0 and normals0 are those of ParaView, diffusered is that of VCG
+  static const std::vector<Kind_of_name> all = {
+    {{"x", "y", "z"},
+     {{"x", "y", "z"},
+      {"points0", "points1", "points2"},
+      {"positionx", "positiony", "positionz"},
+      {"pointx", "pointy", "pointz"},
+      {"posx", "posy", "posz"}},
+     {"xyz", "point", "points", "position", "positions", "pos", "coordinates", "coords"}},
+    {{"nx", "ny", "nz"},
+     {{"nx", "ny", "nz"},
+      {"normalx", "normaly", "normalz"},
+      {"normalsx", "normalsy", "normalsz"},
+      {"normals0", "normals1", "normals2"},
+      {"normal0", "normal1", "normal2"}},
+     {"normal", "normals", "nxyz", "normalxyz"}},
+    {{"red", "green", "blue", "alpha"},
+     {{"red", "green", "blue", "alpha"},
+      {"r", "g", "b", "a"},
+      {"diffusered", "diffusegreen", "diffuseblue", "diffusealpha"},
+      {"colorr", "colorg", "colorb", "colora"}},
+     {"rgb", "rgba", "color", "colors"}}};
+  return all;
+}
+
+/// Letters and digits alone, in lower case, of ASCII.
+std::string folded(const std::string& name)
+{
+  std::string text;
+  for (const char c : name)
+    if (c >= 'A' && c <= 'Z')
+      text += char(c - 'A' + 'a');
+    else if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'))
+      text += c;
+  return text;
+}
+
+bool are_there(const std::vector<std::string>& names, const Spelling& spelling)
+{
+  return std::all_of(spelling.begin(), spelling.begin() + least_size, [&](std::string_view name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  });
+}
+
+} // namespace
+
+std::vector<std::string> usual_names(std::vector<std::string> names)
+{
+  std::vector<std::string> spelled;
+  spelled.reserve(names.size());
+  std::transform(names.begin(), names.end(), std::back_inserter(spelled), folded);
+  for (const Kind_of_name& kind : kinds()) {
+    if (are_there(names, kind.names))
+      continue;
+    const auto found = std::find_if(kind.spellings.begin(), kind.spellings.end(),
+                                    [&](const Spelling& s) { return are_there(spelled, s); });
+    if (found == kind.spellings.end())
+      continue;
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      const auto name = std::find(found->begin(), found->end(), spelled[k]);
+      if (!spelled[k].empty() && name != found->end())
+        names[k] = kind.names[std::size_t(name - found->begin())];
+    }
+  }
+  return names;
+}
+
+std::vector<std::string> names_of_values(const std::string& name, std::size_t number_of_values)
+{
+  if (number_of_values == 1)
+    return {name};
+  const std::string spelled = folded(name);
+  const Kind_of_name* kind = nullptr;
+  for (const Kind_of_name& any : kinds())
+    if (std::find(any.names_of_all.begin(), any.names_of_all.end(), spelled)
+        != any.names_of_all.end())
+      kind = &any;
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < number_of_values; ++k) {
+    const bool is_usual = kind && number_of_values >= least_size && k < kind->names.size()
+                          && !kind->names[k].empty();
+    names.push_back(is_usual ? std::string(kind->names[k]) : name + "_" + std::to_string(k));
+  }
+  return names;
+}
+
+} // namespace l0_tool

@@ -1,0 +1,161 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "pictures/View.h"
+
+#include <CGAL/Bbox_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+
+namespace l0_tool {
+namespace {
+
+Vector unit_vector(const Vector& v)
+{
+  const double largest = (std::max)({std::abs(v.x()), std::abs(v.y()), std::abs(v.z())});
+  if (!(largest > 0))
+    return CGAL::NULL_VECTOR;
+  const Vector scaled = v / largest;
+  return scaled / std::sqrt(scaled.squared_length());
+}
+
+/// Where a direction, of either sign, lies on a cube of three faces with square cells, of which one
+/// has an axis in its middle.
+constexpr std::size_t cells_of_edge = 9, number_of_cells = 3 * cells_of_edge * cells_of_edge;
+
+std::size_t cell_of(const Vector& n)
+{
+  int axis = 0;
+  for (int k = 1; k < 3; ++k)
+    if (std::abs(n[k]) > std::abs(n[axis]))
+      axis = k;
+  const auto part = [&](int k) {
+    const double place = (n[(axis + k) % 3] / n[axis] + 1) / 2 * cells_of_edge;
+    return (std::min)(std::size_t((std::max)(place, 0.)), cells_of_edge - 1);
+  };
+  return (std::size_t(axis) * cells_of_edge + part(1)) * cells_of_edge + part(2);
+}
+
+/// Whether few planes hold most points. The share of six of 243 cells is 0.7 and more of buildings,
+/// rooms and machined parts, and 0.25 at most of figures.
+bool are_planes(const std::vector<Oriented_point>& points)
+{
+  constexpr double least_share = 0.5;
+  constexpr std::size_t number_of_planes = 6;
+  std::array<std::size_t, number_of_cells> counts = {};
+  std::size_t n = 0;
+  for (const Oriented_point& point : points)
+    if (point.second != CGAL::NULL_VECTOR) {
+      ++counts[cell_of(point.second)];
+      ++n;
+    }
+  std::partial_sort(counts.begin(), counts.begin() + number_of_planes, counts.end(),
+                    std::greater<>());
+  std::size_t sum = 0;
+  for (std::size_t k = 0; k < number_of_planes; ++k)
+    sum += counts[k];
+  return double(sum) > least_share * double(n);
+}
+
+CGAL::Bbox_3 box_of(const std::vector<Oriented_point>& points)
+{
+  CGAL::Bbox_3 box;
+  for (const Oriented_point& point : points)
+    box += point.first.bbox();
+  return box;
+}
+
+bool is_within(const CGAL::Bbox_3& box, const Point& p)
+{
+  for (int axis = 0; axis < 3; ++axis)
+    if (p[axis] <= box.min(axis) || p[axis] >= box.max(axis))
+      return false;
+  return true;
+}
+
+Point middle_of(const CGAL::Bbox_3& box)
+{
+  return {box.xmin() / 2 + box.xmax() / 2, box.ymin() / 2 + box.ymax() / 2,
+          box.zmin() / 2 + box.zmax() / 2};
+}
+
+/// The horizontal direction from which there is most to see.
+/// \param front of two opposite directions the one that is preferred
+Vector broad_side(const std::vector<Oriented_point>& points, const CGAL::Bbox_3& box,
+                  const Vector& front, const Vector& right)
+{
+  // Of a surface that was seen from one side, that one
+  constexpr double least_mean = 0.4;
+  const double scale = (std::max)(
+    {box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()});
+  double x = 0, y = 0, xx = 0, xy = 0, yy = 0;
+  const Point middle = middle_of(box);
+  for (const auto& [point, normal] : points) {
+    x += normal * right;
+    y += normal * front;
+    const Vector v = scale > 0 ? (point - middle) / scale : Vector(CGAL::NULL_VECTOR);
+    xx += (v * right) * (v * right);
+    xy += (v * right) * (v * front);
+    yy += (v * front) * (v * front);
+  }
+  if (std::hypot(x, y) > least_mean * double(points.size()))
+    return unit_vector(x * right + y * front);
+  // Else across the longest extent, if one is clearly longer
+  constexpr double least_ratio = 1.3;
+  const double middle_of_both = (xx + yy) / 2, half = std::hypot((xx - yy) / 2, xy);
+  if (middle_of_both + half < least_ratio * least_ratio * (middle_of_both - half))
+    return front;
+  const double angle = std::atan2(2 * xy, xx - yy) / 2; // of the longest one
+  const Vector across = -std::sin(angle) * right + std::cos(angle) * front;
+  return across * front < 0 ? Vector(-across) : across;
+}
+
+} // namespace
+
+View choose_view(const std::vector<Oriented_point>& result, const Known_sides& known)
+{
+  View view;
+  if (known.up)
+    view.up = unit_vector(Vector((*known.up)[0], (*known.up)[1], (*known.up)[2]));
+  else if (are_planes(result))
+    view.up = Vector(0, 0, 1);
+  const CGAL::Bbox_3 box = box_of(result);
+  view.is_cut_open = !known.viewpoints.empty()
+                     && std::all_of(known.viewpoints.begin(), known.viewpoints.end(),
+                                    [&](const Point& p) { return is_within(box, p); });
+  if (known.towards_eye) {
+    const auto& [x, y, z] = *known.towards_eye;
+    view.towards_eye = Vector(x, y, z);
+    return view;
+  }
+  if (result.empty())
+    return view;
+
+  const Vector any_front = std::abs(view.up.z()) > std::abs(view.up.y()) ? Vector(0, -1, 0)
+                                                                         : Vector(0, 0, 1);
+  Vector front = unit_vector(any_front - (any_front * view.up) * view.up);
+  const Vector right = CGAL::cross_product(view.up, front);
+  double to_right = 0.6, upwards = 0.55;
+  const bool is_planar = !known.up && view.up.z() > 0;
+  if (!known.viewpoints.empty() && !view.is_cut_open) {
+    Vector sum = CGAL::NULL_VECTOR;
+    for (const Point& viewpoint : known.viewpoints)
+      sum += unit_vector(viewpoint - middle_of(box));
+    if (sum != CGAL::NULL_VECTOR) { // slightly beside, as a front alone looks flat
+      front = unit_vector(sum);
+      to_right = upwards = 0.25;
+    }
+  } else if (known.up || is_planar)
+    front = broad_side(result, box, front, right);
+  const Vector beside = unit_vector(CGAL::cross_product(view.up, front));
+  view.towards_eye = front + to_right * beside + upwards * view.up;
+  return view;
+}
+
+} // namespace l0_tool
