@@ -67,18 +67,11 @@ constexpr double farthest_radii = 1 << 18;
 constexpr int sweeps_over_seeds = 8;
 
 /// Of how many seeds of a cell a group is made, and how many limit a scale, about, at most.
-constexpr std::uint64_t most_seeds_of_cell = 8, most_limits_of_cell = 32;
+constexpr std::uint64_t most_seeds_of_cell = 32, most_limits_of_cell = 32;
 
 /// Scales within this factor of 1 are 1: so far those of an even cloud differ by chance, and by its
 /// edges.
 constexpr double indifferent_scale = 1.4;
-
-/// Up to how many of the seeds may have another scale than 1 in a cloud of one radius: as many
-/// points are left out at either end where the extent of the cloud is measured.
-inline std::size_t most_seeds_by_chance(std::size_t number_of_seeds)
-{
-  return margin_of_extent(number_of_seeds);
-}
 
 /// What is known at a seed of the points around it.
 struct Seed
@@ -279,8 +272,8 @@ The noise around a seed. As in `scales_of_growing_balls()` it is read where
 `radius_of_balls_per_noise` deviations of it are the radius, or in the first ball. Whether a ball is
 so large it tells itself if it is flat; if not, the one twice as large does, as a ball that noise
 fills tells nothing. Of a surface that bends or ends, or of a crowd, the deviation grows as the ball
-does: what is left of it in a ball of no size is noise. Where all balls are too small, the noise is
-that of the whole cloud.
+does: what is left of it in a ball of no size is noise, but not less than half, as edges come into
+the larger balls all at once. Where all balls are too small, the noise is that of the whole cloud.
 
 \param noises that the balls of the seeds around tell
 */
@@ -291,7 +284,7 @@ CGAL_L0_HOST_DEVICE inline double noise_of_balls(const double (&noises)[balls_of
     return usual_noise;
   const int last = balls_of_seed - 2;
   const auto excess = [&](int ball) {
-    const double radius = first_radius * (1 << ball), in_flat_ball = 0.06, in_filled_ball = 0.12,
+    const double radius = first_radius * (1 << ball), in_flat_ball = 0.22, in_filled_ball = 0.32,
                  filled = as_share((noises[ball] / radius - in_flat_ball)
                                    / (in_filled_ball - in_flat_ball)),
                  noise = noises[ball] + filled * (noises[ball + 1] - noises[ball]);
@@ -310,8 +303,8 @@ CGAL_L0_HOST_DEVICE inline double noise_of_balls(const double (&noises)[balls_of
     const double t = place - ball;
     return (1 - t) * square(noises[ball + larger]) + t * square(noises[ball + larger + 1]);
   };
-  const double of_no_size = (4 * squared_noise(0) - squared_noise(1)) / 3;
-  return std::sqrt((1 - uncertainty) * at_least(of_no_size, 0.)
+  const double of_ball = squared_noise(0), of_no_size = (4 * of_ball - squared_noise(1)) / 3;
+  return std::sqrt((1 - uncertainty) * at_least(of_no_size, of_ball / 2)
                    + uncertainty * square(usual_noise));
 }
 

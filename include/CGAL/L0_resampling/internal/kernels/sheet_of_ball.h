@@ -53,7 +53,8 @@ CGAL_L0_HOST_DEVICE inline double kurtosis_in_ball(double variance)
 /*!
 The variance of a sheet without points that fill its ball, such as outliers. These have the variance
 \f$ r^2/5 \f$ and the fourth moment \f$ 3 r^4 / 35 \f$, so that the kurtosis of all tells their
-share; it counts as far as chance does not explain it.
+share; it counts as far as chance does not explain it, and takes off three quarters at most, as one
+point that lies far off is no share.
 */
 CGAL_L0_HOST_DEVICE inline double variance_without_outliers(const Ball_of_points& ball,
                                                             double radius)
@@ -64,7 +65,7 @@ CGAL_L0_HOST_DEVICE inline double variance_without_outliers(const Ball_of_points
                                     / (1.5 * error_of_kurtosis(ball.count)));
   if (!(certainty > 0))
     return ball.variance;
-  double low = 0, high = all;
+  double low = all / 4, high = all;
   for (int step = 0; step < 40; ++step)
   {
     const double sheet = (low + high) / 2, share = as_share((all - sheet) / (filled - sheet));
