@@ -76,8 +76,9 @@ constexpr double indifferent_scale = 1.4;
 /// What is known at a seed of the points around it.
 struct Seed
 {
-  double reach;                     ///< of its `points_of_seed` nearest points
+  double reach; ///< of its `points_of_seed` nearest points, or farther for a surface
   double deviations[balls_of_seed]; ///< of one sheet across the planes of its balls, lengths
+  double certainty; ///< that it lies in a surface, in [0, 1]: in the plane of a flat first ball
 };
 
 /// The noise that a ball of a seed tells.
@@ -132,39 +133,102 @@ CGAL_L0_HOST_DEVICE double reach_of_nearest(const Team& team, const Morton_point
   return distance;
 }
 
+/// Of a cell of more points in a ball of a seed some are looked at.
+constexpr std::uint64_t most_points_of_cell = 16;
+
+/// The moments of the points in a ball of a seed, relative to the seed.
+template <typename Team>
+CGAL_L0_HOST_DEVICE Plane_moments<double> moments_around(const Team& team,
+                                                         const Morton_points& points,
+                                                         const double* p, double radius)
+{
+  Plane_moments<double> own;
+  points.visit_ball(team, p, radius, most_points_of_cell,
+                    [&](std::uint64_t j, double, bool is_inside) {
+                      const double* const q = points.xyz + 3 * j;
+                      if (is_inside)
+                        own.add(q[0] - p[0], q[1] - p[1], q[2] - p[2], 1);
+                    });
+  return own.transformed<double>([&](double sum) { return team.sum(sum); });
+}
+
+/// The heights of the points in a ball of a seed, relative to the seed.
+template <typename Team>
+CGAL_L0_HOST_DEVICE Height_moments<double> heights_around(const Team& team,
+                                                          const Morton_points& points,
+                                                          const double* p, double radius,
+                                                          const Triple& normal)
+{
+  Height_moments<double> own;
+  points.visit_ball(team, p, radius, most_points_of_cell,
+                    [&](std::uint64_t j, double, bool is_inside) {
+                      const double* const q = points.xyz + 3 * j;
+                      if (is_inside)
+                        own.add(dot(normal, {q[0] - p[0], q[1] - p[1], q[2] - p[2]}), 1);
+                    });
+  return {team.sum(own.first), team.sum(own.second), team.sum(own.third), team.sum(own.fourth)};
+}
+
+/// How far points span a surface and not a line, in [0, 1]: by the second of their variances per
+/// the first, which is 0.28 at the border of a surface and more inside.
+CGAL_L0_HOST_DEVICE inline double certainty_of_surface(const Plane_moments<double>& moments)
+{
+  const double surely_surface = 0.2;
+  if (!(moments.sum > 2))
+    return 0;
+  const Eigen_decomposition eigen = moments.eigen_decomposition();
+  return eigen.values[2] > 0 ? as_share(eigen.values[1] / (surely_surface * eigen.values[2])) : 0;
+}
+
+/*!
+How much larger the balls of a seed have to be to span a surface. The nearest points of one on a
+scan line are all of that line. The first ball that spans a surface, of balls that are doubled,
+decides; where there is none, as on a wire, balls do not grow.
+*/
+template <typename Team>
+CGAL_L0_HOST_DEVICE double growth_to_surface(const Team& team, const Morton_points& points,
+                                             const double* p, double first_radius)
+{
+  double doublings = 0, left = 1;
+  for (int ball = 0; ball < balls_of_seed && left > 0; ++ball)
+  {
+    const double certainty = certainty_of_surface(
+      moments_around(team, points, p, first_radius * (1 << ball)));
+    doublings += left * certainty * ball;
+    left *= 1 - certainty;
+  }
+  return std::exp2(doublings);
+}
+
+/// That a point lies in the plane of the points in a ball, in [0, 1]: points of a crowd fill the
+/// ball, and the nearest points of one that is off a surface are all to one side.
+/// \param height of the mean of the points over the point
+CGAL_L0_HOST_DEVICE inline double certainty_of_plane(double deviation, double height, double radius)
+{
+  if (!(radius > 0))
+    return 0;
+  const auto certainty_below = [&](double length) { return as_share(2.5 - length / (0.1 * radius)); };
+  return certainty_below(deviation) * certainty_below(std::abs(height));
+}
+
 /// \param i of the point that the seed is
 template <typename Team>
 CGAL_L0_HOST_DEVICE Seed seed_at(const Team& team, const Morton_points& points, std::uint64_t i)
 {
-  const std::uint64_t most_of_cell = 16;
   const double* const p = points.xyz + 3 * i;
   Seed seed;
   seed.reach = reach_of_nearest(team, points, i);
+  seed.reach *= growth_to_surface(team, points, p, first_ball_of_seed * seed.reach);
   for (int ball = 0; ball < balls_of_seed; ++ball)
   {
     const double radius = first_ball_of_seed * seed.reach * (1 << ball);
-    Plane_moments<double> own;
-    points.visit_ball(team, p, radius, most_of_cell, [&](std::uint64_t j, double, bool is_inside) {
-      if (!is_inside)
-        return;
-      const double* const q = points.xyz + 3 * j;
-      own.add(q[0] - p[0], q[1] - p[1], q[2] - p[2], 1);
-    });
-    const Plane_moments<double> all = own.transformed<double>(
-      [&](double sum) { return team.sum(sum); });
-    const Fitted_plane plane = all.plane(radius * radius, 1e-12);
-    Height_moments<double> own_heights;
-    points.visit_ball(team, p, radius, most_of_cell, [&](std::uint64_t j, double, bool is_inside) {
-      const double* const q = points.xyz + 3 * j;
-      if (is_inside)
-        own_heights.add(dot(plane.normal, {q[0] - p[0], q[1] - p[1], q[2] - p[2]}), 1);
-    });
-    const Height_moments<double> heights = {team.sum(own_heights.first),
-                                            team.sum(own_heights.second),
-                                            team.sum(own_heights.third),
-                                            team.sum(own_heights.fourth)};
-    seed.deviations[ball] = std::sqrt(
-      with_one_sheet(ball_of_points(all.sum, 1, plane.variance, heights), radius).variance);
+    const Plane_moments<double> moments = moments_around(team, points, p, radius);
+    const Fitted_plane plane = moments.plane(radius * radius, 1e-12);
+    const Height_moments<double> heights = heights_around(team, points, p, radius, plane.normal);
+    const Ball_of_points all = ball_of_points(moments.sum, 1, plane.variance, heights);
+    seed.deviations[ball] = std::sqrt(with_one_sheet(all, radius).variance);
+    if (ball == 0)
+      seed.certainty = certainty_of_plane(seed.deviations[0], heights.first / moments.sum, radius);
   }
   return seed;
 }
@@ -238,6 +302,14 @@ CGAL_L0_HOST_DEVICE double quantile(const Numbers_of_seeds<Team>& numbers, doubl
 CGAL_L0_HOST_DEVICE inline double radius_of_group(const Seed& seed)
 {
   return seed.reach * std::sqrt(seeds_of_group);
+}
+
+/// Whether a seed decides with another: around a sparse one there may be many of a dense surface,
+/// which know nothing of how sparse it is. One that lies off all surfaces is not asked.
+CGAL_L0_HOST_DEVICE inline bool is_alike(const Seed& own, const Seed& other)
+{
+  const double largest_ratio = std::exp2(1 + 9 * (1 - own.certainty));
+  return own.reach <= largest_ratio * other.reach && other.reach <= largest_ratio * own.reach;
 }
 
 /// What the whole cloud has, by which places of it are measured.
@@ -330,7 +402,9 @@ CGAL_L0_HOST_DEVICE double wanted_scale(const Team& team, const Morton_points& s
   };
   add(i, team.lane() == 0); // of those around it not all may be looked at
   seeds.visit_ball(team, seeds.xyz + 3 * i, radius_of_group(known[i]), most_seeds_of_cell,
-                   [&](std::uint64_t j, double, bool is_inside) { add(j, is_inside); });
+                   [&](std::uint64_t j, double, bool is_inside) {
+                     add(j, is_inside && is_alike(known[i], known[j]));
+                   });
   const double reach = quantile<Team>(reaches, 0.5), first_radius = first_ball_of_seed * reach;
   double noises[balls_of_seed];
   for (int ball = 0; ball < balls_of_seed; ++ball)
@@ -363,7 +437,8 @@ CGAL_L0_HOST_DEVICE double scale_of_group(const Team& team, const Morton_points&
   scales.add_if_room(wanted[i], team.lane() == 0);
   seeds.visit_ball(team, seeds.xyz + 3 * i, radius_of_group(known[i]), most_seeds_of_cell,
                    [&](std::uint64_t j, double, bool is_inside) {
-                     scales.add_if_room(wanted[is_inside ? j : i], is_inside);
+                     scales.add_if_room(wanted[is_inside ? j : i],
+                                        is_inside && is_alike(known[i], known[j]));
                    });
   return beyond_chance(quantile<Team>(scales, 0.5));
 }
