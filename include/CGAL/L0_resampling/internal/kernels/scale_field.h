@@ -207,7 +207,9 @@ CGAL_L0_HOST_DEVICE inline double certainty_of_plane(double deviation, double he
 {
   if (!(radius > 0))
     return 0;
-  const auto certainty_below = [&](double length) { return as_share(2.5 - length / (0.1 * radius)); };
+  const auto certainty_below = [&](double length) {
+    return as_share(2.5 - length / (0.1 * radius));
+  };
   return certainty_below(deviation) * certainty_below(std::abs(height));
 }
 
@@ -276,7 +278,7 @@ inline double widening_by_correlation(const std::vector<Growth_of_deviations>& g
     return 1;
   const float flatness = median([](const Growth_of_deviations& growth) { return growth.flatness; });
   if (flatness < least_deviation_of_correlated_noise
-      || noise_of_ball(0, flatness, 1) > largest_noise_of_flat_ball)
+      || noise_of_ball(0, 1, flatness) > largest_noise_of_flat_ball)
     return 1;
   int number_of_balls = 0;
   for (; number_of_balls + 1 < balls_of_seed; ++number_of_balls)
@@ -391,8 +393,8 @@ CGAL_L0_HOST_DEVICE double wanted_scale(const Team& team, const Morton_points& s
 {
   using Numbers = Numbers_of_seeds<Team>;
   static_assert(balls_of_seed == 4, "one list of numbers for each ball");
-  Numbers reaches(team), deviations[balls_of_seed] = {Numbers(team), Numbers(team), Numbers(team),
-                                                      Numbers(team)};
+  Numbers reaches(team),
+    deviations[balls_of_seed] = {Numbers(team), Numbers(team), Numbers(team), Numbers(team)};
   const auto add = [&](std::uint64_t j, bool is_there) {
     const Seed seed = known[is_there ? j : i];
     reaches.add_if_room(seed.reach, is_there);

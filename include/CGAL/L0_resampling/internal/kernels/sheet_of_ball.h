@@ -53,8 +53,8 @@ CGAL_L0_HOST_DEVICE inline double kurtosis_in_ball(double variance)
 /*!
 The variance of a sheet without points that fill its ball, such as outliers. These have the variance
 \f$ r^2/5 \f$ and the fourth moment \f$ 3 r^4 / 35 \f$, so that the kurtosis of all tells their
-share; it counts as far as chance does not explain it, and takes off three quarters at most, as one
-point that lies far off is no share.
+share; it counts as far as chance does not explain it, and takes off three quarters at most from few
+points, as one of them that lies far off is no share.
 */
 CGAL_L0_HOST_DEVICE inline double variance_without_outliers(const Ball_of_points& ball,
                                                             double radius)
@@ -65,12 +65,11 @@ CGAL_L0_HOST_DEVICE inline double variance_without_outliers(const Ball_of_points
                                     / (1.5 * error_of_kurtosis(ball.count)));
   if (!(certainty > 0))
     return ball.variance;
-  double low = all / 4, high = all;
+  double low = all * at_most(6 / ball.count, 0.25), high = all;
   for (int step = 0; step < 40; ++step)
   {
     const double sheet = (low + high) / 2, share = as_share((all - sheet) / (filled - sheet));
-    const bool has_tails = (1 - share) * kurtosis_in_ball(sheet) * square(sheet)
-                             + share * (3. / 35)
+    const bool has_tails = (1 - share) * kurtosis_in_ball(sheet) * square(sheet) + share * (3. / 35)
                            > fourth;
     (has_tails ? low : high) = sheet;
   }
