@@ -42,6 +42,7 @@ inline pybind11::dict dictionary_of(const CGAL::L0_resampling::Report& report)
     "number_of_output_points"_a = report.number_of_output_points,
     "number_of_degenerate_neighborhoods"_a = report.number_of_degenerate_neighborhoods,
     "number_of_lonely_samples"_a = report.number_of_lonely_samples,
+    "number_of_unexplained_samples"_a = report.number_of_unexplained_samples,
     "number_of_self_neighbor_pairs"_a = report.number_of_self_neighbor_pairs,
     "neighbor_radius"_a = report.neighbor_radius,
     "least_neighbor_radius"_a = report.least_neighbor_radius,

@@ -72,6 +72,8 @@ class Report:
     number_of_output_points: int, the points of the result
     number_of_degenerate_neighborhoods: int, points around which there is no plane
     number_of_lonely_samples: int, samples without a point in their radius; they do not move
+    number_of_unexplained_samples: int, samples whose points scatter more than those of one surface
+        with the estimated noise do
     number_of_self_neighbor_pairs: int, pairs of samples in the energy
     neighbor_radius, normal_filter_radius: floats, the radii that were used
     least_neighbor_radius, median_neighbor_radius, largest_neighbor_radius: floats, of the radii
@@ -101,6 +103,7 @@ class Report:
     number_of_output_points: int
     number_of_degenerate_neighborhoods: int
     number_of_lonely_samples: int
+    number_of_unexplained_samples: int
     number_of_self_neighbor_pairs: int
     neighbor_radius: float
     least_neighbor_radius: float

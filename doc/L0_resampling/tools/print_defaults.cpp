@@ -70,7 +70,8 @@ void print_constants()
   object.add("sparsity_unit_factor", sparsity_unit_factor);
   object.add("radius_per_spacing", radius_per_spacing);
   object.add("radius_per_noise", radius_per_noise);
-  object.add("largest_index_of_two_sheets", largest_index_of_two_sheets);
+  object.add("radius_of_balls_per_noise", radius_of_balls_per_noise);
+  object.add("least_count_of_balls", least_count_of_balls);
   object.add("fit_angle_factor", fit_angle_factor);
   object.add("fit_bandwidth_factor", fit_bandwidth_factor);
   object.add("sheet_height_per_noise", sheet_height_per_noise);

@@ -75,6 +75,9 @@ struct Report
   /// Samples without an original neighbor, which stay where they start. In the default method
   /// samples without a compatible one in the last fit: they end where they were last fitted.
   std::size_t number_of_lonely_samples = 0;
+  /// Samples whose points scatter more than those of one surface with the estimated noise do:
+  /// around them two sheets may have become one, or the noise is larger; default method only.
+  std::size_t number_of_unexplained_samples = 0;
   std::size_t number_of_self_neighbor_pairs =
     0; ///< ordered pairs \f$ (i, i') \f$ of the normal term
 

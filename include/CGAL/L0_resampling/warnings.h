@@ -22,18 +22,21 @@ namespace L0_resampling {
 /// Why a result cannot be good, see `warnings()`.
 enum class Warning
 {
-  MANY_OUTLIERS,   ///< more than 3 % of the points were left out as outliers
+  MANY_OUTLIERS,   ///< more than 1 % of the points were left out as outliers
   SHRUNKEN_EXTENT, ///< `Report::extent_share` is below 95 %
   SMALL_RADIUS,    ///< more than half of the points have a degenerate neighborhood
   /// more than 5 % of the samples have no original neighbor or no compatible one
   UNSUPPORTED_SAMPLES,
+  /// around more than 10 % of the samples the points scatter more than those of one surface with the
+  /// estimated noise do
+  UNEXPLAINED_POINTS,
 };
 
 namespace internal {
 
-constexpr double largest_share_of_outliers = 0.03, least_extent_share = 0.95;
+constexpr double largest_share_of_outliers = 0.01, least_extent_share = 0.95;
 constexpr double largest_share_of_degenerate_neighborhoods = 0.5,
-                 largest_share_of_lonely_samples = 0.05;
+                 largest_share_of_lonely_samples = 0.05, largest_share_of_unexplained_samples = 0.1;
 
 inline double share_of(std::size_t part, std::size_t whole)
 {
@@ -51,6 +54,13 @@ inline std::string as_percentage(double share)
 {
   char text[32];
   std::snprintf(text, sizeof text, "%.1f %%", std::floor(1000 * share) / 10);
+  return text;
+}
+
+inline std::string three_digits(double length)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", length);
   return text;
 }
 
@@ -81,6 +91,9 @@ inline std::vector<Warning> warnings(const Report& report)
   add_if(internal::share_of(report.number_of_lonely_samples, report.number_of_output_points)
            > internal::largest_share_of_lonely_samples,
          Warning::UNSUPPORTED_SAMPLES);
+  add_if(internal::share_of(report.number_of_unexplained_samples, report.number_of_output_points)
+           > internal::largest_share_of_unexplained_samples,
+         Warning::UNEXPLAINED_POINTS);
   return found;
 }
 
@@ -94,6 +107,7 @@ inline std::string name_of(Warning warning)
   case Warning::SHRUNKEN_EXTENT: return "shrunken_extent";
   case Warning::SMALL_RADIUS: return "small_radius";
   case Warning::UNSUPPORTED_SAMPLES: return "unsupported_samples";
+  case Warning::UNEXPLAINED_POINTS: return "unexplained_points";
   }
   return "";
 }
@@ -103,8 +117,6 @@ inline std::string name_of(Warning warning)
 inline std::string message_of(Warning warning, const Report& report)
 {
   using namespace internal;
-  char radius[32];
-  std::snprintf(radius, sizeof radius, "%.3g", report.neighbor_radius);
   switch (warning)
   {
   case Warning::MANY_OUTLIERS:
@@ -116,10 +128,17 @@ inline std::string message_of(Warning warning, const Report& report)
     return as_percentage(share_of_degenerate_neighborhoods(report))
            + " of the points have fewer than six points, or points on a line only, within the "
              "radius, which is "
-           + radius;
+           + three_digits(report.neighbor_radius);
   case Warning::UNSUPPORTED_SAMPLES:
     return as_percentage(share_of(report.number_of_lonely_samples, report.number_of_output_points))
            + " of the result has no compatible input points near it";
+  case Warning::UNEXPLAINED_POINTS:
+    return "around "
+           + as_percentage(
+             share_of(report.number_of_unexplained_samples, report.number_of_output_points))
+           + " of the result the points scatter more than those of one surface with a noise of "
+           + three_digits(report.estimated_noise)
+           + " do: sheets may have become one, which a smaller neighbor_radius keeps apart";
   }
   return "";
 }

@@ -281,7 +281,7 @@ Scales_of_points estimate_scale_field(const Workplace& workplace, const Position
   find_scales<<<blocks, threads_per_block, 0, stream>>>(seeds, known, limited, of_seeds,
                                                         number_of_others.address());
   check_launch("find_scales");
-  if (number_of_others.read() <= most_seeds_by_chance(size))
+  if (number_of_others.read() == 0)
     return {nullptr, {}};
   for (int sweep = 0; sweep < sweeps_over_seeds; ++sweep)
   {

@@ -307,8 +307,7 @@ void Cuda_backend::fit_compatible_points(const Plan& plan, bool is_last)
       find_blocks(sample_grid, m_grid, cells_in_reach(plan.radius, plan.cell_size),
                   maximum_number_of_candidates, m_workplace.arena, m_workplace.stream);
     cuda::fit_compatible_points(m_workplace, sample_grid, is_in_order, blocks, m_grid, m_normals,
-                                plan.kernel_of_fit(), m_samples,
-                                is_last ? &m_counts->lonely : nullptr);
+                                plan.kernel_of_fit(), m_samples, is_last ? m_counts : nullptr);
   };
   if (m_sample_grid_scope && is_one_grid_enough(plan))
     fit(m_sample_grid, true);
@@ -379,6 +378,7 @@ void Cuda_backend::end(const Plan& plan)
                                      m_session.stream));
   m_stages.end();
   m_report.number_of_lonely_samples = counts->lonely;
+  m_report.number_of_unexplained_samples = counts->unexplained;
   note_sides(*counts, m_number_of_leaders);
 
   m_session.iterations.clear();

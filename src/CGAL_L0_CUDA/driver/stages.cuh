@@ -200,7 +200,8 @@ void append_followers(const Workplace& workplace, const Followers& followers, Sa
 /// How many of the samples are so, counted on the device.
 struct Sample_counts
 {
-  unsigned lonely; // without an original neighbor, or without a compatible one in the last fit
+  unsigned lonely;      // without an original neighbor, or without a compatible one in the last fit
+  unsigned unexplained; // by one sheet with the noise that was estimated
   unsigned oriented, hinted; // surely, and as hints say
   Wide confidence;           // the sum over the samples, in `units_per_confidence`
 
@@ -380,12 +381,11 @@ void minimize_once(const Workplace& workplace, const Minimization_parameters& pa
 /// their fourth number.
 /// \param sample_grid of the same cells as `grid`
 /// \param is_in_order whether the samples are in the order of their grid
-/// \param number_of_lonely in and out, on the device, if not null: the samples without compatible
-/// points add up
+/// \param counts in and out, on the device, if not null: lonely and unexplained samples add up
 void fit_compatible_points(const Workplace& workplace, const Cell_grid& sample_grid,
                            bool is_in_order, const Cell_blocks& blocks, const Cell_grid& grid,
                            const float4* normals, const Fit_kernel<double>& kernel,
-                           const Samples& samples, unsigned* number_of_lonely);
+                           const Samples& samples, Sample_counts* counts);
 
 /// Corrects the normals of the samples by their positions, as `refit_sample_normals()` on the CPU.
 /// \param sample_grid that the neighbors were found in; its points may have moved, and be used up

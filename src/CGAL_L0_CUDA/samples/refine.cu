@@ -75,10 +75,10 @@ struct Surroundings
 };
 
 /// The fit of the default method, as `fit_compatible_points()` on the CPU, which says why.
-/// \param number_of_lonely in and out, if not null: the samples without compatible points add up
+/// \param counts in and out, if not null: lonely and unexplained samples add up
 __global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_blocks blocks,
                             Cell_grid grid, const float4* normals, Fit_kernel<float> kernel_of_one,
-                            Border_of_ball border, Samples samples, unsigned* number_of_lonely)
+                            Border_of_ball border, Samples samples, Sample_counts* counts)
 {
   const Query query(samples.size);
   const int4 center = sample_grid.points[query.index];
@@ -92,6 +92,7 @@ __global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_b
                                    kernel.squared_radius());
   const double sheet_height = squared_height_of_second_look(support, sums,
                                                             kernel.squared_sheet_height);
+  const bool has_more_noise = is_unexplained(support, sums, kernel.squared_sheet_height);
   float noise = samples.noises ? float(noise_of_fit(sums, kernel)) : 0;
   // the lanes of a warp add up together
   if (__any_sync(0xffffffffu, support.is_unsupported))
@@ -110,6 +111,8 @@ __global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_b
   }
   if (!query.writes)
     return;
+  if (counts && has_more_noise)
+    atomicAdd(&counts->unexplained, 1u);
 
   const Fit_of_sample fit(sums, {normal.x, normal.y, normal.z}, border, scale);
   samples.outward[i] = Short_vector::of(to_float(fit.outward));
@@ -120,8 +123,8 @@ __global__ void fit_samples(Cell_grid sample_grid, const unsigned* order, Cell_b
     // the sample is drawn to where it was last fitted, and keeps its normal
     samples.fit[i].w = 1;
     samples.normals[i].w = 0;
-    if (number_of_lonely)
-      atomicAdd(number_of_lonely, 1u);
+    if (counts)
+      atomicAdd(&counts->lonely, 1u);
     return;
   }
   samples.fit[i] = with_w(to_float(fit.to_centroid), float(sums.weight()));
@@ -207,12 +210,11 @@ __global__ void move_onto_fit(Samples samples)
 void fit_compatible_points(const Workplace& workplace, const Cell_grid& sample_grid,
                            bool is_in_order, const Cell_blocks& blocks, const Cell_grid& grid,
                            const float4* normals, const Fit_kernel<double>& kernel,
-                           const Samples& samples, unsigned* number_of_lonely)
+                           const Samples& samples, Sample_counts* counts)
 {
   fit_samples<<<blocks_for_queries(samples.size), threads_per_block, 0, workplace.stream>>>(
     sample_grid, is_in_order ? nullptr : sample_grid.order, blocks, grid, normals,
-    kernel.as<float>(), Border_of_ball(kernel.radius, kernel.squared_bandwidth), samples,
-    number_of_lonely);
+    kernel.as<float>(), Border_of_ball(kernel.radius, kernel.squared_bandwidth), samples, counts);
   check_launch("fit_samples");
 }
 

@@ -79,6 +79,7 @@ Json report_as_json(const Report& report)
                {"outliers", report.number_of_outliers},
                {"degenerate_neighborhoods", report.number_of_degenerate_neighborhoods},
                {"lonely_samples", report.number_of_lonely_samples},
+               {"unexplained_samples", report.number_of_unexplained_samples},
                {"self_neighbor_pairs", report.number_of_self_neighbor_pairs},
                {"oriented_share", report.oriented_share},
                {"right_side_share", report.right_side_share},

@@ -84,17 +84,111 @@ void check_even_clouds(Generator& generator)
   }
 }
 
-/// A few seeds that are off make no field; somewhat more do.
-void check_few_seeds(Generator& generator)
+/// A small part that is denser has radii of its own, and the rest keeps the one it has.
+void check_small_part(Generator& generator)
 {
   const double spacing = std::sqrt(16. / 64000);
-  for (const std::size_t number_of_dense_points : {160u, 8000u})
+  std::vector<Vector> points = plane_points(64000, 4, generator).points;
+  const std::size_t number_of_dense_points = 1600;
+  const double side = spacing / 8 * std::sqrt(double(number_of_dense_points));
+  for (const Vector& p : plane_points(number_of_dense_points, side, generator).points)
+    points.push_back(p);
+  const Field field(points, spacing, 0);
+  if (!CHECK(!field.scales.empty()))
+    return;
+  bool is_one_elsewhere = true;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    is_one_elsewhere = is_one_elsewhere && (points[i].norm() < 1 || field.scales[i] > 0.9);
+  CHECK(is_one_elsewhere);
+  CHECK(field.scales.back() < 0.6);
+}
+
+/// Around a sparse plane beside a dense one the sparse one decides, though most seeds around are
+/// dense.
+void check_sparse_beside_dense(Generator& generator)
+{
+  std::vector<Vector> points = plane_points(32000, 4, generator).points;
+  for (const Vector& p : plane_points(2000, 4, generator).points)
+    points.push_back(p + Vector(4, 0, 0));
+  const Field field(points, std::sqrt(16. / 32000), 0);
+  if (!CHECK(!field.scales.empty()))
+    return;
+  double sum = 0;
+  int number = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (points[i][0] > 4 && points[i][0] < 5.5 && std::abs(points[i][1]) < 1.5)
+    {
+      sum += field.scales[i];
+      ++number;
+    }
+  CHECK(sum / number > 2.2); // as far from the border as scales may rise: 4 if they rose at once
+}
+
+/// Points of scan lines look as far as other lines, and those of a wire no farther than along it.
+void check_lines(Generator& generator)
+{
+  std::vector<Vector> points;
+  const double way = 0.1;
+  for (int line = 0; line < 40; ++line)
+    for (int i = 0; i < 1000; ++i)
+      points.emplace_back(random_number(-2, 2, generator), line * way, 0);
+  const Morton_places places = places_of<CGAL::Parallel_if_available_tag>(to_buffer(points),
+                                                                          cells_of_places(5));
+  const Morton_points view = places.view();
+  int number_across = 0, number = 0;
+  for (std::uint64_t i = 0; i < view.size; i += 197, ++number)
+    number_across += seed_at(One_thread(), view, i).reach > 0.9 * way;
+  CHECK(number_across > 0.9 * number);
+
+  std::vector<Vector> wire;
+  for (int i = 0; i < 4000; ++i)
   {
-    std::vector<Vector> points = plane_points(64000, 4, generator).points;
-    const double side = spacing / 8 * std::sqrt(double(number_of_dense_points));
-    for (const Vector& p : plane_points(number_of_dense_points, side, generator).points)
-      points.push_back(p);
-    CHECK(Field(points, spacing, 0).scales.empty() == (number_of_dense_points == 160));
+    const double angle = random_number(0, 2 * EIGEN_PI, generator);
+    wire.emplace_back(0.002 * std::cos(angle), 0.002 * std::sin(angle),
+                      random_number(-2, 2, generator));
+  }
+  const Morton_places of_wire = places_of<CGAL::Parallel_if_available_tag>(to_buffer(wire),
+                                                                           cells_of_places(4));
+  const Morton_points wire_view = of_wire.view();
+  for (std::uint64_t i = 0; i < wire_view.size; i += 197)
+    CHECK(seed_at(One_thread(), wire_view, i).reach
+          < 1.5 * reach_of_nearest(One_thread(), wire_view, i));
+}
+
+/// Where noise is four times as large as elsewhere the radius is larger, also in balls that noise
+/// fills.
+void check_two_noises(Generator& generator)
+{
+  const double spacing = std::sqrt(16. / 16000);
+  for (const double noise : {0.4 * spacing, 1.2 * spacing})
+  {
+    std::vector<Vector> points = plane_points(16000, 4, generator).points;
+    std::vector<Vector> noisy = plane_points(16000, 4, generator).points;
+    add_gaussian_noise(points, noise, generator);
+    add_gaussian_noise(noisy, 4 * noise, generator);
+    for (const Vector& p : noisy)
+      points.push_back(p + Vector(4, 0, 0));
+    const Field field(points, spacing, noise);
+    if (!CHECK(!field.scales.empty()))
+      continue;
+    const double ratio = default_radius(spacing, 4 * noise) / default_radius(spacing, noise);
+    double of_clean = 0, of_noisy = 0;
+    int number_of_clean = 0, number_of_noisy = 0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (std::abs(points[i][1]) < 1.5 && std::abs(points[i][0]) < 1)
+      {
+        of_clean += field.scales[i];
+        ++number_of_clean;
+      }
+      else if (std::abs(points[i][1]) < 1.5 && std::abs(points[i][0] - 4.5) < 1)
+      {
+        of_noisy += field.scales[i];
+        ++number_of_noisy;
+      }
+    CHECK(is_close(of_clean / number_of_clean, 1, 0.1));
+    // where noise fills the balls, they tell less of it
+    CHECK(of_noisy / number_of_noisy > (noise < spacing ? 0.9 : 0.6) * ratio);
+    CHECK(of_noisy / number_of_noisy < 1.1 * ratio);
   }
 }
 
@@ -201,7 +295,10 @@ int main()
   Generator generator(3);
   check_Morton_points(generator);
   check_even_clouds(generator);
-  check_few_seeds(generator);
+  check_small_part(generator);
+  check_sparse_beside_dense(generator);
+  check_lines(generator);
+  check_two_noises(generator);
   check_two_densities(generator);
   check_correlated_noise(generator);
   check_outliers(generator);

@@ -114,10 +114,11 @@ void test_limits_of_warnings()
     CHECK(warnings(report) == Warnings{warning});
     fact = kept;
   };
-  check(report.number_of_outliers, 30u, 31u, Warning::MANY_OUTLIERS);
+  check(report.number_of_outliers, 10u, 11u, Warning::MANY_OUTLIERS);
   check(report.extent_share, 0.95, 0.949, Warning::SHRUNKEN_EXTENT);
   check(report.number_of_degenerate_neighborhoods, 500u, 501u, Warning::SMALL_RADIUS);
   check(report.number_of_lonely_samples, 25u, 26u, Warning::UNSUPPORTED_SAMPLES);
+  check(report.number_of_unexplained_samples, 50u, 51u, Warning::UNEXPLAINED_POINTS);
   report.number_of_outliers = 32;
   report.extent_share = 0.5;
   CHECK((warnings(report) == Warnings{Warning::MANY_OUTLIERS, Warning::SHRUNKEN_EXTENT}));
@@ -179,7 +180,7 @@ void test_warnings()
 
   // a far part that is left out, of fewer points than would be many
   std::vector<Vector> with_far_part = cube;
-  for (int i = 0; i < 60; ++i)
+  for (int i = 0; i < 28; ++i)
     with_far_part.push_back(Vector(4, 0, 0) + random_vector());
   const Report far_part =
     test::resample<Kernel, Sequential_tag>(test::kernel_points<Kernel>(with_far_part),
@@ -232,10 +233,29 @@ void test_warnings()
   }
 }
 
+/// Two sheets that noise joins are said to be, and two that it leaves apart are not.
+void test_sheets_that_become_one()
+{
+  test::Generator generator(8);
+  for (const double noise : {0.02, 0.07})
+  {
+    std::vector<Vector> plate = test::plane_points(6000, 3, generator).points;
+    for (const Vector& p : test::plane_points(6000, 3, generator).points)
+      plate.push_back(p + Vector(0, 0, 0.2));
+    test::add_gaussian_noise(plate, noise, generator);
+    const Report report =
+      test::resample<Kernel, Sequential_tag>(test::kernel_points<Kernel>(plate),
+                                             params::number_of_output_points(4000))
+        .report;
+    CHECK(warnings(report) == (noise > 0.05 ? Warnings{Warning::UNEXPLAINED_POINTS} : Warnings{}));
+  }
+}
+
 } // namespace
 
 int main()
 {
+  test_sheets_that_become_one();
   test_radii_that_follow_the_spacing();
   test_outliers();
   test_limits_of_warnings();

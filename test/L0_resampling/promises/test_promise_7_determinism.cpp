@@ -45,6 +45,7 @@ std::vector<double> numbers(const CGAL::L0_resampling::Report& report)
   std::vector<double> result{double(report.number_of_distinct_points),
                              double(report.number_of_degenerate_neighborhoods),
                              double(report.number_of_lonely_samples),
+                             double(report.number_of_unexplained_samples),
                              double(report.number_of_self_neighbor_pairs),
                              report.neighbor_radius,
                              report.oriented_share,

@@ -97,6 +97,7 @@ std::uint64_t hash_of_report(const CGAL::L0_resampling::Report& report)
   hash.add(report.number_of_output_points);
   hash.add(report.number_of_degenerate_neighborhoods);
   hash.add(report.number_of_lonely_samples);
+  hash.add(report.number_of_unexplained_samples);
   hash.add(report.number_of_self_neighbor_pairs);
   hash.add(report.neighbor_radius);
   hash.add(report.normal_filter_radius);

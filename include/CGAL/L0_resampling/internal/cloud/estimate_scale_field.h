@@ -166,9 +166,9 @@ Scale_field field_of_seeds(Morton_places places_of_seeds, const Buffer<Seed>& kn
   for_each_seed([&](std::size_t i) {
     field.scales[i] = scale_of_group(One_thread(), seeds, known.data(), wanted.data(), i);
   });
-  std::size_t number_of_others = 0;
-  for_each_in_order(size, [&](std::size_t i) { number_of_others += field.scales[i] != 1; });
-  if (number_of_others <= most_seeds_by_chance(size))
+  bool are_all_one = true;
+  for_each_in_order(size, [&](std::size_t i) { are_all_one = are_all_one && field.scales[i] == 1; });
+  if (are_all_one)
   {
     release(field.scales);
     return field;

@@ -70,13 +70,12 @@ public:
   const Search_grid_3& grid() const { return *m_grid; }
 
   /// \param queries some of the points, in their order
-  /// \param query_grid of these
   /// \param reach of the balls, in cells
   template <typename ConcurrencyTag, typename T>
-  std::vector<Ball_of_points> balls_around(const Buffer<Vector>& queries,
-                                           const Search_grid_3& query_grid, int reach,
+  std::vector<Ball_of_points> balls_around(const Buffer<Vector>& queries, int reach,
                                            Progress& progress) const
   {
+    const Search_grid_3 query_grid(queries, m_grid->cell_size());
     const double radius = reach * m_grid->cell_size();
     std::vector<Ball_of_points> balls(queries.size());
     for_each_cell<T, ConcurrencyTag>(
@@ -112,12 +111,11 @@ Scales estimate_scales(const Buffer<Vector>& unsorted_points, double initial_rad
 {
   const Points_of_scales points(ConcurrencyTag(), unsorted_points, initial_radius);
   const std::size_t size = points.points().size(), stride = std::size_t(stride_of_balls(size));
-  Buffer<Vector> queries(unsorted_points.get_allocator());
-  for (std::size_t i = 0; i < size; i += stride)
-    queries.push_back(points.points()[i]);
-  const Search_grid_3 query_grid(queries, points.grid().cell_size());
   return scales_of_growing_balls(cell_size_of_scales, [&](int reach, double) {
-    return points.balls_around<ConcurrencyTag, T>(queries, query_grid, reach, progress);
+    Buffer<Vector> queries(unsorted_points.get_allocator());
+    for (std::size_t i = 0; i < size; i += stride * stride_at_reach(reach))
+      queries.push_back(points.points()[i]);
+    return points.balls_around<ConcurrencyTag, T>(queries, reach, progress);
   });
 }
 

@@ -59,6 +59,7 @@ where_less(T a, T b, T values)
 }
 
 CGAL_L0_HOST_DEVICE inline double square(double x) { return x * x; }
+CGAL_L0_HOST_DEVICE inline double cube(double x) { return x * x * x; }
 
 /// The nearest number to x that is a share of 1.
 CGAL_L0_HOST_DEVICE inline double as_share(double x) { return x > 1 ? 1 : x > 0 ? x : 0; }

@@ -64,6 +64,7 @@ struct Call_report
   std::size_t number_of_distinct_points;
   std::size_t number_of_degenerate_neighborhoods;
   std::size_t number_of_lonely_samples;
+  std::size_t number_of_unexplained_samples;
   std::size_t number_of_self_neighbor_pairs;
   double neighbor_radius, least_neighbor_radius, median_neighbor_radius, largest_neighbor_radius;
   double normal_filter_radius, estimated_spacing, estimated_noise;

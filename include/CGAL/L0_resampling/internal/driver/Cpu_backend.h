@@ -280,8 +280,10 @@ public:
     const bool finds_noises = is_last && plan.finds_noises;
     if (finds_noises)
       fill_buffer(number_of_samples(), 0.f, m_noises);
-    m_report.number_of_lonely_samples = internal::fit_compatible_points<ConcurrencyTag>(
+    const Counts_of_fit counts = internal::fit_compatible_points<ConcurrencyTag>(
       fit_input, m_progress, m_samples, finds_noises ? &m_noises : nullptr);
+    m_report.number_of_lonely_samples = counts.lonely;
+    m_report.number_of_unexplained_samples = counts.unexplained;
   }
 
   void refit_sample_normals(const Plan& plan)

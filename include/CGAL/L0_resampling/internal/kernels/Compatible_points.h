@@ -87,6 +87,18 @@ CGAL_L0_HOST_DEVICE inline double squared_height_of_second_look(
                                                           sums.squared_heights));
 }
 
+/// Whether the points around a sample scatter more than those of one sheet with the noise that was
+/// estimated do: as those of two sheets that became one, or those of larger noise.
+/// \param sums of the first look
+CGAL_L0_HOST_DEVICE inline bool is_unexplained(const Unsupported_sample& support,
+                                               const Compatible_points<double>& sums,
+                                               double squared_sheet_height)
+{
+  return !support.is_unsupported
+         && weighted_variance(sums.weight(), sums.height, sums.squared_heights)
+              > variance_of_two_sheets * squared_sheet_height;
+}
+
 /*!
 The standard deviation of the points of a fit across the surface. Their weights fall off with the
 height as \f$ e^{-h^2/H^2} \f$ and with the distance as \f$ e^{-d^2/\sigma_p^2} \f$, so that

@@ -20,16 +20,11 @@ struct Shape_of_heights
 {
   double squared_skewness, kurtosis;
 
-  /// \f$ \beta_2 - \beta_1 \f$: 3 for one sheet with Gaussian noise, about 2.5 for points that fill
-  /// a ball, and 1, the least there is, for two sheets without noise, whatever their shares.
+  /// \f$ \beta_2 - \beta_1 \f$: 3 for one sheet with Gaussian noise, 15/7 for points that fill a
+  /// ball, more for a sheet among these, and 1, the least there is, for two sheets without noise,
+  /// whatever their shares.
   CGAL_L0_HOST_DEVICE double single_sheet_index() const { return kurtosis - squared_skewness; }
 };
-
-/// Heights are of two sheets where the median of their `single_sheet_index()` is less than this:
-/// that of sheets four standard deviations apart is 2, and outliers raise it a little; where points
-/// fill the balls it is 2.5, as it is of few points in one noisy sheet, and on noisy shapes with
-/// edges more.
-constexpr double largest_index_of_two_sheets = 2.4;
 
 /// The moments of the heights of points over a plane, up to the fourth.
 /// \tparam S a number, or lanes of numbers

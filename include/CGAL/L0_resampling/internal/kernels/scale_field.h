@@ -33,10 +33,13 @@ constexpr int points_of_seed = 24;
 constexpr double seeds_of_group = 32;
 
 /// The balls around a seed: the first holds a few more than `points_of_seed`, each other is twice
-/// as large as the one before. The first two tell the noise, all together how far it is correlated.
+/// as large as the one before. They tell the noise, and how far it is correlated.
 constexpr int balls_of_seed = 4;
-constexpr int balls_of_noise = 2;
 constexpr double first_ball_of_seed = 1.12;
+
+/// Deviations of fewer balls than this that grow as those of correlated noise do lie between noise
+/// and a surface that bends.
+constexpr int fewest_balls_of_correlated_noise = 2;
 
 /// From ball to ball the deviation grows by nothing where noise is that of each point alone, and by
 /// an octave and more where the surface bends. Growth between these two, in octaves, is that of
@@ -50,7 +53,7 @@ constexpr float least_deviation_of_correlated_noise = 0.06f;
 /// Of how many seeds the growth is looked at, at most.
 constexpr std::uint64_t most_seeds_of_growth = 4096;
 
-/// The noise, per radius, up to which a ball is flat; from twice as much on it is filled.
+/// The noise, per radius, up to which the first ball tells of correlated noise.
 constexpr double largest_noise_of_flat_ball = 0.16;
 
 /// How fast the field may change, per way: the balls of neighbors are to agree.
@@ -64,25 +67,28 @@ constexpr double farthest_radii = 1 << 18;
 constexpr int sweeps_over_seeds = 8;
 
 /// Of how many seeds of a cell a group is made, and how many limit a scale, about, at most.
-constexpr std::uint64_t most_seeds_of_cell = 8, most_limits_of_cell = 32;
+constexpr std::uint64_t most_seeds_of_cell = 32, most_limits_of_cell = 32;
 
 /// Scales within this factor of 1 are 1: so far those of an even cloud differ by chance, and by its
 /// edges.
 constexpr double indifferent_scale = 1.4;
 
-/// Up to how many of the seeds may have another scale than 1 in a cloud of one radius: as many
-/// points are left out at either end where the extent of the cloud is measured.
-inline std::size_t most_seeds_by_chance(std::size_t number_of_seeds)
-{
-  return margin_of_extent(number_of_seeds);
-}
-
 /// What is known at a seed of the points around it.
 struct Seed
 {
-  double reach;                     ///< of its `points_of_seed` nearest points
-  double deviations[balls_of_seed]; ///< across the planes of its balls, lengths
+  double reach; ///< of its `points_of_seed` nearest points, or farther for a surface
+  double deviations[balls_of_seed]; ///< of one sheet across the planes of its balls, lengths
+  double certainty; ///< that it lies in a surface, in [0, 1]: in the plane of a flat first ball
 };
+
+/// The noise that a ball of a seed tells.
+/// \param ball its number
+/// \param third_tenth of the deviations of seeds around
+CGAL_L0_HOST_DEVICE inline double noise_of_ball(int ball, double radius, double third_tenth)
+{
+  const double n = points_of_seed * square(first_ball_of_seed * (1 << ball));
+  return radius > 0 ? noise_of_sheet(third_tenth / third_tenth_of_deviations(n), radius, n) : 0;
+}
 
 /// The distance of the k-th nearest point of a point, k being `points_of_seed`.
 template <typename Team>
@@ -127,28 +133,104 @@ CGAL_L0_HOST_DEVICE double reach_of_nearest(const Team& team, const Morton_point
   return distance;
 }
 
+/// Of a cell of more points in a ball of a seed some are looked at.
+constexpr std::uint64_t most_points_of_cell = 16;
+
+/// The moments of the points in a ball of a seed, relative to the seed.
+template <typename Team>
+CGAL_L0_HOST_DEVICE Plane_moments<double> moments_around(const Team& team,
+                                                         const Morton_points& points,
+                                                         const double* p, double radius)
+{
+  Plane_moments<double> own;
+  points.visit_ball(team, p, radius, most_points_of_cell,
+                    [&](std::uint64_t j, double, bool is_inside) {
+                      const double* const q = points.xyz + 3 * j;
+                      if (is_inside)
+                        own.add(q[0] - p[0], q[1] - p[1], q[2] - p[2], 1);
+                    });
+  return own.transformed<double>([&](double sum) { return team.sum(sum); });
+}
+
+/// The heights of the points in a ball of a seed, relative to the seed.
+template <typename Team>
+CGAL_L0_HOST_DEVICE Height_moments<double> heights_around(const Team& team,
+                                                          const Morton_points& points,
+                                                          const double* p, double radius,
+                                                          const Triple& normal)
+{
+  Height_moments<double> own;
+  points.visit_ball(team, p, radius, most_points_of_cell,
+                    [&](std::uint64_t j, double, bool is_inside) {
+                      const double* const q = points.xyz + 3 * j;
+                      if (is_inside)
+                        own.add(dot(normal, {q[0] - p[0], q[1] - p[1], q[2] - p[2]}), 1);
+                    });
+  return {team.sum(own.first), team.sum(own.second), team.sum(own.third), team.sum(own.fourth)};
+}
+
+/// How far points span a surface and not a line, in [0, 1]: by the second of their variances per
+/// the first, which is 0.28 at the border of a surface and more inside.
+CGAL_L0_HOST_DEVICE inline double certainty_of_surface(const Plane_moments<double>& moments)
+{
+  const double surely_surface = 0.2;
+  if (!(moments.sum > 2))
+    return 0;
+  const Eigen_decomposition eigen = moments.eigen_decomposition();
+  return eigen.values[2] > 0 ? as_share(eigen.values[1] / (surely_surface * eigen.values[2])) : 0;
+}
+
+/*!
+How much larger the balls of a seed have to be to span a surface. The nearest points of one on a
+scan line are all of that line. The first ball that spans a surface, of balls that are doubled,
+decides; where there is none, as on a wire, balls do not grow.
+*/
+template <typename Team>
+CGAL_L0_HOST_DEVICE double growth_to_surface(const Team& team, const Morton_points& points,
+                                             const double* p, double first_radius)
+{
+  double doublings = 0, left = 1;
+  for (int ball = 0; ball < balls_of_seed && left > 0; ++ball)
+  {
+    const double certainty = certainty_of_surface(
+      moments_around(team, points, p, first_radius * (1 << ball)));
+    doublings += left * certainty * ball;
+    left *= 1 - certainty;
+  }
+  return std::exp2(doublings);
+}
+
+/// That a point lies in the plane of the points in a ball, in [0, 1]: points of a crowd fill the
+/// ball, and the nearest points of one that is off a surface are all to one side.
+/// \param height of the mean of the points over the point
+CGAL_L0_HOST_DEVICE inline double certainty_of_plane(double deviation, double height, double radius)
+{
+  if (!(radius > 0))
+    return 0;
+  const auto certainty_below = [&](double length) {
+    return as_share(2.5 - length / (0.1 * radius));
+  };
+  return certainty_below(deviation) * certainty_below(std::abs(height));
+}
+
 /// \param i of the point that the seed is
 template <typename Team>
 CGAL_L0_HOST_DEVICE Seed seed_at(const Team& team, const Morton_points& points, std::uint64_t i)
 {
-  const std::uint64_t most_of_cell = 16;
   const double* const p = points.xyz + 3 * i;
   Seed seed;
   seed.reach = reach_of_nearest(team, points, i);
+  seed.reach *= growth_to_surface(team, points, p, first_ball_of_seed * seed.reach);
   for (int ball = 0; ball < balls_of_seed; ++ball)
   {
     const double radius = first_ball_of_seed * seed.reach * (1 << ball);
-    Plane_moments<double> own;
-    points.visit_ball(team, p, radius, most_of_cell, [&](std::uint64_t j, double, bool is_inside) {
-      if (!is_inside)
-        return;
-      const double* const q = points.xyz + 3 * j;
-      own.add(q[0] - p[0], q[1] - p[1], q[2] - p[2], 1);
-    });
-    const Plane_moments<double> all = own.transformed<double>(
-      [&](double sum) { return team.sum(sum); });
-    const double n = all.sum, variance = all.plane(radius * radius, 1e-12).variance;
-    seed.deviations[ball] = std::sqrt(n > 3 ? variance * n / (n - 3) : variance);
+    const Plane_moments<double> moments = moments_around(team, points, p, radius);
+    const Fitted_plane plane = moments.plane(radius * radius, 1e-12);
+    const Height_moments<double> heights = heights_around(team, points, p, radius, plane.normal);
+    const Ball_of_points all = ball_of_points(moments.sum, 1, plane.variance, heights);
+    seed.deviations[ball] = std::sqrt(with_one_sheet(all, radius).variance);
+    if (ball == 0)
+      seed.certainty = certainty_of_plane(seed.deviations[0], heights.first / moments.sum, radius);
   }
   return seed;
 }
@@ -196,7 +278,7 @@ inline double widening_by_correlation(const std::vector<Growth_of_deviations>& g
     return 1;
   const float flatness = median([](const Growth_of_deviations& growth) { return growth.flatness; });
   if (flatness < least_deviation_of_correlated_noise
-      || sheet_of_deviations(flatness).noise > largest_noise_of_flat_ball)
+      || noise_of_ball(0, 1, flatness) > largest_noise_of_flat_ball)
     return 1;
   int number_of_balls = 0;
   for (; number_of_balls + 1 < balls_of_seed; ++number_of_balls)
@@ -206,8 +288,7 @@ inline double widening_by_correlation(const std::vector<Growth_of_deviations>& g
     if (octaves < least_growth_of_correlated_noise || octaves > largest_growth_of_correlated_noise)
       break;
   }
-  // one ball alone lies between noise and a surface that bends
-  return number_of_balls < balls_of_noise ? 1 : std::exp2(0.5 * number_of_balls);
+  return number_of_balls < fewest_balls_of_correlated_noise ? 1 : std::exp2(0.5 * number_of_balls);
 }
 
 /// Numbers of a few seeds, the first in their order.
@@ -223,6 +304,14 @@ CGAL_L0_HOST_DEVICE double quantile(const Numbers_of_seeds<Team>& numbers, doubl
 CGAL_L0_HOST_DEVICE inline double radius_of_group(const Seed& seed)
 {
   return seed.reach * std::sqrt(seeds_of_group);
+}
+
+/// Whether a seed decides with another: around a sparse one there may be many of a dense surface,
+/// which know nothing of how sparse it is. One that lies off all surfaces is not asked.
+CGAL_L0_HOST_DEVICE inline bool is_alike(const Seed& own, const Seed& other)
+{
+  const double largest_ratio = std::exp2(1 + 9 * (1 - own.certainty));
+  return own.reach <= largest_ratio * other.reach && other.reach <= largest_ratio * own.reach;
 }
 
 /// What the whole cloud has, by which places of it are measured.
@@ -252,6 +341,47 @@ struct Usual_scales
   }
 };
 
+/*!
+The noise around a seed. As in `scales_of_growing_balls()` it is read where
+`radius_of_balls_per_noise` deviations of it are the radius, or in the first ball. Whether a ball is
+so large it tells itself if it is flat; if not, the one twice as large does, as a ball that noise
+fills tells nothing. Of a surface that bends or ends, or of a crowd, the deviation grows as the ball
+does: what is left of it in a ball of no size is noise, but not less than half, as edges come into
+the larger balls all at once. Where all balls are too small, the noise is that of the whole cloud.
+
+\param noises that the balls of the seeds around tell
+*/
+CGAL_L0_HOST_DEVICE inline double noise_of_balls(const double (&noises)[balls_of_seed],
+                                                 double first_radius, double usual_noise)
+{
+  if (!(first_radius > 0))
+    return usual_noise;
+  const int last = balls_of_seed - 2;
+  const auto excess = [&](int ball) {
+    const double radius = first_radius * (1 << ball), in_flat_ball = 0.22, in_filled_ball = 0.32,
+                 filled = as_share((noises[ball] / radius - in_flat_ball)
+                                   / (in_filled_ball - in_flat_ball)),
+                 noise = noises[ball] + filled * (noises[ball + 1] - noises[ball]);
+    return std::log(radius_of_balls_per_noise * at_least(noise / radius, 1e-100));
+  };
+  double place = 0, left = excess(0);
+  for (int ball = 1; ball <= last && left > 0; ++ball)
+  {
+    const double next = excess(ball);
+    place = next > 0 ? ball : ball - 1 + left / (left - next);
+    left = next;
+  }
+  const double certainly_too_small = 0.7, uncertainty = as_share(left / certainly_too_small);
+  const int ball = place < last ? int(place) : last - 1;
+  const auto squared_noise = [&](int larger) {
+    const double t = place - ball;
+    return (1 - t) * square(noises[ball + larger]) + t * square(noises[ball + larger + 1]);
+  };
+  const double of_ball = squared_noise(0), of_no_size = (4 * of_ball - squared_noise(1)) / 3;
+  return std::sqrt((1 - uncertainty) * at_least(of_no_size, of_ball / 2)
+                   + uncertainty * square(usual_noise));
+}
+
 /// How much larger than r_p the radius around a seed is to be, by the spacing and the noise that
 /// the seeds around it know.
 /// \param seeds the seeds as points
@@ -262,33 +392,28 @@ CGAL_L0_HOST_DEVICE double wanted_scale(const Team& team, const Morton_points& s
                                         double widening, std::uint64_t i)
 {
   using Numbers = Numbers_of_seeds<Team>;
-  static_assert(balls_of_noise == 2, "one list of numbers for each ball");
-  Numbers reaches(team), deviations[balls_of_noise] = {Numbers(team), Numbers(team)};
+  static_assert(balls_of_seed == 4, "one list of numbers for each ball");
+  Numbers reaches(team),
+    deviations[balls_of_seed] = {Numbers(team), Numbers(team), Numbers(team), Numbers(team)};
   const auto add = [&](std::uint64_t j, bool is_there) {
     const Seed seed = known[is_there ? j : i];
     reaches.add_if_room(seed.reach, is_there);
-    for (int ball = 0; ball < balls_of_noise; ++ball)
-      deviations[ball].add_if_room(seed.deviations[ball], is_there);
+    for (int ball = 0; ball < balls_of_seed; ++ball)
+      deviations[ball].add_if_room(seed.reach > 0 ? seed.deviations[ball] / seed.reach : 0,
+                                   is_there); // a filled ball has more if it is larger
   };
   add(i, team.lane() == 0); // of those around it not all may be looked at
   seeds.visit_ball(team, seeds.xyz + 3 * i, radius_of_group(known[i]), most_seeds_of_cell,
-                   [&](std::uint64_t j, double, bool is_inside) { add(j, is_inside); });
+                   [&](std::uint64_t j, double, bool is_inside) {
+                     add(j, is_inside && is_alike(known[i], known[j]));
+                   });
   const double reach = quantile<Team>(reaches, 0.5), first_radius = first_ball_of_seed * reach;
-  double noises[balls_of_noise];
-  for (int ball = 0; ball < balls_of_noise; ++ball)
-  {
-    const double radius = first_radius * (1 << ball),
-                 deviation = radius > 0 ? quantile<Team>(deviations[ball], 0.3) / radius : 0;
-    noises[ball] = radius * sheet_of_deviations(deviation).noise;
-  }
-  // Of a surface that bends or ends, or of a crowd, the deviation grows as the ball does: what is
-  // left of it in a ball of no size is noise. But a ball that noise fills, or that the noise of the
-  // whole cloud would fill, tells nothing of it.
-  const double left = at_least((4 * square(noises[0]) - square(noises[1])) / 3, 0.),
-               flat = largest_noise_of_flat_ball * first_radius,
-               filled = flat > 0 ? as_share(at_least(noises[0], usual.noise) / flat - 1) : 1;
+  double noises[balls_of_seed];
+  for (int ball = 0; ball < balls_of_seed; ++ball)
+    noises[ball] = noise_of_ball(ball, first_radius * (1 << ball),
+                                 reach * quantile<Team>(deviations[ball], 0.3));
   return wanted_radius(usual.spacing * reach / usual.reach,
-                       std::sqrt((1 - filled) * left + filled * square(usual.noise)))
+                       noise_of_balls(noises, first_radius, usual.noise))
          * widening / usual.radius;
 }
 
@@ -314,7 +439,8 @@ CGAL_L0_HOST_DEVICE double scale_of_group(const Team& team, const Morton_points&
   scales.add_if_room(wanted[i], team.lane() == 0);
   seeds.visit_ball(team, seeds.xyz + 3 * i, radius_of_group(known[i]), most_seeds_of_cell,
                    [&](std::uint64_t j, double, bool is_inside) {
-                     scales.add_if_room(wanted[is_inside ? j : i], is_inside);
+                     scales.add_if_room(wanted[is_inside ? j : i],
+                                        is_inside && is_alike(known[i], known[j]));
                    });
   return beyond_chance(quantile<Team>(scales, 0.5));
 }

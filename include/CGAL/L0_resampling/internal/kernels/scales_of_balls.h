@@ -7,13 +7,15 @@
 #define CGAL_L0_RESAMPLING_INTERNAL_SCALES_OF_BALLS_H
 
 #include <CGAL/L0_resampling/internal/core/Parameters.h>
-#include <CGAL/L0_resampling/internal/kernels/Height_moments.h>
 #include <CGAL/L0_resampling/internal/kernels/deviation_in_ball.h>
+#include <CGAL/L0_resampling/internal/kernels/sheet_of_ball.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -26,26 +28,6 @@ struct Scales
   double spacing; ///< square root of the area a place
   double noise;   ///< standard deviation across the surface
 };
-
-/// What the points in a ball around one of them tell of the scales.
-struct Ball_of_points
-{
-  double count;
-  double variance; ///< across the plane of least variance
-  Shape_of_heights shape;
-};
-
-/// \param n number of points that were looked at
-/// \param stride of so many points in the ball one was
-/// \param variance of those n across their plane of least variance
-/// \param heights of those n over it
-CGAL_L0_HOST_DEVICE inline Ball_of_points ball_of_points(double n, double stride, double variance,
-                                                         const Height_moments<double>& heights)
-{
-  return {n * stride,
-          n > 3 ? variance * n / (n - 3) : variance, // the plane took three degrees of freedom
-          heights.shape(n)};
-}
 
 /// \param value of a ball
 template <typename Value>
@@ -93,70 +75,137 @@ inline double median_count_by_area(std::vector<Ball_of_points> balls)
   return balls.back().count;
 }
 
-/// \param radius of the balls
-inline Scales scales_of_balls(const std::vector<Ball_of_points>& balls, double radius)
-{
-  const double pi = 3.141592653589793;
-  return {radius * std::sqrt(pi / (std::max)(median_count_by_area(balls), 1.)),
-          std::sqrt(
-            quantile(balls, 0.3, [](const Ball_of_points& ball) { return ball.variance; }))};
-}
-
-constexpr std::size_t number_of_balls = 1000; // about
+constexpr std::size_t number_of_balls = 1000; // about, of the smallest
 constexpr double cell_size_of_scales = 0.25;  // in the radius that is guessed first
 /// Of the balls, in cells.
 constexpr std::array<int, 10> reaches_of_balls = {1, 2, 3, 4, 6, 8, 12, 16, 24, 32};
 constexpr int largest_reach_of_balls = reaches_of_balls.back();
 
-/*!
-Estimates the scales from plane fits around a thousand points, in balls that grow until their points
-lie in a plane rather than fill the ball: until the standard deviation across it is surely below
-what it is in a filled ball. That deviation tells the noise, see `sheet_of_deviations()`, and the
-number of points gives the spacing, which is that of the middle of the surface. Of the deviations
-the third tenth counts: edges, curvature, thin parts and outliers only ever raise them, and the more
-the larger the balls are; so the balls should not grow for longer than they have to.
+/// One of so many of the balls is looked at when they reach so far: larger ones overlap more, and
+/// take longer.
+constexpr std::size_t stride_at_reach(int reach)
+{
+  std::size_t stride = 1;
+  for (int covered = 8; covered <= reach; covered *= 2)
+    stride *= 2;
+  return stride;
+}
 
-Balls that hold two sheets, as those of a thin plate do, would grow for ever and find its thickness.
-They are known by `single_sheet_index()`; then the noise and the number of points are those of one
-sheet.
+/// Balls of at least so many points, in the median, tell of noise.
+constexpr double least_count_of_balls = 24;
+
+/// Balls are large enough for noise once their radius is so many standard deviations of it.
+constexpr double radius_of_balls_per_noise = 3.5;
+
+/// What the balls of one radius tell. Logarithms, as all is interpolated between radii.
+struct Look_at_balls
+{
+  double radius, noise, spacing;
+  double want_of_points; ///< of `least_count_of_balls` over the median count
+  double excess;         ///< of `radius_of_balls_per_noise` times the noise over the radius
+};
+
+/// \param balls of one radius
+/// \param median_count of these
+inline Look_at_balls look_at(std::vector<Ball_of_points> balls, double radius, double median_count)
+{
+  const double pi = 3.141592653589793;
+  drop_sparse_balls(balls);
+  for (Ball_of_points& ball : balls)
+    ball = with_one_sheet(ball, radius);
+  const double count = internal::median_count(balls),
+               third_tenth = std::sqrt(
+                 quantile(balls, 0.3, [](const Ball_of_points& ball) { return ball.variance; })),
+               noise = noise_of_sheet(third_tenth / third_tenth_of_deviations(count), radius,
+                                      count),
+               spacing = radius * std::sqrt(pi / (std::max)(median_count_by_area(balls), 1.));
+  const auto log_of = [](double x) {
+    return std::log((std::max)(x, (std::numeric_limits<double>::min)()));
+  };
+  return {log_of(radius), log_of(noise), log_of(spacing),
+          log_of(least_count_of_balls / (std::max)(median_count, 1.)),
+          log_of(radius_of_balls_per_noise * noise / radius)};
+}
+
+/// Looks at balls of several radii, read at any place between the first and the last.
+class Looks_at_balls
+{
+  std::vector<Look_at_balls> m_looks;
+
+public:
+  void add(const Look_at_balls& look) { m_looks.push_back(look); }
+  double last() const { return double(m_looks.size() - 1); }
+  bool reach_far_enough() const
+  {
+    const double certainly = 0.2;
+    return !m_looks.empty() && m_looks.back().excess < -certainly
+           && m_looks.back().want_of_points < -std::log(2.);
+  }
+
+  /// \param place a number of a look, or one between two
+  double at(double place, double Look_at_balls::* value) const
+  {
+    const std::size_t i = std::size_t(place), next = (std::min)(i + 1, m_looks.size() - 1);
+    const double t = place - double(i);
+    return (1 - t) * m_looks[i].*value + t * m_looks[next].*value;
+  }
+
+  /// The first place from `begin` on where the value is not above zero; the last if it is nowhere.
+  double first_not_positive(double Look_at_balls::* value, double begin) const
+  {
+    double place = begin, before = at(begin, value);
+    while (before > 0 && place < last())
+    {
+      const double next_place = std::floor(place) + 1, next = at(next_place, value);
+      if (!(next > 0))
+        return place + (next_place - place) * before / (before - next);
+      place = next_place;
+      before = next;
+    }
+    return place;
+  }
+};
+
+/*!
+Estimates the scales from plane fits around a thousand points, in balls of several radii. Noise is
+read where 3.5 standard deviations of it are the radius, or where balls hold 24 points if they are
+larger there. Smaller balls are filled by it; edges, curvature, thin parts and other sheets raise
+what larger ones have across their planes. Of the deviations the third tenth counts, as those only
+ever raise them.
+
+No radius is chosen: everything is interpolated between radii, and what a ball has of other sheets
+and of points off the surface is taken off by a weight, see `with_one_sheet()`. So the estimate is a
+continuous function of the points.
 
 \param cell_size the largest balls are `largest_reach_of_balls` times as large
 \param look_at_balls `look_at_balls(k, r)` returns the balls of radius r, which is k times the size
-of a cell, as a `std::vector<Ball_of_points>`, which holds one at least
+of a cell, around one of `stride_at_reach(k)` places, as a `std::vector<Ball_of_points>`, which
+holds one at least
 */
 template <typename LookAtBalls>
 Scales scales_of_growing_balls(double cell_size, const LookAtBalls& look_at_balls)
 {
-  const double fewest_points = 30, surely_flat = 0.15;
-  Scales scales{cell_size, 0};
+  Looks_at_balls looks;
   for (const int reach : reaches_of_balls)
   {
     const double radius = reach * cell_size;
     std::vector<Ball_of_points> balls = look_at_balls(reach, radius);
-    if (median_count(balls) < fewest_points && reach < largest_reach_of_balls)
+    const double count = median_count(balls);
+    if (count < least_count_of_balls / 3 && reach < largest_reach_of_balls)
       continue;
-    drop_sparse_balls(balls);
-    scales = scales_of_balls(balls, radius);
-    const double index = quantile(balls, 0.5, [](const Ball_of_points& ball) {
-      return ball.shape.single_sheet_index();
-    });
-    if (scales.noise > surely_flat * radius && index < largest_index_of_two_sheets)
-    {
-      for (Ball_of_points& ball : balls)
-      {
-        const Two_sheets sheets = two_sheets_of(ball.shape);
-        ball.variance *= sheets.noise;
-        ball.count *= sheets.larger_sheet;
-      }
-      return scales_of_balls(balls, radius);
-    }
-    if (scales.noise < largest_deviation_of_sheet(median_count(balls)) * radius)
-    {
-      const Sheet_in_ball sheet = sheet_of_deviations(scales.noise / radius);
-      return {scales.spacing * std::sqrt(sheet.share_of_points), sheet.noise * radius};
-    }
+    looks.add(look_at(std::move(balls), radius, count));
+    if (looks.reach_far_enough())
+      break;
   }
-  return scales;
+  const double place = looks.first_not_positive(
+                 &Look_at_balls::excess,
+                 looks.first_not_positive(&Look_at_balls::want_of_points, 0)),
+               radius = std::exp(looks.at(place, &Look_at_balls::radius)),
+               noise = std::exp(looks.at(place, &Look_at_balls::noise)),
+               spacing = std::exp(looks.at(place, &Look_at_balls::spacing));
+  // the middle of the ball is off the sheet, as its points are
+  const double share_in_ball = share_of_sheet_in_ball(std::sqrt(2.) * noise / radius);
+  return {spacing * std::sqrt(share_in_ball), noise};
 }
 
 } // namespace internal

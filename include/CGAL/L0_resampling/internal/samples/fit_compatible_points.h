@@ -26,6 +26,13 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
+/// How many samples a fit finds to be so.
+struct Counts_of_fit
+{
+  std::size_t lonely;      ///< without compatible points
+  std::size_t unexplained; ///< see `is_unexplained()`
+};
+
 /// The input as the fit sees it.
 template <typename T>
 struct Fit_input
@@ -106,11 +113,10 @@ The normal of the sample becomes the weighted mean of those points' normals.
 variances, fit centroids and outward directions
 \param noises out, unless null: of the points around each sample, see `noise_of_fit()`; as many as
 samples
-\returns the number of samples without compatible points
 */
 template <typename ConcurrencyTag, typename T, typename FT>
-std::size_t fit_compatible_points(const Fit_input<T>& input, Progress& progress,
-                                  Samples<FT>& samples, Buffer<float>* noises = nullptr)
+Counts_of_fit fit_compatible_points(const Fit_input<T>& input, Progress& progress,
+                                    Samples<FT>& samples, Buffer<float>* noises = nullptr)
 {
   const double cell_size = input.grid.cell_size();
   const Sorted_queries sorted_queries(ConcurrencyTag(), samples.positions,
@@ -118,7 +124,7 @@ std::size_t fit_compatible_points(const Fit_input<T>& input, Progress& progress,
 
   const Fit_kernel<T> kernel_of_one = input.kernel.template as<T>();
   const Border_of_ball border(input.kernel.radius, input.kernel.squared_bandwidth);
-  std::atomic<std::size_t> number_of_lonely_samples{0};
+  std::atomic<std::size_t> number_of_lonely_samples{0}, number_of_unexplained_samples{0};
   const auto make_visitor = [&]() {
     return [&, normals = Local_normals<T>(), scales = Aligned_vector<T>()](
              Search_grid_3::Range queries, const Local_points<T>& candidates,
@@ -145,6 +151,7 @@ std::size_t fit_compatible_points(const Fit_input<T>& input, Progress& progress,
                                          kernel.squared_radius());
         const double own_sheet_height = squared_height_of_second_look(support, sums,
                                                                       kernel.squared_sheet_height);
+        number_of_unexplained_samples += is_unexplained(support, sums, kernel.squared_sheet_height);
         if (noises) // now, as a lower sheet has less of it
           (*noises)[i] = float(noise_of_fit(sums, kernel));
         if (support.is_unsupported)
@@ -180,7 +187,7 @@ std::size_t fit_compatible_points(const Fit_input<T>& input, Progress& progress,
   for_each_cell<T, ConcurrencyTag>(sorted_queries.grid, sorted_queries.points, input.grid,
                                    input.points, cells_in_reach(input.kernel.radius, cell_size),
                                    progress, make_visitor);
-  return number_of_lonely_samples;
+  return {number_of_lonely_samples, number_of_unexplained_samples};
 }
 
 } // namespace internal

@@ -156,15 +156,16 @@ class Facts_in_passes
                         points, own, m_facts, ranks, number_of_reaches, progress);
                       balls.insert(balls.end(), found.begin(), found.end());
                     });
-      m_facts.scales = scales_of(balls, number_of_reaches);
+      m_facts.scales = scales_of(balls, stride_of_balls(ranks.total()), number_of_reaches);
       if (m_facts.scales)
         return;
       --m_number_of_passes_done;
     }
   }
 
+  /// \param stride of the smallest balls
   /// \returns nothing if more reaches are needed
-  static std::optional<Scales> scales_of(std::vector<Ranked_balls>& balls,
+  static std::optional<Scales> scales_of(std::vector<Ranked_balls>& balls, std::uint64_t stride,
                                          std::size_t number_of_reaches)
   {
     keep_one_of_each([](const Ranked_balls& of_place) { return of_place.rank; }, balls);
@@ -173,7 +174,8 @@ class Facts_in_passes
       const std::size_t k = (std::min)(number_of_looks++, number_of_reaches - 1);
       std::vector<Ball_of_points> of_reach;
       for (const Ranked_balls& of_place : balls)
-        of_reach.push_back(of_place.balls[k]);
+        if (of_place.has_ball(k, stride))
+          of_reach.push_back(of_place.balls[k]);
       return of_reach;
     });
     return number_of_looks <= number_of_reaches ? std::optional<Scales>(scales) : std::nullopt;

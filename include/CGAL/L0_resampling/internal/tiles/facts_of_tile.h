@@ -44,6 +44,13 @@ struct Ranked_balls
 {
   std::uint64_t rank;
   std::array<Ball_of_points, reaches_of_balls.size()> balls;
+
+  /// Whether the call in memory looks at the ball of this reach.
+  /// \param stride of the smallest balls
+  bool has_ball(std::size_t reach, std::uint64_t stride) const
+  {
+    return rank % (stride * stride_at_reach(reaches_of_balls[reach])) == 0;
+  }
 };
 
 /// The balls of the scales, in runs with points of the tile's own.

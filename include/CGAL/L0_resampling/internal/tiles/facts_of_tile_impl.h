@@ -188,15 +188,22 @@ std::vector<Ranked_balls> look_at_balls(Buffer<Vector>& points, const Own_blocks
         found.push_back({rank, {}});
       }
   });
-  if (queries.empty())
-    return found;
-  const Search_grid_3 query_grid(queries, of_scales.grid().cell_size());
   for (std::size_t k = 0; k < number_of_reaches; ++k)
   {
+    Buffer<Vector> of_reach(points.get_allocator());
+    std::vector<Ball_of_points*> balls_of_reach;
+    for (std::size_t i = 0; i < queries.size(); ++i)
+      if (found[i].has_ball(k, stride))
+      {
+        of_reach.push_back(queries[i]);
+        balls_of_reach.push_back(&found[i].balls[k]);
+      }
+    if (of_reach.empty())
+      continue;
     const std::vector<Ball_of_points> balls = of_scales.balls_around<ConcurrencyTag, Local>(
-      queries, query_grid, reaches_of_balls[k], progress);
+      of_reach, reaches_of_balls[k], progress);
     for (std::size_t i = 0; i < balls.size(); ++i)
-      found[i].balls[k] = balls[i];
+      *balls_of_reach[i] = balls[i];
   }
   return found;
 }
