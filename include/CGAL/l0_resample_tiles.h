@@ -36,6 +36,8 @@ takes the samples of a tile with normals on their sides
 \param np see `CGAL::L0_resampling::Tiled_resampling`; `number_of_output_points` has to be given
 
 \throws std::bad_alloc if the memory does not suffice for a single tile
+\throws std::length_error if the surface has more area than 64 bits count, that of 2^33 disks of the
+neighbor radius
 \throws CGAL::L0_resampling::Device_error with `CUDA_tag`, if there is no usable device, or it fails
 */
 template <typename ConcurrencyTag, typename Source, typename Sink,
@@ -103,10 +105,13 @@ void l0_resample_tiles(const Source& source, Sink& sink, std::uint64_t maximum_m
   {
     L0_resampling::internal::Stitching stitching = tiles.stitching(evidence);
     for (std::size_t a = 0; a < number_of_tiles && !tiles.are_sides_given(); ++a)
+    {
+      const std::vector<Tile_sample> near_border(sink.get(a).near_border);
       for (std::size_t b = 0; b < number_of_tiles; ++b)
         if (tiles.are_neighbors(a, b))
-          stitching.add_overlap(a, sink.get(a).near_border, b,
+          stitching.add_overlap(a, near_border, b,
                                 tiles.samples_of_owner(sink.get(b).beyond_border, a));
+    }
     signs = stitching.signs();
   }
   for (std::size_t tile = 0; tile < number_of_tiles; ++tile)

@@ -40,6 +40,7 @@
 
 /// Those for a concurrency tag alone.
 #define CGAL_L0_COMPILED_TEMPLATES_OF_TAG(Tag)                                                     \
+  template void report_plan<Tag>(Buffer<Vector>&, const Parameters&, Progress&, Report&);          \
   template Oriented_representatives orient_point_set<Tag>(Buffer<Vector>&, Buffer<Local_vector>&,  \
                                                           Buffer<Local_vector>&,                   \
                                                           const Parameters&, Progress&, Report&);  \

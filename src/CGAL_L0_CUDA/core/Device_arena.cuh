@@ -116,8 +116,6 @@ private:
     if (m_limit.held + bytes > m_limit.limit)
       throw Failure(Status::OUT_OF_MEMORY,
                     "the device memory that the call needs is above the limit that was set");
-    if (is_fault_due(Fault::ALLOCATION))
-      throw Failure(Status::OUT_OF_MEMORY, "an allocation that a test lets fail");
     void* data = nullptr;
     CGAL_L0_CUDA_CHECK(cudaMalloc(&data, bytes));
     m_limit.held += bytes;

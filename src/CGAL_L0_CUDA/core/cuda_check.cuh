@@ -30,9 +30,6 @@ public:
   Status status() const { return m_status; }
 };
 
-/// Whether a fault that a test has planted comes now.
-bool is_fault_due(Fault fault);
-
 inline Status status_of(cudaError_t error)
 {
   switch (error)

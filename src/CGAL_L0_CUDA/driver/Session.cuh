@@ -78,6 +78,7 @@ struct Session
   unsigned char* are_own = nullptr;         // likewise
   Unoriented_samples unoriented;            // likewise
   Oriented_representatives representatives; // the result of a call that only orients
+  std::vector<Stage> stages;
   std::vector<Iteration> iterations;
   std::vector<cudaEvent_t> events;
 
@@ -200,7 +201,9 @@ class Stages
 public:
   Stages(Session& session, Progress_callback progress, Call_report& report)
     : m_session(session), m_progress(progress), m_report(report)
-  {}
+  {
+    m_session.stages.clear();
+  }
   Stages(const Stages&) = delete;
   Stages& operator=(const Stages&) = delete;
   ~Stages() { end_range(); }
@@ -214,7 +217,9 @@ public:
     m_is_in_range = true;
     m_done += m_share;
     m_share = share;
-    m_report.stages[m_report.number_of_stages++] = {name, 0, 0};
+    m_session.stages.push_back({name, 0, 0});
+    m_report.stages = m_session.stages.data();
+    m_report.number_of_stages = m_session.stages.size();
     ask(0);
   }
 
@@ -235,12 +240,12 @@ public:
   {
     record();
     CGAL_L0_CUDA_CHECK(cudaStreamSynchronize(m_session.stream));
-    for (std::size_t i = 0; i < m_report.number_of_stages; ++i)
+    for (std::size_t i = 0; i < m_session.stages.size(); ++i)
     {
       float milliseconds = 0;
       CGAL_L0_CUDA_CHECK(
         cudaEventElapsedTime(&milliseconds, m_session.event(i), m_session.event(i + 1)));
-      m_report.stages[i].seconds = milliseconds * 1e-3;
+      m_session.stages[i].seconds = milliseconds * 1e-3;
     }
   }
 
@@ -255,17 +260,16 @@ private:
   void record()
   {
     note_memory();
-    CGAL_L0_CUDA_CHECK(
-      cudaEventRecord(m_session.event(m_report.number_of_stages), m_session.stream));
+    CGAL_L0_CUDA_CHECK(cudaEventRecord(m_session.event(m_session.stages.size()), m_session.stream));
   }
 
   void note_memory()
   {
     const std::size_t peak = m_session.input_memory.used()
                              + m_session.working_memory.take_peak_of_stage();
-    if (m_report.number_of_stages > 0)
+    if (!m_session.stages.empty())
     {
-      Stage& stage = m_report.stages[m_report.number_of_stages - 1];
+      Stage& stage = m_session.stages.back();
       stage.peak_bytes = (std::max)(stage.peak_bytes, peak);
     }
     m_report.peak_bytes = (std::max)(m_report.peak_bytes, m_session.memory_limit.held);

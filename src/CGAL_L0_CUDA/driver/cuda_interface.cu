@@ -9,7 +9,6 @@
 #include <CGAL/L0_resampling/internal/device/cuda_orientation.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <utility>
@@ -21,12 +20,7 @@ namespace cuda {
 
 namespace {
 
-std::atomic<Fault> planted_fault{Fault::NONE};
-std::atomic<std::size_t> planted_countdown{0};
-
 __global__ void do_nothing() {}
-
-__global__ void write_to_nowhere() { *reinterpret_cast<volatile int*>(alignof(int)) = 0; }
 
 /// \returns the caller's device, once a kernel of ours has run there
 int usable_device()
@@ -46,20 +40,6 @@ int usable_device()
 }
 
 } // namespace
-
-void plant_fault(Fault fault, std::size_t countdown)
-{
-  planted_fault = fault;
-  planted_countdown = countdown;
-}
-
-bool is_fault_due(Fault fault)
-{
-  if (planted_fault != fault || --planted_countdown > 0)
-    return false;
-  planted_fault = Fault::NONE;
-  return true;
-}
 
 Answer find_device()
 {
@@ -126,11 +106,6 @@ Answer call(Run& run, Session& session, const Parameters& parameters, Progress_c
     if (session.size == 0)
       throw Failure(Status::DEVICE_FAILED, "there are no points on the device");
     session.memory_limit.limit = parameters.maximum_memory;
-    if (is_fault_due(Fault::KERNEL))
-    {
-      write_to_nowhere<<<1, 1, 0, session.stream>>>();
-      check_launch("write_to_nowhere");
-    }
     Stages stages(session, progress, report);
     run(session, parameters, stages, report);
   });

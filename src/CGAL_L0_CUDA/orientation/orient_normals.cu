@@ -42,9 +42,11 @@ __global__ void begin_sets(Side_hints hints, Samples samples, const unsigned* fi
 __global__ void count_samples_of_sets(const Link* sets, unsigned size, unsigned* sizes)
 {
   const Wide i = thread_index();
-  if (i >= size)
+  const bool is_sample = i < size;
+  const unsigned with_sample = __ballot_sync(0xffffffffu, is_sample);
+  if (!is_sample)
     return;
-  const unsigned root = sets[i].target(), peers = __match_any_sync(__activemask(), root);
+  const unsigned root = sets[i].target(), peers = __match_any_sync(with_sample, root);
   if (is_leader_of(peers))
     atomicAdd(&sizes[root], unsigned(__popc(peers)));
 }

@@ -23,6 +23,7 @@ enum class Number_type
   FLOAT32,
   FLOAT64
 };
+constexpr int number_of_types = 8;
 
 /// In bytes.
 std::size_t size_of(Number_type type);

@@ -111,10 +111,10 @@ roundings near borders; but for the signs of normals, where --memory does not ho
 once, with what their sides are found from. Where it holds all points, that takes less time.
 
 Steps are kept in the folder work of the output directory until all is done. --resume goes on with
-them after a crash, and makes again what is damaged; a run with another input or other options is
-refused. A folder that has a run is refused without --resume, or --force, which begins anew. So is
-one with other files of the names index.json or tile_N, without --force, and one with another folder
-work. No result takes the place of an input.)"},
+them after a crash, and makes again what is damaged; a run with another input, other options or
+another build of the program is refused. A folder that has a run is refused without --resume, or
+--force, which begins anew. So is one with other files of the names index.json or tile_N, without
+--force, and one with another folder work. No result takes the place of an input.)"},
    {"CONFIGURATION",
     R"(The file that --config names has lines such as "method = lor" or "force = true": the long
 name of an option, and its value, or true or false for one that takes none. Lines that begin with

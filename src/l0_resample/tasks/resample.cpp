@@ -129,6 +129,45 @@ void call_with_solver(const Point_cloud& cloud, const Sides& sides, const Option
   }
 }
 
+/// What the options say of the method.
+auto parameters_of(const Options& options, std::size_t number_of_points)
+{
+  return parameters::resampling_method(options.method)
+    .normal_weight(normal_weight_of(options))
+    .sharpness_angle(options.sharpness_angle)
+    .random_seed(options.seed)
+    .drop_outliers(options.keep_outliers ? std::optional<bool>(false) : std::nullopt)
+    .number_of_output_points(number_of_output_points(options, number_of_points))
+    .maximum_memory(options.max_memory)
+    .neighbor_radius(options.neighbor_radius)
+    .keep_density(options.keep_density)
+    .outlier_sensitivity(options.outlier_sensitivity);
+}
+
+/// Holds the number of threads that the options ask for.
+class Limit_of_threads
+{
+  std::optional<tbb::global_control> m_control;
+
+public:
+  explicit Limit_of_threads(const Options& options)
+  {
+    if (options.threads)
+      m_control.emplace(tbb::global_control::max_allowed_parallelism,
+                        std::size_t(*options.threads));
+  }
+};
+
+void check_normals(const Point_cloud& cloud, const Options& options)
+{
+  const char* wanted_by = options.use_normals         ? "--use-normals"
+                          : options.orient_by_normals ? "--orient-by-normals"
+                                                      : nullptr;
+  if (wanted_by && cloud.normals.empty() && !cloud.points.empty())
+    throw Failure(INPUT_REFUSED, options.input_name() + ": " + wanted_by
+                                   + " is given, but the file has no normals");
+}
+
 l0_common::Device_request device_request(const Options& options)
 {
   l0_common::Device_request request = {options.device, "--device cuda", ""};
@@ -184,12 +223,37 @@ std::size_t number_of_output_points(const Options& options, std::size_t number_o
 
 CGAL::L0_resampling::Report estimate_scales(const Point_cloud& cloud, const Options& options)
 {
-  Options on_cpu = options;
-  on_cpu.device = Device::CPU;
+  namespace internal = CGAL::L0_resampling::internal;
+  const Limit_of_threads limit(options);
+  check_normals(cloud, options);
   CGAL::L0_resampling::Report report;
-  const auto callback = [&](double) { return report.neighbor_radius == 0 && !is_interrupted(); };
-  resample(cloud, Sides(), on_cpu, callback, report);
-  throw_if_interrupted();
+  if (cloud.points.empty())
+    return report;
+  try {
+    const std::size_t n = cloud.points.size();
+    const internal::Parameters checked =
+      internal::checked_parameters(internal::Given_parameters(parameters_of(options, n)), n);
+    const bool is_in_double = options.solver == Solver::CHOLESKY
+                              || options.solver == Solver::ROWS_CG;
+    if ((is_in_double ? internal::least_memory<double>(n, checked)
+                      : internal::least_memory<float>(n, checked))
+        > checked.maximum_memory)
+      throw std::bad_alloc();
+    internal::Memory_counter memory(checked.maximum_memory);
+    internal::Input input(&memory);
+    const auto go_on = [](double) { return !is_interrupted(); };
+    internal::Progress progress(go_on, report, memory);
+    internal::read_points<Concurrency_tag>(boost::irange(std::size_t(0), n),
+                                           CGAL::make_property_map(cloud.points.data()), false,
+                                           report, input);
+    internal::report_plan<Concurrency_tag>(input.points, checked, progress, report);
+  } catch (const internal::Interrupted&) {
+    throw_if_interrupted();
+  } catch (...) {
+    Options on_cpu = options;
+    on_cpu.device = Device::CPU;
+    rethrow_as_failure("resample", options.input_name(), cloud.points.size(), on_cpu);
+  }
   return report;
 }
 
@@ -208,36 +272,17 @@ Resampled_points resample(const Point_cloud& cloud, const Sides& sides, const Op
                           const std::function<bool(double)>& callback,
                           CGAL::L0_resampling::Report& report)
 {
-  std::optional<tbb::global_control> limit;
-  if (options.threads)
-    limit.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(*options.threads));
-  const char* normals_wanted_by = options.use_normals         ? "--use-normals"
-                                  : options.orient_by_normals ? "--orient-by-normals"
-                                                              : nullptr;
-  const std::string name = options.input_name();
-  if (normals_wanted_by && cloud.normals.empty() && !cloud.points.empty())
-    throw Failure(INPUT_REFUSED,
-                  name + ": " + normals_wanted_by + " is given, but the file has no normals");
-
+  const Limit_of_threads limit(options);
+  check_normals(cloud, options);
   Resampled_points result;
   result.viewpoint = sides.viewpoint;
   result.las = cloud.las;
   try {
-    const auto np =
-      parameters::resampling_method(options.method)
-        .normal_weight(normal_weight_of(options))
-        .sharpness_angle(options.sharpness_angle)
-        .random_seed(options.seed)
-        .drop_outliers(options.keep_outliers ? std::optional<bool>(false) : std::nullopt)
-        .number_of_output_points(number_of_output_points(options, cloud.points.size()))
-        .maximum_memory(options.max_memory)
-        .callback(callback)
-        .resampling_report(&report)
-        .neighbor_radius(options.neighbor_radius)
-        .keep_density(options.keep_density)
-        .outlier_sensitivity(options.outlier_sensitivity)
-        .viewpoint(sides.viewpoint)
-        .up_direction(options.up_direction);
+    const auto np = parameters_of(options, cloud.points.size())
+                      .callback(callback)
+                      .resampling_report(&report)
+                      .viewpoint(sides.viewpoint)
+                      .up_direction(options.up_direction);
     const auto on_device = [&]() {
 #ifdef CGAL_L0_LINKED_WITH_CUDA
       call<CGAL::CUDA_tag>(cloud, sides, options, np, result);
@@ -247,7 +292,7 @@ Resampled_points resample(const Point_cloud& cloud, const Sides& sides, const Op
     const l0_common::Device_request request = device_request(options);
     report.device_reason = l0_common::run_on_chosen(request, on_device, on_cpu);
   } catch (...) {
-    rethrow_as_failure("resample", name, cloud.points.size(), options);
+    rethrow_as_failure("resample", options.input_name(), cloud.points.size(), options);
   }
   return result;
 }

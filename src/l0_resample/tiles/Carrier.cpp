@@ -133,14 +133,13 @@ Carrier::Points Carrier::read(const std::vector<char>& wanted, std::size_t numbe
   std::vector<char> records;
   const std::size_t record_size = sizeof(std::uint64_t) + m_properties.row_size();
   for (std::size_t shard = 0; shard < m_shards.size(); ++shard) {
-    Task_file rows(m_paths_of_rows[shard], m_key);
+    const Task_file rows(m_paths_of_rows[shard], m_key);
     const auto add = [&](const Block_run& run, const std::vector<std::array<double, 3>>& places) {
-      rows.seek(run.first * record_size);
       for (std::size_t i = 0; i < places.size(); ++i) {
         const std::size_t of_these = i % records_at_once;
         if (of_these == 0) {
-          records.resize((std::min)(records_at_once, places.size() - i) * record_size);
-          rows.read_bytes(records.size(), records.data());
+          const std::size_t size = (std::min)(records_at_once, places.size() - i);
+          rows.read_some(0, (run.first + i) * record_size, size * record_size, records);
         }
         const char* const record = records.data() + of_these * record_size;
         std::uint64_t number;

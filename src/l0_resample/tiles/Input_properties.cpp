@@ -104,6 +104,13 @@ std::string read_string(Task_file& file)
   return {text.begin(), text.end()};
 }
 
+void write_type(Number_type type, Task_file_writer& file) { file.write(std::uint8_t(type)); }
+
+Number_type read_type(Task_file& file)
+{
+  return Number_type(file.read_number_below(std::uint8_t(number_of_types)));
+}
+
 void write_las_origin(const Las_origin& las, Task_file_writer& file)
 {
   file.write(las.minor_version);
@@ -244,10 +251,10 @@ void write_properties(const Input_properties& properties, Task_file_writer& file
   file.write(std::uint64_t(properties.properties.size()));
   for (const Input_property& property : properties.properties) {
     write_string(property.name, file);
-    file.write(property.type);
+    write_type(property.type, file);
     file.write(std::uint64_t(property.shifts.size()));
     for (const auto& [type, shift] : property.shifts) {
-      file.write(type);
+      write_type(type, file);
       file.write(shift);
     }
     file.write(property.has_fractions);
@@ -268,9 +275,9 @@ Input_properties read_properties(Task_file& file)
   for (std::uint64_t n = file.read<std::uint64_t>(); n > 0; --n) {
     Input_property property;
     property.name = read_string(file);
-    property.type = file.read<Number_type>();
+    property.type = read_type(file);
     for (std::uint64_t m = file.read<std::uint64_t>(); m > 0; --m) {
-      const Number_type type = file.read<Number_type>();
+      const Number_type type = read_type(file);
       property.shifts[type] = file.read<unsigned>();
     }
     property.has_fractions = file.read<bool>();

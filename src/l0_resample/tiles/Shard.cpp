@@ -103,19 +103,18 @@ Shards::Shards(const std::vector<std::string>& paths, std::uint64_t key,
   }
 }
 
-std::vector<Block_run>::iterator Shards::first_run(std::vector<Block_run>& runs, const Block& low)
+std::vector<Block_run>::const_iterator Shards::first_run(const std::vector<Block_run>& runs,
+                                                         const Block& low)
 {
   return std::partition_point(runs.begin(), runs.end(),
                               [&](const Block_run& run) { return run.block < low; });
 }
 
-void Shards::read(const Block_run& run, Shard& shard, std::vector<std::array<double, 3>>& points)
+void Shards::read(const Block_run& run, const Shard& shard,
+                  std::vector<std::array<double, 3>>& points)
 {
   throw_if_interrupted();
-  points.resize(std::size_t(run.count));
-  shard.file->seek(run.first * sizeof(std::array<double, 3>));
-  shard.file->read_bytes(run.count * sizeof(std::array<double, 3>),
-                         reinterpret_cast<char*>(points.data()));
+  shard.file->read_some(0, run.first, run.count, points);
 }
 
 } // namespace l0_tool

@@ -17,6 +17,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -32,6 +33,11 @@ struct Block_run
   Block block;
   std::uint64_t first, count;
 };
+
+template <>
+struct Is_plain<Block_run>
+  : std::bool_constant<is_made_of(&Block_run::block, &Block_run::first, &Block_run::count)>
+{};
 
 /// Writes the points of an input sorted by blocks: in runs, each of as many points as memory holds.
 /// What goes along with the points is in a file of its own, which only the task `carry` reads: for
@@ -72,7 +78,8 @@ public:
   void commit();
 };
 
-/// The points of all shards of a run: a model of `L0ResamplingTileSource`.
+/// The points of all shards of a run: a model of `L0ResamplingTileSource`, for several threads at
+/// once.
 class Shards
 {
   struct Shard
@@ -82,7 +89,7 @@ class Shards
   };
 
   Block_lattice m_lattice;
-  mutable std::vector<Shard> m_shards;
+  std::vector<Shard> m_shards;
 
 public:
   Shards(const std::vector<std::string>& paths, std::uint64_t key, const Block_lattice& lattice);
@@ -94,7 +101,7 @@ public:
     const Block low = m_lattice.block_of(box.low), end = m_lattice.block_of(box.high);
     if (low[0] >= end[0] || low[1] >= end[1] || low[2] >= end[2])
       return;
-    for (Shard& shard : m_shards)
+    for (const Shard& shard : m_shards)
       for_each_run(shard, low, end, [&](const std::vector<std::array<double, 3>>& points) {
         for (const std::array<double, 3>& point : points)
           f(point);
@@ -120,7 +127,7 @@ public:
 
 private:
   template <typename F>
-  static void for_each_run(Shard& shard, const Block& low, const Block& end, const F& f)
+  static void for_each_run(const Shard& shard, const Block& low, const Block& end, const F& f)
   {
     std::vector<std::array<double, 3>> points;
     const Block last = {end[0] - 1, end[1] - 1, end[2] - 1};
@@ -134,8 +141,10 @@ private:
     }
   }
 
-  static std::vector<Block_run>::iterator first_run(std::vector<Block_run>& runs, const Block& low);
-  static void read(const Block_run& run, Shard& shard, std::vector<std::array<double, 3>>& points);
+  static std::vector<Block_run>::const_iterator first_run(const std::vector<Block_run>& runs,
+                                                          const Block& low);
+  static void read(const Block_run& run, const Shard& shard,
+                   std::vector<std::array<double, 3>>& points);
 };
 
 } // namespace l0_tool

@@ -118,8 +118,7 @@ void Task_file::verify() const
   for (std::uint64_t position = 0; position < m_size;) {
     throw_if_interrupted();
     const std::size_t n = std::size_t((std::min)(std::uint64_t(bytes.size()), m_size - position));
-    if (pread(m_descriptor, bytes.data(), n, off_t(position)) != ssize_t(n))
-      fail("cannot be read");
+    read_at(position, n, bytes.data());
     checksum.add({bytes.data(), n});
     position += n;
   }
@@ -131,14 +130,20 @@ void Task_file::read_bytes(std::uint64_t n, char* target)
 {
   if (m_position > m_size || n > m_size - m_position)
     fail("is damaged");
+  read_at(m_position, n, target);
+  m_position += n;
+}
+
+void Task_file::read_at(std::uint64_t position, std::uint64_t n, char* target) const
+{
   while (n > 0) {
     const ssize_t count = pread(
-      m_descriptor, target, std::size_t((std::min)(n, std::uint64_t(1) << 30)), off_t(m_position));
+      m_descriptor, target, std::size_t((std::min)(n, std::uint64_t(1) << 30)), off_t(position));
     if (count < 0 && errno == EINTR)
       continue;
     if (count <= 0)
       fail("cannot be read");
-    m_position += std::uint64_t(count);
+    position += std::uint64_t(count);
     target += count;
     n -= std::uint64_t(count);
   }

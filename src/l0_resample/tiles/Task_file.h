@@ -8,6 +8,7 @@
 
 #include "files/Output_file.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -17,6 +18,24 @@
 #include <vector>
 
 namespace l0_tool {
+
+/// Whether values of `T` can go to files as they are in memory: all of their bytes mean something,
+/// and any bytes are a value. So equal results are equal files, and a damaged file is at worst one
+/// with other numbers. Each class that is written has a specialization, see `is_made_of()`.
+template <typename T>
+struct Is_plain : std::bool_constant<std::is_arithmetic<T>::value && !std::is_same<T, bool>::value>
+{};
+template <typename T, std::size_t n>
+struct Is_plain<std::array<T, n>> : Is_plain<T>
+{};
+
+/// Whether a class has these members and nothing else, no gap between them either, and all of them
+/// are plain.
+template <typename T, typename... Members>
+constexpr bool is_made_of(Members T::*...)
+{
+  return (sizeof(Members) + ...) == sizeof(T) && (Is_plain<Members>::value && ...);
+}
 
 /// A number that differs for different bytes, but for accidents; of all that was added so far.
 class Checksum
@@ -49,10 +68,12 @@ public:
 
   void write_bytes(std::string_view bytes);
 
+  void write(bool value) { write(std::uint8_t(value ? 1 : 0)); }
+
   template <typename T>
   void write(const T& value)
   {
-    static_assert(std::is_trivially_copyable<T>::value, "what is no plain data has pointers");
+    static_assert(Is_plain<T>::value, "not all bytes mean something, or not any bytes are a value");
     write_bytes({reinterpret_cast<const char*>(&value), sizeof value});
   }
 
@@ -60,7 +81,7 @@ public:
   template <typename T>
   void write_all(const T* values, std::size_t size)
   {
-    static_assert(std::is_trivially_copyable<T>::value, "what is no plain data has pointers");
+    static_assert(Is_plain<T>::value, "not all bytes mean something, or not any bytes are a value");
     write(std::uint64_t(size));
     write_bytes({reinterpret_cast<const char*>(values), size * sizeof(T)});
   }
@@ -87,6 +108,19 @@ class Task_file
 
   [[noreturn]] void fail(const std::string& what) const;
 
+  /// Reads `n` bytes from `position` on.
+  void read_at(std::uint64_t position, std::uint64_t n, char* target) const;
+
+  /// The number that `write_all()` has written, of values that are there.
+  template <typename T>
+  std::uint64_t read_count()
+  {
+    const std::uint64_t count = read<std::uint64_t>();
+    if (count > (m_size - m_position) / sizeof(T))
+      fail("is damaged");
+    return count;
+  }
+
 public:
   /// \param key of the run that it has to belong to
   Task_file(const std::string& path, std::uint64_t key);
@@ -98,7 +132,6 @@ public:
   void verify() const;
 
   std::uint64_t size() const { return m_size; }
-  std::uint64_t position() const { return m_position; }
   void seek(std::uint64_t position) { m_position = position; }
 
   void read_bytes(std::uint64_t n, char* target);
@@ -106,9 +139,24 @@ public:
   template <typename T>
   T read()
   {
-    T value;
-    read_bytes(sizeof value, reinterpret_cast<char*>(&value));
-    return value;
+    if constexpr (std::is_same<T, bool>::value)
+      return read_number_below<std::uint8_t>(2) == 1;
+    else {
+      static_assert(Is_plain<T>::value, "what is damaged may be no value");
+      T value;
+      read_bytes(sizeof value, reinterpret_cast<char*>(&value));
+      return value;
+    }
+  }
+
+  /// A number that stands for one of so many things.
+  template <typename T>
+  T read_number_below(T end)
+  {
+    const T number = read<T>();
+    if (number >= end)
+      fail("is damaged");
+    return number;
   }
 
   /// What `write_all()` has written.
@@ -116,11 +164,32 @@ public:
   template <typename T, typename Allocator>
   void read_all(std::vector<T, Allocator>& values)
   {
-    const std::uint64_t count = read<std::uint64_t>();
-    if (count > (m_size - m_position) / sizeof(T))
-      fail("is damaged");
+    static_assert(Is_plain<T>::value, "what is damaged may be no value");
+    const std::uint64_t count = read_count<T>();
     values.resize(static_cast<std::size_t>(count));
     read_bytes(count * sizeof(T), reinterpret_cast<char*>(values.data()));
+  }
+
+  /// Passes by what `read_all()` would read.
+  template <typename T>
+  void skip_all()
+  {
+    m_position += read_count<T>() * sizeof(T);
+  }
+
+  /// Reads some of many values, wherever `read()` would go on. For several threads at once.
+  /// \param begin of the first of all values, in bytes
+  /// \param values out
+  template <typename T, typename Allocator>
+  void read_some(std::uint64_t begin, std::uint64_t first, std::uint64_t count,
+                 std::vector<T, Allocator>& values) const
+  {
+    static_assert(Is_plain<T>::value, "what is damaged may be no value");
+    const std::uint64_t number = begin <= m_size ? (m_size - begin) / sizeof(T) : 0;
+    if (first > number || count > number - first)
+      fail("is damaged");
+    values.resize(static_cast<std::size_t>(count));
+    read_at(begin + first * sizeof(T), count * sizeof(T), reinterpret_cast<char*>(values.data()));
   }
 };
 

@@ -5,6 +5,8 @@
 
 #include "tiles/Tile_rows.h"
 
+#include "tiles/tile_files.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -31,11 +33,8 @@ void Tile_rows::move(Window<Value>& window, std::string Part::*path, std::size_t
   window.part = number;
   window.first = i;
   window.end = (std::min)(i + rows_at_once, part->end);
-  const std::size_t size_of_row = per_row * sizeof(Value);
-  window.values.resize((window.end - i) * per_row);
-  window.file->seek(sizeof(std::uint64_t) + (i - begin) * size_of_row); // behind their number
-  window.file->read_bytes((window.end - i) * size_of_row,
-                          reinterpret_cast<char*>(window.values.data()));
+  window.file->read_some(sizeof(std::uint64_t), // behind their number
+                         (i - begin) * per_row, (window.end - i) * per_row, window.values);
 }
 
 const Tile_sample& Tile_rows::sample(std::size_t i) const

@@ -226,6 +226,8 @@ void Tile_tasks::run(const std::string& phase, std::size_t number, const On_prog
                                          "begins anew with smaller tiles");
   } catch (const std::invalid_argument& error) {
     throw Failure(INPUT_REFUSED, error.what());
+  } catch (const std::length_error& error) {
+    throw Failure(INPUT_REFUSED, error.what());
   } catch (const Tiled_on_cpu::Cancelled&) {
     throw_if_interrupted();
   }

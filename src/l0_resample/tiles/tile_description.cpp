@@ -31,18 +31,32 @@ namespace fs = std::filesystem;
 
 constexpr const char* begin_of_input = "input ";
 
+/// Compilers order and fuse operations differently, each by its options.
+std::string compiler()
+{
+#if defined(__clang__)
+  return "clang++ " __clang_version__ ", " L0_RESAMPLE_COMPILER_OPTIONS;
+#else
+  return "g++ " __VERSION__ ", " L0_RESAMPLE_COMPILER_OPTIONS;
+#endif
+}
+
 /// Machines with other ones round differently.
 std::string instructions()
 {
 #if defined(__AVX512F__)
-  return "AVX-512";
+  std::string names = "AVX-512";
 #elif defined(__AVX2__)
-  return "AVX2";
+  std::string names = "AVX2";
 #elif defined(__AVX__)
-  return "AVX";
+  std::string names = "AVX";
 #else
-  return "plain";
+  std::string names = "plain";
 #endif
+#if defined(__FMA__)
+  names += ", FMA";
+#endif
+  return names;
 }
 
 std::string line_of_input(const Options& options)
@@ -55,8 +69,9 @@ std::string line_of_input(const Options& options)
     throw Failure(INPUT_REFUSED,
                   options.input + ": --as-one reads its files twice, and this is no regular file");
   std::ostringstream line;
-  line << begin_of_input << fs::absolute(options.input).string() << ": " << status.st_size
-       << " bytes of " << status.st_mtim.tv_sec << "." << status.st_mtim.tv_nsec;
+  line << begin_of_input << fs::absolute(options.input).string() << ": "
+       << extension_of(options.input_format).substr(1) << ", " << status.st_size << " bytes of "
+       << status.st_mtim.tv_sec << "." << status.st_mtim.tv_nsec;
   return line.str();
 }
 
@@ -101,6 +116,7 @@ std::string describe_run(const Command& command)
   std::ostringstream text;
   text.precision(17);
   text << "program " L0_RESAMPLE_VERSION "\n"
+       << "compiler " << compiler() << "\n"
        << "instructions " << instructions() << "\n"
        << "--points ";
   if (options.number_of_points)

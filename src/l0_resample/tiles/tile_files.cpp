@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 namespace l0_tool {
@@ -27,6 +28,82 @@ struct Count_of_number
   double number;
   std::uint64_t count;
 };
+
+} // namespace
+
+template <>
+struct Is_plain<Count_of_number>
+  : std::bool_constant<is_made_of(&Count_of_number::number, &Count_of_number::count)>
+{};
+template <>
+struct Is_plain<internal::Scales>
+  : std::bool_constant<is_made_of(&internal::Scales::spacing, &internal::Scales::noise)>
+{};
+template <>
+struct Is_plain<internal::Range_of_scales>
+  : std::bool_constant<is_made_of(&internal::Range_of_scales::least,
+                                  &internal::Range_of_scales::median,
+                                  &internal::Range_of_scales::largest)>
+{};
+template <>
+struct Is_plain<internal::Morton_cells>
+  : std::bool_constant<is_made_of(&internal::Morton_cells::size)>
+{};
+template <>
+struct Is_plain<Point_in_cloud>
+  : std::bool_constant<is_made_of(&Point_in_cloud::units, &Point_in_cloud::index,
+                                  &Point_in_cloud::number_of_samples, &Point_in_cloud::scale,
+                                  &Point_in_cloud::is_own)>
+{};
+template <>
+struct Is_plain<Disks_of_tile>
+  : std::bool_constant<is_made_of(&Disks_of_tile::units, &Disks_of_tile::number_of_others,
+                                  &Disks_of_tile::keeps_outliers)>
+{};
+template <>
+struct Is_plain<internal::Spread_in_ball>
+  : std::bool_constant<is_made_of(&internal::Spread_in_ball::minors,
+                                  &internal::Spread_in_ball::trace)>
+{};
+template <>
+struct Is_plain<internal::Points_of_ball>
+  : std::bool_constant<is_made_of(&internal::Points_of_ball::count,
+                                  &internal::Points_of_ball::spread)>
+{};
+template <>
+struct Is_plain<Points_of_tile::Run>
+  : std::bool_constant<is_made_of(&Points_of_tile::Run::key, &Points_of_tile::Run::end,
+                                  &Points_of_tile::Run::neighbors)>
+{};
+template <>
+struct Is_plain<internal::Sums_over_points>
+  : std::bool_constant<is_made_of(
+      &internal::Sums_over_points::units, &internal::Sums_over_points::points,
+      &internal::Sums_over_points::distinct, &internal::Sums_over_points::units_of_all,
+      &internal::Sums_over_points::neighbors)>
+{};
+template <>
+struct Is_plain<Run_of_cells>
+  : std::bool_constant<is_made_of(&Run_of_cells::key, &Run_of_cells::sums)>
+{};
+template <>
+struct Is_plain<Sums_of_tiles>
+  : std::bool_constant<is_made_of(&Sums_of_tiles::disks, &Sums_of_tiles::sums,
+                                  &Sums_of_tiles::area)>
+{};
+template <>
+struct Is_plain<Summary_of_tile>
+  : std::bool_constant<is_made_of(&Summary_of_tile::number_of_samples,
+                                  &Summary_of_tile::number_of_outliers, &Summary_of_tile::seconds)>
+{};
+template <>
+struct Is_plain<Seam_report>
+  : std::bool_constant<is_made_of(&Seam_report::number_of_samples, &Seam_report::number_of_matches,
+                                  &Seam_report::number_of_opposed,
+                                  &Seam_report::sum_of_squared_distances)>
+{};
+
+namespace {
 
 constexpr std::uint64_t begin_of_points = sizeof(std::uint64_t); // after their number
 
@@ -45,19 +122,21 @@ void read_optional(Task_file& file, std::optional<T>& value)
     value = file.read<T>();
 }
 
-/// What `read_all()` would read.
-template <typename T>
-void skip_all(Task_file& file)
+/// Calls `f` for each number of the extents, in one order: in memory there is a gap between them.
+template <typename Facts, typename F>
+void for_each_extent(Facts& extents, const F& f)
 {
-  const std::uint64_t count = file.read<std::uint64_t>();
-  file.seek(file.position() + count * sizeof(T));
+  f(extents.number_of_points);
+  f(extents.box_diagonal);
+  f(extents.robust_diagonal);
+  f(extents.exponent_of_input);
+  f(extents.scales);
 }
 
-/// Calls `f` for each fact that is plain data, in one order.
+/// Calls `f` for each other fact that is plain data, in one order.
 template <typename Facts, typename F>
 void for_each_plain_fact(Facts& facts, const F& f)
 {
-  f(facts.extents);
   f(facts.scales);
   f(facts.range_of_scales);
   f(facts.median_number_of_neighbors);
@@ -127,6 +206,7 @@ void write_facts(const std::string& path, std::uint64_t key, const Facts_of_run&
   const internal::Vector& origin = facts.of_cloud.frame->origin;
   file.write(facts.of_cloud.frame->exponent);
   file.write(std::array<double, 3>{origin[0], origin[1], origin[2]});
+  for_each_extent(*facts.of_cloud.extents, [&](const auto& extent) { file.write(extent); });
   for_each_plain_fact(facts.of_cloud, [&](const auto& fact) { write_optional(file, fact); });
   write_field(facts.of_cloud.field.get(), file);
   file.commit();
@@ -140,6 +220,8 @@ Facts_of_run read_facts(const std::string& path, std::uint64_t key)
   const int exponent = file.read<int>();
   const auto origin = file.read<std::array<double, 3>>();
   facts.of_cloud.frame = internal::Place_of_frame{exponent, internal::Vector(origin.data())};
+  for_each_extent(facts.of_cloud.extents.emplace(),
+                  [&](auto& extent) { extent = file.read<std::decay_t<decltype(extent)>>(); });
   for_each_plain_fact(facts.of_cloud, [&](auto& fact) { read_optional(file, fact); });
   facts.of_cloud.field = read_field(file);
   return facts;
@@ -157,16 +239,15 @@ internal::Buffer<Point_in_cloud> read_points_in_cloud(
   const std::string& path, std::uint64_t key,
   const std::vector<std::pair<std::uint64_t, std::uint64_t>>& ranges)
 {
-  Task_file file(path, key);
+  const Task_file file(path, key);
   std::uint64_t number = 0;
   for (const auto& range : ranges)
     number += range.second;
-  internal::Buffer<Point_in_cloud> points(static_cast<std::size_t>(number));
-  Point_in_cloud* target = points.data();
+  internal::Buffer<Point_in_cloud> points, of_range;
+  points.reserve(static_cast<std::size_t>(number));
   for (const auto& [first, count] : ranges) {
-    file.seek(begin_of_points + first * sizeof(Point_in_cloud));
-    file.read_bytes(count * sizeof(Point_in_cloud), reinterpret_cast<char*>(target));
-    target += count;
+    file.read_some(begin_of_points, first, count, of_range);
+    points.insert(points.end(), of_range.begin(), of_range.end());
   }
   return points;
 }
@@ -185,7 +266,7 @@ void write_neighbors(const std::string& path, std::uint64_t key, const Neighbors
 Neighbor_counts read_neighbor_counts(const std::string& path, std::uint64_t key)
 {
   Task_file file(path, key);
-  skip_all<float>(file);
+  file.skip_all<float>();
   Neighbor_counts counts;
   counts.least_scale = file.read<float>();
   counts.largest_scale = file.read<float>();
@@ -288,7 +369,7 @@ Starts_of_runs read_starts(const std::string& path, std::uint64_t key, std::size
   Starts_of_runs starts;
   starts.all = file.read<Sums_of_tiles>().sums;
   for (std::size_t before = 0; before < tile; ++before)
-    skip_all<Run_of_cells>(file);
+    file.skip_all<Run_of_cells>();
   file.read_all(starts.runs);
   return starts;
 }
@@ -340,7 +421,7 @@ void write_found(const std::string& path, std::uint64_t key,
 Found_in_tile read_found(const std::string& path, std::uint64_t key, bool with_border)
 {
   Task_file file(path, key);
-  skip_all<Tile_sample>(file);
+  file.skip_all<Tile_sample>();
   Found_in_tile found;
   found.summary = file.read<Summary_of_tile>();
   file.read_all(found.evidence);
@@ -354,11 +435,11 @@ Found_in_tile read_found(const std::string& path, std::uint64_t key, bool with_b
 Unoriented_samples read_unoriented(const std::string& path, std::uint64_t key)
 {
   Task_file file(path, key);
-  skip_all<Tile_sample>(file);
+  file.skip_all<Tile_sample>();
   file.read<Summary_of_tile>();
-  skip_all<double>(file);
-  skip_all<Tile_sample>(file);
-  skip_all<Tile_sample>(file);
+  file.skip_all<double>();
+  file.skip_all<Tile_sample>();
+  file.skip_all<Tile_sample>();
   Unoriented_samples unoriented;
   file.read_all(unoriented.own);
   file.read_all(unoriented.leaders_elsewhere);
@@ -409,7 +490,7 @@ std::vector<signed char> read_signs_of_tile(const std::string& path, std::uint64
   Task_file file(path, key);
   read_summaries(file);
   for (std::size_t before = 0; before < tile; ++before)
-    skip_all<signed char>(file);
+    file.skip_all<signed char>();
   std::vector<signed char> signs;
   file.read_all(signs);
   return signs;

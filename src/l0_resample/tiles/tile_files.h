@@ -7,6 +7,7 @@
 #define L0_RESAMPLE_TILE_FILES_H
 
 #include "tiles/Input_properties.h"
+#include "tiles/Task_file.h"
 
 #include <CGAL/L0_resampling/internal/tiles/Block_counts.h>
 #include <CGAL/L0_resampling/internal/tiles/Neighbors_of_tile.h>
@@ -98,6 +99,11 @@ struct Summary_of_tile
   std::uint64_t number_of_samples, number_of_outliers;
   double seconds;
 };
+
+template <>
+struct Is_plain<Tile_sample>
+  : std::bool_constant<is_made_of(&Tile_sample::position, &Tile_sample::normal, &Tile_sample::tree)>
+{};
 
 /// What a tile has found, beside the samples that it keeps, which come first in its file.
 struct Found_in_tile

@@ -7,6 +7,8 @@
 
 #include "test_support.h"
 
+#include <CGAL/L0_resampling/Report.h>
+#include <CGAL/L0_resampling/internal/core/Progress.h>
 #include <CGAL/L0_resampling/internal/core/parallel_for.h>
 #include <CGAL/L0_resampling/internal/core/select_nth.h>
 
@@ -14,10 +16,12 @@
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
 #endif
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -25,6 +29,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace {
@@ -269,6 +274,42 @@ void test_values_are_kept_in_order()
   CHECK(none.empty());
 }
 
+#ifdef CGAL_LINKED_WITH_TBB
+/// A callback may wait for a loop of its own. No block of the loop that it was called from runs on
+/// its thread meanwhile, so that it may hold what such a block needs; and nobody else calls it.
+void test_callback_with_a_loop()
+{
+  using namespace CGAL::L0_resampling;
+  const auto pause = [](int microseconds) {
+    std::this_thread::sleep_for(std::chrono::microseconds(microseconds));
+  };
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 4);
+  thread_local bool is_in_callback = false;
+  std::atomic<bool> is_block_inside{false}, is_alone{true};
+  std::atomic<int> number_inside{0}, number_of_calls{0};
+  const auto callback = [&](double) {
+    is_alone = ++number_inside == 1 && is_alone;
+    ++number_of_calls;
+    is_in_callback = true;
+    tbb::parallel_for(0, 16, [&](int) { pause(500); });
+    is_in_callback = false;
+    --number_inside;
+    return true;
+  };
+  Report report;
+  internal::Memory_counter memory;
+  internal::Progress progress(callback, report, memory);
+  progress.begin_stage("blocks", 1, 1);
+  while (number_of_calls < 20)
+    for_each_block<CGAL::Parallel_tag>(400, 1, [&](std::size_t, std::size_t) {
+      is_block_inside = is_in_callback || is_block_inside;
+      pause(200);
+    });
+  CHECK(!is_block_inside);
+  CHECK(is_alone);
+}
+#endif
+
 template <typename ConcurrencyTag>
 void test_all()
 {
@@ -293,6 +334,7 @@ int main()
     const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
     test_all<CGAL::Parallel_tag>();
   }
+  test_callback_with_a_loop();
 #endif
   return test::result();
 }

@@ -3,6 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "device/device_faults.h"
 #include "device/test_cuda_support.h"
 
 #include <CGAL/L0_resampling/Solver_report.h>
@@ -26,7 +27,6 @@ using namespace test_cuda;
 using CGAL::L0_resampling::CUDA_resampler;
 using CGAL::L0_resampling::Device_error;
 using CGAL::L0_resampling::Method;
-namespace cuda = CGAL::L0_resampling::internal::cuda;
 namespace parameters = CGAL::parameters;
 
 const Method methods[] = {Method::LOR, Method::ALOR, Method::DEFAULT};
@@ -73,17 +73,24 @@ void check_kernel_error()
           CUDA_resampler<Kernel> resampler;
           resampler.upload(points);
           Result result;
-          cuda::plant_fault(cuda::Fault::KERNEL, 1);
+          int number_of_calls = 0;
+          const auto break_at_first_call = [&](double) {
+            if (number_of_calls++ == 0)
+              break_device();
+            return true;
+          };
           std::string message;
           try
           {
-            resampler.resample(std::back_inserter(result), parameters::select_percentage(60));
+            resampler.resample(std::back_inserter(result),
+                               parameters::select_percentage(60).callback(break_at_first_call));
           }
           catch (const Device_error& error)
           {
             message = error.what();
           }
           std::cout << "kernel error: " << message << std::endl;
+          CHECK(number_of_calls > 0);
           CHECK(message.find(": ") != std::string::npos); // the call, and the error
           CHECK(result.empty());
           for (int attempt = 0; attempt < 2; ++attempt)
@@ -116,7 +123,7 @@ void check_allocations()
     std::size_t number_of_allocations = 0;
     for (std::size_t k = 1; k < 200; ++k)
     {
-      cuda::plant_fault(cuda::Fault::ALLOCATION, k);
+      fail_allocation(k);
       bool has_failed = false;
       try
       {
@@ -126,7 +133,7 @@ void check_allocations()
       {
         has_failed = true;
       }
-      cuda::plant_fault(cuda::Fault::NONE, 0);
+      fail_allocation(0);
       CHECK(free_memory() == free_before);
       if (!has_failed)
         break;
@@ -145,7 +152,7 @@ void check_allocations()
       Result result;
       try
       {
-        cuda::plant_fault(cuda::Fault::ALLOCATION, k);
+        fail_allocation(k);
         resampler.upload(points);
         resampler.resample(std::back_inserter(result), np);
       }
@@ -153,7 +160,7 @@ void check_allocations()
       {
         CHECK(result.empty());
       }
-      cuda::plant_fault(cuda::Fault::NONE, 0);
+      fail_allocation(0);
       result.clear();
       resampler.upload(points);
       resampler.resample(std::back_inserter(result), np);

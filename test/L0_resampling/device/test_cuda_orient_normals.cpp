@@ -3,6 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "device/device_faults.h"
 #include "device/test_cuda_support.h"
 
 #include <CGAL/L0_resampling/Solver_report.h>
@@ -13,10 +14,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <new>
 #include <random>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 // Normals that are oriented on the device have the sides of the CPU, and calls that fail leave
@@ -26,7 +29,6 @@ namespace {
 
 using namespace test_cuda;
 using CGAL::L0_resampling::Device_error;
-namespace cuda = CGAL::L0_resampling::internal::cuda;
 namespace parameters = CGAL::parameters;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
@@ -282,7 +284,7 @@ void check_allocations()
   {
     Result pairs = given;
     bool has_failed = false;
-    cuda::plant_fault(cuda::Fault::ALLOCATION, k);
+    fail_allocation(k);
     try
     {
       orient<CGAL::CUDA_tag>(pairs, maps());
@@ -291,7 +293,7 @@ void check_allocations()
     {
       has_failed = true;
     }
-    cuda::plant_fault(cuda::Fault::NONE, 0);
+    fail_allocation(0);
     CHECK(free_memory() == free_before);
     CHECK(pairs == (has_failed ? given : expected));
     if (!has_failed)
@@ -306,9 +308,15 @@ void check_kernel_error()
 {
   const Result given = with_given_normals(noisy_cube(2000, 0.01, 61), 62);
   Result pairs = given;
-  cuda::plant_fault(cuda::Fault::KERNEL, 1);
+  bool is_broken = false;
+  const std::function<bool(double)> break_at_first_call = [&](double) {
+    if (!std::exchange(is_broken, true))
+      break_device();
+    return true;
+  };
   for (int attempt = 0; attempt < 2; ++attempt)
-    CHECK_THROWS(orient<CGAL::CUDA_tag>(pairs, maps()), Device_error);
+    CHECK_THROWS(orient<CGAL::CUDA_tag>(pairs, maps().callback(break_at_first_call)), Device_error);
+  CHECK(is_broken);
   CHECK(pairs == given);
   orient<CGAL::Sequential_tag>(pairs, maps());
 }

@@ -142,7 +142,7 @@ std::vector<Vector> filter_ball_by_ball(const Oriented_points& cloud, double rad
   for (std::size_t round = 0; round < number_of_iterations; ++round)
     update_normals<CGAL::Sequential_tag>(
       sorted.grid, sorted.points, radius, unwatched.progress, normals,
-      [&](const Vector& center, float, const Vector& normal, const Local_points<double>& candidates,
+      [&](const Vector& center, float, const Vector& normal, Local_points<double>& candidates,
           const Local_normals<double>& candidate_normals) {
         return filtered_normal(center, normal, candidates, candidate_normals, settings);
       });

@@ -56,6 +56,18 @@ struct Results_in_memory
   }
 };
 
+/// Gives copies, and counts them.
+struct Copies_of_results : Results_in_memory
+{
+  mutable std::size_t number_of_copies = 0;
+
+  Tile_result get(std::size_t tile) const
+  {
+    ++number_of_copies;
+    return results.at(tile);
+  }
+};
+
 /// Blocks depend neither on the order of the points nor on who has counted them.
 void test_counts()
 {
@@ -235,6 +247,21 @@ void test_shares()
   }
 }
 
+/// Areas of all tiles that 64 bits do not hold are refused, not taken modulo 2^64.
+void test_areas_beyond_64_bits()
+{
+  const std::uint64_t half = std::uint64_t(1) << 63;
+  CHECK(add_up_disks({{half, 0, 0}, {half - 1, 0, 0}}).units == ~std::uint64_t(0));
+  CHECK_THROWS(add_up_disks({{half, 0, 0}, {half, 0, 0}}), std::length_error);
+  const auto shares_of = [&](std::uint64_t units) {
+    return std::vector<Share_of_tile>{{{{3, {1, 1, 1, half, 1}}}, 0.5},
+                                      {{{5, {1, 1, 1, units, 1}}}, 0.5}};
+  };
+  std::vector<Share_of_tile> shares = shares_of(half - 1), too_large = shares_of(half);
+  CHECK(add_up_shares(shares).sums.units_of_all == ~std::uint64_t(0));
+  CHECK_THROWS(add_up_shares(too_large), std::length_error);
+}
+
 Tile_sample sample_at(double x, double y, float sign, std::uint32_t tree)
 {
   return {{x, y, 0}, {0, 0, sign}, tree};
@@ -293,6 +320,21 @@ void test_tiles(bool keep_density, std::size_t m, bool has_all_facts)
     CHECK(std::abs(double(slabs[k]) - double(m) / 60) < 0.12 * double(m) / 60);
 }
 
+/// Where tiles find their sides themselves, each is asked for once beside each of its neighbors,
+/// once for its own border, and once to be finished.
+void test_number_of_copies()
+{
+  const Points_in_memory source{ribbon(1200, 20)};
+  const std::size_t m = 48000;
+  const std::uint64_t memory = 200 * m; // less than the sides of all take
+  Copies_of_results sink;
+  CGAL::l0_resample_tiles<CGAL::Sequential_tag>(source, sink, memory,
+                                                CGAL::parameters::number_of_output_points(m));
+  const std::size_t n = sink.finished.size();
+  CHECK(n >= 3);
+  CHECK(sink.number_of_copies == n + 2 * (n - 1) + n); // they are in a row
+}
+
 /// The named parameter limits the memory of tiles and facts, with `CUDA_tag` that of the device.
 template <typename ConcurrencyTag>
 void test_limit_of_memory()
@@ -342,12 +384,14 @@ int main()
   test_tiling();
   test_bytes_of_tiles();
   test_shares();
+  test_areas_beyond_64_bits();
   test_stitching();
   for (const bool keep_density : {false, true})
   {
     test_tiles(keep_density, 10000, false);
     test_tiles(keep_density, 40000, true);
   }
+  test_number_of_copies();
   test_limit_of_memory<CGAL::Sequential_tag>();
   test_limit_of_memory<CGAL::CUDA_tag>();
   test_refusals();

@@ -244,6 +244,15 @@ check_plain_failure 2 "--resume: the run began with --seed 0, now it is --seed 1
   --output-directory changed --resume --seed 1
 touch parts/b.xyz
 check_plain_failure 3 "parts/b.xyz" "${ribbon[@]}" --output-directory changed --resume
+run_plainly c.xyz --as-one --points 100 --memory 1GB --output-directory as_xyz --task begin
+check_plain_failure 3 "c.xyz: csv, " c.xyz --as-one --points 100 \
+  --memory 1GB --output-directory as_xyz --resume --input-format csv
+check "a run says which compiler has made the program, and how" \
+  grep -qE '^compiler (g|clang)\+\+ [0-9].*, [A-Z]' \
+  as_xyz/work/run
+sed -i 's/^compiler .*/compiler of another machine/' as_xyz/work/run
+check_plain_failure 2 "the run began with compiler of another machine, now it is compiler" \
+  c.xyz --as-one --points 100 --memory 1GB --output-directory as_xyz --resume
 check_failure 6 "--memory" parts --as-one --points 100 --memory 90MB --output-directory none
 check_failure 6 "do not hold a part of the cloud" parts --as-one --points 12000 \
   --memory $(((96 << 20) + 100000)) --output-directory none

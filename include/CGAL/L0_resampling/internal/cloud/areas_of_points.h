@@ -63,8 +63,7 @@ Buffer<Points_of_ball> balls_of_points(const Search_grid_3& grid, const Buffer<V
   Buffer<Points_of_ball> balls = filled_buffer(points.size(), Points_of_ball(),
                                                points.get_allocator());
   const auto make_visitor = [&]() {
-    return [&](Search_grid_3::Range queries, const Local_points<T>& candidates,
-               const Vector& origin) {
+    return [&](Search_grid_3::Range queries, Local_points<T>& candidates, const Vector& origin) {
       using L = Lanes<T>;
       // of all of these, which are of one cell
       const double size = size_of_cells(sizes.level_of(queries.first)), own_radius = radius * size;

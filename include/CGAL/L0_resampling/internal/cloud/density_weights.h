@@ -28,25 +28,24 @@ void sum_weights_in_balls(const Search_grid_3& grid, const Buffer<Vector>& point
 {
   using L = Lanes<T>;
   const auto make_visitor = [&]() {
-    return
-      [&](Search_grid_3::Range queries, const Local_points<T>& candidates, const Vector& origin) {
-        for (Index i = queries.first; i < queries.second; ++i)
-        {
-          const Eigen::Matrix<T, 3, 1> center = (points[i] - origin).template cast<T>();
-          const T squared_radius = T(square(radius * grid.scale(i))),
-                  own_squared_bandwidth = squared_bandwidth * T(grid.scale(i)) * T(grid.scale(i));
-          Density_in_ball<L> lanes;
-          candidates.for_each_run_in_ball(
-            center, squared_radius, [&](std::size_t, const L& squared_distance) {
-              lanes += Density_in_ball<L>::of_point(squared_distance, squared_radius,
-                                                    own_squared_bandwidth);
-            });
-          const Density_in_ball<T> all = {lanes.count.sum(), lanes.sum.sum()},
-                                   others = all.of_others();
-          counts[i] = Index(others.count) * candidates.stride;
-          sums[i] = others.sum * T(candidates.stride);
-        }
-      };
+    return [&](Search_grid_3::Range queries, Local_points<T>& candidates, const Vector& origin) {
+      for (Index i = queries.first; i < queries.second; ++i)
+      {
+        const Eigen::Matrix<T, 3, 1> center = (points[i] - origin).template cast<T>();
+        const T squared_radius = T(square(radius * grid.scale(i))),
+                own_squared_bandwidth = squared_bandwidth * T(grid.scale(i)) * T(grid.scale(i));
+        Density_in_ball<L> lanes;
+        candidates.for_each_run_in_ball(
+          center, squared_radius, [&](std::size_t, const L& squared_distance) {
+            lanes += Density_in_ball<L>::of_point(squared_distance, squared_radius,
+                                                  own_squared_bandwidth);
+          });
+        const Density_in_ball<T> all = {lanes.count.sum(), lanes.sum.sum()},
+                                 others = all.of_others();
+        counts[i] = Index(others.count) * candidates.stride;
+        sums[i] = others.sum * T(candidates.stride);
+      }
+    };
   };
   for_each_cell<T, ConcurrencyTag>(
     grid, points, grid, points, cells_in_reach(radius, grid.cell_size()), progress, make_visitor);

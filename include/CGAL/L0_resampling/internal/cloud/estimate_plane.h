@@ -30,7 +30,7 @@ struct Plane_of_ball : Fitted_plane
 
 /// Fits a plane to the candidates in the ball around `center`, as `Plane_moments::plane()` does.
 template <typename T>
-Plane_of_ball fit_plane(const Eigen::Matrix<T, 3, 1>& center, const Local_points<T>& candidates,
+Plane_of_ball fit_plane(const Eigen::Matrix<T, 3, 1>& center, Local_points<T>& candidates,
                         T squared_radius)
 {
   using L = Lanes<T>;

@@ -26,7 +26,7 @@ namespace internal {
 template <typename T>
 Height_moments<double> moments_over_plane(const Eigen::Matrix<T, 3, 1>& center,
                                           const Eigen::Matrix<T, 3, 1>& normal,
-                                          const Local_points<T>& candidates, T squared_radius)
+                                          Local_points<T>& candidates, T squared_radius)
 {
   using L = Lanes<T>;
   Height_moments<L> lanes;
@@ -80,17 +80,16 @@ public:
     std::vector<Ball_of_points> balls(queries.size());
     for_each_cell<T, ConcurrencyTag>(
       query_grid, queries, *m_grid, m_points, reach, progress, [&]() {
-        return
-          [&](Search_grid_3::Range range, const Local_points<T>& candidates, const Vector& origin) {
-            for (Index i = range.first; i < range.second; ++i)
-            {
-              const Eigen::Matrix<T, 3, 1> center = (queries[i] - origin).template cast<T>();
-              const Plane_of_ball fit = fit_plane<T>(center, candidates, T(radius * radius));
-              balls[i] = ball_of_points(
-                double(fit.number_of_points), double(candidates.stride), fit.variance,
-                moments_over_plane(center, fit.normal_as<T>(), candidates, T(radius * radius)));
-            }
-          };
+        return [&](Search_grid_3::Range range, Local_points<T>& candidates, const Vector& origin) {
+          for (Index i = range.first; i < range.second; ++i)
+          {
+            const Eigen::Matrix<T, 3, 1> center = (queries[i] - origin).template cast<T>();
+            const Plane_of_ball fit = fit_plane<T>(center, candidates, T(radius * radius));
+            balls[i] = ball_of_points(
+              double(fit.number_of_points), double(candidates.stride), fit.variance,
+              moments_over_plane(center, fit.normal_as<T>(), candidates, T(radius * radius)));
+          }
+        };
       });
     return balls;
   }

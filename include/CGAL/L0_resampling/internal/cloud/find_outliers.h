@@ -41,24 +41,23 @@ Counts_in_balls count_points_in_balls(const Search_grid_3& query_grid,
   Counts_in_balls counts{filled_buffer(queries.size(), 0., queries.get_allocator()),
                          filled_buffer(queries.size(), 0., queries.get_allocator())};
   for_each_cell<T, ConcurrencyTag>(query_grid, queries, grid, points, 1, progress, [&]() {
-    return
-      [&](Search_grid_3::Range range, const Local_points<T>& candidates, const Vector& origin) {
-        using L = Lanes<T>;
-        for (Index i = range.first; i < range.second; ++i)
-        {
-          const T squared_radius = T(square(radius * query_grid.scale(i))),
-                  squared_half_radius = squared_radius / 4;
-          L in_ball, in_half_ball;
-          candidates.for_each_run_in_ball(
-            (queries[i] - origin).template cast<T>(), squared_radius,
-            [&](std::size_t, const L& squared_distance) {
-              in_ball += where_less(squared_distance, squared_radius, L(T(1)));
-              in_half_ball += where_less(squared_distance, squared_half_radius, L(T(1)));
-            });
-          counts.in_ball[i] = double(in_ball.sum()) * double(candidates.stride);
-          counts.in_half_ball[i] = double(in_half_ball.sum()) * double(candidates.stride);
-        }
-      };
+    return [&](Search_grid_3::Range range, Local_points<T>& candidates, const Vector& origin) {
+      using L = Lanes<T>;
+      for (Index i = range.first; i < range.second; ++i)
+      {
+        const T squared_radius = T(square(radius * query_grid.scale(i))),
+                squared_half_radius = squared_radius / 4;
+        L in_ball, in_half_ball;
+        candidates.for_each_run_in_ball(
+          (queries[i] - origin).template cast<T>(), squared_radius,
+          [&](std::size_t, const L& squared_distance) {
+            in_ball += where_less(squared_distance, squared_radius, L(T(1)));
+            in_half_ball += where_less(squared_distance, squared_half_radius, L(T(1)));
+          });
+        counts.in_ball[i] = double(in_ball.sum()) * double(candidates.stride);
+        counts.in_half_ball[i] = double(in_half_ball.sum()) * double(candidates.stride);
+      }
+    };
   });
   return counts;
 }

@@ -16,8 +16,9 @@ namespace internal {
 /// Plain data, which goes to files and to devices as it is.
 struct Point_in_cloud
 {
-  std::uint64_t units = 0;             ///< the area that it stands for; 0 if it is an outlier
-  std::uint32_t index = 0;             ///< in the order of the whole cloud
+  std::uint64_t units = 0; ///< the area that it stands for; 0 if it is an outlier
+  /// In the order of the whole cloud, modulo 2^32: random numbers follow from it, and nothing else.
+  std::uint32_t index = 0;
   std::uint32_t number_of_samples = 0; ///< that start on it, or between it and another
   float scale = 1;                     ///< of its radius
   std::uint32_t is_own = 0;            ///< 1 if the tile keeps these samples, 0 if another does

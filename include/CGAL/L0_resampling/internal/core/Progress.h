@@ -16,7 +16,6 @@
 #include <cstddef>
 #include <exception>
 #include <functional>
-#include <mutex>
 #include <string>
 #include <utility>
 
@@ -43,7 +42,9 @@ class Progress final : public Loop_watcher
   Report& m_report;
   Memory_counter& m_memory;
 
-  std::mutex m_mutex; // guards the callback and the three values below
+  // Of the callback and of the three values below. No mutex: a callback that has loops of its own
+  // may meet one of ours on its thread, which must not lock what that thread holds already.
+  std::atomic_flag m_is_asking = ATOMIC_FLAG_INIT;
   Clock::time_point m_last_call = Clock::now();
   double m_last_value = 0;
   std::exception_ptr
@@ -76,7 +77,7 @@ public:
     m_report.stages.push_back({name, 0, 0});
     if (!m_callback)
       return;
-    const std::lock_guard<std::mutex> lock(m_mutex);
+    m_is_asking.test_and_set(); // no loop is running
     ask();
   }
 
@@ -115,14 +116,16 @@ public:
     if (m_interrupted)
       throw Interrupted();
 
-    std::unique_lock<std::mutex> lock(m_mutex, std::try_to_lock);
-    if (!lock.owns_lock() || m_interrupted || Clock::now() - m_last_call < interval())
+    if (m_is_asking.test_and_set(std::memory_order_acquire))
       return;
-    ask();
+    if (m_interrupted || Clock::now() - m_last_call < interval())
+      m_is_asking.clear(std::memory_order_release);
+    else
+      ask();
   }
 
 private:
-  /// Calls the callback; the mutex is held.
+  /// Calls the callback, on a thread that may ask, and is the only one; afterwards any may.
   void ask()
   {
     const double in_stage = (std::min)(1., double(m_done) / double(m_total));
@@ -130,7 +133,8 @@ private:
                               (std::min)(1., m_stage_begin + m_stage_share * in_stage));
     try
     {
-      m_interrupted = !m_callback(m_last_value);
+      // What the callback waits for is not a block of a loop of ours: it may hold what that needs.
+      m_interrupted = !isolated([&]() { return m_callback(m_last_value); });
     }
     catch (...)
     {
@@ -138,6 +142,7 @@ private:
       m_exception = std::current_exception();
     }
     m_last_call = Clock::now();
+    m_is_asking.clear(std::memory_order_release);
     if (m_interrupted)
       throw Interrupted();
   }

@@ -12,6 +12,7 @@
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 #endif
 
 #include <algorithm>
@@ -62,6 +63,18 @@ inline void poll_for_cancellation()
 {
   if (loop_watcher())
     loop_watcher()->look();
+}
+
+/// What `f()` returns. Where that waits for parallel loops of its own, its thread takes no block of
+/// a loop around them.
+template <typename F>
+auto isolated(const F& f)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  return tbb::this_task_arena::isolate(f);
+#else
+  return f();
+#endif
 }
 
 /// A view of a function of these arguments, for one body of a loop for all functions: a call

@@ -58,8 +58,6 @@ struct Stage
 /// What a call did; lengths in the unit of the input.
 struct Call_report
 {
-  static constexpr std::size_t maximum_number_of_stages = 16;
-
   std::size_t number_of_outliers;
   std::size_t number_of_distinct_points;
   std::size_t number_of_degenerate_neighborhoods;
@@ -71,8 +69,8 @@ struct Call_report
   double oriented_share, right_side_share, hinted_share, extent_share;
   std::size_t peak_bytes;
 
+  Stage* stages; ///< owned by the session, valid until its next call
   std::size_t number_of_stages;
-  Stage stages[maximum_number_of_stages];
 
   Iteration* iterations; ///< owned by the session, valid until its next call
   std::size_t number_of_iterations;
@@ -120,19 +118,6 @@ Answer download(Session& session, double* positions, float* normals);
 /// \param scales out: 1 for all, where the radius is the same everywhere
 /// \param noises out, in units of the radius; only of a call whose parameters ask for them
 Answer download_values(Session& session, float* side_confidences, float* scales, float* noises);
-
-/// What tests let go wrong.
-enum class Fault
-{
-  NONE,
-  ALLOCATION, ///< an allocation of device memory fails
-  KERNEL      ///< a kernel writes where no memory is; the process will not get the device back
-};
-
-/// Plants a fault, in place of any other that was planted and has not come yet.
-/// \param countdown which one of the next allocations fails, from 1; for a kernel, which one of the
-/// next calls of `resample()` or `orient()` runs it
-void plant_fault(Fault fault, std::size_t countdown);
 
 /// A sparse matrix in compressed rows.
 template <typename FT>

@@ -28,6 +28,13 @@ Oriented_points<FT> resample(Buffer<Vector>& points, Buffer<Local_vector>& given
                              Any_solver<FT>& solver, Progress& progress, Report& report,
                              Facts_of_cloud& facts);
 
+/// Fills the report as far as `resample()` would before its first stage works on the points: the
+/// radii, and the spacing and noise of methods that estimate them.
+/// \param points as for `Cpu_points`
+template <typename ConcurrencyTag>
+void report_plan(Buffer<Vector>& points, const Parameters& parameters, Progress& progress,
+                 Report& report);
+
 } // namespace internal
 } // namespace L0_resampling
 } // namespace CGAL

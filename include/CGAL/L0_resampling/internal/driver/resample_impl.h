@@ -27,6 +27,15 @@ Oriented_points<FT> resample(Buffer<Vector>& points, Buffer<Local_vector>& given
   return backend.take_result();
 }
 
+template <typename ConcurrencyTag>
+void report_plan(Buffer<Vector>& points, const Parameters& parameters, Progress& progress,
+                 Report& report)
+{
+  Cpu_points<ConcurrencyTag> all(points, progress, report);
+  plan_call(parameters, all);
+  progress.end_stage();
+}
+
 } // namespace internal
 } // namespace L0_resampling
 } // namespace CGAL

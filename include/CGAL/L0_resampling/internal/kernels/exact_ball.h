@@ -106,8 +106,9 @@ struct Spread_in_ball
 };
 
 /// What a point of scale 1 stands for that has the disk of its ball for itself. 2^32 of them add up
-/// in 64 bits, and so do points of other scales, as half of the area is of points of about this
-/// scale and less.
+/// in 64 bits, more than a call or a tile has points, and so do points of other scales, as half of
+/// the area is of points of about this scale and less. The tiles of a cloud may be more than that,
+/// see `sum_of_areas()`.
 constexpr std::uint64_t area_units_of_disk = std::uint64_t(1) << 31;
 
 /// What each of `count` points stands for that share a ball. They are 1 at least, so that each

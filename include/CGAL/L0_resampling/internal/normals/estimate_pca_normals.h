@@ -37,14 +37,13 @@ void visit_balls_of_list(const Buffer<Vector>& points, const Search_grid_3& grid
                                Cell_sizes(grid.cell_size(), listed_scales(scales, list)));
   apply_order(queries.order, list);
   const auto make_visitor = [&]() {
-    return
-      [&](Search_grid_3::Range range, const Local_points<T>& candidates, const Vector& origin) {
-        for (Index k = range.first; k < range.second; ++k)
-          visit(k, [&](double radius_of_ball) {
-            return fit_plane<T>((queries.points[k] - origin).template cast<T>(), candidates,
-                                T(square(radius_of_ball * queries.grid.scale(k))));
-          });
-      };
+    return [&](Search_grid_3::Range range, Local_points<T>& candidates, const Vector& origin) {
+      for (Index k = range.first; k < range.second; ++k)
+        visit(k, [&](double radius_of_ball) {
+          return fit_plane<T>((queries.points[k] - origin).template cast<T>(), candidates,
+                              T(square(radius_of_ball * queries.grid.scale(k))));
+        });
+    };
   };
   for_each_cell<T, ConcurrencyTag>(queries.grid, queries.points, grid, sorted_points,
                                    cells_in_reach(radius, grid.cell_size()), progress,
@@ -95,18 +94,17 @@ std::size_t estimate_pca_normals(const Search_grid_3& grid, const Buffer<Vector>
   };
   Buffer<State> states(points.size(), State::DONE, points.get_allocator());
   const auto make_visitor = [&]() {
-    return
-      [&](Search_grid_3::Range queries, const Local_points<T>& candidates, const Vector& origin) {
-        for (Index i = queries.first; i < queries.second; ++i)
-        {
-          const Plane_of_ball fit = fit_plane<T>((points[i] - origin).template cast<T>(),
-                                                 candidates, T(square(radius * grid.scale(i))));
-          normals[i] = fit.template normal_as<T>();
-          states[i] = !fit.spans_plane ? State::WITHOUT_PLANE
-                      : fit.share < 1  ? State::IN_STRIP
-                                       : State::DONE;
-        }
-      };
+    return [&](Search_grid_3::Range queries, Local_points<T>& candidates, const Vector& origin) {
+      for (Index i = queries.first; i < queries.second; ++i)
+      {
+        const Plane_of_ball fit = fit_plane<T>((points[i] - origin).template cast<T>(), candidates,
+                                               T(square(radius * grid.scale(i))));
+        normals[i] = fit.template normal_as<T>();
+        states[i] = !fit.spans_plane ? State::WITHOUT_PLANE
+                    : fit.share < 1  ? State::IN_STRIP
+                                     : State::DONE;
+      }
+    };
   };
   for_each_cell<T, ConcurrencyTag>(
     grid, points, grid, points, cells_in_reach(radius, grid.cell_size()), progress, make_visitor);

@@ -37,8 +37,7 @@ Eigen::Matrix<T, 3, 1> direction_of_sum(const Eigen::Vector3d& sum,
 template <typename T>
 Eigen::Matrix<T, 3, 1> filtered_normal(const Eigen::Matrix<T, 3, 1>& center,
                                        const Eigen::Matrix<T, 3, 1>& normal,
-                                       const Local_points<T>& candidates,
-                                       const Local_normals<T>& normals,
+                                       Local_points<T>& candidates, const Local_normals<T>& normals,
                                        const Normal_filter<T>& filter)
 {
   using L = Lanes<T>;
@@ -125,7 +124,7 @@ void filter_normals(const Search_grid_3& grid, const Buffer<Vector>& points,
     update_normals<ConcurrencyTag>(
       grid, points, filter.radius, progress, normals,
       [&](const Local_vector& center, float scale, const Local_vector& normal,
-          const Local_points<T>& candidates, const Local_normals<T>& candidate_normals) {
+          Local_points<T>& candidates, const Local_normals<T>& candidate_normals) {
         return filtered_normal(center, normal, candidates, candidate_normals,
                                filter.scaled(T(scale)));
       });

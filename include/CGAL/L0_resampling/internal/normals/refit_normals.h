@@ -27,8 +27,8 @@ with the weights of Eq. (1) and (2), and `symmetric_height()` for the points of 
 template <typename T>
 Eigen::Matrix<T, 3, 1> refitted_normal(const Eigen::Matrix<T, 3, 1>& center,
                                        const Eigen::Matrix<T, 3, 1>& normal,
-                                       const Local_points<T>& candidates,
-                                       const Local_normals<T>& normals, const Fit_kernel<T>& kernel)
+                                       Local_points<T>& candidates, const Local_normals<T>& normals,
+                                       const Fit_kernel<T>& kernel)
 {
   using L = Lanes<T>;
   const T own_x = normal[0], own_y = normal[1], own_z = normal[2];
@@ -65,7 +65,7 @@ void refit_normals(const Search_grid_3& grid, const Buffer<Vector>& points,
   update_normals<ConcurrencyTag>(
     grid, points, kernel.radius, progress, normals,
     [&](const Eigen::Matrix<T, 3, 1>& center, float scale, const Eigen::Matrix<T, 3, 1>& normal,
-        const Local_points<T>& candidates, const Local_normals<T>& candidate_normals) {
+        Local_points<T>& candidates, const Local_normals<T>& candidate_normals) {
       return refitted_normal(center, normal, candidates, candidate_normals,
                              kernel_of_one.scaled(T(scale)));
     });

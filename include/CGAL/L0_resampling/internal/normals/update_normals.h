@@ -43,7 +43,7 @@ void update_normals(const Search_grid_3& grid, const Buffer<Vector>& points, dou
   Buffer<Eigen::Matrix<T, 3, 1>> updated = copy_of(normals);
   const auto make_visitor = [&]() {
     return [&, local_normals = Local_normals<T>()](Search_grid_3::Range queries,
-                                                   const Local_points<T>& candidates,
+                                                   Local_points<T>& candidates,
                                                    const Vector& origin) mutable {
       local_normals.gather(candidates, normals);
       for (Index i = queries.first; i < queries.second; ++i)

@@ -48,7 +48,7 @@ struct Fit_input
 template <typename T>
 Compatible_points<double> sum_compatible_points(const Eigen::Matrix<T, 3, 1>& center,
                                                 const Eigen::Matrix<T, 3, 1>& normal,
-                                                const Local_points<T>& candidates,
+                                                Local_points<T>& candidates,
                                                 const Local_normals<T>& normals,
                                                 const Aligned_vector<T>& scales,
                                                 const Fit_kernel<T>& kernel)
@@ -71,7 +71,7 @@ Compatible_points<double> sum_compatible_points(const Eigen::Matrix<T, 3, 1>& ce
 /// \param weight \f$ w \f$ of the sample's own
 template <typename T>
 Vector normal_of_most(const Eigen::Matrix<T, 3, 1>& center, const Vector& normal, double weight,
-                      const Local_points<T>& candidates, const Local_normals<T>& normals,
+                      Local_points<T>& candidates, const Local_normals<T>& normals,
                       const Aligned_vector<T>& scales, const Fit_kernel<T>& kernel)
 {
   using L = Lanes<T>;
@@ -126,9 +126,9 @@ Counts_of_fit fit_compatible_points(const Fit_input<T>& input, Progress& progres
   const Border_of_ball border(input.kernel.radius, input.kernel.squared_bandwidth);
   std::atomic<std::size_t> number_of_lonely_samples{0}, number_of_unexplained_samples{0};
   const auto make_visitor = [&]() {
-    return [&, normals = Local_normals<T>(), scales = Aligned_vector<T>()](
-             Search_grid_3::Range queries, const Local_points<T>& candidates,
-             const Vector& origin) mutable {
+    return [&, normals = Local_normals<T>(),
+            scales = Aligned_vector<T>()](Search_grid_3::Range queries, Local_points<T>& candidates,
+                                          const Vector& origin) mutable {
       normals.gather(candidates, input.normals);
       scales.assign(candidates.padded_size(), T(0));
       for (std::size_t k = 0; k < candidates.indices.size(); ++k)

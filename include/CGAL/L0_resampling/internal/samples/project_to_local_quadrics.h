@@ -60,7 +60,7 @@ struct Agreeing_support_points
 
 inline Agreeing_support_points sum_agreeing_support_points(const Vector& center,
                                                            const Tangent_frame& frame,
-                                                           const Local_points<double>& candidates,
+                                                           Local_points<double>& candidates,
                                                            const Local_normals<double>& normals,
                                                            const Aligned_vector<double>& variances,
                                                            const Fit_kernel<double>& kernel)
@@ -142,7 +142,7 @@ void project_to_local_quadrics(const Fit_kernel<double>& kernel, double smallest
 
   const auto make_visitor = [&]() {
     return [&, normals = Local_normals<double>(), variances = Aligned_vector<double>()](
-             Search_grid_3::Range queries, const Local_points<double>& candidates,
+             Search_grid_3::Range queries, Local_points<double>& candidates,
              const Vector& origin) mutable {
       normals.gather(candidates, support_points.normals);
       variances.assign(candidates.padded_size(), 0);

@@ -135,10 +135,10 @@ public:
   /// Calls `f(k, squared_distances)` for each run of as many points as there are lanes, from the
   /// k-th on, of which one is in the ball. Points that follow each other are neighbors, so that
   /// half of the runs have none. Which half, no processor foresees: listing the others before
-  /// calling `f` costs less than a branch that is guessed wrong half of the time.
+  /// calling `f` costs less than a branch that is guessed wrong half of the time. Not to be called
+  /// from `f`: the list is of the object.
   template <typename F>
-  void for_each_run_in_ball(const Eigen::Matrix<T, 3, 1>& center, T squared_radius,
-                            const F& f) const
+  void for_each_run_in_ball(const Eigen::Matrix<T, 3, 1>& center, T squared_radius, const F& f)
   {
     constexpr std::size_t lanes = Lanes<T>::size;
     m_runs.resize(padded_size() / lanes + 1);
@@ -175,8 +175,8 @@ private:
   std::vector<Run> m_runs_of_indices;
 
   // working memory of `for_each_run_in_ball()`
-  mutable std::vector<Index> m_runs;
-  mutable Aligned_vector<T> m_squared_distances;
+  std::vector<Index> m_runs;
+  Aligned_vector<T> m_squared_distances;
 
   static constexpr T far_away = T(1e12); // its square is finite in `float`
 };

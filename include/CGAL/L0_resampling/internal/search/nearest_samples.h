@@ -70,7 +70,7 @@ public:
   std::size_t size() const { return m_size; }
 
   /// Lists those in the ball but `self`.
-  void list(const Eigen::Vector3f& center, Index self, const Local_points<float>& candidates,
+  void list(const Eigen::Vector3f& center, Index self, Local_points<float>& candidates,
             float squared_radius)
   {
     constexpr std::size_t lanes = Lanes<float>::size;
@@ -228,7 +228,7 @@ Nearest_samples find_nearest_samples(const Buffer<Vector>& positions, std::size_
       const bool take_what_is_there = doubling == number_of_doublings;
       const auto make_visitor = [&]() {
         return [&, found = Candidates_in_ball()](Search_grid_3::Range queries,
-                                                 const Local_points<float>& candidates,
+                                                 Local_points<float>& candidates,
                                                  const Vector& origin) mutable {
           std::size_t number_of_closed = 0;
           for (Index q = queries.first; q < queries.second; ++q)

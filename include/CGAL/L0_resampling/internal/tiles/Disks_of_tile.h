@@ -8,11 +8,22 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
+#include <stdexcept>
 #include <vector>
 
 namespace CGAL {
 namespace L0_resampling {
 namespace internal {
+
+/// Adds up areas of parts of a cloud.
+/// \throws std::length_error if 64 bits do not hold the sum, which are 2^33 disks of the radius
+inline std::uint64_t sum_of_areas(std::uint64_t a, std::uint64_t b)
+{
+  if (b > (std::numeric_limits<std::uint64_t>::max)() - a)
+    throw std::length_error("l0_resample_tiles: 64 bits do not hold the area of so large a cloud");
+  return a + b;
+}
 
 /// What areas are relative to, and how sums are built.
 struct Disks_of_tile
@@ -34,7 +45,7 @@ inline Disks_of_tile add_up_disks(const std::vector<Disks_of_tile>& tiles)
   for (const Disks_of_tile& tile : tiles)
     if (tile.keeps_outliers == sum.keeps_outliers)
     {
-      sum.units += tile.units;
+      sum.units = sum_of_areas(sum.units, tile.units);
       sum.number_of_others += tile.number_of_others;
     }
   return sum;

@@ -48,17 +48,16 @@ class Facts_in_passes
   std::function<bool(double)> m_callback;
   Memory_counter& m_memory;
   Facts_of_cloud m_facts;
-  int m_number_of_passes_done = 0;
+  double m_passes_done = 0;
 
-  /// \param share of the pass that is done
-  bool goes_on(double share) const
+  /// \param passes done since
+  bool goes_on(double passes) const
   {
-    return !m_callback
-           || m_callback((std::min)((m_number_of_passes_done + share) / number_of_passes, 1.));
+    return !m_callback || m_callback((std::min)((m_passes_done + passes) / number_of_passes, 1.));
   }
 
   /// Calls `f(progress)`.
-  /// \param begin, length of this part of the pass, as shares
+  /// \param begin, length of this part, in passes
   template <typename F>
   void watched(double begin, double length, const F& f)
   {
@@ -79,8 +78,9 @@ class Facts_in_passes
   /// A pass: calls `f(points, own, progress)` for each of some tiles of the cloud, with the points
   /// of it and around.
   /// \param halo a length, in the unit of the input
+  /// \param length as which it counts
   template <typename F>
-  void for_each_tile(double halo, const F& f)
+  void for_each_tile(double halo, const F& f, double length = 1)
   {
     const std::int64_t halo_in_blocks = m_cloud.halo_in_blocks(halo);
     const Tiling tiling(m_cloud.blocks(), halo_in_blocks, {double(bytes_per_point)}, m_bytes);
@@ -90,14 +90,14 @@ class Facts_in_passes
     for (std::size_t k = 0; k < number_of_tiles; ++k)
     {
       const Tile& tile = tiling.tiles()[k];
-      watched(double(k) / double(number_of_tiles), 1 / double(number_of_tiles),
+      watched(length * double(k) / double(number_of_tiles), length / double(number_of_tiles),
               [&](Progress& progress) {
                 Buffer<Vector> points(&m_memory);
                 Blocks_of_tile(m_cloud, tile, halo_in_blocks).read_at_once(m_source, points);
                 f(points, Own_blocks{m_cloud.lattice(), tile.box}, progress);
               });
     }
-    ++m_number_of_passes_done;
+    m_passes_done += length;
   }
 
   double length_of_input(double length) const
@@ -146,21 +146,22 @@ class Facts_in_passes
   void find_scales(const Ranks_of_runs& ranks)
   {
     const std::size_t few = 6, all = reaches_of_balls.size(); // mostly enough, in narrower halos
+    const double end = m_passes_done + 1;
     for (const std::size_t number_of_reaches : {few, all})
     {
       std::vector<Ranked_balls> balls;
       const double halo = (reaches_of_balls[number_of_reaches - 1] + 2) * cell_size_of_scales;
-      for_each_tile(halo * paper_radius_of_input(),
-                    [&](Buffer<Vector>& points, const Own_blocks& own, Progress& progress) {
-                      const std::vector<Ranked_balls> found = look_at_balls<ConcurrencyTag>(
-                        points, own, m_facts, ranks, number_of_reaches, progress);
-                      balls.insert(balls.end(), found.begin(), found.end());
-                    });
+      const auto look = [&](Buffer<Vector>& points, const Own_blocks& own, Progress& progress) {
+        const std::vector<Ranked_balls> found =
+          look_at_balls<ConcurrencyTag>(points, own, m_facts, ranks, number_of_reaches, progress);
+        balls.insert(balls.end(), found.begin(), found.end());
+      };
+      for_each_tile(halo * paper_radius_of_input(), look, 0.5); // the other half may be needed
       m_facts.scales = scales_of(balls, stride_of_balls(ranks.total()), number_of_reaches);
       if (m_facts.scales)
-        return;
-      --m_number_of_passes_done;
+        break;
     }
+    m_passes_done = end;
   }
 
   /// \param stride of the smallest balls
@@ -187,7 +188,7 @@ class Facts_in_passes
     const Plan plan = this->plan();
     if (!plan.follows_scales)
     {
-      ++m_number_of_passes_done;
+      ++m_passes_done;
       return;
     }
     std::vector<Placed_seed> seeds;
@@ -242,7 +243,7 @@ public:
       if (!goes_on(share))
         throw Interrupted();
     });
-    ++m_number_of_passes_done;
+    ++m_passes_done;
     const Places places = find_places();
     find_scales(places.of_balls);
     find_field(places, halo_in_radii * length_of_input(plan().unit));

@@ -76,6 +76,7 @@ the samples start in its runs, and which number each of its points has in the cl
 
 \param shares in: what is in the runs. Out: what comes before each; those of halos of which nothing
 is left are removed
+\throws std::length_error as `sum_of_areas()`
 */
 inline Sums_of_tiles add_up_shares(std::vector<Share_of_tile>& shares)
 {
@@ -99,6 +100,8 @@ inline Sums_of_tiles add_up_shares(std::vector<Share_of_tile>& shares)
     const Sums_over_points own = run.sums;
     run.sums = result.sums;
     result.sums += own;
+    // the largest of the sums
+    result.sums.units_of_all = sum_of_areas(run.sums.units_of_all, own.units_of_all);
   }
   result.area = double(result.sums.units_of_all) * area_per_unit;
   for (Share_of_tile& share : shares)
