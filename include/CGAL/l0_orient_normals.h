@@ -10,6 +10,8 @@
 #ifndef CGAL_L0_ORIENT_NORMALS_H
 #define CGAL_L0_ORIENT_NORMALS_H
 
+#include <CGAL/license/L0_resampling.h>
+
 #include <CGAL/L0_resampling/Report.h>
 #include <CGAL/L0_resampling/internal/driver/orient_point_set.h>
 #include <CGAL/L0_resampling/internal/interface/Given_parameters.h>

@@ -10,6 +10,8 @@
 #ifndef CGAL_L0_RESAMPLE_POINT_SET_H
 #define CGAL_L0_RESAMPLE_POINT_SET_H
 
+#include <CGAL/license/L0_resampling.h>
+
 #include <CGAL/L0_resampling/Block_chebyshev_solver_traits.h>
 #include <CGAL/L0_resampling/Report.h>
 #include <CGAL/L0_resampling/internal/interface/Point_data.h>

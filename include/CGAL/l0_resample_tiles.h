@@ -10,6 +10,8 @@
 #ifndef CGAL_L0_RESAMPLE_TILES_H
 #define CGAL_L0_RESAMPLE_TILES_H
 
+#include <CGAL/license/L0_resampling.h>
+
 #include <CGAL/L0_resampling/Tiled_resampling.h>
 
 #include <algorithm>

@@ -10,6 +10,8 @@
 #ifndef CGAL_L0_RESAMPLING_CUDA_RESAMPLER_H
 #define CGAL_L0_RESAMPLING_CUDA_RESAMPLER_H
 
+#include <CGAL/license/L0_resampling.h>
+
 #ifndef CGAL_L0_LINKED_WITH_CUDA
 #error "CUDA_resampler.h needs CUDA: link with CGAL::L0_CUDA_support"
 #endif

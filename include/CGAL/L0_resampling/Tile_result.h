@@ -10,6 +10,8 @@
 #ifndef CGAL_L0_RESAMPLING_TILE_RESULT_H
 #define CGAL_L0_RESAMPLING_TILE_RESULT_H
 
+#include <CGAL/license/L0_resampling.h>
+
 #include <CGAL/L0_resampling/Report.h>
 #include <CGAL/L0_resampling/Source_box.h>
 #include <CGAL/L0_resampling/internal/tiles/resample_tile.h>

@@ -10,6 +10,8 @@
 #ifndef CGAL_L0_RESAMPLING_NAMED_PARAMETERS_H
 #define CGAL_L0_RESAMPLING_NAMED_PARAMETERS_H
 
+#include <CGAL/license/L0_resampling.h>
+
 #include <CGAL/Named_function_parameters.h>
 
 // The named parameters that CGAL lacks, added from outside of CGAL. CGAL makes every name a member

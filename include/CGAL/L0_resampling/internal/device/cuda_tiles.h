@@ -10,9 +10,9 @@
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_CUDA_TILES_H
 #define CGAL_L0_RESAMPLING_INTERNAL_CUDA_TILES_H
 
+#include <CGAL/L0_resampling/internal/core/Point_in_cloud.h>
 #include <CGAL/L0_resampling/internal/device/cuda_interface.h>
 #include <CGAL/L0_resampling/internal/plan/Plan.h>
-#include <CGAL/L0_resampling/internal/core/Point_in_cloud.h>
 
 #include <cstddef>
 #include <cstdint>
