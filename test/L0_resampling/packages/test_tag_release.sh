@@ -9,7 +9,7 @@ mkdir -p "$scratch"
 cd "$source_directory"
 manifest=packaging/vcpkg/cgal-l0-resampling/vcpkg.json
 consumer=test/L0_resampling/packages/consumer/CMakeLists.txt
-cp --parents CMakeLists.txt CHANGES.md CITATION.cff scripts/project_version.sh \
+cp --parents .gitignore CMakeLists.txt CHANGES.md CITATION.cff scripts/project_version.sh \
    scripts/tag_release.sh "$manifest" "$consumer" "$scratch"
 version=$(scripts/project_version.sh)   # which fails if they do not agree
 
@@ -52,6 +52,13 @@ sed -i '/^date-released:/d; /^repository-code:/d' CITATION.cff
 printf 'date-released: "2030-12-31"\nrepository-code: "https://example.org/l0"\n' >> CITATION.cff
 commit good
 git branch good
+manual=build/doc/L0_resampling/html
+mkdir -p $manual/search
+write_manual() {
+  echo "<span id=\"projectnumber\">&#160;$1</span>" > $manual/index.html
+}
+write_manual "$version"
+echo all > $manual/search/all.js
 
 refuses "not committed" touch new_file
 rm -f new_file
@@ -67,12 +74,24 @@ refuses "consumer/CMakeLists.txt has the version" edit "$consumer" 's/_resamplin
 refuses "CHANGES.md has the version '77.0.0'" edit CHANGES.md '3i ## 77.0.0, 2031-01-01\n'
 refuses "no version of three numbers" edit CMakeLists.txt 's/VERSION [0-9]*\./VERSION /'
 refuses "a tag v$version already" git tag "v$version"
+refuses "is of version '77.0.0'" write_manual 77.0.0
+refuses "is of version ''" rm $manual/index.html
+write_manual "$version"
 
 scripts/tag_release.sh --nonsense 2> /dev/null && fail "takes any argument"
-[ "$(scripts/tag_release.sh --dry-run)" = "would tag $(git rev-parse --short HEAD) as v$version" ] \
-  || fail "the dry run says something else"
+[ "$(scripts/tag_release.sh --dry-run | tail -1)" = \
+  "would tag $(git rev-parse --short HEAD) as v$version" ] || fail "the dry run says something else"
 [ -z "$(git tag --list)" ] || fail "the dry run has made a tag"
+name=cgal-l0-resampling-$version
+(cd build/release && sha256sum --check --quiet SHA256SUMS) || fail "the checksums are wrong"
+tar -tzf "build/release/$name.tar.gz" | grep -qx "$name/scripts/tag_release.sh" \
+  || fail "the archive of the sources has no sources"
+tar -tzf "build/release/$name-manual.tar.gz" | grep -qx "$name-manual/search/all.js" \
+  || fail "the archive of the manual has no manual"
+touch --date=2001-01-01 $manual/index.html
+cp build/release/SHA256SUMS build/first_time
 scripts/tag_release.sh > /dev/null
+cmp build/first_time build/release/SHA256SUMS || fail "another run makes other archives"
 [ "$(git cat-file -t "v$version")" = tag ] || fail "the tag is not annotated"
 [ "$(git rev-parse "v$version^{commit}")" = "$(git rev-parse HEAD)" ] \
   || fail "another commit is tagged"
