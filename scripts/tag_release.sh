@@ -42,8 +42,8 @@ if git rev-parse -q --verify "refs/tags/$tag" > /dev/null; then
   miss "there is a tag $tag already"
 fi
 manual=build/doc/L0_resampling/html
-number=$(sed -nE 's/.*id="projectnumber">(&#160;)?([^<]*)<.*/\2/p' "$manual/index.html" 2> /dev/null \
-           || true)
+number=$(sed -nE 's/.*id="projectnumber">(&#160;)?([^<]*)<.*/\2/p' "$manual/index.html" \
+             2> /dev/null || true)
 if [ "$number" != "$version" ]; then
   miss "the manual in $manual is of version '$number': cmake --build build --target doc"
 fi

@@ -10,6 +10,10 @@
 #ifndef CGAL_L0_RESAMPLING_SOLVER_REPORT_H
 #define CGAL_L0_RESAMPLING_SOLVER_REPORT_H
 
+#ifndef __cpp_exceptions
+#error "L0 resampling says by exceptions what it refuses: compile it without -fno-exceptions"
+#endif
+
 #include <cstddef>
 #include <stdexcept>
 

@@ -39,7 +39,8 @@ END
 for _ in 1 2; do   # what is there already is written anew, and no list grows
   "$source_directory/packaging/cgal/make_tree.sh" .
 done
-[ "$(cut -d' ' -f1 "$list" | xargs)" = "Jet_fitting_3 L0_resampling Mesh_2" ] || fail "the list of packages is wrong"
+[ "$(cut -d' ' -f1 "$list" | xargs)" = "Jet_fitting_3 L0_resampling Mesh_2" ] \
+  || fail "the list of packages is wrong"
 [ "$(grep -n L0_resampling Documentation/doc/Documentation/packages.txt)" = \
   '2:\package_listing{L0_resampling}' ] || fail "the manual's list of packages is wrong"
 [ "$(grep -c 'new package' Installation/CHANGES.md)" -eq 1 ] || fail "not one entry in CHANGES.md"
@@ -57,7 +58,8 @@ without=$(grep -rlE '^#define CGAL_\w+_H$' L0_resampling/include | xargs grep -L
 [ -z "$without" ] || fail "without the license: $without"
 foreign=$(grep -rL 'This file is part of CGAL' --include=*.h L0_resampling/include Installation)
 [ -z "$foreign" ] || fail "not part of CGAL: $foreign"
-grep -rn 'L0_EXAMPLE_DATA' L0_resampling/examples && fail "an example names data as the project does"
+grep -rn 'L0_EXAMPLE_DATA' L0_resampling/examples \
+  && fail "an example names data as the project does"
 
 # As CGAL's tests are: in the folder of the package, without NDEBUG
 cd L0_resampling

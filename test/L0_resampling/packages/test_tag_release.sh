@@ -8,9 +8,10 @@ rm -rf "$scratch"
 mkdir -p "$scratch"
 cd "$source_directory"
 manifest=packaging/vcpkg/cgal-l0-resampling/vcpkg.json
+conda=packaging/conda/meta.yaml
 consumer=test/L0_resampling/packages/consumer/CMakeLists.txt
 cp --parents .gitignore CMakeLists.txt CHANGES.md CITATION.cff scripts/project_version.sh \
-   scripts/tag_release.sh "$manifest" "$consumer" "$scratch"
+   scripts/tag_release.sh "$manifest" "$conda" "$consumer" "$scratch"
 version=$(scripts/project_version.sh)   # which fails if they do not agree
 
 cd "$scratch"
@@ -70,6 +71,7 @@ refuses "date-released" edit CITATION.cff 's/2030-12-31/2030-12-30/'
 refuses "repository-code" edit CITATION.cff '/^repository-code/d'
 refuses "CITATION.cff has the version '0.0.7'" edit CITATION.cff 's/^version: .*/version: 0.0.7/'
 refuses "vcpkg.json has the version" edit "$manifest" 's/"version": "/&9/'
+refuses "meta.yaml has the version '0.0.7'" edit "$conda" 's/version = "[^"]*"/version = "0.0.7"/'
 refuses "consumer/CMakeLists.txt has the version" edit "$consumer" 's/_resampling [0-9]/&7/'
 refuses "CHANGES.md has the version '77.0.0'" edit CHANGES.md '3i ## 77.0.0, 2031-01-01\n'
 refuses "no version of three numbers" edit CMakeLists.txt 's/VERSION [0-9]*\./VERSION /'
