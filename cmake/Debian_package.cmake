@@ -6,12 +6,12 @@ set(CPACK_PACKAGE_CONTACT "The CGAL::L0_resampling authors")
 set(CPACK_PACKAGE_DESCRIPTION
 "Turns raw, noisy, unoriented points into clean, evenly spread, oriented points
 of an exact number that keep sharp features: the program l0_resample, the C++
-headers of CGAL::l0_resample_point_set() with their CMake package, examples, and,
-where they were built, the Python package cgal_l0 and the manual, which is read
-from /usr/share/doc/cgal-l0-resampling/html/index.html without a network.")
+headers of CGAL::l0_resample_point_set() with their CMake package, examples,
+and, where they were built, the Python package cgal_l0 and the manual, which is
+read from /usr/share/doc/cgal-l0-resampling/html/index.html without a network.")
 if(CGAL_L0_WITH_CUDA)
-  string(APPEND CPACK_PACKAGE_DESCRIPTION "\n\nThe program uses an NVIDIA device where a driver finds one; to link with the library for
-devices takes the CUDA toolkit, which Debian does not have in main.")
+  string(APPEND CPACK_PACKAGE_DESCRIPTION "\n\nThe program uses an NVIDIA device where a driver finds one; to link with the
+library for devices takes the CUDA toolkit, which Debian does not have in main.")
 endif()
 if(CGAL_L0_WITH_NATIVE_INSTRUCTIONS)
   # Other processors may not run it, and nobody shall find that out by a crash.
@@ -31,5 +31,17 @@ if(TARGET cgal_l0)
          ", python3 (<< ${Python_VERSION_MAJOR}.${l0_next_python})")
 endif()
 
-install(FILES ${CMAKE_CURRENT_LIST_DIR}/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})
+# Debian's changelog, with the time of SOURCE_DATE_EPOCH where that is set
+string(TIMESTAMP l0_date "%a, %d %b %Y %H:%M:%S +0000" UTC)
+configure_file(${CMAKE_CURRENT_LIST_DIR}/changelog.in ${PROJECT_BINARY_DIR}/changelog @ONLY)
+find_program(CGAL_L0_GZIP gzip DOC "Compresses the man page")
+if(CGAL_L0_GZIP)
+  execute_process(COMMAND ${CGAL_L0_GZIP} -9 -n -f ${PROJECT_BINARY_DIR}/changelog
+                  COMMAND_ERROR_IS_FATAL ANY)
+  install(FILES ${PROJECT_BINARY_DIR}/changelog.gz DESTINATION ${CMAKE_INSTALL_DOCDIR})
+endif()
+install(FILES ${CMAKE_CURRENT_LIST_DIR}/copyright ${PROJECT_SOURCE_DIR}/CHANGES.md
+        DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES ${CMAKE_CURRENT_LIST_DIR}/lintian-overrides
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/lintian/overrides RENAME cgal-l0-resampling)
 include(CPack)

@@ -23,6 +23,7 @@ expect() {
 }
 expect CITATION.cff "$version" 's/^version: //p'
 expect packaging/vcpkg/cgal-l0-resampling/vcpkg.json "$version" 's/^  "version": "\(.*\)",$/\1/p'
+expect packaging/conda/meta.yaml "$version" 's/^{% set version = "\(.*\)" %}$/\1/p'
 expect test/L0_resampling/packages/consumer/CMakeLists.txt "${version%.*}" \
        's/^find_package(CGAL_L0_resampling \(.*\) REQUIRED)$/\1/p'
 # the first section

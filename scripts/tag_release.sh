@@ -1,13 +1,15 @@
 #!/usr/bin/env bash
-# Makes the annotated tag v<version> of the commit that is checked out, once everything that a
-# release needs is there; it pushes nothing.
+# Makes a release of the commit that is checked out, once everything that it needs is there: the
+# annotated tag v<version> and, in build/release, the archives of the sources and of the manual with
+# their checksums. It pushes nothing.
 #
-#   scripts/tag_release.sh            says all that is missing, or makes the tag
-#   scripts/tag_release.sh --dry-run  says all that is missing, or what it would do
+#   scripts/tag_release.sh            says all that is missing, or makes archives and tag
+#   scripts/tag_release.sh --dry-run  says all that is missing, or makes the archives alone
 #
 # For a release, set the version in CMakeLists.txt and where scripts/project_version.sh says, the
 # date in the first section of CHANGES.md ("## 1.2.3, 2030-12-31") and, in CITATION.cff,
-# `date-released`, `repository-code` and the authors. Then commit, and run scripts/test_all.sh.
+# `date-released`, `repository-code` and the authors. Then commit, and run scripts/test_all.sh, which
+# builds the manual.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -39,9 +41,23 @@ fi
 if git rev-parse -q --verify "refs/tags/$tag" > /dev/null; then
   miss "there is a tag $tag already"
 fi
+manual=build/doc/L0_resampling/html
+number=$(sed -nE 's/.*id="projectnumber">(&#160;)?([^<]*)<.*/\2/p' "$manual/index.html" \
+             2> /dev/null || true)
+if [ "$number" != "$version" ]; then
+  miss "the manual in $manual is of version '$number': cmake --build build --target doc"
+fi
 [ "$missing" -eq 0 ] || exit 1
 
 commit=$(git rev-parse --short HEAD)
+name=cgal-l0-resampling-$version
+mkdir -p build/release
+git archive --prefix="$name/" HEAD | gzip -9n > "build/release/$name.tar.gz"
+# The same bytes wherever it is packed
+tar -c --sort=name --mtime="@$(git show -s --format=%ct HEAD)" --owner=0 --group=0 --numeric-owner \
+    --mode=u+rw,go=rX --transform="s,^\.,$name-manual," -C "$manual" . \
+  | gzip -9n > "build/release/$name-manual.tar.gz"
+(cd build/release && sha256sum "$name.tar.gz" "$name-manual.tar.gz" | tee SHA256SUMS)
 if [ "${1:-}" = --dry-run ]; then
   echo "would tag $commit as $tag"
 else

@@ -3,7 +3,10 @@
 # All rights reserved.
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes the measured parts of README.md anew, from the results beside this file: readme_figures.py README.md [--check]
+"""Writes the measured parts of README.md anew, from the results beside this file:
+
+  readme_figures.py README.md [--check]
+  readme_figures.py paper/paper.md --parts quality device large_clouds [--check]
 
 A part stands between the lines <!-- measured: NAME --> and <!-- end -->. With --check, nothing is written, and the exit
 status tells whether the parts are what the results say.
@@ -124,17 +127,30 @@ def report():
             "versions stand in `benchmark/L0_resampling/report/results`.\n")
 
 
-PARTS = {"picture": picture, "report": report, "quality": quality, "speed": speed, "device": device}
+def large_clouds():
+    table = read_tables(read("performance/results/large_clouds.md"))[0]
+    points, how, seconds, _, memory, tiles, _ = table.rows[-1]
+    if not how.startswith("--as-one"):
+        sys.exit("readme_figures: the last row of large_clouds.md is not of a run by tiles")
+    return (f"The tool resamples a scan of {points} points, in a LAS file, with `{how}` on two threads "
+            f"in {float(seconds):.0f} seconds,\nin {tiles} tiles, and takes {memory} MB of memory at its peak.\n")
+
+
+PARTS_OF_README = {"picture": picture, "report": report, "quality": quality, "speed": speed,
+                   "device": device}
+PARTS = {**PARTS_OF_README, "large_clouds": large_clouds}
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("readme", type=Path)
+    parser.add_argument("--parts", nargs="+", choices=PARTS, default=list(PARTS_OF_README))
     parser.add_argument("--check", action="store_true")
     arguments = parser.parse_args()
 
     old = text = arguments.readme.read_text(encoding="utf-8")
-    for name, part in PARTS.items():
+    for name in arguments.parts:
+        part = PARTS[name]
         text, found = re.subn(rf"(<!-- measured: {name} -->\n).*?(<!-- end -->)",
                               lambda match, part=part: match[1] + part() + match[2], text, flags=re.DOTALL)
         if found != 1:

@@ -1,10 +1,16 @@
 // Copyright (c) 2026  The CGAL::L0_resampling authors.
 // All rights reserved.
 //
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The CGAL::L0_resampling authors
 
 #ifndef CGAL_L0_RESAMPLING_CUDA_RESAMPLER_H
 #define CGAL_L0_RESAMPLING_CUDA_RESAMPLER_H
+
+#include <CGAL/license/L0_resampling.h>
 
 #ifndef CGAL_L0_LINKED_WITH_CUDA
 #error "CUDA_resampler.h needs CUDA: link with CGAL::L0_CUDA_support"

@@ -1,10 +1,18 @@
 // Copyright (c) 2026  The CGAL::L0_resampling authors.
 // All rights reserved.
 //
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The CGAL::L0_resampling authors
 
 #ifndef CGAL_L0_RESAMPLING_SOLVER_REPORT_H
 #define CGAL_L0_RESAMPLING_SOLVER_REPORT_H
+
+#ifndef __cpp_exceptions
+#error "L0 resampling says by exceptions what it refuses: compile it without -fno-exceptions"
+#endif
 
 #include <cstddef>
 #include <stdexcept>

@@ -1,10 +1,16 @@
 // Copyright (c) 2026  The CGAL::L0_resampling authors.
 // All rights reserved.
 //
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The CGAL::L0_resampling authors
 
 #ifndef CGAL_L0_RESAMPLING_TILE_RESULT_H
 #define CGAL_L0_RESAMPLING_TILE_RESULT_H
+
+#include <CGAL/license/L0_resampling.h>
 
 #include <CGAL/L0_resampling/Report.h>
 #include <CGAL/L0_resampling/Source_box.h>

@@ -1,7 +1,11 @@
 // Copyright (c) 2026  The CGAL::L0_resampling authors.
 // All rights reserved.
 //
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The CGAL::L0_resampling authors
 
 // No include guard: included once for each thing that named_parameters.h makes of a name. The form
 // is CGAL's own (STL_Extension/internal/parameters_interface.h), so that these lines can move

@@ -14,7 +14,7 @@ set(words tags.h Solver_report.h Quadratic_problem.h Report.h warnings.h Source_
 set(solvers Block_chebyshev_solver_traits.h Block_conjugate_gradient_solver_traits.h
             Eigen_cholesky_solver_traits.h Eigen_least_squares_solver_traits.h
             CUDA_least_squares_solver_traits.h)
-set(interface named_parameters_interface.h named_parameters.h)
+set(interface ../license/L0_resampling.h named_parameters_interface.h named_parameters.h)
 set(calls CUDA_resampler.h ../l0_resample_point_set.h ../l0_orient_normals.h Tile_result.h
           Tiled_resampling.h ../l0_resample_tiles.h)
 

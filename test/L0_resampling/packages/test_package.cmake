@@ -2,7 +2,7 @@
 # it below a folder of its own and runs what it brings:
 #   cmake -DBUILD_DIRECTORY=... -DSCRATCH=... -DCPACK=... -DVERSION=... -DDATA=... -DGENERATOR=...
 #         -DCGAL_DIR=... -DMANUAL=<its sources> -DMANUAL_PAGES=<its pages, if they were built>
-#         [-DPYTHON=... -DPYTHON_PACKAGES=...] -P test_package.cmake
+#         [-DPYTHON=... -DPYTHON_PACKAGES=...] [-DLINTIAN=...] -P test_package.cmake
 
 cmake_minimum_required(VERSION 3.21)
 
@@ -29,6 +29,13 @@ file(GLOB packages ${SCRATCH}/*.deb)
 list(LENGTH packages number_of_packages)
 if(NOT number_of_packages EQUAL 1)
   message(FATAL_ERROR "${number_of_packages} packages: ${packages}")
+endif()
+
+# What Debian's own program says. The Python package of this build lies where it would be found
+# below /usr/local too; scripts/package.sh makes one for /usr alone.
+if(LINTIAN)
+  run(${LINTIAN} --allow-root --fail-on error,warning
+      --suppress-tags python-module-in-wrong-location ${packages})
 endif()
 
 # What it says

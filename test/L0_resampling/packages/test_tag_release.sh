@@ -8,9 +8,10 @@ rm -rf "$scratch"
 mkdir -p "$scratch"
 cd "$source_directory"
 manifest=packaging/vcpkg/cgal-l0-resampling/vcpkg.json
+conda=packaging/conda/meta.yaml
 consumer=test/L0_resampling/packages/consumer/CMakeLists.txt
-cp --parents CMakeLists.txt CHANGES.md CITATION.cff scripts/project_version.sh \
-   scripts/tag_release.sh "$manifest" "$consumer" "$scratch"
+cp --parents .gitignore CMakeLists.txt CHANGES.md CITATION.cff scripts/project_version.sh \
+   scripts/tag_release.sh "$manifest" "$conda" "$consumer" "$scratch"
 version=$(scripts/project_version.sh)   # which fails if they do not agree
 
 cd "$scratch"
@@ -52,6 +53,13 @@ sed -i '/^date-released:/d; /^repository-code:/d' CITATION.cff
 printf 'date-released: "2030-12-31"\nrepository-code: "https://example.org/l0"\n' >> CITATION.cff
 commit good
 git branch good
+manual=build/doc/L0_resampling/html
+mkdir -p $manual/search
+write_manual() {
+  echo "<span id=\"projectnumber\">&#160;$1</span>" > $manual/index.html
+}
+write_manual "$version"
+echo all > $manual/search/all.js
 
 refuses "not committed" touch new_file
 rm -f new_file
@@ -63,16 +71,29 @@ refuses "date-released" edit CITATION.cff 's/2030-12-31/2030-12-30/'
 refuses "repository-code" edit CITATION.cff '/^repository-code/d'
 refuses "CITATION.cff has the version '0.0.7'" edit CITATION.cff 's/^version: .*/version: 0.0.7/'
 refuses "vcpkg.json has the version" edit "$manifest" 's/"version": "/&9/'
+refuses "meta.yaml has the version '0.0.7'" edit "$conda" 's/version = "[^"]*"/version = "0.0.7"/'
 refuses "consumer/CMakeLists.txt has the version" edit "$consumer" 's/_resampling [0-9]/&7/'
 refuses "CHANGES.md has the version '77.0.0'" edit CHANGES.md '3i ## 77.0.0, 2031-01-01\n'
 refuses "no version of three numbers" edit CMakeLists.txt 's/VERSION [0-9]*\./VERSION /'
 refuses "a tag v$version already" git tag "v$version"
+refuses "is of version '77.0.0'" write_manual 77.0.0
+refuses "is of version ''" rm $manual/index.html
+write_manual "$version"
 
 scripts/tag_release.sh --nonsense 2> /dev/null && fail "takes any argument"
-[ "$(scripts/tag_release.sh --dry-run)" = "would tag $(git rev-parse --short HEAD) as v$version" ] \
-  || fail "the dry run says something else"
+[ "$(scripts/tag_release.sh --dry-run | tail -1)" = \
+  "would tag $(git rev-parse --short HEAD) as v$version" ] || fail "the dry run says something else"
 [ -z "$(git tag --list)" ] || fail "the dry run has made a tag"
+name=cgal-l0-resampling-$version
+(cd build/release && sha256sum --check --quiet SHA256SUMS) || fail "the checksums are wrong"
+tar -tzf "build/release/$name.tar.gz" | grep -qx "$name/scripts/tag_release.sh" \
+  || fail "the archive of the sources has no sources"
+tar -tzf "build/release/$name-manual.tar.gz" | grep -qx "$name-manual/search/all.js" \
+  || fail "the archive of the manual has no manual"
+touch --date=2001-01-01 $manual/index.html
+cp build/release/SHA256SUMS build/first_time
 scripts/tag_release.sh > /dev/null
+cmp build/first_time build/release/SHA256SUMS || fail "another run makes other archives"
 [ "$(git cat-file -t "v$version")" = tag ] || fail "the tag is not annotated"
 [ "$(git rev-parse "v$version^{commit}")" = "$(git rev-parse HEAD)" ] \
   || fail "another commit is tagged"

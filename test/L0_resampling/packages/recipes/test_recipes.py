@@ -10,10 +10,12 @@
 The port of vcpkg is carried out with CMake, but for the compiler, as COMPILED_LIBRARY is built
 already, and a program built with what it installs. The recipe
 of Conan is read, its sources are exported, and CMake configures these with the options it sets.
+That of conda is read, and its script is run with a CMake that configures and does not build.
 """
 
 import importlib.util
 import json
+import os
 import re
 import shutil
 import subprocess
@@ -23,9 +25,10 @@ from pathlib import Path
 import conan_stand_in
 
 try:
+    import jinja2
     import yaml
-except ImportError:
-    print("PyYAML is not installed (Debian: python3-yaml)")
+except ImportError as error:
+    print(f"{error} (Debian: python3-yaml, python3-jinja2)")
     sys.exit(77)
 
 source, scratch = Path(sys.argv[1]), Path(sys.argv[2])
@@ -126,6 +129,52 @@ def check_conan(folder, options):
     assert (Path(recipe.source_folder) / "include/CGAL/l0_resample_point_set.h").exists()
 
 
+def check_conda(folder, options):
+    """By the fields of conda-build's meta.yaml, of which a comment `# [...]` selects a platform."""
+    text = (folder / "meta.yaml").read_text(encoding="utf-8")
+    recipe = yaml.safe_load(jinja2.Environment(undefined=jinja2.StrictUndefined).from_string(
+        text).render(compiler=lambda language: f"{language}_compiler"))
+    assert set(recipe) == {"package", "source", "build", "requirements", "test", "about"}
+    assert recipe["package"] == {"name": "cgal-l0-resampling", "version": version}
+    assert (folder / recipe["source"]["path"]).resolve() == source.resolve()
+    assert recipe["about"]["license"] == "GPL-3.0-or-later"
+    assert (source / recipe["about"]["license_file"]).exists()
+    required = recipe["requirements"]
+    assert set(required) == {"build", "host", "run"}
+    # Headers need at run time what they need when they are compiled, in the same versions.
+    needed_by_headers = {line for line in required["host"]
+                         if line.split()[0] in {"cgal-cpp", "eigen", "tbb-devel"}}
+    assert len(needed_by_headers) == 3 and needed_by_headers <= set(required["run"])
+
+    # A CMake that builds and installs nothing
+    place = scratch / "conda"
+    (place / "bin").mkdir(parents=True)
+    stand_in = place / "bin/cmake"
+    stand_in.write_text(f"""#!/bin/sh
+case $1 in --build | --install) exit 0 ;; esac
+exec {shutil.which("cmake")} "$@"
+""", encoding="utf-8")
+    stand_in.chmod(0o755)
+    copied = place / "sources"
+    shutil.copytree(source, copied, ignore=shutil.ignore_patterns(
+        "build*", ".git", "output", "test", "benchmark", "fig"))
+    environment = {**os.environ, "PATH": f"{place}/bin:{os.environ['PATH']}",
+                   "PREFIX": f"{place}/prefix", "PYTHON": "/usr/bin/python3",
+                   "CMAKE_ARGS": f"-DCGAL_DIR={cgal} -DCMAKE_VERBOSE_MAKEFILE=ON"}
+    done = subprocess.run(["bash", folder / "build.sh"], cwd=copied, env=environment, text=True,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    assert done.returncode == 0, done.stdout
+    cache = (copied / "build/CMakeCache.txt").read_text(encoding="utf-8")
+    for name, value in {**options, "CGAL_L0_BUILD_TOOL": "ON", "CGAL_L0_WITH_PYTHON": "ON",
+                        "CMAKE_VERBOSE_MAKEFILE": "ON"}.items():
+        assert re.search(rf"^{name}:\w+={value}$", cache, re.MULTILINE), name
+    scripts = "".join(path.read_text(encoding="utf-8")
+                      for path in (copied / "build").rglob("cmake_install.cmake"))
+    for wanted in ("lib/cmake/CGAL_L0_resampling", "libCGAL_L0_resampling_compiled.a",
+                   "/cgal_l0"):
+        assert wanted in scripts, wanted
+
+
 def main():
     shutil.rmtree(scratch, ignore_errors=True)
     conan_stand_in.register()
@@ -133,6 +182,7 @@ def main():
     port = source / "packaging/vcpkg/cgal-l0-resampling"
     check_manifest(port)
     check_conan(source / "packaging/conan", options_of_the_port(port))
+    check_conda(source / "packaging/conda", options_of_the_port(port))
     check_port(port)
 
 

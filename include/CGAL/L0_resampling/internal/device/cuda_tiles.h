@@ -1,14 +1,18 @@
 // Copyright (c) 2026  The CGAL::L0_resampling authors.
 // All rights reserved.
 //
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The CGAL::L0_resampling authors
 
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_CUDA_TILES_H
 #define CGAL_L0_RESAMPLING_INTERNAL_CUDA_TILES_H
 
+#include <CGAL/L0_resampling/internal/core/Point_in_cloud.h>
 #include <CGAL/L0_resampling/internal/device/cuda_interface.h>
 #include <CGAL/L0_resampling/internal/plan/Plan.h>
-#include <CGAL/L0_resampling/internal/core/Point_in_cloud.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,11 @@
 // Copyright (c) 2026  The CGAL::L0_resampling authors.
 // All rights reserved.
 //
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The CGAL::L0_resampling authors
 
 // What the compiler says of arguments whose types do not fit: one sentence for each. Of a call that
 // is refused callers compile nothing else, so that the sentence is the first error, not one of

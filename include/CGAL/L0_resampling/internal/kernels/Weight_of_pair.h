@@ -1,7 +1,11 @@
 // Copyright (c) 2026  The CGAL::L0_resampling authors.
 // All rights reserved.
 //
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The CGAL::L0_resampling authors
 
 #ifndef CGAL_L0_RESAMPLING_INTERNAL_WEIGHT_OF_PAIR_H
 #define CGAL_L0_RESAMPLING_INTERNAL_WEIGHT_OF_PAIR_H

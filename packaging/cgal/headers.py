@@ -1,0 +1,112 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026  The CGAL::L0_resampling authors.
+# All rights reserved.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The headers of the package as CGAL asks for them: headers.py (check | complete | for_cgal) FOLDER
+
+- check: says what CGAL's own checks would refuse, and ends with status 1 if there is anything.
+- complete: gives each header the lines that CGAL begins a file with.
+- for_cgal: makes the headers of a CGAL tree of them. They say that they are part of CGAL, and each
+  includes the header of the package's license. In the project only those do that see CGAL's own
+  headers anyway: the others are compiled for devices too, without CGAL.
+
+FOLDER is an `include` or a part of one.
+"""
+
+import re
+import sys
+from pathlib import Path
+
+HOLDER = "The CGAL::L0_resampling authors"
+COPYRIGHT = f"// Copyright (c) 2026  {HOLDER}.\n// All rights reserved.\n//\n"
+PART_OF_CGAL = "// This file is part of CGAL (www.cgal.org).\n//\n"
+LICENSE = "// SPDX-License-Identifier: GPL-3.0-or-later\n"
+HEAD = (COPYRIGHT + "// $URL$\n// $Id$\n" + LICENSE
+        + f"//\n// Author(s)     : {HOLDER}\n")
+INCLUDE_OF_LICENSE = "#include <CGAL/license/L0_resampling.h>\n"
+GUARD = re.compile(r"^#ifndef (CGAL_\w+_H)\n#define (\w+)\n", re.MULTILINE)
+
+# What a user includes, of what sees CGAL
+PUBLIC = re.compile(r"CGAL/(l0_\w+|L0_resampling/(CUDA_resampler|Tile\w+|named_parameters))\.h$")
+WITHOUT_GUARD = "L0_resampling/named_parameters_interface.h"
+LICENSE_HEADER = "license/L0_resampling.h"
+
+FORBIDDEN = [
+    (re.compile(r"(?<![(\w:])std::(?:min|max)(?:<[^>]*>)?\("),
+     "min and max are macros on Windows: (std::min)(...)"),
+    (re.compile(r"numeric_limits<[^>]*>::(?:min|max)\("),
+     "min and max are macros on Windows: (std::numeric_limits<...>::min)()"),
+    (re.compile(r"(?<!\w)(?:assert|abort|exit)\("), "a library neither asserts nor ends a program"),
+    (re.compile(r"\t|[ \t]$", re.MULTILINE), "a tab, or a blank at the end of a line"),
+]
+
+
+def headers(folder):
+    found = sorted(Path(folder).rglob("*.h"))
+    if not found:
+        sys.exit(f"headers.py: there are no headers in {folder}")
+    return found
+
+
+def complaints_of(path, text, guards):
+    if not text.startswith(HEAD):
+        yield "does not begin as CGAL's files do: headers.py complete adds that"
+    if not path.as_posix().endswith(WITHOUT_GUARD):
+        guard = GUARD.search(text)
+        if guard is None or guard[1] != guard[2]:
+            yield "has no include guard CGAL_..._H"
+        else:
+            other = guards.setdefault(guard[1], path)
+            if other != path:
+                yield f"has the include guard of {other}"
+    if PUBLIC.search(path.as_posix()) and INCLUDE_OF_LICENSE not in text:
+        yield f"is public and lacks {INCLUDE_OF_LICENSE.strip()}"
+    for block in re.findall(r"(?:^#include .*\n)+", text, re.MULTILINE):
+        lines = block.splitlines()
+        if lines != sorted(lines):
+            yield f"has includes out of order, from {lines[0]}"
+    for pattern, sentence in FORBIDDEN:
+        match = pattern.search(text)
+        if match:
+            line = text.count("\n", 0, match.start()) + 1
+            yield f"line {line}: {sentence}"
+
+
+def check(folder):
+    guards = {}
+    count = 0
+    for path in headers(folder):
+        for complaint in complaints_of(path, path.read_text(encoding="utf-8"), guards):
+            print(f"{path} {complaint}", file=sys.stderr)
+            count += 1
+    return count
+
+
+def complete(folder):
+    short = COPYRIGHT + LICENSE
+    for path in headers(folder):
+        text = path.read_text(encoding="utf-8")
+        if text.startswith(short):
+            path.write_text(HEAD + text[len(short):], encoding="utf-8")
+        elif not text.startswith(HEAD):
+            print(f"{path} begins in another way", file=sys.stderr)
+    return 0
+
+
+def for_cgal(folder):
+    for path in headers(folder):
+        text = path.read_text(encoding="utf-8")
+        text = text.replace(COPYRIGHT, COPYRIGHT + PART_OF_CGAL, 1)
+        if INCLUDE_OF_LICENSE not in text and not path.as_posix().endswith(LICENSE_HEADER):
+            text = GUARD.sub(lambda guard: guard[0] + "\n" + INCLUDE_OF_LICENSE, text, count=1)
+        path.write_text(text, encoding="utf-8")
+    return 0
+
+
+TASKS = {"check": check, "complete": complete, "for_cgal": for_cgal}
+
+if __name__ == "__main__":
+    if len(sys.argv) != 3 or sys.argv[1] not in TASKS:
+        sys.exit(__doc__)
+    sys.exit(1 if TASKS[sys.argv[1]](sys.argv[2]) else 0)

@@ -1,0 +1,160 @@
+#!/usr/bin/env bash
+# Lays the package into a CGAL tree, as CGAL's git repository has packages: a folder for each.
+#
+#   packaging/cgal/make_tree.sh FOLDER_OF_CGAL [GENERATED]
+#
+# A clone of CGAL gets, beside the folder L0_resampling, what other folders have of a package: the
+# header of the license, the line of the list of packages, the entry in CHANGES.md, the data of the
+# examples and the plugin of CGAL Lab. In an empty folder these stand alone. GENERATED is
+# doc/L0_resampling/generated of a build folder whose target doc was built: the figures and tables
+# that the manual quotes.
+set -euo pipefail
+source_directory=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+if [ $# -lt 1 ] || [ $# -gt 2 ] || [ ! -d "$1" ] || [ ! -d "${2:-.}" ]; then
+  sed -n '2,/^set /{/^#/s/^# \{0,1\}//p}' "${BASH_SOURCE[0]}" >&2
+  exit 2
+fi
+cgal=$(cd "$1" && pwd)
+generated=""
+if [ $# -eq 2 ]; then generated=$(cd "$2" && pwd); fi
+package=$cgal/L0_resampling
+title="L0 Resampling of Point Sets"
+cd "$source_directory"
+
+data=$cgal/Data/data/points_3/L0_resampling
+rm -rf "$package" "$cgal/Lab/demo/Lab/Plugins/L0_resampling" "$data"
+mkdir -p "$package"/{doc,examples,test}/L0_resampling "$cgal/Installation/include/CGAL/license" \
+         "$cgal/Lab/demo/Lab/Plugins" "$data"
+
+# Headers and what is said of the package
+cp -r include package_info "$package"
+packaging/cgal/headers.py for_cgal "$package/include"
+mv "$package/include/CGAL/license/L0_resampling.h" "$cgal/Installation/include/CGAL/license"
+rmdir "$package/include/CGAL/license"
+cp data/*.ply data/*.off "$data"
+
+# What a CMakeLists.txt has: cmake_of KIND SOURCE...
+cmake_of() {
+  local kind=$1 source
+  shift
+  cat << END
+# Written by packaging/cgal/make_tree.sh of the project that this package comes from.
+cmake_minimum_required(VERSION 3.12...3.31)
+project(L0_resampling_$kind)
+
+find_package(CGAL REQUIRED)
+find_package(Eigen3 3.3.7 QUIET)
+include(CGAL_Eigen3_support)
+if(NOT TARGET CGAL::Eigen3_support)
+  message(STATUS "NOTICE: $title needs Eigen 3.3.7 or later, so nothing is compiled here.")
+  return()
+endif()
+find_package(TBB QUIET)
+include(CGAL_TBB_support)
+set(l0_libraries CGAL::Eigen3_support)
+if(TARGET CGAL::TBB_support)
+  list(APPEND l0_libraries CGAL::TBB_support)
+endif()
+include_directories(\${CMAKE_CURRENT_SOURCE_DIR})
+add_definitions(-DL0_TEST_DATA="\${CGAL_DATA_DIR}/points_3/L0_resampling")
+
+END
+  printf 'create_single_source_cgal_program("%s")\n' "$@"
+  for source in "$@"; do
+    printf 'target_link_libraries(%s PRIVATE ${l0_libraries})\n' "$(basename "$source" .cpp)"
+  done
+}
+
+# Examples: those that need neither a device nor the library of the project
+cp examples/L0_resampling/*_example.* "$package/examples/L0_resampling"
+rm "$package/examples/L0_resampling/l0_resample_cuda_example.cpp"
+sed -i -E 's|L0_EXAMPLE_DATA "/([^"]*)"|CGAL::data_file_path("points_3/L0_resampling/\1")|' \
+    "$package"/examples/L0_resampling/*.cpp
+(cd "$package/examples/L0_resampling" && cmake_of Examples *.cpp > CMakeLists.txt)
+
+# Tests of stages and of calls, which are one source file each
+mapfile -t tests < <(sed -nE 's/^add_l0_(stage|call)_test\(([a-z_0-9/]+)\)$/\2.cpp/p' \
+                         test/L0_resampling/CMakeLists.txt)
+[ ${#tests[@]} -gt 0 ] || { echo "make_tree.sh: no test was found" >&2; exit 1; }
+mapfile -t folders < <(dirname "${tests[@]}" | sort -u)
+(
+  shopt -s nullglob
+  cd test/L0_resampling
+  cp --parents "${tests[@]}" ./*.h "$package/test/L0_resampling"
+  for folder in "${folders[@]}"; do
+    for header in "$folder"/*.h; do cp --parents "$header" "$package/test/L0_resampling"; done
+  done
+)
+cmake_of Tests "${tests[@]}" > "$package/test/L0_resampling/CMakeLists.txt"
+
+# The manual
+manual=$package/doc/L0_resampling
+cp -r doc/L0_resampling/{*.txt,*.bib,Concepts,fig,dependencies} "$manual"
+rm "$manual/CMakeLists.txt"
+sed -i 's/\\cgalPkgLicense{[^}]*}/\\cgalPkgLicense{\\ref licensesGPL "GPL"}/' \
+    "$manual/PackageDescription.txt"
+if [ -n "$generated" ]; then cp -r "$generated" "$manual/generated"; fi
+{
+  # The names of aliases that CGAL has not
+  cat << END
+@INCLUDE = \${CGAL_DOC_PACKAGE_DEFAULTS}
+
+PROJECT_NAME = "CGAL \${CGAL_DOC_VERSION} - $title"
+
+EXTRACT_ALL        = NO
+HIDE_UNDOC_MEMBERS = YES
+HIDE_UNDOC_CLASSES = YES
+EXCLUDE_SYMBOLS   += *internal*
+PREDEFINED        += CGAL_L0_LINKED_WITH_CUDA
+HTML_EXTRA_FILES   = \${CGAL_PACKAGE_DOC_DIR}/fig
+@INCLUDE_PATH      = \${CGAL_PACKAGE_DOC_DIR}/generated
+EXAMPLE_PATH      += \${CGAL_PACKAGE_DOC_DIR}/generated
+ALIASES           += "l0Version=$(scripts/project_version.sh)"
+END
+  grep '^ALIASES += "l0' doc/L0_resampling/aliases
+  if [ -n "$generated" ]; then echo "@INCLUDE           = figures_of_the_code"; fi
+} > "$manual/Doxyfile.in"
+
+# The plugin of CGAL Lab, which has the package beside it here
+cp -r demo/L0_resampling "$cgal/Lab/demo/Lab/Plugins"
+cat > "$cgal/Lab/demo/Lab/Plugins/L0_resampling/CMakeLists.txt" << END
+include(CGALlab_macros)
+
+if(TARGET CGAL::Eigen3_support)
+  qt6_wrap_ui(l0_resamplingUI_FILES L0_resampling_plugin.ui)
+  cgal_lab_plugin(l0_resampling_plugin L0_resampling_plugin \${l0_resamplingUI_FILES}
+                  KEYWORDS PointSetProcessing)
+  target_link_libraries(l0_resampling_plugin PRIVATE scene_points_with_normal_item
+                                                     CGAL::Eigen3_support)
+  if(TARGET CGAL::TBB_support)
+    target_link_libraries(l0_resampling_plugin PRIVATE CGAL::TBB_support)
+  endif()
+else()
+  message(STATUS "NOTICE: Eigen was not found. The plugin of $title will not be available.")
+endif()
+END
+
+# What a clone of CGAL has in lists
+list=$cgal/Installation/include/CGAL/license/gpl_package_list.txt
+if [ -f "$list" ] && ! grep -q '^L0_resampling ' "$list"; then
+  LC_ALL=C awk -v line="L0_resampling $title" '
+    !done && $1 > "L0_resampling" { print line; done = 1 } { print }
+    END { if (!done) print line }' "$list" > "$list.new"
+  mv "$list.new" "$list"
+fi
+changes=$cgal/Installation/CHANGES.md
+if [ -f "$changes" ] && ! grep -q 'L0 Resampling' "$changes"; then
+  version=$(sed -nE '0,/^## \[Release /s/^## \[Release ([0-9.]+)\].*/\1/p' "$changes")
+  entry=$(sed "s/@CGAL_VERSION@/$version/g" packaging/cgal/CHANGES.md)
+  # Before the first package of the newest release
+  awk -v entry="$entry" '!done && /^### \[/ { print entry "\n"; done = 1 } { print }' "$changes" \
+    > "$changes.new"
+  mv "$changes.new" "$changes"
+fi
+packages=$cgal/Documentation/doc/Documentation/packages.txt
+if [ -f "$packages" ] && ! grep -q 'package_listing{L0_resampling}' "$packages"; then
+  sed -i '/package_listing{Point_set_processing_3}/i \\\\package_listing{L0_resampling}\n' \
+      "$packages"
+fi
+examples=("$package"/examples/L0_resampling/*.cpp)
+echo "L0_resampling: ${#tests[@]} tests, ${#examples[@]} examples"

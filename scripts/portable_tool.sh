@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# Packs the tool with all that it loads, the C library too, so that it runs on any Linux of this
+# architecture, whatever it has installed:
+#
+#   scripts/portable_tool.sh TOOL ARCHIVE.tar.gz      as build/bin/l0_resample, one that was built
+#                                                     without native instructions
+#
+# The archive has the folder l0_resample: the program in it, a script, needs /bin/sh alone. A static
+# program would be less, but TBB is a shared library only.
+set -euo pipefail
+if [ $# -ne 2 ]; then
+  sed -n '2,/^set /{/^#/s/^# \{0,1\}//p}' "${BASH_SOURCE[0]}" >&2
+  exit 2
+fi
+tool=$(readlink -f "$1")
+archive=$(readlink -f "$2")
+source_directory=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+folder=$scratch/l0_resample
+mkdir -p "$folder/lib"
+cp "$source_directory/LICENSE" "$folder"
+install -m 755 "$tool" "$folder/lib/l0_resample"
+strip "$folder/lib/l0_resample"
+# "name => path (address)", and the loader, which has a path alone
+if ldd "$tool" | grep "not found"; then exit 1; fi
+ldd "$tool" | sed -nE 's,^[^/]*(/[^ ]*) \(0x.*,\1,p' | while read -r library; do
+  cp -L "$library" "$folder/lib"
+done
+loader=$(basename "$(ldd "$tool" | sed -nE 's,^\s*(/[^ ]*) \(0x.*,\1,p')")
+
+cat > "$folder/l0_resample" << END
+#!/bin/sh
+here=\$(dirname "\$(readlink -f "\$0")")/lib
+exec "\$here/$loader" --argv0 "\$0" --library-path "\$here" "\$here/l0_resample" "\$@"
+END
+chmod 755 "$folder/l0_resample"
+tar -c --owner=0 --group=0 --numeric-owner -C "$scratch" l0_resample | gzip -9n > "$archive"
+echo "$archive: $(du -h "$archive" | cut -f1)"

@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# The archive of scripts/portable_tool.sh, in a root folder where there is nothing else:
+#   test_portable_tool.sh SOURCE_DIRECTORY TOOL SCRATCH
+set -euo pipefail
+source_directory=$1 tool=$2 scratch=$3
+
+change_root=(chroot)
+if [ "$(id -u)" -ne 0 ]; then change_root=(unshare --map-root-user chroot); fi
+mkdir -p "$scratch/empty"
+if "${change_root[@]}" "$scratch/empty" /nothing 2>&1 | grep -q "ermitted\|denied"; then
+  echo "this user cannot change the root folder"
+  exit 77
+fi
+
+rm -rf "$scratch"
+mkdir -p "$scratch/root/tmp"
+"$source_directory/scripts/portable_tool.sh" "$tool" "$scratch/portable.tar.gz"
+tar -C "$scratch/root" -xzf "$scratch/portable.tar.gz"
+cp "$source_directory/data/bracket_noisy.ply" "$scratch/root"
+loader=$(cd "$scratch/root" && ls l0_resample/lib/ld-*)
+"${change_root[@]}" "$scratch/root" "/$loader" --library-path /l0_resample/lib \
+  /l0_resample/lib/l0_resample /bracket_noisy.ply /out.ply --points 500
+[ "$(head -c 3 "$scratch/root/out.ply")" = ply ]
+
+# The script, from another folder and by a link, and with the same result as the tool itself
+ln -s root/l0_resample/l0_resample "$scratch/link"
+cd "$scratch"
+./link root/bracket_noisy.ply by_link.ply --points 500
+"$tool" root/bracket_noisy.ply by_tool.ply --points 500
+cmp by_tool.ply by_link.ply
+cmp by_tool.ply root/out.ply
+if ./link nothing.ply none.ply 2> message; then
+  echo "the script loses the status" >&2
+  exit 1
+fi
