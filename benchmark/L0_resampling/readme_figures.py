@@ -20,6 +20,7 @@ sys.dont_write_bytecode = True
 
 import performance_tables  # noqa: E402
 import quality_tables  # noqa: E402
+from measured import measured_at  # noqa: E402
 from results import found_in, load_json, read_tables  # noqa: E402
 
 METHODS = {"lor": "LOR", "alor": "ALOR", "default": "default"}
@@ -124,7 +125,10 @@ def report():
             "versions stand in `benchmark/L0_resampling/report/results`.\n")
 
 
-PARTS = {"picture": picture, "report": report, "quality": quality, "speed": speed, "device": device}
+# What writes each part, and the results that it is of
+PARTS = {"picture": (picture, ["quality/picture"]), "report": (report, ["report/small", "report/full"]),
+         "quality": (quality, ["quality/fandisk"]), "speed": (speed, ["performance/fandisk", "performance/scaling"]),
+         "device": (device, ["performance/cuda_h200"])}
 
 
 def main():
@@ -134,9 +138,10 @@ def main():
     arguments = parser.parse_args()
 
     old = text = arguments.readme.read_text(encoding="utf-8")
-    for name, part in PARTS.items():
+    for name, (part, results) in PARTS.items():
+        written = f"{part()}\n{measured_at(*results)}\n"
         text, found = re.subn(rf"(<!-- measured: {name} -->\n).*?(<!-- end -->)",
-                              lambda match, part=part: match[1] + part() + match[2], text, flags=re.DOTALL)
+                              lambda match, written=written: match[1] + written + match[2], text, flags=re.DOTALL)
         if found != 1:
             sys.exit(f"readme_figures: {arguments.readme} has {found} parts {name}")
     if arguments.check and text != old:
