@@ -23,6 +23,7 @@ sys.dont_write_bytecode = True
 
 import performance_tables  # noqa: E402
 import quality_tables  # noqa: E402
+from measured import measured_at  # noqa: E402
 from results import found_in, load_json, read_tables  # noqa: E402
 
 METHODS = {"lor": "LOR", "alor": "ALOR", "default": "default"}
@@ -136,23 +137,26 @@ def large_clouds():
             f"in {float(seconds):.0f} seconds,\nin {tiles} tiles, and takes {memory} MB of memory at its peak.\n")
 
 
-PARTS_OF_README = {"picture": picture, "report": report, "quality": quality, "speed": speed,
-                   "device": device}
-PARTS = {**PARTS_OF_README, "large_clouds": large_clouds}
+# What writes each part, and the results that it is of
+PARTS = {"picture": (picture, ["quality/picture"]), "report": (report, ["report/small", "report/full"]),
+         "quality": (quality, ["quality/fandisk"]), "speed": (speed, ["performance/fandisk", "performance/scaling"]),
+         "device": (device, ["performance/cuda_h200"]), "large_clouds": (large_clouds, ["performance/large_clouds"])}
+PARTS_OF_README = ["picture", "report", "quality", "speed", "device"]
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("readme", type=Path)
-    parser.add_argument("--parts", nargs="+", choices=PARTS, default=list(PARTS_OF_README))
+    parser.add_argument("--parts", nargs="+", choices=PARTS, default=PARTS_OF_README)
     parser.add_argument("--check", action="store_true")
     arguments = parser.parse_args()
 
     old = text = arguments.readme.read_text(encoding="utf-8")
     for name in arguments.parts:
-        part = PARTS[name]
+        part, results = PARTS[name]
+        written = f"{part()}\n{measured_at(*results)}\n"
         text, found = re.subn(rf"(<!-- measured: {name} -->\n).*?(<!-- end -->)",
-                              lambda match, part=part: match[1] + part() + match[2], text, flags=re.DOTALL)
+                              lambda match, written=written: match[1] + written + match[2], text, flags=re.DOTALL)
         if found != 1:
             sys.exit(f"readme_figures: {arguments.readme} has {found} parts {name}")
     if arguments.check and text != old:

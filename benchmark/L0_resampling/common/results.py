@@ -10,13 +10,16 @@ The option `--output FOLDER/NAME` of a benchmark stands for three files:
   FOLDER/results/NAME.md     the tables made of it, which are
   FOLDER/results/NAME.json   the few figures that documents compute with, where there are any
 
-README and manual quote the files of `results` only. A benchmark that keeps part of an earlier run
-needs the file of `output`.
+README and manual quote the files of `results` only, with the commit that they were measured at
+(`measured.py`). A benchmark that keeps part of an earlier run needs the file of `output`.
 """
 
 import json
 import re
+import sys
 from dataclasses import dataclass
+
+from measured import note_run
 
 
 def raw_file(output):
@@ -70,6 +73,9 @@ def write_result(output, result, markdown, figures=None):
     tables_file(output).write_text(markdown, encoding="utf-8")
     if figures is not None:
         write_json(figures_file(output), rounded(figures))
+    unnoted = note_run(output)
+    if unnoted:
+        print(f"{tables_file(output).name}: {unnoted}", file=sys.stderr)
 
 
 @dataclass(frozen=True)

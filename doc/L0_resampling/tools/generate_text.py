@@ -10,7 +10,8 @@
   (noise of 1.0 %) or \\speed_default_seconds;
 - formula_macros.tex: the same for formulas, where their names have letters only, such as
   \\constantInnerRadiusFactor, as TeX knows no underscores;
-- table_*.txt: the tables of the benchmarks, for \\include{doc}.
+- table_*.txt: the tables of the benchmarks, for \\include{doc}, each with the commit that it was
+  measured at; for figures, that is an alias such as \\measured_quality_oracle.
 
 DEFAULTS.json is what the program print_defaults prints.
 """
@@ -69,6 +70,10 @@ def html_tables(markdown):
             tables.append("\n".join(['<table class="l0Table">', *rows, "</table>"]) + "\n")
             lines = []
     return tables
+
+
+def measured_line(commit):
+    return f'<p class="l0Measured">Measured at commit <code>{commit}</code>.</p>\n'
 
 
 def camel_case(name):
@@ -185,6 +190,9 @@ TABLES = {"quality": {"fandisk": "quality_fandisk", "armadillo": "quality_armadi
           "performance": {"fandisk": "speed", "callback": "callback", "cuda_h200": "device",
                           "large_clouds": "large_clouds"},
           "report": {"full": "claims"}}
+# Of figures that are plots
+PLOTTED = ("quality/comparison", "quality/poisson", "quality/oracle", "quality/thin_plates",
+           "quality/scenes", "performance/scaling", "performance/cuda_h200")
 
 
 def main():
@@ -192,13 +200,18 @@ def main():
     benchmark = source / "benchmark" / "L0_resampling"
     sys.path += [str(benchmark / folder) for folder in ("common", "quality", "performance")]
     sys.dont_write_bytecode = True   # the benchmarks lie in the source tree
+    from measured import load_notes, short
     from performance_tables import fitted_exponent
     from quality_tables import read_figures
     from results import found_in, read_tables
 
     texts = {name: (benchmark / folder / "results" / f"{file}.md").read_text(encoding="utf-8")
              for folder, names in TABLES.items() for file, name in names.items()}
-    tables = {name: html_tables(text) for name, text in texts.items()}
+    measured = {name: short(result["commit"]) for name, result in load_notes()["results"].items()}
+    commit_of_text = {name: measured[f"{folder}/{file}"]
+                      for folder, names in TABLES.items() for file, name in names.items()}
+    tables = {name: [table + measured_line(commit_of_text[name]) for table in html_tables(text)]
+              for name, text in texts.items()}
     tables["claims"] = tables["claims"][:1]    # of those of the report
     speed, scaling, device = (load(benchmark / "performance" / "results" / f"{name}.json")
                               for name in ("fandisk", "scaling", "cuda_h200"))
@@ -216,6 +229,7 @@ def main():
     streaming = benchmark / "performance" / "results" / "tool_streaming.md"
     figures.update(streaming_figures(read_tables(streaming.read_text(encoding="utf-8"))))
     figures.update(test_figures(source / "test" / "L0_resampling"))
+    figures.update({f"measured_{name.replace('/', '_')}": measured[name] for name in PLOTTED})
     machine = speed["machine"]
     figures["speed_machine"] = f"{machine['cores']} cores of {machine['processor']}"
 
