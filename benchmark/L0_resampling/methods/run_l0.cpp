@@ -76,6 +76,9 @@ Json to_json(const Report& report)
 
   return {{"peak_bytes", report.peak_bytes},
           {"neighbor_radius", report.neighbor_radius},
+          {"estimated_noise", report.estimated_noise},
+          {"number_of_outliers", report.number_of_outliers},
+          {"number_of_unexplained_samples", report.number_of_unexplained_samples},
           {"number_of_self_neighbor_pairs", report.number_of_self_neighbor_pairs},
           {"outer_iterations", report.iterations.size()},
           {"solver_iterations", solver_iterations},
