@@ -15,6 +15,7 @@ status tells whether the parts are what the results say.
 import argparse
 import re
 import sys
+import textwrap
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
@@ -27,13 +28,18 @@ from measured import measured_at  # noqa: E402
 from results import found_in, load_json, read_tables  # noqa: E402
 
 METHODS = {"lor": "LOR", "alor": "ALOR", "default": "default"}
-QUALITY_METHODS = {**METHODS, "wlop_6_uniform": "WLOP, radius 6, uniform", "ear_4": "EAR, radius 4",
+# Without ALOR, whose results differ little from those of LOR
+QUALITY_METHODS = {"lor": "LOR", "default": "default", "wlop_6_uniform": "WLOP, radius 6, uniform", "ear_4": "EAR, radius 4",
                    "smoothed_ear_6_again": "EAR, radius 6, input smoothed first and after WLOP"}
 QUALITY_HEADINGS = ("mean distance, %", "normal error, degrees", "edge recall", "NN6 cv")
 
 
 def read(path):
     return (HERE / path).read_text(encoding="utf-8")
+
+
+def paragraph(text):
+    return textwrap.fill(text, 100, break_long_words=False, break_on_hyphens=False) + "\n"
 
 
 def duration(seconds):
@@ -45,14 +51,13 @@ def picture():
     experiment, tried = result["experiment"], result["methods"]
     best = {name: min(tried[name]["mean_distance_percent"].values()) for name in tried}
     of_cgal = len(tried["WLOP"]["mean_distance_percent"]), len(tried["EAR"]["mean_distance_percent"])
-    radii = ", ".join(f"{radius:g}" for radius in result["radii"])
-    return (f"Above: {experiment['input_points']} points of the fandisk mesh with noise of {experiment['noise_percent']:g} % of its diagonal, and "
-            f"{experiment['output_points']} points that each method makes of them. Of\nWLOP and EAR, in CGAL's programs, it is the best of "
-            f"{of_cgal[0]} and {of_cgal[1]} variants (radii of {radii} spacings, with and without uniform density, with and without\nsmoothing). "
-            f"Middle: CGAL's Poisson mesh of these points, red where it is {result['largest_error_percent']:g} % off the true surface or more. On "
-            f"average it is {best['WLOP']:.2f} % off for\nWLOP, {best['EAR']:.2f} % for EAR, {best['ours']:.2f} % for this package, and "
-            f"{best['input']:.2f} % for all points of the input with CGAL's normals. Below: a real scan of CGAL's data, of a\nhippo from one side, "
-            "drawn with the normals that it comes with, and what this package makes of its points alone. Drawn by `draw_comparison.py` in `benchmark/L0_resampling/quality`.\n")
+    return paragraph(
+        f"Above: {experiment['input_points']} points of the fandisk mesh with noise of {experiment['noise_percent']:g} % of its diagonal, "
+        f"and {experiment['output_points']} points by each method; those of WLOP and EAR are the best of {of_cgal[0]} and "
+        f"{of_cgal[1]} variants. Middle: CGAL's Poisson mesh of these points, red where it is "
+        f"{result['largest_error_percent']:g} % off the surface or more. Its mean distance from the surface is {best['WLOP']:.2f} % for WLOP, "
+        f"{best['EAR']:.2f} % for EAR, {best['ours']:.2f} % for this package, and {best['input']:.2f} % for the input with "
+        "CGAL's normals. Below: a scan from CGAL's data, and the result of this package.")
 
 
 def quality():
@@ -64,37 +69,27 @@ def quality():
     lines = quality_tables.table(header, rows).splitlines()
     lines[1] = "| --- | --- |" + " ---: |" * len(QUALITY_HEADINGS)
     points_in, points_out = found_in(r"(\d+) points in, (\d+) out", text)
-    return (f"On {points_in} points of the fandisk mesh with Gaussian noise, {points_out} points out. "
-            "Lengths and noise are in %\nof the diagonal; smaller is better but for recall.\n\n" + "\n".join(lines) + "\n")
+    text = paragraph(f"The input has {points_in} points of the fandisk mesh with Gaussian noise, and each result {points_out} points. Lengths and "
+                     "noise are in % of the diagonal. Smaller is better, except for the recall.")
+    return text + "\n" + "\n".join(lines) + "\n"
 
 
 def speed():
     result = load_json(HERE / "performance/results/fandisk.json")
-    scaling = load_json(HERE / "performance/results/scaling.json")["scaling"]
-    comparison, cores = result["comparison"], result["machine"]["cores"]
+    comparison, lor = result["comparison"], result["comparison"]["lor"]
 
     def times_faster(slow, method):
         return f"{comparison[slow]['cpu_seconds'] / comparison[method]['cpu_seconds']:.0f}"
 
-    rows = []
-    for method, name in METHODS.items():
-        gain = comparison[method]["wall_seconds"] / comparison[f"{method}, 2 threads"]["wall_seconds"]
-        rows.append([name, times_faster("wlop", method),
-                     f"{times_faster('ear defaults', method)} / {times_faster('ear', method)}", f"{gain:.2f}",
-                     f"{comparison[method]['bytes_a_point']:.0f}"])
     table = performance_tables.table(
-        ["method", "times faster than CGAL's WLOP (default radius)",
-         "than the EAR pipeline on it, CGAL's defaults / parameters of its example", "two threads against one",
-         "own arrays, bytes an input point"], rows)
-    points = {method: [(run["points_in"], run["cpu_seconds"]) for run in scaling if run["method"] == method]
-              for method in METHODS}
-    growth = [f"n^{performance_tables.fitted_exponent(points[method]):.2f}" for method in METHODS]
-    counts = [n for n, _ in points["default"]]
-    lor, noise = comparison["lor"], result["noise_percent"]
-    return (f"Fandisk, {lor['points_in']} points in, {lor['points_out']} out, noise "
-            f"{noise:g} %, one thread of a machine with {cores} cores, all methods in one run:\n\n"
-            f"{table}\nFrom {min(counts)} to {max(counts)} points, with noise of {noise:g} % of the diagonal "
-            f"throughout, the time of LOR, ALOR and the\ndefault method grows as {', '.join(growth[:2])} and {growth[2]}.\n")
+        ["method", "WLOP", "EAR, CGAL's defaults", "EAR, as in its example", "bytes per input point"],
+        [[name, *(times_faster(slow, method) for slow in ("wlop", "ear defaults", "ear")),
+          f"{comparison[method]['bytes_a_point']:.0f}"] for method, name in METHODS.items()])
+    text = paragraph(
+        "This table has the times of CGAL's WLOP, with its default radius, and of the pipeline of WLOP and EAR, divided by that of the method, "
+        f"on one thread, and the peak of the memory that a call allocates. The input has {lor['points_in']} points of the fandisk mesh with "
+        f"noise of {result['noise_percent']:g} %, and each result {lor['points_out']} points.")
+    return f"{text}\n{table}"
 
 
 def device():
@@ -111,21 +106,10 @@ def device():
 
     most = max(run["threads"] for run in result["beside"])
     name = result["results"][0]["device"]
-    return (f"On one {name}, with points and result on the device:\n\n{table}\n"
-            f"On the processor of that machine LOR takes {beside('block', 1)} on one core for the first row and "
-            f"{beside('block', most)} on {most}. With the\npaper's explicit rows it takes {beside('rows', most)} "
-            f"there, or {beside('cuda_rows', most)} with those rows solved on the device.\n")
-
-
-def report():
-    small = read("report/results/small.md")
-    minutes, = found_in(r"The experiments took ([\d.]+) minutes", small)
-    cores, = found_in(r"(\d+) cores of ", small)
-    claims = read_tables(read("report/results/full.md"))[0].rows
-    kept = sum(row[-1] == "holds" for row in claims)
-    return (f"The small version took {minutes} minutes on {cores} cores, without the build. "
-            f"Of {len(claims)} sentences of the paper that are checked, with its numbers of points,\n{kept} hold and {len(claims) - kept} do not; the tables of both "
-            "versions stand in `benchmark/L0_resampling/report/results`.\n")
+    text = paragraph(f"On the processor of that machine LOR takes {beside('block', 1)} on one core for the first row and "
+                     f"{beside('block', most)} on {most}. With the paper's explicit rows it takes {beside('rows', most)} there, or "
+                     f"{beside('cuda_rows', most)} with those rows solved on the device.")
+    return f"On one {name}, with points and result on the device:\n\n{table}\n{text}"
 
 
 def large_clouds():
@@ -133,15 +117,15 @@ def large_clouds():
     points, how, seconds, _, memory, tiles, _ = table.rows[-1]
     if not how.startswith("--as-one"):
         sys.exit("readme_figures: the last row of large_clouds.md is not of a run by tiles")
-    return (f"The tool resamples a scan of {points} points, in a LAS file, with `{how}` on two threads "
-            f"in {float(seconds):.0f} seconds,\nin {tiles} tiles, and takes {memory} MB of memory at its peak.\n")
+    return paragraph(f"The tool resamples a scan of {points} points, in a LAS file, with `{how}` on two threads "
+                     f"in {float(seconds):.0f} seconds, in {tiles} tiles, and takes {memory} MB of memory at its peak.")
 
 
 # What writes each part, and the results that it is of
-PARTS = {"picture": (picture, ["quality/picture"]), "report": (report, ["report/small", "report/full"]),
-         "quality": (quality, ["quality/fandisk"]), "speed": (speed, ["performance/fandisk", "performance/scaling"]),
-         "device": (device, ["performance/cuda_h200"]), "large_clouds": (large_clouds, ["performance/large_clouds"])}
-PARTS_OF_README = ["picture", "report", "quality", "speed", "device"]
+PARTS = {"picture": (picture, ["quality/picture"]), "quality": (quality, ["quality/fandisk"]),
+         "speed": (speed, ["performance/fandisk"]), "device": (device, ["performance/cuda_h200"]),
+         "large_clouds": (large_clouds, ["performance/large_clouds"])}
+PARTS_OF_README = ["picture", "quality", "speed"]
 
 
 def main():
