@@ -3,9 +3,9 @@
 #
 #   run.sh [--keep] CORPUS [EXECUTIONS]
 #
-# CORPUS is csv, las, npy, obj, off, pcd, ply_ascii, ply_binary or xyz; 100000 executions if none are
-# given. With --keep, the files that reached new paths are packed into the corpus, and the number of
-# executions is noted in executions.csv.
+# CORPUS is csv, las, npy, obj, off, pcd, ply_ascii, ply_binary or xyz; there are 100000 executions
+# if no number is given. With --keep, the files that reached new paths are packed into the corpus,
+# and the number of executions is noted in executions.csv.
 #
 # Needs clang with its run-time library for fuzzing (Debian: clang, libclang-rt-dev). Ends with 0 if
 # no file was found that breaks a reader; such a file is left in the folder that is named.
