@@ -13,6 +13,7 @@ import argparse
 import statistics
 import sys
 import tempfile
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from quality_bench import Bench, command_line, mesh_of, write_result
@@ -95,19 +96,22 @@ def main():
     parser.add_argument("build", type=Path, help="build folder; its bin/ has the programs")
     parser.add_argument("meshes", type=Path, help="folder of CGAL's demo data with the shapes that are not ours")
     parser.add_argument("--output", type=Path, metavar="FOLDER/NAME", help="what to write, see common/results.py; else the tables are printed")
-    parser.add_argument("--threads", type=int, default=1, help="of our method")
+    parser.add_argument("--jobs", type=int, default=1, help="so many shapes at a time")
     parser.add_argument("--small", action="store_true", help="few points on one shape of ours; fails if there is a cliff")
     arguments = parser.parse_args()
     shapes, noises, conditions = SHAPES, NOISES, CONDITIONS
     if arguments.small:
         shapes, noises, conditions = ("staircase",), (0.5, 0.9, 1.4, 2, 2.5), {"8000 points": {"input_points": 8_000}}
     result = {"commands": [command_line("run_noise_sweep.py", sys.argv[1:])], "rows": []}
-    with tempfile.TemporaryDirectory() as scratch:
-        bench = Bench(arguments.build / "bin", Path(scratch), arguments.threads)
-        for name, condition in conditions.items():
-            for shape in shapes:
-                mesh = mesh_of(shape, arguments.meshes)
-                result["rows"] += [{"condition": name, **measure(bench, mesh, condition, noise)} for noise in noises]
+
+    def rows_of(name, shape):
+        with tempfile.TemporaryDirectory() as scratch:
+            bench, mesh = Bench(arguments.build / "bin", Path(scratch), 1), mesh_of(shape, arguments.meshes)
+            return [{"condition": name, **measure(bench, mesh, conditions[name], noise)} for noise in noises]
+
+    with ThreadPoolExecutor(arguments.jobs) as pool:
+        for rows in pool.map(rows_of, *zip(*((name, shape) for name in conditions for shape in shapes))):
+            result["rows"] += rows
     write_result(arguments.output, result, markdown(result))
     if arguments.small:
         if any(cliffs(result["rows"])):
