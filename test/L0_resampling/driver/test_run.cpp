@@ -263,7 +263,9 @@ void test_facts()
   CHECK(r.spacing == 0.5); // 125 for 500
   // where scales differ, few points may hold many samples: the solver gets more to do
   CHECK(lor.low_end_of_spectrum == low_end_of_spectrum(0.15, 1, 1));
-  CHECK(r.low_end_of_spectrum == low_end_of_spectrum(0.15, 1, coupling_of_uneven_points));
+  CHECK(r.low_end_of_spectrum == low_end_of_spectrum(0.15, 1, coupling_of_radii(4)));
+  CHECK(coupling_of_radii(1) == 1 && coupling_of_radii(1.01) < 1.1);
+  CHECK(coupling_of_radii(2) > 3 && coupling_of_radii(1e9) < 100);
 
   Parameters parameters = parameters_of(Method::DEFAULT);
   parameters.neighbor_radius = 3;

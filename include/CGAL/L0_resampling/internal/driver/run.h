@@ -40,8 +40,7 @@ Plan plan_call(const Parameters& parameters, Backend& backend)
   if (plan.follows_scales)
     range = backend.estimate_scale_field(facts.robust_diagonal, usual_scales(plan, facts));
   plan.largest_radius = range.largest;
-  if (range.least < range.largest)
-    plan.minimization.coupling = coupling_of_uneven_points;
+  plan.minimization.coupling = coupling_of_radii(range.largest / range.least);
   backend.set_unit(plan.unit);
   report_radii(plan, range, backend.frame(), backend.report());
   return plan;

@@ -33,8 +33,14 @@ inline double low_end_of_spectrum(double regularization_weight, double penalty, 
   return 1 / (1.1 + coupling * (2 * regularization_weight + 2.3 * penalty));
 }
 
-/// Where the spacing of the points varies, many samples are held by few points.
-constexpr double coupling_of_uneven_points = 12;
+/// Where the spacing of the points varies, many samples are held by few points: the more, the more
+/// the radii differ.
+/// \param largest_ratio of two radii
+inline double coupling_of_radii(double largest_ratio)
+{
+  const double most = 20;
+  return largest_ratio * largest_ratio < most ? largest_ratio * largest_ratio : most;
+}
 
 /*!
 The coefficients of Chebyshev steps for \f$ D^{-1} H \f$ on the interval from `low` to 2 - `low`:
