@@ -17,6 +17,8 @@
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
+#include <tbb/partitioner.h>
+#include <tbb/task_arena.h>
 #endif
 
 #include <algorithm>
@@ -283,7 +285,7 @@ void test_callback_with_a_loop()
   const auto pause = [](int microseconds) {
     std::this_thread::sleep_for(std::chrono::microseconds(microseconds));
   };
-  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 4);
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 8);
   thread_local bool is_in_callback = false;
   std::atomic<bool> is_block_inside{false}, is_alone{true};
   std::atomic<int> number_inside{0}, number_of_calls{0};
@@ -291,20 +293,34 @@ void test_callback_with_a_loop()
     is_alone = ++number_inside == 1 && is_alone;
     ++number_of_calls;
     is_in_callback = true;
-    tbb::parallel_for(0, 16, [&](int) { pause(500); });
+    std::atomic<bool> is_elsewhere{false}; // then there is something to wait for
+    tbb::parallel_for(
+      0, 2,
+      [&](int) {
+        for (int i = 0; i < 100 && is_in_callback && !is_elsewhere; ++i)
+          pause(200);
+        if (!is_in_callback)
+        {
+          is_elsewhere = true;
+          pause(5000);
+        }
+      },
+      tbb::simple_partitioner());
     is_in_callback = false;
     --number_inside;
     return true;
   };
-  Report report;
-  internal::Memory_counter memory;
-  internal::Progress progress(callback, report, memory);
-  progress.begin_stage("blocks", 1, 1);
-  while (number_of_calls < 20)
-    for_each_block<CGAL::Parallel_tag>(400, 1, [&](std::size_t, std::size_t) {
-      is_block_inside = is_in_callback || is_block_inside;
-      pause(200);
-    });
+  tbb::task_arena(8).execute([&]() { // however few cores there are
+    Report report;
+    internal::Memory_counter memory;
+    internal::Progress progress(callback, report, memory);
+    progress.begin_stage("blocks", 1, 1);
+    while (number_of_calls < 20)
+      for_each_block<CGAL::Parallel_tag>(4000, 1, [&](std::size_t, std::size_t) {
+        is_block_inside = is_in_callback || is_block_inside;
+        pause(200);
+      });
+  });
   CHECK(!is_block_inside);
   CHECK(is_alone);
 }
