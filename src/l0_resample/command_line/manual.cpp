@@ -51,17 +51,22 @@ INPUT - is standard input; OUTPUT - and --json - are standard output. That, a pi
 to a descriptor, such as /dev/stdout, /dev/fd/3 or /proc/self/fd/3, is written to as it is open,
 also if it is redirected to a file.
 
-XYZ, a text, has coordinates in its first three columns and, if it has six, normals in the others.
-Where these are no unit vectors a warning says so, and they are left out. --columns tells what the
-columns are: x, y, z, nx, ny, nz, red, green, blue, alpha as in PLY, any other name for a property
-of the points, - or _ for a column to leave out. CSV, a table, names its columns in its first
-line. Of OBJ, vertices (v) are read and, if there are as many, normals (vn).
+XYZ, a text (.xyz, .xyzn, .pwn, .pts, .txt, .asc), may name its columns before the points; else it
+has coordinates in its first three columns and, if it has six, normals in the others. --columns
+tells what the columns of a text, or of an array (NPY), are: x, y, z, nx, ny, nz, red, green, blue,
+alpha as in PLY, any other name for a property of the points, - or _ for a column to leave out. CSV,
+a table, names its columns in its first line. Names are those of all formats, such as X, NormalX or
+R. Of OBJ, vertices (v) are read, and normals (vn) as faces name them; without faces, if there are
+as many. Where normals of any format are no unit vectors, they are left out, and a warning says so.
+Properties whose values are all whole numbers may be labels, and are not averaged.
 
 LAS 1.0 to 1.4 is read with the fields of its points and with its extra bytes, but without waveforms
 and points that are flagged as withheld. --keep-classes and --first-returns look at the properties
 classification and return_number, which points of other formats may have too. LAS is written with
 scales that move no point by more than a thousandth of the spacing, as version 1.4, or 1.2 if the
-points of INPUT are of formats 0 to 5. From LAS to LAS the coordinate system goes along.)"},
+points of INPUT are of formats 0 to 5. From LAS to LAS the coordinate system goes along. If x and y
+are degrees, they are no lengths as heights are, and the file is refused: project it first, as with
+filters.reprojection of PDAL, or give --allow-degrees.)"},
    {"METHODS",
     R"(LOR and ALOR are the methods of the paper, the default method is the one that is
 recommended. The radius of a neighborhood follows from spacing and noise of the points in the
@@ -72,10 +77,10 @@ The default method flattens no jump that is too large for noise. So there is a l
 note says so.)"},
    {"WITHOUT OUTPUT",
     R"(--info tells of one INPUT the number of points, the extent, whether it has normals, version,
-point format and scale of LAS, which other properties its points have, and the viewpoint of a PCD
-file, unless that is 0,0,0, which many programs write if they know none; then spacing and noise of
-the points as the default method estimates them, and the radius and the number of points that a run
-with these options would have.
+point format and scale of LAS, whether x and y are degrees, which other properties its points have,
+and the viewpoint of a PCD file, or the camera of PLY, unless that is 0,0,0, but for rounding, which
+many programs write if they know none; then spacing and noise of the points as the default method
+estimates them, and the radius and the number of points that a run with these options would have.
 
 --dry-run does all but to resample and to write: it reads INPUT, finds the radius, and finds out
 whether device, OUTPUT, report and picture could be used. The exit status is that of what is
@@ -125,7 +130,10 @@ is not taken from the file. --output, --help, --version and --config are not in 
 as surfaces of discs. Without normals of INPUT, its discs are planes through points nearby. What is
 turned away from the eye is blue: the inside of a surface, or a normal of the wrong sign. With
 --feature-confidence the result is the redder the surer it is of an edge. --snapshot-colors normals
-colors points by the direction of their normals instead, x as red, y as green, z as blue.)"},
+colors points by the direction of their normals instead, x as red, y as green, z as blue. z points
+up if few planes hold most points, as of buildings, or as --up says, else y. The eye is beside the
+viewpoint, or on the broad side, or where --view says. Of what was seen from within, as a room, the
+sides that are turned away from the eye are not drawn.)"},
    {"OUTPUT OF THE PROGRAM",
     R"(Standard output gets one line of summary; if points or a report go there, standard error
 gets it. Notes, warnings and errors are lines on standard error.)"},
@@ -284,7 +292,7 @@ std::string values_for_bash(const CLI::Option& option)
 
 std::string help_text(const CLI::App& app)
 {
-  std::string text = std::string("l0_resample ") + summary + ".\n\n";
+  std::string text = std::string("l0_resample ") + summary + ".\n";
   for (const char* usage : usages)
     text += std::string("  ") + usage + "\n";
   for (const std::string& group : groups_of(app)) {
