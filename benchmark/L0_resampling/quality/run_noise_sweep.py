@@ -47,7 +47,7 @@ def measure(bench, mesh, condition, noise):
     # of points whose coordinates are off by the noise, the mean distance from a plane
     row["input_distance"] = noise * (2 / 3.141592653589793) ** 0.5
     if experiment["input_points"] <= WLOP_POINTS and not experiment["outliers_percent"]:
-        method = wlop(6, "--uniform")
+        method = wlop(6, "--require-uniform-sampling")
         bench.resample(source, method, experiment["output_points"], result)
         row["wlop_distance"] = bench.evaluate(mesh, method, experiment["output_points"], result)["distance"]["mean"]
     print(f"{mesh.stem}, {noise} %: {row['estimate_per_truth']:.2f} of the noise, distance {row['distance']:.4f} %", file=sys.stderr, flush=True)

@@ -262,11 +262,10 @@ Scales estimate_scales(const Workplace& workplace, const Positions& positions,
   keep_one_of_equal_points(workplace, grid);
   const unsigned least_stride = (std::max)(grid.size / unsigned(number_of_balls), 1u);
   const auto size_of = [&](unsigned stride) { return (grid.size + stride - 1) / stride; };
-  Ball_of_points* const device_balls =
-    workplace.scratch.take<Ball_of_points>(size_of(least_stride));
+  Ball_of_points* const device_balls = workplace.scratch.take<Ball_of_points>(
+    size_of(least_stride));
   return scales_of_growing_balls(cell_size, [&](int reach, double radius) {
-    const unsigned stride = least_stride * unsigned(stride_at_reach(reach)),
-                   size = size_of(stride);
+    const unsigned stride = least_stride * unsigned(stride_at_reach(reach)), size = size_of(stride);
     std::vector<Ball_of_points> balls(size);
     look_at_balls<<<size, threads_per_query, 0, workplace.stream>>>(grid, stride, reach,
                                                                     float(radius), device_balls);

@@ -188,8 +188,8 @@ int main()
   std::size_t m = number_of_samples(even, 0.5);
   check("even", even.points(), 0.001, m, CGAL::parameters::number_of_output_points(m));
   m = number_of_samples(uneven, 0.4);
-  check("uneven", uneven.points(), 0.02, m, CGAL::parameters::number_of_output_points(m));
-  check("uneven, as dense as the input", uneven.points(), 0.02, m,
+  check("uneven", uneven.points(), 0.08, m, CGAL::parameters::number_of_output_points(m));
+  check("uneven, as dense as the input", uneven.points(), 0.08, m,
         keep_density(true).number_of_output_points(m));
   m = number_of_samples(crowds, 1.3);
   check("crowds and outliers", crowds.points(), 0.001, m,

@@ -199,10 +199,10 @@ int main(int argc, char** argv)
     check_even(CGAL::Sequential_tag());
   // where radii are larger, the halo is narrower for them
   m = number_of_samples(uneven, 0.4);
-  check<CGAL::Parallel_if_available_tag>("uneven", uneven.points(), shares(0.7), {0, 0.03}, m,
+  check<CGAL::Parallel_if_available_tag>("uneven", uneven.points(), shares(0.7), {0, 0.08}, m,
                                          CGAL::parameters::number_of_output_points(m));
   check<CGAL::Parallel_if_available_tag>("uneven, as dense as the input", uneven.points(),
-                                         shares(0.7), {0, 0.03}, m,
+                                         shares(0.7), {0, 0.08}, m,
                                          keep_density(true).number_of_output_points(m));
   m = number_of_samples(crowds, 1.3); // a lone point is the start of several samples
   check<CGAL::Parallel_if_available_tag>("crowds and outliers", crowds.points(), shares(0.5),

@@ -44,7 +44,7 @@ check "in memory" test "$status" -eq 0
 
 # What decides on the tiles is memory: for all, for the facts of all, and less
 memory_for_two=$(((96 << 20) + 6500000))
-memory_for_more=$(((96 << 20) + 2900000))
+memory_for_more=$(((96 << 20) + 3300000))
 run parts --as-one "${options[@]}" --memory 4GB --output-directory one --json one.json
 check "one tile" test "$status" -eq 0 -a "$(number_of_tiles one)" -eq 1
 check "nothing to be said" test ! -s stderr

@@ -171,7 +171,8 @@ Scale_field field_of_seeds(Morton_places places_of_seeds, const Buffer<Seed>& kn
     field.scales[i] = scale_of_group(One_thread(), seeds, known.data(), wanted.data(), i);
   });
   bool are_all_one = true;
-  for_each_in_order(size, [&](std::size_t i) { are_all_one = are_all_one && field.scales[i] == 1; });
+  for_each_in_order(size,
+                    [&](std::size_t i) { are_all_one = are_all_one && field.scales[i] == 1; });
   if (are_all_one)
   {
     release(field.scales);

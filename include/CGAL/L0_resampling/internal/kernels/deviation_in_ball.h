@@ -25,8 +25,10 @@ namespace internal {
 CGAL_L0_HOST_DEVICE inline double third_tenth_of_deviations(double n)
 {
   const double third_tenth_of_normal = -0.5244,
-               degrees = n < 5 ? 2 : n > 500 ? 497 : n - 3, a = 2 / (9 * degrees),
-               root = 1 - a + third_tenth_of_normal * std::sqrt(a);
+               degrees = n < 5     ? 2
+                         : n > 500 ? 497
+                                   : n - 3,
+               a = 2 / (9 * degrees), root = 1 - a + third_tenth_of_normal * std::sqrt(a);
   return root * std::sqrt(root);
 }
 

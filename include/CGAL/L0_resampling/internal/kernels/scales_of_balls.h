@@ -119,7 +119,7 @@ inline Look_at_balls look_at(std::vector<Ball_of_points> balls, double radius, d
     ball = with_one_sheet(ball, radius);
   const double count = internal::median_count(balls),
                third_tenth = std::sqrt(
-                 quantile(balls, 0.3, [](const Ball_of_points& ball) { return ball.variance; })),
+                 quantile(balls, 0.3, [](const Ball_of_points&ball) { return ball.variance; })),
                noise = noise_of_sheet(third_tenth / third_tenth_of_deviations(count), radius,
                                       count),
                spacing = radius * std::sqrt(pi / (std::max)(median_count_by_area(balls), 1.));
@@ -147,7 +147,7 @@ public:
   }
 
   /// \param place a number of a look, or one between two
-  double at(double place, double Look_at_balls::* value) const
+  double at(double place, double Look_at_balls::*value) const
   {
     const std::size_t i = std::size_t(place), next = (std::min)(i + 1, m_looks.size() - 1);
     const double t = place - double(i);
@@ -155,7 +155,7 @@ public:
   }
 
   /// The first place from `begin` on where the value is not above zero; the last if it is nowhere.
-  double first_not_positive(double Look_at_balls::* value, double begin) const
+  double first_not_positive(double Look_at_balls::*value, double begin) const
   {
     double place = begin, before = at(begin, value);
     while (before > 0 && place < last())

@@ -204,8 +204,8 @@ std::vector<Ranked_balls> look_at_balls(Buffer<Vector>& points, const Own_blocks
       }
     if (of_reach.empty())
       continue;
-    const std::vector<Ball_of_points> balls = of_scales.balls_around<ConcurrencyTag, Local>(
-      of_reach, reaches_of_balls[k], progress);
+    const std::vector<Ball_of_points> balls =
+      of_scales.balls_around<ConcurrencyTag, Local>(of_reach, reaches_of_balls[k], progress);
     for (std::size_t i = 0; i < balls.size(); ++i)
       *balls_of_reach[i] = balls[i];
   }
