@@ -231,9 +231,9 @@ void test_few_points_of_a_sphere(const Surface& sphere)
   {
     const Measures ours = resample_and_measure(sphere, points, Method::DEFAULT, m,
                                                params::random_seed(0));
-    report({CHECK(ours.distance.mean < 0.12),     // 0.071, 90 points
-            CHECK(ours.distance.max < 0.6),       // 0.386, 300 points
-            CHECK(ours.gap.max < 1.6),            // 1.38, 30 points
+    report({CHECK(ours.distance.mean < 0.12),    // 0.071, 90 points
+            CHECK(ours.distance.max < 0.6),      // 0.386, 300 points
+            CHECK(ours.gap.max < 1.6),           // 1.38, 30 points
             CHECK(ours.spacing_variation < 0.2), // 0.182, 30 points
             CHECK(ours.normals.share_inwards == 0)},
            {ours});
@@ -296,8 +296,8 @@ void test_uneven_density(const Surface& torus)
 
 /// The sheets of the plate are half the radius of the default method apart: 1.8 spacings without
 /// noise, and 2.3 with. They stay two, each with its side; normals err at the rim, which is as
-/// narrow. A radius that holds a single sheet brings clean points back to it; that of the estimate is
-/// too large by a quarter, as balls of few points do not tell the two from noise.
+/// narrow. A radius that holds a single sheet brings clean points back to it; that of the estimate
+/// is too large by a quarter, as balls of few points do not tell the two from noise.
 void test_thin_plate()
 {
   const Surface plate("thin_plate");
