@@ -31,8 +31,8 @@ enum class Warning
   SMALL_RADIUS,    ///< more than half of the points have a degenerate neighborhood
   /// more than 5 % of the samples have no original neighbor or no compatible one
   UNSUPPORTED_SAMPLES,
-  /// around more than 10 % of the samples the points scatter more than those of one surface with the
-  /// estimated noise do
+  /// around more than 10 % of the samples the points scatter more than those of one surface with
+  /// the estimated noise do
   UNEXPLAINED_POINTS,
 };
 

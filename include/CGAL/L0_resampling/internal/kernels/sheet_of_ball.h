@@ -81,8 +81,8 @@ CGAL_L0_HOST_DEVICE inline double variance_without_outliers(const Ball_of_points
 }
 
 /*!
-How far the heights of a ball are those of two sheets, in [0, 1]: their kurtosis is less than that of
-one sheet by more than chance explains, and either sheet ends inside the ball. If not, it is the
+How far the heights of a ball are those of two sheets, in [0, 1]: their kurtosis is less than that
+of one sheet by more than chance explains, and either sheet ends inside the ball. If not, it is the
 kurtosis of a ball that noise fills.
 */
 CGAL_L0_HOST_DEVICE inline double certainty_of_two_sheets(const Ball_of_points& ball,
