@@ -12,8 +12,8 @@
 
 namespace l0_tool {
 
-Targets find_targets(const Input_file& file, const std::vector<std::string>& names,
-                     const std::string& kind,
+Targets find_targets(const Input_file& file, const std::vector<std::string>& own_names,
+                     const std::vector<std::string>& names, const std::string& kind,
                      const std::function<std::string(std::size_t)>& reason_against)
 {
   constexpr std::size_t normal = 3; // the first target of one
@@ -22,6 +22,8 @@ Targets find_targets(const Input_file& file, const std::vector<std::string>& nam
   for (std::size_t k = 0; k < names.size(); ++k) {
     const auto found = std::find(row_names.begin(), row_names.end(), names[k]);
     std::size_t target = std::size_t(found - row_names.begin());
+    if (target < unused && is_name_of_other(own_names, names, k))
+      target = unused;
     const std::string reason = target == unused ? "" : reason_against(k);
     if (!reason.empty() && target < normal)
       file.refuse("the " + kind + " " + names[k] + " is " + reason);

@@ -23,13 +23,14 @@ inline constexpr std::size_t unused = 6, first_property = 7;
 /*!
 Finds which columns of a file are coordinates and normals.
 
-\param names as of `usual_names()`
+\param own_names of the columns
+\param names what `usual_names()` has made of them
 \param kind what a column is called in the format
 \param reason_against says why a column is none; empty if it may be
 \throws Failure unless there is one of each coordinate, and at most one of each of a normal
 */
-Targets find_targets(const Input_file& file, const std::vector<std::string>& names,
-                     const std::string& kind,
+Targets find_targets(const Input_file& file, const std::vector<std::string>& own_names,
+                     const std::vector<std::string>& names, const std::string& kind,
                      const std::function<std::string(std::size_t)>& reason_against);
 
 /// Of `find_targets()`.

@@ -33,14 +33,14 @@ struct Point_plan
 /// Of extra bytes.
 std::vector<Las_field> find_normal(const std::vector<Las_field>& fields)
 {
-  std::vector<std::string> names;
+  std::vector<std::string> own_names;
   for (const Las_field& field : fields)
-    names.push_back(field.name);
-  names = usual_names(std::move(names));
+    own_names.push_back(field.name);
+  const std::vector<std::string> names = usual_names(own_names);
   std::vector<Las_field> normal;
   for (std::size_t axis = 3; axis < row_names.size(); ++axis)
     for (std::size_t k = 0; k < fields.size(); ++k)
-      if (names[k] == row_names[axis]) {
+      if (names[k] == row_names[axis] && !is_name_of_other(own_names, names, k)) {
         normal.push_back(fields[k]);
         break; // the first one of that name
       }

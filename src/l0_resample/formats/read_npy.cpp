@@ -366,10 +366,10 @@ Npy_table plain_table(const Input_file& file, const Npy_header& header)
   table.number_of_points = shape[0];
   table.record_size = shape[1] * numbers.size();
   table.is_column_by_column = *header.is_column_by_column;
-  const std::uint64_t size = product(file, shape[0], table.record_size);
+  // Of as many points as the file can hold, which is looked at before a point is read
+  const std::uint64_t step = numbers.size() * (table.is_column_by_column ? shape[0] : 1);
   for (std::uint64_t k = 0; k < shape[1]; ++k)
-    table.columns.push_back(
-      {numbers, table.is_column_by_column ? size / shape[1] * k : numbers.size() * k});
+    table.columns.push_back({numbers, step * k});
   return table;
 }
 

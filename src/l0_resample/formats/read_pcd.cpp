@@ -32,7 +32,7 @@ std::vector<std::string> names_of(const Pcd_header& header)
   std::vector<std::string> names;
   for (const Pcd_field& field : header.fields)
     names.push_back(field.name);
-  return usual_names(std::move(names));
+  return names;
 }
 
 bool is_single_precision(const Pcd_header& header, const Targets& targets)
@@ -233,14 +233,14 @@ void read_rows(Input_file& file, const Pcd_header& header, const Targets& target
 void read_pcd(Input_file& file, Point_collector& collector)
 {
   const Pcd_header header = read_pcd_header(file);
-  const std::vector<std::string> names = names_of(header);
+  const std::vector<std::string> own_names = names_of(header), names = usual_names(own_names);
   const auto reason_against = [&](std::size_t k) -> std::string {
     const Pcd_field& field = header.fields[k];
     return field.count != 1 ? "one of " + std::to_string(field.count) + " values"
            : !field.type    ? "an integer of 64 bits"
                             : "";
   };
-  Targets targets = find_targets(file, names, "field", reason_against);
+  Targets targets = find_targets(file, own_names, names, "field", reason_against);
   if (have_normals(targets))
     collector.set_vectors(Vectors::NAMED_BY_FILE);
   if (header.viewpoint)

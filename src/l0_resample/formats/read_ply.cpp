@@ -46,7 +46,7 @@ std::vector<std::string> names_of(const Ply_element& element)
   std::vector<std::string> names;
   for (const Ply_property& property : element.properties)
     names.push_back(property.name);
-  return usual_names(std::move(names));
+  return names;
 }
 
 bool is_single_precision(const Ply_element& vertex, const Targets& targets)
@@ -212,14 +212,14 @@ template <typename Rows>
 void read_vertices(Input_file& file, const Ply_element& vertex, Rows& rows,
                    Point_collector& collector)
 {
-  const std::vector<std::string> names = names_of(vertex);
+  const std::vector<std::string> own_names = names_of(vertex), names = usual_names(own_names);
   const auto reason_against = [&](std::size_t k) -> std::string {
     const Ply_property& property = vertex.properties[k];
     return property.is_list        ? "a list"
            : !property.type.number ? "of type " + std::string(property.type.name)
                                    : "";
   };
-  Targets targets = find_targets(file, names, "property", reason_against);
+  Targets targets = find_targets(file, own_names, names, "property", reason_against);
   if (have_normals(targets))
     collector.set_vectors(Vectors::NAMED_BY_FILE);
   if (is_single_precision(vertex, targets))

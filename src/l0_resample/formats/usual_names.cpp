@@ -93,6 +93,17 @@ std::vector<std::string> usual_names(std::vector<std::string> names)
   return names;
 }
 
+bool is_name_of_other(const std::vector<std::string>& own_names,
+                      const std::vector<std::string>& names, std::size_t k)
+{
+  if (own_names[k] != names[k])
+    return false;
+  for (std::size_t j = 0; j < names.size(); ++j)
+    if (names[j] == names[k] && own_names[j] != names[j])
+      return true;
+  return false;
+}
+
 std::vector<std::string> names_of_values(const std::string& name, std::size_t number_of_values)
 {
   if (number_of_values == 1)

@@ -26,6 +26,12 @@ x is the coordinate. Other names stay as they are.
 */
 std::vector<std::string> usual_names(std::vector<std::string> names);
 
+/// Whether column `k` has a usual name of itself, while another one has got that name: then the
+/// other one is meant, as its two companions are there.
+/// \param names those that `usual_names()` has made of `own_names`
+bool is_name_of_other(const std::vector<std::string>& own_names,
+                      const std::vector<std::string>& names, std::size_t k);
+
 /// The names of the values of a column that has several: x, y, z of points, nx, ny, nz of normals,
 /// and red, green, blue of colors, if it is called so; else its name with their numbers, from 0.
 std::vector<std::string> names_of_values(const std::string& name, std::size_t number_of_values);

@@ -38,7 +38,8 @@ void test_hostile_texts()
 {
   check_refusals({
     // numbers
-    {".xyz", "1 2 0,5\n", "line 1: '0,5' is not a number"},
+    {".xyz", "1 2 0,5\n", "line 1: a point needs 3 numbers, found 2; --decimal-comma reads"},
+    {".xyz", "1 2 3\n1 2 0,5\n", "line 2: '0,5' is not a number; --decimal-comma reads"},
     {".xyz", "1 2 3\n1 2 3x\n", "line 2: '3x' is not a number"},
     {".xyz", "1 2 0x10\n", "'0x10' is not a number"},
     {".xyz", "1 2 1e999\n", "'1e999' is not a number"},
@@ -336,6 +337,15 @@ void test_hostile_pcd()
 void test_hostile_npy()
 {
   const auto npy = [&](const std::string& header) { return npy_file(header, three_floats); };
+  const auto records = [](const std::string& fields, const std::string& shape) {
+    return "{'descr': [" + fields + "], 'fortran_order': False, 'shape': " + shape + "}";
+  };
+  const auto repeated = [](int times, const std::string& text) {
+    std::string all;
+    for (int k = 0; k < times; ++k)
+      all += text;
+    return all;
+  };
   check_refusals({
     // NPY
     {".npy", "", "6 more bytes are expected"},
@@ -356,7 +366,27 @@ void test_hostile_npy()
     {".npy", npy("{'descr': '<f4', 'descr': '<f4'}"), "'descr' twice"},
     {".npy", npy("{'color': 'red'}"), "'color' is not a name"},
     {".npy", npy("{'descr': [('x', '<f4')], 'fortran_order': False, 'shape': (1,)}"),
-     "named columns"},
+     "the records have no fields x, y and z; --columns can name theirs, which are 'x'"},
+    {".npy", npy("{'descr': [], 'fortran_order': False, 'shape': (1,)}"), "have no fields"},
+    {".npy", npy("{'descr': [('x', '<f4'"), "where ) is expected"},
+    {".npy", npy("{'descr': [('x', '<f4')"), "where ] is expected"},
+    {".npy", npy("{'descr': [('x', '<f4', (0,))]}"), "more than 1000 values, or none"},
+    {".npy", npy("{'descr': [('x', '<f4', (4294967296, 4294967296))]}"), "or none"},
+    {".npy", npy("{'descr': " + std::string(100, '[') + "}"), "where ( is expected"},
+    {".npy", npy("{'descr': " + repeated(9, "[('a', ") + "}"), "nested more than 8 deep"},
+    {".npy", npy("{'descr': [('a', [('b', [('x', '<f4')], (1000,))], (1000,))]}"),
+     "more than 1000 fields"},
+    {".npy", npy(records("('x', '|O'), ('y', '<f4'), ('z', '<f4')", "(1,)")), "of type '|O'"},
+    {".npy", npy(records("('x', '<U999999999'), ('y', '<f4')", "(1,)")), "more than 65536 bytes"},
+    {".npy", npy(records("('x', '<f4', (1000,)), ('y', '<f4')", "(1,)")), "more than 1000 numbers"},
+    {".npy", npy(records("('x', '<f4'), ('y', '<f4'), ('z', '<f4'), ('X', '<f4')", "(2,)")),
+     "2 points are announced, but only 12 bytes"},
+    {".npy", npy(records("('X', '<f4'), ('y', '<f4'), ('z', '<f4'), ('X', '<f4')", "(1,)")),
+     "two columns x"},
+    {".npy", npy(records("('x', '<f4'), ('y', '<f4'), ('z', '<f4')", "(4294967296, 4294967296)")),
+     "numbers that fit"},
+    {".npy", npy(records("('x', '<f4'), ('y', '<f4'), ('z', '<f4')", "(4294967295, 4294967296)")),
+     "are announced"},
     {".npy", npy("{'fortran_order': 0}"), "where False is expected"},
     {".npy", npy("{'shape': (1, 3"), "where ) is expected"},
     {".npy", npy("{'shape': (-1, 3)}"), "numbers that fit"},
@@ -367,16 +397,17 @@ void test_hostile_npy()
      "numbers that fit"},
     {".npy", npy(npy_header("<f4", "(1, 3)") + "import os"),
      "goes on after its end with 'import os'"},
-    {".npy", npy(npy_header("<b1", "(1, 3)")), "of type '<b1', expected float32, float64 or int"},
+    {".npy", npy(npy_header("<c8", "(1, 3)")), "of type '<c8', expected floating-point numbers or"},
     {".npy", npy(npy_header("|i4", "(1, 3)")), "of type '|i4'"},
     {".npy", npy(npy_header("i4", "(1, 3)")), "of type 'i4'"},
     {".npy", npy(npy_header("<i16", "(1, 3)")), "of type '<i16'"},
     {".npy", npy(npy_header("", "(1, 3)")), "of type ''"},
     {".npy", npy(npy_header("|O", "(1, 3)")), "of type '|O'"},
-    {".npy", npy(npy_header("<f2", "(1, 3)")), "of type '<f2'"},
+    {".npy", npy(npy_header("<f1", "(1, 3)")), "of type '<f1'"},
     {".npy", npy(npy_header("<f4", "(3,)")), "not of shape"},
     {".npy", npy(npy_header("<f4", "()")), "not of shape"},
-    {".npy", npy(npy_header("<f4", "(1, 4)")), "not of shape"},
+    {".npy", npy(npy_header("<f4", "(1, 1001)")), "not of shape"},
+    {".npy", npy(npy_header("<f4", "(1, 4)")), "only 12 bytes are left"},
     {".npy", npy(npy_header("<f4", "(3, 1)")), "not of shape"},
     {".npy", npy(npy_header("<f4", "(1, 3, 1)")), "not of shape"},
     {".npy", npy("{'descr': '<f4', 'fortran_order': True, 'shape': (2, 3)}"),

@@ -242,7 +242,7 @@ void test_names_of_columns()
     CHECK(failure_of([&]() { parse_column_names(bad); }).status == WRONG_USAGE);
   CHECK(failure_of([&]() {
           header_of("x,y,z,a", "1 2 3 4\n1 2 3 4 5\n");
-        }).says("line 2: 4 columns expected"));
+        }).says("line 2: --columns names 4, found 5"));
   CHECK(
     failure_of([&]() { header_of("x,y,z,a", "1 2 3 b\n"); }).says("line 1: 'b' is not a number"));
 }
@@ -260,8 +260,8 @@ void test_normals()
   CHECK(read_everything(".ply", written(".ply", bare)).points == bare.points);
   CHECK(read_everything(".npy", written(".npy", bare)).points == bare.points);
 
-  const Point_cloud single =
-    read_everything(".npy", npy_file(npy_header("<f4", "(1, 6)"), std::string(24, '\0')));
+  const Point_cloud single = read_everything(
+    ".npy", npy_file(npy_header("<f4", "(1, 6)"), std::string(20, '\0') + bytes_of(1.f, false)));
   CHECK(written(".npy", single).find("'<f4'") != std::string::npos);
   CHECK(read_everything(".npy", written(".npy", single)).normals.size() == 1);
 }
@@ -297,6 +297,7 @@ void test_what_is_left_out()
                                                       + "1 2 3 0 0 1 9\n");
   CHECK(left_out(".ply", twice) == std::vector<std::string>{"nx"}
         && left_out(".pcd", twice).empty());
+  CHECK(twice.normals == std::vector<Vector>{Vector(0, 0, 1)} && value(twice, 0, "nx") == 9);
 }
 
 } // namespace

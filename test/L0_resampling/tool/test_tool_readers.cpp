@@ -90,7 +90,8 @@ void test_gzip()
     const std::size_t half = bytes.size() / 2;             // as pigz and cat make it
     CHECK(read(extension, gzip(bytes.substr(0, half)) + gzip(bytes.substr(half))).points == three);
   }
-  CHECK(!format_of("scan.gz") && !format_of("scan.txt.gz") && format_of("a.gz.ply"));
+  CHECK(!format_of("scan.gz") && !format_of("scan.doc.gz") && format_of("scan.txt.gz")
+        && format_of("a.gz.ply"));
   CHECK(!reason_against_output("scan.ply.gz", File_format::PLY).empty());
   CHECK(failure_of([]() {
           write_points(scratch.file("scan.ply.gz"), File_format::PLY,
