@@ -38,7 +38,8 @@ void test_hostile_texts()
 {
   check_refusals({
     // numbers
-    {".xyz", "1 2 0,5\n", "line 1: '0,5' is not a number"},
+    {".xyz", "1 2 0,5\n", "line 1: a point needs 3 numbers, found 2; --decimal-comma reads"},
+    {".xyz", "1 2 3\n1 2 0,5\n", "line 2: '0,5' is not a number; --decimal-comma reads"},
     {".xyz", "1 2 3\n1 2 3x\n", "line 2: '3x' is not a number"},
     {".xyz", "1 2 0x10\n", "'0x10' is not a number"},
     {".xyz", "1 2 1e999\n", "'1e999' is not a number"},
