@@ -382,6 +382,68 @@ void test_png()
   CHECK(bytes == (std::vector<png_byte>{255, 255, 255, 0, 128, 255}));
 }
 
+/// A cube that is longer along y, as a hall is, with normals outwards or inwards.
+std::vector<Oriented_point> hall(double side)
+{
+  std::vector<Oriented_point> points;
+  for (const Oriented_point& point : cube(30))
+    points.emplace_back(Point(point.first.x(), 3 * point.first.y(), point.first.z()),
+                        side * point.second);
+  return points;
+}
+
+// Where planes hold most points z is up, else y, and the eye looks across.
+void test_choice_of_view()
+{
+  const View of_sphere = choose_view(sphere(4000), {});
+  CHECK(of_sphere.up == Vector(0, 1, 0) && of_sphere.towards_eye == Vector(0.6, 0.55, 1));
+  const View of_hall = choose_view(hall(1), {});
+  CHECK(of_hall.up == Vector(0, 0, 1) && !of_hall.is_cut_open);
+  CHECK(std::abs(of_hall.towards_eye.x()) > 1.5 * std::abs(of_hall.towards_eye.y()));
+  CHECK(of_hall.towards_eye.z() > 0.2);
+
+  Known_sides known;
+  known.up = {0, 3, 0};
+  CHECK(choose_view(hall(1), known).up == Vector(0, 1, 0));
+  known = {};
+  known.towards_eye = {-1, 2, 3};
+  CHECK(choose_view(hall(1), known).towards_eye == Vector(-1, 2, 3));
+  CHECK(choose_view({}, {}).towards_eye == View().towards_eye);
+
+  // From the side of the viewpoint, or into what surrounds it
+  known = {};
+  known.viewpoints = {Point(0, 100, 0)};
+  const View outside = choose_view(hall(1), known);
+  CHECK(outside.towards_eye.y() > 0.8 && !outside.is_cut_open);
+  known.viewpoints = {Point(0.1, 0, 0), Point(0, -0.3, 0.1)};
+  CHECK(choose_view(hall(-1), known).is_cut_open);
+  known.viewpoints = {Point(0.1, 0, 0), Point(0, 100, 0)};
+  CHECK(!choose_view(hall(-1), known).is_cut_open);
+}
+
+// Of a hall that is seen from within, no back of a wall hides the inside, on either half.
+void test_look_into_a_hall()
+{
+  Known_sides known;
+  known.viewpoints = {Point(0, 0, 0)};
+  for (const bool has_normals : {false, true})
+  {
+    Point_cloud input = cloud_of(hall(-1));
+    if (!has_normals)
+      input.normals.clear();
+    const View view = choose_view(hall(-1), known);
+    const Image cut = render_snapshot(input, hall(-1), view, known.viewpoints, {},
+                                      Snapshot_colors::SHADED);
+    CHECK(is_gray(cut));
+    CHECK(patch_around(cut, 400, 400, 100).white_share < 0.01);
+    CHECK(patch_around(cut, 1200, 400, 100).white_share < 0.01);
+    View whole = view;
+    whole.is_cut_open = false;
+    CHECK(!is_gray(
+      render_snapshot(input, hall(-1), whole, known.viewpoints, {}, Snapshot_colors::SHADED)));
+  }
+}
+
 } // namespace
 
 int main()
@@ -395,6 +457,8 @@ int main()
   test_uneven_spacing();
   test_determinism();
   test_hidden_points();
+  test_choice_of_view();
+  test_look_into_a_hall();
   test_invariance();
   test_input_without_normals();
   test_degenerate();
