@@ -262,7 +262,8 @@ inline Plan make_plan(const Parameters& parameters, const Facts& facts)
   plan.unit = radius;
   plan.radius = 1;
   plan.lone_radius = facts.box_diagonal > 0 ? plan.radius : 0;
-  plan.noise = rules.estimates_scales ? facts.scales.noise * paper / radius : 0;
+  // bounded as the spacing of the samples is
+  plan.noise = rules.estimates_scales ? (std::min)(facts.scales.noise * paper / radius, 1e15) : 0;
   plan.sheet_height = sheet_height(plan.noise, plan.radius);
   plan.filter_radius = plan.radius;
   if (parameters.normal_filter_radius > 0)
