@@ -232,7 +232,9 @@ CGAL_L0_HOST_DEVICE Seed seed_at(const Team& team, const Morton_points& points, 
     const Fitted_plane plane = moments.plane(radius * radius, 1e-12);
     const Height_moments<double> heights = heights_around(team, points, p, radius, plane.normal);
     const Ball_of_points all = ball_of_points(moments.sum, 1, plane.variance, heights);
-    seed.deviations[ball] = std::sqrt(with_one_sheet(all, radius).variance);
+    // of a ball so large that the cubes of its variances are no numbers, nothing is known
+    const double variance = with_one_sheet(all, radius).variance;
+    seed.deviations[ball] = variance > 0 && variance <= radius * radius ? std::sqrt(variance) : 0;
     if (ball == 0)
       seed.certainty = certainty_of_plane(seed.deviations[0], heights.first / moments.sum, radius);
   }
