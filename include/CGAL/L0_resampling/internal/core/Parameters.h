@@ -306,7 +306,7 @@ constexpr std::size_t number_of_normal_refits = 2;
 
 /// \f$ \mu \f$ of the default method: fewer turns than the paper's 1.5 makes, each of which fits
 /// anew.
-constexpr double default_penalty_growth = 1.7;
+constexpr double default_penalty_growth = 2.7;
 
 /// Line 5 of Algorithm 1. The product of a subnormal number and a growth near 1 can be that number
 /// again: then it is the next one.

@@ -49,6 +49,11 @@ struct Samples
     /// the caller has some; else none
     hints;
 
+  Buffer<float>
+    /// how sure the sides are, and what the points of the last fit scatter; none unless asked for
+    side_confidences,
+    noises;
+
   Buffer<Index>
     start_indices; ///< where samples follow others: the place of each in the first order; else none
 
@@ -56,7 +61,7 @@ struct Samples
     : positions(allocator), normals(allocator), fit_weights(allocator), fit_centroids(allocator),
       fit_variances(allocator), outward_directions(allocator), scales(allocator),
       are_support_points(allocator), spreading_radii(allocator), hints(allocator),
-      start_indices(allocator)
+      side_confidences(allocator), noises(allocator), start_indices(allocator)
   {}
 };
 
@@ -78,6 +83,8 @@ void apply_order(const Buffer<Index>& order, Samples<FT>& samples)
   apply_to_what_there_is(samples.are_support_points);
   apply_to_what_there_is(samples.spreading_radii);
   apply_to_what_there_is(samples.hints);
+  apply_to_what_there_is(samples.side_confidences);
+  apply_to_what_there_is(samples.noises);
   apply_to_what_there_is(samples.start_indices);
 }
 

@@ -1,0 +1,197 @@
+// Copyright (c) 2026  The CGAL::L0_resampling authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The CGAL::L0_resampling authors
+
+#ifndef CGAL_L0_RESAMPLING_INTERNAL_REFINEMENT_H
+#define CGAL_L0_RESAMPLING_INTERNAL_REFINEMENT_H
+
+#include <CGAL/L0_resampling/internal/kernels/lengths_of_refinement.h>
+#include <CGAL/L0_resampling/internal/samples/Samples.h>
+#include <CGAL/L0_resampling/internal/samples/fit_disks.h>
+#include <CGAL/L0_resampling/internal/samples/keep_clear_of_creases.h>
+#include <CGAL/L0_resampling/internal/samples/merge_disks.h>
+#include <CGAL/L0_resampling/internal/samples/share_points.h>
+#include <CGAL/L0_resampling/internal/samples/weigh_by_risk.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace CGAL {
+namespace L0_resampling {
+namespace internal {
+
+/*!
+One round of the refinement: the arrays of it, and what runs on them. The surface is a mixture of
+disks, one a sample, which the points scatter about. Surfaces are fitted not to points but to the
+disks of balls of several sizes, which are few and have little noise, and averaged by their risk.
+*/
+template <typename ConcurrencyTag>
+class Refinement
+{
+  const Lengths_of_refinement m_lengths;
+  const double m_smallest_cell_size;
+  Progress& m_progress;
+  const Sorted_queries m_sorted; // the samples, in cells as large as those of the points
+  Buffer<Vector> m_positions;    // the same, where they are now
+  Buffer<Local_vector> m_normals;
+  Buffer<Disk> m_disks;
+  Buffer<Surface_of_disks> m_predictions, m_references;
+  Buffer<Surfaces_of_scale> m_surfaces, m_smallest_surfaces;
+  Buffer<Mean_surface> m_means;
+  Buffer<Bend> m_bends;
+
+  double scale(std::size_t i) const { return double(m_sorted.grid.scale(i)); }
+  double unit(std::size_t i) const { return m_lengths.unit * scale(i); }
+
+  template <typename F>
+  void for_each_sample(const F& f)
+  {
+    for_each_block<ConcurrencyTag>(m_positions.size(), 1024,
+                                   [&](std::size_t begin, std::size_t end) {
+                                     for (std::size_t i = begin; i < end; ++i)
+                                       f(i);
+                                   });
+  }
+
+public:
+  /// \param cell_size of the grid of the points
+  template <typename FT>
+  Refinement(const Lengths_of_refinement& lengths, double cell_size, double smallest_cell_size,
+             const Samples<FT>& samples, Progress& progress)
+    : m_lengths(lengths), m_smallest_cell_size(smallest_cell_size), m_progress(progress),
+      m_sorted(ConcurrencyTag(), samples.positions, Cell_sizes(cell_size, samples.scales)),
+      m_positions(copy_of(m_sorted.points)), m_normals(m_positions.size(), allocator()),
+      m_disks(allocator()), m_predictions(m_positions.size(), allocator()),
+      m_references(m_positions.size(), allocator()), m_surfaces(m_positions.size(), allocator()),
+      m_smallest_surfaces(allocator()), m_means(m_positions.size(), allocator()),
+      m_bends(m_positions.size(), allocator())
+  {
+    for_each_sample([&](std::size_t i) {
+      m_normals[i] = samples.normals[m_sorted.order[i]].template cast<Local>();
+    });
+  }
+
+  void share_points(const Search_grid_3& grid, const Buffer<Vector>& points)
+  {
+    Buffer<Disk_kernel<Local>> kernels(m_positions.size(), allocator());
+    for_each_sample([&](std::size_t i) { kernels[i] = m_lengths.kernel_of_disk(scale(i)); });
+    m_disks = internal::share_points<ConcurrencyTag>(
+      grid, points, {m_sorted.grid, m_positions, m_normals, kernels},
+      cells_in_reach(m_lengths.reach_of_disk(), m_sorted.grid.cell_size()), m_progress);
+  }
+
+  void fit_disks(int scale_of_fit)
+  {
+    const double units = radius_of_fit(scale_of_fit), radius = units * m_lengths.unit;
+    Fitted_disks disks = all_disks();
+    const auto fit = [&](const Samples_to_fit& samples, const Search_grid_3& grid) {
+      internal::fit_disks<ConcurrencyTag>(
+        samples, grid, disks, cells_in_reach(radius, grid.cell_size()),
+        [&](std::size_t i) { return units * unit(i); },
+        [&](std::size_t i) { return m_lengths.deviation(m_disks[i], scale(i)); },
+        m_lengths.noise_of_disk(1), scale_of_fit, m_progress, m_predictions, m_surfaces);
+    };
+    if (scale_of_fit < first_scale_of_merged_disks)
+    {
+      fit({m_sorted.grid, m_positions, nullptr, m_normals}, m_sorted.grid);
+      return;
+    }
+    const double cell_size = (std::max)(radius / 2, m_smallest_cell_size);
+    disks = merge_disks<ConcurrencyTag>(
+      disks, (std::max)(cell_of_merged_disks * radius, m_smallest_cell_size));
+    disks.sort<ConcurrencyTag>(cell_size);
+    const Search_grid_3 grid(ConcurrencyTag(), disks.positions,
+                             Cell_sizes(cell_size, disks.scales));
+    const Sorted_queries queries(ConcurrencyTag(), m_positions,
+                                 Cell_sizes(cell_size, m_sorted.scales));
+    fit({queries.grid, queries.points, queries.order.data(), m_normals}, grid);
+  }
+
+  /// Of each scale, in order. Surfaces of the smallest balls wait for their reference.
+  void weigh_by_risk(int scale_of_fit)
+  {
+    if (scale_of_fit < scale_of_reference)
+    {
+      m_smallest_surfaces = copy_of(m_surfaces);
+      return;
+    }
+    if (scale_of_fit == scale_of_reference)
+    {
+      for_each_sample([&](std::size_t i) {
+        m_references[i] = reference_of(m_surfaces[i].quadric, m_smallest_surfaces[i].quadric,
+                                       m_lengths.share_of_smallest_reference(scale(i)));
+      });
+      weigh(m_smallest_surfaces, radius_of_bias(0));
+      release(m_smallest_surfaces);
+    }
+    weigh(m_surfaces, radius_of_bias(scale_of_fit));
+  }
+
+  /// Moves the samples to the mean of their surfaces.
+  void take_mean_surfaces()
+  {
+    for_each_sample([&](std::size_t i) {
+      const Vector normal = m_normals[i].template cast<double>();
+      const Settled_on_mean settled(m_means[i], {normal.x(), normal.y(), normal.z()}, m_lengths,
+                                    scale(i));
+      m_positions[i] += settled.height * normal;
+      m_normals[i] = Vector(settled.normal.x, settled.normal.y, settled.normal.z).cast<Local>();
+      m_bends[i] = settled.bend;
+    });
+  }
+
+  void keep_clear_of_creases()
+  {
+    internal::keep_clear_of_creases<ConcurrencyTag>(m_bends, m_lengths.spacing,
+                                                    m_smallest_cell_size, m_progress, m_positions,
+                                                    m_normals);
+  }
+
+  template <typename FT>
+  void write_to(Samples<FT>& samples)
+  {
+    for_each_sample([&](std::size_t i) {
+      samples.positions[m_sorted.order[i]] = m_positions[i];
+      samples.normals[m_sorted.order[i]] = m_normals[i].template cast<FT>();
+    });
+  }
+
+private:
+  auto allocator() const { return m_sorted.points.get_allocator(); }
+
+  Fitted_disks all_disks()
+  {
+    Fitted_disks disks(allocator());
+    disks.positions = copy_of(m_positions);
+    disks.normals = copy_of(m_normals);
+    disks.scales = copy_of(m_sorted.scales);
+    disks.heights.resize(m_positions.size());
+    disks.informations.resize(m_positions.size());
+    for_each_sample([&](std::size_t i) {
+      disks.heights[i] = m_disks[i].height;
+      disks.informations[i] = m_lengths.information(m_disks[i], scale(i));
+    });
+    return disks;
+  }
+
+  void weigh(const Buffer<Surfaces_of_scale>& surfaces, double units)
+  {
+    internal::weigh_by_risk<ConcurrencyTag>(
+      m_sorted.grid, m_positions, m_normals, m_references, surfaces,
+      [&](std::size_t i) { return units * unit(i); },
+      cells_in_reach(units * m_lengths.unit, m_sorted.grid.cell_size()), m_progress, m_means);
+  }
+};
+
+} // namespace internal
+} // namespace L0_resampling
+} // namespace CGAL
+
+#endif // CGAL_L0_RESAMPLING_INTERNAL_REFINEMENT_H
