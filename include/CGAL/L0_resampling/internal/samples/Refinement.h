@@ -38,16 +38,19 @@ class Refinement
   const Lengths_of_refinement m_lengths;
   const double m_smallest_cell_size;
   Progress& m_progress;
-  const Sorted_queries m_sorted; // the samples, in cells as large as those of the points
-  Buffer<Vector> m_positions;    // the same, where they are now
+  const Buffer<Index> m_order; // of the samples, in cells as large as those of the points
+  Buffer<Vector> m_positions;
   Buffer<Local_vector> m_normals;
+  const Buffer<float> m_scales; // none if all are 1
+  const Search_grid_3 m_grid;
   Buffer<Disk> m_disks;
+  Buffer<float> m_heights, m_informations; // of the disks
   Buffer<Surface_of_disks> m_predictions, m_references;
   Buffer<Surfaces_of_scale> m_surfaces, m_smallest_surfaces;
   Buffer<Mean_surface> m_means;
   Buffer<Bend> m_bends;
 
-  double scale(std::size_t i) const { return double(m_sorted.grid.scale(i)); }
+  double scale(std::size_t i) const { return double(m_grid.scale(i)); }
   double unit(std::size_t i) const { return m_lengths.unit * scale(i); }
 
   template <typename F>
@@ -61,20 +64,31 @@ class Refinement
   }
 
 public:
+  /// At most, while the reference is found.
+  static constexpr std::size_t bytes_of_sample =
+    2 * sizeof(Index) + sizeof(Vector) + sizeof(Local_vector) + sizeof(Disk) + 3 * sizeof(float)
+    + 2 * sizeof(Surface_of_disks) + 2 * sizeof(Surfaces_of_scale) + sizeof(Mean_surface);
+
   /// \param cell_size of the grid of the points
   template <typename FT>
   Refinement(const Lengths_of_refinement& lengths, double cell_size, double smallest_cell_size,
              const Samples<FT>& samples, Progress& progress)
     : m_lengths(lengths), m_smallest_cell_size(smallest_cell_size), m_progress(progress),
-      m_sorted(ConcurrencyTag(), samples.positions, Cell_sizes(cell_size, samples.scales)),
-      m_positions(copy_of(m_sorted.points)), m_normals(m_positions.size(), allocator()),
-      m_disks(allocator()), m_predictions(m_positions.size(), allocator()),
+      m_order(Search_grid_3::sorted_order<ConcurrencyTag>(samples.positions,
+                                                          Cell_sizes(cell_size, samples.scales))),
+      m_positions(values_in_order<ConcurrencyTag>(m_order, samples.positions)),
+      m_normals(m_positions.size(), allocator()),
+      m_scales(listed_scales(view_of_scales(samples.scales), m_order)),
+      m_grid(ConcurrencyTag(), m_positions, Cell_sizes(cell_size, m_scales)),
+      m_disks(allocator()), m_heights(m_positions.size(), allocator()),
+      m_informations(m_positions.size(), allocator()),
+      m_predictions(m_positions.size(), allocator()),
       m_references(m_positions.size(), allocator()), m_surfaces(m_positions.size(), allocator()),
       m_smallest_surfaces(allocator()), m_means(m_positions.size(), allocator()),
-      m_bends(m_positions.size(), allocator())
+      m_bends(allocator())
   {
     for_each_sample([&](std::size_t i) {
-      m_normals[i] = samples.normals[m_sorted.order[i]].template cast<Local>();
+      m_normals[i] = samples.normals[m_order[i]].template cast<Local>();
     });
   }
 
@@ -83,15 +97,20 @@ public:
     Buffer<Disk_kernel<Local>> kernels(m_positions.size(), allocator());
     for_each_sample([&](std::size_t i) { kernels[i] = m_lengths.kernel_of_disk(scale(i)); });
     m_disks = internal::share_points<ConcurrencyTag>(
-      grid, points, {m_sorted.grid, m_positions, m_normals, kernels},
-      cells_in_reach(m_lengths.reach_of_disk(), m_sorted.grid.cell_size()), m_progress);
+      grid, points, {m_grid, m_positions, m_normals, kernels},
+      cells_in_reach(m_lengths.reach_of_disk(), m_grid.cell_size()), m_progress);
+    for_each_sample([&](std::size_t i) {
+      m_heights[i] = m_disks[i].height;
+      m_informations[i] = m_lengths.information(m_disks[i], scale(i));
+    });
   }
 
   void fit_disks(int scale_of_fit)
   {
     const double units = radius_of_fit(scale_of_fit), radius = units * m_lengths.unit;
-    Fitted_disks disks = all_disks();
-    const auto fit = [&](const Samples_to_fit& samples, const Search_grid_3& grid) {
+    const Fitted_disks all = {m_positions, m_normals, m_heights, m_informations, m_scales};
+    const auto fit = [&](const Samples_to_fit& samples, const Search_grid_3& grid,
+                         const Fitted_disks& disks) {
       internal::fit_disks<ConcurrencyTag>(
         samples, grid, disks, cells_in_reach(radius, grid.cell_size()),
         [&](std::size_t i) { return units * unit(i); },
@@ -100,18 +119,18 @@ public:
     };
     if (scale_of_fit < first_scale_of_merged_disks)
     {
-      fit({m_sorted.grid, m_positions, nullptr, m_normals}, m_sorted.grid);
+      fit({m_grid, m_positions, nullptr, m_normals}, m_grid, all);
       return;
     }
     const double cell_size = (std::max)(radius / 2, m_smallest_cell_size);
-    disks = merge_disks<ConcurrencyTag>(
-      disks, (std::max)(cell_of_merged_disks * radius, m_smallest_cell_size));
+    Merged_disks disks = merge_disks<ConcurrencyTag>(
+      all, (std::max)(cell_of_merged_disks * radius, m_smallest_cell_size));
     disks.sort<ConcurrencyTag>(cell_size);
     const Search_grid_3 grid(ConcurrencyTag(), disks.positions,
                              Cell_sizes(cell_size, disks.scales));
     const Sorted_queries queries(ConcurrencyTag(), m_positions,
-                                 Cell_sizes(cell_size, m_sorted.scales));
-    fit({queries.grid, queries.points, queries.order.data(), m_normals}, grid);
+                                 Cell_sizes(cell_size, m_scales));
+    fit({queries.grid, queries.points, queries.order.data(), m_normals}, grid, disks.view());
   }
 
   /// Of each scale, in order. Surfaces of the smallest balls wait for their reference.
@@ -137,6 +156,10 @@ public:
   /// Moves the samples to the mean of their surfaces.
   void take_mean_surfaces()
   {
+    release(m_predictions);
+    release(m_references);
+    release(m_surfaces);
+    m_bends.resize(m_positions.size());
     for_each_sample([&](std::size_t i) {
       const Vector normal = m_normals[i].template cast<double>();
       const Settled_on_mean settled(m_means[i], {normal.x(), normal.y(), normal.z()}, m_lengths,
@@ -158,35 +181,20 @@ public:
   void write_to(Samples<FT>& samples)
   {
     for_each_sample([&](std::size_t i) {
-      samples.positions[m_sorted.order[i]] = m_positions[i];
-      samples.normals[m_sorted.order[i]] = m_normals[i].template cast<FT>();
+      samples.positions[m_order[i]] = m_positions[i];
+      samples.normals[m_order[i]] = m_normals[i].template cast<FT>();
     });
   }
 
 private:
-  auto allocator() const { return m_sorted.points.get_allocator(); }
-
-  Fitted_disks all_disks()
-  {
-    Fitted_disks disks(allocator());
-    disks.positions = copy_of(m_positions);
-    disks.normals = copy_of(m_normals);
-    disks.scales = copy_of(m_sorted.scales);
-    disks.heights.resize(m_positions.size());
-    disks.informations.resize(m_positions.size());
-    for_each_sample([&](std::size_t i) {
-      disks.heights[i] = m_disks[i].height;
-      disks.informations[i] = m_lengths.information(m_disks[i], scale(i));
-    });
-    return disks;
-  }
+  auto allocator() const { return m_positions.get_allocator(); }
 
   void weigh(const Buffer<Surfaces_of_scale>& surfaces, double units)
   {
     internal::weigh_by_risk<ConcurrencyTag>(
-      m_sorted.grid, m_positions, m_normals, m_references, surfaces,
+      m_grid, m_positions, m_normals, m_references, surfaces,
       [&](std::size_t i) { return units * unit(i); },
-      cells_in_reach(units * m_lengths.unit, m_sorted.grid.cell_size()), m_progress, m_means);
+      cells_in_reach(units * m_lengths.unit, m_grid.cell_size()), m_progress, m_means);
   }
 };
 

@@ -123,9 +123,9 @@ void fit_disks(const Samples_to_fit& samples, const Search_grid_3& disk_grid,
                     predictions[i], Weight_in_fit<Local>(radius, deviation_of(i)),
                     candidates, normals, values);
         surfaces[i] = surfaces_of(moments, radius, noise * noise);
-        if (scale > 0 && surfaces[i].quadric.is_determined)
+        if (scale > 0 && surfaces[i].quadric.is_determined())
           predictions[i] = surfaces[i].quadric;
-        else if (surfaces[i].plane.is_determined)
+        else if (surfaces[i].plane.is_determined())
           predictions[i] = surfaces[i].plane;
       }
     };

@@ -21,19 +21,29 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// The disks that surfaces are fitted to.
+/// The disks that surfaces are fitted to, sorted for a grid.
 struct Fitted_disks
+{
+  const Buffer<Vector>& positions;
+  const Buffer<Local_vector>& normals;
+  const Buffer<float>& heights;      ///< of the points over the disk
+  const Buffer<float>& informations; ///< how many points it stands for, of the noise of the cloud
+  const Buffer<float>& scales;       ///< none if all are 1
+};
+
+/// Owns such disks.
+struct Merged_disks
 {
   Buffer<Vector> positions;
   Buffer<Local_vector> normals;
-  Buffer<float> heights;      ///< of the points over the disk
-  Buffer<float> informations; ///< how many points it stands for, of the noise of the cloud
-  Buffer<float> scales;       ///< none if all are 1
+  Buffer<float> heights, informations, scales;
 
-  explicit Fitted_disks(const Counting_allocator<Vector>& allocator)
+  explicit Merged_disks(const Counting_allocator<Vector>& allocator)
     : positions(allocator), normals(allocator), heights(allocator), informations(allocator),
       scales(allocator)
   {}
+
+  Fitted_disks view() const { return {positions, normals, heights, informations, scales}; }
 
   /// For a grid of such cells.
   template <typename ConcurrencyTag>
@@ -54,7 +64,7 @@ struct Fitted_disks
 /// weighted by their points. Moments of the first order are kept.
 /// \param cell_size at scale 1
 template <typename ConcurrencyTag>
-Fitted_disks merge_disks(const Fitted_disks& disks, double cell_size)
+Merged_disks merge_disks(const Fitted_disks& disks, double cell_size)
 {
   const Cell_sizes sizes(cell_size, disks.scales);
   const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(disks.positions, sizes);
@@ -63,7 +73,7 @@ Fitted_disks merge_disks(const Fitted_disks& disks, double cell_size)
   const Search_grid_3 grid(ConcurrencyTag(), sorted, Cell_sizes(cell_size, scales));
 
   const auto allocator = disks.positions.get_allocator();
-  Fitted_disks merged(allocator);
+  Merged_disks merged(allocator);
   std::vector<Merged_disk> of_cell;
   std::vector<float> scales_of_cell;
   for (std::size_t cell = 0; cell < grid.number_of_cells(); ++cell)
@@ -75,7 +85,9 @@ Fitted_disks merge_disks(const Fitted_disks& disks, double cell_size)
     for (Index s = members.first; s < members.second; ++s)
     {
       const Index k = order[s];
-      const auto triple = [](const auto& v) { return Triple{double(v[0]), double(v[1]), double(v[2])}; };
+      const auto triple = [](const auto& v) {
+        return Triple{double(v[0]), double(v[1]), double(v[2])};
+      };
       const Merged_disk disk(triple(disks.positions[k]), triple(disks.normals[k]),
                              disks.heights[k], disks.informations[k]);
       std::size_t m = 0;

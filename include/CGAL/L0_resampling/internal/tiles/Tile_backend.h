@@ -17,6 +17,7 @@
 #include <CGAL/L0_resampling/internal/tiles/resample_tile.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -155,6 +156,7 @@ public:
     if (!m_finds_sides)
     {
       keep_unoriented(plan);
+      Base::find_sides(plan); // of the tile alone: by them, the refinement tells sheets apart
       return;
     }
     const Orientation orientation = Base::orient_normals(plan);
@@ -162,6 +164,18 @@ public:
     m_trees.reserve(m_confidences.size());
     for_each_in_order(m_confidences.size(), [&](std::size_t i) {
       m_trees.push_back(orientation.trees.find(Index(i)).first);
+    });
+  }
+
+  /// Sides are found later for the normals that were kept, and turn those of the result likewise.
+  void end_refinement()
+  {
+    Base::end_refinement();
+    for_each_in_order(m_unoriented.size(), [&](std::size_t i) {
+      auto& normal = m_samples.normals[i];
+      const std::array<float, 3>& kept = m_unoriented[i].normal;
+      if (normal[0] * FT(kept[0]) + normal[1] * FT(kept[1]) + normal[2] * FT(kept[2]) < 0)
+        normal = -normal;
     });
   }
 
