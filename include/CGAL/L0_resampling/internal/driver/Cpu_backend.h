@@ -354,10 +354,16 @@ public:
     m_neighbors = no_neighbors();
   }
 
+  void split_sheets(const Plan& plan)
+  {
+    begin_refinement(plan);
+    m_refinement->share_points(m_input.grid, m_input.points, widening_of_split);
+    m_refinement->split_sheets();
+  }
+
   void share_points(const Plan& plan)
   {
-    m_refinement.emplace(plan.lengths_of_refinement(), plan.cell_size, plan.smallest_cell_size,
-                         m_samples, m_progress);
+    begin_refinement(plan);
     m_refinement->share_points(m_input.grid, m_input.points);
   }
   void fit_disks(int scale) { m_refinement->fit_disks(scale); }
@@ -474,6 +480,12 @@ protected:
       m_samples.positions, plan.number_of_orientation_neighbors, plan.sample_spacing,
       side_hints(m_parameters, m_frame, m_samples.positions, m_samples.hints), m_progress,
       m_samples.normals);
+  }
+
+  void begin_refinement(const Plan& plan)
+  {
+    m_refinement.emplace(plan.lengths_of_refinement(), plan.cell_size, plan.smallest_cell_size,
+                         m_samples, m_progress);
   }
 
   void take_refined()

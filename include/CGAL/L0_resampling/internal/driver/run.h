@@ -152,8 +152,10 @@ template <typename Backend>
 void refine_samples(const Plan& plan, Backend& backend)
 {
   backend.begin_stage("refine samples", 0.3,
-                      number_of_refinements * (2 * number_of_fit_scales + number_of_clearances + 3)
+                      (number_of_refinements * (2 * number_of_fit_scales + number_of_clearances + 3) + 6)
                         * backend.number_of_samples());
+  backend.spread_samples(plan);
+  backend.split_sheets(plan);
   for (int round = 0; round < number_of_refinements; ++round)
   {
     backend.spread_samples(plan);

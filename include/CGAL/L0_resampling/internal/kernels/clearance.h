@@ -24,7 +24,7 @@ namespace internal {
 constexpr double clearance_per_spacing = 0.35;
 
 /// Within how many spacings the other face is looked for.
-constexpr double reach_of_clearance = 2.2;
+constexpr double reach_of_clearance = 3;
 
 /// Samples whose normals have a cosine between these are of the other face of a crease.
 constexpr float least_cosine_across_crease = -0.5f, largest_cosine_across_crease = 0.87f;
@@ -33,8 +33,8 @@ constexpr float least_cosine_across_crease = -0.5f, largest_cosine_across_crease
 constexpr double cosine_of_other_face = 0.9;
 constexpr int number_of_other_faces = 3;
 
-/// Less weight of samples is no face.
-constexpr double least_weight_of_face = 0.7;
+/// Less weight of samples is no face, and samples that are not in one plane, per spacing, are none.
+constexpr double least_weight_of_face = 2.5, largest_deviation_of_face = 0.3;
 
 /// The other faces around a sample.
 class Faces_around
@@ -42,7 +42,7 @@ class Faces_around
   struct Face
   {
     Triple normals; ///< weighted sum
-    double weight, height, convexity;
+    double weight, height, convexity, squared_height;
   };
   Face m_faces[number_of_other_faces];
   int m_size = 0;
@@ -61,13 +61,15 @@ public:
     const double height = dot(other, to_center), convexity = dot(normal, to_center) - height;
     if (f == m_size)
     {
-      m_faces[m_size++] = {weight * other, weight, weight * height, weight * convexity};
+      m_faces[m_size++] = {weight * other, weight, weight * height, weight * convexity,
+                            weight * height * height};
       return;
     }
     m_faces[f].normals = m_faces[f].normals + weight * other;
     m_faces[f].weight += weight;
     m_faces[f].height += weight * height;
     m_faces[f].convexity += weight * convexity;
+    m_faces[f].squared_height += weight * height * height;
   }
 
   /// The way within its tangent plane on which a sample gets clear of the other faces.
@@ -80,12 +82,16 @@ public:
       const Face& face = m_faces[f];
       if (face.weight < least_weight_of_face)
         continue;
+      const double height = face.height / face.weight,
+                   variance = face.squared_height / face.weight - height * height;
+      if (variance > square(largest_deviation_of_face * spacing))
+        continue;
       const Triple other = normalized(face.normals);
       const double cosine = dot(other, normal), sine = std::sqrt(at_least(1 - cosine * cosine, 0)),
                    sign = face.convexity > 0 ? 1 : -1, least_sine = 0.3;
       if (sine < least_sine)
         continue;
-      const double missing = at_most(sign * face.height / face.weight
+      const double missing = at_most(sign * height
                                        + clearance_per_spacing * spacing * sine,
                                      spacing);
       if (missing > 0)

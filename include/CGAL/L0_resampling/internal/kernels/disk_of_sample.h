@@ -82,7 +82,8 @@ CGAL_L0_HOST_DEVICE inline Disk_kernel<float> disk_kernel(double unit, double no
 template <typename T>
 struct Shares_of_disk
 {
-  T shares = T(), squared_shares = T(), heights = T(), squared_heights = T();
+  T shares = T(), squared_shares = T(), heights = T(), squared_heights = T(),
+    fourth_powers = T();
 
   CGAL_L0_HOST_DEVICE void add(const T& share, const T& height)
   {
@@ -91,6 +92,7 @@ struct Shares_of_disk
     squared_shares += share * share;
     heights += moment;
     squared_heights += moment * height;
+    fourth_powers += T(moment * height) * T(height * height);
   }
 };
 
@@ -100,6 +102,7 @@ struct Disk
   float weight = 0;          ///< W, the sum of the shares
   float height = 0;          ///< Z, the mean height of the points over the sample
   float squared_height = 0;  ///< the mean of the squares
+  float fourth_power = 0;    ///< the mean of the fourth powers
   float variance = 1;        ///< of Z, per that of one point
 
   Disk() = default;
@@ -111,6 +114,7 @@ struct Disk
     weight = sums.shares;
     height = sums.heights / sums.shares;
     squared_height = sums.squared_heights / sums.shares;
+    fourth_power = sums.fourth_powers / sums.shares;
     variance = sums.squared_shares / (sums.shares * sums.shares);
   }
 };

@@ -29,54 +29,67 @@ constexpr int number_of_refinements = 2, number_of_clearances = 3;
 /// The unit of the refinement per spacing of the points: a disk that large has two of them.
 constexpr double unit_per_point_spacing = 1.4;
 
-/// The lengths of the refinement, at scale 1.
+/// The lengths of the refinement.
 struct Lengths_of_refinement
 {
   double unit;    ///< of all radii
   double noise;   ///< standard deviation of the points across the surface
   double spacing; ///< of the samples
 
-  CGAL_L0_HOST_DEVICE double noise_of_disk(double scale) const
+  /// The lengths at a sample.
+  /// \param noise_ratio of the noise there to that of the cloud
+  CGAL_L0_HOST_DEVICE Lengths_of_refinement at(double scale, double noise_ratio) const
   {
-    const double least = least_noise_per_unit * unit * scale;
+    return {unit * scale, noise * noise_ratio, spacing};
+  }
+
+  CGAL_L0_HOST_DEVICE Lengths_of_refinement widened(double widening) const
+  {
+    return {unit, widening * noise, spacing};
+  }
+
+  CGAL_L0_HOST_DEVICE double noise_of_disk() const
+  {
+    const double least = least_noise_per_unit * unit;
     return noise > least ? noise : least;
   }
-  CGAL_L0_HOST_DEVICE Disk_kernel<float> kernel_of_disk(double scale) const
+  CGAL_L0_HOST_DEVICE Disk_kernel<float> kernel_of_disk() const
   {
-    return disk_kernel(unit * scale, noise_of_disk(scale), spacing);
+    return disk_kernel(unit, noise_of_disk(), spacing);
   }
   /// The reach of a disk.
   double reach_of_disk() const
   {
-    return internal::reach_of_disk * std::sqrt(squared_extent_of_disk(unit, noise_of_disk(1)));
+    return internal::reach_of_disk * std::sqrt(squared_extent_of_disk(unit, noise_of_disk()));
   }
 
   /// How many points of the noise of scale 1 a disk stands for.
-  CGAL_L0_HOST_DEVICE float information(const Disk& disk, double scale) const
+  /// \param noise_of_cloud `noise_of_disk()` of that
+  CGAL_L0_HOST_DEVICE float information(const Disk& disk, double noise_of_cloud) const
   {
     const double least = 1e-6; // so that disks without points stand for something
     return float((disk.weight > least ? disk.weight : least)
-                 * square(noise_of_disk(1) / noise_of_disk(scale)));
+                 * square(noise_of_cloud / noise_of_disk()));
   }
   /// Of the height of the points of a disk.
-  CGAL_L0_HOST_DEVICE double deviation(const Disk& disk, double scale) const
+  CGAL_L0_HOST_DEVICE double deviation(const Disk& disk) const
   {
-    const double of_height = noise_of_disk(scale) * std::sqrt(double(disk.variance)),
-                 least = least_deviation_of_disk * unit * scale;
+    const double of_height = noise_of_disk() * std::sqrt(double(disk.variance)),
+                 least = least_deviation_of_disk * unit;
     return of_height > least ? of_height : least;
   }
 
   /// Of the quadric of the smallest balls in the reference: exact points need no larger ones.
-  CGAL_L0_HOST_DEVICE float share_of_smallest_reference(double scale) const
+  CGAL_L0_HOST_DEVICE float share_of_smallest_reference() const
   {
     const double exact = 0.05;
-    return float(as_share(2 - noise_of_disk(scale) / (exact * unit * scale)));
+    return float(as_share(2 - noise_of_disk() / (exact * unit)));
   }
 
   /// Whether a sample may move so far along its normal.
-  CGAL_L0_HOST_DEVICE bool is_near(double height, double scale) const
+  CGAL_L0_HOST_DEVICE bool is_near(double height) const
   {
-    return std::abs(height) < 2 * noise_of_disk(scale) + unit * scale;
+    return std::abs(height) < noise_of_disk() + 0.5 * unit;
   }
 };
 
@@ -88,11 +101,11 @@ struct Settled_on_mean
   Bend bend;
 
   CGAL_L0_HOST_DEVICE Settled_on_mean(const Mean_surface& mean, const Triple& old_normal,
-                                      const Lengths_of_refinement& lengths, double scale)
+                                      const Lengths_of_refinement& lengths)
     : normal(old_normal)
   {
     const double weight = mean.weight;
-    if (!(weight > 0) || !lengths.is_near(mean.height / weight, scale))
+    if (!(weight > 0) || !lengths.is_near(mean.height / weight))
       return;
     const Tangent_frame frame(old_normal);
     height = mean.height / weight;

@@ -16,6 +16,7 @@
 #include <CGAL/L0_resampling/internal/samples/keep_clear_of_creases.h>
 #include <CGAL/L0_resampling/internal/samples/merge_disks.h>
 #include <CGAL/L0_resampling/internal/samples/share_points.h>
+#include <CGAL/L0_resampling/internal/samples/split_sheets.h>
 #include <CGAL/L0_resampling/internal/samples/weigh_by_risk.h>
 
 #include <algorithm>
@@ -42,6 +43,7 @@ class Refinement
   Buffer<Vector> m_positions;
   Buffer<Local_vector> m_normals;
   const Buffer<float> m_scales; // none if all are 1
+  Buffer<float> m_noise_ratios;
   const Search_grid_3 m_grid;
   Buffer<Disk> m_disks;
   Buffer<float> m_heights, m_informations; // of the disks
@@ -50,8 +52,11 @@ class Refinement
   Buffer<Mean_surface> m_means;
   Buffer<Bend> m_bends;
 
-  double scale(std::size_t i) const { return double(m_grid.scale(i)); }
-  double unit(std::size_t i) const { return m_lengths.unit * scale(i); }
+  Lengths_of_refinement lengths_at(std::size_t i) const
+  {
+    return m_lengths.at(double(m_grid.scale(i)), double(view_of_scales(m_noise_ratios)[i]));
+  }
+  double unit(std::size_t i) const { return m_lengths.unit * double(m_grid.scale(i)); }
 
   template <typename F>
   void for_each_sample(const F& f)
@@ -79,6 +84,7 @@ public:
       m_positions(values_in_order<ConcurrencyTag>(m_order, samples.positions)),
       m_normals(m_positions.size(), allocator()),
       m_scales(listed_scales(view_of_scales(samples.scales), m_order)),
+      m_noise_ratios(listed_scales(view_of_scales(samples.noise_ratios), m_order)),
       m_grid(ConcurrencyTag(), m_positions, Cell_sizes(cell_size, m_scales)),
       m_disks(allocator()), m_heights(m_positions.size(), allocator()),
       m_informations(m_positions.size(), allocator()),
@@ -92,17 +98,27 @@ public:
     });
   }
 
-  void share_points(const Search_grid_3& grid, const Buffer<Vector>& points)
+  /// \param widening of the noise
+  void share_points(const Search_grid_3& grid, const Buffer<Vector>& points, double widening = 1)
   {
     Buffer<Disk_kernel<Local>> kernels(m_positions.size(), allocator());
-    for_each_sample([&](std::size_t i) { kernels[i] = m_lengths.kernel_of_disk(scale(i)); });
+    for_each_sample(
+      [&](std::size_t i) { kernels[i] = lengths_at(i).widened(widening).kernel_of_disk(); });
     m_disks = internal::share_points<ConcurrencyTag>(
       grid, points, {m_grid, m_positions, m_normals, kernels},
-      cells_in_reach(m_lengths.reach_of_disk(), m_grid.cell_size()), m_progress);
+      cells_in_reach(m_lengths.widened(widening).reach_of_disk(), m_grid.cell_size()), m_progress);
     for_each_sample([&](std::size_t i) {
       m_heights[i] = m_disks[i].height;
-      m_informations[i] = m_lengths.information(m_disks[i], scale(i));
+      m_informations[i] = lengths_at(i).information(m_disks[i], m_lengths.noise_of_disk());
     });
+  }
+
+  /// And finds the noise around each.
+  void split_sheets()
+  {
+    m_noise_ratios.resize(m_positions.size());
+    Sheet_splitter<ConcurrencyTag>(m_lengths, m_grid, m_disks, m_progress, m_positions, m_normals,
+                                   m_noise_ratios)();
   }
 
   void fit_disks(int scale_of_fit)
@@ -114,8 +130,8 @@ public:
       internal::fit_disks<ConcurrencyTag>(
         samples, grid, disks, cells_in_reach(radius, grid.cell_size()),
         [&](std::size_t i) { return units * unit(i); },
-        [&](std::size_t i) { return m_lengths.deviation(m_disks[i], scale(i)); },
-        m_lengths.noise_of_disk(1), scale_of_fit, m_progress, m_predictions, m_surfaces);
+        [&](std::size_t i) { return lengths_at(i).deviation(m_disks[i]); },
+        m_lengths.noise_of_disk(), scale_of_fit, m_progress, m_predictions, m_surfaces);
     };
     if (scale_of_fit < first_scale_of_merged_disks)
     {
@@ -145,7 +161,7 @@ public:
     {
       for_each_sample([&](std::size_t i) {
         m_references[i] = reference_of(m_surfaces[i].quadric, m_smallest_surfaces[i].quadric,
-                                       m_lengths.share_of_smallest_reference(scale(i)));
+                                       lengths_at(i).share_of_smallest_reference());
       });
       weigh(m_smallest_surfaces, radius_of_bias(0));
       release(m_smallest_surfaces);
@@ -162,8 +178,8 @@ public:
     m_bends.resize(m_positions.size());
     for_each_sample([&](std::size_t i) {
       const Vector normal = m_normals[i].template cast<double>();
-      const Settled_on_mean settled(m_means[i], {normal.x(), normal.y(), normal.z()}, m_lengths,
-                                    scale(i));
+      const Settled_on_mean settled(m_means[i], {normal.x(), normal.y(), normal.z()},
+                                    lengths_at(i));
       m_positions[i] += settled.height * normal;
       m_normals[i] = Vector(settled.normal.x, settled.normal.y, settled.normal.z).cast<Local>();
       m_bends[i] = settled.bend;
@@ -180,9 +196,12 @@ public:
   template <typename FT>
   void write_to(Samples<FT>& samples)
   {
+    samples.noise_ratios.resize(m_noise_ratios.size());
     for_each_sample([&](std::size_t i) {
       samples.positions[m_order[i]] = m_positions[i];
       samples.normals[m_order[i]] = m_normals[i].template cast<FT>();
+      if (!m_noise_ratios.empty())
+        samples.noise_ratios[m_order[i]] = m_noise_ratios[i];
     });
   }
 

@@ -50,6 +50,9 @@ struct Samples
     hints;
 
   Buffer<float>
+    /// default method only: of the noise around the sample to that of the cloud
+    noise_ratios;
+  Buffer<float>
     /// how sure the sides are, and what the points of the last fit scatter; none unless asked for
     side_confidences,
     noises;
@@ -61,7 +64,7 @@ struct Samples
     : positions(allocator), normals(allocator), fit_weights(allocator), fit_centroids(allocator),
       fit_variances(allocator), outward_directions(allocator), scales(allocator),
       are_support_points(allocator), spreading_radii(allocator), hints(allocator),
-      side_confidences(allocator), noises(allocator), start_indices(allocator)
+      noise_ratios(allocator), side_confidences(allocator), noises(allocator), start_indices(allocator)
   {}
 };
 
@@ -83,6 +86,7 @@ void apply_order(const Buffer<Index>& order, Samples<FT>& samples)
   apply_to_what_there_is(samples.are_support_points);
   apply_to_what_there_is(samples.spreading_radii);
   apply_to_what_there_is(samples.hints);
+  apply_to_what_there_is(samples.noise_ratios);
   apply_to_what_there_is(samples.side_confidences);
   apply_to_what_there_is(samples.noises);
   apply_to_what_there_is(samples.start_indices);

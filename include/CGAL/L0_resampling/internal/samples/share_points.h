@@ -111,7 +111,8 @@ Buffer<Disk> share_points(const Search_grid_3& point_grid, const Buffer<Vector>&
             sums.add(kernel(squared_distance, height) * inverse_densities.load(0, k), height);
           });
         disks[i] = Disk(Shares_of_disk<Local>{sums.shares.sum(), sums.squared_shares.sum(),
-                                              sums.heights.sum(), sums.squared_heights.sum()});
+                                              sums.heights.sum(), sums.squared_heights.sum(),
+                                              sums.fourth_powers.sum()});
       }
     };
   };
