@@ -57,9 +57,9 @@ std::size_t estimate_memory(std::size_t n, std::size_t m, const Parameters& para
   const std::size_t of_points_beside = rules.refines ? of_points : 0;
   const std::size_t of_quadrics = of_points_beside + 2 * of_sample_grid + 20 * m + 64 * m;
   // copies of the samples; what is found of their disks and surfaces; and the disks that are merged
-  const std::size_t of_fitted_surfaces = 180 * m,
+  const std::size_t of_fitted_surfaces = 164 * m,
                     of_refinement = rules.refines ? of_points + 7 * n + 60 * m + of_sample_grid
-                                                      + of_fitted_surfaces + 140 * m
+                                                      + of_fitted_surfaces + 150 * m
                                                   : 0;
   return slack + of_samples
          + (std::max)(

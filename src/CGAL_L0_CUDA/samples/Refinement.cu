@@ -8,6 +8,7 @@
 #include <CGAL/L0_resampling/internal/kernels/merged_disk.h>
 
 #include <algorithm>
+#include <type_traits>
 
 namespace CGAL {
 namespace L0_resampling {

@@ -15,10 +15,10 @@ namespace cuda {
 namespace {
 
 /// \param order where each sample of the grid stands; null if each in its own place
-__global__ void fit(Cell_grid sample_grid, const unsigned* order, Cell_blocks blocks,
-                    Cell_grid grid, Disks disks, Lengths_of_refinement lengths, int scale_of_fit,
-                    Samples samples, const float* variances, Surface_of_disks* predictions,
-                    Surfaces_of_scale* all_surfaces)
+__global__ void __launch_bounds__(threads_per_block, 2)
+  fit(Cell_grid sample_grid, const unsigned* order, Cell_blocks blocks, Cell_grid grid, Disks disks,
+      Lengths_of_refinement lengths, int scale_of_fit, Samples samples, const float* variances,
+      Surface_of_disks* predictions, Surfaces_of_scale* all_surfaces)
 {
   const Query query(samples.size);
   const int4 center = sample_grid.points[query.index];
@@ -44,8 +44,8 @@ __global__ void fit(Cell_grid sample_grid, const unsigned* order, Cell_blocks bl
       moments.add(disk.u * per_radius, disk.v * per_radius, disk.h * per_radius,
                   weight_of(disk, prediction), disks.informations[k]);
     });
-  const Moments_of_disks<double> sums(moments,
-                                      [](float sum) { return double(group_sum<lanes>(sum)); });
+  // not yet `double`, which would take as many registers again
+  const Moments_of_disks<float> sums(moments, [](float sum) { return group_sum<lanes>(sum); });
   if (!query.writes)
     return;
   const double squared_noise = square(lengths.noise_of_disk(1));

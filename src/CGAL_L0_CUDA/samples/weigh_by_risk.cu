@@ -39,9 +39,9 @@ __global__ void compare(Samples samples, const Surface_of_disks* references,
   const Surface_of_disks reference = references[k];
   const Surfaces_of_scale own = surfaces[k];
   Differences_from_reference<float> of_plane, of_quadric;
-  if (reference.is_determined && own.plane.is_determined)
+  if (reference.is_determined() && own.plane.is_determined())
     of_plane.add(1, own.plane, reference);
-  if (reference.is_determined && own.quadric.is_determined)
+  if (reference.is_determined() && own.quadric.is_determined())
     of_quadric.add(1, own.quadric, reference);
   compared[k] = {with_w(xyz(samples.normals[k]), of_plane.weight + 2 * of_quadric.weight),
                  make_float4(of_plane.heights, of_plane.slopes, of_quadric.heights,
@@ -66,7 +66,7 @@ __global__ void weigh(Cell_grid sample_grid, Cell_blocks blocks, double radius_o
   const double radius = radius_of_one * samples.scale(i);
   const float squared_radius = float(square(radius)), unit = sample_grid.frame.unit();
   const float3 normal = xyz(samples.normals[i]);
-  const bool has_reference = references[i].is_determined;
+  const bool has_reference = references[i].is_determined();
   Differences_from_reference<float> of_plane, of_quadric;
   if (has_reference)
     for_each_candidate(
@@ -91,7 +91,7 @@ __global__ void weigh(Cell_grid sample_grid, Cell_blocks blocks, double radius_o
   Mean_surface mean = means[i];
   const auto add_to_mean = [&](const Surface_of_disks& surface,
                                const Differences_from_reference<float>& sums) {
-    if (surface.is_determined && sums.weight > 0)
+    if (surface.is_determined() && sums.weight > 0)
       mean.add(surface, risk_of_surface(surface, references[i], sums));
   };
   add_to_mean(surfaces[i].plane, of_plane);

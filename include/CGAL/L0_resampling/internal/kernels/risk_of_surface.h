@@ -24,7 +24,7 @@ CGAL_L0_HOST_DEVICE inline Surface_of_disks reference_of(const Surface_of_disks&
                                                          const Surface_of_disks& smallest,
                                                          float share_of_smallest)
 {
-  if (!quadric.is_determined || !smallest.is_determined)
+  if (!quadric.is_determined() || !smallest.is_determined())
     return quadric;
   const auto mean = [&](float a, float b) { return a + share_of_smallest * (b - a); };
   Surface_of_disks reference = quadric;

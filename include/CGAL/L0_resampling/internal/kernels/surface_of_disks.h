@@ -49,8 +49,9 @@ constexpr double least_deviation_of_disk = 0.03;
 struct Surface_of_disks
 {
   float height = 0, slope_u = 0, slope_v = 0, uu = 0, uv = 0, vv = 0;
-  float height_variance = 0, slope_variance = 0;
-  bool is_determined = false;
+  float height_variance = 0, slope_variance = 0; ///< both positive, or both 0
+
+  CGAL_L0_HOST_DEVICE bool is_determined() const { return slope_variance > 0; }
 };
 
 /// The surfaces of one scale at a sample.
@@ -63,7 +64,7 @@ struct Surfaces_of_scale
   /// \param before what their own fit started from
   CGAL_L0_HOST_DEVICE Surface_of_disks prediction(int scale, const Surface_of_disks& before) const
   {
-    return scale > 0 && quadric.is_determined ? quadric : plane.is_determined ? plane : before;
+    return scale > 0 && quadric.is_determined() ? quadric : plane.is_determined() ? plane : before;
   }
 };
 
@@ -225,10 +226,16 @@ struct Moments_of_disks
       surface.uv = float(c[4] / radius);
       surface.vv = float(c[5] / radius);
     }
-    surface.height_variance = float(height_variance);
-    surface.slope_variance = float((variances[1] + variances[2]) / 2 * of_point / square(radius));
-    surface.is_determined = surface.slope_variance > 0
-                            && surface.slope_variance < (std::numeric_limits<float>::max)();
+    const double slope_variance = (variances[1] + variances[2]) / 2 * of_point / square(radius);
+    const auto is_number = [](double variance) {
+      return variance > (std::numeric_limits<float>::min)()
+             && variance < (std::numeric_limits<float>::max)();
+    };
+    if (is_number(height_variance) && is_number(slope_variance))
+    {
+      surface.height_variance = float(height_variance);
+      surface.slope_variance = float(slope_variance);
+    }
     return surface;
   }
 };

@@ -53,12 +53,12 @@ void weigh_by_risk(const Search_grid_3& grid, const Buffer<Vector>& positions,
         put(reference, own + of_reference);
         put(surfaces[k].plane, own + of_plane);
         put(surfaces[k].quadric, own + of_quadric);
-        own[of_plane + 5] = reference.is_determined && surfaces[k].plane.is_determined;
-        own[of_quadric + 5] = reference.is_determined && surfaces[k].quadric.is_determined;
+        own[of_plane + 5] = reference.is_determined() && surfaces[k].plane.is_determined();
+        own[of_quadric + 5] = reference.is_determined() && surfaces[k].quadric.is_determined();
       });
       for (Index i = queries.first; i < queries.second; ++i)
       {
-        if (!references[i].is_determined)
+        if (!references[i].is_determined())
           continue;
         const Eigen::Matrix<Local, 3, 1> center = (positions[i] - origin).template cast<Local>(),
                                          normal = sample_normals[i];
@@ -84,7 +84,7 @@ void weigh_by_risk(const Search_grid_3& grid, const Buffer<Vector>& positions,
                                      const Differences_from_reference<L>& sums) {
           const Differences_from_reference<Local> d = {sums.weight.sum(), sums.heights.sum(),
                                                        sums.slopes.sum()};
-          if (surface.is_determined && d.weight > 0)
+          if (surface.is_determined() && d.weight > 0)
             means[i].add(surface, risk_of_surface(surface, references[i], d));
         };
         add_to_mean(surfaces[i].plane, plane);
