@@ -49,7 +49,7 @@ std::size_t estimate_memory(std::size_t n, std::size_t m, const Parameters& para
   const std::size_t of_sample_grid = 19 * m;
   const std::size_t of_neighbors = rules.refines ? 80 * m : 64 * m;
   const std::size_t of_sorting_samples = (rules.refines ? of_points : 0) + of_sample_grid + 5 * m
-                                         + 64 * m;
+                                         + (rules.refines ? 72 : 64) * m;
   const std::size_t of_fit = of_points + of_sample_grid + 15 * m;
   const std::size_t of_minimization = (rules.refines ? of_points + 16 * m : 0) + 16 * m
                                       + of_neighbors + 68 * m;
