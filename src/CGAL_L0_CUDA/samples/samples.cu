@@ -49,7 +49,10 @@ __global__ void reorder_samples(const unsigned* order, Samples from, Samples to)
   for (int axis = 0; axis < 3; ++axis)
     to.positions[3 * i + axis] = from.positions[3 * k + axis];
   to.normals[i] = from.normals[k];
-  to.fit[i] = from.fit[k];
+  if (to.fit)
+    to.fit[i] = from.fit[k];
+  if (to.outward)
+    to.outward[i] = from.outward[k];
   if (to.are_support_points)
     to.are_support_points[i] = from.are_support_points[k];
   if (to.scales)
@@ -213,6 +216,7 @@ void keep_listed(const Workplace& workplace, const unsigned* list, unsigned size
   copy(before.positions, 3 * m);
   copy(before.normals, m);
   copy(before.fit, m);
+  copy(before.outward, m);
   copy(before.are_support_points, m);
   copy(before.scales, m);
   copy(before.spreading_radii, m);

@@ -60,6 +60,14 @@ struct Differences_from_reference
     heights += w * S(height * height - height_variance);
     slopes += w * S(S(slope_u * slope_u + slope_v * slope_v) * 0.5f - slope_variance);
   }
+
+  /// \pre `S` is a number
+  CGAL_L0_HOST_DEVICE void add(const S& w, const Surface_of_disks& s, const Surface_of_disks& r)
+  {
+    add(w, s.height - r.height, s.slope_u - r.slope_u, s.slope_v - r.slope_v,
+        at_least(r.height_variance - s.height_variance, 0),
+        at_least(r.slope_variance - s.slope_variance, 0));
+  }
 };
 
 /// How much a sample counts whose normal has this cosine with that of the sample in the middle.
@@ -80,7 +88,8 @@ CGAL_L0_HOST_DEVICE inline float risk_of_surface(const Surface_of_disks& surface
                                                  const Surface_of_disks& reference,
                                                  const Differences_from_reference<float>& d)
 {
-  const float bias = at_least(d.heights / d.weight, 0), bias_of_slope = at_least(d.slopes / d.weight, 0);
+  const float bias = at_least(d.heights / d.weight, 0),
+              bias_of_slope = at_least(d.slopes / d.weight, 0);
   return (surface.height_variance + bias) / reference.height_variance
          + (surface.slope_variance + bias_of_slope) / reference.slope_variance;
 }

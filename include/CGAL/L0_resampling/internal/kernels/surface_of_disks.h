@@ -54,6 +54,30 @@ struct Surface_of_disks
   CGAL_L0_HOST_DEVICE bool is_determined() const { return slope_variance > 0; }
 };
 
+/// The surfaces of one scale at a sample.
+struct Surfaces_of_scale
+{
+  Surface_of_disks plane, quadric;
+
+  /// What the fit in the next larger ball starts from.
+  /// \param scale of these surfaces
+  /// \param before what their own fit started from
+  CGAL_L0_HOST_DEVICE Surface_of_disks prediction(int scale, const Surface_of_disks& before) const
+  {
+    return scale > 0 && quadric.is_determined() ? quadric : plane.is_determined() ? plane : before;
+  }
+};
+
+/// A disk of a ball, as the sample in the middle sees it.
+/// \tparam S a number, or lanes of numbers
+template <typename S>
+struct Seen_disk
+{
+  S u, v, h; ///< where its points are, in the frame of the sample
+  S cosine_with_u, cosine_with_v, cosine_with_normal; ///< of its normal with the axes of the frame
+  S squared_distance;                                 ///< of the disk itself
+};
+
 /*!
 How much a disk counts in a fit,
 \f$ w = (1 - l^2/R^2)_+^2 (1 - (1 - c)/(1 - \cos 35^\circ))_+^2 (1 - \rho^2/9H^2)_+^2 \f$: c is the
@@ -81,6 +105,22 @@ struct Weight_in_fit
             on_surface = at_least(S(T(1) - squared_residual * per_squared_residual), T(0)),
             product = S(near * along) * on_surface;
     return product * product;
+  }
+
+  /// \param s the surface of the next smaller ball
+  template <typename S>
+  CGAL_L0_HOST_DEVICE S operator()(const Seen_disk<S>& disk, const Surface_of_disks& s) const
+  {
+    using std::sqrt;
+    const S slope_u = S(s.slope_u) + disk.u * (2 * s.uu) + disk.v * s.uv,
+            slope_v = S(s.slope_v) + disk.u * s.uv + disk.v * (2 * s.vv),
+            residual = disk.h - s.height - disk.u * (S(s.slope_u) + disk.u * s.uu + disk.v * s.uv)
+                       - disk.v * (S(s.slope_v) + disk.v * s.vv),
+            inverse = S(T(1)) / (S(T(1)) + slope_u * slope_u + slope_v * slope_v),
+            cosine = (disk.cosine_with_normal - slope_u * disk.cosine_with_u
+                      - slope_v * disk.cosine_with_v)
+                     * sqrt(inverse);
+    return (*this)(disk.squared_distance, cosine, S(residual * residual * inverse));
   }
 };
 

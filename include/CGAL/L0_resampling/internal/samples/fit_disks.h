@@ -24,12 +24,6 @@ namespace CGAL {
 namespace L0_resampling {
 namespace internal {
 
-/// The surfaces of one scale at a sample.
-struct Surfaces_of_scale
-{
-  Surface_of_disks plane, quadric;
-};
-
 /// The two fits, compiled by themselves: where they are a part of what surrounds them, compilers
 /// fuse other sums of products, and two programs of one source would differ in the last bit.
 BOOST_NOINLINE inline Surfaces_of_scale surfaces_of(const Moments_of_disks<double>& moments,
@@ -57,23 +51,15 @@ inline Moments_of_disks<double> sum_disks(const Eigen::Matrix<Local, 3, 1>& cent
   candidates.for_each_run_in_ball(
     center, Local(radius * radius), [&](std::size_t k, const L& squared_distance) {
       const L nx = L::load(&normals.x[k]), ny = L::load(&normals.y[k]), nz = L::load(&normals.z[k]),
-              height = values.load(0, k),
-              fx = L::load(&candidates.x[k]) - center[0] + nx * height,
+              height = values.load(0, k), fx = L::load(&candidates.x[k]) - center[0] + nx * height,
               fy = L::load(&candidates.y[k]) - center[1] + ny * height,
               fz = L::load(&candidates.z[k]) - center[2] + nz * height;
-      const L u = dot(fx, fy, fz, frame.u), v = dot(fx, fy, fz, frame.v),
-              h = dot(fx, fy, fz, frame.normal);
-      const Surface_of_disks& s = prediction;
-      const L slope_u = L(s.slope_u) + u * (2 * s.uu) + v * s.uv,
-              slope_v = L(s.slope_v) + u * s.uv + v * (2 * s.vv),
-              residual = h - s.height - u * (L(s.slope_u) + u * s.uu + v * s.uv)
-                         - v * (L(s.slope_v) + v * s.vv),
-              inverse = L(Local(1)) / (L(Local(1)) + slope_u * slope_u + slope_v * slope_v),
-              cosine = (dot(nx, ny, nz, frame.normal) - slope_u * dot(nx, ny, nz, frame.u)
-                        - slope_v * dot(nx, ny, nz, frame.v))
-                       * sqrt(inverse);
-      const L weight = weight_of(squared_distance, cosine, residual * residual * inverse);
-      sums.add(u * unit, v * unit, h * unit, weight, values.load(1, k));
+      const Seen_disk<L> disk = {
+        dot(fx, fy, fz, frame.u), dot(fx, fy, fz, frame.v), dot(fx, fy, fz, frame.normal),
+        dot(nx, ny, nz, frame.u), dot(nx, ny, nz, frame.v), dot(nx, ny, nz, frame.normal),
+        squared_distance};
+      sums.add(disk.u * unit, disk.v * unit, disk.h * unit, weight_of(disk, prediction),
+               values.load(1, k));
     });
   return Moments_of_disks<double>(sums, [](const L& lanes) { return double(lanes.sum()); });
 }
@@ -118,15 +104,11 @@ void fit_disks(const Samples_to_fit& samples, const Search_grid_3& disk_grid,
         const double radius = radius_of(i);
         const Vector normal = samples.normals[i].template cast<double>();
         const Tangent_frame frame({normal.x(), normal.y(), normal.z()});
-        const Moments_of_disks<double> moments =
-          sum_disks((samples.positions[q] - origin).template cast<Local>(), frame, radius,
-                    predictions[i], Weight_in_fit<Local>(radius, deviation_of(i)),
-                    candidates, normals, values);
+        const Moments_of_disks<double> moments = sum_disks(
+          (samples.positions[q] - origin).template cast<Local>(), frame, radius, predictions[i],
+          Weight_in_fit<Local>(radius, deviation_of(i)), candidates, normals, values);
         surfaces[i] = surfaces_of(moments, radius, noise * noise);
-        if (scale > 0 && surfaces[i].quadric.is_determined())
-          predictions[i] = surfaces[i].quadric;
-        else if (surfaces[i].plane.is_determined())
-          predictions[i] = surfaces[i].plane;
+        predictions[i] = surfaces[i].prediction(scale, predictions[i]);
       }
     };
   };
