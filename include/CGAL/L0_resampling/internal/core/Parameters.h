@@ -327,7 +327,9 @@ CGAL_L0_HOST_DEVICE inline float spreading_radius_of(double area, double largest
   return float(radius > largest ? largest : radius < least ? least : radius);
 }
 
-constexpr std::size_t number_of_repulsion_steps = 3;
+/// Of the default method in each turn, and each time before the refinement, whose fits do not draw
+/// samples back that were pushed over a border.
+constexpr std::size_t number_of_repulsion_steps = 3, number_of_repulsion_steps_of_refinement = 1;
 
 /// How the samples repel each other: the push of one from a neighbor at distance d is
 /// \f$ \mathrm{strength} \cdot d \, e^{-d^2 / \mathrm{squared\_bandwidth}} \f$, and the sum of all

@@ -293,13 +293,14 @@ public:
   }
 
   /// Forgets what neighbors are found in, but not the neighbors.
-  void repel_tangentially(const Plan& plan)
+  void repel_tangentially(const Plan& plan,
+                          std::size_t number_of_steps = number_of_repulsion_steps)
   {
     const auto repel = [&](const Neighborhoods& others, double radius) {
       internal::repel_tangentially<ConcurrencyTag>(others, m_places,
                                                    {radius, {}, spreading_radii()},
                                                    plan.sample_spacing, plan.radius,
-                                                   number_of_repulsion_steps, m_samples);
+                                                   number_of_steps, m_samples);
     };
     if (spreads_wider())
       repel(internal::find_self_neighbors<ConcurrencyTag>(
@@ -350,7 +351,7 @@ public:
                                                                               m_order_before);
     find_self_neighbors(plan);
     m_places = copy_of(m_samples.positions);
-    repel_tangentially(plan);
+    repel_tangentially(plan, number_of_repulsion_steps_of_refinement);
     m_neighbors = no_neighbors();
   }
 
@@ -358,7 +359,7 @@ public:
   {
     begin_refinement(plan);
     m_refinement->share_points(m_input.grid, m_input.points, widening_of_split);
-    m_refinement->split_sheets();
+    m_refinement->split_sheets(m_parameters.has_viewpoint || !m_samples.hints.empty());
   }
 
   void share_points(const Plan& plan)

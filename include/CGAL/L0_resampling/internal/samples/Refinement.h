@@ -113,12 +113,14 @@ public:
     });
   }
 
-  /// And finds the noise around each.
-  void split_sheets()
+  /// Finds the noise around each sample, and splits merged sheets.
+  /// \param are_sides_known whether it is known what the points were seen from: then two sheets are
+  /// one wall that was seen twice, as both sides of a plate never are
+  void split_sheets(bool are_sides_known)
   {
     m_noise_ratios.resize(m_positions.size());
     Sheet_splitter<ConcurrencyTag>(m_lengths, m_grid, m_disks, m_progress, m_positions, m_normals,
-                                   m_noise_ratios)();
+                                   m_noise_ratios)(!are_sides_known);
   }
 
   void fit_disks(int scale_of_fit)

@@ -216,9 +216,12 @@ public:
       m_sides(positions.size(), positions.get_allocator())
   {}
 
-  void operator()()
+  /// \param splits whether sheets are split, beside finding the noise
+  void operator()(bool splits)
   {
     find_splits();
+    if (!splits)
+      return;
     keep_agreed(radius_of_majority, share_of_majority, 0);
     keep_agreed(radius_of_region, share_of_region, share_of_sure_ones);
     bool are_any_split = false;
