@@ -226,7 +226,7 @@ without a value leaves the default.
   \cgalParamNBegin{penalty_growth}
     \cgalParamDescription{\f$ \mu \f$, the factor between one \f$ \beta \f$ and the next}
     \cgalParamType{`double`}
-    \cgalParamDefault{1.5; 1.7 for `Method::DEFAULT`}
+    \cgalParamDefault{1.5; 2.7 for `Method::DEFAULT`}
     \cgalParamExtra{`std::invalid_argument` if not finite, not above 1, or if it asks for more than
       10000 iterations}
   \cgalParamNEnd
