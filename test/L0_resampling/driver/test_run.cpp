@@ -135,6 +135,7 @@ public:
   void orient_normals(const Plan& plan) { note("orient_normals", plan); }
   void project_to_local_quadrics(const Plan& plan) { note("project_to_local_quadrics", plan); }
   void spread_samples(const Plan& plan) { note("spread_samples", plan); }
+  void split_sheets(const Plan& plan) { note("split_sheets", plan); }
   void share_points(const Plan& plan) { note("share_points", plan); }
   void fit_disks(int scale) { note("fit_disks " + std::to_string(scale)); }
   void weigh_by_risk(int scale) { note("weigh_by_risk " + std::to_string(scale)); }
@@ -219,7 +220,7 @@ void test_refinement()
                                              "take_mean_surfaces",    "keep_clear_of_creases",
                                              "keep_clear_of_creases", "keep_clear_of_creases"};
   std::vector<std::string> expected = {"[project to local quadrics]", "project_to_local_quadrics",
-                                       "[refine samples]"};
+                                       "[refine samples]", "spread_samples", "split_sheets"};
   for (int round = 0; round < 2; ++round)
     expected.insert(expected.end(), of_round.begin(), of_round.end());
   expected.insert(expected.end(), {"end_refinement", "release_points"});

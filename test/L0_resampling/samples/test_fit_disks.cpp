@@ -24,7 +24,7 @@ const double radius = 0.4, cell_size = 0.3;
 struct Input
 {
   Sorted_samples samples;
-  Fitted_disks disks{Counting_allocator<Vector>()};
+  Merged_disks disks{Counting_allocator<Vector>()};
   double noise, deviation = 0.01;
 
   /// Disks where the samples are, of the heights that noise leaves of as many points.
@@ -61,7 +61,7 @@ Fits fitted(const Input& input, const Buffer<Surface_of_disks>& predictions, int
     Unwatched unwatched;
     fit_disks<Tag>(
       {input.samples.sorted.grid, input.samples.sorted.points, nullptr, input.samples.normals},
-      grid, input.disks, cells_in_reach(radius, cell_size),
+      grid, input.disks.view(), cells_in_reach(radius, cell_size),
       [&](std::size_t i) { return input.radius_of(i); },
       [&](std::size_t) { return input.deviation; }, input.noise, scale, unwatched.progress,
       fits.predictions, fits.surfaces);
@@ -163,7 +163,7 @@ bool check_surface(const Surface_of_disks& surface, const Naive_fit::Surface& ex
 {
   if (expected.is_at_limit)
     return false;
-  if (!CHECK(surface.is_determined == expected.is_determined) || !expected.is_determined)
+  if (!CHECK(surface.is_determined() == expected.is_determined) || !expected.is_determined)
     return false;
   // where a fit is ill-conditioned, roundings are as large as its deviations
   const double deviation = std::sqrt(expected.height_variance),
@@ -205,10 +205,10 @@ void check_formula(bool have_even_scales, Generator& generator)
       const Surfaces_of_scale& s = fits.surfaces[i];
       number_of_planes += check_surface(s.plane, naive.surface(3), input.radius_of(i));
       number_of_quadrics += check_surface(s.quadric, naive.surface(6), input.radius_of(i));
-      number_of_none += !s.plane.is_determined;
-      const bool takes_quadric = scale > 0 && s.quadric.is_determined;
+      number_of_none += !s.plane.is_determined();
+      const bool takes_quadric = scale > 0 && s.quadric.is_determined();
       CHECK(are_the_same(fits.predictions[i], takes_quadric           ? s.quadric
-                                              : s.plane.is_determined ? s.plane
+                                              : s.plane.is_determined() ? s.plane
                                                                       : predictions[i]));
     }
     CHECK(number_of_planes > 700 && number_of_quadrics > 500 && number_of_none > 0);
@@ -241,7 +241,7 @@ void check_order(Generator& generator)
   Unwatched unwatched;
   fit_disks<CGAL::Parallel_if_available_tag>(
     {input.samples.sorted.grid, input.samples.sorted.points, order.data(), normals},
-    input.samples.sorted.grid, input.disks, cells_in_reach(radius, cell_size),
+    input.samples.sorted.grid, input.disks.view(), cells_in_reach(radius, cell_size),
     [&](std::size_t) { return radius; }, [&](std::size_t) { return input.deviation; }, input.noise,
     1, unwatched.progress, fits.predictions, fits.surfaces);
   for (std::size_t q = 0; q < m; ++q)
@@ -266,7 +266,7 @@ void check_plane(Generator& generator)
   for (const Surfaces_of_scale& s : fits.surfaces)
     for (const Surface_of_disks& surface : {s.plane, s.quadric})
     {
-      CHECK(surface.is_determined);
+      CHECK(surface.is_determined());
       const double of_height = std::abs(double(surface.height))
                                / std::sqrt(double(surface.height_variance)),
                    of_slope = std::abs(double(surface.slope_u))
@@ -364,13 +364,13 @@ void check_few(Generator& generator)
       s.slope_u = 0.125f;
     const Fits fits = fitted(input, predictions, 1);
     for (std::size_t i = 0; i < four.points.size(); ++i)
-      CHECK(!fits.surfaces[i].plane.is_determined && !fits.surfaces[i].quadric.is_determined
+      CHECK(!fits.surfaces[i].plane.is_determined() && !fits.surfaces[i].quadric.is_determined()
             && are_the_same(fits.predictions[i], predictions[i]));
   }
   Input without_disks(four, true, 0.01, generator);
-  without_disks.disks = Fitted_disks(Counting_allocator<Vector>());
+  without_disks.disks = Merged_disks(Counting_allocator<Vector>());
   for (const Surfaces_of_scale& s : fitted(without_disks).surfaces)
-    CHECK(!s.plane.is_determined && !s.quadric.is_determined);
+    CHECK(!s.plane.is_determined() && !s.quadric.is_determined());
 }
 
 int main()

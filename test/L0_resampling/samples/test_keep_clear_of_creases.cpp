@@ -62,28 +62,33 @@ Naively_slid slid_naively(const Oriented_points& samples, const Buffer<Bend>& be
   struct Face
   {
     Vector normals = Vector::Zero();
-    double weight = 0, height = 0, convexity = 0;
+    double weight = 0, height = 0, convexity = 0, squared_height = 0;
   };
   std::vector<Face> faces(6);
   for (std::size_t k = 0; k < samples.points.size(); ++k)
   {
     const Vector d = p - samples.points[k], other = samples.normals[k];
-    const double w = 1 - d.squaredNorm() / square(2.2 * spacing);
+    const double w = 1 - d.squaredNorm() / square(3 * spacing);
     if (w <= 0 || n.dot(other) >= 0.87 || n.dot(other) <= -0.5)
       continue;
     Face& face = faces[side_of(k)];
     face.normals += w * other;
     face.weight += w;
     face.height += w * other.dot(d);
+    face.squared_height += w * square(other.dot(d));
     face.convexity += w * (n - other).dot(d);
   }
   Naively_slid result = {p, n};
   Vector way = Vector::Zero();
   for (const Face& face : faces)
   {
-    result.is_at_limit |= std::abs(face.weight - 0.7) < 1e-4
-                          || std::abs(face.convexity) < 1e-6 * face.weight * spacing;
-    if (face.weight < 0.7)
+    const double variance = face.squared_height / face.weight
+                            - square(face.height / face.weight),
+                 largest_variance = square(0.3 * spacing);
+    result.is_at_limit |= std::abs(face.weight - 2.5) < 1e-4
+                          || std::abs(face.convexity) < 1e-6 * face.weight * spacing
+                          || std::abs(variance / largest_variance - 1) < 1e-4;
+    if (face.weight < 2.5 || variance > largest_variance)
       continue;
     const Vector other = face.normals.normalized();
     const double cosine = other.dot(n), sine = std::sqrt(1 - cosine * cosine),

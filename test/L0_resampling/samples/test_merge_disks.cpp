@@ -25,9 +25,9 @@ struct Naive_disk
   double height, information;
 };
 
-Fitted_disks make_disks(const std::vector<Naive_disk>& naive, const Buffer<float>& scales = {})
+Merged_disks make_disks(const std::vector<Naive_disk>& naive, const Buffer<float>& scales = {})
 {
-  Fitted_disks disks{Counting_allocator<Vector>()};
+  Merged_disks disks{Counting_allocator<Vector>()};
   for (const Naive_disk& d : naive)
   {
     disks.positions.push_back(d.position);
@@ -39,7 +39,7 @@ Fitted_disks make_disks(const std::vector<Naive_disk>& naive, const Buffer<float
   return disks;
 }
 
-std::vector<Naive_disk> naive_disks(const Fitted_disks& disks)
+std::vector<Naive_disk> naive_disks(const Merged_disks& disks)
 {
   std::vector<Naive_disk> naive;
   for (std::size_t k = 0; k < disks.positions.size(); ++k)
@@ -48,10 +48,10 @@ std::vector<Naive_disk> naive_disks(const Fitted_disks& disks)
   return naive;
 }
 
-Fitted_disks merged(const Fitted_disks& disks)
+Merged_disks merged(const Merged_disks& disks)
 {
-  Fitted_disks result = merge_disks<CGAL::Parallel_if_available_tag>(disks, cell_size);
-  const Fitted_disks sequential = merge_disks<CGAL::Sequential_tag>(disks, cell_size);
+  Merged_disks result = merge_disks<CGAL::Parallel_if_available_tag>(disks.view(), cell_size);
+  const Merged_disks sequential = merge_disks<CGAL::Sequential_tag>(disks.view(), cell_size);
   CHECK(result.positions == sequential.positions && result.normals == sequential.normals
         && result.heights == sequential.heights && result.informations == sequential.informations
         && result.scales == sequential.scales);
@@ -184,7 +184,7 @@ void check_sums(Generator& generator)
   std::vector<Naive_disk> along_one_normal = disks;
   for (Naive_disk& d : along_one_normal)
     d.normal = Vector::UnitY();
-  const Fitted_disks result = merged(make_disks(along_one_normal));
+  const Merged_disks result = merged(make_disks(along_one_normal));
   CHECK(result.positions.size() < disks.size());
   CHECK((sums(naive_disks(result)) - sums(along_one_normal)).norm() < 1e-3);
 }
@@ -226,7 +226,7 @@ void check_sorting(Generator& generator)
 {
   const std::vector<Naive_disk> disks = any_disks(generator);
   const Buffer<float> scales = make_scales(positions_of(disks), false);
-  Fitted_disks sorted = make_disks(disks, scales);
+  Merged_disks sorted = make_disks(disks, scales);
   sorted.sort<CGAL::Parallel_if_available_tag>(cell_size);
   const Buffer<Index> order = Search_grid_3::sorted_order<CGAL::Sequential_tag>(
     to_buffer(positions_of(disks)), Cell_sizes(cell_size, scales));

@@ -63,7 +63,6 @@ Surface_of_disks any_surface(double deviation, double deviation_of_slope, double
   s.vv = normal(1);
   s.height_variance = float(square(deviation));
   s.slope_variance = float(square(deviation_of_slope));
-  s.is_determined = true;
   return s;
 }
 
@@ -76,7 +75,7 @@ double naive_risk(const Sorted_samples& samples, const References& references, s
   for (std::size_t k = 0; k < samples.size(); ++k)
   {
     const Surface_of_disks &s = surface_at(k), &r = references[k];
-    if (!s.is_determined || !r.is_determined)
+    if (!s.is_determined() || !r.is_determined())
       continue;
     const double squared_distance = (samples.position(k) - samples.position(i)).squaredNorm(),
                  squared_radius = square(radius * samples.scale(i)),
@@ -97,7 +96,7 @@ double naive_risk(const Sorted_samples& samples, const References& references, s
                  - by_chance(r.slope_variance, s.slope_variance));
   }
   const Surface_of_disks &s = surface_at(i), &r = references[i];
-  if (!s.is_determined || !r.is_determined || !(weight > 0))
+  if (!s.is_determined() || !r.is_determined() || !(weight > 0))
     return -1;
   return (double(s.height_variance) + (std::max)(heights / weight, 0.)) / double(r.height_variance)
          + (double(s.slope_variance) + (std::max)(slopes / weight, 0.)) / double(r.slope_variance);
@@ -121,9 +120,12 @@ void check_formula(bool have_even_scales, Generator& generator)
     references[i] = any_surface(0.02, 0.1, 0, generator);
     surfaces[i].plane = any_surface(0.01, 0.12, bias, generator);
     surfaces[i].quadric = any_surface(0.005, 0.03, 0, generator);
-    references[i].is_determined = is_there();
-    surfaces[i].plane.is_determined = is_there();
-    surfaces[i].quadric.is_determined = is_there();
+    if (!is_there())
+      references[i] = Surface_of_disks();
+    if (!is_there())
+      surfaces[i].plane = Surface_of_disks();
+    if (!is_there())
+      surfaces[i].quadric = Surface_of_disks();
   }
   const Buffer<Mean_surface> means = weighed(samples, references, surfaces);
   double off = 0;
@@ -260,9 +262,9 @@ void check_reference(Generator& generator)
   CHECK(is_close(half.slope_variance, 0.5 * (0.01 + 0.04), 1e-5));
   CHECK(is_close(whole.slope_v, smallest.slope_v, 1e-5)
         && is_close(whole.height_variance, smallest.height_variance, 1e-5));
-  smallest.is_determined = false;
+  smallest = Surface_of_disks();
   CHECK(are_the_same(reference_of(quadric, smallest, 0.5f), quadric));
-  CHECK(!reference_of(smallest, quadric, 1).is_determined);
+  CHECK(!reference_of(smallest, quadric, 1).is_determined());
   CHECK(radius_of_bias(0) == 2 && is_close(radius_of_bias(1), 3.3, 1e-12)
         && radius_of_bias(4) == 6);
 }
