@@ -114,7 +114,7 @@ Naively_slid slid_naively(const Oriented_points& samples, const Buffer<Bend>& be
   return result;
 }
 
-/// A cube with samples beside, on and beyond its edges and corners, or what fills a hole of it, with
+/// A cube with samples beside, on and beyond its edges and corners, or a hole of this shape, with
 /// surfaces that bend in any way. The faces are known here.
 void check_formula(bool is_hole, Generator& generator)
 {

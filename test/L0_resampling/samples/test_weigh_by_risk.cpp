@@ -19,7 +19,7 @@ using namespace test;
 /// That bias is averaged over, at scale 1.
 const double radius = 0.3, cell_size = 0.2;
 
-bool are_the_same(const Mean_surface& a, const Mean_surface& b)
+bool are_same_means(const Mean_surface& a, const Mean_surface& b)
 {
   return a.weight == b.weight && a.height == b.height && a.slope_u == b.slope_u
          && a.slope_v == b.slope_v && a.uu == b.uu && a.uv == b.uv && a.vv == b.vv;
@@ -45,7 +45,7 @@ Buffer<Mean_surface> weighed(const Sorted_samples& samples, const References& re
   const Buffer<Mean_surface> sequential = run(CGAL::Sequential_tag());
   CHECK(
     std::equal(means.begin(), means.end(), sequential.begin(), sequential.end(),
-               [](const Mean_surface& a, const Mean_surface& b) { return are_the_same(a, b); }));
+               [](const Mean_surface& a, const Mean_surface& b) { return are_same_means(a, b); }));
   return means;
 }
 
@@ -234,7 +234,7 @@ void check_few(Generator& generator)
   Surfaces surfaces(1);
   References references(1);
   surfaces[0].plane = any_surface(0.01, 0.1, 0, generator);
-  CHECK(are_the_same(weighed(one, references, surfaces)[0], Mean_surface()));
+  CHECK(are_same_means(weighed(one, references, surfaces)[0], Mean_surface()));
   references[0] = surfaces[0].plane;
   const Mean_surface mean = weighed(one, references, surfaces)[0];
   CHECK(is_close(mean.weight, 0.125, 1e-6)); // the risk is 2
