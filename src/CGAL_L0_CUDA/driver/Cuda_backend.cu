@@ -331,9 +331,14 @@ void Cuda_backend::orient_normals(const Plan& plan)
   if (plan.refines)
     sort_by_places(m_workplace, m_box.low, m_box.high, plan.cell_size_of_places(), m_samples,
                    nullptr);
+  find_sides(plan, m_counts);
+}
+
+void Cuda_backend::find_sides(const Plan& plan, Sample_counts* counts)
+{
   cuda::orient_normals(m_workplace, m_box.low, m_box.high,
                        unsigned(plan.number_of_orientation_neighbors), plan.sample_spacing,
-                       side_hints(), m_samples, m_counts);
+                       side_hints(), m_samples, counts);
 }
 
 void Cuda_backend::project_to_local_quadrics(const Plan& plan)
@@ -364,10 +369,21 @@ void Cuda_backend::spread_samples(const Plan& plan)
   release_neighbors();
 }
 
-void Cuda_backend::share_points(const Plan& plan)
+void Cuda_backend::begin_refinement(const Plan& plan)
 {
   m_refinement.emplace(m_workplace, plan.lengths_of_refinement(), m_box, plan.smallest_cell_size,
                        m_grid.frame, m_samples);
+}
+
+void Cuda_backend::split_sheets(const Plan& plan)
+{
+  begin_refinement(plan);
+  m_refinement->split_sheets(m_input.positions, m_grid);
+}
+
+void Cuda_backend::share_points(const Plan& plan)
+{
+  begin_refinement(plan);
   m_refinement->share_points(m_input.positions, m_grid);
 }
 

@@ -135,6 +135,7 @@ public:
 
   // The refinement
   void spread_samples(const Plan& plan);
+  void split_sheets(const Plan& plan);
   void share_points(const Plan& plan);
   void fit_disks(int scale) { m_refinement->fit_disks(scale); }
   void weigh_by_risk(int scale) { m_refinement->weigh_by_risk(scale); }
@@ -152,8 +153,11 @@ protected:
   void weigh_density(const Plan& plan, double known_mean);
   /// \param known null if the samples are to be chosen
   void choose_samples(const Plan& plan, const Known_starts* known);
+  /// \param counts out, on the device; 0 at first
+  void find_sides(const Plan& plan, Sample_counts* counts);
 
 private:
+  void begin_refinement(const Plan& plan);
   void take_vectors_of_list();
   void build_grid_of_points(const Plan& plan);
   Cell_blocks blocks_of_points(const Plan& plan, double radius) const;

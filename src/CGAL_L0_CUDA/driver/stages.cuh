@@ -169,7 +169,8 @@ struct Samples
   float4* hints = nullptr;           // as on the CPU: null if the caller has none
   unsigned* start_indices = nullptr; // as on the CPU: null if no samples follow others
   float* side_confidences = nullptr; // how sure the sides are, once they are chosen
-  float* noises = nullptr; // of the points of the last fit; null unless they are asked for
+  float* noises = nullptr;       // of the points of the last fit; null unless they are asked for
+  float* noise_ratios = nullptr; // as on the CPU, 1 until they are found; in the refinement only
   // Of a tile of a cloud only: whether the tile keeps them, and the trees of the orientation
   unsigned char* are_own = nullptr;
   unsigned* trees = nullptr;

@@ -6,6 +6,7 @@
 #include "samples/Refinement.cuh"
 
 #include <CGAL/L0_resampling/internal/kernels/merged_disk.h>
+#include <CGAL/L0_resampling/internal/kernels/split_of_sheet.h>
 
 #include <algorithm>
 #include <type_traits>
@@ -24,18 +25,20 @@ constexpr double most_cells_in_reach = 4;
 /// Of the balls around samples that are looked for in the grid of all samples.
 double largest_radius(const Lengths_of_refinement& lengths)
 {
-  double units = 0;
+  double units = radius_of_region;
   for (int scale = 0; scale < number_of_fit_scales; ++scale)
     units = (std::max)({units, radius_of_bias(scale),
                         scale < first_scale_of_merged_disks ? radius_of_fit(scale) : 0});
-  return (std::max)(units * lengths.unit, lengths.reach_of_disk());
+  return (std::max)(units * lengths.unit, lengths.widened(widening_of_split).reach_of_disk());
 }
 
-__global__ void number_samples(unsigned size, unsigned* numbers)
+__global__ void begin_samples(Samples refined)
 {
   const Wide i = thread_index();
-  if (i < size)
-    numbers[i] = unsigned(i);
+  if (i >= refined.size)
+    return;
+  refined.start_indices[i] = unsigned(i);
+  refined.noise_ratios[i] = 1;
 }
 
 __global__ void put_back_samples(Samples refined, Samples samples)
@@ -71,9 +74,9 @@ Samples samples_to_refine(const Workplace& workplace, const Samples& samples)
   refined.scales = copy(samples.scales, m);
   refined.spreading_radii = copy(samples.spreading_radii, m);
   refined.start_indices = workplace.arena.take<unsigned>(m);
-  number_samples<<<blocks_for(m), threads_per_block, 0, workplace.stream>>>(refined.size,
-                                                                            refined.start_indices);
-  check_launch("number_samples");
+  refined.noise_ratios = workplace.arena.take<float>(m);
+  begin_samples<<<blocks_for(m), threads_per_block, 0, workplace.stream>>>(refined);
+  check_launch("begin_samples");
   return refined;
 }
 
@@ -99,7 +102,50 @@ Refinement::Refinement(const Workplace& workplace, const Lengths_of_refinement& 
     m_grid.forget_order();
   }
   const unsigned m = samples.size;
-  m_shares = {arena.take<float>(m), arena.take<float>(m)};
+  m_shares = {arena.take<float>(m), arena.take<float>(m), nullptr};
+}
+
+void Refinement::share(const Positions& points, const Cell_grid& grid, double widening,
+                       const Shares_of_samples& shares)
+{
+  const Arena_scope arena_scope(m_workplace.arena), scope(m_workplace.scratch);
+  const bool are_cells_shared = m_grid.frame.cell_size == grid.frame.cell_size;
+  cuda::share_points(m_workplace, m_lengths, widening,
+                     are_cells_shared
+                       ? grid
+                       : build_grid(points, nullptr, m_grid.frame, m_workplace.arena,
+                                    m_workplace.scratch, m_workplace.scratch, m_workplace.stream),
+                     m_grid, m_samples, shares);
+}
+
+void Refinement::split_sheets(const Positions& points, const Cell_grid& grid)
+{
+  Device_arena& arena = m_workplace.arena;
+  const Arena_scope scope(arena);
+  Shares_of_samples shares = m_shares;
+  shares.scatters = arena.take<float4>(m_samples.size);
+  share(points, grid, widening_of_split, shares);
+  const Scattered_disks disks = {m_samples.normals, shares.scatters};
+  const auto split = [&](const Cell_grid& wide_grid, const unsigned* order,
+                         const Scattered_disks& sorted) {
+    cuda::split_sheets(m_workplace, m_lengths, wide_grid, order, sorted, m_grid, m_samples);
+  };
+  const double radius = radius_of_split * m_lengths.unit;
+  if (radius <= most_cells_in_reach * m_grid.frame.cell_size)
+  {
+    split(m_grid, nullptr, disks);
+    return;
+  }
+  const Cell_grid wide_grid = build_grid(
+    sample_positions(), nullptr, frame_of((std::max)(radius / 2, m_smallest_cell_size), radius),
+    arena, m_workplace.scratch, m_workplace.stream);
+  split(wide_grid, wide_grid.order, in_order_of(m_workplace, wide_grid, disks));
+}
+
+void Refinement::share_points(const Positions& points, const Cell_grid& grid)
+{
+  Device_arena& arena = m_workplace.arena;
+  const unsigned m = m_samples.size;
   m_means = arena.take<Mean_surface>(m);
   m_predictions = arena.take<Surface_of_disks>(m);
   m_references = arena.take<Surface_of_disks>(m);
@@ -107,9 +153,10 @@ Refinement::Refinement(const Workplace& workplace, const Lengths_of_refinement& 
   m_smallest_scope.emplace(arena);
   m_smallest_surfaces = arena.take<Surfaces_of_scale>(m);
   // as they are made on the CPU: of zeros only
-  CGAL_L0_CUDA_CHECK(cudaMemsetAsync(m_means, 0, m * sizeof(Mean_surface), workplace.stream));
+  CGAL_L0_CUDA_CHECK(cudaMemsetAsync(m_means, 0, m * sizeof(Mean_surface), m_workplace.stream));
   CGAL_L0_CUDA_CHECK(
-    cudaMemsetAsync(m_predictions, 0, m * sizeof(Surface_of_disks), workplace.stream));
+    cudaMemsetAsync(m_predictions, 0, m * sizeof(Surface_of_disks), m_workplace.stream));
+  share(points, grid, 1, m_shares);
 }
 
 /// That of the points, unless their radius, which the caller may choose, is far smaller than the
@@ -119,18 +166,6 @@ Cell_frame Refinement::frame_of_samples(const Cell_frame& of_points) const
   const double radius = largest_radius(m_lengths);
   return radius <= most_cells_in_reach * of_points.cell_size ? of_points
                                                              : frame_of(radius / 2, radius);
-}
-
-void Refinement::share_points(const Positions& points, const Cell_grid& grid)
-{
-  const Arena_scope arena_scope(m_workplace.arena), scope(m_workplace.scratch);
-  const bool are_cells_shared = m_grid.frame.cell_size == grid.frame.cell_size;
-  cuda::share_points(m_workplace, m_lengths,
-                     are_cells_shared
-                       ? grid
-                       : build_grid(points, nullptr, m_grid.frame, m_workplace.arena,
-                                    m_workplace.scratch, m_workplace.scratch, m_workplace.stream),
-                     m_grid, m_samples, m_shares);
 }
 
 void Refinement::fit_disks(int scale)

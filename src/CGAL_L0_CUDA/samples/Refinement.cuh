@@ -22,8 +22,8 @@ Samples samples_to_refine(const Workplace& workplace, const Samples& samples);
 /// Puts positions and normals back in the order before.
 void put_back(const Workplace& workplace, const Samples& refined, const Samples& samples);
 
-/// One round of the refinement, as `Refinement` on the CPU: the arrays of it, and what runs on
-/// them.
+/// One round of the refinement, or the split of sheets before, as `Refinement` on the CPU: the
+/// arrays of it, and what runs on them.
 class Refinement
 {
   const Workplace m_workplace;
@@ -36,11 +36,11 @@ class Refinement
   std::optional<Arena_scope> m_fits_scope; // of the arena
   Cell_grid m_grid;                        // of the samples
   Shares_of_samples m_shares;
-  Mean_surface* m_means;
-  Surface_of_disks *m_predictions, *m_references;
-  Surfaces_of_scale* m_surfaces;
-  std::optional<Arena_scope> m_smallest_scope; // of the arena, on top of that
-  Surfaces_of_scale* m_smallest_surfaces;      // which wait for their reference
+  Mean_surface* m_means = nullptr;
+  Surface_of_disks *m_predictions = nullptr, *m_references = nullptr;
+  Surfaces_of_scale* m_surfaces = nullptr;
+  std::optional<Arena_scope> m_smallest_scope;      // of the arena, on top of that
+  Surfaces_of_scale* m_smallest_surfaces = nullptr; // which wait for their reference
 
   // from then on
   std::optional<Arena_scope> m_bends_scope; // of the scratch arena
@@ -54,7 +54,9 @@ public:
              const Framed_box& box, double smallest_cell_size, const Cell_frame& of_points,
              const Samples& samples);
 
+  /// And finds the noise around each sample; nothing else runs after that.
   /// \param grid of the points
+  void split_sheets(const Positions& points, const Cell_grid& grid);
   void share_points(const Positions& points, const Cell_grid& grid);
   void fit_disks(int scale);
   void weigh_by_risk(int scale);
@@ -71,6 +73,8 @@ private:
     return Cell_frame::around(m_box.low, m_box.high, cell_size, longest_query, m_samples.scales);
   }
   Cell_frame frame_of_samples(const Cell_frame& of_points) const;
+  void share(const Positions& points, const Cell_grid& grid, double widening,
+             const Shares_of_samples& shares);
   void weigh(const Surfaces_of_scale* surfaces, int scale);
 };
 

@@ -23,15 +23,15 @@ __global__ void __launch_bounds__(threads_per_block, 2)
   const Query query(samples.size);
   const int4 center = sample_grid.points[query.index];
   const unsigned i = order ? order[query.index] : query.index;
-  const double scale = samples.scale(i),
-               radius = radius_of_fit(scale_of_fit) * (lengths.unit * scale);
+  const Lengths_of_refinement own_lengths = lengths_at(lengths, samples, i);
+  const double radius = radius_of_fit(scale_of_fit) * own_lengths.unit;
   const float4 normal = samples.normals[i];
   const Tangent_frame frame({normal.x, normal.y, normal.z});
   const float3 u = to_float(frame.u), v = to_float(frame.v), w = to_float(frame.normal);
   const Surface_of_disks prediction = predictions[i];
   Disk own;
   own.variance = variances[i];
-  const Weight_in_fit<float> weight_of(radius, lengths.deviation(own, scale));
+  const Weight_in_fit<float> weight_of(radius, own_lengths.deviation(own));
   const float unit = grid.frame.unit(), per_radius = float(1 / radius);
   Moments_of_disks<float> moments;
   for_each_candidate(
@@ -48,7 +48,7 @@ __global__ void __launch_bounds__(threads_per_block, 2)
   const Moments_of_disks<float> sums(moments, [](float sum) { return group_sum<lanes>(sum); });
   if (!query.writes)
     return;
-  const double squared_noise = square(lengths.noise_of_disk(1));
+  const double squared_noise = square(lengths.noise_of_disk());
   const Surfaces_of_scale surfaces = {sums.surface<3>(radius, squared_noise),
                                       sums.surface<6>(radius, squared_noise)};
   all_surfaces[i] = surfaces;

@@ -65,6 +65,8 @@ __global__ void reorder_samples(const unsigned* order, Samples from, Samples to)
     to.start_indices[i] = from.start_indices[k];
   if (to.noises)
     to.noises[i] = from.noises[k];
+  if (to.noise_ratios)
+    to.noise_ratios[i] = from.noise_ratios[k];
   if (to.are_own)
     to.are_own[i] = from.are_own[k];
 }
@@ -223,6 +225,7 @@ void keep_listed(const Workplace& workplace, const unsigned* list, unsigned size
   copy(before.hints, m);
   copy(before.start_indices, m);
   copy(before.noises, m);
+  copy(before.noise_ratios, m);
   copy(before.are_own, m);
   samples.size = size;
   reorder_samples<<<blocks_for(size), threads_per_block, 0, workplace.stream>>>(list, before,

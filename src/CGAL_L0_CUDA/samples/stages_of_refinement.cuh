@@ -15,22 +15,54 @@ namespace L0_resampling {
 namespace internal {
 namespace cuda {
 
-// The stages of a round of the refinement, see `Refinement`. The samples are in the order of their
+// The stages of the refinement, see `Refinement`. The samples are in the order of their
 // grid; the fourth numbers of their normals are the heights of the points over their disks, from
 // `share_points()` on.
+
+/// The lengths at a sample.
+__device__ inline Lengths_of_refinement lengths_at(const Lengths_of_refinement& lengths,
+                                                   const Samples& samples, unsigned i)
+{
+  return lengths.at(samples.scale(i), samples.noise_ratios[i]);
+}
 
 /// What the points tell of the disks of the samples, beside their heights.
 struct Shares_of_samples
 {
   float* informations; // as `Lengths_of_refinement` says
   float* variances;    // as of `Disk`
+  // W, the variance of the points about their mean height, and the means of the squares and fourth
+  // powers of their heights; null unless sheets are split
+  float4* scatters;
 };
 
 /// Shares the points among the samples around them, as `share_points()` on the CPU.
+/// \param widening of the noise
 /// \param sample_grid of the same cells as `point_grid`
-void share_points(const Workplace& workplace, const Lengths_of_refinement& lengths,
+void share_points(const Workplace& workplace, const Lengths_of_refinement& lengths, double widening,
                   const Cell_grid& point_grid, const Cell_grid& sample_grid, const Samples& samples,
                   const Shares_of_samples& shares);
+
+/// The disks that sheets are told apart by.
+struct Scattered_disks
+{
+  const float4* normals; // and the heights of the points over the disks
+  const float4* scatters;
+};
+
+/// Puts them in the order of a grid; arrays are taken from the arena.
+Scattered_disks in_order_of(const Workplace& workplace, const Cell_grid& grid,
+                            const Scattered_disks& disks);
+
+/// Splits samples between two sheets, and finds the noise around each, as `Sheet_splitter` on the
+/// CPU.
+/// \param wide_grid of the samples, of cells that suit a ball of `radius_of_split`
+/// \param order where each sample of that grid stands; null if each in its own place
+/// \param disks in the order of that grid
+/// \param sample_grid in whose order the samples are
+void split_sheets(const Workplace& workplace, const Lengths_of_refinement& lengths,
+                  const Cell_grid& wide_grid, const unsigned* order, const Scattered_disks& disks,
+                  const Cell_grid& sample_grid, const Samples& samples);
 
 /// The disks that surfaces are fitted to.
 struct Disks

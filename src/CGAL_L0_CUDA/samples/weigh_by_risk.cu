@@ -19,8 +19,9 @@ __global__ void find_reference(Samples samples, Lengths_of_refinement lengths,
 {
   const Wide i = thread_index();
   if (i < samples.size)
-    references[i] = reference_of(surfaces[i].quadric, smallest[i].quadric,
-                                 lengths.share_of_smallest_reference(samples.scale(unsigned(i))));
+    references[i] =
+      reference_of(surfaces[i].quadric, smallest[i].quadric,
+                   lengths_at(lengths, samples, unsigned(i)).share_of_smallest_reference());
 }
 
 /// By how much the surfaces of a sample differ from its reference.
@@ -107,7 +108,7 @@ __global__ void settle_on_mean(Samples samples, Lengths_of_refinement lengths,
     return;
   const float4 own = samples.normals[i];
   const Triple normal = {own.x, own.y, own.z};
-  const Settled_on_mean settled(means[i], normal, lengths, samples.scale(unsigned(i)));
+  const Settled_on_mean settled(means[i], normal, lengths_at(lengths, samples, unsigned(i)));
   double* const position = samples.positions + 3 * i;
   position[0] += settled.height * normal.x;
   position[1] += settled.height * normal.y;
