@@ -207,9 +207,9 @@ void check_formula(bool have_even_scales, Generator& generator)
       number_of_quadrics += check_surface(s.quadric, naive.surface(6), input.radius_of(i));
       number_of_none += !s.plane.is_determined();
       const bool takes_quadric = scale > 0 && s.quadric.is_determined();
-      CHECK(are_the_same(fits.predictions[i], takes_quadric           ? s.quadric
+      CHECK(are_the_same(fits.predictions[i], takes_quadric             ? s.quadric
                                               : s.plane.is_determined() ? s.plane
-                                                                      : predictions[i]));
+                                                                        : predictions[i]));
     }
     CHECK(number_of_planes > 700 && number_of_quadrics > 500 && number_of_none > 0);
     predictions = copy_of(fits.predictions);

@@ -82,8 +82,7 @@ Naively_slid slid_naively(const Oriented_points& samples, const Buffer<Bend>& be
   Vector way = Vector::Zero();
   for (const Face& face : faces)
   {
-    const double variance = face.squared_height / face.weight
-                            - square(face.height / face.weight),
+    const double variance = face.squared_height / face.weight - square(face.height / face.weight),
                  largest_variance = square(0.3 * spacing);
     result.is_at_limit |= std::abs(face.weight - 2.5) < 1e-4
                           || std::abs(face.convexity) < 1e-6 * face.weight * spacing

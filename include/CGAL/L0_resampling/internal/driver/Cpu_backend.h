@@ -293,8 +293,7 @@ public:
   }
 
   /// Forgets what neighbors are found in, but not the neighbors.
-  void repel_tangentially(const Plan& plan,
-                          std::size_t number_of_steps = number_of_repulsion_steps)
+  void repel_tangentially(const Plan& plan, std::size_t number_of_steps = number_of_repulsion_steps)
   {
     const auto repel = [&](const Neighborhoods& others, double radius) {
       internal::repel_tangentially<ConcurrencyTag>(others, m_places,
@@ -346,9 +345,9 @@ public:
     const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(m_samples.positions,
                                                                             sample_cells(plan));
     apply_order<ConcurrencyTag>(order, m_samples);
-    m_order_before = m_order_before.empty() ? copy_of(order)
-                                            : values_in_order<ConcurrencyTag>(order,
-                                                                              m_order_before);
+    m_order_before = m_order_before.empty()
+                       ? copy_of(order)
+                       : values_in_order<ConcurrencyTag>(order, m_order_before);
     find_self_neighbors(plan);
     m_places = copy_of(m_samples.positions);
     repel_tangentially(plan, number_of_repulsion_steps_of_refinement);

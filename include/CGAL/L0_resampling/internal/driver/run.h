@@ -152,7 +152,8 @@ template <typename Backend>
 void refine_samples(const Plan& plan, Backend& backend)
 {
   backend.begin_stage("refine samples", 0.3,
-                      (number_of_refinements * (2 * number_of_fit_scales + number_of_clearances + 3) + 6)
+                      (number_of_refinements * (2 * number_of_fit_scales + number_of_clearances + 3)
+                       + 6)
                         * backend.number_of_samples());
   backend.spread_samples(plan);
   backend.split_sheets(plan);
@@ -171,7 +172,6 @@ void refine_samples(const Plan& plan, Backend& backend)
     backend.end_turn(std::size_t(round), std::size_t(number_of_refinements));
   }
   backend.end_refinement();
-  backend.release_points();
 }
 
 /// Resamples: the stages of the paper, one after the other. The result is left in the backend.
@@ -197,7 +197,9 @@ void run(Plan plan, Backend& backend)
     // planes and quadrics leave none of these
     backend.begin_stage("project to local quadrics", 0.03, m);
     backend.project_to_local_quadrics(plan);
-    refine_samples(plan, backend);
+    if (plan.has_disks_enough())
+      refine_samples(plan, backend);
+    backend.release_points();
   }
   if constexpr (Backend::finds_feature_confidences) // if not, whoever takes the result does
     if (plan.finds_feature_confidences)

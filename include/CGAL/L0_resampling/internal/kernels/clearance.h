@@ -62,7 +62,7 @@ public:
     if (f == m_size)
     {
       m_faces[m_size++] = {weight * other, weight, weight * height, weight * convexity,
-                            weight * height * height};
+                           weight * height * height};
       return;
     }
     m_faces[f].normals = m_faces[f].normals + weight * other;
@@ -91,8 +91,7 @@ public:
                    sign = face.convexity > 0 ? 1 : -1, least_sine = 0.3;
       if (sine < least_sine)
         continue;
-      const double missing = at_most(sign * height
-                                       + clearance_per_spacing * spacing * sine,
+      const double missing = at_most(sign * height + clearance_per_spacing * spacing * sine,
                                      spacing);
       if (missing > 0)
         way = way + -sign * missing / (sine * sine) * (other + -cosine * normal);

@@ -82,8 +82,7 @@ CGAL_L0_HOST_DEVICE inline Disk_kernel<float> disk_kernel(double unit, double no
 template <typename T>
 struct Shares_of_disk
 {
-  T shares = T(), squared_shares = T(), heights = T(), squared_heights = T(),
-    fourth_powers = T();
+  T shares = T(), squared_shares = T(), heights = T(), squared_heights = T(), fourth_powers = T();
 
   CGAL_L0_HOST_DEVICE void add(const T& share, const T& height)
   {
@@ -99,11 +98,11 @@ struct Shares_of_disk
 /// What the points tell of the surface at a sample.
 struct Disk
 {
-  float weight = 0;          ///< W, the sum of the shares
-  float height = 0;          ///< Z, the mean height of the points over the sample
-  float squared_height = 0;  ///< the mean of the squares
-  float fourth_power = 0;    ///< the mean of the fourth powers
-  float variance = 1;        ///< of Z, per that of one point
+  float weight = 0;         ///< W, the sum of the shares
+  float height = 0;         ///< Z, the mean height of the points over the sample
+  float squared_height = 0; ///< the mean of the squares
+  float fourth_power = 0;   ///< the mean of the fourth powers
+  float variance = 1;       ///< of Z, per that of one point
 
   Disk() = default;
   CGAL_L0_HOST_DEVICE explicit Disk(const Shares_of_disk<float>& sums)

@@ -50,8 +50,8 @@ constexpr float least_cosine_of_majority = 0.8f;
 template <typename S>
 struct Moments_of_sheets
 {
-  Quadric_moments<S> heights; ///< of the means of the points of the disks
-  S spread = S();             ///< of the points of a disk about their mean
+  Quadric_moments<S> heights;                   ///< of the means of the points of the disks
+  S spread = S();                               ///< of the points of a disk about their mean
   S squared_heights = S(), fourth_powers = S(); ///< of the points over the disks
 
   CGAL_L0_HOST_DEVICE void add(const S& u, const S& v, const S& height, const S& own_spread,
@@ -149,7 +149,9 @@ CGAL_L0_HOST_DEVICE inline float noise_ratio(const Scatter_in_ball& ball,
                inner_area = square(inner_share_of_split),
                of_no_size = of_inner - inner_area / (1 - inner_area) * (of_ball - of_inner),
                least = of_inner / 2,
-               variance = of_ball < of_inner ? of_ball : of_no_size < least ? least : of_no_size;
+               variance = of_ball < of_inner   ? of_ball
+                          : of_no_size < least ? least
+                                               : of_no_size;
   return variance > 0 ? float(beyond_chance(std::sqrt(variance) / noise)) : 1;
 }
 

@@ -213,6 +213,16 @@ struct Plan
     return {unit_per_point_spacing * point_spacing, noise, sample_spacing};
   }
 
+  /// Whether the refinement can tell anything: if an even set of the samples has as many disks in
+  /// the ball of the reference as a quadric takes.
+  bool has_disks_enough() const
+  {
+    const double fewest = 10;
+    return even_number_of_neighbors(radius_of_fit(scale_of_reference)
+                                    * lengths_of_refinement().unit / sample_spacing)
+           >= fewest;
+  }
+
   double area_radius() const { return inner_radius_factor * longest_query(); }
   /// Of the samples that repel each other; the largest, where each has its own.
   double spreading_radius() const

@@ -85,17 +85,14 @@ public:
       m_normals(m_positions.size(), allocator()),
       m_scales(listed_scales(view_of_scales(samples.scales), m_order)),
       m_noise_ratios(listed_scales(view_of_scales(samples.noise_ratios), m_order)),
-      m_grid(ConcurrencyTag(), m_positions, Cell_sizes(cell_size, m_scales)),
-      m_disks(allocator()), m_heights(m_positions.size(), allocator()),
-      m_informations(m_positions.size(), allocator()),
-      m_predictions(m_positions.size(), allocator()),
-      m_references(m_positions.size(), allocator()), m_surfaces(m_positions.size(), allocator()),
-      m_smallest_surfaces(allocator()), m_means(m_positions.size(), allocator()),
-      m_bends(allocator())
+      m_grid(ConcurrencyTag(), m_positions, Cell_sizes(cell_size, m_scales)), m_disks(allocator()),
+      m_heights(m_positions.size(), allocator()), m_informations(m_positions.size(), allocator()),
+      m_predictions(m_positions.size(), allocator()), m_references(m_positions.size(), allocator()),
+      m_surfaces(m_positions.size(), allocator()), m_smallest_surfaces(allocator()),
+      m_means(m_positions.size(), allocator()), m_bends(allocator())
   {
-    for_each_sample([&](std::size_t i) {
-      m_normals[i] = samples.normals[m_order[i]].template cast<Local>();
-    });
+    for_each_sample(
+      [&](std::size_t i) { m_normals[i] = samples.normals[m_order[i]].template cast<Local>(); });
   }
 
   /// \param widening of the noise
@@ -141,13 +138,12 @@ public:
       return;
     }
     const double cell_size = (std::max)(radius / 2, m_smallest_cell_size);
-    Merged_disks disks = merge_disks<ConcurrencyTag>(
-      all, (std::max)(cell_of_merged_disks * radius, m_smallest_cell_size));
+    Merged_disks disks = merge_disks<ConcurrencyTag>(all, (std::max)(cell_of_merged_disks * radius,
+                                                                     m_smallest_cell_size));
     disks.sort<ConcurrencyTag>(cell_size);
     const Search_grid_3 grid(ConcurrencyTag(), disks.positions,
                              Cell_sizes(cell_size, disks.scales));
-    const Sorted_queries queries(ConcurrencyTag(), m_positions,
-                                 Cell_sizes(cell_size, m_scales));
+    const Sorted_queries queries(ConcurrencyTag(), m_positions, Cell_sizes(cell_size, m_scales));
     fit({queries.grid, queries.points, queries.order.data(), m_normals}, grid, disks.view());
   }
 
@@ -190,9 +186,8 @@ public:
 
   void keep_clear_of_creases()
   {
-    internal::keep_clear_of_creases<ConcurrencyTag>(m_bends, m_lengths.spacing,
-                                                    m_smallest_cell_size, m_progress, m_positions,
-                                                    m_normals);
+    internal::keep_clear_of_creases<ConcurrencyTag>(
+      m_bends, m_lengths.spacing, m_smallest_cell_size, m_progress, m_positions, m_normals);
   }
 
   template <typename FT>

@@ -54,8 +54,7 @@ struct Samples
     noise_ratios;
   Buffer<float>
     /// how sure the sides are, and what the points of the last fit scatter; none unless asked for
-    side_confidences,
-    noises;
+    side_confidences, noises;
 
   Buffer<Index>
     start_indices; ///< where samples follow others: the place of each in the first order; else none
@@ -64,7 +63,8 @@ struct Samples
     : positions(allocator), normals(allocator), fit_weights(allocator), fit_centroids(allocator),
       fit_variances(allocator), outward_directions(allocator), scales(allocator),
       are_support_points(allocator), spreading_radii(allocator), hints(allocator),
-      noise_ratios(allocator), side_confidences(allocator), noises(allocator), start_indices(allocator)
+      noise_ratios(allocator), side_confidences(allocator), noises(allocator),
+      start_indices(allocator)
   {}
 };
 

@@ -50,8 +50,8 @@ void keep_clear_of_creases(const Buffer<Bend>& bends, double spacing, double sma
       around.gather(candidates, sorted_normals);
       for (Index q = queries.first; q < queries.second; ++q)
       {
-        const Eigen::Matrix<Local, 3, 1> center = (sorted.points[q] - origin)
-                                                    .template cast<Local>(),
+        const Eigen::Matrix<Local, 3, 1> center =
+                                           (sorted.points[q] - origin).template cast<Local>(),
                                          normal = sorted_normals[q];
         Faces_around faces;
         candidates.for_each_run_in_ball(

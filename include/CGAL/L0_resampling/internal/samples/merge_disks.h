@@ -49,8 +49,8 @@ struct Merged_disks
   template <typename ConcurrencyTag>
   void sort(double cell_size)
   {
-    const Buffer<Index> order = Search_grid_3::sorted_order<ConcurrencyTag>(
-      positions, Cell_sizes(cell_size, scales));
+    const Buffer<Index> order =
+      Search_grid_3::sorted_order<ConcurrencyTag>(positions, Cell_sizes(cell_size, scales));
     apply_order<ConcurrencyTag>(order, positions);
     apply_order<ConcurrencyTag>(order, normals);
     apply_order<ConcurrencyTag>(order, heights);
@@ -88,8 +88,8 @@ Merged_disks merge_disks(const Fitted_disks& disks, double cell_size)
       const auto triple = [](const auto& v) {
         return Triple{double(v[0]), double(v[1]), double(v[2])};
       };
-      const Merged_disk disk(triple(disks.positions[k]), triple(disks.normals[k]),
-                             disks.heights[k], disks.informations[k]);
+      const Merged_disk disk(triple(disks.positions[k]), triple(disks.normals[k]), disks.heights[k],
+                             disks.informations[k]);
       std::size_t m = 0;
       while (m < of_cell.size() && !of_cell[m].is_of_face(disk, height_of_face))
         ++m;

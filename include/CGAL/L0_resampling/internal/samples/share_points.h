@@ -90,9 +90,9 @@ Buffer<Disk> share_points(const Search_grid_3& point_grid, const Buffer<Vector>&
 
   Buffer<Disk> disks(samples.positions.size(), points.get_allocator());
   const auto make_visitor_of_samples = [&]() {
-    return [&, inverse_densities = Gathered_values<Local, 1>()](
-             Search_grid_3::Range queries, Local_points<Local>& candidates,
-             const Vector& origin) mutable {
+    return [&, inverse_densities = Gathered_values<Local, 1>()](Search_grid_3::Range queries,
+                                                                Local_points<Local>& candidates,
+                                                                const Vector& origin) mutable {
       inverse_densities.gather(candidates,
                                [&](Index j, Local(&own)[1]) { own[0] = 1 / densities[j]; });
       for (Index i = queries.first; i < queries.second; ++i)

@@ -53,8 +53,7 @@ class Sheet_splitter
   void for_each_cell_in(double units, const Make_visitor& make_visitor) const
   {
     for_each_cell<Local, ConcurrencyTag>(m_grid, m_positions, m_grid, m_positions,
-                                         cells_in_reach(units * m_lengths.unit,
-                                                        m_grid.cell_size()),
+                                         cells_in_reach(units * m_lengths.unit, m_grid.cell_size()),
                                          m_progress, make_visitor);
   }
 
@@ -80,9 +79,8 @@ class Sheet_splitter
         const L cosine = dot(nx, ny, nz, frame.normal), off = dot(dx, dy, dz, frame.normal),
                 height = off + cosine * values.load(0, k);
         const L within = (squared - off * off) * (unit * unit);
-        const L is_of_sheets = where_less(abs(off), highest,
-                                          where_less(-abs(cosine), -least_cosine_of_sheets,
-                                                     values.load(2, k)));
+        const L is_of_sheets = where_less(
+          abs(off), highest, where_less(-abs(cosine), -least_cosine_of_sheets, values.load(2, k)));
         const L z = values.load(0, k),
                 u = (dot(dx, dy, dz, frame.u) + z * dot(nx, ny, nz, frame.u)) * unit,
                 v = (dot(dx, dy, dz, frame.v) + z * dot(nx, ny, nz, frame.v)) * unit;
@@ -119,8 +117,7 @@ class Sheet_splitter
           own[4] = disk.fourth_power;
         });
         for (Index i = queries.first; i < queries.second; ++i)
-          look_at(i, (m_positions[i] - origin).template cast<Local>(), candidates, normals,
-                  values);
+          look_at(i, (m_positions[i] - origin).template cast<Local>(), candidates, normals, values);
       };
     });
   }
@@ -151,13 +148,11 @@ class Sheet_splitter
           const Local squared = Local(square(units * m_lengths.unit * scale(i)));
           L sums[3];
           candidates.for_each_run_in_ball(center, squared, [&](std::size_t k, const L& d) {
-            const L cosine = L::load(&normals.x[k]) * normal[0]
-                             + L::load(&normals.y[k]) * normal[1]
+            const L cosine = L::load(&normals.x[k]) * normal[0] + L::load(&normals.y[k]) * normal[1]
                              + L::load(&normals.z[k]) * normal[2];
             for (int a = 0; a < 3; ++a)
-              sums[a] += where_less(d, squared,
-                                    where_less(-abs(cosine), -least_cosine_of_majority,
-                                               values.load(a, k)));
+              sums[a] += where_less(
+                d, squared, where_less(-abs(cosine), -least_cosine_of_majority, values.load(a, k)));
           });
           const Local all = sums[0].sum(), flagged = sums[1].sum(), sure = sums[2].sum();
           if (flagged > Local(share) * all && sure > Local(share_sure) * flagged)
@@ -190,7 +185,8 @@ class Sheet_splitter
             continue;
           const Local_vector center = (p - origin).template cast<Local>(), normal = m_normals[i];
           const double unit = m_lengths.unit * scale(i);
-          const Local squared = Local(square(radius_of_balance * unit)), per = Local(1 / square(unit));
+          const Local squared = Local(square(radius_of_balance * unit)),
+                      per = Local(1 / square(unit));
           L sum;
           candidates.for_each_run_in_ball(center, squared, [&](std::size_t k, const L& d) {
             const L cosine = values.load(0, k) * normal[0] + values.load(1, k) * normal[1]

@@ -66,8 +66,7 @@ void weigh_by_risk(const Search_grid_3& grid, const Buffer<Vector>& positions,
         Differences_from_reference<L> plane, quadric;
         candidates.for_each_run_in_ball(
           center, squared_radius, [&](std::size_t k, const L& squared_distance) {
-            const L cosine = L::load(&normals.x[k]) * normal[0]
-                             + L::load(&normals.y[k]) * normal[1]
+            const L cosine = L::load(&normals.x[k]) * normal[0] + L::load(&normals.y[k]) * normal[1]
                              + L::load(&normals.z[k]) * normal[2];
             const L weight = weight_of_difference(squared_distance, squared_radius, cosine);
             const auto add = [&](int of_surface, Differences_from_reference<L>& sums) {
