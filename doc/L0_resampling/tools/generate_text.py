@@ -191,9 +191,9 @@ TABLES = {"quality": {"fandisk": "quality_fandisk", "armadillo": "quality_armadi
           "performance": {"fandisk": "speed", "callback": "callback", "cuda_h200": "device",
                           "large_clouds": "large_clouds"},
           "report": {"full": "claims"}}
-# Of figures that are plots
-PLOTTED = ("quality/comparison", "quality/poisson", "quality/oracle", "quality/thin_plates",
-           "quality/scenes", "performance/scaling", "performance/cuda_h200")
+# Of figures that are plots, and of tables that the text names
+PLOTTED = ("quality/comparison", "quality/noise_sweep", "quality/poisson", "quality/oracle",
+           "quality/thin_plates", "quality/scenes", "performance/scaling", "performance/cuda_h200")
 
 
 def main():
